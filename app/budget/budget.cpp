@@ -11,7 +11,7 @@ namespace ergodome {
 
 namespace {
 
-constexpr const char* budget_remedy = "write for example --budget 0.25px, --budget 60fps or --budget 0.25px,60fps";
+constexpr const char* budget_remedy = "write, for example, --budget 0.25px, --budget 60fps or --budget 0.25px,60fps";
 
 [[noreturn]] void refuse_budget(const std::string& word, const std::string& problem, const std::string& remedy) {
   throw UsageError(fmt::format("--budget {}", word), problem, remedy);
@@ -37,10 +37,10 @@ std::vector<std::string> budget_parts(const std::vector<std::string>& words) {
 void set_once(std::optional<double>& value, double number, double least, double most, const std::string& part,
               const char* unit) {
   if (!(number >= least && number <= most)) {
-    refuse_budget(part, "is out of bounds", fmt::format("choose from {0:g}{2} to {1:g}{2}", least, most, unit));
+    refuse_budget(part, "is out of range", fmt::format("choose from {0:g}{2} to {1:g}{2}", least, most, unit));
   }
   if (value) {
-    refuse_budget(part, fmt::format("is the second budget in {}", unit), "leave one of them out");
+    refuse_budget(part, fmt::format("is a second budget in {}", unit), "remove one of them");
   }
   value = number;
 }
@@ -55,7 +55,7 @@ Budget parse_budget(const std::vector<std::string>& words) {
     const auto [end, problem] = std::from_chars(part.data(), part.data() + part.size(), number);
     const std::string unit(end, part.data() + part.size());
     if (problem != std::errc() || (unit != "px" && unit != "fps")) {
-      refuse_budget(part, "is neither an error in pixels nor a rate of frames", budget_remedy);
+      refuse_budget(part, "is neither an error in px nor a frame rate in fps", budget_remedy);
     }
     if (unit == "px") {
       set_once(budget.error_px, number, least_budget_px, most_budget_px, part, "px");

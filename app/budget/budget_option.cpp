@@ -8,8 +8,8 @@ void add_budget_option(CLI::App& command, std::vector<std::string>& words) {
   command
       .add_option(
           "--budget", words,
-          "what a frame may cost: 0.25px (error on the screen), 60fps (a frame's time), or 0.25px,60fps; settings are "
-          "chosen by measuring at the start, in two seconds at the most")
+          "keep an error (0.25px), a frame rate (60fps) or both (0.25px,60fps); settings are measured and chosen "
+          "at the start, in up to two seconds")
       ->allow_extra_args(false);
 }
 

@@ -109,7 +109,7 @@ std::string PlayBudget::display_text() const {
 std::string PlayBudget::summary_text() const {
   const std::string error = fmt::format(
       "error {:.3g} px ({})", error_px(),
-      errors_px_.size() < telling_errors ? "as measured at the start" : "99 of 100 pixels of the last pictures");
+      errors_px_.size() < telling_errors ? "as measured at the start" : "99 % of the pixels of the last frames");
   if (!keeper_) {
     return fmt::format("budget {}: {}", text_of(plan_.budget), error);
   }

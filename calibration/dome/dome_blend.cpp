@@ -41,8 +41,8 @@ DomeBlend::DomeBlend(std::vector<ProjectorOptics> projectors, const DomeScreen& 
   }
   if (!(level < std::numeric_limits<double>::infinity())) {
     throw Error(projectors_.empty() ? "blend" : projectors_.front().place(),
-                "lights no part of the dome, and no other projector does",
-                "check position_m, yaw_deg and pitch_deg: without angles a lens looks to the dome's front");
+                "lights no part of the dome, and neither does any other projector",
+                "check position_m, yaw_deg and pitch_deg; without these angles a projector points to the dome's front");
   }
   level_ = level;
 }

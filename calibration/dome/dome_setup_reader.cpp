@@ -21,7 +21,7 @@ void read_dome(TomlTable& root, const std::string& file, DomeSetup& setup) {
   }
   TomlTable dome(*node, file, "dome");
   if (!dome.has("radius_m")) {
-    throw dome.error_at("radius_m", "is missing", "write the radius of the dome's sphere in metres");
+    throw dome.error_at("radius_m", "is missing", "write the radius of the dome's sphere in meters");
   }
   setup.radius_m = dome.number("radius_m", setup.radius_m, 0.1, 1000.0);
   setup.tilt_known = dome.has("tilt_deg");
@@ -39,7 +39,7 @@ void read_viewer(TomlTable& root, const std::string& file, DomeSetup& setup) {
   setup.viewer_m = read_place(viewer, "position_m");
   if (!(std::sqrt(dot(setup.viewer_m, setup.viewer_m)) < setup.radius_m)) {
     throw viewer.error_at("position_m", "lies outside the dome",
-                          fmt::format("stay within {} m of its middle", setup.radius_m));
+                          fmt::format("keep it within {} m of the center", setup.radius_m));
   }
   viewer.refuse_unknown_keys();
 }
@@ -57,13 +57,13 @@ bool share_output(const ProjectorSetup& a, const ProjectorSetup& b) {
 //! Two projectors may share neither a name nor a part of the screen.
 void check_apart(const TomlTable& table, const ProjectorSetup& projector, const ProjectorSetup& other) {
   if (projector.name == other.name) {
-    throw table.error_at("name", fmt::format("is \"{}\" like another's", projector.name.substr(0, 60)),
-                         "name each projector differently");
+    throw table.error_at("name", fmt::format("\"{}\" is used twice", projector.name.substr(0, 60)),
+                         "give each projector its own name");
   }
   if (share_output(projector, other)) {
     throw table.error_at(projector.output.monitor ? "monitor" : "window_px",
-                         fmt::format("covers the output of \"{}\"", other.name.substr(0, 60)),
-                         "give each projector a monitor, or a window_px = [x, y] where its resolution fits");
+                         fmt::format("overlaps the output of \"{}\"", other.name.substr(0, 60)),
+                         "give each projector its own monitor, or its own area of the desktop with window_px = [x, y]");
   }
 }
 
@@ -71,10 +71,10 @@ void check_apart(const TomlTable& table, const ProjectorSetup& projector, const 
 void check_places(const TomlTable& table, const ProjectorSetup& projector, double radius_m) {
   constexpr double farthest_radii = 10.0;
   if (!(std::sqrt(dot(projector.position_m, projector.position_m)) <= farthest_radii * radius_m)) {
-    throw table.error_at("position_m", "is more than ten radii away from the dome", "places are in metres");
+    throw table.error_at("position_m", "is more than ten dome radii away from the center", "write positions in meters");
   }
   if (projector.mirror && !(std::sqrt(dot(projector.mirror->position_m, projector.mirror->position_m)) < radius_m)) {
-    throw table.error_at("mirror", "lies outside the dome", "correct its position_m, in metres from the dome's middle");
+    throw table.error_at("mirror", "lies outside the dome", "correct its position_m, in meters from the dome's center");
   }
 }
 
@@ -111,12 +111,12 @@ DomeSetup parse_dome_setup(std::string_view text, const std::string& file, Named
 
 DomeSetup read_dome_setup(const std::filesystem::path& path) {
   if (path.extension() == ".mpcdi") {
-    throw Error(path.string(), "is a calibration, not a setup",
-                fmt::format("make one of it: ergodome convert {} dome.toml", path.string()));
+    throw Error(path.string(), "is a calibration, not a dome setup",
+                fmt::format("convert it: ergodome convert {} dome.toml", path.string()));
   }
   if (path.extension() == ".data" || path.extension() == ".pfm") {
-    throw Error(path.string(), "is a warp mesh, not a setup",
-                fmt::format("name it in one, as a projector's warp = \"{}\"", path.filename().string()));
+    throw Error(path.string(), "is a warp mesh, not a dome setup",
+                fmt::format("write warp = \"{}\" for a projector of a dome setup", path.filename().string()));
   }
   return parse_dome_setup(read_whole_file(path, largest_mib << 20U, "give the path of a dome setup (.toml)"),
                           path.string(), NamedFiles::must_exist);

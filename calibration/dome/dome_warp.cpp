@@ -101,7 +101,7 @@ WarpMesh dome_warp(const ProjectorOptics& projector, const DomeScreen& screen, i
       mesh.nodes, [](const WarpNode& node) { return node.valid && rim_part(node.u, node.v) <= 1.0; });
   if (!lit) {
     throw Error(projector.place(), "lights no part of the dome",
-                "check its position_m, its angles, and the dome's radius_m and tilt_deg");
+                "check its position_m and its angles, and radius_m and tilt_deg of the dome");
   }
   return mesh;
 }

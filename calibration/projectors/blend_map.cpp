@@ -20,16 +20,16 @@ long pixels_of(const ImageShape& shape) { return static_cast<long>(shape.width) 
 
 void check_shape(const ImageShape& shape, const std::string& name) {
   if (shape.width < 2 || shape.height < 2 || shape.depth > 1) {
-    throw Error(name, fmt::format("is a mask of {} x {} pixels", shape.width, shape.height),
-                "a mask has at least 2 x 2");
+    throw Error(name, fmt::format("is a mask of {} x {} pixels, too small", shape.width, shape.height),
+                "use at least 2 x 2 pixels");
   }
   if (shape.width > most_mesh_side || shape.height > most_mesh_side ||
       pixels_of(shape) > static_cast<long>(most_mesh_nodes)) {
-    throw Error(name, fmt::format("is a mask of {} x {} pixels", shape.width, shape.height),
-                fmt::format("{} a side and {} in all are the most", most_mesh_side, most_mesh_nodes));
+    throw Error(name, fmt::format("is a mask of {} x {} pixels, too large", shape.width, shape.height),
+                fmt::format("use at most {} pixels a side and {} in total", most_mesh_side, most_mesh_nodes));
   }
   if (shape.channels != 1 && shape.channels != 3) {
-    throw Error(name, fmt::format("has {} channels", shape.channels), "save it as grey or RGB, without transparency");
+    throw Error(name, fmt::format("has {} channels", shape.channels), "save it as gray or RGB, without transparency");
   }
 }
 
@@ -39,17 +39,17 @@ BlendMap parse_blend_map(std::span<const std::byte> bytes, const std::string& na
   std::string problem;
   const auto input = image_library().open(name, {bytes}, problem);
   if (!input) {
-    throw Error(name, "is not an image that can be read: " + problem, "save the mask as a PNG of 8 or 16 bits");
+    throw Error(name, "cannot be read as an image: " + problem, "save the mask as a PNG with 8 or 16 bits per channel");
   }
   const ImageShape& shape = input->shape();
   check_shape(shape, name);
   BlendMap map{shape.width, shape.height, shape.channels, shape.sample_bytes > 1 ? 16 : 8, {}};
   map.values.resize(static_cast<std::size_t>(pixels_of(shape)) * static_cast<std::size_t>(shape.channels));
   if (!input->read_all(shape.channels, map.values.data())) {
-    throw Error(name, "cannot be read: " + input->error(), "the file seems torn; save it again");
+    throw Error(name, "cannot be read: " + input->error(), "the file is truncated or damaged; save it again");
   }
   if (!std::all_of(map.values.begin(), map.values.end(), [](float value) { return value >= 0.0F && value <= 1.0F; })) {
-    throw Error(name, "holds values outside 0 to 1", "save the mask as a PNG of 8 or 16 bits");
+    throw Error(name, "contains values outside 0 to 1", "save the mask as a PNG with 8 or 16 bits per channel");
   }
   return map;
 }
@@ -90,7 +90,7 @@ BlendMap in_shape_of(const BlendMap& map, int width_px, int height_px) {
 }
 
 BlendMap read_blend_map(const std::filesystem::path& path) {
-  const std::string bytes = read_whole_file(path, most_bytes, "give a mask as a PNG of 8 or 16 bits");
+  const std::string bytes = read_whole_file(path, most_bytes, "give a mask as a PNG with 8 or 16 bits per channel");
   return parse_blend_map(std::as_bytes(std::span(bytes)), path.string());
 }
 

@@ -27,7 +27,7 @@ const MpcdiRegion& region_of(const Mpcdi& mpcdi, const std::string& id, const st
   }
   if (found == nullptr || (id.empty() && count > 1)) {
     throw Error(file, id.empty() ? "has several regions" : fmt::format("has no region \"{}\"", id.substr(0, 40)),
-                "write region = one of " + ids.substr(0, 1000));
+                "choose region from " + ids.substr(0, 1000));
   }
   return *found;
 }
@@ -64,7 +64,7 @@ void load_foreign_warp(const WarpFile& warp, const std::filesystem::path& path, 
   loaded.source = WarpSource::lens_picture;
   loaded.lens = foreign.view->frustum;
   loaded.orientation = foreign.view->orientation;
-  loaded.notes.push_back("the warp's file shows a picture at " + words_of(*foreign.view));
+  loaded.notes.push_back("the warp file gives the view " + words_of(*foreign.view));
 }
 
 void load_warp(const WarpFile& warp, const std::filesystem::path& path, double aspect, LoadedProjector& loaded) {
@@ -109,9 +109,9 @@ BlendMap read_mask(const DomeSetup& setup, const ProjectorSetup& projector, cons
     BlendMap mask = read_blend_map(path);
     if (!has_shape_of(mask, projector.width_px, projector.height_px)) {
       throw Error(path.string(),
-                  fmt::format("is a mask of {} x {} for a raster of {} x {}, which has another shape", mask.width,
-                              mask.height, projector.width_px, projector.height_px),
-                  "save it in the raster's size, or a part of that");
+                  fmt::format("is a mask of {} x {} pixels, but the raster is {} x {}, with another aspect ratio",
+                              mask.width, mask.height, projector.width_px, projector.height_px),
+                  "save it in the raster's size, or smaller with the same aspect ratio");
     }
     return mask;
   });

@@ -46,15 +46,15 @@ ProjectorOptics::ProjectorOptics(const DomeSetup& setup, const ProjectorSetup& p
     fisheye_ = *fisheye;
     law_ = law_of(*fisheye);
   } else {
-    throw Error(place_, "has no lens, so nothing tells where its picture goes",
-                "give it a frustum or a fisheye, with position_m and its angles");
+    throw Error(place_, "has no lens, so the direction of its light is unknown",
+                "give it a frustum or a fisheye, position_m and its angles");
   }
   if (outside() && dot(position_m_, zenith_) > 0.0) {
     throw Error(
-        place_, "stands outside the dome, whose shell keeps its light out",
+        place_, "is outside the dome, whose shell blocks its light",
         fmt::format(
-            "correct its position_m, in metres from the dome's middle; inside is within {:g} m, and light comes "
-            "in from below the rim alone",
+            "correct its position_m, in meters from the dome's center: inside is within {:g} m, and a projector "
+            "outside must be below the rim",
             dome_radius_m_));
   }
 }

@@ -83,8 +83,8 @@ WarpMesh unturned_warp(const DomeSetup& setup, const ProjectorSetup& projector, 
     if (const auto* const frustum = std::get_if<Frustum>(&loaded.lens)) {
       return through_lens(setup.tilt_deg, *warp, loaded.orientation, *frustum);
     }
-    throw Error(place_of(projector), "has a warp of what its lens shows, and no flat lens",
-                "write its frustum, or a warp of the domemaster (MPCDI profile 2d, or source = \"domemaster\")");
+    throw Error(place_of(projector), "has a warp of the lens image, but no flat lens",
+                "write its frustum, or use a warp of the domemaster (MPCDI profile 2d, or source = \"domemaster\")");
   }
   ProjectorSetup placed = projector;
   placed.lens = loaded.lens;
@@ -193,7 +193,7 @@ WarpMesh master_warp(const DomeSetup& setup, const ProjectorSetup& projector, co
   });
   if (!shows_master) {
     throw Error(place_of(projector), "has a warp that shows no part of the domemaster",
-                "check that it was made for this dome, and how it is read (rows, texture, x_range)");
+                "check that it was made for this dome, and check rows, texture and x_range");
   }
   turn(warp, one_degree * setup.rotation_deg);
   return warp;

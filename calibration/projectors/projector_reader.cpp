@@ -23,7 +23,7 @@ class ProjectorReader {
   ProjectorSetup read() {
     projector_.name = table_.text("name", "");
     if (projector_.name.empty()) {
-      throw table_.error_at("name", "is missing", "name the projector, so that messages can");
+      throw table_.error_at("name", "is missing", "name the projector; messages use this name");
     }
     projector_.position_m = read_place(table_, "position_m");
     projector_.orientation = {table_.number("yaw_deg", 0.0, -360.0, 360.0),
@@ -35,8 +35,8 @@ class ProjectorReader {
     read_warp();
     read_colour();
     if (std::holds_alternative<std::monostate>(projector_.lens) && !projector_.warp) {
-      throw table_.error_at("name", fmt::format("is \"{}\", which has neither a lens nor a warp", projector_.name),
-                            "write frustum, fisheye or warp, so that it is known where its light goes");
+      throw table_.error_at("name", fmt::format("\"{}\" has neither a lens nor a warp", projector_.name),
+                            "write frustum, fisheye or warp, which give the direction of its light");
     }
     table_.refuse_unknown_keys();
     return std::move(projector_);
@@ -47,7 +47,8 @@ class ProjectorReader {
     const toml::table* const frustum = table_.table("frustum");
     const toml::table* const fisheye = table_.table("fisheye");
     if (frustum != nullptr && fisheye != nullptr) {
-      throw table_.error_at("fisheye", "stands beside frustum", "a projector has one lens: remove one of them");
+      throw table_.error_at("fisheye", "cannot be combined with frustum",
+                            "remove one of them: a projector has one lens");
     }
     if (frustum != nullptr) {
       TomlTable angles(*frustum, file_, table_.path_of("frustum"));
@@ -72,10 +73,10 @@ class ProjectorReader {
     frustum.up_deg = angle("up_deg");
     frustum.down_deg = angle("down_deg");
     if (!(frustum.left_deg < frustum.right_deg)) {
-      throw table.error_at("left_deg", "is not below right_deg", "to the left angles are negative");
+      throw table.error_at("left_deg", "is not below right_deg", "write angles to the left as negative numbers");
     }
     if (!(frustum.down_deg < frustum.up_deg)) {
-      throw table.error_at("down_deg", "is not below up_deg", "downwards angles are negative");
+      throw table.error_at("down_deg", "is not below up_deg", "write angles downward as negative numbers");
     }
     table.refuse_unknown_keys();
     return frustum;
@@ -92,13 +93,15 @@ class ProjectorReader {
       lens.offset_y = offset[1];
     }
     if (!lens.polynomial.empty() && table.has("circle")) {
-      throw table.error_at("circle", "stands beside polynomial", "the polynomial tells the size: remove circle");
+      throw table.error_at("circle", "cannot be combined with polynomial",
+                           "remove circle: the polynomial determines the size");
     }
     constexpr double rounding = 0.002;
     if (!lens.polynomial.empty() &&
         growing_angle(lens.polynomial) < 0.5 * one_degree * lens.field_of_view_deg - rounding) {
-      throw table.error_at("polynomial", "does not grow up to the rim of the field of view",
-                           "write f1, f3, f5, f7 with r = f1 t + f3 t^3 + ... rising for t from 0 to half of fov_deg");
+      throw table.error_at(
+          "polynomial", "does not increase up to the edge of the field of view",
+          "choose f1, f3, f5, f7 so that r = f1 t + f3 t^3 + ... increases for t from 0 to half of fov_deg");
     }
     table.refuse_unknown_keys();
     return lens;
@@ -111,17 +114,17 @@ class ProjectorReader {
     }
     TomlTable mirror(*node, file_, table_.path_of("mirror"));
     if (!mirror.has("position_m") || !mirror.has("radius_m")) {
-      throw mirror.error_at("position_m", "or radius_m is missing", "write both, in metres");
+      throw mirror.error_at("position_m", "or radius_m is missing", "write both, in meters");
     }
     projector_.mirror = SphericalMirror{read_place(mirror, "position_m"), mirror.number("radius_m", 0.3, 0.001, 100.0)};
     mirror.refuse_unknown_keys();
     const Vector3<double> apart = projector_.mirror->position_m - projector_.position_m;
     if (!(std::sqrt(dot(apart, apart)) > projector_.mirror->radius_m)) {
-      throw mirror.error_at("radius_m", "is so large that the projector stands inside the mirror",
-                            "correct the mirror's or the projector's position_m");
+      throw mirror.error_at("radius_m", "is so large that the projector is inside the mirror",
+                            "correct it, or position_m of the mirror or the projector");
     }
     if (std::holds_alternative<std::monostate>(projector_.lens)) {
-      throw mirror.error_at("radius_m", "belongs to a projector without a lens", "write its frustum or fisheye");
+      throw mirror.error_at("radius_m", "needs a projector with a lens", "write its frustum or fisheye");
     }
   }
 
@@ -138,7 +141,8 @@ class ProjectorReader {
       projector_.output.monitor = table_.integer("monitor", 0, 0, 63);
     }
     if (projector_.output.monitor && !window.empty()) {
-      throw table_.error_at("window_px", "stands beside monitor", "a projector has one output: remove one of them");
+      throw table_.error_at("window_px", "cannot be combined with monitor",
+                            "remove one of them: a projector has one output");
     }
     if (!window.empty()) {
       projector_.output.window_x_px = whole(window[0], "window_px");
@@ -148,7 +152,7 @@ class ProjectorReader {
 
   int whole(double value, std::string_view key) const {
     if (value != std::floor(value)) {
-      throw table_.error_at(key, "holds a part of a pixel", "write whole numbers");
+      throw table_.error_at(key, "contains a fraction of a pixel", "write whole numbers");
     }
     return static_cast<int>(value);
   }
@@ -162,8 +166,9 @@ class ProjectorReader {
     std::error_code problem;
     if (!name.empty() && named_files_ == NamedFiles::must_exist &&
         !std::filesystem::is_regular_file(folder_ / name, problem)) {
-      throw table.error_at(key, fmt::format("names {}, which is no file", (folder_ / name).string()),
-                           "correct the name; it counts from the setup's folder");
+      throw table.error_at(key,
+                           fmt::format("names {}, which does not exist or is not a file", (folder_ / name).string()),
+                           "correct the path; it is relative to the setup's folder");
     }
     return name;
   }
@@ -188,7 +193,7 @@ class ProjectorReader {
     WarpFile warp;
     warp.file = read_file(table, "file");
     if (warp.file.empty()) {
-      throw table.error_at("file", "is missing", "name the file of the warp");
+      throw table.error_at("file", "is missing", "name the warp file");
     }
     warp.format = table.has("format")
                       ? static_cast<WarpFormat>(table.choice("format", 0,
@@ -197,7 +202,8 @@ class ProjectorReader {
                       : format_of(table, "file", warp.file);
     const auto only_for = [&](std::string_view key, bool suits, const char* formats) {
       if (table.has(key) && !suits) {
-        throw table.error_at(key, "means nothing in this format", fmt::format("it is for {}: remove it", formats));
+        throw table.error_at(key, "has no meaning in this format",
+                             fmt::format("remove it; it is only for {}", formats));
       }
     };
     only_for("rows", warp.format == WarpFormat::pfm || warp.format == WarpFormat::mpcdi, "pfm and mpcdi");
@@ -205,7 +211,7 @@ class ProjectorReader {
     only_for("region", warp.format == WarpFormat::mpcdi, "mpcdi");
     only_for("x_range", warp.format == WarpFormat::bourke, "bourke");
     only_for("source", tells_no_source(warp.format),
-             "formats that do not tell it: bourke, pfm, domeprojection, obj, simcad and easyblend");
+             "bourke, pfm, domeprojection, obj, simcad and easyblend, which do not store it");
     warp.rows = static_cast<RowOrder>(table.choice("rows", 0, {"bottom_up", "top_down"}));
     warp.texture = static_cast<TextureDirection>(table.choice("texture", 0, {"downwards", "upwards"}));
     warp.region = table.text("region", "");
@@ -213,8 +219,8 @@ class ProjectorReader {
     warp.source = static_cast<WarpSource>(table.choice("source", 0, {"domemaster", "lens"}));
     if (warp.source == WarpSource::lens_picture && !std::holds_alternative<Frustum>(projector_.lens)) {
       throw table.error_at(
-          "source", "is \"lens\", and the projector has no frustum",
-          "write the frustum of the picture that the warp looks up, with yaw_deg, pitch_deg and roll_deg");
+          "source", "is \"lens\", but the projector has no frustum",
+          "write the frustum of the image that the warp samples, with yaw_deg, pitch_deg and roll_deg");
     }
     table.refuse_unknown_keys();
     return warp;
@@ -229,16 +235,17 @@ class ProjectorReader {
     if (format) {
       return *format;
     }
-    throw table.error_at(key, fmt::format("ends in \"{}\", which tells no format", ending.substr(0, 20)),
-                         "write { file = \"...\", format = \"bourke\" }, or pfm, mpcdi, domeprojection, obj, sciss, "
-                         "easyblend, simcad or skyskan");
+    throw table.error_at(
+        key, fmt::format("names a file of an unknown format (ending \"{}\")", ending.substr(0, 20)),
+        "write { file = \"...\", format = \"bourke\" }, or the format pfm, mpcdi, domeprojection, obj, "
+        "sciss, easyblend, simcad or skyskan");
   }
 
   void read_colour() {
     projector_.blend_mask = read_file(table_, "blend_mask");
     projector_.blend_mask_gamma = table_.number("blend_mask_gamma", 1.0, 0.1, 10.0);
     if (table_.has("blend_mask_gamma") && projector_.blend_mask.empty()) {
-      throw table_.error_at("blend_mask_gamma", "stands without blend_mask", "name the mask, or remove the line");
+      throw table_.error_at("blend_mask_gamma", "is set without blend_mask", "name the mask, or remove this key");
     }
     projector_.black_level_mask = read_file(table_, "black_level_mask");
     projector_.black_level_lift = read_colour_of("black_level_lift", projector_.black_level_lift, 0.5);
@@ -247,8 +254,8 @@ class ProjectorReader {
     const bool lifts =
         projector_.black_level_lift.x + projector_.black_level_lift.y + projector_.black_level_lift.z > 0.0;
     if (!projector_.black_level_mask.empty() && !lifts) {
-      throw table_.error_at("black_level_mask", "stands without black_level_lift",
-                            "write how much light it lets through, such as black_level_lift = 0.01");
+      throw table_.error_at("black_level_mask", "is set without black_level_lift",
+                            "write the lift, such as black_level_lift = 0.01");
     }
   }
 

@@ -8,13 +8,12 @@ namespace ergodome {
 
 void check_mesh_size(long long columns, long long rows, const std::string& place) {
   if (columns < 2 || rows < 2) {
-    throw Error(place, fmt::format("is a mesh of {} x {} nodes", columns, rows),
-                "a mesh has at least 2 x 2, or there is no cell to draw");
+    throw Error(place, fmt::format("is a mesh of {} x {} nodes, too small", columns, rows), "use at least 2 x 2 nodes");
   }
   if (columns > most_mesh_side || rows > most_mesh_side ||
       static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows) > most_mesh_nodes) {
-    throw Error(place, fmt::format("is a mesh of {} x {} nodes", columns, rows),
-                fmt::format("{} a side and {} in all are the most", most_mesh_side, most_mesh_nodes));
+    throw Error(place, fmt::format("is a mesh of {} x {} nodes, too large", columns, rows),
+                fmt::format("use at most {} nodes a side and {} in total", most_mesh_side, most_mesh_nodes));
   }
 }
 

@@ -94,7 +94,7 @@ class Resampler {
   void count_tests(int first_column, int last_column, int first_row, int last_row) {
     tests_left_ -= std::max(0.0, 1.0 + last_column - first_column) * std::max(0.0, 1.0 + last_row - first_row);
     if (tests_left_ < 0.0) {
-      throw Error("", "the warp's cells lie over one another more than 64 times", "export the mesh again");
+      throw Error("", "the warp's cells overlap more than 64 times on average", "export the mesh again");
     }
   }
 

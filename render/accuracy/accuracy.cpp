@@ -24,15 +24,15 @@ namespace {
 
 constexpr double arcmin = one_degree / 60.0;
 constexpr const char* closed_form_reference =
-    "rays in closed form, at one pixel of each cell of a lattice; what is seen of a wrong direction is the "
-    "displacement on the screen";
+    "rays in closed form, at one pixel of each cell of a lattice; the error of a direction is its displacement on the "
+    "screen";
 
 AccuracyReport head_of(const Show& show, const AccuracySettings& settings, const std::vector<AccuracyMoment>& moments) {
   AccuracyReport report;
   const AccuracyMoment& first = moments.front();
   report.show = show.name;
   report.title = text_in(show.title, "");
-  report.machine = fmt::format("processor, {}, {} threads", name_of(active_instruction_set()), thread_count());
+  report.machine = fmt::format("CPU, {}, {} threads", name_of(active_instruction_set()), thread_count());
   report.date = fmt::format("{:%Y-%m-%d %H:%M}", fmt::gmtime(std::time(nullptr)));
   report.width_px = first.projection.width_px;
   report.height_px = first.projection.height_px;
@@ -48,15 +48,18 @@ AccuracyReport head_of(const Show& show, const AccuracySettings& settings, const
 //! What a show has and this does not measure.
 std::vector<std::string> notes_of(const Show& show, const AccuracySettings& settings) {
   std::vector<std::string> notes = {
-      "everything ran on the processor; a GPU is not looked at",
-      "grids are read a register of pixels at a time, the published quadtree a pixel at a time, as its hash asks"};
+      "everything was measured on the CPU, nothing on a GPU",
+      "the conforming grid is read for several pixels at once (SIMD), but the published quadtree for one pixel at a "
+      "time, because it uses a hash table"};
   if (eye_count(show.stereo) > 1) {
     notes.emplace_back(
-        "the show is stereoscopic; but for the stereo models, what is measured is one eye, that of the head");
+        "the show is stereoscopic, but only the stereo models are measured with two eyes; all else is measured with "
+        "one eye at the center of the head");
   }
   if (settings.quick && draws_slowly(show)) {
     notes.emplace_back(
-        "whole frames have objects that take seconds to draw where there is no GPU; leave out --quick to see them");
+        "complete frames, and disk, shells and objects, were not measured, because the objects take seconds to draw "
+        "without a GPU; omit --quick to measure them");
   }
   return notes;
 }
@@ -92,7 +95,7 @@ std::optional<AccuracyAxis> measure_axis(const std::string& name, const Show& sh
                                          const AccuracyProgress& progress) {
   if (name == "rays") {
     return AccuracyAxis{"rays",
-                        "Where the light of each pixel comes from",
+                        "Direction of the light of each pixel",
                         ErrorUnit::pixels,
                         closed_form_reference,
                         "taylor",
@@ -101,7 +104,7 @@ std::optional<AccuracyAxis> measure_axis(const std::string& name, const Show& sh
   if (name == "lens") {
     return AccuracyAxis{
         "lens",
-        "The same with the pixels' footprints on the sky, which the map's filter asks for",
+        "Direction and footprint of each pixel on the sky, for the filter of the sky map",
         ErrorUnit::pixels,
         closed_form_reference,
         "conforming grid",
@@ -156,8 +159,8 @@ AccuracyReport measure_accuracy(const Show& show, const AccuracySettings& settin
     } else {
       report.notes.emplace_back(
           name == "stations"
-              ? "the camera stands still at the moments that were looked at: no stations between them"
-              : "the eyes are at one place at the moments that were looked at: no stereo models to compare");
+              ? "stations were not measured, because the camera does not move at the measured moments"
+              : "stereo models were not measured, because both eyes are at the same position at the measured moments");
     }
   }
   const std::vector<std::string> notes = notes_of(show, settings);

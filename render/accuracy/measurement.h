@@ -60,7 +60,7 @@ struct AccuracyAxis {
   std::string reference;  //!< what errors are counted from, a sentence
   std::string base;       //!< the method that others are compared with at equal error; empty: whichever is cheapest
   std::vector<Measurement> choices;
-  std::string time = "a frame";  //!< what Measurement::frame_ms is the time of
+  std::string time = "per frame";  //!< what Measurement::frame_ms is the time of
 };
 
 //! The whole of a measurement.

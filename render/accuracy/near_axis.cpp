@@ -64,7 +64,7 @@ std::vector<PictureChoice> near_choices(const Show& show, bool quick) {
   if (polygons_can_draw(show)) {
     for (const int most : {1, 4, 64}) {
       choices.push_back(
-          {"polygons", fmt::format("sides in up to {}", most), "MSW", by_polygons(show, most), LensChoice::direct});
+          {"polygons", fmt::format("subdivision up to {}", most), "MSW", by_polygons(show, most), LensChoice::direct});
     }
   }
   return choices;
@@ -77,7 +77,7 @@ AccuracyAxis measure_near(const Show& show, const AccuracySettings& asked, const
   settings.rounds = std::min(settings.rounds, 3);
   const Show alone = near_things_alone(show);
   const std::vector<AccuracyMoment> moments = accuracy_moments(alone, settings);
-  go_on(progress, "the reference of what is near the hole");
+  go_on(progress, "reference of disk, shells and objects");
   ShowRenderer exact(by_rays(alone, 0.005), Backend::cpu, LensChoice::direct);
   const ReferencePicture reference = [&](const AccuracyMoment& moment, const CameraPose& pose) {
     exact.apply(moment.time_s);
@@ -85,10 +85,11 @@ AccuracyAxis measure_near(const Show& show, const AccuracySettings& asked, const
   };
   AccuracyAxis axis;
   axis.name = "near";
-  axis.title = "Disk, shells and objects, before a black sky";
+  axis.title = "Disk, shells and objects against a black sky";
   axis.unit = ErrorUnit::light;
   axis.reference = fmt::format(
-      "rays to a thousandth of a pixel; as a part of the mean luminance of what shines, in pictures of {} pixels",
+      "rays exact to a thousandth of a pixel, in percent of the mean luminance of the lit pixels, in pictures {} "
+      "pixels wide",
       moments.front().projection.width_px);
   axis.choices = measure_pictures(near_choices(alone, settings.quick), reference, moments, settings, progress);
   return axis;

@@ -40,7 +40,7 @@ AccuracyAxis measure_map(const Show& show, const AccuracySettings& asked, const 
   const int blocks = settings.quick ? 3 : 4;
   const Show alone = map_alone(show);
   const std::vector<AccuracyMoment> moments = accuracy_moments(alone, settings);
-  go_on(progress, "loading the sky for the reference");
+  go_on(progress, "loading the sky of the reference");
   ShowRenderer exact(with_filter(alone, SkyFilter::polygon), Backend::cpu, LensChoice::direct);
   const ReferencePicture reference = [&](const AccuracyMoment& moment, const CameraPose& pose) {
     exact.apply(moment.time_s);
@@ -50,16 +50,16 @@ AccuracyAxis measure_map(const Show& show, const AccuracySettings& asked, const 
     return averaged(exact.render_eye(pose, 0.0, fine, ViewMode::sky, {moment.time_s}), blocks);
   };
   const std::vector<PictureChoice> choices = {
-      {"point", "one look at the finest texels", "", with_filter(alone, SkyFilter::point), LensChoice::live},
-      {"ewa", "an ellipse", "", with_filter(alone, SkyFilter::ewa), LensChoice::live},
-      {"polygon", "the pixel's outline", "VE", with_filter(alone, SkyFilter::polygon), LensChoice::live}};
+      {"point", "one sample of the finest texels", "", with_filter(alone, SkyFilter::point), LensChoice::live},
+      {"ewa", "ellipse", "", with_filter(alone, SkyFilter::ewa), LensChoice::live},
+      {"polygon", "outline of the pixel", "VE", with_filter(alone, SkyFilter::polygon), LensChoice::live}};
   AccuracyAxis axis;
   axis.name = "map";
-  axis.title = "How a pixel looks at the map of the sky";
+  axis.title = "Filtering of the sky map";
   axis.unit = ErrorUnit::light;
   axis.reference = fmt::format(
-      "the map's light over the outlines of {0} x {0} parts of each pixel, each summed exactly, by direct rays; as a "
-      "part of the picture's mean luminance, in pictures of {1} pixels",
+      "the light of the map in {0} x {0} parts of each pixel, each integrated exactly, with direct rays, in percent of "
+      "the mean luminance of the picture, in pictures {1} pixels wide",
       blocks, moments.front().projection.width_px);
   axis.choices = measure_pictures(choices, reference, moments, settings, progress);
   return axis;
@@ -79,7 +79,7 @@ AccuracyAxis measure_frames(const Show& show, const AccuracySettings& settings, 
   Show published = mono;
   published.grid_scheme = GridScheme::quadtree;
   const std::vector<AccuracyMoment> moments = accuracy_moments(mono, asked);
-  go_on(progress, "loading the sky for the reference");
+  go_on(progress, "loading the sky of the reference");
   ShowRenderer exact(at_budget(0.005), Backend::cpu, LensChoice::direct);
   const ReferencePicture reference = [&](const AccuracyMoment& moment, const CameraPose& pose) {
     exact.apply(moment.time_s);
@@ -94,11 +94,11 @@ AccuracyAxis measure_frames(const Show& show, const AccuracySettings& settings, 
   }
   AccuracyAxis axis;
   axis.name = "frame";
-  axis.title = "A whole frame as the show has it, for one eye";
+  axis.title = "Complete frames of the show, for one eye";
   axis.unit = ErrorUnit::light;
   axis.reference = fmt::format(
-      "the same frame by direct rays to a thousandth of a pixel; as a part of the picture's mean luminance, in "
-      "pictures of {} pixels",
+      "the same frame with direct rays exact to a thousandth of a pixel, in percent of the mean luminance of the "
+      "picture, in pictures {} pixels wide",
       moments.front().projection.width_px);
   axis.choices = measure_pictures(choices, reference, moments, asked, progress);
   return axis;

@@ -220,9 +220,9 @@ std::optional<AccuracyAxis> measure_stars(const Show& show, const std::vector<Ac
   std::array<Measurement, method_count> results;
   std::array<Tally, method_count> tallies;
   results[0].method = "inverse";
-  results[0].setting = "the lens turned round";
+  results[0].setting = "inverse of the lens";
   results[1].method = "gather";
-  results[1].setting = "what each pixel covers";
+  results[1].setting = "footprint of each pixel";
   results[1].published = "VE";
   for (const AccuracyMoment& moment : moments) {
     go_on(progress, "exact images of stars");
@@ -244,12 +244,11 @@ std::optional<AccuracyAxis> measure_stars(const Show& show, const std::vector<Ac
   }
   AccuracyAxis axis;
   axis.name = "stars";
-  axis.title = "How images of stars are found";
+  axis.title = "Search for lensed images of stars";
   axis.unit = ErrorUnit::pixels;
   axis.reference =
-      "where rays in closed form end on the star; light is that of the magnification, for images of less than 1,000 "
-      "times; lost "
-      "are images that one of the methods has and another lacks";
+      "rays in closed form that end at the star. Errors of the light are those of the magnification, for images "
+      "magnified less than 1,000 times. Lost images are those that one method finds and another does not";
   for (std::size_t i = 0; i < method_count; ++i) {
     results[i].error = summary_of(std::move(tallies[i].places_px));
     results[i].light_error = summary_of(std::move(tallies[i].lights));

@@ -103,13 +103,14 @@ class StationPixels : public PixelLens {
 };
 
 LensChoiceToMeasure station_choice(double spacing_s, bool derivatives) {
-  return {derivatives ? "stations with derivatives" : "plain stations", fmt::format("one every {:.2g} s", spacing_s),
-          "", "", [=](LensScene& scene) { return std::make_unique<StationPixels>(scene, spacing_s, derivatives); }};
+  return {derivatives ? "stations with derivatives" : "plain stations",
+          fmt::format("one station every {:.2g} s", spacing_s), "", "",
+          [=](LensScene& scene) { return std::make_unique<StationPixels>(scene, spacing_s, derivatives); }};
 }
 
 //! Of two stations, to what a second of the show takes of them.
 void count_a_second(Measurement& choice, double spacing_s) {
-  choice.passes_ms["a frame: blending two stations, and reading every pixel"] = spread_of(choice.frame_ms).median;
+  choice.passes_ms["blending two stations and reading every pixel"] = spread_of(choice.frame_ms).median;
   for (std::size_t i = 0; i < choice.frame_ms.size(); ++i) {
     choice.frame_ms[i] = 0.5 * choice.prepare_ms[i] / spacing_s;
   }
@@ -154,13 +155,12 @@ std::optional<AccuracyAxis> measure_stations(const Show& show, const std::vector
   }
   AccuracyAxis axis;
   axis.name = "stations";
-  axis.title = "How far apart the places may be whose lenses are computed before the show";
+  axis.title = "Spacing of stations (lenses computed before the show)";
   axis.unit = ErrorUnit::pixels;
   axis.reference =
-      "rays in closed form, half way between two such places (stations); memory is that of one station, disk that of a "
-      "second "
-      "of the show";
-  axis.time = "of baking for each second of the show";
+      "rays in closed form, halfway between two stations. A station is a camera position whose lens is computed in "
+      "advance. Memory is that of one station; disk space is that of one second of the show";
+  axis.time = "of baking per second of the show";
   axis.choices = measure_lenses(choices, PixelNeed::sky, moving, settings, progress);
   for (std::size_t i = 0; i < axis.choices.size(); ++i) {
     count_a_second(axis.choices[i], spacings_s[i]);

@@ -182,14 +182,13 @@ std::optional<AccuracyAxis> measure_stereo(const Show& show, PixelNeed need, con
   }
   AccuracyAxis axis;
   axis.name = "stereo";
-  axis.title = "Where the two eyes of a stereo picture are";
+  axis.title = "Positions of the eyes in stereo models";
   axis.unit = ErrorUnit::pixels;
   axis.reference = fmt::format(
-      "the left one of two real eyes, {:g} M apart, each a camera of its own, by rays in closed form; `flat` and "
-      "`omni` are other models, "
-      "and their errors are how far from that they are meant to be",
+      "the left of two real eyes, {:g} M apart, each with its own camera, with rays in closed form. The models flat "
+      "and omni place the eyes differently on purpose, so their errors show that difference",
       left.front().show.stereo.baseline);
-  axis.time = "a pair of eyes";
+  axis.time = "per pair of eyes";
   axis.choices = measure_lenses(stereo_choices(settings.quick), need, left, settings, progress);
   return axis;
 }

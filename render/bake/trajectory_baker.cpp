@@ -144,7 +144,7 @@ class Baker {
     result_.live_disk_s += meets_budget(gap.disk_error_px) ? 0.0 : gap.end_s - gap.begin_s;
     std::erase_if(recent_, [](const auto& kept) { return kept.second.expired(); });
     if (!proceed_(gap.end_s)) {
-      throw Error("bake", fmt::format("stopped at {:.3f} s of the show", gap.end_s), "run it again to go on");
+      throw Error("bake", fmt::format("stopped at {:.3f} s of the show", gap.end_s), "run it again to continue");
     }
   }
 
@@ -273,8 +273,8 @@ class Baker {
 
 TrajectoryProvenance provenance_of(const Show& show, const BakeSettings& settings) {
   if (find_animation(show, "hole.spin") != nullptr) {
-    throw Error(show.name, "the hole's spin changes with time (hole.spin), and lenses are baked for one spin",
-                "play and render it with --lens live, or leave the spin as it is");
+    throw Error(show.name, "the spin changes with time (hole.spin), but lenses are baked for one spin",
+                "play or render it with --lens live, or keep the spin constant");
   }
   // What changes words and tones needs no new lenses.
   Show baked = show;

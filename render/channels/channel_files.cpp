@@ -13,9 +13,9 @@ namespace {
 
 Error channels_cannot_be_written(const std::filesystem::path& path, const std::string& problem) {
   const std::string reason = disk_is_full(path) ? "the disk is full"
-                             : problem.empty()  ? "the folder or the disk refuses it"
+                             : problem.empty()  ? "the file system rejects it"
                                                 : problem.substr(0, problem.find('\n'));
-  return {path.string(), "cannot be written: " + reason, "check the folder, its permissions and the space left"};
+  return {path.string(), "cannot be written: " + reason, "check the folder, its permissions and the free space"};
 }
 
 FrameMetadata texts_of_facts(const std::vector<ChannelFact>& facts) {
@@ -37,7 +37,8 @@ std::vector<FitsCard> primary_cards(const std::vector<ChannelFact>& facts) {
 
 void add_wcs(const PictureWcs& wcs, std::vector<FitsCard>& cards) {
   constexpr const char* axes[] = {"VLON", "VLAT"};
-  constexpr const char* comments[] = {"view longitude, 0 forward, to the right", "view latitude, 0 level, upwards"};
+  constexpr const char* comments[] = {"view longitude, 0 = ahead, positive right",
+                                      "view latitude, 0 = level, positive up"};
   for (std::size_t i = 0; i < 2; ++i) {
     const auto named = [i](const char* keyword) { return fmt::format("{}{}", keyword, i + 1); };
     cards.push_back({named("CTYPE"), fmt::format("{}-{}", axes[i], wcs.code), comments[i]});

@@ -29,12 +29,12 @@ std::vector<ChannelMeaning> channels_of(ChannelGroup group) {
     case ChannelGroup::g:
       return {{"g", "", "received / emitted frequency, sky at rest"}};
     case ChannelGroup::magnification:
-      return {{"magnification", "", "solid angle seen / on the sky, with parity"}};
+      return {{"magnification", "", "solid angle in view / on sky, with parity"}};
     case ChannelGroup::order:
-      return {{"order.image", "", "whole half turns about the hole"},
-              {"order.half_turns", "", "angle swept about the hole / pi"}};
+      return {{"order.image", "", "whole half turns around the hole"},
+              {"order.half_turns", "", "angle swept around the hole / pi"}};
     case ChannelGroup::sky:
-      return {{"sky.longitude", "deg", "azimuth about the spin axis"},
+      return {{"sky.longitude", "deg", "azimuth around the spin axis"},
               {"sky.latitude", "deg", "angle above the hole's equator"}};
     case ChannelGroup::equatorial:
       return {{"equatorial.ra", "deg", "right ascension, J2000"}, {"equatorial.dec", "deg", "declination, J2000"}};
@@ -43,19 +43,19 @@ std::vector<ChannelMeaning> channels_of(ChannelGroup group) {
               {"disk.azimuth", "deg", "Boyer-Lindquist phi at the disk"},
               {"disk.g", "", "received / emitted frequency, disk matter"},
               {"disk.delay", mass_time, "coordinate time, disk to camera"},
-              {"disk.order", "", "earlier crossings of the equator's plane"}};
+              {"disk.order", "", "earlier crossings of the equatorial plane"}};
     case ChannelGroup::disk_0:
-      return {{"disk.0.radius", mass_length, "r at crossing 0 of the disk's plane"},
+      return {{"disk.0.radius", mass_length, "r at crossing 0 of the disk plane"},
               {"disk.0.azimuth", "deg", "phi at crossing 0"},
               {"disk.0.g", "", "received / emitted frequency, crossing 0"},
               {"disk.0.delay", mass_time, "coordinate time, crossing 0 to camera"}};
     case ChannelGroup::disk_1:
-      return {{"disk.1.radius", mass_length, "r at crossing 1 of the disk's plane"},
+      return {{"disk.1.radius", mass_length, "r at crossing 1 of the disk plane"},
               {"disk.1.azimuth", "deg", "phi at crossing 1"},
               {"disk.1.g", "", "received / emitted frequency, crossing 1"},
               {"disk.1.delay", mass_time, "coordinate time, crossing 1 to camera"}};
     case ChannelGroup::disk_2:
-      return {{"disk.2.radius", mass_length, "r at crossing 2 of the disk's plane"},
+      return {{"disk.2.radius", mass_length, "r at crossing 2 of the disk plane"},
               {"disk.2.azimuth", "deg", "phi at crossing 2"},
               {"disk.2.g", "", "received / emitted frequency, crossing 2"},
               {"disk.2.delay", mass_time, "coordinate time, crossing 2 to camera"}};
@@ -64,11 +64,11 @@ std::vector<ChannelMeaning> channels_of(ChannelGroup group) {
     case ChannelGroup::steps:
       return {{"steps", "", "integration steps of the ray"}};
     case ChannelGroup::error:
-      return {{"error", "rad", "integrator's estimate of its error"}};
+      return {{"error", "rad", "integrator's error estimate"}};
     case ChannelGroup::direction:
-      return {{"direction.r", "", "component of the view along e_r"},
-              {"direction.theta", "", "component of the view along e_theta"},
-              {"direction.phi", "", "component of the view along e_phi"}};
+      return {{"direction.r", "", "component of the view direction along e_r"},
+              {"direction.theta", "", "component of the view direction along e_theta"},
+              {"direction.phi", "", "component of the view direction along e_phi"}};
     case ChannelGroup::color:
       return {{"color.R", "", "linear light, Rec. 709 red"},
               {"color.G", "", "linear light, Rec. 709 green"},
@@ -85,7 +85,7 @@ std::vector<ChannelGroup> channel_groups(const std::string& list) {
     const std::string word = list.substr(begin, end - begin);
     const auto found = std::ranges::find(names, word);
     if (found == names.end()) {
-      throw Error("--channels", fmt::format("\"{}\" is no channel", word), "choose from " + listed_groups());
+      throw Error("--channels", fmt::format("\"{}\" is not a channel", word), "choose from " + listed_groups());
     }
     const auto group = static_cast<ChannelGroup>(found - names.begin());
     if (std::ranges::find(groups, group) != groups.end()) {

@@ -43,7 +43,7 @@ double far_from_hole(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
 
 std::string turns_of(int order) {
   return order == 1   ? "less than half a turn"
-         : order == 2 ? "half a turn to a whole one"
+         : order == 2 ? "half a turn to one turn"
                       : fmt::format("{:.2g} to {:.2g} turns", 0.5 * (order - 1), 0.5 * order);
 }
 
@@ -90,9 +90,9 @@ Diagram::Diagram(const Show& show, const DiagramSettings& settings) : show_(show
   connects_ = !spins && !retarded;
   if (!connects_ && !settings.images.empty()) {
     throw Error("diagram --images",
-                fmt::format("{} has {}: its rays are followed from the view, whatever their order", show.name,
-                            spins ? "a hole that spins" : "retarded objects"),
-                "leave it out");
+                fmt::format("{} has {}, so its rays are traced from the view, whatever their image order", show.name,
+                            spins ? "a spinning hole" : "retarded objects"),
+                "omit --images");
   }
   meshes_ = load_meshes(show);
   long triangles = 0;
@@ -101,7 +101,7 @@ Diagram::Diagram(const Show& show, const DiagramSettings& settings) : show_(show
   }
   if (triangles > most_diagram_triangles) {
     throw Error("diagram", fmt::format("{} has {} triangles", show.name, triangles),
-                fmt::format("simplify its meshes to {}", most_diagram_triangles));
+                fmt::format("reduce its meshes to at most {} triangles", most_diagram_triangles));
   }
   if (settings_.images.empty()) {
     settings_.images = {1, 2};
@@ -161,12 +161,12 @@ void Diagram::add_connections(const Moment& moment, DiagramScene& scene) const {
       add_connecting_rays(moment, i, order, rays, scene);
     }
     scene.legend.push_back({LegendLine::Sign::line, ink,
-                            fmt::format("image {}: light that goes {} round the hole", order, turns_of(order))});
+                            fmt::format("image {}: light that goes {} around the hole", order, turns_of(order))});
   }
   scene.legend.push_back(
       {LegendLine::Sign::none,
        {},
-       "solid: the objects; veils: where they are seen, in the direction of the light (dashed), at its travel time"});
+       "solid: objects; translucent: where they appear, toward the arriving light (dashed), at its travel time"});
 }
 
 std::vector<Vector3<double>> Diagram::ray_starts(const Moment& moment, std::size_t object, int order,
@@ -239,12 +239,12 @@ void Diagram::add_traced_rays(const Moment& moment, DiagramScene& scene) const {
   const bool retarded = add_traced_images(moment, delays, scene);
   if (others) {
     scene.legend.push_back({LegendLine::Sign::line, diagram_inks::other_rays(),
-                            "other rays of the view: followed back to the sky, or into the hole"});
+                            "other rays of the view, traced back to the sky or into the hole"});
   }
   scene.legend.push_back(
       {LegendLine::Sign::none,
        {},
-       retarded ? "solid: the objects; veils: where they were when that light left them" : "solid: the objects"});
+       retarded ? "solid: objects; translucent: where they were when the light left them" : "solid: objects"});
 }
 
 bool Diagram::add_traced_images(const Moment& moment, DelaysByOrder& delays, DiagramScene& scene) const {
@@ -261,7 +261,7 @@ bool Diagram::add_traced_images(const Moment& moment, DelaysByOrder& delays, Dia
       }
     }
     scene.legend.push_back({LegendLine::Sign::line, diagram_inks::of_image(order),
-                            fmt::format("image {}: light that goes {} round the hole", order, turns_of(order))});
+                            fmt::format("image {}: light that goes {} around the hole", order, turns_of(order))});
   }
   return retarded;
 }

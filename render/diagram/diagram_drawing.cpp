@@ -46,7 +46,7 @@ void fill_buffer(unsigned buffer, const std::vector<Item>& items) {
   }
   glNamedBufferData(buffer, static_cast<GLsizeiptr>(items.size() * sizeof(Item)), items.data(), GL_STREAM_DRAW);
   if (glGetError() != GL_NO_ERROR) {
-    throw Error("OpenGL", "the driver has no room for a diagram", "simplify its meshes");
+    throw Error("OpenGL", "the graphics driver cannot allocate memory for the diagram", "simplify its meshes");
   }
 }
 

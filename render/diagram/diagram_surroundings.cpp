@@ -37,7 +37,7 @@ void add_hole(double spin, DiagramScene& scene) {
   if (spin == 0.0) {
     scene.photon_sphere = photon_orbit_radius(0.0, 1.0);
     scene.legend.push_back({LegendLine::Sign::field, diagram_inks::hole(),
-                            fmt::format("hole without spin: horizon r = {:.6g} M; circle: photon sphere, r = {:.6g} M",
+                            fmt::format("non-spinning hole: horizon r = {:.6g} M; circle: photon sphere, r = {:.6g} M",
                                         horizon, scene.photon_sphere)});
     return;
   }
@@ -45,7 +45,7 @@ void add_hole(double spin, DiagramScene& scene) {
   scene.lines.push_back({level_circle(static_limit, 0.0), diagram_inks::photon_sphere(), outline_width_px});
   scene.legend.push_back(
       {LegendLine::Sign::field, diagram_inks::hole(),
-       fmt::format("hole of spin {:.4g}: horizon r = {:.4g} M; circle: the ergosphere's equator, r = {:.6g} M", spin,
+       fmt::format("hole with spin {:.4g}: horizon r = {:.4g} M; circle: equator of the ergosphere, r = {:.6g} M", spin,
                    horizon, static_limit)});
 }
 
@@ -87,8 +87,8 @@ void add_observer(const ViewSettings& view, const EyeCamera& eye, double length,
   scene.framed.insert(scene.framed.end(), border.begin(), border.end());
   scene.lines.push_back({std::move(border), ink, outline_width_px});
   scene.legend.push_back({LegendLine::Sign::line, ink,
-                          fmt::format("observer at r = {:.4g} M, and {}", eye.r,
-                                      outline.border.empty() ? "the middle of its view" : "the border of its view")});
+                          fmt::format("observer at r = {:.4g} M, with {}", eye.r,
+                                      outline.border.empty() ? "the center of its view" : "the edge of its view")});
 }
 
 }  // namespace ergodome

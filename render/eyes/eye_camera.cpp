@@ -28,8 +28,8 @@ void set_motion(EyeCamera& eye, const Show& show, const CameraPose& pose) {
   eye.velocity = observer_velocity(eye.motion, show.spin, pose.r, pose.theta, eye.velocity);
   eye.motion = ObserverMotion::velocity;
   if (!(dot(eye.velocity, eye.velocity) < 1.0)) {
-    throw Error(show.name, fmt::format("no such observer exists at r = {:.6g} M", pose.r),
-                "choose observer = \"zamo\" or a camera path further out");
+    throw Error(show.name, fmt::format("the chosen observer cannot exist at r = {:.6g} M", pose.r),
+                "choose observer = \"zamo\" or a camera path farther out");
   }
 }
 
@@ -40,11 +40,11 @@ EyeCamera eye_camera(const Show& show, const CameraPose& pose, const Vector3<dou
   const bool in_rain = pose.velocity && pose.velocity_in_rain;
   const double deepest = in_rain ? std::min(least_interior_radius(show.spin), horizon) : horizon;
   if (!(pose.r > deepest)) {
-    throw Error(show.name, fmt::format("the camera is inside the horizon (r = {:.6g} M)", pose.r), "keep it outside");
+    throw Error(show.name, fmt::format("the camera is inside the horizon (r = {:.6g} M)", pose.r),
+                "keep the camera outside");
   }
   if (!std::isfinite(pose.r + pose.theta + pose.phi + offset.x + offset.y + offset.z)) {
-    throw Error(show.name, "the camera's place or an eye's offset is no finite number",
-                "give the camera another place");
+    throw Error(show.name, "the camera position or an eye offset is not finite", "choose another camera position");
   }
   const glm::dmat3 turn = glm::mat3_cast(pose.orientation);
   double head[3][3];

@@ -56,7 +56,7 @@ double beginning_s(const Show& show, double before_s, double after_s) {
 
 std::string sentence(const Show& show, const std::string& problem) {
   const Error error("stereo.baseline", problem,
-                    "where they are to stand alike all through, choose a smaller one, or model = \"physical\"");
+                    "for a constant baseline, choose a smaller one, or model = \"physical\"");
   for (const char* const key : {"stereo.baseline", "animate.stereo.baseline"}) {
     if (show.lines.contains(key)) {
       return named_by(show, key, error).what();
@@ -67,7 +67,7 @@ std::string sentence(const Show& show, const std::string& problem) {
 
 std::string closer(double time_s, const NarrowedEyes& eyes) {
   return fmt::format(
-      "eyes {:.4g} M apart do not fit for the model {} at {:.6g} s, r = {:.4g} M: they stand {:.4g} M apart",
+      "a baseline of {:.4g} M is too large for the model {} at {:.6g} s, r = {:.4g} M: it is reduced to {:.4g} M",
       eyes.asked, stereo_model_names[static_cast<std::size_t>(eyes.model)], time_s, eyes.r, eyes.baseline);
 }
 
@@ -100,7 +100,7 @@ std::string note_of(const Show& show, double time_s, const NarrowedEyes& eyes) {
 std::string note_of(const Show& show, const NarrowedPath& path) {
   std::string text = closer(path.first_s, path.first);
   if (path.least.baseline < path.first.baseline) {
-    text += fmt::format(", and {:.4g} M at {:.6g} s, r = {:.4g} M", path.least.baseline, path.least_s, path.least.r);
+    text += fmt::format(", and to {:.4g} M at {:.6g} s, r = {:.4g} M", path.least.baseline, path.least_s, path.least.r);
   }
   return sentence(show, text);
 }

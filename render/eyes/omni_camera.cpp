@@ -145,7 +145,7 @@ OmniCamera::OmniCamera(Backend backend, const EyePlace& eye_at, const OmniSettin
   if (!(error <= omni_least_exact)) {
     throw Error("stereo.baseline",
                 fmt::format("{:.6g} M is too large for the model omni at r = {:.6g} M", 2.0 * reach, head.r),
-                "choose a smaller one, or model = \"physical\"");
+                "choose a smaller baseline, or model = \"physical\"");
   }
   narrowed_.assign(coefficients_.begin(), coefficients_.end());
   for_kernels_ = Buffer<float>(backend, narrowed_, "omni cameras");
@@ -204,8 +204,8 @@ double omni_edge_angle(const OmniCameraOf<double>& camera, const ShadowChart& ch
   double dark_value = omni_darkness(camera, chart, gamma, dark);
   double bright_value = omni_darkness(camera, chart, gamma, bright);
   if (!(dark_value > 0.0) || !(bright_value < 0.0)) {
-    throw Error("stereo.baseline", "is too large for the model omni: the shadow is not in one piece",
-                "choose a smaller one, or model = \"physical\"");
+    throw Error("stereo.baseline", "is too large for the model omni, because the shadow would break into pieces",
+                "choose a smaller baseline, or model = \"physical\"");
   }
   for (int round = 0; round < 100 && bright - dark > 1e-9; ++round) {
     const double secant = dark + (bright - dark) * dark_value / (dark_value - bright_value);

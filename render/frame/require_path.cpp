@@ -13,8 +13,8 @@ void require_path_of(const Show& show, const TrajectoryReader& trajectory) {
     return Error(trajectory.path().string(), std::string("was baked for another ") + what, "bake the show again");
   };
   if (find_animation(show, "hole.spin") != nullptr) {
-    throw Error(trajectory.path().string(), "holds one spin, and the show's changes with time",
-                "take the trajectory away; each picture gets a lens of its own");
+    throw Error(trajectory.path().string(), "was baked for one spin, but the show's spin changes with time",
+                "remove the trajectory; each frame then gets its own lens");
   }
   if (trajectory.provenance().spin != show.spin) {
     throw other("spin");

@@ -172,9 +172,9 @@ void ShowRenderer::require_rays_from(const CameraPose& pose) const {
   if (method_ == TraceMethod::baseline_rk34 && pose.r <= horizon_radius(show_.spin)) {
     throw Error(
         show_.name,
-        fmt::format("rays of the method baseline_rk34 end at the horizon, and the camera is within it (r = {:.6g} M)",
+        fmt::format("the method baseline_rk34 cannot trace rays from inside the horizon (camera at r = {:.6g} M)",
                     pose.r),
-        "follow them by taylor, rk34 or cash_karp, or choose an earlier time");
+        "use taylor, rk34 or cash_karp, or choose an earlier time");
   }
 }
 
@@ -289,7 +289,7 @@ void ShowRenderer::set_stereo(const StereoSettings& stereo) {
   changed.stereo = stereo;
   const std::vector<std::string> missing = missing_features(changed);
   if (!missing.empty()) {
-    throw Error(show_.name, missing.front(), "choose something else");
+    throw Error(show_.name, missing.front(), "choose another setting");
   }
   show_.stereo = stereo;
 }

@@ -78,7 +78,7 @@ void ShowRenderer::set_show(const Show& show, std::shared_ptr<StationStream> str
   Show next = show_at(show, time_s_);
   const std::vector<std::string> missing = missing_features(next);
   if (!missing.empty()) {
-    throw Error(next.name, missing.front(), "take it out of the show for now");
+    throw Error(next.name, missing.front(), "remove it from the show for now");
   }
   std::optional<ShowSky> sky;
   if (!same_map(show_, next)) {

@@ -149,7 +149,7 @@ OmniPair ShowRenderer::fitting_omni_pair(const CameraPose& pose, double toleranc
     pair = pair_at(baseline);
   }
   if (!pair) {
-    throw Error("stereo.model", fmt::format("eyes of the model omni cannot be drawn at r = {:.6g} M", pose.r),
+    throw Error("stereo.model", fmt::format("the model omni cannot be drawn at r = {:.6g} M", pose.r),
                 "choose model = \"physical\"");
   }
   note_baseline(pose, baseline);

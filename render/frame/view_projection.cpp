@@ -99,8 +99,8 @@ Projection converged_projection(const Projection& projection, double offset, dou
     if (!(dot(turned.dome.viewer, turned.dome.viewer) < nearest_convergence * nearest_convergence)) {
       throw Error(
           "stereo.convergence",
-          fmt::format("{:.6g} M is too near for eyes {:.6g} M apart on a dome", convergence, 2.0 * std::abs(offset)),
-          "choose more, or a smaller baseline");
+          fmt::format("{:.6g} M is too near for a baseline of {:.6g} M on a dome", convergence, 2.0 * std::abs(offset)),
+          "choose a larger convergence distance, or a smaller baseline");
     }
   }
   return turned;

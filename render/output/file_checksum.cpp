@@ -29,7 +29,7 @@ void append_checksum(const std::filesystem::path& file) {
   to.close();
   if (checksum.empty() || !to) {
     throw Error(file.string(), std::string("cannot be written: ") + std::strerror(errno),
-                "check the folder, its permissions and the space left");
+                "check the folder, its permissions and the free space");
   }
 }
 

@@ -31,7 +31,8 @@ FrameFormat frame_format(const std::string& image, const std::string& compressio
   format.alpha = alpha;
   if (!compression.empty()) {
     if (format.image != ImageFormat::exr) {
-      throw Error("--compression " + compression, "is for EXR", "add --format exr; the other formats are lossless");
+      throw Error("--compression " + compression, "applies only to EXR",
+                  "add --format exr, or leave it out; the other formats are lossless");
     }
     format.compression = word_of<ExrCompression>(exr_compression_names(), compression);
   }

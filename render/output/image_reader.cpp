@@ -22,7 +22,8 @@ std::unique_ptr<ImageInput> opened(const std::filesystem::path& path, const Imag
   }
   const ImageShape& shape = input->shape();
   if (shape.width < 1 || shape.height < 1 || shape.width > most_px || shape.height > most_px || shape.channels < 3) {
-    throw unreadable(path, fmt::format("{} x {} pixels of {} channels", shape.width, shape.height, shape.channels));
+    throw unreadable(path, fmt::format("{} x {} pixels with {} channels are not supported", shape.width, shape.height,
+                                       shape.channels));
   }
   return input;
 }
@@ -51,7 +52,7 @@ DisplayPixels read_covering_pixels(const std::filesystem::path& path) {
   wishes.separate_alpha = true;
   const auto input = opened(path, wishes);
   if (input->shape().channels != 4) {
-    throw unreadable(path, "it has no channel of what it covers");
+    throw unreadable(path, "it has no alpha channel");
   }
   return read_channels(path, *input, 4);
 }

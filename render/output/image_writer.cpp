@@ -189,9 +189,9 @@ Error cannot_be_written(const std::filesystem::path& path, ImageOutput* output) 
   const std::string told = output != nullptr ? output->error() : "";
   const std::string first = told.substr(0, told.find('\n'));
   const std::string reason = disk_is_full(path) ? "the disk is full"
-                             : first.empty()    ? "the folder or the disk refuses it"
+                             : first.empty()    ? "the file system rejects it"
                                                 : first;
-  return {path.string(), "cannot be written: " + reason, "check the folder, its permissions and the space left"};
+  return {path.string(), "cannot be written: " + reason, "check the folder, its permissions and the free space"};
 }
 
 //! A writer of a format that the program counts on.

@@ -36,7 +36,7 @@ Picture draw_projector_number(int number, const std::string& name, int width_px,
   constexpr int largest_px = 16'384;
   if (width_px < 1 || height_px < 1 || width_px > largest_px || height_px > largest_px) {
     throw Error(name, fmt::format("has a raster of {} x {} pixels", width_px, height_px),
-                fmt::format("choose from 1 to {}", largest_px));
+                fmt::format("choose 1 to {} pixels a side", largest_px));
   }
   Picture picture;
   picture.width = width_px;

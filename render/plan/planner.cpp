@@ -102,7 +102,7 @@ bool Planner::sky_turns() const {
 }
 
 std::string Planner::why_view() const {
-  return request_.mode == ViewMode::sky ? why("sky.map") : std::string("the view that was asked for");
+  return request_.mode == ViewMode::sky ? why("sky.map") : std::string("the requested view");
 }
 
 void Planner::pass(const std::string& name, WorkMoment moment, long runs, long elements, const std::string& reason,
@@ -128,8 +128,8 @@ void Planner::plan_channels() {
     }
   };
   const bool sky = request_.mode == ViewMode::sky;
-  channel(true, "coverage", 1, "every picture has a shadow");
-  channel(true, "error_estimate", 1, "every picture says which rays failed");
+  channel(true, "coverage", 1, "every picture shows the shadow");
+  channel(true, "error_estimate", 1, "every picture counts failed rays");
   channel(channels_.sky, "sky", 3, why_view());
   channel(channels_.footprint, "footprint", 6,
           sky ? why(needs_.shading.brightening ? "sky.brightening" : "sky.filter") : why_view());

@@ -44,7 +44,7 @@ void CudaTextureLink::copy_from_device(std::span<const Part> parts) {
                               part.rgba, row, row, static_cast<std::size_t>(part.height), cudaMemcpyDeviceToDevice);
     }
   }
-  check(cudaGraphicsUnmapResources(1, &resource), "giving back the picture");
+  check(cudaGraphicsUnmapResources(1, &resource), "unmapping the picture");
   check(copied, "copying the picture");
 }
 
@@ -66,7 +66,7 @@ void CudaBufferLink::copy_from_device(const std::uint8_t* from, std::size_t byte
   if (copied == cudaSuccess) {
     copied = cudaMemcpyAsync(to, from, bytes < room ? bytes : room, cudaMemcpyDeviceToDevice);
   }
-  check(cudaGraphicsUnmapResources(1, &resource), "giving back a projector's raster");
+  check(cudaGraphicsUnmapResources(1, &resource), "unmapping a projector's raster");
   check(copied, "copying a projector's raster");
 }
 

@@ -48,7 +48,8 @@ GLuint compiled(GLenum kind, const std::string& source) {
     char log[1024] = {};
     glGetShaderInfoLog(shader, sizeof log, nullptr, log);
     glDeleteShader(shader);
-    throw Error("OpenGL", std::string("the driver refuses a shader: ") + log, "update the graphics driver");
+    throw Error("OpenGL", std::string("the graphics driver cannot compile a shader: ") + log,
+                "update the graphics driver");
   }
   return shader;
 }
@@ -72,7 +73,7 @@ unsigned linked_program(const std::vector<ShaderSource>& shaders) {
   glGetProgramiv(program, GL_LINK_STATUS, &good);
   if (good == GL_FALSE) {
     glDeleteProgram(program);
-    throw Error("OpenGL", "the driver cannot link the shaders", "update the graphics driver");
+    throw Error("OpenGL", "the graphics driver cannot link the shaders", "update the graphics driver");
   }
   return program;
 }
@@ -94,7 +95,7 @@ bool draws_in_software() {
 
 void require_gl_45() {
   if (epoxy_gl_version() < 45) {
-    throw Error("OpenGL", "the driver has no OpenGL 4.5", "update the graphics driver");
+    throw Error("OpenGL", "the graphics driver does not support OpenGL 4.5", "update the graphics driver");
   }
 }
 

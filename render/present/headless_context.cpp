@@ -68,7 +68,8 @@ HeadlessContext::HeadlessContext() : state_(std::make_unique<State>()) {
       return;
     }
   }
-  throw Error("EGL", "no driver here gives OpenGL 4.5 without a display", "install libegl-mesa0 and libgl1-mesa-dri");
+  throw Error("EGL", "no graphics driver offers OpenGL 4.5 without a display",
+              "install libegl-mesa0 and libgl1-mesa-dri");
 }
 
 HeadlessContext::~HeadlessContext() {

@@ -12,8 +12,8 @@ OffscreenFrame::OffscreenFrame(int width, int height) : width_(width), height_(h
   GLint largest = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
   if (width > largest || height > largest) {
-    throw Error("OpenGL", fmt::format("the driver draws no picture of {} x {} pixels", width, height),
-                fmt::format("stay within {} a side", largest));
+    throw Error("OpenGL", fmt::format("the graphics driver cannot draw a picture of {} x {} pixels", width, height),
+                fmt::format("use at most {} pixels a side", largest));
   }
   glCreateTextures(GL_TEXTURE_2D, 1, &texture_);
   glTextureStorage2D(texture_, 1, GL_RGBA8, width, height);
@@ -22,8 +22,10 @@ OffscreenFrame::OffscreenFrame(int width, int height) : width_(width), height_(h
   if (glCheckNamedFramebufferStatus(framebuffer_, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
     glDeleteFramebuffers(1, &framebuffer_);
     glDeleteTextures(1, &texture_);
-    throw Error("OpenGL", fmt::format("the driver has no room for a picture of {} x {} pixels", width, height),
-                "choose a smaller resolution");
+    throw Error(
+        "OpenGL",
+        fmt::format("the graphics driver cannot allocate memory for a picture of {} x {} pixels", width, height),
+        "choose a smaller resolution");
   }
 }
 

@@ -31,7 +31,7 @@ std::vector<WindowEvent>& events_of(GLFWwindow* window) {
   glfwGetError(&reason);
   glfwTerminate();
   throw Error("window", problem + (reason != nullptr ? std::string(": ") + reason : ""),
-              "start it where there is a display with OpenGL 4.5, or use `ergodome render`");
+              "start it on a machine with a display and OpenGL 4.5, or use `ergodome render`");
 }
 
 }  // namespace

@@ -18,19 +18,18 @@ void check(const ConnectionTableSettings& settings) {
   };
   if (!is_range(settings.r_nearest, settings.r_farthest) || settings.r_nearest == settings.r_farthest ||
       !is_range(settings.r_observer_nearest, settings.r_observer_farthest)) {
-    throw Error(place, "has radii that make no range", "choose radii above 2 and up to 1e6, the nearest first (M = 1)");
+    throw Error(place, "has invalid radii", "choose radii above 2 and up to 1e6 (M = 1), the smallest first");
   }
   const bool one_observer = settings.r_observer_nearest == settings.r_observer_farthest;
   if (one_observer ? settings.layers != 1 : settings.layers < 4) {
-    throw Error(place, "has a number of layers that does not fit its observers",
-                "choose 1 for one observer, 4 or more for a range");
+    throw Error(place, "has a wrong number of layers", "choose 1 for one observer, and at least 4 for a range");
   }
   if (settings.orders < 2 || settings.orders > most_connection_orders) {
-    throw Error(place, "has a number of orders that it cannot hold", "choose 2 to 16");
+    throw Error(place, "has an unsupported number of orders", "choose 2 to 16");
   }
   if (settings.rows < 4 || settings.columns < 4 || settings.rows > 8192 || settings.columns > 8192 ||
       0.5 * settings.orders * settings.layers * settings.rows * settings.columns > 2e8) {
-    throw Error(place, "has a size that cannot be made", "choose 4 to 8192 rows and columns, 2e8 nodes at most");
+    throw Error(place, "has an unsupported size", "choose 4 to 8192 rows and columns, and at most 2e8 nodes");
   }
 }
 

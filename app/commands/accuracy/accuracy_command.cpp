@@ -67,11 +67,12 @@ void run(const AccuracyOptions& options) {
   require_features(show);
   const auto measured = accuracy_axes(show, settings_of(options));
   if (measured.empty()) {
-    throw UsageError(options.show, "has no such choice to measure", "leave --axes out to see which it has");
+    throw UsageError(options.show, "has nothing to measure for these --axes",
+                     "omit --axes to measure everything that the show has");
   }
   for (const std::string& asked : options.axes) {
     if (std::ranges::find(measured, asked) == measured.end()) {
-      print_note("{} has no choice of {} to measure", show.name, asked);
+      print_note("{} has nothing to measure for --axes {}", show.name, asked);
     }
   }
   if (!options.out.empty()) {
@@ -83,7 +84,7 @@ void run(const AccuracyOptions& options) {
   }
   print_out("{}", options.json ? json_text(report) : table_text(report, at_px));
   if (!options.out.empty() && !options.json) {
-    print_out("\nPage: {}\n", (std::filesystem::path(options.out) / "report.html").string());
+    print_out("\nReport: {}\n", (std::filesystem::path(options.out) / "report.html").string());
   }
 }
 
@@ -93,26 +94,30 @@ void add_accuracy_command(CLI::App& app) {
   auto options = std::make_shared<AccuracyOptions>();
   CLI::App* command = app.add_subcommand(
       "accuracy",
-      "Measure what accuracy costs in time, on this machine, for a show: a table, and a page that anyone can read");
-  command->add_option("show", options->show, "show (.toml or the name of a built-in one)")->required();
+      "Measure how much time accuracy costs for a show on this machine; prints a table and writes a report page");
+  command->add_option("show", options->show, "show file (.toml) or name of a built-in show")->required();
   add_set_option(*command, options->set);
   command->add_option("--out", options->out, "folder for report.html, accuracy.csv and accuracy.json");
   command->add_flag("--quick", options->quick,
-                    "a minute's look: smaller pictures, one moment of the show, fewer choices");
-  command->add_option("--size", options->size_px, "width of the pictures in pixels (default: the show's, up to 1024)")
+                    "finish in about a minute: smaller pictures, one moment of the show, fewer choices");
+  command
+      ->add_option("--size", options->size_px,
+                   "width of the pictures in pixels (default: that of the show, at most 1024)")
       ->check(CLI::Range(16, 8192));
-  command->add_option("--moments", options->moments, "how many moments of the show to look at (default: 3, quick 1)")
+  command
+      ->add_option("--moments", options->moments,
+                   "number of moments of the show to measure (default: 3; 1 with --quick)")
       ->check(CLI::Range(1, 100));
-  command->add_option("--rounds", options->rounds, "timed runs of each choice, in turn (default: 5, quick 3)")
+  command->add_option("--rounds", options->rounds, "timed runs of each choice (default: 5; 3 with --quick)")
       ->check(CLI::Range(1, 1000));
   command
       ->add_option("--axes", options->axes,
-                   "measure these choices alone: rays, lens, stations, stereo, map, stars, near, frame (default: all "
+                   "measure only these: rays, lens, stations, stereo, map, stars, near, frame (default: all "
                    "that the show has)")
       ->delimiter(',')
       ->check(CLI::IsMember(std::vector<std::string>(accuracy_axis_names.begin(), accuracy_axis_names.end())));
   command->add_option("--at", options->at, "error at which methods are compared")->capture_default_str();
-  command->add_flag("--json", options->json, "print JSON in place of the table");
+  command->add_flag("--json", options->json, "print JSON instead of the table");
   IdleOptions idle(*command);
   idle.add("with --json, without --out", [options] { return options->json && options->out.empty(); }, {"--at"});
   command->callback([options, idle] {

@@ -11,13 +11,13 @@ namespace ergodome {
 namespace {
 
 constexpr const char* ready_caption =
-    "Each point is a choice; a line joins those of one method, which has its number and colour from the legend. "
-    "Choices "
-    "further to the left are faster, those further down more exact. Rings: no other choice is both faster and more "
-    "exact. Dashed: published methods. Thin lines to the sides: from the fastest to the slowest run.";
+    "Each point is one choice: a method with a setting. A line joins the settings of one method, in the color and with "
+    "the number of the legend. Choices farther left are faster; choices farther down are more accurate. Ringed: no "
+    "other choice is both faster and more accurate. Dashed: published methods. Thin horizontal bars: from the fastest "
+    "to the slowest run.";
 constexpr const char* anew_caption =
-    "The same where all that a new place of the camera takes is made anew in each frame, as in free flight: grids are "
-    "built, not only read.";
+    "The same with preparation: every frame builds everything that a new camera position needs, such as grids, as in "
+    "free flight.";
 
 bool has_preparation(const AccuracyAxis& axis) {
   for (const Measurement& choice : axis.choices) {
@@ -47,7 +47,7 @@ void write_report_folder(AccuracyReport& report, double most_px, const std::file
     }
   }
   if (!has_gnuplot) {
-    report.notes.emplace_back("there is no gnuplot here, so the page has no plots; install the package gnuplot-nox");
+    report.notes.emplace_back("gnuplot is not installed, so the page has no plots; install the package gnuplot-nox");
   }
   draw_error_pictures(report, most_px, folder);
   write_text_atomically(folder / "accuracy.csv", csv_text(report));

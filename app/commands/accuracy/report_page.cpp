@@ -10,6 +10,7 @@
 #include "app/commands/accuracy/report_series.h"
 #include "app/commands/accuracy/report_table.h"
 #include "app/commands/accuracy/report_words.h"
+#include "content/files/counted.h"
 #include "kernels/image/color_map.h"
 #include "render/accuracy/equal_error.h"
 
@@ -37,6 +38,19 @@ summary { cursor: pointer; padding: 0.3em 0; }
 @media (max-width: 600px) { body { margin: 1em auto; padding: 0 0.7em; overflow-wrap: break-word; } h1 { font-size: 1.4em; } .says, .busy { padding: 0.4em 0.7em; } }
 </style>
 )";
+
+constexpr const char* columns_caption =
+    "<p class=\"caption\">Errors: “99 %” is the error that 99 % of the samples stay below, and so on. Flicker: how "
+    "much the error changes from one frame to the next (99 %). Lost: samples that the method shows as dark, or not at "
+    "all. Preparation: time to build what the method needs at a new camera position. Green rows: no other choice is "
+    "both faster and more accurate.</p>\n";
+
+constexpr const char* published_methods =
+    "<p class=\"caption\">Published methods, as implemented in Ergodome: <b>VE</b>, Verbraeck &amp; Eisemann, "
+    "Interactive Black-Hole Visualization (2021); <b>MSW</b>, Müller, Schulz &amp; Weiskopf, Adaptive polygon "
+    "rendering in the Schwarzschild spacetime (2021); <b>HP</b>, Hamilton &amp; Polhemus, Stereoscopic visualization "
+    "in curved spacetime (2010); <b>RK34</b>, a published GLSL ray tracer with an embedded Runge-Kutta 3(4) "
+    "pair.</p>\n";
 
 std::string escaped(const std::string& text) {
   std::string safe;
@@ -68,23 +82,20 @@ std::string head_text(const AccuracyReport& report) {
       escaped(report.title) + "</title>\n" + style + "</head><body>\n";
   text += "<h1>What accuracy costs in time: " + escaped(report.title) + "</h1>\n";
   text += fmt::format(
-      "<p class=\"facts\">Show <code>{}</code>, pictures of {} × {} pixels (a pixel spans {} arcminutes; the full "
-      "moon, "
-      "31), {} of the show. {}. {} UTC. Every number was measured on this machine: {} pixels compared at each moment, "
-      "{} "
-      "timed runs of each choice, in turn.</p>\n",
-      escaped(report.show), report.width_px, report.height_px, short_number(report.pixel_arcmin),
-      report.times_s.size() == 1 ? "one moment" : fmt::format("{} moments", report.times_s.size()),
-      escaped(report.machine), escaped(report.date), report.samples, report.rounds);
+      "<p class=\"facts\">Show <code>{}</code>, {}; pictures of {} × {} pixels. One pixel spans {} arcminutes (the "
+      "full moon: 31). {}; {} UTC. Everything was measured on this machine: {} pixels compared at each moment, and {} "
+      "timed runs of each choice.</p>\n",
+      escaped(report.show), counted(report.times_s.size(), "moment"), report.width_px, report.height_px,
+      short_number(report.pixel_arcmin), escaped(report.machine), escaped(report.date), report.samples, report.rounds);
   text +=
-      "<p>For each pixel the program asks where its light came from before the black hole bent it. There are many ways "
-      "to "
-      "answer, quick and rough or slow and exact. A wrong answer shows as a bit of sky at the wrong place of the "
-      "screen; "
-      "how far away, in pixels, is the error that is counted here. \"Right within a tenth of a pixel\" means: for 99 "
-      "of "
-      "100 pixels. An eye tells half a pixel at best, but errors that change from frame to frame flicker. A film of 60 "
-      "frames a second leaves 16.7 milliseconds (ms) for each; one of 30, 33.3 ms.</p>\n";
+      "<p>A black hole bends light. For each pixel, Ergodome computes which part of the sky the light comes from. "
+      "Some methods are fast and rough, others are slow and accurate. A wrong result shows a part of the sky at a "
+      "wrong position on the screen. The <b>error</b> on this page is the distance between the wrong and the correct "
+      "position, in pixels (px). Where only brightness is compared, it is the difference of the light, in "
+      "percent.</p>\n<p>“An error of at most a tenth of a pixel” means that 99 % of the pixels have a smaller error. "
+      "Viewers can just see an error of half a pixel, but smaller errors flicker if they change from frame to frame. "
+      "A film with 60 frames per second leaves 16.7 milliseconds (ms) for each frame; one with 30 leaves 33.3 "
+      "ms.</p>\n";
   return text;
 }
 
@@ -96,9 +107,10 @@ std::string colour_bar(bool light) {
                          255.0F * colour.z);
   }
   return fmt::format(
-      "<div class=\"bar\" style=\"background:linear-gradient(to right,{})\"></div>\n"
-      "<p class=\"caption\">From dark, {}, to bright, {} and more, ten times a step of even length; grey: not compared "
-      "(the shadow, its very edge, outside of the picture). \u25ef marks choices that no other beats.</p>\n",
+      "<div class=\"bar\" style=\"background:linear-gradient(to right,{})\"></div>\n<p class=\"caption\">Brightness "
+      "shows the error on a logarithmic scale, from {} (dark) to {} or more (bright). Gray: not compared (the shadow, "
+      "its edge, and outside the picture). Below each map: the error of 99 % of the pixels, and the time. \u25ef: no "
+      "other choice is both faster and more accurate.</p>\n",
       stops, light ? "0.001 %" : "0.0001 px", light ? "100 %" : "10 px");
 }
 
@@ -114,7 +126,7 @@ std::string legend_text(const AccuracyAxis& axis) {
     text += fmt::format("<li><span class=\"number\" style=\"background:{}\">{}</span> <b>{}</b>{}{}</li>\n",
                         series.colour, series.number, escaped(series.name), words.empty() ? "" : ": ", escaped(words));
   }
-  return "<p class=\"caption\">The methods, by their numbers in plots and tables:</p>\n<ol class=\"methods\">\n" +
+  return "<p class=\"caption\">The methods, with their numbers in plots and tables:</p>\n<ol class=\"methods\">\n" +
          text + "</ol>\n";
 }
 
@@ -133,27 +145,25 @@ std::string pictures_text(const AccuracyAxis& axis) {
       continue;
     }
     text += fmt::format(
-        "<figure{}><img src=\"{}\" alt=\"error picture\"><figcaption><b>{}</b><br>{}<br>{} in {} "
+        "<figure{}><img src=\"{}\" alt=\"error map\"><figcaption><b>{}</b><br>{}<br>{} in {} "
         "ms</figcaption></figure>\n",
         choice.best_ready ? " class=\"best\"" : "", escaped(choice.picture), escaped(choice.method),
         escaped(choice.setting + (choice.precision.empty() ? "" : ", " + choice.precision)),
         error_text(axis, choice.error.p99), short_number(spread_of(choice.frame_ms).median));
   }
   return text.empty() ? text
-                      : "<p>Where the choices miss:</p>\n<div class=\"pictures\">\n" + text + "</div>\n" +
-                            colour_bar(axis.unit == ErrorUnit::light);
+                      : "<p>Error maps: where in the picture each choice is wrong.</p>\n<div class=\"pictures\">\n" +
+                            text + "</div>\n" + colour_bar(axis.unit == ErrorUnit::light);
 }
 
 std::string table_of(const AccuracyReport& report, const AccuracyAxis& axis) {
   const bool light = axis.unit == ErrorUnit::light;
   std::string text = fmt::format(
       "<details><summary>All {} choices</summary><div class=\"wide\"><table><tr><th></th><th "
-      "class=\"word\">method</th><th "
-      "class=\"word\">setting</th><th class=\"word\"></th><th class=\"word\">method of</th><th>median {}</th><th>99 "
-      "of "
-      "100</th><th>999 of 1000</th><th>largest</th>{}<th>flicker</th><th>lost</th><th>ms {} (runs)</th><th>ms to "
-      "prepare</th><th>memory</th><th>on disk</th></tr>\n",
-      axis.choices.size(), unit_name(axis.unit), light ? "" : "<th>99 of 100, arcmin</th>", escaped(axis.time));
+      "class=\"word\">method</th><th class=\"word\">setting</th><th class=\"word\"></th><th class=\"word\">published "
+      "by</th><th>median, {}</th><th>99 %</th><th>99.9 %</th><th>largest</th>{}<th>flicker</th><th>lost</th><th>ms {} "
+      "(range)</th><th>preparation, ms</th><th>memory</th><th>disk</th></tr>\n",
+      axis.choices.size(), unit_name(axis.unit), light ? "" : "<th>99 %, arcmin</th>", escaped(axis.time));
   const std::vector<ReportSeries> series = series_of(axis);
   for (const Measurement& choice : axis.choices) {
     text += choice.best_ready ? "<tr class=\"best\">" : "<tr>";
@@ -177,7 +187,7 @@ std::string table_of(const AccuracyReport& report, const AccuracyAxis& axis) {
     }
     text += "</tr>\n";
   }
-  return text + "</table></div></details>\n";
+  return text + "</table></div>\n" + columns_caption + "</details>\n";
 }
 
 std::string equal_error_text(const AccuracyAxis& axis, double most_px) {
@@ -185,17 +195,15 @@ std::string equal_error_text(const AccuracyAxis& axis, double most_px) {
     return {};
   }
   std::string text = fmt::format(
-      "<p>All held to {} (99 of 100 pixels), each in its cheapest setting; times as many times that of {}, by runs in "
-      "the "
-      "same round:</p>\n<div class=\"wide\"><table><tr><th class=\"word\">method</th><th class=\"word\">method "
-      "of</th><th "
-      "class=\"word\">setting</th><th>ms a frame</th><th>times as long (from to)</th></tr>\n",
-      error_text(axis, most_px), escaped(axis.base));
+      "<p>The fastest setting of each method with an error of at most {} (99 % of the pixels), and its time relative "
+      "to {}, compared in the same rounds:</p>\n<div class=\"wide\"><table><tr><th class=\"word\">method</th><th "
+      "class=\"word\">published by</th><th class=\"word\">setting</th><th>ms {}</th><th>time ratio (range)</th></tr>\n",
+      error_text(axis, most_px), escaped(axis.base), escaped(axis.time));
   for (const EqualErrorRow& row : compare_at(axis, most_px, FrameCost::ready)) {
     const Measurement* const choice = row.choice;
     text += "<tr><td class=\"word\">" + escaped(row.method) + "</td>";
     text += choice == nullptr
-                ? std::string("<td></td><td class=\"word\">none of its settings</td><td></td><td></td></tr>\n")
+                ? std::string("<td></td><td class=\"word\">no setting is accurate enough</td><td></td><td></td></tr>\n")
                 : fmt::format("<td class=\"word\">{}</td><td class=\"word\">{}</td><td>{}</td><td>{}</td></tr>\n",
                               escaped(choice->published),
                               escaped(choice->setting + (choice->precision.empty() ? "" : ", " + choice->precision)),
@@ -219,22 +227,21 @@ std::string passes_text(const AccuracyAxis& axis) {
     }
     text += passes + "</td></tr>\n";
   }
-  return text.empty()
-             ? text
-             : "<details><summary>What a frame spends its milliseconds on</summary><div class=\"wide\"><table>\n" +
-                   text + "</table></div></details>\n";
+  return text.empty() ? text
+                      : "<details><summary>Time of each rendering pass, in ms</summary><div class=\"wide\"><table>\n" +
+                            text + "</table></div></details>\n";
 }
 
 //! The first sentence of each axis.
 std::string in_short(const AccuracyReport& report) {
-  std::string text = "<div class=\"says\">\n";
+  std::string text = "<h2>Summary</h2>\n<div class=\"says\">\n";
   for (const AccuracyAxis& axis : report.axes) {
     const std::vector<std::string> sentences = axis_sentences(axis);
     if (!sentences.empty() && axis.choices.size() > 5) {
       text += "<p><b>" + escaped(axis.title) + ".</b> " + escaped(sentences.front()) + "</p>\n";
     }
   }
-  return text + "</div>\n";
+  return text + "</div>\n<p class=\"caption\">The sections below explain each method.</p>\n" + published_methods;
 }
 
 std::string axis_text(const AccuracyReport& report, const AccuracyAxis& axis, const std::vector<ReportPlot>& plots,
@@ -251,13 +258,14 @@ std::string axis_text(const AccuracyReport& report, const AccuracyAxis& axis, co
   text += legend_text(axis);
   for (const ReportPlot& plot : plots) {
     if (plot.axis == axis.name) {
-      text += fmt::format("<img class=\"plot\" src=\"{}\" alt=\"error over time\">\n<p class=\"caption\">{}</p>\n",
-                          escaped(plot.file), escaped(plot.caption));
+      text += fmt::format(
+          "<img class=\"plot\" src=\"{}\" alt=\"plot of the error over the time\">\n<p class=\"caption\">{}</p>\n",
+          escaped(plot.file), escaped(plot.caption));
     }
   }
   text += equal_error_text(axis, most_px);
   text += pictures_text(axis);
-  text += "<p class=\"caption\">Errors are counted from " + escaped(axis.reference) + ".</p>\n";
+  text += "<p class=\"caption\">Errors are measured against " + escaped(axis.reference) + ".</p>\n";
   return text + table_of(report, axis) + passes_text(axis);
 }
 
@@ -272,22 +280,15 @@ std::string page_text(const AccuracyReport& report, const std::vector<ReportPlot
     text += axis_text(report, axis, plots, most_px);
   }
   if (!report.notes.empty()) {
-    text += "<h2>Not measured, and why</h2>\n<ul>\n";
+    text += "<h2>Notes and limits</h2>\n<ul>\n";
     for (const std::string& note : report.notes) {
       text += "<li>" + escaped(note) + "</li>\n";
     }
     text += "</ul>\n";
   }
   text += fmt::format(
-      "<p class=\"facts\">Made by <code>ergodome accuracy</code> in {:.0f} seconds. Published methods: VE, Verbraeck "
-      "&amp; "
-      "Eisemann, Interactive Black-Hole Visualization (2021); MSW, Müller, Schulz &amp; Weiskopf, Adaptive polygon "
-      "rendering "
-      "in the Schwarzschild spacetime (2021); HP, Hamilton &amp; Polhemus, Stereoscopic visualization in curved "
-      "spacetime (2010); RK34, a published GLSL tracer with an embedded Runge-Kutta 3(4) pair. "
-      "All of "
-      "them as this program has them. The numbers: <a href=\"accuracy.csv\">accuracy.csv</a>, <a "
-      "href=\"accuracy.json\">accuracy.json</a>.</p>\n</body></html>\n",
+      "<p class=\"facts\">Made by <code>ergodome accuracy</code> in {:.0f} seconds. The same numbers for programs: <a "
+      "href=\"accuracy.csv\">accuracy.csv</a>, <a href=\"accuracy.json\">accuracy.json</a>.</p>\n</body></html>\n",
       report.took_s);
   return text;
 }

@@ -67,9 +67,9 @@ std::string frame_of(const AccuracyAxis& axis, FrameCost cost, const std::filesy
       "set key off\nset format \"%g\"\n";
   text += "set output " + quoted(picture.string()) + "\n";
   const bool ready = cost == FrameCost::ready;
-  const std::string when = ready ? " (left is faster)" : ", with all that a new place of the camera takes";
+  const std::string when = ready ? " (left is faster)" : ", with preparation (left is faster)";
   text += "set xlabel " + quoted("milliseconds " + axis.time + when) + "\n";
-  text += axis.unit == ErrorUnit::light ? "set ylabel \"error of the light, per cent (lower is better)\"\n"
+  text += axis.unit == ErrorUnit::light ? "set ylabel \"error of the light, percent (lower is better)\"\n"
                                         : "set ylabel \"error on the screen, pixels (lower is better)\"\n";
   if (axis.unit != ErrorUnit::light) {
     for (const auto& [error, name] :
@@ -166,7 +166,8 @@ bool draw_plot(const AccuracyAxis& axis, FrameCost cost, const std::filesystem::
     std::filesystem::remove(script, ignored);
     std::filesystem::remove(messages, ignored);
     if (status > 0) {
-      throw Error(picture.string(), "gnuplot could not draw it: " + said, "check the folder, or take gnuplot away");
+      throw Error(picture.string(), "gnuplot could not draw it: " + said,
+                  "check the folder and the gnuplot installation");
     }
     if (status < 0) {
       std::ofstream(partial, std::ios::binary) << "<svg xmlns=\"http://www.w3.org/2000/svg\"/>\n";

@@ -63,11 +63,11 @@ std::vector<std::string> row_of(const AccuracyReport& report, const AccuracyAxis
 }
 
 std::string axis_table(const AccuracyReport& report, const AccuracyAxis& axis) {
-  std::vector<std::string> head = {"", "method", "setting", "", "of", "median", "p99", "p99.9", "max"};
+  std::vector<std::string> head = {"", "method", "setting", "", "published by", "median", "p99", "p99.9", "max"};
   if (axis.unit == ErrorUnit::pixels) {
     head.emplace_back("p99 '");
   }
-  for (const char* const word : {"flicker", "lost", "ms", "from-to", "anew ms", "memory", "disk"}) {
+  for (const char* const word : {"flicker", "lost", "ms", "range", "ms with prep.", "memory", "disk"}) {
     head.emplace_back(word);
   }
   std::vector<std::vector<std::string>> rows = {head};
@@ -80,7 +80,7 @@ std::string axis_table(const AccuracyReport& report, const AccuracyAxis& axis) {
 
 std::string equal_error_table(const AccuracyAxis& axis, double most_px) {
   std::vector<std::vector<std::string>> rows = {
-      {"method", "cheapest", "ms", "ratio (from to)", "made anew: cheapest", "ms", "ratio (from to)"}};
+      {"method", "cheapest", "ms", "ratio (range)", "with preparation: cheapest", "ms", "ratio (range)"}};
   const std::vector<EqualErrorRow> ready = compare_at(axis, most_px, FrameCost::ready);
   const std::vector<EqualErrorRow> anew = compare_at(axis, most_px, FrameCost::anew);
   for (std::size_t i = 0; i < ready.size(); ++i) {
@@ -95,7 +95,7 @@ std::string equal_error_table(const AccuracyAxis& axis, double most_px) {
     rows.push_back(std::move(row));
   }
   return fmt::format("\n{}: at {} (p99){}\n{}", axis.title, error_text(axis, most_px),
-                     axis.base.empty() ? std::string() : ", times over those of " + axis.base, columns_of(rows, 2));
+                     axis.base.empty() ? std::string() : ", ratio to the time of " + axis.base, columns_of(rows, 2));
 }
 
 }  // namespace
@@ -107,12 +107,12 @@ std::string arcmin_text(const AccuracyReport& report, double error_px) {
 std::string table_text(const AccuracyReport& report, double most_px) {
   std::string text = fmt::format("{}: {} x {} pixels of {} arcmin; {}; {} UTC\n", report.title, report.width_px,
                                  report.height_px, short_number(report.pixel_arcmin), report.machine, report.date);
-  text += fmt::format("{} of the show, {} compared at each, {} in turn, {:.0f} s\n",
+  text += fmt::format("{} of the show, {} compared at each, {} of each choice, took {:.0f} s\n",
                       counted(report.times_s.size(), "moment"), counted(report.samples, "pixel"),
                       counted(report.rounds, "run"), report.took_s);
   text +=
-      "*: no other choice is as exact in as little time a frame; +: with what a new place of the camera takes; ': in "
-      "arcminutes\n";
+      "p99: 99 % of the samples have a smaller error; p99 ': the same in arcminutes; *: no other choice is both "
+      "faster and more accurate; +: the same with the preparation for a new camera position\n";
   text += repeatability_words(report) + '\n';
   for (const AccuracyAxis& axis : report.axes) {
     text += axis_table(report, axis);

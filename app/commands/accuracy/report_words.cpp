@@ -39,8 +39,8 @@ std::string cost_sentence(const AccuracyAxis& axis) {
     }
     const std::string unit = text.empty() ? " ms " + axis.time : " ms";
     text += text.empty() ? "" : "; ";
-    text += fmt::format("{} costs {}{} ({})", pixel_errors[i].name, short_number(cost_ms(*choice, FrameCost::ready)),
-                        unit, choice_name(*choice));
+    text += fmt::format("errors up to {} cost {}{} ({})", pixel_errors[i].name,
+                        short_number(cost_ms(*choice, FrameCost::ready)), unit, choice_name(*choice));
   }
   if (!text.empty()) {
     text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
@@ -52,12 +52,12 @@ std::string cost_sentence(const AccuracyAxis& axis) {
 //! "ewa (an ellipse): half of all are right within 1.3 %, 99 of 100 within 68 %; 36 ms a frame."
 std::string choice_sentence(const AccuracyAxis& axis, const Measurement& choice) {
   std::string text = fmt::format(
-      "{} ({}{}): half of what was compared is right within {}, 99 of 100 within {}; {} ms {}", choice.method,
+      "{} ({}{}): the error is at most {} in half of the samples and at most {} in 99 %; {} ms {}", choice.method,
       choice.setting, choice.published.empty() ? std::string() : ", the method of " + choice.published,
       error_text(axis, choice.error.median), error_text(axis, choice.error.p99),
       short_number(cost_ms(choice, FrameCost::ready)), axis.time);
   if (choice.lost > 0.0) {
-    text += fmt::format("; {} % are missing", short_number(100.0 * choice.lost));
+    text += fmt::format("; {} % of the samples are missing", short_number(100.0 * choice.lost));
   }
   return text + '.';
 }
@@ -68,8 +68,9 @@ std::string published_sentence(const AccuracyAxis& axis, const EqualErrorRow& ro
   if (any == nullptr || any->published.empty() || row.ratio.runs == 0) {
     return {};
   }
-  return fmt::format("{} (the method of {}) takes {} times as long as {} to be right within {} in 99 of 100 pixels.",
-                     row.method, any->published, short_number(row.ratio.median), axis.base, error.name);
+  return fmt::format(
+      "{} (the method of {}) takes {} times as long as {} for errors of at most {} in 99 % of the pixels.", row.method,
+      any->published, short_number(row.ratio.median), axis.base, error.name);
 }
 
 }  // namespace
@@ -113,53 +114,55 @@ std::vector<std::string> accuracy_sentences(const AccuracyReport& report) {
 std::string repeatability_words(const AccuracyReport& report) {
   const double spread = time_spread(report);
   if (spread == 0.0) {
-    return "No choice was timed more than once, so nothing is known about how well the times repeat.";
+    return "No choice was timed more than once, so the repeatability of the times is unknown.";
   }
   const std::string measured = fmt::format(
-      "the slowest run of a choice took {:.2f} times as long as its quickest (median of all choices; up to {:.2f} "
-      "counts "
-      "as quiet)",
+      "the slowest run of a choice took {:.2f} times as long as its fastest run (median of all choices; the limit is "
+      "{:.2f})",
       spread, busy_time_spread);
   if (!is_too_busy(report)) {
     return fmt::format("The machine was quiet enough to rank methods: {}.", measured);
   }
   return fmt::format(
-      "The machine was too busy to rank methods: {}. Which of two methods is faster is not known where their times "
-      "differ by less than that. The errors are not affected. Stop other programs and measure again.",
+      "The machine was too busy to rank methods: {}. Where the times of two methods differ by less than that, it is "
+      "unknown which is faster. The errors are not affected. Stop other programs and measure again.",
       measured);
 }
 
 std::string method_words(const std::string& method) {
   static const std::map<std::string, std::string> words = {
-      {"direct rays", "no grid: traces the path of light for every pixel of every frame"},
+      {"direct rays", "traces the light of every pixel in every frame, without a grid"},
       {"conforming grid",
-       "our own grid: traces light for some thousand directions, laid out around the edge of the shadow, and "
+       "Ergodome's grid: traces light in some thousand directions, arranged around the edge of the shadow, and "
        "interpolates between them for each pixel"},
       {"quadtree, linear", "the grid of Verbraeck & Eisemann, with linear interpolation"},
       {"quadtree, spline", "the grid of Verbraeck & Eisemann, with smooth curves (splines) for interpolation"},
       {"quadtree", "the grid of Verbraeck & Eisemann, with smooth curves (splines) for interpolation"},
-      {"taylor", "our own integrator: traces light in long steps, each a power series (Taylor) of ten to twenty terms"},
+      {"taylor", "Ergodome's integrator: traces light in long steps, each a Taylor series of ten to twenty terms"},
       {"cash_karp",
-       "a Runge-Kutta integrator of fifth order (Cash & Karp), in our equations, which have no singular points"},
-      {"rk34", "a Runge-Kutta integrator of third and fourth order, in our equations"},
+       "a fifth-order Runge-Kutta integrator (Cash & Karp), with Ergodome's equations, which have no singularities"
+       " at the poles"},
+      {"rk34", "a Runge-Kutta integrator of third and fourth order, with Ergodome's equations"},
       {"baseline_rk34",
-       "the same integrator in the published equations, which use angles and are singular at the poles"},
+       "the same integrator with the published equations, which use angles and are singular at the poles"},
       {"closed_form",
-       "the path of light as a formula (elliptic functions): slow and exact; the reference for all others"},
+       "computes the path of light from a formula (elliptic functions): slow and exact; the reference for all others"},
       {"stations with derivatives",
-       "lenses computed in advance at some positions on the camera's path, with how they change there"},
-      {"plain stations", "lenses computed in advance at some positions on the camera's path, and blended in between"},
-      {"point", "one look at the map, where the middle of the pixel sees it; details flicker"},
+       "lenses computed in advance at some positions on the camera path (stations), with their rates of change"},
+      {"plain stations",
+       "lenses computed in advance at some positions on the camera path (stations), and blended between them"},
+      {"point", "one sample of the sky map, at the center of the pixel; details flicker"},
       {"ewa",
-       "elliptical weighted average: a mean over the patch of the map that the pixel sees, from smaller copies of it"},
-      {"polygon", "the exact mean over the patch of the map that the pixel sees, as a quadrangle"},
-      {"physical", "two cameras, one for each eye: what two eyes would see there"},
-      {"flat", "one camera; near things are shifted as if space were flat (Hamilton & Polhemus 2010)"},
-      {"omni", "omnidirectional stereo: the eyes turn with the direction, for viewers who look around"},
-      {"rays", "traces light from every pixel to what it meets"},
-      {"polygons", "triangles, whose corners are drawn where their light arrives (Müller, Schulz & Weiskopf)"},
-      {"inverse", "finds for every star where on the screen its light arrives"},
-      {"gather", "finds for every pixel which stars it sees"}};
+       "elliptical weighted average: the mean over the patch of the sky map that the pixel sees, from smaller "
+       "copies of the map"},
+      {"polygon", "the exact mean over the patch of the sky map that the pixel sees, taken as a quadrilateral"},
+      {"physical", "two cameras, one for each eye: what two real eyes would see"},
+      {"flat", "one camera; near things are shifted as if space were flat (Hamilton & Polhemus)"},
+      {"omni", "omnidirectional stereo (ODS): the eyes turn with the viewing direction, for viewers who look around"},
+      {"rays", "traces the light of every pixel back to what emits it"},
+      {"polygons", "draws triangles, with their corners where their light arrives (Müller, Schulz & Weiskopf)"},
+      {"inverse", "finds, for every star, where its light arrives on the screen"},
+      {"gather", "finds, for every pixel, the stars that it sees"}};
   const auto found = words.find(method);
   return found != words.end() ? found->second : std::string();
 }

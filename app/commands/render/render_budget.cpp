@@ -39,7 +39,7 @@ void check_budget(ShowRenderer& renderer, const Show& show, const Budget& budget
   if (check.worst_px > *budget.error_px) {
     throw Error(fmt::format("--budget {}", text_of(budget)),
                 fmt::format("the error is {:.3g} px at {:.2f} s of {}", check.worst_px, check.worst_time_s, show.name),
-                "ask for less, or try --lens direct");
+                "choose a larger error budget, or try --lens direct");
   }
 }
 
@@ -49,7 +49,7 @@ bool use_render_budget(RenderOptions& options, Show& show, const std::optional<D
   const Budget budget = parse_budget(options.budget);
   const bool checks = options.checked_moments > 0;
   if (checks && !budget.error_px) {
-    throw UsageError("--check", "looks whether an error is within a budget", "add for example --budget 0.25px");
+    throw UsageError("--check", "needs an error budget to check", "add one, for example --budget 0.25px");
   }
   if (budget.empty()) {
     return true;

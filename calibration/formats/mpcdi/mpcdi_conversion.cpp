@@ -37,7 +37,7 @@ const MpcdiGeometry& geometry_of(const MpcdiRegion& region, const std::string& p
 
 WarpMesh warp_of(const Mpcdi& mpcdi, const MpcdiRegion& region, const std::string& place) {
   if (mpcdi.profile != MpcdiProfile::media_2d && mpcdi.profile != MpcdiProfile::simulation_3d) {
-    throw Error(place, "holds a surface in three dimensions, no flat warp", "export profile 2d or 3d for that");
+    throw Error(place, "contains a surface in three dimensions, not a flat warp", "export it with profile 2d or 3d");
   }
   WarpMesh mesh = warp_from_map(geometry_of(region, place).map, TextureDirection::downwards);
   if (mpcdi.profile == MpcdiProfile::media_2d) {
@@ -51,7 +51,7 @@ WarpMesh warp_of(const Mpcdi& mpcdi, const MpcdiRegion& region, const std::strin
 
 SurfaceMesh surface_of(const Mpcdi& mpcdi, const MpcdiRegion& region, const std::string& place) {
   if (mpcdi.profile != MpcdiProfile::advanced_3d && mpcdi.profile != MpcdiProfile::shader_lamps) {
-    throw Error(place, "holds a flat warp, no surface in three dimensions", "export profile a3 or sl for that");
+    throw Error(place, "contains a flat warp, not a surface in three dimensions", "export it with profile a3 or sl");
   }
   const MpcdiGeometry& geometry = geometry_of(region, place);
   const bool framed = mpcdi.profile == MpcdiProfile::shader_lamps && region.frame;

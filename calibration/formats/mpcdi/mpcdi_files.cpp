@@ -31,8 +31,8 @@ std::optional<std::string> checked_path(const XmlElement& element) {
   const std::filesystem::path parts(path);
   const bool strange = path.size() > 255 || path.find_first_of(std::string_view(":\0", 2)) != std::string::npos;
   if (strange || parts.is_absolute() || std::find(parts.begin(), parts.end(), "..") != parts.end()) {
-    throw element.error(fmt::format("has the path \"{}\"", path.substr(0, 80)),
-                        "name a file of the archive, or one beside the description");
+    throw element.error(fmt::format("has the path \"{}\", which is not within the calibration", path.substr(0, 80)),
+                        "name a file in the archive, or in the folder of the description");
   }
   return path;
 }
@@ -62,8 +62,8 @@ std::string unit_of(const XmlElement& element, MpcdiProfile profile) {
     // Coordinates on a screen or in a picture have no unit.
     unit = "unknown";
   } else if (!units.contains(unit)) {
-    throw element.error(fmt::format("has the geometricUnit \"{}\"", unit.substr(0, 40)),
-                        "there are mm, cm, dm, m, in, ft, yd and unknown");
+    throw element.error(fmt::format("has the unknown geometricUnit \"{}\"", unit.substr(0, 40)),
+                        "use mm, cm, dm, m, in, ft, yd or unknown");
   }
   return unit;
 }
@@ -86,7 +86,7 @@ std::optional<MpcdiMask> MpcdiFileReader::read_mask(const XmlElement& element) c
   }
   const double gamma = element.number_of("gammaEmbedded", 1.0);
   if (!(gamma >= 0.1 && gamma <= 10.0)) {
-    throw element.error(fmt::format("has gammaEmbedded {}", gamma), "a gamma lies between 0.1 and 10");
+    throw element.error(fmt::format("has gammaEmbedded {}", gamma), "write a gamma from 0.1 to 10");
   }
   const std::string bytes = files_(*path, most_mask_bytes);
   return MpcdiMask{parse_blend_map(std::as_bytes(std::span(bytes)), name_of(element, *path)), gamma};
@@ -116,11 +116,11 @@ void MpcdiFileReader::read(const XmlElement& fileset, const Mpcdi& mpcdi, MpcdiR
     region.distortion = read_map(*distortion);
   }
   if (!region.geometry && !is_posed(mpcdi.profile)) {
-    throw fileset.error("names no warp", "a 2d or a3 calibration is nothing without: export it again");
+    throw fileset.error("names no warp", "profiles 2d and a3 need one: export it again");
   }
   if (region.geometry && mpcdi.profile == MpcdiProfile::shader_lamps &&
       region.geometry->origin == MpcdiOrigin::ideal_eye_point) {
-    throw fileset.error("counts 3D data from the idealEyePoint", "profile sl has no such point: write floorCenter");
+    throw fileset.error("measures 3D data from the idealEyePoint", "profile sl has no such point: write floorCenter");
   }
 }
 
@@ -152,9 +152,9 @@ MpcdiFiles files_in_folder(const std::filesystem::path& folder) {
     const auto home = std::filesystem::weakly_canonical(folder.empty() ? "." : folder, problem);
     const auto [rest, ignored] = std::mismatch(home.begin(), home.end(), real.begin(), real.end());
     if (problem || rest != home.end()) {
-      throw Error(path.string(), "leads out of the calibration's folder", "put the file there");
+      throw Error(path.string(), "is outside the calibration's folder", "move the file into that folder");
     }
-    return read_whole_file(path, most_bytes, "put the file that the calibration names beside it");
+    return read_whole_file(path, most_bytes, "put the file that the calibration names into its folder");
   };
 }
 

@@ -34,7 +34,7 @@ class DescriptionReader {
       read_buffer(buffer);
     }
     if (regions_.empty()) {
-      throw root_.error("has no region", "write a <region> for each projector into display and buffer");
+      throw root_.error("has no region", "write a <region> for each projector into <display> and <buffer>");
     }
     read_extensions();
     check_regions();
@@ -45,12 +45,12 @@ class DescriptionReader {
  private:
   void read_head() {
     if (!is_mpcdi()) {
-      throw root_.error("is not MPCDI", "give a description whose outermost element is <MPCDI>");
+      throw root_.error("is not MPCDI", "name a description whose root element is <MPCDI>");
     }
     const std::string profile = root_.needed_attribute("profile");
     const auto* const word = std::find(mpcdi_profile_words.begin(), mpcdi_profile_words.end(), profile);
     if (word == mpcdi_profile_words.end()) {
-      throw root_.error(fmt::format("has the profile \"{}\"", shown(profile)), "there are 2d, 3d, a3 and sl");
+      throw root_.error(fmt::format("has the unknown profile \"{}\"", shown(profile)), "use 2d, 3d, a3 or sl");
     }
     mpcdi_.profile = static_cast<MpcdiProfile>(word - mpcdi_profile_words.begin());
     read_version();
@@ -68,7 +68,7 @@ class DescriptionReader {
     const bool old = root_.attribute("level").has_value();
     const double version = root_.number_attribute("version", old ? 1.0 : 2.0);
     if (!(version >= 1.0 && version < 3.0)) {
-      throw root_.error(fmt::format("has version {}", version), "versions 1 and 2 are known");
+      throw root_.error(fmt::format("has the unsupported version {}", version), "export it as version 1 or 2");
     }
     if (old) {
       const int level = root_.whole_attribute("level", 1, 4);
@@ -84,7 +84,7 @@ class DescriptionReader {
 
   void read_buffer(const XmlElement& element) {
     if (is_posed(mpcdi_.profile) && !mpcdi_.buffers.empty()) {
-      throw element.error("is a second buffer", "profiles 3d and sl have one: put every region into it");
+      throw element.error("is a second buffer", "profiles 3d and sl have one buffer: put every region into it");
     }
     MpcdiBuffer buffer;
     buffer.id = element.attribute("id").value_or("");
@@ -95,9 +95,12 @@ class DescriptionReader {
       buffer.regions.push_back(read_mpcdi_region(region, mpcdi_.left_out));
       const auto [at, added] =
           regions_.emplace(buffer.regions.back().id, Found{place, buffer.regions.size() - 1, region});
-      if (!added || regions_.size() > most_regions) {
-        throw region.error(fmt::format("has the id \"{}\" of another", shown(at->first)),
-                           fmt::format("give each region an id of its own; {} are the most", most_regions));
+      if (!added) {
+        throw region.error(fmt::format("has the id \"{}\" of another region", shown(at->first)),
+                           "give each region its own id");
+      }
+      if (regions_.size() > most_regions) {
+        throw region.error("is one region too many", fmt::format("use at most {} regions", most_regions));
       }
     }
     mpcdi_.buffers.push_back(std::move(buffer));
@@ -125,7 +128,7 @@ class DescriptionReader {
   MpcdiRegion& region_named(const std::string& id, const XmlElement& asking) {
     const auto at = regions_.find(id);
     if (at == regions_.end()) {
-      throw asking.error(fmt::format("speaks of region \"{}\"", shown(id)), "there is none of that id: correct it");
+      throw asking.error(fmt::format("refers to region \"{}\", which does not exist", shown(id)), "correct the id");
     }
     return mpcdi_.buffers[at->second.buffer].regions[at->second.index];
   }
@@ -146,12 +149,13 @@ class DescriptionReader {
     const auto read = [&](const XmlElement& fileset, const std::string& id) {
       MpcdiRegion& region = region_named(id, fileset);
       if (!seen.insert(id).second) {
-        throw fileset.error(fmt::format("is the second of region \"{}\"", shown(id)), "write one for each region");
+        throw fileset.error(fmt::format("is the second <fileset> of region \"{}\"", shown(id)),
+                            "write one <fileset> for each region");
       }
       files_.read(fileset, mpcdi_, region);
       if (has_lengths(mpcdi_.profile) && region.unit == "unknown") {
         mpcdi_.left_out.push_back(
-            fmt::format("{}: no geometricUnit, so lengths are taken for metres", fileset.place()));
+            fmt::format("{}: no geometricUnit, so lengths are assumed to be in meters", fileset.place()));
       }
     };
     for (const XmlElement& fileset : filesets) {
@@ -162,15 +166,15 @@ class DescriptionReader {
       for (const XmlElement& fileset : found.element.children("fileset")) {
         const std::string named = fileset.attribute("region").value_or(id);
         if (named != id) {
-          throw fileset.error(fmt::format("is in region \"{}\" and names \"{}\"", shown(id), shown(named)),
-                              "name the region that it is in, or none");
+          throw fileset.error(fmt::format("is in region \"{}\" but names region \"{}\"", shown(id), shown(named)),
+                              "name the region that contains it, or leave out the name");
         }
         read(fileset, id);
       }
     }
     for (const auto& [id, found] : regions_) {
       if (!is_posed(mpcdi_.profile) && !seen.contains(id)) {
-        throw found.element.error("has no <fileset>", "a 2d or a3 calibration names a warp for every region");
+        throw found.element.error("has no <fileset>", "profiles 2d and a3 need a warp for every region");
       }
     }
   }
@@ -198,7 +202,7 @@ double metres_of_unit(const std::string& unit) {
 
 Mpcdi parse_mpcdi_description(std::string_view xml, const std::string& name, const MpcdiFiles& files, RowOrder order) {
   if (xml.size() > most_description_bytes) {
-    throw Error(name, "is a description of more than 4 MiB", "no calibration is that long: export it again");
+    throw Error(name, "is a description of more than 4 MiB", "export it again");
   }
   const XmlFile parsed(xml, name);
   return DescriptionReader(parsed, files, order).read();
@@ -208,7 +212,8 @@ Mpcdi parse_mpcdi_archive(std::span<const std::byte> bytes, const std::string& n
   ZipArchive archive(bytes, name);
   const std::string description = archive.has("mpcdi.xml") ? "mpcdi.xml" : "mpacs.xml";
   if (!archive.has(description)) {
-    throw Error(name, "holds no mpcdi.xml", "it is no MPCDI archive, or its files lie in a folder: pack them without");
+    throw Error(name, "contains no mpcdi.xml at its top level",
+                "name an MPCDI archive, or pack its files without a folder");
   }
   const std::string xml = archive.read(description, most_description_bytes);
   const auto files = [&](const std::string& member, std::size_t most_bytes) {
@@ -219,7 +224,7 @@ Mpcdi parse_mpcdi_archive(std::span<const std::byte> bytes, const std::string& n
 
 Mpcdi read_mpcdi(const std::filesystem::path& path, RowOrder order) {
   const std::string bytes =
-      read_whole_file(path, most_archive_bytes, "give an MPCDI archive or its description in XML");
+      read_whole_file(path, most_archive_bytes, "name an MPCDI archive or its description in XML");
   if (bytes.starts_with("PK")) {
     return parse_mpcdi_archive(std::as_bytes(std::span(bytes)), path.string(), order);
   }
@@ -228,7 +233,7 @@ Mpcdi read_mpcdi(const std::filesystem::path& path, RowOrder order) {
 
 std::vector<std::filesystem::path> files_of_mpcdi(const std::filesystem::path& path) {
   const std::string bytes =
-      read_whole_file(path, most_archive_bytes, "give an MPCDI archive or its description in XML");
+      read_whole_file(path, most_archive_bytes, "name an MPCDI archive or its description in XML");
   std::vector<std::filesystem::path> named;
   if (!bytes.starts_with("PK")) {
     const MpcdiFiles files = files_in_folder(path.parent_path());

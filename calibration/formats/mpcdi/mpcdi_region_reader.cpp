@@ -39,7 +39,8 @@ MpcdiFrame read_frame(const XmlElement& element) {
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j <= i; ++j) {
       if (!(std::abs(dot(*axes[i], *axes[j]) - (i == j ? 1.0 : 0.0)) <= slack)) {
-        throw element.error("has axes that are not of length 1 at right angles", "write unit vectors for each axis");
+        throw element.error("has axes that are not orthonormal",
+                            "write three unit vectors at right angles to each other");
       }
     }
   }
@@ -54,12 +55,13 @@ std::optional<double> read_gamma(const XmlElement& color, std::string_view name,
     return std::nullopt;
   }
   if (type != "gamma") {
-    left_out.emplace_back(element->error(fmt::format("asks for {}", shown_type(type)), "").what());
+    left_out.emplace_back(
+        element->error(fmt::format("has the unsupported type {}, which is ignored", shown_type(type)), "").what());
     return std::nullopt;
   }
   const double gamma = element->attribute("gamma") ? element->number_attribute("gamma") : element->number_of("gamma");
   if (!(gamma >= 0.1 && gamma <= 10.0)) {
-    throw element->error(fmt::format("has the gamma {}", gamma), "a gamma lies between 0.1 and 10");
+    throw element->error(fmt::format("has a gamma of {}", gamma), "write a gamma from 0.1 to 10");
   }
   return gamma;
 }
@@ -70,7 +72,8 @@ void read_color(const XmlElement& color, MpcdiRegion& region, std::vector<std::s
   const auto correct = color.child("correct");
   const std::string type = correct ? correct->attribute("type").value_or("none") : "none";
   if (type != "none") {
-    left_out.emplace_back(correct->error(fmt::format("asks for {}", shown_type(type)), "").what());
+    left_out.emplace_back(
+        correct->error(fmt::format("has the unsupported type {}, which is ignored", shown_type(type)), "").what());
   }
 }
 
@@ -78,8 +81,8 @@ void check_frustum(const Frustum& frustum, const XmlElement& region) {
   const double angles[] = {frustum.left_deg, frustum.right_deg, frustum.up_deg, frustum.down_deg};
   const bool flat = std::all_of(std::begin(angles), std::end(angles), [](double a) { return std::abs(a) < 90.0; });
   if (!flat || !(frustum.left_deg < frustum.right_deg) || !(frustum.down_deg < frustum.up_deg)) {
-    throw region.error("has a frustum that is turned inside out",
-                       "leftAngle is below rightAngle, downAngle below upAngle, all between -90 and 90");
+    throw region.error("has an impossible frustum",
+                       "choose angles with leftAngle < rightAngle and downAngle < upAngle, all between -90 and 90");
   }
 }
 
@@ -122,17 +125,17 @@ std::optional<MpcdiFisheye> read_mpcdi_lens(const XmlElement& element) {
     lens.anamorphic_angle_deg = anamorphic->number_of("angle", 0.0);
   }
   if (!(lens.coefficients[0] > 0.0) || !(lens.anamorphic_ratio > 0.0)) {
-    throw element.error("has a lens of no size", "f1 and the anamorphic ratio are above 0");
+    throw element.error("has a lens of size 0", "choose f1 and the anamorphic ratio above 0");
   }
   return lens;
 }
 
 void check_mpcdi_region(const MpcdiRegion& region, MpcdiProfile profile, const XmlElement& element) {
   if (is_posed(profile) && !region.frustum) {
-    throw element.error("has no <frustum>", "profiles 3d and sl need one");
+    throw element.error("has no <frustum>", "profiles 3d and sl need one: export it again");
   }
   if (profile == MpcdiProfile::shader_lamps && !region.frame) {
-    throw element.error("has no <coordinateFrame>", "profile sl needs one");
+    throw element.error("has no <coordinateFrame>", "profile sl needs one: export it again");
   }
   // The angles of a fisheye come near 90° on either side and say nothing.
   if (region.frustum && !region.fisheye) {

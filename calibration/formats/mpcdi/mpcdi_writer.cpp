@@ -74,10 +74,12 @@ class ArchiveWriter {
 
   void check(const MpcdiRegion& region) {
     const auto lacks = [&](const std::string& what) {
-      return Error(name_, fmt::format("cannot hold region \"{}\" without {}", region.id, what), "give it one");
+      return Error(name_, fmt::format("cannot store region \"{}\" without {}", region.id, what), "add it");
     };
     if (!ids_.insert(region.id).second || region.id.empty()) {
-      throw Error(name_, fmt::format("cannot hold two regions of the id \"{}\"", region.id), "name them apart");
+      throw Error(name_,
+                  fmt::format("cannot store a region with the id \"{}\", which is empty or used twice", region.id),
+                  "give each region its own id");
     }
     if (is_posed(mpcdi_.profile) && !(region.frustum && region.orientation)) {
       throw lacks("a frustum");

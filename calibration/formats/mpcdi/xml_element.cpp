@@ -53,20 +53,20 @@ XmlFile::XmlFile(std::string_view text, std::string name) : name_(std::move(name
   const pugi::xml_parse_result result =
       document_.load_buffer(text_.data(), text_.size(), pugi::parse_default | pugi::parse_doctype, pugi::encoding_utf8);
   if (!result) {
-    throw Error(place(result.offset), fmt::format("is not well-formed XML: {}", result.description()), "mend it there");
+    throw Error(place(result.offset), fmt::format("is not well-formed XML: {}", result.description()),
+                "correct the file");
   }
   Inspector inspector;
   document_.traverse(inspector);
   if (inspector.document_type) {
-    throw Error(name_, "declares a document type",
-                "remove <!DOCTYPE ...>: such files need none, and entities are refused");
+    throw Error(name_, "declares a document type", "remove <!DOCTYPE ...>; these files do not need it");
   }
   if (inspector.too_deep) {
     throw Error(place(inspector.too_deep), fmt::format("is nested deeper than {} elements", greatest_depth),
-                "no calibration is: export it again");
+                "export it again");
   }
   if (!root()) {
-    throw Error(name_, "holds no XML element", "export it again");
+    throw Error(name_, "contains no XML element", "export it again");
   }
 }
 
@@ -91,7 +91,7 @@ std::optional<XmlElement> XmlElement::child(std::string_view name) const {
 XmlElement XmlElement::needed_child(std::string_view name) const {
   const auto found = child(name);
   if (!found) {
-    throw error(fmt::format("has no <{}>", name), fmt::format("write <{}> into it", name));
+    throw error(fmt::format("has no <{}>", name), fmt::format("add <{}>", name));
   }
   return *found;
 }
@@ -117,7 +117,7 @@ std::string XmlElement::text_of(std::string_view name, const std::string& otherw
 double XmlElement::finite(const std::string& word, std::string_view of) const {
   const auto number = ergodome::number_of(word);
   if (!number || !(std::abs(*number) <= largest_number)) {
-    throw error(fmt::format("says {} = \"{}\"", of, shown_text(word)), "write a finite number");
+    throw error(fmt::format("has {} = \"{}\"", of, shown_text(word)), "write a finite number");
   }
   return *number;
 }
@@ -128,7 +128,7 @@ double XmlElement::number_of(std::string_view name, std::optional<double> otherw
     return finite(word, name);
   }
   if (!otherwise) {
-    throw error(fmt::format("has no <{}>", name), fmt::format("write <{}> with a number into it", name));
+    throw error(fmt::format("has no <{}>", name), fmt::format("add <{}> with a number", name));
   }
   return *otherwise;
 }
@@ -145,7 +145,7 @@ std::optional<std::string> XmlElement::attribute(std::string_view name) const {
 std::string XmlElement::needed_attribute(std::string_view name) const {
   const auto found = attribute(name);
   if (!found || found->empty()) {
-    throw error(fmt::format("has no {}=", name), fmt::format("write {}=\"...\" into it", name));
+    throw error(fmt::format("has no attribute {}", name), fmt::format("add {}=\"...\"", name));
   }
   return *found;
 }
@@ -166,7 +166,7 @@ int XmlElement::whole_attribute(std::string_view name, int least, int greatest, 
   const std::string word = trimmed(needed_attribute(name));
   const auto number = whole_number_of(word);
   if (!number || *number < least || *number > greatest) {
-    throw error(fmt::format("says {}=\"{}\"", name, shown_text(word)),
+    throw error(fmt::format("has {}=\"{}\"", name, shown_text(word)),
                 fmt::format("write a whole number from {} to {}", least, greatest));
   }
   return static_cast<int>(*number);

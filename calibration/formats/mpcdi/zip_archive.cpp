@@ -40,14 +40,15 @@ void check_member(const zip_stat_t& stat, const std::string& place, std::size_t 
     throw Error(place, "is encrypted", "pack the archive without a password");
   }
   if (stat.comp_method != ZIP_CM_STORE && stat.comp_method != ZIP_CM_DEFLATE) {
-    throw Error(place, "is packed in an unusual way", "pack the archive with deflate");
+    throw Error(place, "is compressed by an unsupported method", "pack the archive with deflate");
   }
   if (stat.size > most_bytes) {
-    throw Error(place, fmt::format("would unpack to {} bytes", stat.size), fmt::format("{} are the most", most_bytes));
+    throw Error(place, fmt::format("would unpack to {} bytes", stat.size),
+                fmt::format("use at most {} bytes", most_bytes));
   }
   if (stat.size > small_member && stat.size / largest_ratio > stat.comp_size) {
     throw Error(place, fmt::format("would unpack from {} to {} bytes", stat.comp_size, stat.size),
-                fmt::format("such a member is taken for a trap: pack it less than {} times", largest_ratio));
+                fmt::format("this looks like a zip bomb; compress it by less than {} times", largest_ratio));
   }
 }
 
@@ -72,12 +73,14 @@ ZipArchive::ZipArchive(std::span<const std::byte> bytes, std::string name, std::
     zip_source_free(source);
     const std::string text = zip_error_strerror(&error);
     zip_error_fini(&error);
-    throw Error(name_, "cannot be opened as a zip archive: " + text, "the file seems torn; export it again");
+    throw Error(name_, "cannot be opened as a zip archive: " + text,
+                "the file is truncated or damaged; export it again");
   }
   handle_ = std::make_unique<Handle>(archive);
   const zip_int64_t entries = zip_get_num_entries(archive, 0);
   if (entries > most_entries) {
-    throw Error(name_, fmt::format("holds {} entries", entries), fmt::format("{} are the most", most_entries));
+    throw Error(name_, fmt::format("contains {} entries", entries),
+                fmt::format("use at most {} entries", most_entries));
   }
 }
 
@@ -104,15 +107,15 @@ std::string ZipArchive::read(const std::string& member, std::size_t most_bytes) 
   const zip_int64_t index = located(handle_->archive, member);
   zip_stat_t stat;
   if (index < 0 || zip_stat_index(handle_->archive, static_cast<zip_uint64_t>(index), 0, &stat) != 0) {
-    throw Error(place, "is not in the archive", "export it again with this file");
+    throw Error(place, "is not in the archive", "export the archive again with this file");
   }
   check_member(stat, place, most_bytes);
   if (stat.comp_size > archive_bytes_) {
-    throw Error(place, "is larger than its archive", "the file seems torn; export it again");
+    throw Error(place, "is larger than its archive", "the file is truncated or damaged; export it again");
   }
   const auto size = static_cast<std::size_t>(stat.size);
   if (size > unpacked_left_) {
-    throw Error(place, "would unpack more in all than any calibration holds", "split the archive");
+    throw Error(place, "would exceed the limit of the total unpacked size", "split the archive");
   }
   unpacked_left_ -= size;
   const std::unique_ptr<zip_file_t, CloseMember> file(
@@ -129,7 +132,7 @@ std::string ZipArchive::read(const std::string& member, std::size_t most_bytes) 
   }
   if (got < 0 || filled != size) {
     const std::string why = got < 0 ? text_of(zip_error_code_zip(zip_file_get_error(file.get()))) : "its size is wrong";
-    throw Error(place, "cannot be unpacked: " + why, "the file seems torn; export it again");
+    throw Error(place, "cannot be unpacked: " + why, "the file is truncated or damaged; export it again");
   }
   bytes.resize(size);
   return bytes;

@@ -33,18 +33,19 @@ class BourkeParser {
     read_size();
     const std::size_t count = static_cast<std::size_t>(mesh_.columns) * static_cast<std::size_t>(mesh_.rows);
     if (bytes_ / least_node_bytes < count) {
-      throw error(fmt::format("announces {} nodes, more than the file has room for", count),
-                  "the file seems torn; export it again");
+      throw error(fmt::format("declares {} nodes, but the file is too short for them", count),
+                  "the file is truncated or damaged; export it again");
     }
     mesh_.nodes.reserve(count);
     while (mesh_.nodes.size() < count) {
       mesh_.nodes.push_back(read_node(count));
     }
     if (lines_.next()) {
-      throw error(fmt::format("comes after the last of {} nodes", count), "correct the size in the second line");
+      throw error(fmt::format("extra line after the last of {} nodes", count),
+                  "correct the mesh size in the second line");
     }
     if (std::none_of(mesh_.nodes.begin(), mesh_.nodes.end(), [](const WarpNode& node) { return node.valid; })) {
-      throw Error(file_, "has no node to draw: every intensity is negative", "export it again");
+      throw Error(file_, "has nothing to draw, because every intensity is negative", "export it again");
     }
     put_top_row_first();
     return std::move(mesh_);
@@ -59,7 +60,7 @@ class BourkeParser {
   std::string_view line(std::string_view wanted) {
     const auto found = lines_.next();
     if (!found) {
-      throw error(fmt::format("the file ends before {}", wanted), "the file seems torn; export it again");
+      throw error(fmt::format("the file ends before {}", wanted), "the file is truncated or damaged; export it again");
     }
     return *found;
   }
@@ -68,7 +69,7 @@ class BourkeParser {
     std::string_view rest = line("the mesh's type");
     const auto type = whole_number_of(take_word(rest));
     if (!type || (*type != 1 && *type != 2) || !take_word(rest).empty()) {
-      throw error("is not the type of a mesh", "write 2 (rectangular) or 1 (polar) alone on the first line");
+      throw error("is not a mesh type", "write only 2 (rectangular) or 1 (polar) on the first line");
     }
     mesh_.topology = *type == 2 ? MeshTopology::rectangular : MeshTopology::polar;
   }
@@ -78,7 +79,7 @@ class BourkeParser {
     const auto columns = whole_number_of(take_word(rest));
     const auto rows = whole_number_of(take_word(rest));
     if (!columns || !rows || !take_word(rest).empty()) {
-      throw error("is not the size of a mesh", "write columns and rows, two whole numbers");
+      throw error("is not a mesh size", "write the number of columns and the number of rows");
     }
     check_mesh_size(*columns, *rows, place());
     mesh_.columns = static_cast<int>(*columns);
@@ -92,18 +93,18 @@ class BourkeParser {
       const std::string_view word = take_word(rest);
       const auto number = number_of(word);
       if (word.empty() || !number) {
-        throw error(
-            word.empty() ? "has fewer than five numbers" : fmt::format("holds \"{}\", no number", shown_word(word)),
-            "write x y u v intensity");
+        throw error(word.empty() ? "has fewer than five numbers"
+                                 : fmt::format("has \"{}\" where a number is needed", shown_word(word)),
+                    "write x y u v intensity on the line");
       }
       if (!(std::abs(*number) <= largest_mesh_coordinate)) {
-        throw error(fmt::format("holds {}", shown_word(word)),
-                    "write finite numbers; a negative intensity leaves a node out");
+        throw error(fmt::format("has the value {}, which is not finite or too large", shown_word(word)),
+                    "write finite numbers; to leave out a node, give it a negative intensity");
       }
       each = *number;
     }
     if (!take_word(rest).empty()) {
-      throw error("has more than five numbers", "write x y u v intensity");
+      throw error("has more than five numbers", "write x y u v intensity on the line");
     }
     return {static_cast<float>(0.5 * (value[0] / half_width_ + 1.0)),
             static_cast<float>(0.5 * (1.0 - value[1])),
@@ -141,15 +142,15 @@ class BourkeParser {
 
 WarpMesh parse_bourke_mesh(std::string_view text, const std::string& file, double half_width) {
   if (!(half_width >= 0.01 && half_width <= 100.0)) {
-    throw Error(file, fmt::format("is to be read with x up to {}", half_width),
-                "give the raster's width over its height, or 1");
+    throw Error(file, fmt::format("cannot be read with x from -{0} to {0}", half_width),
+                "give the raster's aspect ratio (width / height), or 1");
   }
   return BourkeParser(text, file, half_width).parse();
 }
 
 WarpMesh read_bourke_mesh(const std::filesystem::path& path, double half_width) {
-  return parse_bourke_mesh(read_whole_file(path, most_mesh_bytes, "give a mesh in Paul Bourke's format"), path.string(),
-                           half_width);
+  return parse_bourke_mesh(read_whole_file(path, most_mesh_bytes, "give a mesh file in Paul Bourke's format"),
+                           path.string(), half_width);
 }
 
 std::string to_bourke_mesh(const WarpMesh& mesh, double half_width) {

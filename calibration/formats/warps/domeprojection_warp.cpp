@@ -61,8 +61,9 @@ class DomeprojectionParser {
     }
     if (!names.empty() && std::isalpha(static_cast<unsigned char>(names[0])) != 0 && !names.starts_with("nan") &&
         !names.starts_with("inf")) {
-      throw text_.error(fmt::format("is not a flat domeprojection warp: its columns are \"{}\"", shown_of(names)),
-                        "the columns that are read are x;y;u;v;column;row");
+      throw text_.error(
+          fmt::format("is not a flat domeprojection warp, because its columns are \"{}\"", shown_of(names)),
+          "export a flat warp with the columns x;y;u;v;column;row");
     }
     return false;
   }
@@ -89,7 +90,7 @@ class DomeprojectionParser {
 
   void read_node(std::string_view line) {
     if (nodes_.size() >= most_mesh_nodes) {
-      throw text_.error(fmt::format("is a node beyond the {} that are read", most_mesh_nodes), "export a coarser mesh");
+      throw text_.error(fmt::format("has more than {} nodes", most_mesh_nodes), "export a coarser mesh");
     }
     const CsvFields fields = fields_of(line);
     WarpNode node;
@@ -111,7 +112,7 @@ class DomeprojectionParser {
     constexpr std::size_t most_places_a_node = 16;
     if (places / most_places_a_node > nodes_.size()) {
       throw Error(file_, fmt::format("has {} nodes for {} columns and {} rows", nodes_.size(), columns_, rows_),
-                  "the file seems torn; export it again");
+                  "the file is truncated or damaged; export it again");
     }
     WarpNode hole;
     hole.valid = false;

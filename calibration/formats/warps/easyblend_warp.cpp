@@ -58,7 +58,7 @@ class EasyblendParser {
       read_line(*line);
     }
     if (!is_openmesh_) {
-      throw Error(file_, "is not an EasyBlend mesh", "such a file has the line \"OPENMESH Version 1.1\"");
+      throw Error(file_, "is not an EasyBlend mesh", "name a file with the line \"OPENMESH Version 1.1\"");
     }
     refuse_unsupported();
     require_counts();
@@ -68,7 +68,8 @@ class EasyblendParser {
     warp.mesh = warp_from_triangles(std::move(nodes_), triangles_, file_);
     for (const char* key : {"APPLY_MASK", "APPLY_BLACK_LEVEL", "APPLY_COLOR"}) {
       if (number(key) != 0.0) {
-        notes_.push_back(fmt::format("{} asks for a picture that the file does not hold: name it in the setup", key));
+        notes_.push_back(
+            fmt::format("{} needs an image that the file does not contain; name that image in the dome setup", key));
       }
     }
     warp.notes = std::move(notes_);
@@ -110,14 +111,15 @@ class EasyblendParser {
     } else if (word != "LABEL") {
       constexpr std::size_t most_notes = 20;
       if (notes_.size() < most_notes) {
-        notes_.push_back(fmt::format("the keyword {} is not known, and not used", shown_of(word)));
+        notes_.push_back(fmt::format("the unknown keyword {} is ignored", shown_of(word)));
       }
     }
   }
 
   void require_word(std::string_view key, std::string_view found, std::string_view supported) const {
     if (found != supported) {
-      throw text_.error(fmt::format("has {} {}", key, shown_of(found)), fmt::format("only {} is supported", supported));
+      throw text_.error(fmt::format("has {} {}", key, shown_of(found)),
+                        fmt::format("only {} is supported; export the mesh with it", supported));
     }
   }
 
@@ -129,13 +131,13 @@ class EasyblendParser {
     const double s = text_.number(take_word(rest), "s");
     const double t = text_.number(take_word(rest), "t");
     if (!(intensity >= 0.0 && intensity <= 255.0)) {
-      throw text_.error(fmt::format("has the intensity {:g}", intensity), "write one from 0 to 255");
+      throw text_.error(fmt::format("has an intensity of {:g}", intensity), "write a number from 0 to 255");
     }
     if (!take_word(rest).empty()) {
-      throw text_.error("has more than five numbers", "write x y intensity s t");
+      throw text_.error("has more than five numbers", "write x y intensity s t on the line");
     }
     if (nodes_.size() >= most_mesh_nodes) {
-      throw text_.error(fmt::format("is a node beyond the {} that are read", most_mesh_nodes), "export a coarser mesh");
+      throw text_.error(fmt::format("has more than {} nodes", most_mesh_nodes), "export a coarser mesh");
     }
     // The file's t runs to the left, its s downwards.
     node.u = static_cast<float>(1.0 - t);
@@ -150,10 +152,10 @@ class EasyblendParser {
       node = static_cast<std::uint32_t>(text_.whole(take_word(rest), "a face's node", 0, most_mesh_nodes - 1));
     }
     if (take_word(rest) != "]") {
-      throw text_.error("is a face that does not have three nodes", "write [ a b c ]");
+      throw text_.error("has a face without exactly three nodes", "write [ a b c ]");
     }
     if (triangles_.size() >= most_mesh_nodes) {
-      throw text_.error(fmt::format("is a face beyond the {} that are read", most_mesh_nodes), "export a coarser mesh");
+      throw text_.error(fmt::format("has more than {} faces", most_mesh_nodes), "export a coarser mesh");
     }
     triangles_.push_back(triangle);
   }
@@ -162,19 +164,19 @@ class EasyblendParser {
     for (const char* key : {"DO_NO_WARP", "USE_SPHERE_SAMPLE_COORDINATE_SYSTEM", "FRUSTUM_EULER_ANGLES",
                             "PERSPECTIVE_XOFFSET", "PERSPECTIVE_YOFFSET", "PERSPECTIVE_ZOFFSET"}) {
       if (number(key) != 0.0) {
-        throw Error(file_, fmt::format("asks for {} {:g}, which is not supported", key, number(key)),
-                    "export the mesh for an eye in the dome's middle, without it");
+        throw Error(file_, fmt::format("uses {} {:g}, which is not supported", key, number(key)),
+                    "export the mesh without it, for an eye at the dome's center");
       }
     }
     if (!(number("GAMMA") >= 0.1 && number("GAMMA") <= 10.0)) {
-      throw Error(file_, fmt::format("has GAMMA {:g}", number("GAMMA")), "a gamma lies between 0.1 and 10");
+      throw Error(file_, fmt::format("has GAMMA {:g}", number("GAMMA")), "write a gamma from 0.1 to 10");
     }
     if (!(number("NATIVEXRES") >= 1.0 && number("NATIVEYRES") >= 1.0)) {
-      throw Error(file_, "does not tell its raster's size", "write NATIVEXRES and NATIVEYRES");
+      throw Error(file_, "does not give the size of its raster", "write NATIVEXRES and NATIVEYRES");
     }
     if (number("ORTHO_LEFT") == number("ORTHO_RIGHT") || number("ORTHO_TOP") == number("ORTHO_BOTTOM")) {
-      throw Error(file_, "has a raster of no size",
-                  "ORTHO_LEFT and ORTHO_RIGHT, ORTHO_TOP and ORTHO_BOTTOM must differ");
+      throw Error(file_, "has a raster of width or height 0",
+                  "give ORTHO_LEFT and ORTHO_RIGHT, and ORTHO_TOP and ORTHO_BOTTOM, different values");
     }
   }
 
@@ -183,9 +185,9 @@ class EasyblendParser {
     const auto found_faces = static_cast<long long>(triangles_.size());
     if (found_nodes != vertices_ || found_faces != faces_) {
       throw Error(file_,
-                  fmt::format("announces {} vertices and {} faces, and has {} and {}", vertices_, faces_, found_nodes,
+                  fmt::format("declares {} vertices and {} faces, but has {} and {}", vertices_, faces_, found_nodes,
                               found_faces),
-                  "the file seems torn; export it again");
+                  "the file is truncated or damaged; export it again");
     }
   }
 
@@ -223,7 +225,7 @@ class EasyblendParser {
       const double y = (node.y / number("NATIVEYRES") - bottom) / (number("ORTHO_TOP") - bottom);
       constexpr double farthest = 1e4;
       if (!(std::abs(x) <= farthest && std::abs(y) <= farthest)) {
-        throw Error(file_, "has a vertex far outside its raster", "check NATIVEXRES, NATIVEYRES and ORTHO_...");
+        throw Error(file_, "has a vertex far outside its raster", "check NATIVEXRES, NATIVEYRES and the ORTHO_ values");
       }
       node.x = static_cast<float>(x);
       node.y = static_cast<float>(1.0 - y);

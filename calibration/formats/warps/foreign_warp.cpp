@@ -26,11 +26,11 @@ std::string WarpText::place() const { return fmt::format("{}:{}", file_, std::ma
 double WarpText::number(std::string_view word, std::string_view what) const {
   const auto value = decimal_of(word);
   if (!value) {
-    throw error(word.empty() ? fmt::format("has no {}", what) : fmt::format("has \"{}\" for {}", shown_of(word), what),
+    throw error(word.empty() ? fmt::format("{} is missing", what) : fmt::format("{} is \"{}\"", what, shown_of(word)),
                 "write a number");
   }
   if (!(std::abs(*value) <= largest_warp_number)) {
-    throw error(fmt::format("has {} for {}", shown_of(word), what), "write a finite number of size 10,000 at the most");
+    throw error(fmt::format("{} is {}", what, shown_of(word)), "write a finite number from -10,000 to 10,000");
   }
   return *value;
 }
@@ -38,7 +38,7 @@ double WarpText::number(std::string_view word, std::string_view what) const {
 long long WarpText::whole(std::string_view word, std::string_view what, long long least, long long most) const {
   const auto value = whole_number_of(word);
   if (!value || *value < least || *value > most) {
-    throw error(word.empty() ? fmt::format("has no {}", what) : fmt::format("has \"{}\" for {}", shown_of(word), what),
+    throw error(word.empty() ? fmt::format("{} is missing", what) : fmt::format("{} is \"{}\"", what, shown_of(word)),
                 fmt::format("write a whole number from {} to {}", least, most));
   }
   return *value;
@@ -49,10 +49,11 @@ void check_view(const Frustum& frustum, const std::string& place) {
   const auto [least, most] = std::minmax({frustum.left_deg, frustum.right_deg, frustum.up_deg, frustum.down_deg});
   const bool ordered = frustum.left_deg < frustum.right_deg && frustum.down_deg < frustum.up_deg;
   if (!(least >= -widest_deg && most <= widest_deg) || !ordered) {
-    throw Error(place,
-                fmt::format("has a view from {:g}° (left) to {:g}° (right) and from {:g}° (down) to {:g}° (up)",
-                            frustum.left_deg, frustum.right_deg, frustum.down_deg, frustum.up_deg),
-                "a flat picture needs left below right, down below up, and less than 90° to each side");
+    throw Error(
+        place,
+        fmt::format("has an impossible field of view: {:g}° (left) to {:g}° (right) and {:g}° (down) to {:g}° (up)",
+                    frustum.left_deg, frustum.right_deg, frustum.down_deg, frustum.up_deg),
+        "choose angles with left < right and down < up, all less than 90° from the middle");
   }
 }
 
@@ -61,7 +62,7 @@ std::string words_of(const WarpView& view) {
   const auto shown_deg = [](double angle_deg) { return std::round(100.0 * angle_deg) / 100.0 + 0.0; };
   const auto& [orientation, frustum] = view;
   return fmt::format(
-      "yaw {:.2f}°, pitch {:.2f}°, roll {:.2f}°, from {:.2f}° to {:.2f}° across and from {:.2f}° to {:.2f}° upwards",
+      "yaw {:.2f}°, pitch {:.2f}°, roll {:.2f}°, {:.2f}° to {:.2f}° horizontally and {:.2f}° to {:.2f}° vertically",
       shown_deg(orientation.yaw_deg), shown_deg(orientation.pitch_deg), shown_deg(orientation.roll_deg),
       shown_deg(frustum.left_deg), shown_deg(frustum.right_deg), shown_deg(frustum.down_deg),
       shown_deg(frustum.up_deg));
@@ -73,11 +74,12 @@ bool is_foreign(WarpFormat format) {
 
 ForeignWarp parse_foreign_warp(std::string_view bytes, const std::string& file, WarpFormat format) {
   if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) {
-    throw Error(file, "is a text in UTF-16", "save it as UTF-8 or plain ASCII");
+    throw Error(file, "is text in UTF-16", "save it as UTF-8 or plain ASCII");
   }
   const bool is_binary = bytes.substr(0, warp_head_bytes).find('\0') != std::string_view::npos;
   if (is_binary && format != WarpFormat::sciss) {
-    throw Error(file, fmt::format("is a binary file, not {}", name_of(format)), "name another file, or its format");
+    throw Error(file, fmt::format("is a binary file, not {}", name_of(format)),
+                "name another file, or write its format");
   }
   const auto found = format_of_content(bytes);
   if (found && *found != format) {
@@ -102,7 +104,7 @@ ForeignWarp parse_foreign_warp(std::string_view bytes, const std::string& file, 
     case WarpFormat::mpcdi:
       break;
   }
-  throw Error(file, fmt::format("is {}", name_of(format)), "read it by the reader of that format");
+  throw Error(file, fmt::format("is {}", name_of(format)), "write the format of the file");
 }
 
 ForeignWarp read_foreign_warp(const std::filesystem::path& path, WarpFormat format) {

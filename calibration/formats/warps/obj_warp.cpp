@@ -22,11 +22,11 @@ class ObjWarpParser {
       read_line(*line);
     }
     if (positions_.empty() && textures_.empty()) {
-      throw Error(file_, "is not a Wavefront OBJ mesh", "a warp of this format has lines v, vt and f");
+      throw Error(file_, "is not a Wavefront OBJ mesh", "name a file with lines v, vt and f");
     }
     if (positions_.empty() || triangles_.empty()) {
       throw Error(file_, positions_.empty() ? "has no vertices" : "has no faces",
-                  "a warp needs lines v, vt and f: export it with texture coordinates");
+                  "a warp needs lines v, vt and f; export it with texture coordinates");
     }
     nodes_.resize(positions_.size());
     for (WarpTriangle& triangle : triangles_) {
@@ -37,7 +37,7 @@ class ObjWarpParser {
     nodes_.insert(nodes_.end(), further_nodes_.begin(), further_nodes_.end());
     std::vector<std::string> notes;
     if (coloured_) {
-      notes.emplace_back("colours of vertices are not used: give the projector a blend_mask");
+      notes.emplace_back("vertex colors are ignored; use a blend_mask for the projector");
     }
     return {warp_from_triangles(std::move(nodes_), triangles_, file_), std::nullopt, std::move(notes)};
   }
@@ -65,8 +65,7 @@ class ObjWarpParser {
 
   void require_room(std::size_t count) const {
     if (count > most_mesh_nodes) {
-      throw text_.error(fmt::format("is beyond the {} lines of a kind that are read", most_mesh_nodes),
-                        "export a coarser mesh");
+      throw text_.error(fmt::format("has more than {} lines of one kind", most_mesh_nodes), "export a coarser mesh");
     }
   }
 
@@ -76,9 +75,8 @@ class ObjWarpParser {
     const double z = text_.number(take_word(rest), "z");
     coloured_ = coloured_ || !take_word(rest).empty();
     if (!positions_.empty() && z != depth_) {
-      throw text_.error(
-          fmt::format("has z = {:g}, others {:g}", z, depth_),
-          "a warp is flat, with x and y from -1 to 1 across the raster: meshes of a screen's shape are not read");
+      throw text_.error(fmt::format("has z = {:g}, but other vertices have z = {:g}", z, depth_),
+                        "export a flat mesh with x and y from -1 to 1 across the raster, not the shape of the screen");
     }
     depth_ = z;
     positions_.push_back({x, y});
@@ -96,8 +94,8 @@ class ObjWarpParser {
     // Negative indices count back from the last line that was read.
     index = index < 0 ? static_cast<long long>(count) + index + 1 : index;
     if (index < 1 || index > static_cast<long long>(count)) {
-      throw text_.error(fmt::format("has a corner with number {} of {}", index, count),
-                        "name vertices and texture coordinates of lines before it, counted from 1");
+      throw text_.error(fmt::format("refers to element {} of {}", index, count),
+                        "use only vertices and texture coordinates of earlier lines, counted from 1");
     }
     return index;
   }
@@ -115,7 +113,7 @@ class ObjWarpParser {
     }
     if (position == 0 || texture == 0 || !corner.empty() || texture > static_cast<long long>(textures_.size())) {
       throw text_.error(fmt::format("has the corner \"{}\"", shown_of(whole)),
-                        "write vertex/texture, such as 1/1: a warp needs texture coordinates at every corner");
+                        "write vertex/texture, such as 1/1; every corner of a warp needs texture coordinates");
     }
     return node_of(static_cast<std::size_t>(position - 1), static_cast<std::size_t>(texture - 1));
   }
@@ -149,7 +147,7 @@ class ObjWarpParser {
       corners.push_back(corner_of(word));
     }
     if (corners.size() < 3) {
-      throw text_.error("is a face with fewer than three corners", "write f 1/1 2/2 3/3");
+      throw text_.error("is a face with fewer than three corners", "write, for example, f 1/1 2/2 3/3");
     }
     for (std::size_t i = 2; i < corners.size(); ++i) {
       triangles_.push_back({corners[0], corners[i - 1], corners[i]});

@@ -32,20 +32,21 @@ struct Header {
 
 Header parse_header(std::string_view text, const std::string& name) {
   if (text.starts_with("Pf")) {
-    throw Error(name, "is a float map of one component", "export it with three (\"PF\"): x, y and error, or x, y, z");
+    throw Error(name, "is a float map with one component", "export it with three (\"PF\"): x, y and error, or x, y, z");
   }
   if (!text.starts_with("PF")) {
-    throw Error(name, "is not a portable float map", "such a file begins with \"PF\"");
+    throw Error(name, "is not a portable float map", "name a file that begins with \"PF\"");
   }
   std::string_view rest = text.substr(2, most_header_bytes);
   const auto width = whole_number_of(take_word(rest));
   const auto height = whole_number_of(take_word(rest));
   const auto scale = number_of(take_word(rest));
   if (!width || !height || !scale || rest.empty()) {
-    throw Error(name, "has a header without width, height and scale", "write \"PF\", width, height and -1.0");
+    throw Error(name, "has a header without width, height and scale",
+                "begin the file with \"PF\", width, height and -1.0");
   }
   if (!std::isfinite(*scale) || *scale == 0.0) {
-    throw Error(name, "has a scale that does not tell the byte order", "write -1.0 for least significant byte first");
+    throw Error(name, "has a scale that does not give the byte order", "write -1.0 for little-endian samples");
   }
   check_mesh_size(*width, *height, name);
   const std::size_t ending = rest.starts_with("\r\n") ? 2 : 1;
@@ -75,9 +76,10 @@ FloatMap parse_float_map(std::span<const std::byte> bytes, const std::string& na
   const std::size_t wanted = row_floats * sizeof(float) * static_cast<std::size_t>(header.height);
   const std::size_t found = bytes.size() - std::min(header.bytes, bytes.size());
   if (found != wanted) {
-    throw Error(name,
-                fmt::format("has {} bytes of samples; {} x {} take {}", found, header.width, header.height, wanted),
-                "the file seems torn; export it again");
+    throw Error(
+        name,
+        fmt::format("has {} bytes of samples, but {} x {} samples need {}", found, header.width, header.height, wanted),
+        "the file is truncated or damaged; export it again");
   }
   FloatMap map{header.width, header.height, std::vector<float>(wanted / sizeof(float))};
   for (int row = 0; row < map.height; ++row) {
@@ -90,13 +92,13 @@ FloatMap parse_float_map(std::span<const std::byte> bytes, const std::string& na
     std::transform(map.samples.begin(), map.samples.end(), map.samples.begin(), swapped);
   }
   if (known_samples(map) == 0) {
-    throw Error(name, "holds no sample with a finite position", "export it again");
+    throw Error(name, "contains no sample with a finite position", "export it again");
   }
   return map;
 }
 
 FloatMap read_float_map(const std::filesystem::path& path, RowOrder order) {
-  const std::string bytes = read_whole_file(path, most_pfm_bytes, "give a portable float map (.pfm)");
+  const std::string bytes = read_whole_file(path, most_pfm_bytes, "name a portable float map (.pfm)");
   return parse_float_map(std::as_bytes(std::span(bytes)), path.string(), order);
 }
 

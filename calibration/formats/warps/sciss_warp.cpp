@@ -45,8 +45,8 @@ class ScissParser {
     std::vector<WarpNode> nodes = read_nodes(version_ == 1 ? std::uint64_t{kind} * size : size);
     const std::vector<std::uint32_t> indices = read_indices();
     if (!rest_.empty()) {
-      throw Error(file_, fmt::format("has {} bytes after its last index", rest_.size()),
-                  "the file seems damaged; export it again");
+      throw Error(file_, fmt::format("has {} extra bytes after its last index", rest_.size()),
+                  "the file is damaged; export it again");
     }
     if (version_ == 1 && indices.empty()) {
       check_mesh_size(kind, size, file_);
@@ -62,7 +62,7 @@ class ScissParser {
   template <class T>
   T taken(const char* what) {
     if (rest_.size() < sizeof(T)) {
-      throw Error(file_, fmt::format("ends before {}", what), "the file seems torn; export it again");
+      throw Error(file_, fmt::format("ends before {}", what), "the file is truncated or damaged; export it again");
     }
     T value;
     rest_.copy(reinterpret_cast<char*>(&value), sizeof(T));
@@ -74,27 +74,27 @@ class ScissParser {
     constexpr double largest = 1e4;
     const double value = taken<float>(what);
     if (!(std::abs(value) <= largest)) {
-      throw Error(file_, fmt::format("has {} for {}", value, what),
-                  "finite numbers of size 10,000 at the most are read");
+      throw Error(file_, fmt::format("has the value {} in {}", value, what),
+                  "export it with finite values from -10,000 to 10,000");
     }
     return value;
   }
 
   void read_head() {
     if (!rest_.starts_with("SGC")) {
-      throw Error(file_, "is not a SCISS warp", "such a file begins with \"SGC\"");
+      throw Error(file_, "is not a SCISS warp", "name a file that begins with \"SGC\"");
     }
     rest_.remove_prefix(3);
     // Some programs write the version as a digit, others as a number.
     const int version = taken<std::uint8_t>("its version");
     version_ = version >= '0' ? version - '0' : version;
     if (version_ != 1 && version_ != 2) {
-      throw Error(file_, fmt::format("has version {}", version), "versions 1 and 2 are known");
+      throw Error(file_, fmt::format("has the unsupported version {}", version), "export it as version 1 or 2");
     }
     if (const auto type = taken<std::uint32_t>("its type of mapping"); type != 0) {
       throw Error(file_,
-                  type == 1 ? std::string("maps a cube of pictures") : fmt::format("has the type of mapping {}", type),
-                  "only a planar mapping (type 0) is supported");
+                  type == 1 ? std::string("uses a cube map") : fmt::format("has the unsupported mapping type {}", type),
+                  "export it with a planar mapping (type 0)");
     }
   }
 
@@ -104,16 +104,16 @@ class ScissParser {
     const double length = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
     constexpr double rounding = 0.01;
     if (!(std::abs(length - 1.0) <= rounding)) {
-      throw Error(file_, fmt::format("has a quaternion of length {:g} for its direction", length),
-                  "its length must be 1");
+      throw Error(file_, fmt::format("has a direction quaternion of length {:g}", length),
+                  "export it with a quaternion of length 1");
     }
     q = {q.x / length, q.y / length, q.z / length, q.w / length};
     const Vector3<double> position = {taken_number("the position"), taken_number("the position"),
                                       taken_number("the position")};
     if (position.x != 0.0 || position.y != 0.0 || position.z != 0.0) {
       notes.push_back(
-          fmt::format("its position ({:g}, {:g}, {:g}) is not used: the picture is taken to be seen from the "
-                      "dome's middle",
+          fmt::format("its position ({:g}, {:g}, {:g}) is ignored: the view is assumed to be from the dome's "
+                      "center",
                       position.x, position.y, position.z));
     }
     WarpView view;
@@ -129,8 +129,8 @@ class ScissParser {
   std::vector<WarpNode> read_nodes(std::uint64_t count) {
     constexpr std::size_t node_bytes = 6 * sizeof(float);
     if (count > most_mesh_nodes || count > rest_.size() / node_bytes) {
-      throw Error(file_, fmt::format("announces {} nodes, more than it has room for", count),
-                  "the file seems torn; export it again");
+      throw Error(file_, fmt::format("declares {} nodes, but the file is too short for them", count),
+                  "the file is truncated or damaged; export it again");
     }
     std::vector<WarpNode> nodes;
     nodes.reserve(count);
@@ -150,8 +150,8 @@ class ScissParser {
   std::vector<std::uint32_t> read_indices() {
     const auto count = taken<std::uint32_t>("its number of indices");
     if (count > rest_.size() / sizeof(std::uint32_t)) {
-      throw Error(file_, fmt::format("announces {} indices, more than it has room for", count),
-                  "the file seems torn; export it again");
+      throw Error(file_, fmt::format("declares {} indices, but the file is too short for them", count),
+                  "the file is truncated or damaged; export it again");
     }
     std::vector<std::uint32_t> indices(count);
     if (count > 0) {
@@ -168,9 +168,10 @@ class ScissParser {
     }
     if (kind != list_of_triangles || indices.size() % 3 != 0) {
       throw Error(file_,
-                  kind != list_of_triangles ? fmt::format("has the kind {} of indices", kind)
-                                            : fmt::format("has {} indices for triangles", indices.size()),
-                  "triangles (4) and strips of them (5) are known");
+                  kind != list_of_triangles
+                      ? fmt::format("has indices of the unknown type {}", kind)
+                      : fmt::format("has {} indices, which do not form whole triangles", indices.size()),
+                  "export triangles (type 4) or triangle strips (type 5)");
     }
     std::vector<WarpTriangle> triangles;
     for (std::size_t i = 0; i < indices.size(); i += 3) {

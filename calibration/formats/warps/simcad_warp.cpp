@@ -16,12 +16,12 @@ constexpr std::size_t most_simcad_bytes = std::size_t{64} << 20U;
 //! Returns an element's offsets, as fractions of the raster.
 std::vector<double> offsets_of(const XmlElement& element) {
   if (!element.attribute("range")) {
-    throw element.error("has no range",
-                        "write range = \"1\" where offsets are parts of the raster, or its size in pixels");
+    throw element.error("has no range attribute",
+                        "write range = \"1\" for offsets in fractions of the raster, or its size in pixels");
   }
   const double range = element.number_attribute("range");
   if (!(std::abs(range) > 0.0)) {
-    throw element.error("has the range 0", "write the offset that is as wide, or as high, as the raster");
+    throw element.error("has a range of 0", "write the offset that spans the whole width or height of the raster");
   }
   const std::string text = element.text();
   std::string_view rest = text;
@@ -30,8 +30,8 @@ std::vector<double> offsets_of(const XmlElement& element) {
     const auto value = decimal_of(word);
     constexpr double farthest = 1e4;
     if (!value || !(std::abs(*value / range) <= farthest)) {
-      throw element.error(fmt::format("has the offset \"{}\"", shown_of(word)),
-                          "write finite numbers with blanks between");
+      throw element.error(fmt::format("has the invalid offset \"{}\"", shown_of(word)),
+                          "write finite numbers separated by spaces");
     }
     offsets.push_back(*value / range);
   }
@@ -42,12 +42,12 @@ std::vector<double> offsets_of(const XmlElement& element) {
 
 ForeignWarp parse_simcad_warp(std::string_view text, const std::string& file) {
   if (text.size() > most_simcad_bytes) {
-    throw Error(file, "is a SimCAD warp of more than 64 MiB", "no warp is that long: export it again");
+    throw Error(file, "is a SimCAD warp of more than 64 MiB", "export it again");
   }
   const XmlFile xml(text, file);
   const XmlElement root(xml, xml.root());
   if (root.name() != "GeometryFile") {
-    throw root.error("is not a SimCAD warp", "its outermost element is <GeometryFile>");
+    throw root.error("is not a SimCAD warp", "name a file whose root element is <GeometryFile>");
   }
   const XmlElement definition = root.needed_child("GeometryDefinition");
   const XmlElement across = definition.needed_child("X-FlatParameters");
@@ -55,8 +55,8 @@ ForeignWarp parse_simcad_warp(std::string_view text, const std::string& file) {
   const std::vector<double> y = offsets_of(definition.needed_child("Y-FlatParameters"));
   const auto side = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(x.size()))));
   if (x.size() != y.size() || side * side != x.size()) {
-    throw across.error(fmt::format("has {} offsets, Y-FlatParameters {}", x.size(), y.size()),
-                       "a SimCAD warp has as many of both, for a square grid such as 33 x 33");
+    throw across.error(fmt::format("has {} offsets, and Y-FlatParameters has {}", x.size(), y.size()),
+                       "export the same number of both, for a square grid such as 33 x 33");
   }
   check_mesh_size(static_cast<long long>(side), static_cast<long long>(side), file);
   WarpMesh mesh{MeshTopology::rectangular, static_cast<int>(side), static_cast<int>(side), {}};

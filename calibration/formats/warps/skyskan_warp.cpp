@@ -30,9 +30,9 @@ class SkyskanParser {
     }
     if (mesh_.columns == 0 || mesh_.nodes.size() < wanted()) {
       throw text_.error(mesh_.columns == 0
-                            ? std::string("the file ends before the size of its mesh")
+                            ? std::string("the file ends before the mesh size")
                             : fmt::format("the file ends after {} of {} nodes", mesh_.nodes.size(), wanted()),
-                        "the file seems torn; export it again");
+                        "the file is truncated or damaged; export it again");
     }
     const WarpView view = view_of_keys();
     apply_tweaks();
@@ -54,8 +54,8 @@ class SkyskanParser {
     if (at == values_.end()) {
       throw text_.error(
           fmt::format("has the unknown key \"{}\"", shown_of(key)),
-          "Dome Azimuth, Dome Elevation, Horizontal and Vertical FOV, Horizontal, Vertical, U and V Tweak "
-          "are read");
+          "use Dome Azimuth, Dome Elevation, Horizontal FOV, Vertical FOV, Horizontal Tweak, Vertical Tweak, U Tweak "
+          "or V Tweak");
     }
     std::string_view rest = line.substr(equals + 1);
     at->second = text_.number(take_word(rest), at->first);
@@ -65,20 +65,20 @@ class SkyskanParser {
     const bool has_keys = std::ranges::any_of(values_, [](const auto& key) { return key.second.has_value(); });
     std::string_view rest = line;
     if (!has_keys && !whole_number_of(take_word(rest))) {
-      throw Error(file_, fmt::format("is not a Sky-Skan warp: it begins with \"{}\"", shown_of(line)),
-                  "such a file begins with lines such as Dome Azimuth=0");
+      throw Error(file_, fmt::format("is not a Sky-Skan warp, because it begins with \"{}\"", shown_of(line)),
+                  "name a file that begins with lines such as Dome Azimuth=0");
     }
     rest = line;
-    const long long columns = text_.whole(take_word(rest), "the mesh's columns", 0, 1'000'000);
-    const long long rows = text_.whole(take_word(rest), "the mesh's rows", 0, 1'000'000);
+    const long long columns = text_.whole(take_word(rest), "the number of columns", 0, 1'000'000);
+    const long long rows = text_.whole(take_word(rest), "the number of rows", 0, 1'000'000);
     if (!take_word(rest).empty()) {
-      throw text_.error("is not the size of a mesh", "write columns and rows");
+      throw text_.error("is not a mesh size", "write the number of columns and the number of rows");
     }
     check_mesh_size(columns, rows, text_.place());
     constexpr std::size_t least_line = 8;  // "0 0 0 0" and the line's end
     if (static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows) > bytes_ / least_line + 1) {
-      throw text_.error(fmt::format("announces {} x {} nodes, more than the file has room for", columns, rows),
-                        "the file seems torn; export it again");
+      throw text_.error(fmt::format("declares {} x {} nodes, but the file is too short for them", columns, rows),
+                        "the file is truncated or damaged; export it again");
     }
     mesh_.columns = static_cast<int>(columns);
     mesh_.rows = static_cast<int>(rows);
@@ -87,7 +87,7 @@ class SkyskanParser {
 
   void read_node(std::string_view line) {
     if (mesh_.nodes.size() == wanted()) {
-      throw text_.error(fmt::format("comes after the last of {} nodes", wanted()), "correct the size of the mesh");
+      throw text_.error(fmt::format("extra line after the last of {} nodes", wanted()), "correct the mesh size");
     }
     std::string_view rest = line;
     WarpNode node;
@@ -96,7 +96,7 @@ class SkyskanParser {
     node.u = static_cast<float>(text_.number(take_word(rest), "u"));
     node.v = static_cast<float>(text_.number(take_word(rest), "v"));
     if (!take_word(rest).empty()) {
-      throw text_.error("has more than four numbers", "write x y u v");
+      throw text_.error("has more than four numbers", "write x y u v on the line");
     }
     node.valid = node.x != -1.0F && node.y != -1.0F;
     mesh_.nodes.push_back(node);
@@ -105,7 +105,7 @@ class SkyskanParser {
   [[nodiscard]] double needed(const char* key) const {
     const auto& value = values_.at(key);
     if (!value) {
-      throw Error(file_, fmt::format("has no {}", key), "a Sky-Skan warp tells the direction and width of its picture");
+      throw Error(file_, fmt::format("has no {}", key), "write the direction and width of the view");
     }
     return *value;
   }
@@ -115,7 +115,7 @@ class SkyskanParser {
     const double elevation_deg = needed("dome elevation");
     double across_deg = needed("horizontal fov");
     if (!(across_deg > 0.0 && across_deg < 180.0)) {
-      throw Error(file_, fmt::format("has a horizontal FOV of {:g}°", across_deg), "write one between 0 and 180");
+      throw Error(file_, fmt::format("has a horizontal FOV of {:g}°", across_deg), "write an angle between 0 and 180");
     }
     double high_deg = values_.at("vertical fov").value_or(0.0);
     if (!(high_deg > 0.0)) {

@@ -163,12 +163,13 @@ WarpMesh warp_from_triangles(std::vector<WarpNode> nodes, const std::vector<Warp
                              const std::string& file) {
   for (const WarpTriangle& triangle : triangles) {
     if (const std::uint32_t most = *std::ranges::max_element(triangle); most >= nodes.size()) {
-      throw Error(file, fmt::format("has a triangle with node {}, and {} nodes counted from 0", most, nodes.size()),
-                  "the file seems torn; export it again");
+      throw Error(file,
+                  fmt::format("has a triangle with node {}, but only {} nodes, counted from 0", most, nodes.size()),
+                  "the file is truncated or damaged; export it again");
     }
   }
   if (triangles.empty()) {
-    throw Error(file, "has no triangle to draw", "export it again");
+    throw Error(file, "contains no triangles", "export it again");
   }
   const std::size_t columns = grid_columns(nodes.size(), triangles);
   const std::size_t rows = columns == 0 ? 0 : nodes.size() / columns;

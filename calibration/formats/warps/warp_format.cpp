@@ -20,7 +20,7 @@ struct WarpFormatFacts {
 
 //! In the order of WarpFormat.
 const WarpFormatFacts format_facts[] = {
-    {"bourke", "a mesh of Paul Bourke's", {".data"}},
+    {"bourke", "a mesh in Paul Bourke's format", {".data"}},
     {"pfm", "a portable float map", {".pfm"}},
     {"mpcdi", "an MPCDI calibration", {".mpcdi", ".xml"}},
     {"domeprojection", "a domeprojection warp", {".csv"}},

@@ -190,7 +190,7 @@ std::vector<float> FlatShadow::eye_edge(double offset) const {
     throw Error("stereo.baseline",
                 fmt::format("{:.6g} M is too large for the model flat: the horizon is {:.6g} M away",
                             2.0 * std::abs(offset), nearest_),
-                "choose a smaller one, or model = \"physical\"");
+                "choose a smaller baseline, or model = \"physical\"");
   }
   std::vector<float> edge = edge_;
   if (offset == 0.0) {

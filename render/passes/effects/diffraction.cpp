@@ -86,7 +86,7 @@ Image read_image(const std::string& name) {
   wishes.separate_alpha = wishes.as_light = true;
   const auto input = image_library().open(name, wishes, problem);
   if (!input) {
-    throw Error(name, "is not an image that can be read: " + problem, "give an EXR, HDR, PNG, TIFF or JPEG");
+    throw Error(name, "cannot be read as an image: " + problem, "use an EXR, HDR, PNG, TIFF or JPEG file");
   }
   const ImageShape shape = input->shape();
   constexpr int most_channels = 64;
@@ -94,7 +94,7 @@ Image read_image(const std::string& name) {
     throw Error(name, fmt::format("has {} channels", shape.channels), "save it as RGB");
   }
   if (shape.width < 1 || shape.height < 1 || shape.width > widest_px || shape.height > widest_px || shape.depth > 1) {
-    throw Error(name, fmt::format("is {} x {} pixels", shape.width, shape.height),
+    throw Error(name, fmt::format("is {} x {} pixels, too large", shape.width, shape.height),
                 fmt::format("scale the pattern to at most {} x {}", widest_px, widest_px));
   }
   const LightCoding coding = light_coding(shape);
@@ -102,14 +102,14 @@ Image read_image(const std::string& name) {
   const std::size_t pixels = static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(shape.height);
   std::vector<float> values(pixels * channels);
   if (!input->read_all(static_cast<int>(channels), values.data())) {
-    throw Error(name, "cannot be read: " + input->error(), "the file seems torn; save it again");
+    throw Error(name, "cannot be read: " + input->error(), "the file is truncated or damaged; save it again");
   }
   Image image{shape.width, shape.height, std::vector<float>(3 * pixels)};
   for (std::size_t i = 0; i < pixels; ++i) {
     coding.put_light(values.data() + channels * i, image.rgb.data() + 3 * i);
   }
   if (!std::ranges::all_of(image.rgb, [](float light) { return std::isfinite(light); })) {
-    throw Error(name, "holds light that is not finite", "save it again without NaN and infinity");
+    throw Error(name, "contains non-finite values", "save it again without NaN and infinity");
   }
   return image;
 }
@@ -148,7 +148,7 @@ DiffractionPattern diffraction_pattern(const ApertureSettings& settings) {
 DiffractionPattern load_diffraction_pattern(const std::filesystem::path& path) {
   std::error_code problem;
   if (!std::filesystem::is_regular_file(path, problem)) {
-    throw Error(path.string(), "is not a file that can be read", "give the path of an image of a diffraction pattern");
+    throw Error(path.string(), "is not a readable file", "name an image of a diffraction pattern");
   }
   const Image image = read_image(path.string());
   DiffractionPattern pattern;
@@ -170,7 +170,7 @@ DiffractionPattern load_diffraction_pattern(const std::filesystem::path& path) {
     }
   }
   if (!normalise(pattern.rgb)) {
-    throw Error(path.string(), "is black in a channel", "give a pattern of white light, or a grey one");
+    throw Error(path.string(), "has a color channel without light", "use the pattern of white light, or a gray image");
   }
   return pattern;
 }

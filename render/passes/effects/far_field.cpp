@@ -31,14 +31,14 @@ void check(const ApertureSettings& settings) {
     }
   };
   require(settings.blades == 0 || (settings.blades >= 3 && settings.blades <= 64),
-          fmt::format("has {} blades", settings.blades), "give 3 to 64, or 0 for a round one");
-  require(settings.vanes >= 0 && settings.vanes <= 64, fmt::format("has {} vanes", settings.vanes), "give 0 to 64");
+          fmt::format("has {} blades", settings.blades), "choose 3 to 64, or 0 for a round aperture");
+  require(settings.vanes >= 0 && settings.vanes <= 64, fmt::format("has {} vanes", settings.vanes), "choose 0 to 64");
   require(settings.obstruction >= 0.0 && settings.obstruction <= 0.9,
-          fmt::format("has an obstruction of {}", settings.obstruction), "give 0 to 0.9 of the radius");
+          fmt::format("has an obstruction of {}", settings.obstruction), "choose 0 to 0.9 of the radius");
   require(settings.size_px >= 3 && settings.size_px <= widest_aperture_px && settings.size_px % 2 == 1,
-          fmt::format("has a pattern of {} px", settings.size_px), "give an odd width of 3 to 1025 px");
+          fmt::format("has a pattern of {} px", settings.size_px), "choose an odd width from 3 to 1025 px");
   require(settings.scale >= 0.25 && settings.scale <= 8.0, fmt::format("has a scale of {}", settings.scale),
-          "give 0.25 to 8");
+          "choose 0.25 to 8");
 }
 
 //! Coverage of a cell whose middle lies `depth` cells behind a straight edge.
@@ -86,7 +86,7 @@ FarField::FarField(const ApertureSettings& settings) {
   std::string problem;
   const std::vector<float> field = image_library().transform(mask.data(), cells_, problem);
   if (field.empty()) {
-    throw Error("aperture", "cannot be transformed: " + problem, "give a smaller pattern");
+    throw Error("aperture", "cannot be transformed: " + problem, "choose a smaller pattern");
   }
   integrate(field.data());
 }

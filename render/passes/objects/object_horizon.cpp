@@ -85,11 +85,11 @@ std::string note_of(const Show& show, const ObjectInHorizon& inside) {
       key += part;
     }
   }
-  const std::string where = fmt::format("within the horizon, r = {:.3g} M", inside.horizon_r);
+  const std::string where = fmt::format("inside the horizon, r = {:.3g} M", inside.horizon_r);
   const std::string problem =
       inside.always_whole
-          ? fmt::format("lies {}, and changes nothing", where)
-          : fmt::format("lies partly {}, at {:.6g} s: what is within is not seen", where, inside.first_s);
+          ? fmt::format("is {}, and is never visible", where)
+          : fmt::format("is partly {}, at {:.6g} s: the part inside is not visible", where, inside.first_s);
   return named_by(show, key, Error(own, problem, "move it farther out, or make it smaller")).what();
 }
 

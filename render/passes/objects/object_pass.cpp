@@ -92,10 +92,11 @@ RadialRange ObjectPass::place_objects(double time_s) {
       object.placement = placement;
     }
     if (!(ranges_[i].nearest >= nearest_of_objects && ranges_[i].farthest <= farthest_of_objects)) {
-      throw Error(
-          fmt::format("{}.toml: objects[{}]", show_name_, i),
-          fmt::format("reaches from {:.6g} M to {:.6g} M at {:.6g} s", ranges_[i].nearest, ranges_[i].farthest, time_s),
-          fmt::format("keep it between {} M and {} M from the hole's middle", nearest_of_objects, farthest_of_objects));
+      throw Error(fmt::format("{}.toml: objects[{}]", show_name_, i),
+                  fmt::format("extends from r = {:.6g} M to r = {:.6g} M at {:.6g} s", ranges_[i].nearest,
+                              ranges_[i].farthest, time_s),
+                  fmt::format("keep it between {} M and {} M from the center of the hole", nearest_of_objects,
+                              farthest_of_objects));
     }
     all.nearest = std::min(all.nearest, ranges_[i].nearest);
     all.farthest = std::max(all.farthest, ranges_[i].farthest);

@@ -37,8 +37,8 @@ std::vector<std::string> notes_of_captions(const Show& show) {
   for (const auto& [language, letters] : missing) {
     if (!letters.empty()) {
       notes.push_back(fmt::format(
-          "{}: no font of this machine has the letters {} of captions{}; they are drawn as boxes: install "
-          "one that has (fonts-noto-cjk for Chinese, Japanese and Korean)",
+          "{}: no installed font has the letters {} of captions{}; they are drawn as boxes. Install "
+          "a font that has them (fonts-noto-cjk for Chinese, Japanese and Korean)",
           show.name, first_letters(letters_without_font(letters)), language.empty() ? "" : " in " + language));
     }
   }

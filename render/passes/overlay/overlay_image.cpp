@@ -103,8 +103,7 @@ void make_levels(OverlayImage& image) {
 }
 
 Error unreadable_overlay(const std::filesystem::path& path, const std::string& reason) {
-  return {path.string(), "cannot be read: " + reason,
-          "name an image file that OpenImageIO reads (PNG, EXR, TIFF, JPEG)"};
+  return {path.string(), "cannot be read: " + reason, "use an image that OpenImageIO can read (PNG, EXR, TIFF, JPEG)"};
 }
 
 //! The last of two or four channels is alpha, whatever it is called.
@@ -143,12 +142,12 @@ std::unique_ptr<ImageInput> opened_overlay(const std::filesystem::path& path, co
   }
   const ImageShape& shape = input->shape();
   if (shape.width < 1 || shape.height < 1 || shape.depth > 1 || shape.channels < 1 || shape.channels > 64) {
-    throw unreadable_overlay(path,
-                             fmt::format("{} x {} pixels of {} channels", shape.width, shape.height, shape.channels));
+    throw unreadable_overlay(path, fmt::format("{} x {} pixels with {} channels are not supported", shape.width,
+                                               shape.height, shape.channels));
   }
   if (shape.width > longest_overlay_px || shape.height > longest_overlay_px) {
-    throw Error(path.string(), fmt::format("has {} x {} pixels", shape.width, shape.height),
-                fmt::format("make it {} px or less a side", longest_overlay_px));
+    throw Error(path.string(), fmt::format("is {} x {} pixels, too large", shape.width, shape.height),
+                fmt::format("scale it to at most {} px a side", longest_overlay_px));
   }
   return input;
 }
@@ -168,7 +167,7 @@ OverlayImage read_opened_overlay(ImageInput& input, const std::filesystem::path&
     require_reading_goes_on(path.string());
     const int count = std::min(most_rows, shape.height - row);
     if (!input.read_rows(row, row + count, coding.channels, rows.data())) {
-      throw Error(path.string(), "cannot be read: " + input.error(), "the file seems torn; save it again");
+      throw Error(path.string(), "cannot be read: " + input.error(), "the file is truncated or damaged; save it again");
     }
     const std::size_t begin = 4 * width * static_cast<std::size_t>(row);
     image.texels.resize(std::max(image.texels.size(), begin + 4 * width * static_cast<std::size_t>(count)));

@@ -32,15 +32,17 @@ std::string image_key(std::size_t i) { return fmt::format("overlay[{}].image", i
 
 void check_overlay(const Overlay& overlay, const std::filesystem::path& path, int width, int height) {
   if (overlay.fisheye && width != height) {
-    throw Error(path.string(), fmt::format("has {} x {} pixels: a fisheye image is square", width, height),
-                "cut it, or place it as a flat image");
+    throw Error(path.string(), fmt::format("is {} x {} pixels, but a fisheye image must be square", width, height),
+                "crop it, or place it as a flat image");
   }
   if (!overlay.fisheye && !(overlay.width_deg > 0.0 && overlay.width_deg <= widest_image_deg)) {
-    throw Error(path.string(), fmt::format("is to be {:.6g} degrees wide", overlay.width_deg),
-                fmt::format("make it {:.6g} or less, or a fisheye image", widest_image_deg));
+    throw Error(path.string(), fmt::format("has a width of {:.6g} degrees on the dome", overlay.width_deg),
+                fmt::format("choose a width above 0 and up to {:.6g} degrees, or place it as a fisheye image",
+                            widest_image_deg));
   }
   if (overlay.fisheye && !(overlay.fov_deg > 0.0 && overlay.fov_deg <= 360.0)) {
-    throw Error(path.string(), fmt::format("is to span {:.6g} degrees", overlay.fov_deg), "choose 360 or less");
+    throw Error(path.string(), fmt::format("has a field of view of {:.6g} degrees", overlay.fov_deg),
+                "choose one above 0 and up to 360 degrees");
   }
 }
 
@@ -51,8 +53,8 @@ OverlaySheet caption_sheet(const Projection& projection, const DomePlace& place,
 }
 
 Error too_much(const std::string& folder) {
-  return {folder, fmt::format("its images take more than {} GiB", most_image_bytes >> 30),
-          "make them smaller, or use fewer"};
+  return {folder, fmt::format("the images of its overlays need more than {} GiB", most_image_bytes >> 30),
+          "use smaller or fewer images"};
 }
 
 }  // namespace

@@ -33,8 +33,8 @@ std::unique_ptr<SkyCube> load_texture(const Show& show, std::size_t shell, Backe
   const EnvironmentImage image = read_named(show, key, texture, [](const std::filesystem::path& path) {
     std::error_code problem;
     if (!std::filesystem::is_regular_file(layered_file(path).path, problem)) {
-      throw Error(path.string(), "is not a file that can be read",
-                  "give the path of an equirectangular image, from the show's folder");
+      throw Error(path.string(), "is not a readable file",
+                  "name an equirectangular image; its path is relative to the show's folder");
     }
     return read_environment_image(path);
   });

@@ -18,8 +18,8 @@ void require_output(const ProjectorSetup& projector, const std::vector<DesktopMo
   if (projector.output.monitor) {
     if (*projector.output.monitor >= static_cast<int>(monitors.size())) {
       throw Error(place_of(projector), fmt::format("there is no monitor {}", *projector.output.monitor),
-                  monitors.empty() ? "connect one, or give it a window_px"
-                                   : "choose from " + monitor_list(monitors) + ", or give it a window_px");
+                  monitors.empty() ? "connect it, or use window_px instead"
+                                   : "choose from " + monitor_list(monitors) + ", or use window_px instead");
     }
     return;
   }
@@ -31,7 +31,7 @@ void require_output(const ProjectorSetup& projector, const std::vector<DesktopMo
     throw Error(place_of(projector),
                 fmt::format("no monitor shows its window, {} x {} pixels at window_px = [{}, {}]", window.width_px,
                             window.height_px, window.x_px, window.y_px),
-                "place it on " + monitor_list(monitors) + ", or give it a monitor");
+                "move it to " + monitor_list(monitors) + ", or use monitor instead");
   }
 }
 

@@ -32,7 +32,7 @@ GLFWwindow* whole_screen(const ProjectorSetup& projector, const std::string& tit
   GLFWmonitor* const monitor = monitors()[static_cast<std::size_t>(*projector.output.monitor)];
   const GLFWvidmode* const mode = glfwGetVideoMode(monitor);
   if (mode->width != projector.width_px || mode->height != projector.height_px) {
-    print_note("projector {} has {} x {} pixels, its monitor {} x {}: the picture is scaled", projector.name,
+    print_note("projector {} has {} x {} pixels, but its monitor has {} x {}; the picture is scaled", projector.name,
                projector.width_px, projector.height_px, mode->width, mode->height);
   }
   glfwWindowHint(GLFW_REFRESH_RATE, mode->refreshRate);

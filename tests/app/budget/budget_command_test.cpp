@@ -32,7 +32,7 @@ TEST_F(CommandLine, RenderChecksABudgetAtRandomMomentsAndWritesNothing) {
   write("small.toml", budget_show);
   ASSERT_EQ(run("render small.toml --budget 0.5px --backend cpu --check 3 --out f"), 0) << output_;
   EXPECT_THAT(output_, HasSubstr("error at 3 random moments: median "));
-  EXPECT_THAT(output_, HasSubstr("within 0.5 px"));
+  EXPECT_THAT(output_, HasSubstr("within the budget of 0.5 px"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "f"));
 }
 
@@ -42,17 +42,17 @@ TEST_F(CommandLine, RenderSaysHowMuchOfARateIsMissed) {
       << output_;
   // A machine that is slow beyond all measure has no time to find out.
   EXPECT_THAT(output_,
-              AnyOf(HasSubstr("the rate is missed: a frame takes "), HasSubstr("time of a frame not measured")));
-  EXPECT_THAT(output_, Not(HasSubstr("the error is missed")));
+              AnyOf(HasSubstr("the frame rate is missed: a frame takes "), HasSubstr("frame time not measured")));
+  EXPECT_THAT(output_, Not(HasSubstr("exceeds the error budget")));
 }
 
 TEST_F(CommandLine, BudgetsThatAreNoneEndWithARemedy) {
   write("small.toml", budget_show);
   EXPECT_NE(run("render small.toml --budget 60 --backend cpu"), 0);
   EXPECT_THAT(output_,
-              HasSubstr("ergodome: --budget 60: is neither an error in pixels nor a rate of frames; write for"));
+              HasSubstr("ergodome: --budget 60: is neither an error in px nor a frame rate in fps; write, for"));
   EXPECT_NE(run("render small.toml --check 3 --backend cpu"), 0);
-  EXPECT_THAT(output_, HasSubstr("--check: looks whether an error is within a budget; add for example"));
+  EXPECT_THAT(output_, HasSubstr("--check: needs an error budget to check; add one, for example"));
 }
 
 TEST_F(CommandLine, PlayHoldsABudgetAndTellsWhatBecameOfIt) {
@@ -63,8 +63,8 @@ TEST_F(CommandLine, PlayHoldsABudgetAndTellsWhatBecameOfIt) {
   ASSERT_EQ(run_on_display("play small.toml --budget 1px --budget 5fps --size 64 --backend cpu --no-sound --for 2", ""),
             0)
       << output_;
-  EXPECT_THAT(output_, HasSubstr("budget 1px,5fps: lens of "));
-  EXPECT_THAT(output_, HasSubstr(" % of the rate), "));
+  EXPECT_THAT(output_, HasSubstr("budget 1px,5fps: lens at "));
+  EXPECT_THAT(output_, HasSubstr(" % from the target), "));
   EXPECT_THAT(output_, HasSubstr("settings changed "));
 }
 

@@ -113,8 +113,8 @@ TEST(PlayBudget, SumsUpHowTheRateWasHeld) {
   }
   budget.note_picture(10.0, 40.0);
   EXPECT_THAT(budget.summary_text(),
-              HasSubstr("budget 50fps: 40.00 fps over 4 frames (-20.0 % of the rate), 25.0 % of "
-                        "them late, the longest 40 ms; settings changed 0 times, last at step 2 of 3"));
+              HasSubstr("budget 50fps: 40.00 fps over 4 frames (-20.0 % from the target), 25.0 % of "
+                        "them late, the longest 40 ms; settings changed 0 times, finally step 2 of 3"));
 }
 
 }  // namespace

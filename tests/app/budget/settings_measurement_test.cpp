@@ -88,17 +88,17 @@ std::string text_without_time(UntimedFrames untimed, double quickest_ms) {
 }
 
 TEST(SettingsMeasurement, SaysThatAFrameTakesMoreThanAPictureDid) {
-  EXPECT_THAT(
-      text_without_time(UntimedFrames::for_time, 581.0),
-      testing::HasSubstr("more than 581 ms a frame (a picture 160 px wide took that, and there was no time for a "
-                         "larger one); the rate of 40.0 ms a frame is missed, so the cheapest lens is taken"));
+  EXPECT_THAT(text_without_time(UntimedFrames::for_time, 581.0),
+              testing::HasSubstr(
+                  "more than 581 ms per frame (measured with a picture 160 px wide; there was no time for a "
+                  "larger one); the frame rate is missed: it allows 40.0 ms per frame, so the fastest lens is used"));
 }
 
 TEST(SettingsMeasurement, SaysWhyNothingIsKnownOfPolygons) {
   EXPECT_THAT(
       text_without_time(UntimedFrames::polygons, std::numeric_limits<double>::quiet_NaN()),
-      testing::HasSubstr("as polygons take seconds to begin without a GPU; nothing is known of the rate, so the "
-                         "cheapest lens is taken"));
+      testing::HasSubstr("because polygons take seconds to start without a GPU; the frame rate is unknown, so the "
+                         "fastest lens is used"));
 }
 
 TEST(SettingsMeasurement, LeavesTheRenderersQualityAsItWas) {

@@ -59,7 +59,7 @@ TEST_F(DiagramCommand, RefusesShowsThatHaveNothingToDraw) {
 }
 
 TEST_F(DiagramCommand, RefusesImageOrdersOfAHoleThatSpins) {
-  EXPECT_THAT(refusal("planet --images 1,2 --out x.png"), HasSubstr("--images: planet has a hole that spins"));
+  EXPECT_THAT(refusal("planet --images 1,2 --out x.png"), HasSubstr("--images: planet has a spinning hole"));
 }
 
 TEST_F(DiagramCommand, RefusesTimesOutsideTheShow) {

@@ -74,7 +74,7 @@ GlMesh::GlMesh(const TriangleMesh& mesh) : in_software_(draws_in_software()) {
   glNamedBufferStorage(indices_, static_cast<GLsizeiptr>(mesh.indices.size() * sizeof(std::uint32_t)),
                        mesh.indices.data(), 0);
   if (glGetError() != GL_NO_ERROR) {
-    throw Error("OpenGL", "the driver has no room for a mesh", "simplify it");
+    throw Error("OpenGL", "the graphics driver cannot allocate memory for a mesh", "simplify the mesh");
   }
   glCreateVertexArrays(1, &vertex_array_);
   glVertexArrayVertexBuffer(vertex_array_, 0, vertices_, 0, sizeof(SurfaceVertex));

@@ -23,7 +23,9 @@ ObjectTarget::ObjectTarget(int width, int height) : width_(width), height_(heigh
   glNamedFramebufferRenderbuffer(resolved_framebuffer_, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, resolved_);
   if (glCheckNamedFramebufferStatus(framebuffer_, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE ||
       glCheckNamedFramebufferStatus(resolved_framebuffer_, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-    throw Error("OpenGL", fmt::format("the driver has no room for objects on {} x {} pixels", width, height),
+    throw Error("OpenGL",
+                fmt::format("the graphics driver cannot allocate memory for objects in a picture of {} x {} pixels",
+                            width, height),
                 "choose a smaller picture");
   }
 }

@@ -30,8 +30,8 @@ void set_mat3(int at, const double (&rows)[3][3]) {
 
 ObjectView object_view(const EyeCamera& eye) {
   if (!(eye.r > nearest_of_observers)) {
-    throw Error("objects", fmt::format("are not seen from inside the photon sphere (camera at r = {:.6g} M)", eye.r),
-                "keep the camera farther out than 3 M");
+    throw Error("objects", fmt::format("cannot be drawn from inside the photon sphere (camera at r = {:.6g} M)", eye.r),
+                "keep the camera at r > 3 M");
   }
   const double sine = std::sin(eye.theta);
   const double cosine = std::cos(eye.theta);

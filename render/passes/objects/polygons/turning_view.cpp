@@ -101,7 +101,7 @@ TurningView turning_view(const OmniEye& eye, const EyePlace& eye_at) {
   if (!(error <= coarsest_turning_fit)) {
     throw Error("stereo.baseline",
                 fmt::format("{:.6g} M is too large for objects in the model omni at r = {:.6g} M", 2.0 * reach, head.r),
-                "choose a smaller one, or model = \"physical\"");
+                "choose a smaller baseline, or model = \"physical\"");
   }
   return view;
 }

@@ -18,7 +18,7 @@ constexpr int threads_of_spikes = 16;
 //! Throws for what a device should not list, with what may help.
 void require_listable(double members, double most, const char* remedy) {
   if (members > most) {
-    throw Error("stars", "shine on more pixels than can be listed on a GPU",
+    throw Error("stars", "cover more pixels than the GPU can list",
                 std::string(remedy) + ", or run with --backend cpu");
   }
 }
@@ -34,8 +34,8 @@ constexpr double most_counted = 2e9;
 constexpr double most_listed = 2.5e8;
 
 constexpr const char* fewer_spots =
-    "choose a smaller effects.psf.sigma_px or cutoff_px, or leave out faint stars (sky.faintest_mag)";
-constexpr const char* fewer_spikes = "let fewer have spikes (effects.diffraction.brighter_than_mag)";
+    "choose a smaller effects.psf.sigma_px or cutoff_px, or show fewer faint stars (sky.faintest_mag)";
+constexpr const char* fewer_spikes = "give fewer stars spikes (effects.diffraction.brighter_than_mag)";
 
 }  // namespace
 

@@ -67,9 +67,10 @@ TEST(AccuracyReport, SaysWhatAQuarterPixelAndATenthCost) {
   EXPECT_THAT(
       axis_sentences(small_report().axes[0]),
       ElementsAre(
-          "A quarter pixel costs 3.0 ms a frame (taylor, fine); a tenth of a pixel costs 7.0 ms (taylor, finest).",
-          "rk34 (the method of RK34) takes 2.0 times as long as taylor to be right within a tenth of a pixel in 99 of "
-          "100 pixels."));
+          "Errors up to a quarter pixel cost 3.0 ms per frame (taylor, fine); errors up to a tenth of a pixel cost 7.0 "
+          "ms (taylor, finest).",
+          "rk34 (the method of RK34) takes 2.0 times as long as taylor for errors of at most a tenth of a pixel in 99 "
+          "% of the pixels."));
 }
 
 TEST(AccuracyReport, TellsAxesOfFewChoicesOneByOne) {
@@ -77,9 +78,10 @@ TEST(AccuracyReport, TellsAxesOfFewChoicesOneByOne) {
   axis.unit = ErrorUnit::light;
   axis.choices = {choice("ewa", "an ellipse", 0.5, 4.0)};
   axis.choices[0].lost = 0.25;
-  EXPECT_THAT(axis_sentences(axis),
-              ElementsAre("ewa (an ellipse): half of what was compared is right within 5.0 %, 99 of 100 within 50 %; "
-                          "4.0 ms a frame; 25 % are missing."));
+  EXPECT_THAT(
+      axis_sentences(axis),
+      ElementsAre("ewa (an ellipse): the error is at most 5.0 % in half of the samples and at most 50 % in 99 %; "
+                  "4.0 ms per frame; 25 % of the samples are missing."));
 }
 
 TEST(AccuracyReport, MarksTheParetoFrontInItsTable) {
@@ -149,7 +151,7 @@ TEST(AccuracyReport, NumbersItsMethodsInPlotLegendAndTable) {
   report.axes[0].choices[1].precision = "double";
   const std::string page = page_text(report, {}, 0.1);
   // taylor, taylor in double, rk34, rk34 as published, lost, slow.
-  EXPECT_THAT(page, HasSubstr("#56b4e9\">1</span> <b>taylor</b>: our own integrator"));
+  EXPECT_THAT(page, HasSubstr("#56b4e9\">1</span> <b>taylor</b>: Ergodome's integrator"));
   EXPECT_THAT(page, HasSubstr("#56b4e9\">2</span> <b>taylor, double</b>: the same in double precision"));
   EXPECT_THAT(page, HasSubstr("#6a3d9a\">4</span> <b>rk34 (RK34)</b>"));
   EXPECT_THAT(page, HasSubstr("<td>4</td><td class=\"word\">rk34</td><td class=\"word\">fine</td>"));

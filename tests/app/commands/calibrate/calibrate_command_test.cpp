@@ -97,8 +97,7 @@ TEST_F(CalibrateCommand, RefusesAProjectorBehindTheDomesShellAsInspectDoes) {
   for (const char* words :
        {"calibrate dome.toml --out made", "inspect dome.toml", "render --pattern white --setup dome.toml"}) {
     EXPECT_EQ(run(words), 1) << words;
-    EXPECT_THAT(output_,
-                HasSubstr("dome.toml:4, projector behind: stands outside the dome, whose shell keeps its light out"));
+    EXPECT_THAT(output_, HasSubstr("dome.toml:4, projector behind: is outside the dome, whose shell blocks its light"));
   }
 }
 

@@ -137,7 +137,7 @@ TEST_F(ConvertCommand, AViewBecomesAMeshOfTheDomemaster) {
   const WarpMesh mesh = read_bourke_mesh(folder_ / "view.data", 64.0 / 48.0);
   EXPECT_LT(farthest_apart(mesh, pictures_of("view.toml")[0].warp), 1e-5);
   ASSERT_EQ(run("inspect view.toml"), 0) << output_;
-  EXPECT_THAT(output_, HasSubstr("p: the warp's file shows a picture at yaw 20.00°, pitch 45.00°"));
+  EXPECT_THAT(output_, HasSubstr("p: the warp file gives the view yaw 20.00°, pitch 45.00°"));
   EXPECT_NE(run("inspect view.txt"), 0);
   EXPECT_THAT(output_, HasSubstr("is a Sky-Skan warp; name it in a dome setup"));
 }

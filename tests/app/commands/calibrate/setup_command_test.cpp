@@ -210,7 +210,7 @@ TEST_F(SetupCommands, WindowsBesideAllMonitorsAreRefused) {
   }
   EXPECT_NE(code_, 0);
   EXPECT_THAT(output_, HasSubstr("projector left _ one: no monitor shows its window, 80 x 40 pixels at window_px = "
-                                 "[5000, 0]; place it on 0 ("));
+                                 "[5000, 0]; move it to 0 ("));
   EXPECT_THAT(output_, HasSubstr("800 x 600 at 0, 0)"));
 }
 

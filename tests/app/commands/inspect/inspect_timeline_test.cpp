@@ -121,7 +121,7 @@ std::string show_with_sphere(const std::string& place) {
 }
 
 constexpr const char* sunk_note =
-    "objects[0]: lies within the horizon, r = 1.87 M, and changes nothing (objects[0].position, sunk.toml:13); ";
+    "objects[0]: is inside the horizon, r = 1.87 M, and is never visible (objects[0].position, sunk.toml:13); ";
 
 TEST_F(CommandLine, InspectTellsOfAnObjectWithinTheHorizon) {
   write("sunk.toml", show_with_sphere("[1, 0, 0]"));
@@ -135,13 +135,13 @@ TEST_F(CommandLine, RenderTellsWhatNobodyWillSee) {
   write("none.csv", "ra_deg,dec_deg,v_mag\n");
   ASSERT_EQ(run("render sunk.toml --frames 1:1 --backend cpu --out f"), 0) << output_;
   EXPECT_THAT(output_, HasSubstr("none.csv: holds no stars"));
-  EXPECT_THAT(output_, HasSubstr("ergodome: objects[0]: lies within the horizon"));
+  EXPECT_THAT(output_, HasSubstr("ergodome: objects[0]: is inside the horizon"));
 }
 
 TEST_F(CommandLine, InspectTellsOfAnObjectThatLiesPartlyWithinTheHorizon) {
   write("half.toml", show_with_sphere("[2, 0, 0]"));
   ASSERT_EQ(run("inspect half.toml"), 0) << output_;
-  EXPECT_THAT(output_, HasSubstr("objects[0]: lies partly within the horizon, r = 1.87 M, at 0 s"));
+  EXPECT_THAT(output_, HasSubstr("objects[0]: is partly inside the horizon, r = 1.87 M, at 0 s"));
 }
 
 TEST_F(CommandLine, InspectSaysNothingOfAnObjectBesideTheHorizon) {

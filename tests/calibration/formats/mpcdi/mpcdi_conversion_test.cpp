@@ -53,7 +53,7 @@ TEST(MpcdiConversion, UnitsCountForThePlaceOfAProjectorWithoutAWarp) {
 
 TEST(MpcdiConversion, LengthsWithoutAUnitAreToldToBeMetres) {
   EXPECT_THAT(lamps_with_surface("a3", "unknown").left_out,
-              testing::ElementsAre(HasSubstr("no geometricUnit, so lengths are taken for metres")));
+              testing::ElementsAre(HasSubstr("no geometricUnit, so lengths are assumed to be in meters")));
 }
 
 TEST(MpcdiConversion, WarpOfTheFixedMediaProfileLooksUpTheWholeBuffer) {

@@ -57,7 +57,7 @@ TEST(HostileMpcdi, EncryptedMembersAndUnusualPackingAreRefused) {
   EXPECT_THAT(problem_of(members), HasSubstr("left.pfm: is encrypted"));
   members[1].flags = 0;
   members[1].method = 12;
-  EXPECT_THAT(problem_of(members), HasSubstr("left.pfm: is packed in an unusual way"));
+  EXPECT_THAT(problem_of(members), HasSubstr("left.pfm: is compressed by an unsupported method"));
 }
 
 TEST(HostileMpcdi, MoreEntriesThanAnyCalibrationHasAreRefused) {
@@ -99,8 +99,8 @@ TEST(HostileMpcdi, TornAndForeignArchivesAreErrors) {
   const std::string whole = zip_by_hand(media_members(media_xml));
   EXPECT_THAT(problem_of(whole.substr(0, whole.size() / 2)), HasSubstr("cannot be opened as a zip archive"));
   EXPECT_THAT(problem_of(std::string("PK")), HasSubstr("cannot be opened as a zip archive"));
-  EXPECT_THAT(problem_of(std::string()), HasSubstr("holds no mpcdi.xml"));
-  EXPECT_THAT(problem_of({{"readme.txt", "hello"}}), HasSubstr("holds no mpcdi.xml"));
+  EXPECT_THAT(problem_of(std::string()), HasSubstr("contains no mpcdi.xml"));
+  EXPECT_THAT(problem_of({{"readme.txt", "hello"}}), HasSubstr("contains no mpcdi.xml"));
 }
 
 TEST(HostileMpcdi, WarpOfOneSampleIsAnErrorWithTheNameOfItsFile) {

@@ -215,8 +215,8 @@ TEST(Mpcdi, MissingMaskIsAnError) {
 }
 
 TEST(Mpcdi, FrustumTurnedInsideOutIsAnError) {
-  EXPECT_THAT(lamps_problem("<leftAngle>-25", "<leftAngle>31"), HasSubstr("inside out"));
-  EXPECT_THAT(lamps_problem("<upAngle>20", "<upAngle>90"), HasSubstr("inside out"));
+  EXPECT_THAT(lamps_problem("<leftAngle>-25", "<leftAngle>31"), HasSubstr("impossible frustum"));
+  EXPECT_THAT(lamps_problem("<upAngle>20", "<upAngle>90"), HasSubstr("impossible frustum"));
 }
 
 TEST(Mpcdi, FrameWithoutRightAnglesIsAnError) {
@@ -293,7 +293,7 @@ TEST_F(MpcdiFile, LinksThatLeadOutOfTheFolderAreRefused) {
   write_media(media_xml);
   fs::remove(folder_ / "left.pfm");
   fs::create_symlink("/dev/zero", folder_ / "left.pfm");
-  EXPECT_THAT(problem(), HasSubstr("leads out of the calibration's folder"));
+  EXPECT_THAT(problem(), HasSubstr("is outside the calibration's folder"));
 }
 
 TEST_F(MpcdiFile, MissingFileBesideItIsAnErrorWithItsName) {

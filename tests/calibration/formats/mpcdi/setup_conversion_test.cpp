@@ -99,7 +99,7 @@ TEST_F(SetupConversion, MaskOfAnotherShapeThanTheRasterIsAnError) {
   write("a.data", plain_mesh);
   write("a.png", png_by_hand(6, 6, 1, 8, std::vector<std::uint32_t>(36, 255)));
   EXPECT_THAT(error_of([&] { loaded("warp = \"a.data\"\nblend_mask = \"a.png\"\n"); }),
-              HasSubstr("is a mask of 6 x 6 for a raster of 8 x 4"));
+              HasSubstr("is a mask of 6 x 6 pixels, but the raster is 8 x 4"));
 }
 
 TEST_F(SetupConversion, WarpMaskAndLiftBecomeAMediaCalibration) {

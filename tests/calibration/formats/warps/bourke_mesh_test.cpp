@@ -115,12 +115,12 @@ TEST(BourkeMesh, IsWrittenFromBottomToTop) {
 TEST(BourkeMesh, NumbersThatAreNotFiniteAreErrorsWithTheirLine) {
   EXPECT_THAT(mesh_problem(mesh_with(mesh_by_hand, "0 -1 0.5", "0 nan 0.5")),
               AllOf(HasSubstr("mesh.data:4"), HasSubstr("nan")));
-  EXPECT_THAT(mesh_problem(mesh_with(mesh_by_hand, "0.5\n2", "inf\n2")), HasSubstr("mesh.data:4: holds inf"));
+  EXPECT_THAT(mesh_problem(mesh_with(mesh_by_hand, "0.5\n2", "inf\n2")), HasSubstr("mesh.data:4: has the value inf"));
   EXPECT_THAT(mesh_problem(mesh_with(mesh_by_hand, "0 -1 0.5", "0 -1e300 0.5")), HasSubstr("mesh.data:4"));
 }
 
 TEST(BourkeMesh, WordsThatAreNoNumbersAreErrorsWithTheirLine) {
-  EXPECT_THAT(mesh_problem(mesh_with(mesh_by_hand, "0 -1 0.5", "0 -1 0,5")), HasSubstr("mesh.data:4: holds \"0,5\""));
+  EXPECT_THAT(mesh_problem(mesh_with(mesh_by_hand, "0 -1 0.5", "0 -1 0,5")), HasSubstr("mesh.data:4: has \"0,5\""));
 }
 
 TEST(BourkeMesh, OneNodeIsNoMesh) {
@@ -129,9 +129,10 @@ TEST(BourkeMesh, OneNodeIsNoMesh) {
 
 TEST(BourkeMesh, NegativeAndHugeSizesAreErrors) {
   EXPECT_THAT(mesh_problem(mesh_with(mesh_by_hand, "3 2", "-3 2")), HasSubstr("-3 x 2"));
-  EXPECT_THAT(mesh_problem(mesh_with(mesh_by_hand, "3 2", "3 2000000000")), HasSubstr("are the most"));
+  EXPECT_THAT(mesh_problem(mesh_with(mesh_by_hand, "3 2", "3 2000000000")), HasSubstr("use at most"));
   EXPECT_THAT(mesh_problem(mesh_with(mesh_by_hand, "3 2", "99999999999999999999 2")), HasSubstr("mesh.data:2"));
-  EXPECT_THAT(mesh_problem(mesh_with(mesh_by_hand, "3 2", "5000 5000")), HasSubstr("more than the file has room for"));
+  EXPECT_THAT(mesh_problem(mesh_with(mesh_by_hand, "3 2", "5000 5000")),
+              HasSubstr("but the file is too short for them"));
 }
 
 TEST(BourkeMesh, FewerOrMoreNodesThanAnnouncedAreErrors) {
@@ -153,7 +154,7 @@ TEST(BourkeMesh, OfAnotherTypeOrEmptyIsAnError) {
 }
 
 TEST(BourkeMesh, WithNothingToDrawIsAnError) {
-  EXPECT_THAT(mesh_problem("2\n2 2\n0 0 0 0 -1\n0 0 0 0 -1\n0 0 0 0 -1\n0 0 0 0 -1\n"), HasSubstr("no node to draw"));
+  EXPECT_THAT(mesh_problem("2\n2 2\n0 0 0 0 -1\n0 0 0 0 -1\n0 0 0 0 -1\n0 0 0 0 -1\n"), HasSubstr("nothing to draw"));
 }
 
 }  // namespace

@@ -148,12 +148,13 @@ TEST(ObjWarp, AVertexWithTwoTextureCoordinatesIsTwoNodes) {
 
 TEST(ObjWarp, RefusesWhatItCannotRead) {
   const auto problem = [](const std::string& text) { return refusal(text, WarpFormat::obj); };
-  EXPECT_THAT(problem(with_change(obj, "v 1 -1 0", "v 1 -1 0.5")), HasSubstr("a.warp:6: has z = 0.5, others 0"));
+  EXPECT_THAT(problem(with_change(obj, "v 1 -1 0", "v 1 -1 0.5")),
+              HasSubstr("a.warp:6: has z = 0.5, but other vertices have z = 0"));
   EXPECT_THAT(problem(with_change(obj, "1/1 3/3 4/4", "1/1 3/3 4/5")),
-              HasSubstr("a.warp:12: has a corner with number 5 of 4"));
+              HasSubstr("a.warp:12: refers to element 5 of 4"));
   EXPECT_THAT(problem(with_change(obj, "1/1 3/3 4/4", "1//1 3//1 4//1")),
-              HasSubstr("texture coordinates at every corner"));
-  EXPECT_THAT(problem(with_change(obj, "vt 0.9 0.3", "vt 0.9 inf")), HasSubstr("has inf for v"));
+              HasSubstr("every corner of a warp needs texture coordinates"));
+  EXPECT_THAT(problem(with_change(obj, "vt 0.9 0.3", "vt 0.9 inf")), HasSubstr("v is inf"));
   EXPECT_THAT(problem(obj.substr(0, obj.find("f 1/1"))), HasSubstr("has no faces"));
 }
 
@@ -220,7 +221,7 @@ TEST(ScissWarp, ReadsBothVersionsHoweverTheyAreWritten) {
   moved[5] = 1.5F;
   const ForeignWarp warp = parse_foreign_warp(sgc('1', moved, 2, 2, {}), "a.sgc", WarpFormat::sciss);
   ASSERT_EQ(warp.notes.size(), 1U);
-  EXPECT_THAT(warp.notes[0], HasSubstr("its position (0, 1.5, 0) is not used"));
+  EXPECT_THAT(warp.notes[0], HasSubstr("its position (0, 1.5, 0) is ignored"));
 }
 
 TEST(ScissWarp, RefusesWhatItCannotRead) {
@@ -231,21 +232,22 @@ TEST(ScissWarp, RefusesWhatItCannotRead) {
   }
   std::string cube = good;
   cube[4] = '\1';
-  EXPECT_THAT(problem(cube), AllOf(HasSubstr("maps a cube"), HasSubstr("only a planar mapping")));
-  EXPECT_THAT(problem(sgc('3', up_and_right(), 2, 2, {})), HasSubstr("versions 1 and 2 are known"));
-  EXPECT_THAT(problem(sgc('2', up_and_right(), 6, 4, {0, 1, 2})), HasSubstr("has the kind 6 of indices"));
+  EXPECT_THAT(problem(cube), AllOf(HasSubstr("uses a cube map"), HasSubstr("export it with a planar mapping")));
+  EXPECT_THAT(problem(sgc('3', up_and_right(), 2, 2, {})), HasSubstr("has the unsupported version"));
+  EXPECT_THAT(problem(sgc('2', up_and_right(), 6, 4, {0, 1, 2})), HasSubstr("has indices of the unknown type 6"));
   EXPECT_THAT(problem(sgc('2', up_and_right(), 4, 4, {0, 1, 9})), HasSubstr("has a triangle with node 9"));
-  EXPECT_THAT(problem(sgc('1', up_and_right(), 0x10000, 0x10000, {})), HasSubstr("announces 4294967296 nodes"));
-  EXPECT_THAT(problem(good + "x"), HasSubstr("has 1 bytes after its last index"));
+  EXPECT_THAT(problem(sgc('1', up_and_right(), 0x10000, 0x10000, {})), HasSubstr("declares 4294967296 nodes"));
+  EXPECT_THAT(problem(good + "x"), HasSubstr("has 1 extra bytes after its last index"));
   std::vector<float> view = up_and_right();
   view[3] = 0.0F;
-  EXPECT_THAT(problem(sgc('1', view, 2, 2, {})), HasSubstr("has a quaternion of length"));
+  EXPECT_THAT(problem(sgc('1', view, 2, 2, {})), HasSubstr("has a direction quaternion of length"));
   view = up_and_right();
   view[9] = 25.0F;
   view[10] = 25.0F;
-  EXPECT_THAT(problem(sgc('1', view, 2, 2, {})), HasSubstr("has a view from 25° (left) to 25° (right)"));
+  EXPECT_THAT(problem(sgc('1', view, 2, 2, {})),
+              HasSubstr("has an impossible field of view: 25° (left) to 25° (right)"));
   view[0] = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_THAT(problem(sgc('1', view, 2, 2, {})), HasSubstr("has nan for the quaternion"));
+  EXPECT_THAT(problem(sgc('1', view, 2, 2, {})), HasSubstr("has the value nan in the quaternion"));
 }
 
 // EasyBlend
@@ -299,18 +301,17 @@ TEST(EasyblendWarp, RefusesWhatItCannotRead) {
   const auto problem = [](const std::string& from, const std::string& to) {
     return refusal(with_change(openmesh, from, to), WarpFormat::easyblend);
   };
-  EXPECT_THAT(problem("XOFFSET 0", "XOFFSET 0.5"),
-              HasSubstr("asks for PERSPECTIVE_XOFFSET 0.5, which is not supported"));
-  EXPECT_THAT(problem("DO_NO_WARP 0", "DO_NO_WARP 1"), HasSubstr("asks for DO_NO_WARP"));
-  EXPECT_THAT(problem("LABEL", "FRUSTUM_EULER_ANGLES 1\nLABEL"), HasSubstr("asks for FRUSTUM_EULER_ANGLES"));
+  EXPECT_THAT(problem("XOFFSET 0", "XOFFSET 0.5"), HasSubstr("uses PERSPECTIVE_XOFFSET 0.5, which is not supported"));
+  EXPECT_THAT(problem("DO_NO_WARP 0", "DO_NO_WARP 1"), HasSubstr("uses DO_NO_WARP"));
+  EXPECT_THAT(problem("LABEL", "FRUSTUM_EULER_ANGLES 1\nLABEL"), HasSubstr("uses FRUSTUM_EULER_ANGLES"));
   EXPECT_THAT(problem("PROJECTION PERSPECTIVE", "PROJECTION CYLINDER"), HasSubstr("a.warp:6: has PROJECTION CYLINDER"));
   EXPECT_THAT(problem("MAPPING NORMALIZED", "MAPPING PIXELS"), HasSubstr("only NORMALIZED is supported"));
-  EXPECT_THAT(problem("VERTICES 4", "VERTICES 5"), HasSubstr("announces 5 vertices and 2 faces, and has 4 and 2"));
+  EXPECT_THAT(problem("VERTICES 4", "VERTICES 5"), HasSubstr("declares 5 vertices and 2 faces, but has 4 and 2"));
   EXPECT_THAT(problem("[ 1 2 3 ]", "[ 1 2 4 ]"), HasSubstr("has a triangle with node 4"));
-  EXPECT_THAT(problem("[ 1 2 3 ]", "[ 1 2 3 0 ]"), HasSubstr("a face that does not have three nodes"));
-  EXPECT_THAT(problem("0 0 128", "0 0 300"), HasSubstr("has the intensity 300"));
-  EXPECT_THAT(problem("0 0 128", "0 nan 128"), HasSubstr("has nan for y"));
-  EXPECT_THAT(problem("NATIVEXRES 1920\n", ""), HasSubstr("does not tell its raster's size"));
+  EXPECT_THAT(problem("[ 1 2 3 ]", "[ 1 2 3 0 ]"), HasSubstr("a face without exactly three nodes"));
+  EXPECT_THAT(problem("0 0 128", "0 0 300"), HasSubstr("has an intensity of 300"));
+  EXPECT_THAT(problem("0 0 128", "0 nan 128"), HasSubstr("y is nan"));
+  EXPECT_THAT(problem("NATIVEXRES 1920\n", ""), HasSubstr("does not give the size of its raster"));
 }
 
 // SimCAD
@@ -339,12 +340,12 @@ TEST(SimcadWarp, MovesNodesToTheRightAndDown) {
 
 TEST(SimcadWarp, RefusesWhatItCannotRead) {
   const auto problem = [](const std::string& text) { return refusal(text, WarpFormat::simcad); };
-  EXPECT_THAT(problem(simcad("0 0 0 0", "0 0 0")), HasSubstr("has 4 offsets, Y-FlatParameters 3"));
+  EXPECT_THAT(problem(simcad("0 0 0 0", "0 0 0")), HasSubstr("has 4 offsets, and Y-FlatParameters has 3"));
   EXPECT_THAT(problem(simcad("0 0 0 0 0", "0 0 0 0 0")), HasSubstr("for a square grid"));
   EXPECT_THAT(problem(simcad("0 0 0 nan", "0 0 0 0")),
-              HasSubstr("a.warp:5: <X-FlatParameters> has the offset \"nan\""));
+              HasSubstr("a.warp:5: <X-FlatParameters> has the invalid offset \"nan\""));
   EXPECT_THAT(problem(simcad("0 0 0 0", "0 0 0 0", "")), HasSubstr("has no range"));
-  EXPECT_THAT(problem(simcad("0 0 0 0", "0 0 0 0", " range=\"0\"")), HasSubstr("has the range 0"));
+  EXPECT_THAT(problem(simcad("0 0 0 0", "0 0 0 0", " range=\"0\"")), HasSubstr("has a range of 0"));
   EXPECT_THAT(problem(simcad("", "")), HasSubstr("is a mesh of 0 x 0 nodes"));
   EXPECT_THAT(problem(simcad("0 0 0 0", "0 0 0 0").substr(0, 150)), HasSubstr("is not well-formed XML"));
 }
@@ -387,7 +388,7 @@ TEST(SkyskanWarp, RefusesWhatItCannotRead) {
   EXPECT_THAT(problem("FOV=60", "FOV=180"), HasSubstr("has a horizontal FOV of 180°"));
   EXPECT_THAT(problem("1 1 0.9 0.7\r\n", ""), HasSubstr("the file ends after 3 of 4 nodes"));
   EXPECT_THAT(problem("1 1 0.9 0.7", "1 1 0.9 0.7\r\n0 0 0 0"),
-              HasSubstr("a.warp:11: comes after the last of 4 nodes"));
+              HasSubstr("a.warp:11: extra line after the last of 4 nodes"));
   EXPECT_THAT(problem("2 2\r\n", "9000 3000\r\n"),
               HasSubstr("announces 9000 x 3000 nodes, more than the file has room"));
   EXPECT_THAT(problem("0.9 0.2", "1e9 0.2"), HasSubstr("a.warp:8: has 1e9 for u"));
@@ -415,12 +416,12 @@ TEST(WarpFormats, AreToldByContent) {
                                   "x\0;\0",
                                   6),
                       WarpFormat::domeprojection),
-              HasSubstr("is a text in UTF-16"));
+              HasSubstr("is text in UTF-16"));
 }
 
 TEST(WarpFormats, FilesOfOtherKindsAreToldPlainly) {
   EXPECT_THAT(refusal("Notes on projectors\n", WarpFormat::skyskan),
-              HasSubstr("is not a Sky-Skan warp: it begins with \"Notes on projectors\""));
+              HasSubstr("is not a Sky-Skan warp, because it begins with \"Notes on projectors\""));
   EXPECT_THAT(refusal("Notes on projectors\n", WarpFormat::obj), HasSubstr("is not a Wavefront OBJ mesh"));
   EXPECT_THAT(refusal("id;name;ra\n", WarpFormat::domeprojection), HasSubstr("its columns are \"id;name;ra\""));
   EXPECT_THAT(refusal("Notes\n", WarpFormat::sciss), HasSubstr("is not a SCISS warp"));
@@ -480,7 +481,7 @@ TEST_F(WarpsOfOthers, AWarpOfThePictureOfALensTakesTheSetupsFrustum) {
   EXPECT_THAT(error_of([&] { setup("warp = { file = \"a.simcad\", source = \"lens\" }\n"); }),
               HasSubstr("the projector has no frustum"));
   EXPECT_THAT(error_of([&] { setup("warp = { file = \"a.simcad\", rows = \"top_down\" }\n"); }),
-              HasSubstr("it is for pfm and mpcdi"));
+              HasSubstr("it is only for pfm and mpcdi"));
 }
 
 TEST_F(WarpsOfOthers, AreReadUnderAnyName) {
@@ -492,7 +493,7 @@ TEST_F(WarpsOfOthers, AreReadUnderAnyName) {
   EXPECT_EQ(setup("warp = \"warp.dat\"\n").projectors[0].warp->format, WarpFormat::domeprojection);
   const DomeSetup told = setup("warp = \"warp.obj\"\n");
   EXPECT_EQ(told.projectors[0].warp->format, WarpFormat::skyskan);
-  EXPECT_THAT(error_of([&] { setup("warp = \"photo.dat\"\n"); }), HasSubstr("which tells no format"));
+  EXPECT_THAT(error_of([&] { setup("warp = \"photo.dat\"\n"); }), HasSubstr("of an unknown format"));
   EXPECT_THAT(error_of([&] { projector_pictures(setup("warp = { file = \"warp.xml\", format = \"obj\" }\n")); }),
               HasSubstr("is a SimCAD warp, not a Wavefront OBJ mesh (warp of "));
   // A setup that is written reads back.

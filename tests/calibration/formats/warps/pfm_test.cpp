@@ -91,12 +91,13 @@ TEST(FloatMapFile, OfAnotherKindIsAnError) {
 TEST(FloatMapFile, NegativeTinyAndHugeSizesAreErrors) {
   EXPECT_THAT(map_problem("PF\n-2 2\n-1.0\n" + first_row), HasSubstr("-2 x 2"));
   EXPECT_THAT(map_problem("PF\n1 1\n-1.0\n" + one + one + one), HasSubstr("at least 2 x 2"));
-  EXPECT_THAT(map_problem("PF\n2000000000 2000000000\n-1.0\n"), HasSubstr("are the most"));
+  EXPECT_THAT(map_problem("PF\n2000000000 2000000000\n-1.0\n"), HasSubstr("use at most"));
   EXPECT_THAT(map_problem("PF\n99999999999999999999 2\n-1.0\n"), HasSubstr("header"));
 }
 
 TEST(FloatMapFile, TooFewOrTooManySamplesAreErrors) {
-  EXPECT_THAT(map_problem(by_hand.substr(0, by_hand.size() - 1)), HasSubstr("47 bytes of samples; 2 x 2 take 48"));
+  EXPECT_THAT(map_problem(by_hand.substr(0, by_hand.size() - 1)),
+              HasSubstr("47 bytes of samples, but 2 x 2 samples need 48"));
   EXPECT_THAT(map_problem(by_hand + "x"), HasSubstr("49 bytes"));
   EXPECT_THAT(map_problem("PF\n16384 2048\n-1.0\n" + first_row), HasSubstr("24 bytes"));
 }

@@ -117,7 +117,7 @@ TEST(TriangleWarp, RefusesNodesThatAreMissing) {
   EXPECT_THAT(error_of([] {
                 warp_from_triangles(grid_nodes(2, 2), {{0, 1, 4}}, "a.ol");
               }),
-              HasSubstr("a.ol: has a triangle with node 4, and 4 nodes counted from 0"));
+              HasSubstr("a.ol: has a triangle with node 4, but only 4 nodes, counted from 0"));
   EXPECT_THAT(error_of([] { warp_from_triangles(grid_nodes(2, 2), {}, "a.ol"); }), HasSubstr("has no triangle"));
 }
 

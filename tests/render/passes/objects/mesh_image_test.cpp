@@ -106,7 +106,7 @@ TEST_F(MeshImages, ThatAreTornFilesAreErrorsWithBothNamesAndTheRemedy) {
     read_mesh_image({(folder_ / "torn.png").string(), nullptr, "ship.obj"});
   });
   EXPECT_THAT(problem, testing::AllOf(testing::HasSubstr("torn.png: "), testing::HasSubstr("ship.obj"),
-                                      testing::EndsWith("the file seems torn; save it again")));
+                                      testing::EndsWith("the file is truncated or damaged; save it again")));
 }
 
 //! Those that a driver draws.
