@@ -24,8 +24,8 @@ namespace {
 
 constexpr double arcmin = one_degree / 60.0;
 constexpr const char* closed_form_reference =
-    "rays in closed form, at one pixel of each cell of a lattice; the error of a direction is its displacement on the "
-    "screen";
+    "exact rays in closed form, at one pixel of each cell of a lattice; the error of a direction is its displacement "
+    "on the screen";
 
 AccuracyReport head_of(const Show& show, const AccuracySettings& settings, const std::vector<AccuracyMoment>& moments) {
   AccuracyReport report;

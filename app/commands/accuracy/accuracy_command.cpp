@@ -92,9 +92,9 @@ void run(const AccuracyOptions& options) {
 
 void add_accuracy_command(CLI::App& app) {
   auto options = std::make_shared<AccuracyOptions>();
-  CLI::App* command = app.add_subcommand(
-      "accuracy",
-      "Measure how much time accuracy costs for a show on this machine; prints a table and writes a report page");
+  CLI::App* command = app.add_subcommand("accuracy",
+                                         "Measure how much time accuracy costs for a show on this machine; prints a "
+                                         "table and, with --out, writes a report page");
   command->add_option("show", options->show, "show file (.toml) or name of a built-in show")->required();
   add_set_option(*command, options->set);
   command->add_option("--out", options->out, "folder for report.html, accuracy.csv and accuracy.json");
@@ -110,10 +110,7 @@ void add_accuracy_command(CLI::App& app) {
       ->check(CLI::Range(1, 100));
   command->add_option("--rounds", options->rounds, "timed runs of each choice (default: 5; 3 with --quick)")
       ->check(CLI::Range(1, 1000));
-  command
-      ->add_option("--axes", options->axes,
-                   "measure only these: rays, lens, stations, stereo, map, stars, near, frame (default: all "
-                   "that the show has)")
+  command->add_option("--axes", options->axes, "measure only these kinds of choices (default: all that the show has)")
       ->delimiter(',')
       ->check(CLI::IsMember(std::vector<std::string>(accuracy_axis_names.begin(), accuracy_axis_names.end())));
   command->add_option("--at", options->at, "error at which methods are compared")->capture_default_str();

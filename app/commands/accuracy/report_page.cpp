@@ -126,7 +126,8 @@ std::string legend_text(const AccuracyAxis& axis) {
     text += fmt::format("<li><span class=\"number\" style=\"background:{}\">{}</span> <b>{}</b>{}{}</li>\n",
                         series.colour, series.number, escaped(series.name), words.empty() ? "" : ": ", escaped(words));
   }
-  return "<p class=\"caption\">The methods, with their numbers in plots and tables:</p>\n<ol class=\"methods\">\n" +
+  return "<p class=\"caption\">The methods, with their numbers in plots and tables (float and double: single and "
+         "double precision):</p>\n<ol class=\"methods\">\n" +
          text + "</ol>\n";
 }
 

@@ -80,7 +80,7 @@ std::string axis_table(const AccuracyReport& report, const AccuracyAxis& axis) {
 
 std::string equal_error_table(const AccuracyAxis& axis, double most_px) {
   std::vector<std::vector<std::string>> rows = {
-      {"method", "cheapest", "ms", "ratio (range)", "with preparation: cheapest", "ms", "ratio (range)"}};
+      {"method", "fastest", "ms", "ratio (range)", "fastest with preparation", "ms", "ratio (range)"}};
   const std::vector<EqualErrorRow> ready = compare_at(axis, most_px, FrameCost::ready);
   const std::vector<EqualErrorRow> anew = compare_at(axis, most_px, FrameCost::anew);
   for (std::size_t i = 0; i < ready.size(); ++i) {
@@ -94,7 +94,7 @@ std::string equal_error_table(const AccuracyAxis& axis, double most_px) {
     }
     rows.push_back(std::move(row));
   }
-  return fmt::format("\n{}: at {} (p99){}\n{}", axis.title, error_text(axis, most_px),
+  return fmt::format("\n{}: fastest setting at {} (p99){}\n{}", axis.title, error_text(axis, most_px),
                      axis.base.empty() ? std::string() : ", ratio to the time of " + axis.base, columns_of(rows, 2));
 }
 
@@ -111,8 +111,9 @@ std::string table_text(const AccuracyReport& report, double most_px) {
                       counted(report.times_s.size(), "moment"), counted(report.samples, "pixel"),
                       counted(report.rounds, "run"), report.took_s);
   text +=
-      "p99: 99 % of the samples have a smaller error; p99 ': the same in arcminutes; *: no other choice is both "
-      "faster and more accurate; +: the same with the preparation for a new camera position\n";
+      "p99: 99 % of the samples have a smaller error; p99 ': the same in arcminutes\n"
+      "*: no other choice is both faster and more accurate\n"
+      "+: the same with preparation (building what a new camera position needs, such as grids)\n";
   text += repeatability_words(report) + '\n';
   for (const AccuracyAxis& axis : report.axes) {
     text += axis_table(report, axis);

@@ -68,9 +68,8 @@ std::string published_sentence(const AccuracyAxis& axis, const EqualErrorRow& ro
   if (any == nullptr || any->published.empty() || row.ratio.runs == 0) {
     return {};
   }
-  return fmt::format(
-      "{} (the method of {}) takes {} times as long as {} for errors of at most {} in 99 % of the pixels.", row.method,
-      any->published, short_number(row.ratio.median), axis.base, error.name);
+  return fmt::format("{} (the method of {}) takes {} times as long as {} for errors of at most {}.", row.method,
+                     any->published, short_number(row.ratio.median), axis.base, error.name);
 }
 
 }  // namespace
