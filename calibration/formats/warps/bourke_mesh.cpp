@@ -33,7 +33,7 @@ class BourkeParser {
     read_size();
     const std::size_t count = static_cast<std::size_t>(mesh_.columns) * static_cast<std::size_t>(mesh_.rows);
     if (bytes_ / least_node_bytes < count) {
-      throw error(fmt::format("declares {} nodes, but the file is too short for them", count),
+      throw error(fmt::format("declares {} nodes, but is too short for them", count),
                   "the file is truncated or damaged; export it again");
     }
     mesh_.nodes.reserve(count);

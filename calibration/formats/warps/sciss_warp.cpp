@@ -129,7 +129,7 @@ class ScissParser {
   std::vector<WarpNode> read_nodes(std::uint64_t count) {
     constexpr std::size_t node_bytes = 6 * sizeof(float);
     if (count > most_mesh_nodes || count > rest_.size() / node_bytes) {
-      throw Error(file_, fmt::format("declares {} nodes, but the file is too short for them", count),
+      throw Error(file_, fmt::format("declares {} nodes, but is too short for them", count),
                   "the file is truncated or damaged; export it again");
     }
     std::vector<WarpNode> nodes;
@@ -150,7 +150,7 @@ class ScissParser {
   std::vector<std::uint32_t> read_indices() {
     const auto count = taken<std::uint32_t>("its number of indices");
     if (count > rest_.size() / sizeof(std::uint32_t)) {
-      throw Error(file_, fmt::format("declares {} indices, but the file is too short for them", count),
+      throw Error(file_, fmt::format("declares {} indices, but is too short for them", count),
                   "the file is truncated or damaged; export it again");
     }
     std::vector<std::uint32_t> indices(count);

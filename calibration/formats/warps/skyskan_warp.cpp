@@ -77,7 +77,7 @@ class SkyskanParser {
     check_mesh_size(columns, rows, text_.place());
     constexpr std::size_t least_line = 8;  // "0 0 0 0" and the line's end
     if (static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows) > bytes_ / least_line + 1) {
-      throw text_.error(fmt::format("declares {} x {} nodes, but the file is too short for them", columns, rows),
+      throw text_.error(fmt::format("declares {} x {} nodes, but is too short for them", columns, rows),
                         "the file is truncated or damaged; export it again");
     }
     mesh_.columns = static_cast<int>(columns);

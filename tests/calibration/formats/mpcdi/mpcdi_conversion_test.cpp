@@ -214,7 +214,7 @@ TEST(MpcdiWriter, RegionsThatLackSomethingAreErrors) {
   EXPECT_THAT(error_of([&] { to_mpcdi_archive(lamps, "test"); }), HasSubstr("without a coordinate frame"));
   Mpcdi media = parsed_media(media_xml);
   media.buffers[0].regions[1].id = "left";
-  EXPECT_THAT(error_of([&] { to_mpcdi_archive(media, "test"); }), HasSubstr("two regions of the id \"left\""));
+  EXPECT_THAT(error_of([&] { to_mpcdi_archive(media, "test"); }), HasSubstr("a region with the id \"left\""));
   media.buffers[0].regions[0].geometry.reset();
   EXPECT_THAT(error_of([&] { to_mpcdi_archive(media, "test"); }), HasSubstr("without a warp"));
 }

@@ -111,7 +111,7 @@ TEST(Mpcdi, FilesetsMayStandInTheirRegion) {
   EXPECT_EQ(region.geometry->interpolation, "linear");
   EXPECT_TRUE(region.alpha);
   EXPECT_THAT(error_of([&] { parsed_media(replaced(xml, "<fileset>", "<fileset region=\"s\">")); }),
-              HasSubstr("names \"s\""));
+              HasSubstr("names region \"s\""));
 }
 
 TEST(Mpcdi, PathsMayHaveBackslashes) {

@@ -68,7 +68,7 @@ TEST_F(SetupConversion, RegionOfACalibrationGivesWarpAndMasks) {
 
 TEST_F(SetupConversion, RegionMustBeNamedWhereThereAreSeveral) {
   write("a.mpcdi", zip_by_hand(media_members(media_xml)));
-  EXPECT_THAT(error_of([&] { loaded("warp = \"a.mpcdi\"\n"); }), HasSubstr("one of \"left\", \"right\""));
+  EXPECT_THAT(error_of([&] { loaded("warp = \"a.mpcdi\"\n"); }), HasSubstr("choose region from \"left\", \"right\""));
   EXPECT_THAT(error_of([&] { loaded("warp = { file = \"a.mpcdi\", region = \"top\" }\n"); }),
               HasSubstr("has no region \"top\""));
 }

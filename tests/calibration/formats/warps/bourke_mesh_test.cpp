@@ -131,8 +131,7 @@ TEST(BourkeMesh, NegativeAndHugeSizesAreErrors) {
   EXPECT_THAT(mesh_problem(mesh_with(mesh_by_hand, "3 2", "-3 2")), HasSubstr("-3 x 2"));
   EXPECT_THAT(mesh_problem(mesh_with(mesh_by_hand, "3 2", "3 2000000000")), HasSubstr("use at most"));
   EXPECT_THAT(mesh_problem(mesh_with(mesh_by_hand, "3 2", "99999999999999999999 2")), HasSubstr("mesh.data:2"));
-  EXPECT_THAT(mesh_problem(mesh_with(mesh_by_hand, "3 2", "5000 5000")),
-              HasSubstr("but the file is too short for them"));
+  EXPECT_THAT(mesh_problem(mesh_with(mesh_by_hand, "3 2", "5000 5000")), HasSubstr("but is too short for them"));
 }
 
 TEST(BourkeMesh, FewerOrMoreNodesThanAnnouncedAreErrors) {

@@ -91,9 +91,9 @@ TEST(DomeprojectionWarp, IsReadAsOtherProgramsAndCountriesWriteIt) {
 
 TEST(DomeprojectionWarp, RefusesWhatItCannotRead) {
   const auto problem = [](const std::string& text) { return refusal(text, WarpFormat::domeprojection); };
-  EXPECT_THAT(problem(with_change(csv, "0.9;0.2", "nan;0.2")), HasSubstr("a.warp:3: has nan for u"));
+  EXPECT_THAT(problem(with_change(csv, "0.9;0.2", "nan;0.2")), HasSubstr("a.warp:3: u is nan"));
   EXPECT_THAT(problem(with_change(csv, "0.9;0.2;1", "0.9;0.2")), HasSubstr("a.warp:3: has 5 values instead of 6"));
-  EXPECT_THAT(problem(with_change(csv, ";1;1\n", ";99999;1\n")), HasSubstr("has \"99999\" for the column"));
+  EXPECT_THAT(problem(with_change(csv, ";1;1\n", ";99999;1\n")), HasSubstr("the column is \"99999\""));
   EXPECT_THAT(problem(with_change(csv, ";1;1\n", ";900;900\n")), HasSubstr("has 4 nodes for 901 columns and 901 rows"));
   EXPECT_THAT(problem(with_change(csv, ";1;1\n", ";1;0\n")), HasSubstr("has two nodes in column 1, row 0"));
   EXPECT_THAT(problem("x;y;z;u;v;column;row\n"), HasSubstr("is not a flat domeprojection warp"));
@@ -389,9 +389,8 @@ TEST(SkyskanWarp, RefusesWhatItCannotRead) {
   EXPECT_THAT(problem("1 1 0.9 0.7\r\n", ""), HasSubstr("the file ends after 3 of 4 nodes"));
   EXPECT_THAT(problem("1 1 0.9 0.7", "1 1 0.9 0.7\r\n0 0 0 0"),
               HasSubstr("a.warp:11: extra line after the last of 4 nodes"));
-  EXPECT_THAT(problem("2 2\r\n", "9000 3000\r\n"),
-              HasSubstr("announces 9000 x 3000 nodes, more than the file has room"));
-  EXPECT_THAT(problem("0.9 0.2", "1e9 0.2"), HasSubstr("a.warp:8: has 1e9 for u"));
+  EXPECT_THAT(problem("2 2\r\n", "9000 3000\r\n"), HasSubstr("declares 9000 x 3000 nodes, but is too short"));
+  EXPECT_THAT(problem("0.9 0.2", "1e9 0.2"), HasSubstr("a.warp:8: u is 1e9"));
   EXPECT_THAT(problem("Horizontal Tweak", "Sideways Tweak"), HasSubstr("has the unknown key \"sideways tweak\""));
 }
 

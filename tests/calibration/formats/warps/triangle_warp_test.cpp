@@ -118,7 +118,7 @@ TEST(TriangleWarp, RefusesNodesThatAreMissing) {
                 warp_from_triangles(grid_nodes(2, 2), {{0, 1, 4}}, "a.ol");
               }),
               HasSubstr("a.ol: has a triangle with node 4, but only 4 nodes, counted from 0"));
-  EXPECT_THAT(error_of([] { warp_from_triangles(grid_nodes(2, 2), {}, "a.ol"); }), HasSubstr("has no triangle"));
+  EXPECT_THAT(error_of([] { warp_from_triangles(grid_nodes(2, 2), {}, "a.ol"); }), HasSubstr("contains no triangles"));
 }
 
 TEST(RefinedWarp, CutsCellsOnTheirTwoTriangles) {
