@@ -21,9 +21,9 @@ constexpr const char* budget_show =
 TEST_F(CommandLine, RenderSaysWhatABudgetChoseAndCost) {
   write("small.toml", budget_show);
   ASSERT_EQ(run("render small.toml --budget 0.5px --backend cpu --lens live --frames 1:2 --out f"), 0) << output_;
-  EXPECT_THAT(output_, HasSubstr("budget 0.5px: live lens of "));
+  EXPECT_THAT(output_, HasSubstr("budget 0.5px: live lens at "));
   EXPECT_THAT(output_, HasSubstr("measured error "));
-  EXPECT_THAT(output_, HasSubstr(" ms a frame"));
+  EXPECT_THAT(output_, HasSubstr(" ms per frame"));
   EXPECT_THAT(output_, HasSubstr("measuring took "));
   EXPECT_TRUE(std::filesystem::exists(folder_ / "f" / "small_000002.png"));
 }

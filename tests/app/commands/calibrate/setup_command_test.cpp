@@ -219,7 +219,7 @@ TEST_F(SetupCommands, WithoutADisplaySayWhatToDo) {
     ::unsetenv("DISPLAY");
     ::unsetenv("WAYLAND_DISPLAY");
     EXPECT_NE(run(words), 0) << words;
-    EXPECT_THAT(output_, HasSubstr("start it where there is a display")) << words;
+    EXPECT_THAT(output_, HasSubstr("start it on a machine with a display")) << words;
   }
 }
 
