@@ -33,7 +33,7 @@ void check_instruction_set(const char* variable) {
     }
   }
   if (!wish.empty()) {
-    throw UsageError(variable, fmt::format("is \"{}\", which this program does not have here", wish),
+    throw UsageError(variable, fmt::format("is \"{}\", which is not available on this machine", wish),
                      "set it to one of " + present + ", or unset it");
   }
 }
@@ -43,8 +43,8 @@ void check_threads(const char* variable) {
   int threads = 0;
   const auto [end, error] = std::from_chars(wish.data(), wish.data() + wish.size(), threads);
   if (!wish.empty() && (error != std::errc() || end != wish.data() + wish.size() || threads < 1)) {
-    throw UsageError(variable, fmt::format("is \"{}\", which is no number of threads", wish),
-                     "set it to 1 or more, or unset it");
+    throw UsageError(variable, fmt::format("is \"{}\", which is not a number of threads", wish),
+                     "set it to an integer of at least 1, or unset it");
   }
 }
 

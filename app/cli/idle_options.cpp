@@ -20,7 +20,7 @@ void IdleOptions::refuse() const {
   for (const Rule& rule : rules_) {
     const auto given = std::ranges::find_if(rule.options, [](const CLI::Option* each) { return each->count() > 0; });
     if (given != rule.options.end() && rule.holds()) {
-      throw CLI::ValidationError((*given)->get_name(), fmt::format("changes nothing {}; leave it out", rule.where));
+      throw CLI::ValidationError((*given)->get_name(), fmt::format("has no effect {}; leave it out", rule.where));
     }
   }
 }

@@ -44,10 +44,10 @@ std::filesystem::path trajectory_beside(const Show& show) {
 //! What is drawn where stations are too coarse.
 const char* stand_in_for_stream(const Projection& projection, const LensOptions& options, Backend backend) {
   if (lens_choice(options) == LensChoice::streamed) {
-    return "the budget is missed";
+    return "frames exceed the budget";
   }
   const double pixels = static_cast<double>(projection.width_px) * projection.height_px;
-  return is_worth_a_grid(backend, pixels) ? "lenses are made anew" : "a ray is followed for each pixel";
+  return is_worth_a_grid(backend, pixels) ? "lenses are computed live instead" : "each pixel is traced instead";
 }
 
 }  // namespace
@@ -55,14 +55,16 @@ const char* stand_in_for_stream(const Projection& projection, const LensOptions&
 void add_lens_options(CLI::App& command, LensOptions& options, IdleOptions& idle) {
   command
       .add_option("--lens", options.lens,
-                  "streamed (from a trajectory), live (a grid for each place), direct (a ray a pixel), or auto")
+                  "lenses: streamed (from a trajectory), live (grid), direct (ray per pixel), auto")
       ->check(CLI::IsMember({"auto", "streamed", "live", "direct"}))
       ->capture_default_str();
-  command.add_option("--trajectory", options.trajectory,
-                     "file made by ergodome bake (default: the show's name with .trajectory, beside it)");
+  command
+      .add_option("--trajectory", options.trajectory,
+                  "file from ergodome bake (default: SHOW.trajectory beside the show)")
+      ->type_name("FILE");
   command
       .add_option("--stream-memory", options.stream_memory_mib,
-                  fmt::format("most memory for streamed stations, in MiB (default: {})", usual_stream_memory_mib))
+                  fmt::format("memory limit for streamed stations in MiB (default: {})", usual_stream_memory_mib))
       ->check(CLI::Range(1, 1 << 20));
   idle.add("with --lens live or direct",
            [&options] {
@@ -100,8 +102,8 @@ std::shared_ptr<StationStream> open_stream(const Show& show, const LensOptions& 
   std::error_code problem;
   if (!std::filesystem::exists(beside, problem)) {
     if (choice == LensChoice::streamed) {
-      throw Error(beside.string(), "there is no trajectory to stream from",
-                  "make one with ergodome bake, and name it with --trajectory");
+      throw Error(beside.string(), "is missing, but --lens streamed needs a trajectory",
+                  "make one with ergodome bake, or name one with --trajectory");
     }
     return nullptr;
   }
@@ -111,7 +113,7 @@ std::shared_ptr<StationStream> open_stream(const Show& show, const LensOptions& 
     if (choice == LensChoice::streamed) {
       throw;
     }
-    tell(std::string(error.what()) + " (left alone)");
+    tell(std::string(error.what()) + " (trajectory ignored)");
     return nullptr;
   }
 }
@@ -120,7 +122,7 @@ void require_used_memory(const Show& show, const LensOptions& options) {
   std::error_code problem;
   if (options.stream_memory_mib && options.trajectory.empty() && lens_choice(options) == LensChoice::automatic &&
       !std::filesystem::exists(trajectory_beside(show), problem)) {
-    throw UsageError("--stream-memory", fmt::format("there is no trajectory of {} to stream from", show.name),
+    throw UsageError("--stream-memory", fmt::format("has no effect, because {} has no trajectory", show.name),
                      "leave it out, or name one with --trajectory");
   }
 }
@@ -138,10 +140,9 @@ std::vector<std::string> stream_notes(const StationStream* stream, const Show& s
   const TrajectoryReader& trajectory = stream->trajectory();
   if (eye_count(show.stereo) > 1 && show.stereo.model == StereoModel::omni) {
     const bool asked_for = !options.trajectory.empty() || lens_choice(options) == LensChoice::streamed;
-    return asked_for
-               ? std::vector{fmt::format("eyes of the model omni have a camera for each pixel, and use nothing of {}",
-                                         trajectory.path().string())}
-               : std::vector<std::string>();
+    return asked_for ? std::vector{fmt::format("stereo model omni has a camera for each pixel and does not use {}",
+                                               trajectory.path().string())}
+                     : std::vector<std::string>();
   }
   const TrajectoryProvenance& baked = trajectory.provenance();
   const Projection projection = projection_of(show, size_px);
@@ -153,7 +154,7 @@ std::vector<std::string> stream_notes(const StationStream* stream, const Show& s
     const std::string finer = budget_px < baked.budget_px ? fmt::format(" --budget {:.3g}", budget_px) : "";
     // By its name: each sentence is told once, and of an exhibit's shows two may have trajectories that are too coarse alike.
     return {
-        fmt::format("{} was baked for {:.3g} px in pictures {:.0f} px wide, and is too coarse for {:.3g} px at {}: {}; "
+        fmt::format("{} was baked for {:.3g} px in frames {:.0f} px wide and is too coarse for {:.3g} px at {}: {}; "
                     "bake it again with --size {}{}",
                     trajectory.path().string(), baked.budget_px, width_px * pixel / baked.pixel, budget_px, width_px,
                     stand_in_for_stream(projection, options, backend), width_px, finer)};
@@ -164,17 +165,17 @@ std::vector<std::string> stream_notes(const StationStream* stream, const Show& s
   if (missed.count == 0) {
     return {};
   }
-  return {
-      fmt::format("{} misses the budget of {:.3g} px in {} between its stations, {:.3g} s of the show, the worst with "
-                  "{:.3f} px at {:.2f} s; pictures there get live grids",
-                  trajectory.path().string(), budget_px, counted(missed.count, "gap"), missed.seconds,
-                  missed.worst_px * scale, missed.worst_time_s)};
+  return {fmt::format(
+      "{} exceeds the budget of {:.3g} px in {} between its stations ({:.3g} s of the show); the largest error "
+      "is {:.3f} px at {:.2f} s; frames there use live grids",
+      trajectory.path().string(), budget_px, counted(missed.count, "gap"), missed.seconds, missed.worst_px * scale,
+      missed.worst_time_s)};
 }
 
 void print_statistics(const StreamStatistics& s) {
-  print_out("streamed: {}, {} of them waited, {} given up; {} read, {} bad{}; {:.1f} MiB held at most\n",
+  print_out("streamed: {} ({} delayed, {} given up); {} read ({} damaged{}); peak memory {:.1f} MiB\n",
             counted(s.asked, "lens", "lenses"), s.waits, s.missed, counted(s.read, "station"), s.bad,
-            s.lost_disks > 0 ? fmt::format(", {} without their disk", s.lost_disks) : "",
+            s.lost_disks > 0 ? fmt::format(", {} without disk", s.lost_disks) : "",
             static_cast<double>(s.most_bytes_held) / (1 << 20));
 }
 

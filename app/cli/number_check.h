@@ -31,8 +31,8 @@ inline CLI::Validator frame_rate_between(double least, double most) {
                 (slash == std::string::npos || CLI::detail::lexical_cast(text.substr(slash + 1), seconds)) &&
                 frames / seconds >= least && frames / seconds <= most;
             if (!good) {
-              return fmt::format("\"{}\" is not a number from {:g} to {:g}, nor a fraction as 30000/1001", text, least,
-                                 most);
+              return fmt::format("\"{}\" is not a number from {:g} to {:g}, nor a fraction like 30000/1001", text,
+                                 least, most);
             }
             text = fmt::format("{:.17g}", exact_rate_hz(frames / seconds));
             return std::string();

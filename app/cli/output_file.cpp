@@ -14,7 +14,7 @@ void require_other_file(const std::string& option, const std::filesystem::path& 
     // Where one of them is not there they are not the same.
     std::error_code not_there;
     if (std::filesystem::equivalent(written, each, not_there)) {
-      throw UsageError(option + " " + written.string(), "is the file that is read, and would be lost",
+      throw UsageError(option + " " + written.string(), "is also the input file, which would be overwritten",
                        "choose another name");
     }
   }
@@ -25,8 +25,8 @@ void require_output_file(const std::string& option, const std::filesystem::path&
   std::error_code problem;
   const std::filesystem::path folder = written.parent_path();
   if (!folder.empty() && !std::filesystem::is_directory(folder, problem)) {
-    throw Error(option + " " + written.string(), "there is no folder " + folder.string(),
-                "make it, or choose another name");
+    throw Error(option + " " + written.string(), "cannot be written: the folder " + folder.string() + " does not exist",
+                "create it, or choose another name");
   }
   require_other_file(option, written, read);
 }
@@ -36,7 +36,7 @@ void require_other_png(const std::string& option, const std::filesystem::path& w
   std::string ending = written.extension().string();
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (!written.empty() && ending != ".png") {
-    throw UsageError(option + " " + written.string(), "is no name of a PNG", "let it end in .png");
+    throw UsageError(option + " " + written.string(), "does not end in .png", "choose a name that ends in .png");
   }
   require_output_file(option, written, read);
 }

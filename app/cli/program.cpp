@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <exception>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "app/cli/environment.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/usage_error.h"
+#include "app/cli/help_format.h"
 #include "content/files/console.h"
 #include "content/files/toml_table.h"
 #include "kernels/core/error.h"
@@ -28,11 +30,11 @@ int refuse_word(const CLI::App& app, const std::string& word) {
   }
   const std::string nearest = nearest_word(word, commands);
   const std::string remedy = nearest.empty() ? "try --help" : "did you mean " + nearest + "?";
-  print_note("there is no command {}; {}", word, remedy);
+  print_note("unknown command {}; {}", word, remedy);
   return 2;
 }
 
-//! What the parser has to say, in plain words where it has none: of an option that is given twice.
+//! Returns the parser's message, rewritten where an option was given twice.
 std::string parser_message(const CLI::Error& problem) {
   constexpr std::string_view too_often = ": At Most 1 required but received ";
   const std::string said = problem.what();
@@ -40,7 +42,7 @@ std::string parser_message(const CLI::Error& problem) {
   if (at == std::string::npos) {
     return "ergodome: " + said + "; try --help\n";
   }
-  return "ergodome: " + said.substr(0, at) + ": is given " + said.substr(at + too_often.size()) +
+  return "ergodome: " + said.substr(0, at) + ": was given " + said.substr(at + too_often.size()) +
          " times; give it once\n";
 }
 
@@ -49,6 +51,7 @@ int run_commands(int argc, char** argv) {
   CLI::App app("Ergodome shows what a spinning black hole does to the sky around it.", "ergodome");
   app.set_version_flag("--version", "ergodome " ERGODOME_VERSION);
   app.require_subcommand(1);
+  app.formatter(std::make_shared<HelpFormat>());
   app.failure_message([](const CLI::App*, const CLI::Error& problem) { return parser_message(problem); });
   add_play_command(app);
   add_render_command(app);
@@ -64,6 +67,8 @@ int run_commands(int argc, char** argv) {
   add_trace_command(app);
   add_edge_command(app);
   add_connect_command(app);
+  group_commands(app);
+  app.footer("ergodome COMMAND --help lists the options of a command. The documentation describes them in full.");
   catch_interrupts();
   fail_at_file_limits();
   try {

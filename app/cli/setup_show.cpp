@@ -39,11 +39,11 @@ Vector3<double> viewer_of(const DomeSetup& setup, double tilt_deg) {
 
 void fit_to_setup(Show& show, const DomeSetup& setup, const std::string& stereo) {
   if (show.stereo.layout != StereoLayout::mono && show.stereo.layout != StereoLayout::separate) {
-    constexpr const char* problem = "puts both eyes into one picture, which projectors do not take apart";
+    constexpr const char* problem = "puts both eyes into one picture, which projectors cannot separate";
     if (!stereo.empty()) {
-      throw UsageError("--stereo " + stereo, problem, "choose mono, or separate for frames of each eye");
+      throw UsageError("--stereo " + stereo, problem, "choose mono, or separate for one file per eye");
     }
-    throw Error(show.name + ".toml", problem, "choose --stereo mono, or separate for frames of each eye");
+    throw Error(show.name + ".toml", problem, "add --stereo mono, or --stereo separate for one file per eye");
   }
   ViewSettings view;
   view.size_px = show.view.size_px;

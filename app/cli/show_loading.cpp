@@ -66,14 +66,14 @@ Show load_show(const std::string& name_or_path, const ShowSettings& settings) {
     return read_set_show(built_in, settings);
   }
   throw Error(name_or_path.empty() ? "\"\"" : name_or_path, "is neither a file nor a built-in show",
-              fmt::format("built in are {}", fmt::join(built_in_shows(folder), ", ")));
+              fmt::format("built-in shows: {}", fmt::join(built_in_shows(folder), ", ")));
 }
 
 CLI::Option* add_set_option(CLI::App& command, ShowSettings& settings) {
   return command
       .add_option(show_setting_option, settings,
-                  "KEY=VALUE: change a key of the show, as if it stood in the file: hole.spin=0.5, camera.key.0.r=30; "
-                  "may be repeated")
+                  "override a key of the show, such as hole.spin=0.5 or camera.key.0.r=30; may be repeated")
+      ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
 }
 
@@ -94,7 +94,7 @@ void override_objects(Show& show, const std::string& method) {
   for (ObjectSettings& object : show.objects) {
     object.method = trace ? ObjectMethod::trace : ObjectMethod::polygon;
     if (!trace && object.retarded) {
-      throw UsageError("--objects polygon", "polygons do not know that objects are retarded", "leave it out");
+      throw UsageError("--objects polygon", "polygons cannot show retarded objects", "leave it out");
     }
   }
   const std::optional<PolygonLimit> limit = trace ? std::nullopt : polygon_limit(show);
@@ -133,7 +133,8 @@ void override_tilt(Show& show, const std::optional<double>& tilt_deg, bool has_s
     return;
   }
   if (!has_setup && show.view.projection != ViewProjection::dome) {
-    throw UsageError("--tilt", "is for domes, and the projection is another", "leave it out, or add --projection dome");
+    throw UsageError("--tilt", "applies only to domes, but the projection is another",
+                     "leave it out, or add --projection dome");
   }
   show.view.tilt_deg = *tilt_deg;
   show.view.artistic_tilt = true;
@@ -144,13 +145,13 @@ void override_tilt(Show& show, const std::optional<double>& tilt_deg, bool has_s
 
 void require_two_eyes(const Show& show, const std::string& option, bool given) {
   if (given && eye_count(show.stereo) == 1) {
-    throw UsageError(option, show.name + " is for one eye", "leave it out, or add for example --stereo side_by_side");
+    throw UsageError(option, show.name + " is not stereo", "leave it out, or add for example --stereo side_by_side");
   }
 }
 
 void tell_equal_eyes(const Show& show) {
   if (eye_count(show.stereo) > 1 && !(show_at_most(show).stereo.baseline > 0.0)) {
-    print_note("both eyes see the same, as the show's stereo.baseline is 0; --baseline sets another");
+    print_note("both eyes see the same picture, because stereo.baseline of the show is 0; set it with --baseline");
   }
 }
 
@@ -164,7 +165,7 @@ void require_time(const std::string& option, const Show& show, double time_s) {
 void require_features(const Show& show) {
   const std::vector<std::string> missing = missing_features(show);
   if (!missing.empty()) {
-    throw Error(show.name + ".toml", fmt::format("{}", fmt::join(missing, "; ")), "change that in the show");
+    throw Error(show.name + ".toml", fmt::format("{}", fmt::join(missing, "; ")), "remove it from the show");
   }
 }
 
@@ -181,19 +182,17 @@ std::optional<ViewRange> view_range(const std::string& text, ViewMode mode, bool
   }
   const std::string option = "--view-range " + text;
   if (mode == ViewMode::sky) {
-    throw UsageError(option, "is for heat maps; a picture of the sky has no scale",
-                     "add --view, for instance --view g");
+    throw UsageError(option, "applies only to heat maps, not to the sky", "add --view, for instance --view g");
   }
   const std::size_t colon = text.find(':');
   ViewRange range{};
   const bool parsed = colon != std::string::npos && is_number(std::string_view(text).substr(0, colon), range.low) &&
                       is_number(std::string_view(text).substr(colon + 1), range.high);
   if (!parsed || !std::isfinite(range.low) || !std::isfinite(range.high) || !(range.low < range.high)) {
-    throw UsageError(option, "is not two numbers, the smaller one first", "write them as MIN:MAX, for instance 0.5:2");
+    throw UsageError(option, "is not a range", "write MIN:MAX with MIN below MAX, for instance 0.5:2");
   }
   if (heat_range(mode, logarithmic_steps).logarithmic && !(range.low > 0.0)) {
-    throw UsageError(option, "begins at 0 or below, and the colours of this view are logarithmic",
-                     "choose a smallest value above 0");
+    throw UsageError(option, "starts at 0 or below, but this view has a logarithmic scale", "choose a minimum above 0");
   }
   return range;
 }
@@ -205,12 +204,11 @@ std::optional<TraceMethod> follow_method(const std::string& name, const std::str
     return std::nullopt;
   }
   if (!follows_rays(view_mode(view))) {
-    throw UsageError("--method " + name, "is for heat maps of steps and errors alone",
+    throw UsageError("--method " + name, "applies only to heat maps of steps and errors",
                      "add --view steps or --view error");
   }
   if (eye_count(show.stereo) > 1 && show.stereo.model == StereoModel::omni) {
-    throw UsageError("--method " + name,
-                     "follows the rays of one camera, and in the model omni every pixel has its own",
+    throw UsageError("--method " + name, "traces rays of one camera, but stereo model omni has a camera for each pixel",
                      "add --stereo mono");
   }
   constexpr TraceMethod methods[] = {TraceMethod::taylor, TraceMethod::rk34, TraceMethod::cash_karp,

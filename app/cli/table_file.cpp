@@ -75,7 +75,8 @@ std::string json_of_table(std::string_view csv) {
 
 std::string tabs_of_table(std::string_view csv, const std::filesystem::path& table) {
   if (csv.find('\t') != std::string_view::npos) {
-    throw Error(table.string(), "cannot separate cells by tabs: an id has one", "let the name end in .csv");
+    throw Error(table.string(), "cannot use tabs as separators, because an id contains a tab",
+                "choose a name that ends in .csv");
   }
   std::string text(csv);
   std::ranges::replace(text, ',', '\t');
@@ -87,8 +88,8 @@ std::string tabs_of_table(std::string_view csv, const std::filesystem::path& tab
 void require_table_ending(const std::string& option, const std::filesystem::path& table) {
   const std::string ending = lower_ending(table);
   if (!ending.empty() && ending != ".csv" && ending != ".txt" && ending != ".tsv" && ending != ".json") {
-    throw UsageError(option + " " + table.string(), "ends in a format that tables are not written in",
-                     "let it end in .csv, .tsv or .json");
+    throw UsageError(option + " " + table.string(), "has an unsupported extension",
+                     "choose a name that ends in .csv, .tsv or .json");
   }
 }
 

@@ -11,11 +11,11 @@ std::string tilt_note(const DomeSetup& setup, const Mpcdi& mpcdi) {
   const bool flat = mpcdi.profile == MpcdiProfile::media_2d;
   // A tilt that is written beside places in the dome's own axes would tilt them again, and a rotation beside warps turn these again.
   const std::string remedy = flat && setup.rotation_deg == 0.0
-                                 ? fmt::format("write tilt_deg = {:g} into a setup that is made of it", setup.tilt_deg)
-                                 : std::string("keep this setup");
+                                 ? fmt::format("set tilt_deg = {:g} in setups converted from it", setup.tilt_deg)
+                                 : std::string("keep the original setup");
   return fmt::format(
-      "; tilt_deg and rotation_deg are in its {}, and MPCDI does not tell them: for level test patterns {}",
-      flat ? "warps" : "places", remedy);
+      "; its {} include tilt_deg and rotation_deg, which MPCDI does not store: for level test patterns, {}",
+      flat ? "warps" : "positions", remedy);
 }
 
 }  // namespace ergodome

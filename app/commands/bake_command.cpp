@@ -112,16 +112,16 @@ void require_own(const fs::path& out, const Show& show) {
     return;
   }
   const auto refuse = [&](const std::string& why) {
-    throw Error("--out " + out.string(), why, "choose another name, or add --replace to lose what is there");
+    throw Error("--out " + out.string(), why, "choose another name, or add --replace to overwrite it");
   };
   if (!is_trajectory(out)) {
-    refuse("is there, and is no trajectory");
+    refuse("already exists and is not a trajectory");
   }
   try {
     require_path_of(show, TrajectoryReader(out));
   } catch (const Error& error) {
     // One that is damaged, or of another version, is of no use to this program either, but may be to another.
-    refuse("is there, and not of this show: " + error.problem());
+    refuse("already exists and does not belong to this show: " + error.problem());
   }
 }
 
@@ -145,28 +145,28 @@ std::string disk_text(const TrajectoryReader& trajectory) {
       worst_px = std::max(worst_px, error_px);
     }
   }
-  return worst_px > 0.0 ? fmt::format(", the disk by {:.3f}", worst_px) : "";
+  return worst_px > 0.0 ? fmt::format(" in the sky, {:.3f} px in the disk", worst_px) : "";
 }
 
 void say(const fs::path& file, const BakeResult& result, double seconds) {
   const TrajectoryReader trajectory(file);
   const std::string disk = disk_text(trajectory);
-  print_out("{}: {} ({} built now), {:.1f} MB, {:.1f} s; blending misses {}by {:.3f} px at most{}\n", file.string(),
+  print_out("{}: {} ({} computed now), {:.1f} MB, {:.1f} s; largest blending error {:.3f} px{}\n", file.string(),
             counted(trajectory.stations().size(), "station"), result.built,
-            1e-6 * static_cast<double>(trajectory.file_bytes()), seconds, disk.empty() ? "" : "the sky ",
-            result.worst_px, disk);
+            1e-6 * static_cast<double>(trajectory.file_bytes()), seconds, result.worst_px, disk);
   if (result.live_disk_s > 0.0) {
     print_out(
-        "the disk's grid is made anew in {:.1f} s of the show, where blending would miss more (next to its plane)\n",
+        "the disk is recomputed live during {:.1f} s of the show near its plane, where blending would exceed the "
+        "budget\n",
         result.live_disk_s);
   }
   if (result.unmet > 0) {
     const double budget_px = trajectory.provenance().budget_px;
     print_note(
-        "{} of {} between stations {} over the budget of {} px, the worst with {:.3f} px at {:.2f} s; "
-        "pictures there get live grids ({:.3g} s of the show)",
+        "{} of {} between stations {} the budget of {} px; the largest error is {:.3f} px at {:.2f} s; "
+        "frames there use live grids ({:.3g} s of the show)",
         result.unmet, counted(static_cast<long>(trajectory.stations().size()) - 1, "gap"),
-        result.unmet == 1 ? "stays" : "stay", budget_px, result.worst_px, result.worst_time_s,
+        result.unmet == 1 ? "exceeds" : "exceed", budget_px, result.worst_px, result.worst_time_s,
         missed_gaps(trajectory.stations(), budget_px).seconds);
   }
 }
@@ -176,7 +176,8 @@ void run(const BakeOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const Show show = load_show(options.show, options.set);
   if (show.grid_scheme != GridScheme::conforming) {
-    throw Error(show.name, "the quadtree grid is for comparison and is not baked", "leave grid.scheme out of the show");
+    throw Error(show.name, "grid.scheme = \"quadtree\" is only for comparisons and cannot be baked",
+                "remove grid.scheme from the show");
   }
   const BakeSettings settings = settings_of(options, show);
   const TrajectoryProvenance provenance = provenance_of(show, settings);
@@ -189,7 +190,7 @@ void run(const BakeOptions& options) {
   std::vector<fs::path> journals = {journal_path(options, settings)};
   const std::vector<fs::path> parts = whole ? beside(out, name + ".part-", "") : std::vector<fs::path>{};
   if (parts.empty() && !fs::exists(journals.front()) && is_baked(out, provenance)) {
-    print_out("{}: is baked already\n", out.string());
+    print_out("{}: is already baked\n", out.string());
     return;
   }
   TrajectoryJournal journal(journals.front(), provenance);
@@ -199,7 +200,7 @@ void run(const BakeOptions& options) {
   }
   const BakeResult result = bake(show, settings, journal);
   if (!whole) {
-    print_out("{}: part {} of {} is baked ({}); bake without --part joins the parts\n", journals.front().string(),
+    print_out("{}: part {} of {} is baked ({}); run bake without --part to join the parts\n", journals.front().string(),
               settings.part, settings.parts, counted(journal.station_count(), "station"));
     return;
   }
@@ -217,21 +218,22 @@ void run(const BakeOptions& options) {
 void add_bake_command(CLI::App& app) {
   auto options = std::make_shared<BakeOptions>();
   CLI::App* command = app.add_subcommand(
-      "bake", "Compute the lenses along a show's camera path beforehand; goes on where an earlier run was stopped");
-  command->add_option("show", options->show, "show file (.toml), or the name of a built-in show")->required();
+      "bake", "Compute the lenses along a show's camera path in advance; continues an interrupted run");
+  command->add_option("show", options->show, "show file (.toml) or name of a built-in show")->required();
   add_set_option(*command, options->set);
-  command->add_option("--out", options->out, "trajectory file to write")->required();
-  command->add_option("--part", options->part, "K/N: bake this stretch alone, beside other processes with the others")
+  command->add_option("--out", options->out, "trajectory file to write")->required()->type_name("FILE");
+  command->add_option("--part", options->part, "bake only part K of N; run the other parts in other processes")
+      ->type_name("K/N")
       ->check([](const std::string& text) {
-        return part_of(text) ? std::string() : text + " is no part of a bake; write K/N, as in 2/4";
+        return part_of(text) ? std::string() : "\"" + text + "\" does not name a part; write K/N, for instance 2/4";
       });
-  command->add_option("--size", options->size_px, "width of the pictures in pixels, instead of the show's")
+  command->add_option("--size", options->size_px, "width of the frames in pixels (default: the show's)")
       ->check(CLI::Range(1, 16384));
-  command->add_option("--budget", options->budget_px, "error on the screen in pixels, instead of the show's")
+  command->add_option("--budget", options->budget_px, "accepted error in pixels (default: the show's)")
       ->check(number_between(1e-3, 100.0));
   command->add_flag("--no-derivatives", options->no_derivatives,
-                    "stations that tell their own place alone: many more are needed, and stereo eyes get live grids");
-  command->add_flag("--replace", options->replace, "write over a file of --out that is not a trajectory of this show");
+                    "store no derivatives: needs many more stations, and stereo eyes use live grids");
+  command->add_flag("--replace", options->replace, "overwrite --out even if it is not a trajectory of this show");
   command->callback([options] { run(*options); });
 }
 

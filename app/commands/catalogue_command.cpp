@@ -30,15 +30,15 @@ struct CatalogueOptions {
 void require_star_file(const CatalogueOptions& options) {
   std::error_code problem;
   if (!options.replace && std::filesystem::exists(options.out, problem) && !is_star_file(options.out)) {
-    throw Error("--out " + options.out, "is there, and is no catalogue in the project's own form",
-                "choose another name, or add --replace to lose what is there");
+    throw Error("--out " + options.out, "already exists and is not an Ergodome catalogue",
+                "choose another name, or add --replace to overwrite it");
   }
 }
 
 void print_summary(const StarCatalogue& catalogue) {
   const auto& stars = catalogue.stars;
   const auto colourless = std::ranges::count_if(stars, [](const CatalogueStar& star) { return std::isnan(star.b_v); });
-  print_out("{}: {}, {} without a colour, {}\n", catalogue.name, counted(stars.size(), "star"), colourless,
+  print_out("{}: {}, {} without a color, {}\n", catalogue.name, counted(stars.size(), "star"), colourless,
             text_of(catalogue.left_out));
   if (!catalogue.read_as.empty()) {
     print_out("read as {}\n", catalogue.read_as);
@@ -66,7 +66,7 @@ void run(const CatalogueOptions& options) {
       std::erase_if(catalogue.stars, [&](const CatalogueStar& star) { return star.v_mag > options.faintest; });
   print_summary(catalogue);
   if (fainter > 0) {
-    print_out("{} fainter than V {} left out\n", fainter, options.faintest);
+    print_out("left out: {} fainter than V {}\n", fainter, options.faintest);
   }
   if (!options.out.empty()) {
     write_star_file(catalogue, options.out);
@@ -78,16 +78,17 @@ void run(const CatalogueOptions& options) {
 
 void add_catalogue_command(CLI::App& app) {
   auto* command =
-      app.add_subcommand("catalogue", "Say what a star catalogue holds, and write it in the project's own form");
+      app.add_subcommand("catalogue", "Summarize a star catalogue, and convert it to Ergodome's own format");
   auto options = std::make_shared<CatalogueOptions>();
   command
       ->add_option("stars", options->stars,
-                   "bright_stars, all_stars, or a file: a table (.csv, .tsv, .csv.gz) or the project's own form")
+                   "bright_stars, all_stars, or a file: a table (.csv, .tsv, .csv.gz) or an Ergodome catalogue")
       ->required();
-  CLI::Option* const out = command->add_option("--out", options->out, "file to write, in the project's own form");
-  command->add_option("--faintest", options->faintest, "leave out what is fainter than this V magnitude")
+  CLI::Option* const out =
+      command->add_option("--out", options->out, "catalogue to write, in Ergodome's own format")->type_name("FILE");
+  command->add_option("--faintest", options->faintest, "leave out stars fainter than this V magnitude")
       ->check(number_between(-30.0, 60.0));
-  command->add_flag("--replace", options->replace, "write over a file of --out that is not in the project's own form")
+  command->add_flag("--replace", options->replace, "overwrite --out even if it is not an Ergodome catalogue")
       ->needs(out);
   command->callback([options] { run(*options); });
 }

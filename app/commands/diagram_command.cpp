@@ -72,8 +72,8 @@ std::pair<int, int> size_of(const std::string& text) {
   const double height = sides.size() == 2 ? sides[1] : sides.size() == 1 ? std::round(sides[0] * 9.0 / 16.0) : 0.0;
   if (sides.empty() || !fits(sides[0]) || !fits(height)) {
     throw UsageError(
-        "--size " + text, "is no size of a picture",
-        fmt::format("write WIDTHxHEIGHT, or a width, from {} to {} pixels a side", least_diagram_px, most_diagram_px));
+        "--size " + text, "is not a picture size",
+        fmt::format("write WIDTHxHEIGHT or a width, with sides of {} to {} pixels", least_diagram_px, most_diagram_px));
   }
   return {static_cast<int>(sides[0]), static_cast<int>(height)};
 }
@@ -91,8 +91,8 @@ std::vector<int> images_of(const std::string& text) {
     }
   }
   if (numbers.empty() || images.size() != numbers.size()) {
-    throw UsageError("--images " + text, "are no orders of images",
-                     fmt::format("write some of 1 to {} with commas between them", most_polygon_images));
+    throw UsageError("--images " + text, "is not a list of image orders",
+                     fmt::format("write numbers from 1 to {}, separated by commas", most_polygon_images));
   }
   std::ranges::sort(images);
   images.erase(std::unique(images.begin(), images.end()), images.end());
@@ -111,9 +111,9 @@ OutsideDirection outside_direction_of(const DiagramOptions& options, const Show&
   if (numbers.size() < 2 || numbers.size() > 3 || std::abs(numbers[1]) > 90.0 ||
       (numbers.size() == 3 && !(numbers[2] >= nearest && numbers[2] <= 1e7))) {
     throw UsageError(
-        "--from " + options.from, "is no place of a camera",
-        fmt::format("write AZIMUTH,ELEVATION or AZIMUTH,ELEVATION,DISTANCE in degrees (elevation -90 to 90) and "
-                    "M, {} or more from the hole",
+        "--from " + options.from, "is not a camera position",
+        fmt::format("write AZIMUTH,ELEVATION or AZIMUTH,ELEVATION,DISTANCE: degrees (elevation -90 to 90), and a "
+                    "distance of at least {} M",
                     nearest));
   }
   return {one_degree * numbers[0], one_degree * numbers[1],
@@ -124,7 +124,8 @@ void draw_picture(const DiagramOptions& options, const Show& show, const Diagram
   require_time("diagram --at", show, options.time_s);
   const std::filesystem::path out = options.out;
   if (out.extension() != ".png") {
-    throw UsageError("--out " + options.out, "is no name of a PNG", "let it end in .png; with --frames name a folder");
+    throw UsageError("--out " + options.out, "does not end in .png",
+                     "choose a name that ends in .png, or add --frames to write to a folder");
   }
   const DiagramScene scene = diagram.at(options.time_s);
   const OutsideCamera camera =
@@ -161,7 +162,8 @@ void draw_film(const DiagramOptions& options, const Show& show, const Diagram& d
   Progress progress("drawing", last - first + 1);
   for (int frame = first; frame <= last; ++frame) {
     if (interrupted()) {
-      throw Error("diagram", fmt::format("stopped after {}", counted(frame - first, "frame")), "go on with --frames");
+      throw Error("diagram", fmt::format("stopped after {}", counted(frame - first, "frame")),
+                  "continue with --frames");
     }
     const DiagramImage image = picture.draw(diagram.at(frame_time_s(show, frame)), camera);
     const std::filesystem::path path =
@@ -191,23 +193,32 @@ void run_diagram(const DiagramOptions& options) {
 
 void add_diagram_command(CLI::App& app) {
   auto options = std::make_shared<DiagramOptions>();
-  CLI::App* command = app.add_subcommand(
-      "diagram", "Draw a show's hole, observer and objects from outside, where they seem to be, and light rays");
-  command->add_option("show", options->show, "show with objects (.toml, or the name of a built-in one)")->required();
+  CLI::App* command =
+      app.add_subcommand("diagram", "Draw a show's hole, observer, objects and their light rays as seen from outside");
+  command->add_option("show", options->show, "show with objects: file (.toml) or name of a built-in show")->required();
   add_set_option(*command, options->set);
-  command->add_option("--out", options->out, "picture to write (.png); with --frames: folder for them")->required();
+  command->add_option("--out", options->out, "picture to write (.png); with --frames: folder for the pictures")
+      ->required()
+      ->type_name("FILE");
   CLI::Option* at = command->add_option("--at", options->time_s, "time of the show [s]")->capture_default_str();
-  command
-      ->add_option("--frames", options->frames, std::string("a picture for each of these frames: ") + frame_range_words)
+  command->add_option("--frames", options->frames, std::string("draw these frames: ") + frame_range_words)
+      ->type_name("RANGE")
       ->excludes(at);
-  command->add_option("--from", options->from,
-                      "AZIMUTH,ELEVATION[,DISTANCE] to look from, degrees and M (default: beside the observer, all in "
-                      "the picture)");
-  command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels, or the width")->capture_default_str();
-  command->add_option("--images", options->images,
-                      "which images, 1 to 5: 1 is direct, each more goes half a turn further round the hole (default: "
-                      "1,2; holes without spin alone)");
-  command->add_option("--rays", options->rays, "about how many light rays")
+  command
+      ->add_option("--from", options->from,
+                   "camera position: AZIMUTH,ELEVATION[,DISTANCE] in degrees and M (default: beside the observer, with "
+                   "everything in view)")
+      ->type_name("POSITION");
+  command->add_option("--size", options->size, "size of the picture in pixels: WIDTHxHEIGHT, or only the width")
+      ->type_name("SIZE")
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--images", options->images,
+          "orders of images to draw, 1 to 5, for holes without spin: 1 is direct light; each order above adds half "
+          "a turn around the hole (default: 1,2)")
+      ->type_name("LIST");
+  command->add_option("--rays", options->rays, "approximate number of light rays")
       ->check(CLI::Range(0, 2000))
       ->capture_default_str();
   command->callback([options] { run_diagram(*options); });

@@ -94,7 +94,7 @@ bool fits_in_memory(const FramePlan& plan) {
 std::optional<RunEstimate> estimate(const PlanOptions& options, const Show& show, Backend backend,
                                     std::shared_ptr<StationStream> stream, const FramePlan& plan) {
   if (!fits_in_memory(plan)) {
-    print_note("no estimate of time and disk space: a frame takes more than half of this machine's memory");
+    print_note("cannot estimate time and disk space: a frame needs more than half of this machine's memory");
     return std::nullopt;
   }
   try {
@@ -110,7 +110,7 @@ std::optional<RunEstimate> estimate(const PlanOptions& options, const Show& show
     estimate.free_bytes = free_bytes(options.out);
     return estimate;
   } catch (const std::exception& problem) {
-    print_note("no estimate of time and disk space: {}", problem.what());
+    print_note("cannot estimate time and disk space: {}", problem.what());
     return std::nullopt;
   }
 }
@@ -171,28 +171,28 @@ void print(const nlohmann::json& plan) {
   print_out("{}: {} x {} pixels, {} {}, lens: {}\n", plan["show"].get<std::string>(), plan["width_px"].get<int>(),
             plan["height_px"].get<int>(), plan["eyes"].get<int>(), plan["eyes"] == 1 ? "eye" : "eyes",
             plan["lens"].get<std::string>());
-  print_out("\nfor each pixel    floats  because of\n");
+  print_out("\nper pixel         floats  reason\n");
   for (const auto& channel : plan["channels"]) {
     print_out("  {:<16}{:>6}  {}\n", channel["name"].get<std::string>(), channel["floats"].get<int>(),
               channel["why"].get<std::string>());
   }
-  print_out("\npass                               once a        runs    elements  because of\n");
+  print_out("\npass                               once per      runs    elements  reason\n");
   for (const auto& pass : plan["passes"]) {
     print_out("  {:<33}{:<8}{:>10}{:>12}  {}{}\n", pass["name"].get<std::string>(), pass["when"].get<std::string>(),
               text_of(pass["runs"]), text_of(pass["elements"]), pass["why"].get<std::string>(),
               pass["if_needed"].get<bool>() ? ", if needed" : "");
   }
-  print_out("\nmemory                                       once a         bytes  because of\n");
+  print_out("\nmemory                                       once per       bytes  reason\n");
   for (const auto& buffer : plan["buffers"]) {
     print_out("  {:<43}{:<8}{:>12}  {}\n", buffer["name"].get<std::string>().substr(8),
               buffer["when"].get<std::string>(), text_of(buffer["bytes"]), buffer["why"].get<std::string>());
   }
-  print_out("\n-: as many as it takes\n");
+  print_out("\n-: not known in advance\n");
   print_idle_lines(plan["idle"]);
 }
 
 void print(const Measured& measured) {
-  print_out("\nmeasured                                     first picture there        the next one: {:.1f} ms\n",
+  print_out("\nmeasured                                     first frame there          next frame: {:.1f} ms\n",
             measured.next_ms);
   print_out("                                            runs      elements        runs      elements        ms\n");
   for (const auto& [name, count] : measured.first) {
@@ -201,14 +201,13 @@ void print(const Measured& measured) {
     print_out("  {:<40}{:>6}{:>14}{:>12}{:>14}{:>10.2f}\n", name, count.runs, count.elements, again.runs,
               again.elements, static_cast<double>(again.time_ns) * 1e-6);
   }
-  print_out("\nTimes of passes hold those of the kernels that they call. Elements of buffers are bytes.\n");
+  print_out("\nTimes of passes include the kernels that they call. Elements of buffers are bytes.\n");
 }
 
 void print(const RunEstimate& estimate, const PlanOptions& options) {
   print_out("\nrender: {}\n", run_cost_text(estimate.frames, estimate.frame));
-  print_out(
-      "  measured: frame {}, in the middle of the show, rendered and written as {}\n  free on the disk of {}: {}\n",
-      estimate.measured_frame + 1, options.format, options.out, size_text(estimate.free_bytes));
+  print_out("  measured on frame {}, in the middle of the show, written as {}\n  free disk space for {}: {}\n",
+            estimate.measured_frame + 1, options.format, options.out, size_text(estimate.free_bytes));
 }
 
 void run(const PlanOptions& options) {
@@ -281,53 +280,49 @@ void run(const PlanOptions& options) {
 
 void add_plan_command(CLI::App& app) {
   auto options = std::make_shared<PlanOptions>();
-  CLI::App* command =
-      app.add_subcommand("plan",
-                         "Tell what a picture of a show takes, which lines of the show call for it, and what time and "
-                         "disk space all frames take");
-  command->add_option("show", options->show, "show (.toml or the name of a built-in one)")->required();
+  CLI::App* command = app.add_subcommand(
+      "plan", "Print what a frame computes and why, and estimate the time and disk space of all frames");
+  command->add_option("show", options->show, "show file (.toml) or name of a built-in show")->required();
   add_set_option(*command, options->set);
-  command->add_option("--view", options->view, "what to show")
+  command->add_option("--size", options->size_px, "width of one eye's image in pixels (default: the show's)")
+      ->check(CLI::Range(1, 16384));
+  CLI::Option* const measure =
+      command->add_flag("--measure", options->measure, "render a frame twice, and report its work and times");
+  command->add_option("--time", options->time_s, "with --measure: time in the show [s]")
+      ->check(show_time())
+      ->needs(measure)
+      ->capture_default_str();
+  command->add_option("--format", options->format, "format of the frames: png, png16, tiff or exr")
+      ->check(CLI::IsMember(image_format_names()))
+      ->capture_default_str();
+  command->add_option("--out", options->out, "folder planned for the frames, to compare with its free disk space")
+      ->type_name("DIR")
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "print JSON");
+  command->option_defaults()->group("Picture");
+  command->add_option("--projection", options->projection, "projection (default: the show's)")
+      ->check(CLI::IsMember(projection_names()));
+  command->add_option("--tilt", options->tilt_deg, "tilt of the dome in degrees (default: the show's)")
+      ->check(number_between(limits_of("view.tilt_deg").least, limits_of("view.tilt_deg").greatest));
+  command
+      ->add_option("--objects", options->objects, "method of drawing objects: polygon or trace (default: the show's)")
+      ->check(CLI::IsMember(object_method_names()));
+  command->add_option("--view", options->view, "sky, or a heat map: steps, error, order, g, magnification")
       ->check(CLI::IsMember(view_mode_names()))
       ->capture_default_str();
-  command
-      ->add_option("--method", options->method,
-                   "how rays of --view steps and error are followed: taylor, rk34, cash_karp or baseline_rk34")
+  command->add_option("--method", options->method, "integrator for --view steps and error")
       ->check(CLI::IsMember(follow_method_names()));
-  command->add_option("--objects", options->objects, "how objects are drawn: polygon or trace; else as the show says")
-      ->check(CLI::IsMember(object_method_names()));
-  command
-      ->add_option("--projection", options->projection,
-                   "dome, equirect, cube, cylinder or pinhole, instead of the show's")
-      ->check(CLI::IsMember(projection_names()));
-  command->add_option("--stereo", options->stereo, "stereo layout, instead of the show's")
+  command->option_defaults()->group("Stereo");
+  command->add_option("--stereo", options->stereo, "stereo layout (default: the show's)")
       ->check(CLI::IsMember(stereo_names()));
-  command
-      ->add_option("--tilt", options->tilt_deg,
-                   "tilt of the dome's picture [deg], instead of the show's and the setup's")
-      ->check(number_between(limits_of("view.tilt_deg").least, limits_of("view.tilt_deg").greatest));
-  command->add_option("--baseline", options->baseline, "distance of the eyes [M], instead of the show's")
+  command->add_option("--baseline", options->baseline, "distance between the eyes [M] (default: the show's)")
       ->check(number_between(limits_of("stereo.baseline").least, limits_of("stereo.baseline").greatest));
-  command->add_option("--size", options->size_px, "width of an eye's image in pixels")->check(CLI::Range(1, 16384));
-  command->add_option("--backend", options->backend, "auto, cpu or cuda")
+  command->option_defaults()->group("Computation");
+  command->add_option("--backend", options->backend, "where to compute: auto (GPU if available), cpu or cuda")
       ->check(CLI::IsMember({"auto", "cpu", "cuda"}))
       ->capture_default_str();
   IdleOptions idle(*command);
   add_lens_options(*command, options->lens, idle);
-  CLI::Option* const measure =
-      command->add_flag("--measure", options->measure, "render a picture, twice, and count what it has taken");
-  command->add_option("--time", options->time_s, "with --measure: show time [s]")
-      ->check(show_time())
-      ->needs(measure)
-      ->capture_default_str();
-  command->add_option("--format", options->format, "of the frames that are to be rendered: png, png16, tiff or exr")
-      ->check(CLI::IsMember(image_format_names()))
-      ->capture_default_str();
-  command
-      ->add_option("--out", options->out,
-                   "folder for the frames, to compare with the free space of its disk; it is not created")
-      ->capture_default_str();
-  command->add_flag("--json", options->json, "as JSON");
   command->callback([options, idle] {
     idle.refuse();
     run(*options);

@@ -102,9 +102,8 @@ void require_no_record(const std::string& record, const std::string& show) {
   };
   if (!record.empty() && record_number(record, show) &&
       std::filesystem::equivalent(folder(record), folder(show), problem)) {
-    throw UsageError("--record " + record,
-                     show + " has the name of one of its records, of which the oldest are removed",
-                     "give the show that is to stay another name");
+    throw UsageError("--record " + record, show + " is named like a recording, and the oldest recordings are deleted",
+                     "rename the show");
   }
 }
 
@@ -122,7 +121,7 @@ void use_exhibit(PlayArguments& arguments, const Show& visitor) {
   arguments.exhibit_options.state = state_folder();
   options.services.log_file = exhibit_log();
   if (arguments.exhibit_options.state.empty()) {
-    print_note("settings and the log are not kept, as this user has no home folder; set HOME or XDG_STATE_HOME");
+    print_note("settings and the log are not saved, because this user has no home folder; set HOME or XDG_STATE_HOME");
   }
   options.exhibit = arguments.exhibit_options;
 }
@@ -153,7 +152,7 @@ void run(PlayArguments arguments) {
   PlayOptions& options = arguments.options;
   require_other_png("--screenshot", options.screenshot, {arguments.show, arguments.setup});
   if (!options.record.empty() && std::filesystem::path(options.record).extension() != ".toml") {
-    throw UsageError("--record " + options.record, "is no name of a show", "let it end in .toml");
+    throw UsageError("--record " + options.record, "does not end in .toml", "choose a name that ends in .toml");
   }
   require_output_file("--record", options.record, {arguments.show, arguments.setup, options.controls});
   options.free_flight = options.free_flight || arguments.show.empty();
@@ -178,7 +177,7 @@ void run(PlayArguments arguments) {
   }
   tell_equal_eyes(show);
   if (keeps_eyes_apart(show.stereo.layout) && !options.setup) {
-    print_note("the window shows the eyes of layout {} side by side; render writes them apart",
+    print_note("the window shows stereo layout {} side by side; only render writes separate images",
                stereo_layout_names[static_cast<std::size_t>(show.stereo.layout)]);
   }
   const Backend backend = choose_backend(arguments.backend);
@@ -208,114 +207,140 @@ void run_logged(const PlayArguments& arguments) {
 //! Throws UsageError where the show's time comes by OSC, and nothing listens to it.
 void require_osc_port(const ServiceOptions& services) {
   if (services.clock == "osc" && !services.remote.osc_port) {
-    throw UsageError("--clock osc", "has no port to listen at", "add --osc PORT");
+    throw UsageError("--clock osc", "needs an OSC port", "add --osc PORT");
   }
+}
+
+void add_picture_options(CLI::App& command, PlayArguments& arguments) {
+  command.option_defaults()->group("Picture");
+  command.add_option("--projection", arguments.projection, "projection (default: the show's)")
+      ->check(CLI::IsMember(projection_names()));
+  command.add_option("--tilt", arguments.tilt_deg, "tilt of the dome in degrees (default: the setup's or the show's)")
+      ->check(number_between(limits_of("view.tilt_deg").least, limits_of("view.tilt_deg").greatest));
+  command
+      .add_option("--objects", arguments.objects, "method of drawing objects: polygon or trace (default: the show's)")
+      ->check(CLI::IsMember(object_method_names()));
+  command.add_flag("--times", arguments.options.times_shown, "show frame time, lens, spin and camera position (key I)");
+  command.add_flag("--quiet", arguments.options.quiet,
+                   "show only texts requested with keys (F1, I); messages go to the log and the status page");
+  command.option_defaults()->group("Stereo");
+  command.add_option("--stereo", arguments.stereo, "stereo layout (default: the show's)")
+      ->check(CLI::IsMember(stereo_names()));
+  command.add_option("--baseline", arguments.baseline, "distance between the eyes [M] (default: the show's)")
+      ->check(number_between(limits_of("stereo.baseline").least, limits_of("stereo.baseline").greatest));
+  command.add_flag("--tint-eyes", arguments.tint_eyes, "tint the left eye's image red and the right eye's cyan");
+}
+
+void add_dome_options(CLI::App& command, PlayArguments& arguments, IdleOptions& idle) {
+  command.option_defaults()->group("Domes");
+  CLI::Option* const setup =
+      command.add_option("--setup", arguments.setup, "dome setup (.toml): also open a window for each projector")
+          ->type_name("FILE");
+  command
+      .add_flag("--no-control", arguments.options.hide_control,
+                "with --setup: open only the projectors' windows; keys work in them")
+      ->needs(setup);
+  idle.add("with --setup, which fixes the projection",
+           [&arguments] { return !arguments.setup.empty() && arguments.projection != "dome"; }, {"--projection"});
+}
+
+void add_control_options(CLI::App& command, PlayArguments& arguments) {
+  command.option_defaults()->group("Keys and pads");
+  command.add_option("--controls", arguments.options.controls, "read the assignment of keys, mouse and pads (.toml)")
+      ->type_name("FILE");
+  command.add_option("--write-controls", arguments.new_controls, "write the default assignment to this file, and quit")
+      ->type_name("FILE");
+  command.add_option("--pad-settings", arguments.options.pad_settings, "read pad settings made by ergodome pad")
+      ->type_name("FILE");
+  command.add_option("--pad-fixture", arguments.options.pad_fixture, "play recorded pad input instead of real pads")
+      ->type_name("FILE");
+}
+
+void add_clock_and_sound_options(CLI::App& command, PlayArguments& arguments, IdleOptions& idle) {
+  command.option_defaults()->group("Clock and sound");
+  ServiceOptions& services = arguments.options.services;
+  command
+      .add_option("--clock", services.clock, "source of the show's time: own, mtc (MIDI time code), mtc:PORT or osc")
+      ->type_name("SOURCE")
+      ->check([](const std::string& word) {
+        const bool known = word == "own" || word == "osc" || word == "mtc" || word.rfind("mtc:", 0) == 0;
+        return known ? std::string() : "\"" + word + "\" is not a clock; choose own, mtc, mtc:PORT or osc";
+      })
+      ->capture_default_str();
+  command.add_option("--clock-start", services.clock_start, "with --clock mtc: time code at the start of the show")
+      ->type_name("TIMECODE")
+      ->check([](const std::string& text) {
+        const bool known = parse_time_code(text, CodeRate::fps30).has_value();
+        return known
+                   ? std::string()
+                   : "\"" + text + "\" is not a time code; write hours, minutes, seconds and frames, as in 01:00:00:00";
+      })
+      ->capture_default_str();
+  CLI::Option* const no_sound = command.add_flag("!--no-sound", services.sound, "play no sound");
+  command.add_option("--sound-later", services.sound_later_s, "delay sound by N seconds, for slow displays")
+      ->check(number_between(-1.0, 1.0))
+      ->excludes(no_sound);
+  idle.add("without --clock mtc", [&services] { return !services.clock.starts_with("mtc"); }, {"--clock-start"});
+}
+
+void add_exhibit_options(CLI::App& command, PlayArguments& arguments, IdleOptions& idle) {
+  command.option_defaults()->group("Exhibits");
+  ExhibitOptions& exhibit = arguments.exhibit_options;
+  CLI::Option* const locked = command.add_flag(
+      "--exhibit", arguments.exhibit, "run locked and full screen: an attract show, and free flight for each visitor");
+  command
+      .add_option("--attract", exhibit.attract,
+                  "with --exhibit: the attract show (default: attract; for domes once-around)")
+      ->type_name("SHOW")
+      ->needs(locked);
+  command.add_option("--idle", exhibit.times.idle_s, "with --exhibit: end a flight after N seconds without input")
+      ->check(number_between(1.0, 86400.0))
+      ->needs(locked)
+      ->capture_default_str();
+  command.add_option("--session", exhibit.times.session_s, "with --exhibit: end a flight after N seconds; 0: no limit")
+      ->check(number_between(0.0, 86400.0))
+      ->needs(locked)
+      ->capture_default_str();
+  idle.add("with --exhibit, which starts free flight for each visitor", [&arguments] { return arguments.exhibit; },
+           {"--fly"});
 }
 
 }  // namespace
 
 void add_play_command(CLI::App& app) {
   auto arguments = std::make_shared<PlayArguments>();
-  CLI::App* command = app.add_subcommand("play", "Play a show, or fly freely, in a window");
+  CLI::App* command = app.add_subcommand("play", "Play a show or fly freely in a window");
   command->footer(key_help());
-  command->add_option("show", arguments->show,
-                      "show file (.toml) or the name of a built-in show; without: free flight");
+  command->add_option("show", arguments->show, "show file (.toml) or name of a built-in show (default: free flight)");
   add_set_option(*command, arguments->set);
-  command->add_option("--backend", arguments->backend, "auto, cpu or cuda")
-      ->check(CLI::IsMember({"auto", "cpu", "cuda"}))
-      ->capture_default_str();
-  command->add_option("--objects", arguments->objects, "how objects are drawn: polygon or trace; else as the show says")
-      ->check(CLI::IsMember(object_method_names()));
-  command
-      ->add_option("--projection", arguments->projection,
-                   "dome, equirect, cube, cylinder or pinhole, instead of the show's")
-      ->check(CLI::IsMember(projection_names()));
-  command->add_option("--stereo", arguments->stereo, "stereo layout, instead of the show's")
-      ->check(CLI::IsMember(stereo_names()));
-  command
-      ->add_option("--tilt", arguments->tilt_deg,
-                   "tilt of the dome's picture [deg], instead of the show's and the setup's")
-      ->check(number_between(limits_of("view.tilt_deg").least, limits_of("view.tilt_deg").greatest));
-  command->add_option("--baseline", arguments->baseline, "distance of the eyes [M], instead of the show's")
-      ->check(number_between(limits_of("stereo.baseline").least, limits_of("stereo.baseline").greatest));
-  command->add_flag("--tint-eyes", arguments->tint_eyes, "the left eye's picture reddish, the right one's cyan");
-  IdleOptions idle(*command);
-  add_lens_options(*command, arguments->lens, idle);
   const CLI::Option* const size =
       command->add_option("--size", arguments->options.size_px, "width of one eye's image in pixels")
           ->check(CLI::Range(16, 8192))
           ->capture_default_str();
-  add_budget_option(*command, arguments->budget);
-  CLI::Option* const setup =
-      command->add_option("--setup", arguments->setup, "dome setup (.toml): a window for each of its projectors, too");
-  command
-      ->add_flag("--no-control", arguments->options.hide_control,
-                 "with --setup: the projectors' windows alone; keys work in them")
-      ->needs(setup);
   command->add_flag("--full-screen", arguments->options.full_screen, "fill the monitor");
-  command->add_flag("--times", arguments->options.times_shown,
-                    "show the frame time, the lens, the spin and the camera position in the picture (key I)");
-  command->add_flag("--quiet", arguments->options.quiet,
-                    "nothing is said in the picture but what keys ask for (F1, I); the log and the status page say it");
   command->add_flag("--fly", arguments->options.free_flight, "start in free flight");
-  command
-      ->add_option("--for", arguments->options.for_seconds, "end by itself this many seconds after the first picture")
+  command->add_option("--for", arguments->options.for_seconds, "quit N seconds after the first frame")
       ->check(number_between(0.0, 1e9));
-  command->add_option("--language", arguments->options.language, "of captions and narration, by its tag (en, de)");
-  command->add_option("--record", arguments->options.record, "write the flight to this show file (.toml)");
-  command->add_option("--controls", arguments->options.controls, "a map of keys, mouse and pads (.toml)");
-  command->add_option("--write-controls", arguments->new_controls, "write the map of controls to this file, and end");
-  command->add_option("--pad-settings", arguments->options.pad_settings, "settings of pads, made by ergodome pad");
-  command->add_option("--pad-fixture", arguments->options.pad_fixture,
-                      "play recorded pads in place of those that are plugged in");
-  command
-      ->add_option("--clock", arguments->options.services.clock,
-                   "what the show's time follows: own, mtc (MIDI time code), mtc:PORT, osc")
-      ->check([](const std::string& word) {
-        const bool known = word == "own" || word == "osc" || word == "mtc" || word.rfind("mtc:", 0) == 0;
-        return known ? std::string() : "is none of own, mtc, mtc:PORT, osc";
-      })
+  command->add_option("--language", arguments->options.language, "language of captions and narration, as en or de")
+      ->type_name("TAG");
+  command->add_option("--record", arguments->options.record, "write the flight to this show file (.toml)")
+      ->type_name("FILE");
+  command->add_option("--screenshot", arguments->options.screenshot, "save the last picture of the window to this PNG")
+      ->type_name("FILE");
+  IdleOptions idle(*command);
+  add_picture_options(*command, *arguments);
+  add_dome_options(*command, *arguments, idle);
+  command->option_defaults()->group("Computation");
+  command->add_option("--backend", arguments->backend, "where to compute: auto (GPU if available), cpu or cuda")
+      ->check(CLI::IsMember({"auto", "cpu", "cuda"}))
       ->capture_default_str();
-  command
-      ->add_option("--clock-start", arguments->options.services.clock_start,
-                   "with --clock mtc: the time code at which the show begins")
-      ->check([](const std::string& text) {
-        const bool known = parse_time_code(text, CodeRate::fps30).has_value();
-        return known ? std::string()
-                     : text + " is no time code; write hours, minutes, seconds and frames, as in 01:00:00:00";
-      })
-      ->capture_default_str();
-  CLI::Option* const no_sound = command->add_flag("!--no-sound", arguments->options.services.sound, "play no sound");
-  command
-      ->add_option("--sound-later", arguments->options.services.sound_later_s,
-                   "seconds by which sound is heard later, for displays that take their time")
-      ->check(number_between(-1.0, 1.0))
-      ->excludes(no_sound);
+  add_lens_options(*command, arguments->lens, idle);
+  add_budget_option(*command, arguments->budget);
+  add_control_options(*command, *arguments);
+  add_clock_and_sound_options(*command, *arguments, idle);
+  command->option_defaults()->group("Remote control");
   add_remote_options(*command, arguments->options.services.remote);
-  CLI::Option* const locked =
-      command->add_flag("--exhibit", arguments->exhibit,
-                        "full screen, locked: an attract show until somebody touches something, then free flight");
-  ExhibitOptions& exhibit = arguments->exhibit_options;
-  command
-      ->add_option("--attract", exhibit.attract,
-                   "with --exhibit: the show that runs by itself; without: attract, or on domes once-around")
-      ->needs(locked);
-  command->add_option("--idle", exhibit.times.idle_s, "with --exhibit: seconds without a touch that end a flight")
-      ->check(number_between(1.0, 86400.0))
-      ->needs(locked)
-      ->capture_default_str();
-  command
-      ->add_option("--session", exhibit.times.session_s,
-                   "with --exhibit: seconds after which a flight ends; 0: no limit")
-      ->check(number_between(0.0, 86400.0))
-      ->needs(locked)
-      ->capture_default_str();
-  command->add_option("--screenshot", arguments->options.screenshot, "write what the window showed last to this PNG");
-  idle.add("without --clock mtc", [arguments] { return !arguments->options.services.clock.starts_with("mtc"); },
-           {"--clock-start"});
-  idle.add("with --exhibit, which flies when a visitor comes", [arguments] { return arguments->exhibit; }, {"--fly"});
-  idle.add("of projectors' pictures, whose domemasters the setup tells",
-           [arguments] { return !arguments->setup.empty() && arguments->projection != "dome"; }, {"--projection"});
+  add_exhibit_options(*command, *arguments, idle);
   command->callback([arguments, size, idle] {
     idle.refuse();
     require_osc_port(arguments->options.services);

@@ -26,7 +26,7 @@ class ScratchFolder {
   ScratchFolder() {
     std::string name = (fs::temp_directory_path() / "ergodome-plan-XXXXXX").string();
     if (::mkdtemp(name.data()) == nullptr) {
-      throw Error(name, "cannot be made", "free some space there, or name another folder with TMPDIR");
+      throw Error(name, "cannot be created", "free some space there, or set TMPDIR to another folder");
     }
     path_ = name;
   }
@@ -126,8 +126,8 @@ std::string room_note(const std::string& folder, const std::string& what, std::u
   if (needed_bytes <= left_bytes) {
     return "";
   }
-  return fmt::format("{}: {} needs about {}, and its disk has {} free; free some, or choose another --out", folder,
-                     what, size_text(needed_bytes), size_text(left_bytes));
+  return fmt::format("{}: {} needs about {}, but its disk has only {} free; free some space or choose another --out",
+                     folder, what, size_text(needed_bytes), size_text(left_bytes));
 }
 
 std::uintmax_t free_bytes(const fs::path& folder) {

@@ -6,8 +6,13 @@ namespace ergodome {
 
 std::string line_of(const NarrowedEyes& eyes, const std::string& language) {
   return language == "de"
-             ? fmt::format("Augen {:.3g} M auseinander passen hier nicht: Sie stehen so weit, wie es geht.", eyes.asked)
-             : fmt::format("Eyes {:.3g} M apart do not fit here: they stand as far apart as they can.", eyes.asked);
+             ? fmt::format(
+                   "Der Augenabstand von {:.3g} M ist hier nicht möglich; er wurde auf den größten möglichen Wert "
+                   "verringert.",
+                   eyes.asked)
+             : fmt::format(
+                   "The baseline of {:.3g} M is not possible here; it was reduced to the largest possible value.",
+                   eyes.asked);
 }
 
 std::string note_of(const Show& show, double time_s, const NarrowedEyes& eyes, const std::optional<double>& chosen) {

@@ -57,7 +57,7 @@ auto read_or_usual(bool exhibit, std::vector<std::string>& damage, const Load& l
     if (!exhibit) {
       throw;
     }
-    damage.push_back(fmt::format("{}; until then the usual ones hold", problem.what()));
+    damage.push_back(fmt::format("{}; the defaults apply until then", problem.what()));
     return {};
   }
 }
@@ -105,7 +105,8 @@ Player::Player(const Show& show, const RendererLoader::Make& make, const PlayOpt
   renderers_.enter(ExhibitScene::attract, first);
   begin(first, options_.free_flight && !exhibit_);
   if (first.stereo.layout == StereoLayout::quad_buffer && screen_.window().buffers() == WindowBuffers::plain) {
-    services_.tell(spdlog::level::warn, "this driver has no buffers for each eye; the eyes are side by side");
+    services_.tell(spdlog::level::warn,
+                   "the graphics driver does not support quad-buffer stereo; the eyes are shown side by side");
   }
   pads_.start();
   if (exhibit_) {
@@ -209,7 +210,7 @@ void Player::answer_requests() {
   for (const KeyAction request : session_->take_requests()) {
     switch (request) {
       case KeyAction::quit:
-        end("a key asked for it");
+        end("a key was pressed to quit");
         break;
       case KeyAction::full_screen:
         screen_.window().toggle_full_screen();
@@ -335,7 +336,7 @@ void Player::keep_recording(RecordingMoment moment) {
     services_.tell(spdlog::level::err, problem);
     recording_problem_ = problem;
   } else if (written && !recording_problem_.empty()) {
-    services_.tell(spdlog::level::info, "flights are recorded again");
+    services_.tell(spdlog::level::info, "recording of flights works again");
     recording_problem_.clear();
   }
 }
@@ -343,7 +344,7 @@ void Player::keep_recording(RecordingMoment moment) {
 void Player::end_in_time() {
   if (options_.for_seconds && first_answer_ &&
       std::chrono::duration<double>(Clock::now() - *first_answer_).count() >= *options_.for_seconds) {
-    end(fmt::format("the {:g} s of --for are over", *options_.for_seconds));
+    end(fmt::format("the time limit of --for ({:g} s) was reached", *options_.for_seconds));
   }
 }
 

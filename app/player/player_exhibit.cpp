@@ -14,7 +14,7 @@ void Player::advance_exhibit(PlayerInput& input) {
   }
   const bool another = exhibit_->advance(session_->now_s(), inputs_.touched(), inputs_.chord_held());
   if (exhibit_->left()) {
-    end("an operator held the keys or buttons for it");
+    end("an operator ended it with keys or buttons");
   }
   if (exhibit_->scene() == ExhibitScene::attract) {
     input.actions.clear();  // the show is nobody's to change
@@ -25,7 +25,7 @@ void Player::advance_exhibit(PlayerInput& input) {
   services_.log_changes(operator_log_.take(session_->now_s()));
   if (exhibit_->take_return()) {
     input.actions.push_back(KeyAction::reset);
-    services_.tell(spdlog::level::info, "nothing but black was in view: the camera is back at the start");
+    services_.tell(spdlog::level::info, "the view was completely black; the camera was reset to the start");
   }
   if (std::erase(input.actions, KeyAction::reset) > 0) {
     const std::vector<TransportCommand> reset = exhibit_->reset_commands();
@@ -73,7 +73,7 @@ void Player::change_scene() {
   renderers_.enter(exhibit_->scene(), exhibit_->show());
   begin(exhibit_->show(), visitor);
   scene_began_s_ = session_->now_s();
-  services_.tell(spdlog::level::info, visitor ? "a visitor has come" : "the attract show");
+  services_.tell(spdlog::level::info, visitor ? "a visitor arrived: free flight starts" : "the attract show starts");
 }
 
 void Player::keep_settings(PlayerStatus& status) {
@@ -82,7 +82,7 @@ void Player::keep_settings(PlayerStatus& status) {
   const std::string& now = exhibit_->problem();
   if (now != before) {
     const bool kept = now.empty();
-    services_.tell(kept ? spdlog::level::info : spdlog::level::err, kept ? "settings are kept again" : now);
+    services_.tell(kept ? spdlog::level::info : spdlog::level::err, kept ? "settings are saved again" : now);
   }
   if (status.problem.empty()) {
     status.problem = now;
@@ -90,13 +90,13 @@ void Player::keep_settings(PlayerStatus& status) {
 }
 
 std::string Player::start_text() const {
-  return fmt::format("an exhibit begins: ergodome {}, {}, {}, {}", ERGODOME_VERSION, exhibit_->shows_text(),
+  return fmt::format("exhibit started: ergodome {}, {}, {}, {}", ERGODOME_VERSION, exhibit_->shows_text(),
                      renderers_.backend(), services_.remote_text());
 }
 
 std::string Player::end_text() const {
-  const std::string closed = why_ended_.empty() ? "its window was closed" : why_ended_;
-  return "the exhibit ends: " + (interrupted() ? "a signal asked for it" : closed);
+  const std::string closed = why_ended_.empty() ? "the window was closed" : why_ended_;
+  return "exhibit ended: " + (interrupted() ? "a signal was received" : closed);
 }
 
 }  // namespace ergodome

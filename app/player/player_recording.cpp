@@ -57,7 +57,7 @@ void PlayerSession::end_record_in(const Show& scene) {
 void PlayerSession::tell_record_ends(const Show& scene) {
   ended_record_scene_ = scene;
   say(playback_.language() == "de" ? "Die Aufzeichnung endet mit dem Fall durch den Horizont."
-                                   : "The record ends with the fall through the horizon.");
+                                   : "The recording ends with the fall through the horizon.");
 }
 
 Show PlayerSession::scene_now() const {

@@ -121,7 +121,7 @@ void PlayerServices::look_at_waiting_shows() {
     return;
   }
   if (waiting->problem.empty()) {
-    tell(spdlog::level::info, waiting->file + " was saved; it is read again when its scene comes");
+    tell(spdlog::level::info, waiting->file + " was saved; it will be reloaded when its scene starts");
   } else {
     tell(spdlog::level::err, waiting->problem);
   }

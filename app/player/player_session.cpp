@@ -234,8 +234,9 @@ void PlayerSession::adjust_stereo(KeyAction action) {
 void PlayerSession::tell_of_replaced_eyes() {
   const bool replaced = eye_count(stereo_) > 1 && stereo_now().model != chosen_stereo().model;
   if (replaced && !told_of_replaced_eyes_) {
-    say(playback_.language() == "de" ? "Augen des Modells flat sehen in keinem Fall durch den Horizont: physical"
-                                     : "Eyes of the model flat see nothing in a fall through the horizon: physical");
+    say(playback_.language() == "de"
+            ? "Das Stereomodell flat ist beim Fall durch den Horizont nicht möglich; verwendet wird physical."
+            : "Stereo model flat is not possible in a fall through the horizon; using physical.");
   }
   told_of_replaced_eyes_ = replaced;
 }

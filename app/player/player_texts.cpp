@@ -14,9 +14,9 @@ std::string times_text(const PictureReport& report, const StereoSettings& stereo
   if (eye_count(stereo) > 1) {
     text += fmt::format("\n{}", disparity_caption(stereo, report.disparity, language));
     if (report.narrowed) {
-      text += fmt::format(fmt::runtime(language == "de" ? "\nweiter als {:.4g} M auseinander passt hier nicht"
-                                                        : "\nmore than {:.4g} M apart does not fit here"),
-                          report.narrowed->baseline);
+      text += fmt::format(
+          fmt::runtime(language == "de" ? "\nBasis hier auf {:.4g} M begrenzt" : "\nbaseline limited to {:.4g} M here"),
+          report.narrowed->baseline);
     }
   }
   return text;

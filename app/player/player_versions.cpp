@@ -25,7 +25,7 @@ void Player::take_version(const Show& show) {
   if (exhibit_) {
     exhibit_->renew(show);
   }
-  services_.tell(spdlog::level::info, fmt::format("{} was read again", show.name));
+  services_.tell(spdlog::level::info, fmt::format("{} was reloaded", show.name));
 }
 
 void Player::refuse_version(const std::string& problem) {

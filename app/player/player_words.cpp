@@ -10,7 +10,7 @@
 #include "content/files/counted.h"
 #include "render/passes/overlay/camera_readout.h"
 
-// What a player says: on the screen, to whoever asks for its status, and at its end.
+// Texts of the player: on the screen, in its status, and on the terminal when it ends.
 namespace ergodome {
 
 bool Player::add_words(PictureRequest& wish) {
@@ -99,7 +99,7 @@ void Player::post_status() {
 
 void Player::print_statistics() const {
   if (pictures_.report().pictures > 0) {
-    print_out("{} after the first in {:.1f} s\n", counted(pictures_.report().pictures - 1, "picture"),
+    print_out("{} in {:.1f} s after the first\n", counted(pictures_.report().pictures - 1, "frame"),
               std::chrono::duration<double>(Clock::now() - *first_answer_).count());
     if (budget_) {
       print_out("{}\n", budget_->summary_text());

@@ -108,8 +108,8 @@ std::string disparity_caption(const StereoSettings& stereo, const std::optional<
   // One degree is the stereographers' rule of thumb (Lambooij, IJsselsteijn, Fortuin & Heynderickx, Journal of Imaging Science and Technology
   // 53 (2009) 030201), after Percival's zone of comfort.
   if (disparity->range_deg() > stereo.comfort_deg) {
-    caption += fmt::format("\n{} {:.4g}{}", german ? "unbequem: um mehr als" : "uncomfortable: more than",
-                           stereo.comfort_deg, german ? "° auseinander" : " deg apart");
+    caption += fmt::format("\n{} {:.4g}{}", german ? "unbequem: Disparität über" : "uncomfortable: disparity exceeds",
+                           stereo.comfort_deg, german ? "°" : " deg");
   }
   return caption;
 }

@@ -93,10 +93,10 @@ void tell_lit_parts(const std::vector<ProjectorPicture>& pictures) {
     print_out("{}: {} x {} nodes, {:.1f} % of the dome\n", picture.name, picture.warp.columns, picture.warp.rows,
               100.0 * lit[i]);
     if (lit[i] < 0.005) {
-      print_note("{} lights next to nothing of the dome: check position_m, yaw_deg and pitch_deg", picture.name);
+      print_note("{} lights almost none of the dome; check position_m, yaw_deg and pitch_deg", picture.name);
     }
   }
-  print_out("{:.1f} % of the dome is lit by none\n", 100.0 * lit.back());
+  print_out("{:.1f} % of the dome is lit by no projector\n", 100.0 * lit.back());
 }
 
 std::vector<ComputedProjector> compute(const CalibrateOptions& options, const DomeSetup& setup) {
@@ -202,7 +202,7 @@ void run(const CalibrateOptions& options) {
     return;
   }
   if (options.out.empty()) {
-    throw UsageError("calibrate", "needs --out DIR, or --live", "name a folder for warps and masks");
+    throw UsageError("calibrate", "has nothing to do", "add --out DIR for warps and masks, or --live");
   }
   end_on_interrupts();
   const DomeSetup setup = read_dome_setup(options.setup);
@@ -214,44 +214,47 @@ void run(const CalibrateOptions& options) {
 
 void add_calibrate_command(CLI::App& app) {
   auto* command =
-      app.add_subcommand("calibrate", "Compute warps and blend masks of a dome's projectors from where they stand");
+      app.add_subcommand("calibrate", "Compute warps and blend masks of a dome's projectors from their positions");
   auto options = std::make_shared<CalibrateOptions>();
-  command->add_option("setup", options->setup, "dome setup (.toml) with a lens for each projector")->required();
-  CLI::Option* const out = command->add_option(
-      "--out", options->out, "folder for warps (Bourke's meshes), masks (PNG), and a setup that names them");
+  command->add_option("setup", options->setup, "dome setup (.toml) that gives each projector's lens")->required();
+  CLI::Option* const out = command
+                               ->add_option("--out", options->out,
+                                            "folder for warps (Bourke meshes), masks (PNG) and a setup that uses them")
+                               ->type_name("DIR");
   CLI::Option* const mpcdi =
-      command->add_option("--mpcdi", options->mpcdi, "write the same as an MPCDI calibration, too");
+      command->add_option("--mpcdi", options->mpcdi, "also write the calibration as MPCDI")->type_name("FILE");
   const CLI::Option* const size = command->add_option("--size", options->master_px, "width of the domemaster in pixels")
                                       ->check(CLI::Range(64, 16'384));
   CLI::Option* const tolerance =
-      command->add_option("--tolerance", options->tolerance_px, "pixels of the domemaster that a warp may be off by")
+      command->add_option("--tolerance", options->tolerance_px, "accepted error of a warp in pixels of the domemaster")
           ->check(number_between(0.01, 10.0))
           ->capture_default_str();
   CLI::Option* const softness =
-      command->add_option("--softness", options->blend.softness, "of seams: 1 linear, 2 or more without kinks")
+      command->add_option("--softness", options->blend.softness, "how blends fall off: 1 linearly, 2 or more smoothly")
           ->check(number_between(0.5, 8.0))
           ->capture_default_str();
   CLI::Option* const evenness = command
                                     ->add_option("--evenness", options->blend.evenness,
-                                                 "1 evens out what is spread over more of the dome, 0 leaves it")
+                                                 "compensation of brightness across the dome: 0 none, 1 full")
                                     ->check(number_between(0.0, 1.0))
                                     ->capture_default_str();
-  CLI::Option* const live = command->add_flag(
-      "--live", options->live,
-      "show test patterns on the projectors and adjust the setup by keys, instead of computing warps");
-  command->add_flag("--no-control", options->shown.hide_control, "with --live: the projectors' windows alone")
+  CLI::Option* const live =
+      command->add_flag("--live", options->live,
+                        "show test patterns on the projectors and adjust the setup with keys; computes no warps");
+  command->add_flag("--no-control", options->shown.hide_control, "with --live: open only the projectors' windows")
       ->needs(live);
-  command->add_option("--for", options->shown.for_seconds, "with --live: end by itself after this many seconds")
+  command->add_option("--for", options->shown.for_seconds, "with --live: quit after this many seconds")
       ->check(number_between(0.0, 1e9))
       ->needs(live);
   command
       ->add_option("--screenshot", options->shown.screenshot,
-                   "with --live: write what the windows showed last as FILE_PROJECTOR.png for FILE.png")
+                   "with --live: save the last picture of each window; FILE.png becomes FILE_PROJECTOR.png")
+      ->type_name("FILE")
       ->needs(live);
   for (CLI::Option* const computing : {out, mpcdi, tolerance, softness, evenness}) {
     live->excludes(computing);
   }
-  command->footer("Keys of --live:\n" + calibration_key_lines("  "));
+  command->footer("Keys with --live:\n" + calibration_key_lines("  "));
   command->callback([options, size] {
     options->size_given = size->count() > 0;
     run(*options);

@@ -43,8 +43,8 @@ CalibrationWindow::CalibrationWindow(const LiveOptions& options)
   try {
     require_writable(options_.setup);
   } catch (const Error& problem) {
-    // Patterns can be looked at all the same; who adjusts is to know beforehand.
-    message_ = std::string("cannot be saved: ") + problem.what();
+    // Patterns are still usable, but the operator has to know in advance.
+    message_ = std::string("cannot save: ") + problem.what();
     tell_refusal(problem.what());
   }
   renew_master();
@@ -120,9 +120,10 @@ void CalibrationWindow::save() {
     state_.note_saved(save_calibration(options_.setup, pictures_.without_outdated(setup), state_.offsets(),
                                        pictures_.outdated(setup)));
     message_ = "saved to " + options_.setup;
-    message_ += behind ? "; patterns follow the new tilt, and warps in files that were not computed from lenses and "
-                         "places\nare those of the old one: run again what has made them"
-                       : "";
+    message_ +=
+        behind ? "; patterns use the new tilt, but some warp files still contain the old one:\nrecompute them with the "
+                 "program that made them"
+               : "";
     // What is shown from now on is what the files hold.
     pictures_ = DomePictures(state_.setup());
     for (std::size_t i = 0; i < pictures_.pictures().size(); ++i) {
@@ -132,7 +133,7 @@ void CalibrationWindow::save() {
     print_out("{}\n", message_);
   } catch (const Error& problem) {
     // What was adjusted is still there, and can be saved once the reason is gone.
-    message_ = std::string("cannot be saved: ") + problem.what();
+    message_ = std::string("cannot save: ") + problem.what();
     tell_refusal(problem.what());
   }
   renew_text();
@@ -140,7 +141,7 @@ void CalibrationWindow::save() {
 
 void CalibrationWindow::tell_refusal(const std::string& problem) {
   if (std::exchange(told_refusal_, problem) != problem) {
-    print_note("cannot be saved: {}", problem);
+    print_note("cannot save: {}", problem);
   }
 }
 
@@ -167,7 +168,7 @@ bool CalibrationWindow::refine() {
 std::string CalibrationWindow::pattern_name() const {
   const auto& names = test_pattern_names();
   const auto pattern = static_cast<std::size_t>(state_.pattern());
-  return pattern < names.size() ? names[pattern] : "numbers of the projectors";
+  return pattern < names.size() ? names[pattern] : "projector numbers";
 }
 
 void CalibrationWindow::renew_master() {

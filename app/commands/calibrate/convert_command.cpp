@@ -83,7 +83,7 @@ void convert_setup(const ConvertOptions& options, const DomeSetup& setup) {
     const bool not_level = setup.tilt_deg != 0.0 && setup.rotation_deg != 0.0;
     print_out(
         "written to {}{}\n", write_projector_folder(to, name, setup, projector_pictures(setup)).string(),
-        not_level ? "; its meshes have rotation_deg in them: test patterns are level with the old setup alone" : "");
+        not_level ? "; its meshes include rotation_deg, so test patterns are level only with the original setup" : "");
     return;
   }
   const auto now = fmt::gmtime(std::time(nullptr));
@@ -97,7 +97,7 @@ void convert_mpcdi(const ConvertOptions& options) {
   const std::filesystem::path from = options.from;
   const Mpcdi mpcdi = read_mpcdi(from);
   for (const std::string& what : mpcdi.left_out) {
-    print_note("{}: passed over {}", from.string(), what);
+    print_note("{}: skipped {}", from.string(), what);
   }
   const std::filesystem::path folder = kind_of(to) == FileKind::folder ? from.parent_path() : to.parent_path();
   const std::filesystem::path beside = folder.empty() ? "." : folder;
@@ -109,13 +109,13 @@ void convert_mpcdi(const ConvertOptions& options) {
   write_dome_setup(to, setup);
   const bool flat = mpcdi.profile == MpcdiProfile::media_2d;
   print_out(
-      "written to {}; MPCDI tells neither the dome's radius, taken as {:g} m, nor the viewer's place, nor how the dome "
-      "leans: {}\n",
+      "written to {}; MPCDI does not contain the dome's radius (assumed: {:g} m), the viewer's position or the dome's "
+      "tilt: {}\n",
       to.string(), options.radius_m,
-      flat ? "shows are right without, and test patterns are level once tilt_deg is written (rotation_deg is in the "
-             "warps)"
-           : "places are taken to be in its own axes, where shows are right with tilt_deg and rotation_deg 0, and test "
-             "patterns are level in a dome that does not lean; write tilt_deg where they have y straight up");
+      flat ? "shows are correct without them; set tilt_deg to make test patterns level (the warps include "
+             "rotation_deg)"
+           : "positions are read in the dome's axes, so shows are correct with tilt_deg and rotation_deg 0, and test "
+             "patterns are level only in a dome without tilt; set tilt_deg if the positions have y straight up");
 }
 
 //! Columns and rows of the map that a mesh becomes.
@@ -145,8 +145,8 @@ void tell_lost_intensities(const ConvertOptions& options, const WarpMesh& mesh) 
   }
   if (least < 1.0F || most > 1.0F) {
     print_note(
-        "{}: a .pfm holds no intensities, and {} has some from {:.3g} to {:.3g}; who needs them names "
-        "{} as a warp in a setup, and makes MPCDI or a folder of that",
+        "{}: a .pfm file stores no intensities, but {} contains some from {:.3g} to {:.3g}; to keep them, use "
+        "{} as a warp in a dome setup and convert that to MPCDI or a folder",
         options.to, options.from, least, most, options.from);
   }
 }
@@ -157,11 +157,12 @@ void write_map(const ConvertOptions& options, const WarpMesh& mesh) {
   const FloatMap map = map_from_warp(mesh, columns, rows, TextureDirection::downwards);
   write_text_atomically(options.to, to_float_map_file(map, RowOrder::bottom_up));
   const bool chosen = options.size == own_size && mesh.topology != MeshTopology::rectangular;
-  print_out("written to {}{}\n", options.to,
-            chosen ? fmt::format(
-                         ", with {} x {} samples, as {} mesh has no columns and rows of a raster; --size takes others",
-                         columns, rows, mesh.topology == MeshTopology::polar ? "a polar" : "this")
-                   : "");
+  print_out(
+      "written to {}{}\n", options.to,
+      chosen
+          ? fmt::format(", with {} x {} samples, because {} mesh has no raster of its own; --size chooses another size",
+                        columns, rows, mesh.topology == MeshTopology::polar ? "a polar" : "this")
+          : "");
   tell_lost_intensities(options, mesh);
 }
 
@@ -169,8 +170,7 @@ FloatMap read_map(const std::filesystem::path& file) {
   FloatMap map = read_float_map(file, RowOrder::bottom_up);
   const std::size_t samples = map.samples.size() / 3;
   if (const std::size_t unknown = samples - known_samples(map); unknown > 0) {
-    print_note("{}: {} of {} samples are unknown (not finite); nothing is drawn there", file.string(), unknown,
-               samples);
+    print_note("{}: {} of {} samples are not finite; nothing is drawn there", file.string(), unknown, samples);
   }
   return map;
 }
@@ -185,9 +185,8 @@ WarpMesh read_foreign(const std::filesystem::path& file) {
     return std::move(warp.mesh);
   }
   print_note(
-      "{}: shows a picture at {}; the mesh shows a domemaster in a dome that does not lean: for one that does, name "
-      "the "
-      "file in a setup with tilt_deg, and make a folder of that",
+      "{}: is for a view at {}; the converted mesh is for a domemaster in a dome without tilt; for a tilted dome, use "
+      "the file as a warp in a setup with tilt_deg and convert that to a folder",
       file.string(), words_of(*warp.view));
   return through_lens(0.0, warp.mesh, warp.view->orientation, warp.view->frustum);
 }
@@ -227,16 +226,17 @@ void run(const ConvertOptions& options) {
   if ((is_mesh(from) || from == FileKind::foreign) && is_mesh(to)) {
     return convert_mesh(options);
   }
-  throw UsageError("convert", fmt::format("cannot make \"{}\" of \"{}\"", options.to, options.from),
-                   "a setup (.toml) becomes .mpcdi or a folder, MPCDI (.mpcdi, .xml) a setup or a folder, "
-                   "a warp (.data, .pfm, .csv, .obj, .sgc, .ol, .simcad, .txt) a .data or .pfm mesh");
+  throw UsageError("convert", fmt::format("cannot make \"{}\" from \"{}\"", options.to, options.from),
+                   "convert a setup (.toml) to .mpcdi or a folder, MPCDI (.mpcdi, .xml) to a setup or a folder, "
+                   "or a warp (.data, .pfm, .csv, .obj, .sgc, .ol, .simcad, .txt) to .data or .pfm");
 }
 
 }  // namespace
 
 void add_convert_command(CLI::App& app) {
   auto options = std::make_shared<ConvertOptions>();
-  auto* command = app.add_subcommand("convert", "Convert dome setups, MPCDI calibrations and warp meshes");
+  auto* command =
+      app.add_subcommand("convert", "Convert dome setups, MPCDI calibrations and warp meshes to each other");
   command
       ->add_option(
           "from", options->from,
@@ -244,31 +244,31 @@ void add_convert_command(CLI::App& app) {
       ->required();
   command
       ->add_option("to", options->to,
-                   "of a setup: .mpcdi, or a folder for Bourke's meshes and masks; of MPCDI: a setup or such a folder; "
-                   "of a warp: .data or .pfm")
+                   "from a setup: .mpcdi, or a folder for Bourke meshes and masks; from MPCDI: a setup or such a "
+                   "folder; from a warp: .data or .pfm")
       ->required();
-  command->add_option("--radius", options->radius_m, "the dome's [m], which MPCDI does not tell")
+  command->add_option("--radius", options->radius_m, "radius of the dome [m], which MPCDI does not contain")
       ->check(number_between(0.1, 1000.0))
       ->capture_default_str();
-  command->add_option("--aspect", options->aspect, "width over height of the raster that a .data mesh is for")
+  command->add_option("--aspect", options->aspect, "width over height of the raster of a .data mesh")
       ->check(number_between(0.01, 100.0))
       ->capture_default_str();
   command
       ->add_option("--size", options->size,
                    "columns and rows of a .pfm (default: the mesh's own; for polar meshes and triangles, 720 on the "
-                   "raster's shorter side)")
+                   "shorter side)")
       ->delimiter('x')
       ->check(CLI::Range(2, 16384))
       ->type_name("WxH");
   IdleOptions idle(*command);
-  idle.add("of what is not MPCDI", [options] { return kind_of_source(options->from) != FileKind::mpcdi; },
+  idle.add("unless FROM is an MPCDI file", [options] { return kind_of_source(options->from) != FileKind::mpcdi; },
            {"--radius"});
-  idle.add("where neither file is a .data mesh",
+  idle.add("unless FROM or TO is a .data mesh",
            [options] {
              return kind_of_source(options->from) != FileKind::bourke && kind_of(options->to) != FileKind::bourke;
            },
            {"--aspect"});
-  idle.add("where no .pfm is written", [options] { return kind_of(options->to) != FileKind::map; }, {"--size"});
+  idle.add("unless TO is a .pfm file", [options] { return kind_of(options->to) != FileKind::map; }, {"--size"});
   command->callback([options, idle] {
     idle.refuse();
     run(*options);

@@ -32,7 +32,7 @@ struct Quantity {
 constexpr Quantity quantities[] = {
     {"tilt of the dome", " deg", 0.5},
     {"rotation of the picture", " deg", 0.5},
-    {"viewer", " m", 0.1},
+    {"viewer position", " m", 0.1},
     {"point", " px", 5.0},
     {"gamma", "", 0.05},
     {"black level", "", 0.002},
@@ -353,7 +353,7 @@ std::string LiveCalibration::text() const {
   const Quantity& quantity = quantity_of(adjustable_);
   return fmt::format("projector {} of {}: {}\n{}: {}\nstep {:g}{}{}", projector_ + 1, setup_.projectors.size(),
                      setup_.projectors[projector_].name, name(), value(), step(), quantity.unit,
-                     unsaved() ? "   not saved yet" : "");
+                     unsaved() ? "   not saved" : "");
 }
 
 }  // namespace ergodome

@@ -25,7 +25,7 @@ void add_observer(const Show& show, bool moves_as_told, const EyeCamera& eye, st
   facts.push_back({"observer", "OBSERVER",
                    std::string(moves_as_told ? "velocity" : observers[static_cast<int>(show.camera.motion)]),
                    "motion of the camera"});
-  facts.push_back({"velocity_frame", "VELFRAME", std::string(in_rain ? "rain" : "zamo"), "frame of its velocity"});
+  facts.push_back({"velocity_frame", "VELFRAME", std::string(in_rain ? "rain" : "zamo"), "frame of the velocity"});
   const bool at_rest = eye.motion == ObserverMotion::rain || eye.motion == ObserverMotion::zamo;
   add_vector("velocity", "VEL", "velocity / c", at_rest ? Vector3<double>{} : eye.velocity, facts);
 }
@@ -48,12 +48,12 @@ void add_projection(const Show& show, const Projection& projection, std::vector<
   switch (projection.kind) {
     case ProjectionKind::dome_fisheye:
       facts.push_back(
-          {"fov_deg", "FOV", 2.0 * radian_deg * projection.dome.lens.half_angle, "[deg] across the circle"});
-      facts.push_back({"tilt_deg", "TILT", show.view.tilt_deg, "[deg] of the dome to the front"});
+          {"fov_deg", "FOV", 2.0 * radian_deg * projection.dome.lens.half_angle, "[deg] across the image circle"});
+      facts.push_back({"tilt_deg", "TILT", show.view.tilt_deg, "[deg] tilt of the dome to the front"});
       break;
     case ProjectionKind::pinhole:
-      facts.push_back({"half_width", "HALFWID", projection.pinhole.half_width, "tangent, half the width"});
-      facts.push_back({"half_height", "HALFHGT", projection.pinhole.half_height, "tangent, half the height"});
+      facts.push_back({"half_width", "HALFWID", projection.pinhole.half_width, "tangent of half the horizontal angle"});
+      facts.push_back({"half_height", "HALFHGT", projection.pinhole.half_height, "tangent of half the vertical angle"});
       break;
     case ProjectionKind::cylinder:
       facts.push_back({"fov_deg", "FOV", 2.0 * radian_deg * projection.cylinder.half_azimuth, "[deg] of azimuth"});
@@ -72,8 +72,8 @@ std::vector<ChannelFact> channel_facts(const Show& show, int frame, const Channe
   std::vector<ChannelFact> facts = {
       {"version", "CREATOR", std::string("Ergodome " ERGODOME_VERSION), "program"},
       {"show", "OBJECT", text_in(show.title, ""), "title of the show"},
-      {"frame", "FRAME", frame + 1, "number, counted from 1"},
-      {"time_s", "TIME", time_s, "[s] in the show"},
+      {"frame", "FRAME", frame + 1, "frame number, from 1"},
+      {"time_s", "TIME", time_s, "[s] time in the show"},
       {"spin", "SPIN", eye.spin, "a/M of the hole"},
       {"r", "CAM_R", eye.r, "[GM/c**2] Boyer-Lindquist radius"},
       {"theta_deg", "CAM_THET", radian_deg * eye.theta, "[deg] polar angle"},
@@ -88,9 +88,9 @@ std::vector<ChannelFact> channel_facts(const Show& show, int frame, const Channe
   }
   facts.push_back({"spin_axis_ra_deg", "SPIN_RA", show.sky.spin_axis_ra_deg, "[deg] J2000, of the spin axis"});
   facts.push_back({"spin_axis_dec_deg", "SPIN_DEC", show.sky.spin_axis_dec_deg, "[deg] J2000, of the spin axis"});
-  facts.push_back({"method", "METHOD", std::string("taylor, order 20, double"), "how rays are followed"});
-  facts.push_back({"tolerance", "TOLERANC", channel_tolerance, "local error of a step"});
-  facts.push_back({"step_limit", "STEPLIM", channel_step_limit, "steps of a ray at most"});
+  facts.push_back({"method", "METHOD", std::string("taylor, order 20, double"), "ray tracing method"});
+  facts.push_back({"tolerance", "TOLERANC", channel_tolerance, "local error per step"});
+  facts.push_back({"step_limit", "STEPLIM", channel_step_limit, "maximum number of steps of a ray"});
   return facts;
 }
 

@@ -124,7 +124,7 @@ class ChannelWriter {
   [[nodiscard]] std::vector<PixelChannel> channels_at(const ChannelScene& scene, double time_s) {
     PixelChannels traced = trace_channels(scene, traced_, [] { return !interrupted(); });
     if (interrupted()) {
-      throw Error("render", "stopped within a frame", "go on with --resume");
+      throw Error("render", "stopped in the middle of a frame", "continue with --resume");
     }
     unresolved_ += traced.unresolved;
     std::vector<PixelChannel> channels;
@@ -186,23 +186,23 @@ void write_channel_frames(const RenderOptions& options, const Show& show, const 
   ChannelWriter writer(options, show, requests);
   if (options.format == "fits" && !picture_wcs(make_projection(show.view, 1024, 0.0))) {
     tell_on_terminal(
-        "FITS has no projection for these pictures: they get no world coordinates; "
-        "--channels direction holds each pixel's direction");
+        "FITS has no projection for these frames, so they have no world coordinates; "
+        "add --channels direction for each pixel's direction");
   }
   Progress progress("rendering", last - first + 1);
   int there = 0;
   for (int frame = first; frame <= last; ++frame) {
     if (interrupted()) {
       throw Error("render", fmt::format("stopped after {}", counted(frame - first - there, "frame")),
-                  "go on with --resume");
+                  "continue with --resume");
     }
     there += writer.write(frame) ? 1 : 0;
     progress.advance_to(frame - first + 1);
   }
   print_out("{} in {}{}\n", counted(last - first + 1 - there, "frame"), options.out,
-            there > 0 ? fmt::format(", {} {} there", counted(there, "frame"), there == 1 ? "was" : "were") : "");
+            there > 0 ? fmt::format(", {} skipped", counted(there, "frame")) : "");
   if (writer.unresolved() > 0) {
-    print_note("rays of {} did not converge; their numbers are NaN", counted(writer.unresolved(), "pixel"));
+    print_note("rays of {} did not converge; their values are NaN", counted(writer.unresolved(), "pixel"));
   }
 }
 

@@ -44,7 +44,7 @@ std::string problem_of_channels(const std::string& list) {
 CLI::Option* add_format_option(CLI::App& command, RenderOptions& options) {
   return command
       .add_option("--format", options.format,
-                  "png (8 bits), png16, tiff (16 bits) or exr (linear light); of --channels exr (default) or fits")
+                  "png (8 bits), png16, tiff (16 bits) or exr (linear light); with --channels: exr or fits")
       ->check(CLI::IsMember(format_choices()))
       ->capture_default_str();
 }
@@ -52,13 +52,14 @@ CLI::Option* add_format_option(CLI::App& command, RenderOptions& options) {
 void add_channel_option(CLI::App& command, RenderOptions& options) {
   command
       .add_option("--channels", options.channels,
-                  fmt::format("numbers at every pixel instead of pictures, separated by commas: {}",
+                  fmt::format("write these values for each pixel instead of pictures, separated by commas: {}",
                               fmt::join(channel_group_names(), ", ")))
+      ->type_name("LIST")
       ->check(problem_of_channels);
 }
 
 void add_channel_rules(const std::shared_ptr<RenderOptions>& options, IdleOptions& idle) {
-  idle.add("with --channels, which writes numbers of one eye and no pictures",
+  idle.add("with --channels, which writes values of one eye and no pictures",
            [options] { return !options->channels.empty(); },
            {"--view", "--view-range", "--method", "--alpha", "--movie", "--pattern", "--setup", "--budget", "--check",
             "--tint-eyes", "--baseline"});
@@ -72,29 +73,29 @@ void choose_number_format(RenderOptions& options, bool format_is_given) {
     options.format = "exr";
   }
   if (options.channels.empty() && options.format == "fits") {
-    throw UsageError("--format fits", "is for numbers", "add --channels, for instance --channels g,sky");
+    throw UsageError("--format fits", "is only for pixel values", "add --channels, for instance --channels g,sky");
   }
 }
 
 void require_channels(const RenderOptions& options, const Show& show) {
   const std::string option = "--channels " + options.channels;
   if (options.format != "exr" && options.format != "fits") {
-    throw UsageError("--format " + options.format, "holds no floating-point numbers, which --channels writes",
+    throw UsageError("--format " + options.format, "cannot store floating-point values, which --channels writes",
                      "choose --format exr or fits");
   }
   if (options.compression == "dwaa") {
-    throw UsageError("--compression dwaa", "is lossy and would change the numbers of --channels", "choose zip or none");
+    throw UsageError("--compression dwaa", "is lossy and would change the values of --channels", "choose zip or none");
   }
   if (eye_count(show.stereo) > 1) {
-    throw UsageError(option, "writes the numbers of one eye, and the show has two", "add --stereo mono");
+    throw UsageError(option, "writes values of one eye, but the show has two", "add --stereo mono");
   }
   if (has_face_files(show.view)) {
-    throw UsageError(option, "writes one file a frame, and cube_layout = \"faces\" has six",
+    throw UsageError(option, "writes one file per frame, but cube_layout = \"faces\" needs six",
                      "choose another --projection, or cube_layout = \"cross\" in the show");
   }
   const std::vector<ChannelGroup> groups = channel_groups(options.channels);
   if (!show.disk && std::ranges::any_of(groups, is_of_disk)) {
-    throw UsageError(option, show.name + " has no disk", "add a table [disk] to the show, or leave disk out");
+    throw UsageError(option, show.name + " has no disk", "add a [disk] table to the show, or leave out disk");
   }
 }
 

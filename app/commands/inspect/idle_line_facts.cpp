@@ -21,7 +21,7 @@ nlohmann::json facts_of_idle_lines(const Show& show) {
 
 void print_idle_lines(const nlohmann::json& lines) {
   if (!lines.empty()) {
-    print_out("\nlines that change nothing\n");
+    print_out("\nunused keys\n");
   }
   for (const nlohmann::json& idle : lines) {
     const nlohmann::json& line = idle["line"];

@@ -122,13 +122,22 @@ void print_sentences(const char* heading, const nlohmann::json& sentences) {
   }
 }
 
+std::string text_of_value(const nlohmann::json& value) {
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+//! Returns the English one of a show's titles by language, otherwise the first; empty if there is none.
+std::string title_of(const nlohmann::json& titles) {
+  return titles.empty() ? "" : titles.value("en", titles.front().get<std::string>());
+}
+
 void print_facts(const nlohmann::json& facts) {
   for (const auto& [name, value] : facts.items()) {
     // These have lines of their own.
     constexpr std::array apart = {"keys",  "fall",          "grid", "timeline", "idle",
                                   "notes", "narrowed_eyes", "maps", "meshes",   "stars"};
     if (std::ranges::find(apart, name) == apart.end()) {
-      print_out("{:<16}{}\n", name, value.is_string() ? value.get<std::string>() : value.dump());
+      print_out("{:<16}{}\n", name, name == "title" && value.is_object() ? title_of(value) : text_of_value(value));
     }
   }
   if (facts.contains("stars")) {
@@ -153,15 +162,15 @@ void print_facts(const nlohmann::json& facts) {
     print_idle_lines(facts["idle"]);
   }
   if (facts.contains("narrowed_eyes")) {
-    print_out("\neyes closer than asked\n  {}\n", facts["narrowed_eyes"]["note"].get<std::string>());
+    print_out("\nreduced baseline\n  {}\n", facts["narrowed_eyes"]["note"].get<std::string>());
   }
-  print_sentences("not to be seen", facts.value("notes", nlohmann::json::array()));
+  print_sentences("not visible", facts.value("notes", nlohmann::json::array()));
   print_sentences("maps", facts.value("maps", nlohmann::json::array()));
   print_meshes(facts.value("meshes", nlohmann::json::array()));
 }
 
 void print_grid(const nlohmann::json& grid) {
-  print_out("\nlens grid at r = {:.6g} M, theta = {:.4f} deg: {}, {}{}, {} of them{} left to rays\n",
+  print_out("\nlens grid at r = {:.6g} M, theta = {:.4f} deg: {}, {}{}, {} of them{} left to direct rays\n",
             grid["r"].get<double>(), grid["theta_deg"].get<double>(), counted(grid["nodes"].get<int>(), "node"),
             counted(grid["cells"].get<int>(), "cell"), grid["mirrored"].get<bool>() ? " (half the sky, mirrored)" : "",
             grid["left_to_rays"].get<int>(),
@@ -239,7 +248,7 @@ void run_for_trajectory(const InspectOptions& options) {
     throw Error(options.file,
                 fmt::format("{} of {} {} damaged", facts["damaged"].size(),
                             counted(facts["stations"].size(), "station"), facts["damaged"].size() == 1 ? "is" : "are"),
-                "bake the show again; until then they are blended across");
+                "bake the show again; until then, playback interpolates across the damaged ones");
   }
 }
 
@@ -247,10 +256,8 @@ void run_for_trajectory(const InspectOptions& options) {
 void require_usable_files(const std::string& show, const nlohmann::json& facts) {
   const FaultyFiles files = facts.contains("timeline") ? faulty_files(facts["timeline"]) : FaultyFiles{};
   if (files.faulty > 0) {
-    throw Error(show,
-                fmt::format("{} of {} that it names {} of no use", files.faulty, counted(files.all, "file"),
-                            files.faulty == 1 ? "is" : "are"),
-                "the list of what is in it says which and why");
+    throw Error(show, fmt::format("{} of {} cannot be used", files.faulty, counted(files.all, "referenced file")),
+                "see the list above");
   }
 }
 
@@ -301,30 +308,32 @@ void run(const InspectOptions& options) {
 
 void add_inspect_command(CLI::App& app) {
   auto options = std::make_shared<InspectOptions>();
-  CLI::App* command = app.add_subcommand("inspect", "Tell what is in a show, a trajectory, a dome setup or a sky map");
+  CLI::App* command = app.add_subcommand(
+      "inspect", "Print the contents of a show, trajectory, dome setup or sky map, and check its files");
   command
-      ->add_option(
-          "file", options->file,
-          "show (.toml or the name of a built-in one), trajectory, dome setup (.toml), or equirectangular image")
+      ->add_option("file", options->file,
+                   "show (.toml or name of a built-in show), trajectory, dome setup (.toml) or equirectangular image")
       ->required();
   add_set_option(*command, options->set);
-  CLI::Option* const picture = command->add_option(
-      "--picture", options->picture,
-      "draw the lens grid of the show's camera or of a trajectory's station, or a dome's projectors, to this PNG");
-  command->add_option("--time", options->time_s, "with --picture: show time [s]")
+  CLI::Option* const picture =
+      command
+          ->add_option("--picture", options->picture,
+                       "draw to this PNG: the lens grid of a show or trajectory, or the projectors of a dome")
+          ->type_name("FILE");
+  command->add_option("--time", options->time_s, "with --picture: time in the show [s]")
       ->check(show_time())
       ->needs(picture)
       ->capture_default_str();
-  command->add_option("--size", options->size_px, "with --picture: its width in pixels")
+  command->add_option("--size", options->size_px, "with --picture: width of the picture in pixels")
       ->check(CLI::Range(16, 8192))
       ->needs(picture)
       ->capture_default_str();
-  command->add_flag("--json", options->json, "as JSON");
+  command->add_flag("--json", options->json, "print JSON");
   IdleOptions idle(*command);
-  idle.add("of a sky map", [options] { return !is_trajectory(options->file) && is_image(options->file); },
+  idle.add("for a sky map", [options] { return !is_trajectory(options->file) && is_image(options->file); },
            {"--picture", "--set"});
-  idle.add("of a dome setup", [options] { return is_dome_setup(options->file); }, {"--time", "--set"});
-  idle.add("of a trajectory", [options] { return is_trajectory(options->file); }, {"--set"});
+  idle.add("for a dome setup", [options] { return is_dome_setup(options->file); }, {"--time", "--set"});
+  idle.add("for a trajectory", [options] { return is_trajectory(options->file); }, {"--set"});
   command->callback([options, idle] {
     idle.refuse();
     run(*options);

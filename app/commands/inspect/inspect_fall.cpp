@@ -66,9 +66,8 @@ json facts_of_fall(const Show& show) {
 
 void print_fall(const json& facts) {
   print_out(
-      "\nfalls from {:.3f} s to {:.3f} s, at {:.4f} c, through {:.6g} M of its own time: {:.2f} times round the hole, "
-      "down to "
-      "{:.6g} M\n",
+      "\nfree fall from {:.3f} s to {:.3f} s: initial speed {:.4f} c, proper time {:.6g} M, {:.2f} turns around the "
+      "hole, smallest radius {:.6g} M\n",
       facts["t_s"].get<double>(), facts["until_s"].get<double>(), facts["beta"].get<double>(),
       facts["own_time"].get<double>(), facts["rounds"].get<double>(), facts["least_r"].get<double>());
   const auto line = [](double time_s, const json& at, const std::string& what) {
@@ -83,7 +82,7 @@ void print_fall(const json& facts) {
   bool crosses = facts.contains("horizon");
   const auto cross_before = [&](double time_s) {
     if (crosses && crossing_s < time_s) {
-      line(crossing_s, facts["horizon"], "through the horizon; from here speeds are against the rain");
+      line(crossing_s, facts["horizon"], "crosses the horizon; from here on, speeds are relative to the rain frame");
       crosses = false;
     }
   };
@@ -92,14 +91,14 @@ void print_fall(const json& facts) {
     const auto time_s = turn["t_s"].get<double>();
     cross_before(time_s);
     if (++printed > most_turns_printed) {
-      print_out("and {} more\n", counted(facts["turns"].size() - most_turns_printed, "turn"));
+      print_out("and {} more\n", counted(facts["turns"].size() - most_turns_printed, "turning point"));
       break;
     }
     line(time_s, turn, turn["kind"].get<std::string>());
   }
   cross_before(INFINITY);
   if (facts.contains("stop_s")) {
-    line(facts["stop_s"].get<double>(), facts["end"], "time is at rest");
+    line(facts["stop_s"].get<double>(), facts["end"], "the fall stops: its clock is at rest");
   }
 }
 

@@ -22,26 +22,26 @@ struct OtherKind {
   const char* remedy;  //!< {0}: the file's path, {1}: its name
 };
 
-constexpr const char* warp_remedy = "name it in a dome setup, as a projector's warp = \"{1}\", and inspect that";
+constexpr const char* warp_remedy = "use it in a dome setup, as a projector's warp = \"{1}\", and inspect the setup";
 
 const OtherKind other_kinds[] = {
-    {{".mpcdi"}, "is a calibration", "make a setup of it, and inspect that: ergodome convert {0} dome.toml"},
+    {{".mpcdi"}, "is a calibration", "convert it to a dome setup and inspect that: ergodome convert {0} dome.toml"},
     {{".data", ".pfm", ".sgc", ".ol", ".simcad"}, "is a warp mesh", warp_remedy},
     {{".csv", ".tsv", ".txt", ".ecsv", ".gz", ".stars"},
-     "is no show and no map",
-     "look into a catalogue of stars by ergodome catalogue {0}"},
+     "is neither a show nor a sky map",
+     "if it is a star catalogue, run ergodome catalogue {0}"},
     {{".obj"},
      "is a mesh",
-     "name it in a show, as an object's mesh = \"{1}\", or in a dome setup, as a projector's warp = \"{1}\", and "
-     "inspect that"},
-    {{".gltf", ".glb"}, "is a mesh", "name it in a show, as an object's mesh = \"{1}\", and inspect that"},
-    {{".mtl", ".bin"}, "belongs to a mesh", "name that in a show, as an object's mesh, and inspect the show"},
+     "use it in a show, as an object's mesh = \"{1}\", or in a dome setup, as a projector's warp = \"{1}\", and "
+     "inspect that file"},
+    {{".gltf", ".glb"}, "is a mesh", "use it in a show, as an object's mesh = \"{1}\", and inspect the show"},
+    {{".mtl", ".bin"}, "belongs to a mesh", "use the mesh in a show, as an object's mesh, and inspect the show"},
     {{".stl", ".ply", ".fbx", ".blend", ".dae", ".3ds"},
-     "is no kind of mesh that is read",
+     "is a mesh of an unsupported format",
      "export it as a Wavefront OBJ (.obj) or glTF 2 file (.gltf, .glb)"},
     {{".wav", ".flac", ".ogg", ".oga", ".opus", ".mp3"},
-     "is sound",
-     "name it in a show, as file = \"{1}\" of a table [[audio]], and inspect that"}};
+     "is a sound file",
+     "use it in a show, as file = \"{1}\" in an [[audio]] table, and inspect the show"}};
 
 }  // namespace
 

@@ -61,12 +61,12 @@ std::string note_of_shape(const ProjectorSetup& projector, const WarpMesh& mesh)
   const double half_width = read_to * (static_cast<double>(right.x) - static_cast<double>(left.x));
   const bool to_one = std::abs(half_width - 1.0) < static_cast<double>(tolerance);
   return fmt::format(
-      "{}: x in {} runs to {:.3f}, where the raster's sides are at {:.3f}, so {}; {}", projector.name,
+      "{}: x in {} extends to {:.3f}, but the raster's edges are at {:.3f}, so {}; {}", projector.name,
       projector.warp->file, half_width, read_to,
-      half_width < read_to ? "these stay black" : "the mesh goes on beyond them",
-      to_one ? "with x_range = \"one\" it fills the raster"
-             : fmt::format("was it made for a raster of another shape? (ergodome convert {} MESH.pfm --aspect {:.4f} "
-                           "makes a map that fills any)",
+      half_width < read_to ? "the edges stay black" : "the mesh extends beyond them",
+      to_one ? "set x_range = \"one\" to fill the raster"
+             : fmt::format("it may be for a raster of another aspect ratio (ergodome convert {} MESH.pfm --aspect "
+                           "{:.4f} makes a map that fits any raster)",
                            projector.warp->file, half_width));
 }
 
@@ -142,7 +142,7 @@ void print_setup(const nlohmann::json& facts) {
               projector["blend_mask"].get<bool>() ? "yes" : "no", 100.0 * projector["lit_part"].get<double>(),
               projector["warp"].get<std::string>());
   }
-  print_out("{:.1f} % of the dome is lit by none\n", 100.0 * facts["dark_part"].get<double>());
+  print_out("{:.1f} % of the dome is lit by no projector\n", 100.0 * facts["dark_part"].get<double>());
   for (const auto& note : facts["notes"]) {
     print_out("{}\n", note.get<std::string>());
   }

@@ -14,7 +14,7 @@ nlohmann::json inspect_setup(const std::string& file, const std::string& picture
 
 //! What is to be said of a projector that stands outside the dome's sphere, after its name.
 inline constexpr const char* outside_note =
-    " stands outside the dome's sphere: only what of its light comes in below the rim gets to the dome";
+    " is outside the dome's sphere: only light that enters below the rim reaches the dome";
 
 //! Prints those facts for people.
 void print_setup(const nlohmann::json& facts);

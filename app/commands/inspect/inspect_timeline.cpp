@@ -46,7 +46,7 @@ std::string shown(const json& text) { return shown(text.get<LocalText>()); }
 void print_file(const json& facts, const std::string& more) {
   const char* const missing = facts["there"].get<bool>()    ? ""
                               : facts["folder"].get<bool>() ? "  IS A FOLDER, NOT A FILE"
-                                                            : "  NOT THERE";
+                                                            : "  MISSING";
   print_out("  {:<40} {}{}\n", facts["file"].get<std::string>(), more, missing);
   if (!facts["problem"].get<std::string>().empty()) {
     print_out("    CANNOT BE USED: {}\n", facts["problem"].get<std::string>());
@@ -129,7 +129,7 @@ void print_timeline(const json& facts) {
     print_out(
         "  {:<34} {}  {}, {:.6g} to {:.6g}{}\n", one["number"].get<std::string>(), times(one),
         counted(one["keys"].get<int>(), "key"), one["least"].get<double>(), one["greatest"].get<double>(),
-        one["ends_after_end"].get<bool>() && !one["after_end"].get<bool>() ? "  GOES ON AFTER THE END" : late(one));
+        one["ends_after_end"].get<bool>() && !one["after_end"].get<bool>() ? "  CONTINUES AFTER THE END" : late(one));
   });
   each("chapters", [&](const json& one) {
     print_out("  {:>9.3f} s  {}{}\n", one["t_s"].get<double>(), shown(one["title"]), late(one));
@@ -140,10 +140,9 @@ void print_timeline(const json& facts) {
   });
   each("audio", [&](const json& one) {
     const std::string language = one["language"].get<std::string>();
-    print_file(one,
-               fmt::format("from {:>9.3f} s{}{}", one["from_s"].get<double>(), language.empty() ? "" : "  " + language,
-                           one["loop"].get<bool>() ? "  again and again" : "") +
-                   late(one));
+    print_file(one, fmt::format("from {:>9.3f} s{}{}", one["from_s"].get<double>(),
+                                language.empty() ? "" : "  " + language, one["loop"].get<bool>() ? "  looped" : "") +
+                        late(one));
   });
 }
 

@@ -45,7 +45,7 @@ void require_finished_trajectory(const std::filesystem::path& file) {
   part += ".part";
   std::error_code problem;
   if (!std::filesystem::exists(file, problem) && std::filesystem::exists(part, problem)) {
-    throw Error(file.string(), "is not finished", "bake the show again to the same file: it goes on where it stopped");
+    throw Error(file.string(), "is not finished", "bake the show to the same file again to continue");
   }
 }
 
@@ -88,7 +88,7 @@ void print_trajectory(const nlohmann::json& facts) {
   const auto& stations = facts["stations"];
   const bool disk = facts["disk"].get<bool>();
   print_out("{:<16}{}\n\n{:>10} {:>12} {:>12} {:>8} {:>10} {:>14}{}\n", "stations", stations.size(), "t [s]", "r [M]",
-            "theta [deg]", "nodes", "bytes", "blending [px]", disk ? " disk's bytes      its [px]" : "");
+            "theta [deg]", "nodes", "bytes", "blending [px]", disk ? "   disk bytes     disk [px]" : "");
   for (std::size_t i = 0; i < stations.size(); i += std::max<std::size_t>(1, stations.size() / most_lines)) {
     const auto& s = stations[i];
     const bool last = s["gap_error_px"].get<double>() < 0.0;

@@ -53,7 +53,7 @@ MeshFacts facts_of_mesh(const std::string& file, const TriangleMesh& mesh) {
   }
   for (const auto& [image, is] : opaque) {
     if (!is) {
-      facts.remarks.push_back(fmt::format("has a picture that is transparent in places ({}), which are drawn opaque",
+      facts.remarks.push_back(fmt::format("has a texture with transparent areas ({}), which are drawn opaque",
                                           std::filesystem::path(image).filename().string()));
     }
   }
@@ -85,9 +85,9 @@ void print_meshes(const nlohmann::json& facts) {
   for (const nlohmann::json& mesh : facts) {
     const long dropped = mesh["without_area"].get<long>();
     const auto& extent = mesh["extent_M"];
-    print_out("  {:<40} {}, {}{:.6g} x {:.6g} x {:.6g} M before it is turned\n", mesh["file"].get<std::string>(),
+    print_out("  {:<40} {}, {}{:.6g} x {:.6g} x {:.6g} M before rotation\n", mesh["file"].get<std::string>(),
               counted(mesh["triangles"].get<long>(), "triangle"),
-              dropped > 0 ? fmt::format("{} without area left out, ", dropped) : "", extent[0].get<double>(),
+              dropped > 0 ? fmt::format("{} without area omitted, ", dropped) : "", extent[0].get<double>(),
               extent[1].get<double>(), extent[2].get<double>());
     for (const auto& remark : mesh["remarks"]) {
       print_out("    {}\n", remark.get<std::string>());

@@ -99,12 +99,12 @@ void add_crossed_eyes(const Show& show, ShowNotes& notes) {
     const double time_s = show.duration_s * i / (times - 1);
     const StereoSettings stereo = show_at(show, time_s).stereo;
     if (stereo.convergence > 0.0 && stereo.convergence < stereo.baseline) {
-      const Error note(
-          "stereo.convergence",
-          fmt::format("at {:.6g} s eyes {:.4g} M apart converge at {:.4g} M: their pictures are {:.0f} degrees apart",
-                      time_s, stereo.baseline, stereo.convergence,
-                      2.0 * std::atan2(0.5 * stereo.baseline, stereo.convergence) / one_degree),
-          "let them converge a few times as far away as they are apart, or farther");
+      const Error note("stereo.convergence",
+                       fmt::format("at {:.6g} s the baseline is {:.4g} M but the convergence distance only {:.4g} M, "
+                                   "so the eyes' images differ by {:.0f} degrees",
+                                   time_s, stereo.baseline, stereo.convergence,
+                                   2.0 * std::atan2(0.5 * stereo.baseline, stereo.convergence) / one_degree),
+                       "set a convergence distance of at least a few baselines");
       notes.unseen.emplace_back(
           show.lines.contains("stereo.convergence") ? named_by(show, "stereo.convergence", note).what() : note.what());
       return;

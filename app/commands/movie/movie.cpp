@@ -43,7 +43,8 @@ class Program {
       : messages_(::memfd_create("messages", MFD_CLOEXEC)) {
     int ends[2];
     if (messages_ < 0 || ::pipe2(ends, O_CLOEXEC) != 0) {
-      throw Error(encoder, std::string("cannot be started: ") + std::strerror(errno), "close other programs");
+      throw Error(encoder, std::string("cannot be started: ") + std::strerror(errno),
+                  "close other programs and try again");
     }
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
@@ -66,7 +67,7 @@ class Program {
     if (problem != 0) {
       ::close(input_);
       throw Error(encoder, std::string("cannot be started: ") + std::strerror(problem),
-                  "install ffmpeg, or give the numbered frames to another encoder");
+                  "install ffmpeg, or encode the numbered frames with another program");
     }
   }
   ~Program() {
@@ -135,8 +136,8 @@ bool send(const std::filesystem::path& file, bool alpha, const DisplayPixels& si
   const DisplayPixels pixels = alpha ? read_covering_pixels(file) : read_display_pixels(file);
   if (pixels.width != size.width || pixels.height != size.height) {
     throw Error(file.string(),
-                fmt::format("has {} x {} pixels, the first picture {} x {}", pixels.width, pixels.height, size.width,
-                            size.height),
+                fmt::format("has {} x {} pixels, but the first frame has {} x {}", pixels.width, pixels.height,
+                            size.width, size.height),
                 "render the frames again, without --resume");
   }
   return program.write(reinterpret_cast<const char*>(pixels.values.data()), 2 * pixels.values.size());
@@ -152,7 +153,7 @@ void encode(const Movie& movie, const std::filesystem::path& partial) {
   const int status = program.finish();
   const std::string said = program.messages();
   if (interrupted()) {
-    throw Error(movie.file.string(), "was not finished", "the frames are there; go on with --resume");
+    throw Error(movie.file.string(), "was not finished", "the frames are complete; continue with --resume");
   }
   const bool ended_well = taken && status == 0;
   // ffmpeg may end well when a film's last bytes find no room, and only say so.
@@ -162,11 +163,11 @@ void encode(const Movie& movie, const std::filesystem::path& partial) {
   }
   if (!disk.empty()) {
     throw Error(movie.file.string(), "cannot be written: " + disk,
-                "the frames are there; free some space or choose another folder, and go on with --resume");
+                "the frames are complete; free some space or choose another folder, and continue with --resume");
   }
   if (!ended_well) {
     throw Error(movie.file.string(), fmt::format("ffmpeg stopped (status {}): {}", status, last_line(said)),
-                "the frames are there; try another ending (.mp4, .mov, .mkv) or another encoder");
+                "the frames are complete; try another format (.mp4, .mov, .mkv) or another encoder");
   }
 }
 
@@ -209,7 +210,7 @@ std::string movie_ending(const std::filesystem::path& file) {
   std::string ending = file.extension().string();
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (std::ranges::find(endings, ending) == endings.end()) {
-    throw UsageError("--movie " + file.string(), "does not end as a film's name does", "choose .mp4, .mov or .mkv");
+    throw UsageError("--movie " + file.string(), "has an unsupported extension", "choose .mp4, .mov or .mkv");
   }
   return ending;
 }
@@ -221,7 +222,8 @@ void require_movie_encoder(const std::filesystem::path& file) {
   require_writable(file);
   Program program({encoder, "-version"}, nullptr);
   if (program.finish() != 0) {
-    throw Error(encoder, "does not answer", "install ffmpeg, or leave out --movie and encode the frames elsewhere");
+    throw Error(encoder, "does not work",
+                "reinstall ffmpeg, or leave out --movie and encode the frames with another program");
   }
 }
 
@@ -278,16 +280,16 @@ void check_movie(const Movie& movie) {
   const int status = program.finish();
   const std::string said = program.messages();
   const std::string file = movie.file.string();
-  const char* const remedy = "no frame was deleted; put them together again with --resume, or with another encoder";
+  const char* const remedy = "no frame was deleted; make the film again with --resume, or with another encoder";
   if (interrupted()) {
-    throw Error(file, "was written, but not checked", "no frame was deleted");
+    throw Error(file, "was written but not checked", "no frame was deleted; run the command again with --resume");
   }
   const long frames = reported_frames(said);
   if (status != 0) {
-    throw Error(file, fmt::format("cannot be decoded from end to end (ffmpeg: {})", last_line(said)), remedy);
+    throw Error(file, fmt::format("cannot be decoded completely (ffmpeg: {})", last_line(said)), remedy);
   }
   if (frames != static_cast<long>(movie.pictures.size())) {
-    throw Error(file, fmt::format("has {} frames of {}", std::max(frames, 0L), movie.pictures.size()), remedy);
+    throw Error(file, fmt::format("has only {} of {} frames", std::max(frames, 0L), movie.pictures.size()), remedy);
   }
 }
 

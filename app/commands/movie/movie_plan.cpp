@@ -16,20 +16,20 @@ void require_movie(const RenderOptions& options, const Show& show) {
   }
   const std::string named = "--movie " + options.movie;
   if (options.format == "exr") {
-    throw UsageError(named, "is not made of linear light", "choose --format png, png16 or tiff");
+    throw UsageError(named, "cannot be made from EXR frames", "choose --format png, png16 or tiff");
   }
   if (!options.setup.empty()) {
-    throw UsageError(named, "is of the master, not of projectors' frames", "leave out --setup");
+    throw UsageError(named, "cannot be made from projector frames", "leave out --setup");
   }
   if (has_face_files(show.view)) {
-    throw Error(named, "is not made of a cube's single faces", "choose cube_layout = \"cross\"");
+    throw Error(named, "cannot be made from separate cube faces", "set cube_layout = \"cross\" in the show");
   }
   if (show.stereo.layout == StereoLayout::rows && movie_ending(options.movie) == ".mp4") {
-    throw UsageError(named, "has one colour for two rows, in which the eyes of layout rows would mix",
+    throw UsageError(named, "stores one color for two rows, which mixes the eyes of stereo layout rows",
                      "choose .mov or .mkv");
   }
   if (options.alpha && !holds_alpha(movie_ending(options.movie))) {
-    throw UsageError(named, "has no channel for what frames cover", "choose .mov or .mkv, or leave out --alpha");
+    throw UsageError(named, "cannot store an alpha channel", "choose .mov or .mkv, or leave out --alpha");
   }
   for (const FramePart part : movie_parts(show)) {
     require_movie_encoder(movie_path(options.movie, part));
@@ -41,7 +41,7 @@ void tell_movie_losses(const RenderOptions& options, const Show& show) {
   const bool by_colour = layout == StereoLayout::anaglyph || layout == StereoLayout::dubois || show.stereo.tint_eyes;
   if (!options.movie.empty() && by_colour && movie_ending(options.movie) == ".mp4") {
     tell_on_terminal(fmt::format(
-        "{} keeps colours at half the resolution, and with them one eye's picture; .mov and .mkv keep all of it",
+        "{} stores color at half resolution, which blurs one eye's image in this stereo mode; .mov and .mkv do not",
         options.movie));
   }
 }

@@ -27,7 +27,7 @@ namespace {
 constexpr int step_frames = MovieSound::rate_hz / 100;
 
 Error sound_refused(const std::filesystem::path& folder) {
-  return {folder.string(), std::string("takes no sound of a film: ") + std::strerror(errno),
+  return {folder.string(), std::string("cannot store the sound of a film: ") + std::strerror(errno),
           "free some space or choose another folder"};
 }
 

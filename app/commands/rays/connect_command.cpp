@@ -44,7 +44,7 @@ std::vector<Answer> connect_in_closed_form(const std::vector<PairRow>& rows) {
   Progress progress("connecting", static_cast<long>(std::max<std::size_t>(rows.size(), 1)));
   for (std::size_t begin = 0; begin < rows.size(); begin += run) {
     if (interrupted()) {
-      throw Error("connect", "stopped; nothing was written", "run it again");
+      throw Error("connect", "was stopped before it wrote anything", "run it again");
     }
     const std::size_t count = std::min(run, rows.size() - begin);
     parallel_for(static_cast<int>(count), 64, [&](int from, int to) {
@@ -68,8 +68,8 @@ ConnectionTableSettings table_settings(const std::vector<PairRow>& rows, const s
   settings.r_observer_farthest = settings.r_observer_nearest;
   for (const std::size_t i : of_observer) {
     if (std::max(rows[i].r, rows[i].r_observer) > farthest_of_table) {
-      throw Error(rows[i].place, fmt::format("has a radius above {:.9g}", farthest_of_table),
-                  "tables end there; choose --method closed_form");
+      throw Error(rows[i].place, fmt::format("has a radius above {:.9g}, where tables end", farthest_of_table),
+                  "choose --method closed_form");
     }
     settings.orders = std::max(settings.orders, rows[i].order);
     settings.r_nearest = std::min(settings.r_nearest, rows[i].r);
@@ -88,7 +88,7 @@ std::vector<Answer> connect_through_tables(const std::vector<PairRow>& rows, con
   long done = 0;
   for (const auto& [r_observer, of_observer] : observers) {
     if (interrupted()) {
-      throw Error("connect", "stopped; nothing was written", "run it again");
+      throw Error("connect", "was stopped before it wrote anything", "run it again");
     }
     const ConnectionTableSettings settings = table_settings(rows, of_observer, options);
     const auto start = std::chrono::steady_clock::now();
@@ -98,7 +98,7 @@ std::vector<Answer> connect_through_tables(const std::vector<PairRow>& rows, con
       const SeenPoint point = look_up_connection(table.view(), r_observer, rows[i].r, rows[i].angle);
       answers[i] = {point.xi, point.travel_time};
     }
-    print_out("r_obs {:.9g}: a table of {} x {} an order, {}, r {:.9g} to {:.9g}, from {} rays, {:.1f} ms\n",
+    print_out("r_obs {:.9g}: table of {} x {} nodes per order, {}, r {:.9g} to {:.9g}, from {} rays, {:.1f} ms\n",
               r_observer, settings.rows, settings.columns, counted(settings.orders, "order"), settings.r_nearest,
               settings.r_farthest, table.view().grid.fan_rows * fan_columns(table.view().grid), time.count());
     progress.advance_to(++done);
@@ -122,17 +122,23 @@ void run_connect(const ConnectOptions& options) {
 
 void add_connect_command(CLI::App& app) {
   auto options = std::make_shared<ConnectOptions>();
-  CLI::App* command = app.add_subcommand(
-      "connect", "Light rays between observers and points near a hole without spin, from a table to a table");
-  command->add_option("--pairs", options->pairs, "table of pairs (CSV: r_obs,r,phi,order; M = 1, radians)")->required();
-  command->add_option("--out", options->out, "table to write: the same with xi,travel_time")->required();
-  command->add_option("--method", options->method, "closed_form, or table: through a table made for each observer")
+  CLI::App* command =
+      app.add_subcommand("connect", "Find light rays from points to observers near a hole without spin, from a table");
+  command->add_option("--pairs", options->pairs, "table of pairs (CSV: r_obs,r,phi,order; M = 1, radians)")
+      ->required()
+      ->type_name("FILE");
+  command->add_option("--out", options->out, "table to write: --pairs with the columns xi,travel_time")
+      ->required()
+      ->type_name("FILE");
+  command
+      ->add_option("--method", options->method,
+                   "closed_form, or table (interpolates in a table made for each observer)")
       ->check(CLI::IsMember({"closed_form", "table"}))
       ->capture_default_str();
-  command->add_option("--rows", options->rows, "for table: nodes in 1/r")
+  command->add_option("--rows", options->rows, "with --method table: nodes in 1/r")
       ->check(CLI::Range(4, 8192))
       ->capture_default_str();
-  command->add_option("--columns", options->columns, "for table: nodes in azimuth, an order")
+  command->add_option("--columns", options->columns, "with --method table: nodes in azimuth per order")
       ->check(CLI::Range(4, 8192))
       ->capture_default_str();
   IdleOptions idle(*command);

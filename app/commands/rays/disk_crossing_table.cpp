@@ -66,7 +66,7 @@ std::string crossing_lines(std::span<const RayRow> rows, const CrossingTableOpti
   std::string text;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (!lines[i]) {
-      throw Error("trace --disk", "ray " + rows[i].id + " did not converge", "give a larger --tolerance");
+      throw Error("trace --disk", "ray " + rows[i].id + " did not converge", "choose a larger --tolerance");
     }
     text += *lines[i];
   }

@@ -45,7 +45,7 @@ void run_shell(const NearRayOptions& options, const RayFiles& files) {
 void run_objects(const NearRayOptions& options, const RayFiles& files) {
   const Show show = load_show(options.objects, options.set);
   if (show.objects.empty()) {
-    throw UsageError("trace --objects", options.objects + " has no objects", "name a show with [[objects]]");
+    throw UsageError("trace --objects", options.objects + " has no objects", "choose a show with [[objects]]");
   }
   if (show.duration_s > 0.0) {
     require_time("trace --at", show, options.time_s);
@@ -62,29 +62,29 @@ std::shared_ptr<NearRayOptions> add_near_ray_options(CLI::App& command, const st
   auto options = std::make_shared<NearRayOptions>();
   CLI::Option* const disk = command.add_flag(
       "--disk", options->disk,
-      "list each ray's first three crossings of the equatorial plane instead: radius, azimuth, delay, g of a "
-      "circular orbit");
+      "list each ray's first three crossings of the equatorial plane: radius, azimuth, delay, g of a circular "
+      "orbit");
   command
       .add_flag("--plunging", options->plunging,
-                "with --disk: g inside the last stable orbit too, of matter that falls from it")
+                "with --disk: also compute g inside the last stable orbit, for matter that falls in from it")
       ->needs(disk);
   CLI::Option* const shell =
       command
-          .add_option(
-              "--shell", options->shell_r,
-              "list each ray's crossings of a sphere of this radius [M] instead: polar angle, azimuth, times, g "
-              "of an observer without angular momentum")
+          .add_option("--shell", options->shell_r,
+                      "list each ray's crossings of a sphere of this radius [M]: polar angle, azimuth, times, g of a "
+                      "zero-angular-momentum observer")
           ->check(number_between(1.0, 1e15))
           ->excludes(disk);
   CLI::Option* const objects =
       command
           .add_option("--objects", options->objects,
-                      "list where rays meet the objects of this show instead: object, triangle, weights of its second "
-                      "and third corner, place, delay")
+                      "list where rays hit the objects of this show: object, triangle, weights of its second and third "
+                      "corner, position, delay")
+          ->type_name("SHOW")
           ->excludes(disk)
           ->excludes(shell);
   add_set_option(command, options->set)->needs(objects);
-  command.add_option("--at", options->time_s, "with --objects: time of the show [s]")
+  command.add_option("--at", options->time_s, "with --objects: time in the show [s]")
       ->check(show_time())
       ->needs(objects);
   for (CLI::Option* const other : excluded) {

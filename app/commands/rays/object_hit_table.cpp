@@ -44,7 +44,7 @@ std::string object_lines(std::span<const RayRow> rows, const ObjectRays& objects
   std::string text;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (!lines[i]) {
-      throw Error("trace --objects", fmt::format("ray {} did not converge", rows[i].id), "give a larger --tolerance");
+      throw Error("trace --objects", fmt::format("ray {} did not converge", rows[i].id), "choose a larger --tolerance");
     }
     text += *lines[i];
   }

@@ -166,7 +166,7 @@ void look_up_group(const std::vector<RayRow>& rows, std::size_t begin, std::size
   look_up_rays(Backend::cpu, batch);
   append_rays(rows, begin, arrays, table);
   print_out(
-      "a {:.9g} r {:.9g} theta {:.9g}: {}{}, {} traced, {}, {} of them ({:.0f} px) left to rays, "
+      "a {:.9g} r {:.9g} theta {:.9g}: {}{}, {} traced, {}, {} of them ({:.0f} px) left to direct rays, "
       "{:.1f} ms\n",
       row.spin, row.r, row.theta, counted(statistics.nodes, "node"),
       station.mirrored ? " (half the sky, mirrored)" : "",
@@ -232,7 +232,7 @@ void run_trace(const RayOptions& options) {
   write_table(options.out,
               "id,status,sky_x,sky_y,sky_z,g,steps,error_estimate\n" + joined_in_place(table.lines, grouped.place));
   if (table.unresolved > 0) {
-    print_note("{} of {} did not converge; give {}another --method", table.unresolved, counted(rows.size(), "ray"),
+    print_note("{} of {} did not converge; choose {}another --method", table.unresolved, counted(rows.size(), "ray"),
                options.method == "closed_form" ? "" : "a coarser --tolerance, or ");
   }
 }
@@ -241,40 +241,46 @@ void run_trace(const RayOptions& options) {
 
 void add_trace_command(CLI::App& app) {
   auto options = std::make_shared<RayOptions>();
-  CLI::App* command = app.add_subcommand("trace", "Trace single light rays from a table to a table");
-  command->add_option("--rays", options->rays, "table of rays (CSV; its columns are listed below)")->required();
-  command->add_option("--out", options->out, "table to write")->required();
+  CLI::App* command =
+      app.add_subcommand("trace", "Trace single light rays listed in a table, and write a table of results");
+  command->add_option("--rays", options->rays, "table of rays (CSV); see the columns below")
+      ->required()
+      ->type_name("FILE");
+  command->add_option("--out", options->out, "table to write")->required()->type_name("FILE");
   CLI::Option* const method =
       command
-          ->add_option("--method", options->method,
-                       "taylor, rk34, cash_karp, closed_form, baseline_rk34; or, through a grid built for each camera: "
-                       "grid, quadtree")
+          ->add_option(
+              "--method", options->method,
+              "integrator (taylor, rk34, cash_karp, closed_form, baseline_rk34), or a lens grid built for each camera "
+              "(grid, quadtree)")
           ->check(CLI::IsMember({"taylor", "rk34", "cash_karp", "closed_form", "baseline_rk34", "grid", "quadtree"}))
           ->capture_default_str();
-  CLI::Option* const precision = command->add_option("--precision", options->precision, "float or double")
+  CLI::Option* const precision = command->add_option("--precision", options->precision, "arithmetic: float or double")
                                      ->check(CLI::IsMember({"float", "double"}))
                                      ->capture_default_str();
   command
-      ->add_option(
-          "--tolerance", options->tolerance,
-          "accepted error of the sky direction [rad] (default: the finest; of baseline_rk34 the published 0.01)")
+      ->add_option("--tolerance", options->tolerance,
+                   "accepted error of the sky direction [rad] (default: the smallest possible; for baseline_rk34 0.01)")
       ->check(number_between(1e-16, 1.0));
-  command->add_option("--budget", options->budget, "for grid: accepted displacement on the screen")
+  command->option_defaults()->group("Lens grids");
+  command->add_option("--budget", options->budget, "with --method grid: accepted displacement on the screen")
       ->capture_default_str();
   command
-      ->add_option("--size", options->size_px, "for grid: the screen is a dome of 180 degrees, this many pixels wide")
+      ->add_option("--size", options->size_px,
+                   "with --method grid: width in pixels of the screen, a dome of 180 degrees")
       ->check(CLI::Range(16, 1'000'000))
       ->capture_default_str();
-  command->add_option("--level", options->level, "for quadtree: the finest level")
+  command->add_option("--level", options->level, "with --method quadtree: finest level")
       ->check(CLI::Range(3, 13))
       ->capture_default_str();
-  command->add_option("--interpolation", options->interpolation, "for quadtree: linear or spline")
+  command->add_option("--interpolation", options->interpolation, "with --method quadtree: linear or spline")
       ->check(CLI::IsMember({"linear", "spline"}))
       ->capture_default_str();
   command
       ->add_option("--blend", options->blend,
-                   "for quadtree: blend two grids whose r lie this far apart around the camera's [M]")
+                   "with --method quadtree: blend two grids whose radii differ by this much [M]")
       ->check(number_between(0.0, 1e3));
+  command->option_defaults()->group("Disk, shells and objects");
   const auto near_field = add_near_ray_options(*command, {method, precision});
   IdleOptions idle(*command);
   idle.add("without --method grid", [options] { return options->method != "grid"; }, {"--budget", "--size"});
@@ -286,9 +292,9 @@ void add_trace_command(CLI::App& app) {
            {"--tolerance", "--precision"});
   command->footer(
       ray_table_help() +
-      "\nsky_x, sky_y, sky_z: unit vector to where light that escapes comes from, far away: z along the spin "
-      "axis, x\ntowards phi = 0, y towards phi = 90 degrees. g: frequency that the camera sees, of light that "
-      "is sent out with 1 there.");
+      "\nsky_x, sky_y, sky_z: unit vector to the origin of the light in the distant sky: z along the spin axis, "
+      "x toward\nphi = 0, y toward phi = 90 degrees. g: observed frequency of light that was emitted there with "
+      "frequency 1.");
   command->callback([options, near_field, idle] {
     idle.refuse();
     require_table_ending("--out", options->out);

@@ -24,18 +24,19 @@ bool same_camera(const RayRow& a, const RayRow& b) { return camera_of(a) == came
 }  // namespace
 
 std::string ray_table_help() {
-  return "Columns of the table of rays (a line each, named in the first; others are ignored; M = 1):\n"
-         "  a or spin             of the hole, -1 to 1\n"
-         "  r                     of the camera [M]\n"
-         "  theta or theta_deg    its angle from the spin axis [rad or degrees]: 0 over the pole, pi/2 on the equator\n"
-         "  observer              zamo, static, geodesic, retrograde, rain, boost, rain_boost: how the camera moves\n"
-         "  beta_r, beta_theta, beta_phi   of boost and rain_boost: velocity against the zamo or the rain, below 1\n"
-         "  n_r, n_theta, n_phi   to where the light seems to come from, in the observer's frame; of any length but 0\n"
-         "  id                    any text that comes back with the ray's results (else: its number, from 0)\n"
-         "Axes: e_r away from the hole, e_theta away from the spin axis's north (towards larger theta), e_phi the way "
+  return "Columns of the table of rays (one row per ray; the first row names the columns; others are ignored; M = 1):\n"
+         "  a or spin             spin of the hole, -1 to 1\n"
+         "  r                     radius of the camera [M]\n"
+         "  theta or theta_deg    angle from the spin axis [rad or degrees]: 0 at the pole, pi/2 at the equator\n"
+         "  observer              motion of the camera: zamo, static, geodesic, retrograde, rain, boost or rain_boost\n"
+         "  beta_r, beta_theta, beta_phi   for boost and rain_boost: velocity relative to the zamo or the rain, below "
+         "1\n"
+         "  n_r, n_theta, n_phi   direction in which the light is seen, in the observer's frame; any length but 0\n"
+         "  id                    any text; repeated in the results (default: the row's number, from 0)\n"
+         "Axes: e_r away from the hole, e_theta toward larger theta (south), e_phi in the direction of rotation of "
          "a hole\n"
-         "of positive spin turns. The camera is at phi = 0.\n"
-         "The ending of --out chooses the format: .csv, .tsv (tabs) or .json (an array of objects).";
+         "with positive spin. The camera is at phi = 0.\n"
+         "The extension of --out chooses the format: .csv, .tsv (tabs) or .json (an array of objects).";
 }
 
 GroupedRows grouped_by_camera(std::vector<RayRow> rows) {
@@ -76,7 +77,7 @@ void for_each_camera(const std::vector<RayRow>& rows, const std::function<void(s
       ++end;
     }
     if (interrupted()) {
-      throw Error("trace", "stopped; nothing was written", "run it again");
+      throw Error("trace", "was stopped before it wrote anything", "run it again");
     }
     work(begin, end);
     begin = end;

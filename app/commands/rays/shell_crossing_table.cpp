@@ -62,9 +62,10 @@ std::string shell_lines(std::span<const RayRow> rows, const ShellTableOptions& o
   const RayRow& first = rows.front();
   const double horizon_r = horizon_radius(first.spin);
   if (!(options.r > horizon_r)) {
-    throw Error("trace --shell",
-                fmt::format("{} M is inside the horizon of ray {} at {:.6g} M", options.r, first.id, horizon_r),
-                fmt::format("choose a radius above {:.6g}", horizon_r));
+    throw Error(
+        "trace --shell",
+        fmt::format("{} M is inside the horizon of ray {}, which is at {:.6g} M", options.r, first.id, horizon_r),
+        fmt::format("choose a radius above {:.6g}", horizon_r));
   }
   const CameraStation camera = make_camera_station(first.spin, first.r, first.theta, 0.0, first.motion, first.velocity);
   std::vector<std::optional<std::string>> lines(rows.size());
@@ -77,7 +78,7 @@ std::string shell_lines(std::span<const RayRow> rows, const ShellTableOptions& o
   std::string text;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (!lines[i]) {
-      throw Error("trace --shell", "ray " + rows[i].id + " did not converge", "give a larger --tolerance");
+      throw Error("trace --shell", "ray " + rows[i].id + " did not converge", "choose a larger --tolerance");
     }
     text += *lines[i];
   }

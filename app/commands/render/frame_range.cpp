@@ -81,8 +81,8 @@ std::pair<int, int> frame_range(const std::string& text, int count) {
       used = 0;
     }
     if (used != part.size()) {
-      throw UsageError("--frames " + text, fmt::format("\"{}\" is not the number of a frame", part),
-                       fmt::format("write FIRST:LAST, for instance 1:{}; times go with --from and --to", count));
+      throw UsageError("--frames " + text, fmt::format("\"{}\" is not a frame number", part),
+                       fmt::format("write FIRST:LAST, for instance 1:{}; use --from and --to for times", count));
     }
     if (value < 1 || value > count) {
       throw UsageError("--frames " + text, fmt::format("\"{}\" is not a frame of this show", part),
@@ -94,7 +94,7 @@ std::pair<int, int> frame_range(const std::string& text, int count) {
   const int first = number(text.substr(0, colon), 1);
   const int last = colon == std::string::npos ? first : number(text.substr(colon + 1), count);
   if (last < first) {
-    throw UsageError("--frames " + text, "ends before it begins", "write FIRST:LAST");
+    throw UsageError("--frames " + text, "ends before it begins", "write the smaller number first");
   }
   return {first - 1, last - 1};
 }
@@ -107,7 +107,7 @@ ShowTime moment_of(const std::string& option, const std::string& text) {
   }
   const bool bare = decimal_of(text).has_value();
   throw UsageError(option + " " + text, bare ? "is a number without a unit" : "is not a time",
-                   bare ? fmt::format("write {}s for a time; frames by their numbers go with --frames", text)
+                   bare ? fmt::format("write {}s for a time; use --frames for frame numbers", text)
                         : fmt::format("write {}", moment_words));
 }
 
@@ -119,7 +119,7 @@ std::pair<int, int> frames_between(const std::string& from, const std::string& t
     const ShowTime time = moment_of(option, text);
     if (time > end) {
       throw UsageError(fmt::format("{} {}", option, text),
-                       fmt::format("is beyond the show, which lasts {:.10g} s", show.duration_s),
+                       fmt::format("is after the end of the show at {:.10g} s", show.duration_s),
                        fmt::format("choose a time from 0s to {:.10g}s", show.duration_s));
     }
     return time;
@@ -130,7 +130,7 @@ std::pair<int, int> frames_between(const std::string& from, const std::string& t
   if (first >= after) {
     const std::string words = (from.empty() ? "" : "--from " + from) + (from.empty() || to.empty() ? "" : " ") +
                               (to.empty() ? "" : "--to " + to);
-    throw UsageError(words, "no frame of the show begins at or after --from and before --to",
+    throw UsageError(words, "contains no frame",
                      fmt::format("choose an earlier --from or a later --to; a frame begins every {:.3g} s",
                                  1.0 / show.frame_rate_hz));
   }

@@ -11,7 +11,7 @@ struct Show;
 
 //! How a range of frames is written.
 inline constexpr const char* frame_range_words =
-    "FIRST:LAST, counted from 1; N alone is one frame, N: to the end, :N from the beginning";
+    "FIRST:LAST, counted from 1; N is one frame, N: goes to the end, :N starts at frame 1";
 
 //! How a time of a show is written.
 inline constexpr const char* moment_words = "12s, 1.5s, 500ms, 2min or 1:30 (minutes:seconds)";

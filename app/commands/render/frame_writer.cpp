@@ -72,7 +72,8 @@ FrameWriter::FrameWriter(const RenderOptions& options, const Show& show, const s
     projectors_.emplace(*setup, pictures,
                         backend_ == Backend::cuda ? ProjectorDrawer::cuda : ProjectorDrawer::automatic);
     choice_.size_px = choice_.size_px > 0 ? choice_.size_px : enough_master_px(pictures);
-    print_out("domemasters of {} for {}\n", counted(choice_.size_px, "pixel"), counted(pictures.size(), "projector"));
+    print_out("rendering domemasters of {} for {}\n", counted(choice_.size_px, "pixel"),
+              counted(pictures.size(), "projector"));
   }
   for (const std::string& note : renderer_.notes()) {
     tell_on_terminal(note);
@@ -166,8 +167,8 @@ void FrameWriter::go_on_exposing(int frame) {
     renderer_.follow_from(*stops, frame_time_s(renderer_.show(), frame - 1));
   } else if (frame > 0) {
     tell_on_terminal(fmt::format(
-        "exposure that follows the light (tone.auto) begins anew with frame {}: the one before is not there, or "
-        "was asked for otherwise; render it, and --resume from there",
+        "automatic exposure (tone.auto) starts again at frame {}, because the frame before it is missing or was "
+        "rendered with other options; render that frame, then use --resume",
         frame + 1));
   }
 }
@@ -175,7 +176,7 @@ void FrameWriter::go_on_exposing(int frame) {
 void FrameWriter::tell_missing_legend(const Picture& picture) {
   if (picture.heat_range && !has_color_bar(picture.width, picture.height) && !std::exchange(told_no_legend_, true)) {
     tell_on_terminal(
-        fmt::format("pictures of {} x {} have no room for the legend of a heat map: from 160 x 100 on they have one",
+        fmt::format("frames of {} x {} pixels are too small for the legend of a heat map; it needs 160 x 100",
                     picture.width, picture.height));
   }
 }
@@ -238,10 +239,8 @@ void FrameWriter::delete_frames() {
     }
   }
   made_.remove_folders();
-  print_out("{} deleted from {}{}\n", counted(deleted, "frame file"), options_.out,
-            resumed_ > 0 ? fmt::format("; {} that {} there before stay{}", counted(resumed_, "frame"),
-                                       resumed_ == 1 ? "was" : "were", resumed_ == 1 ? "s" : "")
-                         : "");
+  print_out("deleted {} from {}{}\n", counted(deleted, "frame file"), options_.out,
+            resumed_ > 0 ? fmt::format("; kept {} from an earlier run", counted(resumed_, "frame")) : "");
 }
 
 void FrameWriter::write_facts(int first, int last) const {
@@ -300,7 +299,8 @@ std::string FrameWriter::cost_note(int next, int last) {
     return "";
   }
   const long left = options_.resume ? missing(next, last) : last + 1L - next;
-  return left > 0 ? run_cost_text(written_ + left, frame_cost_) + (options_.movie.empty() ? "" : ", and the film") : "";
+  return left > 0 ? run_cost_text(written_ + left, frame_cost_) + (options_.movie.empty() ? "" : ", plus the film")
+                  : "";
 }
 
 std::string FrameWriter::new_room_note(int next, int last) {

@@ -39,19 +39,19 @@ namespace {
 //! Whether files can hold what the layout makes.
 void require_file_layout(const RenderOptions& options, const Show& show) {
   if (show.stereo.layout == StereoLayout::multiview && options.format != "exr") {
-    throw UsageError("stereo layout multiview", "is two views in one EXR, which no other format holds",
+    throw UsageError("stereo layout multiview", "writes two views to one file, which only EXR supports",
                      "add --format exr");
   }
   if (show.stereo.layout == StereoLayout::quad_buffer) {
-    throw UsageError("stereo layout quad_buffer", "is for a window with two buffers; files have none",
-                     "choose another with --stereo, for instance side_by_side");
+    throw UsageError("stereo layout quad_buffer", "is only for windows",
+                     "choose another layout, for instance --stereo side_by_side");
   }
 }
 
 //! The show, or for patterns without one a dome of 180°, with what the command line says instead.
 Show chosen_show(const RenderOptions& options) {
   if (options.show.empty() && options.pattern.empty()) {
-    throw UsageError("render", "needs a show, or --pattern", "name a show file or a built-in show");
+    throw UsageError("render", "has nothing to render", "name a show file or a built-in show, or add --pattern");
   }
   Show show = options.show.empty() ? Show{} : load_show(options.show, options.set);
   override_view(show, options.projection, options.stereo);
@@ -72,7 +72,7 @@ std::optional<DomeSetup> chosen_setup(const RenderOptions& options) {
     return std::nullopt;
   }
   if (options.format != "png" || options.alpha || !options.movie.empty()) {
-    throw UsageError("--setup " + options.setup, "writes the 8 bits that projectors are sent, as PNG alone",
+    throw UsageError("--setup " + options.setup, "writes only 8-bit PNG files for projectors",
                      "leave out --format, --alpha and --movie");
   }
   return read_dome_setup(options.setup);
@@ -91,8 +91,8 @@ void require_used_options(const RenderOptions& options, const Show& show) {
   if (!options.language.empty() && !titled && !show.readout && show.timeline.captions.empty() &&
       (options.movie.empty() || !narrated)) {
     throw UsageError("--language " + options.language,
-                     fmt::format("{} has no captions{}, no readout and no title in several languages", show.name,
-                                 options.movie.empty() ? "" : ", no narration"),
+                     fmt::format("has no effect: {} has no captions{}, no readout and no title in several languages",
+                                 show.name, options.movie.empty() ? "" : ", no narration"),
                      "leave it out");
   }
 }
@@ -126,10 +126,9 @@ void write_facts(const RenderOptions& options, const FrameWriter& writer, int fi
 void tell_frames(const RenderOptions& options, const FrameWriter& writer) {
   const int there = writer.resumed();
   const std::string again =
-      writer.renewed() > 0 ? fmt::format(" ({} again, asked for otherwise before)", writer.renewed()) : "";
-  print_out(
-      "{} in {}{}{}\n", counted(writer.written(), "frame"), options.out, again,
-      there > 0 ? fmt::format(", beside {} that {} there", counted(there, "frame"), there == 1 ? "was" : "were") : "");
+      writer.renewed() > 0 ? fmt::format(" ({} replaced, rendered with other options before)", writer.renewed()) : "";
+  print_out("{} in {}{}{}\n", counted(writer.written(), "frame"), options.out, again,
+            there > 0 ? fmt::format("; skipped {} from an earlier run", counted(there, "frame")) : "");
 }
 
 //! Ends a run that somebody has stopped.
@@ -142,7 +141,7 @@ void tell_frames(const RenderOptions& options, const FrameWriter& writer) {
     unwritten = fmt::format(" (and {})", problem.what());
   }
   throw Error("render", fmt::format("stopped after {}{}", counted(writer.written(), "frame"), unwritten),
-              "go on with --resume");
+              "continue with --resume");
 }
 
 void write_frames(const RenderOptions& options, FrameWriter& writer, int first, int last) {
@@ -164,8 +163,8 @@ void write_frames(const RenderOptions& options, FrameWriter& writer, int first, 
   write_facts(options, writer, first, last);
   tell_frames(options, writer);
   if (const std::vector<int> others = writer.asked_otherwise(first, last); !others.empty()) {
-    print_out("{} there {} asked for otherwise ({})\n", counted(others.size(), "frame"),
-              others.size() == 1 ? "was" : "were", frame_ranges(others));
+    print_out("the folder also contains {} rendered with other options ({})\n", counted(others.size(), "frame"),
+              frame_ranges(others));
   }
 }
 
@@ -182,7 +181,7 @@ void run(RenderOptions options) {
     const double tilt_deg = show.view.tilt_deg;
     fit_to_setup(show, *setup, options.stereo);
     if (show.view.tilt_deg != tilt_deg && !options.show.empty()) {
-      print_note("the dome is tilted by {:g} deg, as the setup says, not by the show's {:g}; --tilt sets another",
+      print_note("using the setup's tilt of {:g} deg instead of the show's {:g}; override it with --tilt",
                  show.view.tilt_deg, tilt_deg);
     }
   }
@@ -226,23 +225,22 @@ void run(RenderOptions options) {
     print_statistics(*streamed);
   }
   if (writer.unresolved() > 0) {
-    print_note("{} did not converge and {} the mean of the sky", counted(writer.unresolved(), "pixel"),
-               writer.unresolved() == 1 ? "shows" : "show");
+    print_note("rays of {} did not converge; {} the mean color of the sky", counted(writer.unresolved(), "pixel"),
+               writer.unresolved() == 1 ? "it shows" : "they show");
   }
 }
 
 //! Options that say something else than what projectors' frames, test patterns and checks are.
 void add_idle_options(const std::shared_ptr<RenderOptions>& options, IdleOptions& idle) {
-  idle.add("of projectors' frames, whose domemasters the setup tells", [options] { return !options->setup.empty(); },
-           {"--from-outside"});
-  idle.add("of projectors' frames, whose domemasters the setup tells",
+  idle.add("with --setup, which fixes the view", [options] { return !options->setup.empty(); }, {"--from-outside"});
+  idle.add("with --setup, which fixes the projection",
            [options] { return !options->setup.empty() && options->projection != "dome"; }, {"--projection"});
-  idle.add("of a test pattern", [options] { return !options->pattern.empty(); },
+  idle.add("with --pattern", [options] { return !options->pattern.empty(); },
            {"--frames", "--from", "--to", "--movie", "--delete-frames", "--fps", "--view", "--view-range", "--method",
             "--budget", "--check", "--resume", "--baseline", "--language", "--objects", "--backend", "--lens",
             "--trajectory", "--stream-memory"});
   idle.add("without a show", [options] { return options->show.empty(); }, {"--set"});
-  idle.add("of a test pattern for one eye",
+  idle.add("with --pattern for one eye",
            [options] {
              const bool mono = options->stereo.empty() ? options->show.empty() : options->stereo == "mono";
              return !options->pattern.empty() && mono;
@@ -261,78 +259,108 @@ std::vector<std::string> pattern_choices() {
   return choices;
 }
 
+void add_frame_choice(CLI::App& command, RenderOptions& options) {
+  command.option_defaults()->group("Frames");
+  CLI::Option* const frames =
+      command.add_option("--frames", options.frames, std::string(frame_range_words) + " (default: all)")
+          ->type_name("RANGE");
+  command.add_option("--from", options.from, std::string("render from this time of the show on: ") + moment_words)
+      ->type_name("TIME")
+      ->excludes(frames);
+  command.add_option("--to", options.to, "render frames before this time of the show, written like --from")
+      ->type_name("TIME")
+      ->excludes(frames);
+  command.add_option("--fps", options.frame_rate_hz, "frames per second: 24, 29.97, 30000/1001 (default: the show's)")
+      ->transform(frame_rate_between(0.1, 1000.0));
+}
+
+void add_picture_options(CLI::App& command, RenderOptions& options) {
+  command.option_defaults()->group("Picture");
+  command.add_option("--projection", options.projection, "projection (default: the show's)")
+      ->check(CLI::IsMember(projection_names()));
+  command.add_option("--tilt", options.tilt_deg, "tilt of the dome in degrees (default: the setup's or the show's)")
+      ->check(number_between(limits_of("view.tilt_deg").least, limits_of("view.tilt_deg").greatest));
+  command.add_flag("--from-outside", options.from_outside, "mirror the image, as a dome is seen from outside");
+  command.add_option("--objects", options.objects, "method of drawing objects: polygon or trace (default: the show's)")
+      ->check(CLI::IsMember(object_method_names()));
+  command.add_option("--language", options.language, "language of captions and narration, for instance en or de")
+      ->type_name("TAG");
+  command.option_defaults()->group("Stereo");
+  command.add_option("--stereo", options.stereo, "stereo layout (default: the show's)")
+      ->check(CLI::IsMember(stereo_names()));
+  command.add_option("--baseline", options.baseline, "distance between the eyes [M] (default: the show's)")
+      ->check(number_between(limits_of("stereo.baseline").least, limits_of("stereo.baseline").greatest));
+  command.add_flag("--tint-eyes", options.tint_eyes, "tint the left eye's image red and the right eye's cyan");
+}
+
+//! Adds the options of files and returns the option of their format.
+CLI::Option* add_file_options(CLI::App& command, RenderOptions& options) {
+  command.option_defaults()->group("Files");
+  CLI::Option* const format = add_format_option(command, options);
+  command
+      .add_option("--compression", options.compression, "with EXR: zip, none, or dwaa, which is lossy (default: zip)")
+      ->check(CLI::IsMember(exr_compression_names()));
+  command.add_flag("--alpha", options.alpha, "add an alpha channel, opaque where the image is, as in a dome's circle");
+  CLI::Option* const movie =
+      command.add_option("--movie", options.movie, "also encode the frames with ffmpeg to FILE.mp4, .mov or .mkv")
+          ->type_name("FILE")
+          ->check([](const std::string& file) { return file.empty() ? "is empty; name a file" : ""; });
+  command
+      .add_flag("--delete-frames", options.delete_frames,
+                "with --movie: delete this run's frames once the film is complete and checked")
+      ->needs(movie);
+  return format;
+}
+
+void add_measured_views(CLI::App& command, RenderOptions& options) {
+  command.option_defaults()->group("Heat maps and pixel values");
+  command.add_option("--view", options.view, "sky, or a heat map: steps, error, order, g, magnification")
+      ->check(CLI::IsMember(view_mode_names()))
+      ->capture_default_str();
+  command
+      .add_option("--view-range", options.view_range,
+                  "MIN:MAX: values at the ends of a heat map's color scale, for instance 0.5:2")
+      ->type_name("RANGE");
+  command.add_option("--method", options.method, "integrator for --view steps and error")
+      ->check(CLI::IsMember(follow_method_names()));
+  add_channel_option(command, options);
+}
+
 }  // namespace
 
 void add_render_command(CLI::App& app) {
   auto options = std::make_shared<RenderOptions>();
-  CLI::App* command = app.add_subcommand("render", "Render a show to numbered frames, without a display");
-  command->add_option("show", options->show, "show file (.toml), or the name of a built-in show");
+  CLI::App* command = app.add_subcommand("render", "Render a show to numbered frames, without a window");
+  command->add_option("show", options->show, "show file (.toml) or name of a built-in show");
   add_set_option(*command, options->set);
-  command->add_option("--out", options->out, "folder for the frames")->capture_default_str();
-  CLI::Option* const frames =
-      command->add_option("--frames", options->frames, std::string(frame_range_words) + " (default: all)");
-  command->add_option("--from", options->from, std::string("frames from this time of the show on: ") + moment_words)
-      ->excludes(frames);
-  command->add_option("--to", options->to, "frames before this time of the show, written as for --from")
-      ->excludes(frames);
-  command->add_option("--size", options->size_px, "width of one eye's image in pixels")->check(CLI::Range(1, 16384));
-  command->add_option("--objects", options->objects, "how objects are drawn: polygon or trace; else as the show says")
-      ->check(CLI::IsMember(object_method_names()));
+  command->add_option("--out", options->out, "folder for the frames")->type_name("DIR")->capture_default_str();
+  command->add_option("--size", options->size_px, "width of one eye's image in pixels (default: the show's)")
+      ->check(CLI::Range(1, 16384));
+  command->add_flag("--resume", options->resume,
+                    "skip complete frames that were rendered with the same show and options");
+  add_frame_choice(*command, *options);
+  add_picture_options(*command, *options);
+  CLI::Option* const format = add_file_options(*command, *options);
+  add_measured_views(*command, *options);
+  command->option_defaults()->group("Domes");
   command
-      ->add_option("--projection", options->projection,
-                   "dome, equirect, cube, cylinder or pinhole, instead of the show's")
-      ->check(CLI::IsMember(projection_names()));
-  command->add_flag("--from-outside", options->from_outside, "the mirror image: a dome as it is seen from outside");
-  command->add_option("--stereo", options->stereo, "stereo layout, instead of the show's")
-      ->check(CLI::IsMember(stereo_names()));
+      ->add_option("--setup", options->setup,
+                   "dome setup (.toml): write each projector's frames as NAME_000001_PROJECTOR.png")
+      ->type_name("FILE");
   command
-      ->add_option("--tilt", options->tilt_deg,
-                   "tilt of the dome's picture [deg], instead of the show's and the setup's")
-      ->check(number_between(limits_of("view.tilt_deg").least, limits_of("view.tilt_deg").greatest));
-  command->add_option("--baseline", options->baseline, "distance of the eyes [M], instead of the show's")
-      ->check(number_between(limits_of("stereo.baseline").least, limits_of("stereo.baseline").greatest));
-  command->add_flag("--tint-eyes", options->tint_eyes, "the left eye's picture reddish, the right one's cyan");
-  command->add_option("--backend", options->backend, "auto, cpu or cuda")
+      ->add_option("--pattern", options->pattern, "write a test pattern, or all of them, instead of the show's frames")
+      ->check(CLI::IsMember(pattern_choices()));
+  command->option_defaults()->group("Computation");
+  command->add_option("--backend", options->backend, "where to compute: auto (GPU if available), cpu or cuda")
       ->check(CLI::IsMember({"auto", "cpu", "cuda"}))
       ->capture_default_str();
-  CLI::Option* const format = add_format_option(*command, *options);
-  command->add_option("--compression", options->compression, "of EXR: zip (default), none, or dwaa, which is lossy")
-      ->check(CLI::IsMember(exr_compression_names()));
-  command->add_flag("--alpha", options->alpha,
-                    "a fourth channel: what the image covers, a dome's circle for instance, with the hole's shadow");
-  command->add_option("--fps", options->frame_rate_hz, "frames a second, instead of the show's: 24, 29.97, 30000/1001")
-      ->transform(frame_rate_between(0.1, 1000.0));
-  CLI::Option* const movie =
-      command->add_option("--movie", options->movie, "puts the frames together with ffmpeg: FILE.mp4, .mov or .mkv")
-          ->check([](const std::string& file) { return file.empty() ? "is empty; name a file" : ""; });
-  command
-      ->add_flag(
-          "--delete-frames", options->delete_frames,
-          "with --movie: delete the frames that this run has made, once the film of them is complete and checked")
-      ->needs(movie);
-  command->add_option("--view", options->view, "sky, or a heat map: steps, error, order, g, magnification")
-      ->check(CLI::IsMember(view_mode_names()))
-      ->capture_default_str();
-  command->add_option("--view-range", options->view_range,
-                      "MIN:MAX, ends of the colours of a heat map, for instance 0.5:2 (default: those of the view)");
-  command
-      ->add_option("--method", options->method,
-                   "how rays of --view steps and error are followed: taylor, rk34, cash_karp or baseline_rk34")
-      ->check(CLI::IsMember(follow_method_names()));
-  add_channel_option(*command, *options);
+  IdleOptions idle(*command);
+  add_lens_options(*command, options->lens, idle);
   add_budget_option(*command, options->budget);
   command
       ->add_option("--check", options->checked_moments,
-                   "with --budget: measure the error at so many random moments of the show, and write no frames")
+                   "with --budget: measure the error at N random times of the show, and write no frames")
       ->check(CLI::Range(1, 1000));
-  command->add_option("--pattern", options->pattern, "a test pattern, or all of them, instead of the show's frames")
-      ->check(CLI::IsMember(pattern_choices()));
-  command->add_option("--setup", options->setup,
-                      "dome setup (.toml): write what each of its projectors shows, as NAME_000001_PROJECTOR.png");
-  command->add_option("--language", options->language, "of captions, by its tag (en, de)");
-  command->add_flag("--resume", options->resume, "skip frames that are there, complete, and were asked for alike");
-  IdleOptions idle(*command);
-  add_lens_options(*command, options->lens, idle);
   add_idle_options(options, idle);
   add_channel_rules(options, idle);
   command->callback([options, idle, format] {

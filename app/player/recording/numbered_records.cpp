@@ -34,7 +34,7 @@ std::multimap<long, std::filesystem::path> records_of(const std::filesystem::pat
   }
   if (problem) {
     throw Error(folder_of(record).string(), "cannot be read: " + problem.message(),
-                "check the folder and its permissions, or record into another");
+                "check the folder and its permissions, or record to another folder");
   }
   return found;
 }
@@ -62,7 +62,7 @@ std::filesystem::path next_record(const std::filesystem::path& record) {
   const auto there = records_of(record);
   const long number = there.empty() ? 1 : there.rbegin()->first + 1;
   if (number > greatest_number) {
-    throw Error(there.rbegin()->second.string(), "has the last number that there is", "record under another name");
+    throw Error(there.rbegin()->second.string(), "has the highest possible number", "choose another --record name");
   }
   std::filesystem::path next = record;
   next.replace_filename(fmt::format("{}-{:06}{}", record.stem().string(), number, record.extension().string()));

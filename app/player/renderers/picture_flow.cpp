@@ -24,7 +24,7 @@ PictureNews PictureFlow::advance(const PictureRequest& wish, bool changed, bool 
     source_.abandon();
     ++report_.hangs;
     pending_ = true;
-    report_.problem = "a picture did not come to an end";
+    report_.problem = "rendering a frame took too long and was aborted";
     return PictureNews::hang;
   }
   const PictureNews news = receive();

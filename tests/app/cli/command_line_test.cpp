@@ -165,7 +165,7 @@ TEST_F(CommandLine, SaysHowRangesOfFramesAreWritten) {
 
 TEST_F(CommandLine, SaysThatAnOptionIsGivenTwice) {
   EXPECT_EQ(run("render once-around --frames 1 --frames 2"), 2);
-  EXPECT_EQ(output_, "ergodome: --frames: is given 2 times; give it once\n");
+  EXPECT_EQ(output_, "ergodome: --frames: was given 2 times; give it once\n");
 }
 
 TEST_F(CommandLine, RenderRefusesWhatCannotBeAndSaysWhy) {
@@ -272,7 +272,7 @@ TEST_F(PlayInAWindow, SaysThatEyesOfSeparateFilesAreSideBySide) {
   ASSERT_EQ(run_on_display("play small.toml --stereo separate --baseline 0.1 --backend cpu --no-sound --for 0.3", ""),
             0)
       << output_;
-  EXPECT_THAT(output_, HasSubstr("the window shows the eyes of layout separate side by side"));
+  EXPECT_THAT(output_, HasSubstr("the window shows stereo layout separate side by side"));
 }
 
 TEST_F(CommandLine, InspectDrawsTheGridOfAShowAtATime) {

@@ -54,11 +54,36 @@ bool names_option(const std::string& text, const std::string& option) {
 
 class CommandsPage : public CommandLine {};
 
+TEST_F(CommandLine, HelpFitsIntoTheColumnsOfATerminal) {
+  ASSERT_EQ(run("--help"), 0) << output_;
+  EXPECT_THAT(output_, testing::HasSubstr("\nPrepare:\n  bake "));
+  for (const std::string& command : words_of_help(output_, "Show:", "")) {
+    ASSERT_EQ(run(command + " --help"), 0) << output_;
+    std::istringstream lines(output_);
+    for (std::string line; std::getline(lines, line);) {
+      EXPECT_LE(line.size(), 120U) << command << ": " << line;
+    }
+  }
+}
+
+TEST_F(CommandLine, HelpNamesMeaningChoicesRangeAndDefaultOfAnOption) {
+  ASSERT_EQ(run("render --help"), 0) << output_;
+  EXPECT_THAT(
+      output_,
+      testing::AllOf(testing::HasSubstr("\nFiles:\n  --format NAME "),
+                     testing::HasSubstr("\n  --size N                    width of one eye's image in pixels "
+                                        "(1 to 16384; default: the show's)\n"),
+                     testing::HasSubstr("\n  --projection NAME           projection: dome, equirect, cube, cylinder, "
+                                        "pinhole (default: the show's)\n")));
+  ASSERT_EQ(run("trace --help"), 0) << output_;
+  EXPECT_THAT(output_, testing::HasSubstr("\n  --out FILE                  table to write (required)\n"));
+}
+
 TEST_F(CommandsPage, NamesEveryOptionOfEveryCommand) {
   const std::string page = commands_page();
   const std::string shared = part_of_page(page, "Shared options");
   ASSERT_EQ(run("--help"), 0) << output_;
-  const std::vector<std::string> commands = words_of_help(output_, "Subcommands:", "");
+  const std::vector<std::string> commands = words_of_help(output_, "Show:", "");
   ASSERT_GE(commands.size(), 13U) << output_;
   for (const std::string& command : commands) {
     const std::string part = part_of_page(page, command);

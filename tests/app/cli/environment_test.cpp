@@ -47,7 +47,7 @@ TEST_F(Environment, ThreadsAreANumber) {
   EXPECT_EQ(complaint_about("ERGODOME_THREADS", "2"), "");
   EXPECT_EQ(complaint_about("ERGODOME_THREADS", ""), "");
   for (const char* value : {"0", "-1", "abc", "2x", "1e3", "99999999999999"}) {
-    EXPECT_THAT(complaint_about("ERGODOME_THREADS", value), HasSubstr("is no number of threads")) << value;
+    EXPECT_THAT(complaint_about("ERGODOME_THREADS", value), HasSubstr("is not a number of threads")) << value;
   }
 }
 

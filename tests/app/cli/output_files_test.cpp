@@ -96,7 +96,7 @@ TEST_F(CommandLine, OutputsAreNoFilesThatAreRead) {
                 "connect --pairs rays.csv --out rays.csv", "catalogue rays.csv --out rays.csv",
                 "convert rays.csv rays.csv", "calibrate small.toml --out c --mpcdi small.toml"})) {
     EXPECT_EQ(run(command), 2) << command;
-    EXPECT_THAT(output_, HasSubstr("is the file that is read")) << command;
+    EXPECT_THAT(output_, HasSubstr("is also the input file")) << command;
   }
   EXPECT_EQ(run("inspect small.toml --picture small.toml"), 2);
   EXPECT_EQ(run("play small.toml --screenshot small.toml"), 2);
@@ -115,7 +115,7 @@ TEST_F(CommandLine, RenderRefusesOptionsThatWouldChangeNothing) {
                 "--pattern checker --budget 1px", "--pattern checker --fps 30", "--pattern checker --resume",
                 "--pattern checker --baseline 1", "--pattern checker --stereo mono --tint-eyes"})) {
     EXPECT_EQ(run("render small.toml --out o " + options), 2) << options;
-    EXPECT_THAT(output_, HasSubstr("changes nothing of")) << options;
+    EXPECT_THAT(output_, HasSubstr("has no effect with --")) << options;
   }
   EXPECT_FALSE(fs::exists(folder_ / "o"));
 }
@@ -192,7 +192,7 @@ TEST_F(CommandLine, InspectTellsWhatLooksIntoAFileThatIsNoShow) {
   write("words.mp3", "no sound");
   for (const auto& [file, remedy] :
        {std::pair("stars.csv", "ergodome catalogue stars.csv"), std::pair("ship.obj", "mesh = \"ship.obj\""),
-        std::pair("words.mp3", "file = \"words.mp3\" of a table [[audio]]")}) {
+        std::pair("words.mp3", "file = \"words.mp3\" in an [[audio]] table")}) {
     EXPECT_EQ(run(std::string("inspect ") + file), 1) << file;
     EXPECT_THAT(output_, HasSubstr(remedy));
   }

@@ -38,7 +38,7 @@ TEST_F(SetOption, IsAnErrorOfTheCommandLine) {
   EXPECT_EQ(run("render small.toml --set hole.spin=0.5 --set sky.map=missing.png --out frames"), 1);
   EXPECT_THAT(output_, AllOf(HasSubstr("missing.png"), HasSubstr("(sky.map, --set)")));
   EXPECT_EQ(run("inspect sky.ppm --set hole.spin=0.5"), 2) << output_;
-  EXPECT_THAT(output_, HasSubstr("changes nothing of a sky map"));
+  EXPECT_THAT(output_, HasSubstr("has no effect for a sky map"));
 }
 
 TEST_F(SetOption, IsNoticedByResume) {

@@ -84,7 +84,7 @@ TEST_F(BakeCommand, BakesOnceAndTellsWhatItMade) {
   EXPECT_THAT(output_, HasSubstr("stations"));
   EXPECT_FALSE(fs::exists(folder_ / "moving.trajectory.part"));
   ASSERT_EQ(run("bake moving.toml --out moving.trajectory"), 0);
-  EXPECT_THAT(output_, HasSubstr("is baked already"));
+  EXPECT_THAT(output_, HasSubstr("is already baked"));
   ASSERT_EQ(run("inspect moving.trajectory --picture grid.png --size 64 --time 5"), 0) << output_;
   EXPECT_THAT(output_, HasSubstr("blending"));
   EXPECT_EQ(run("inspect moving.trajectory --picture none.png --size 64 --time 11"), 2);
@@ -143,7 +143,7 @@ TEST_F(BakeCommand, PartsOfSeveralProcessesJoinToTheSameFile) {
     EXPECT_EQ(WEXITSTATUS(status), 0);
   }
   ASSERT_EQ(run("bake moving.toml --out joined.trajectory"), 0) << output_;
-  EXPECT_THAT(output_, HasSubstr("(0 built now)"));
+  EXPECT_THAT(output_, HasSubstr("(0 computed now)"));
   EXPECT_TRUE(text("joined.trajectory") == text("whole.trajectory"));
   EXPECT_FALSE(fs::exists(folder_ / "joined.trajectory.part-1-of-3"));
 }
@@ -157,7 +157,7 @@ TEST_F(BakeCommand, RenderStreamsFromTheFileBesideTheShowAndSkipsABadStation) {
   EXPECT_THAT(output_, HasSubstr("streamed: 4 lenses"));
   EXPECT_THAT(output_, testing::Not(HasSubstr("too coarse")));
   ASSERT_EQ(run("plan moving.toml --size 4096"), 0) << output_;
-  EXPECT_THAT(output_, HasSubstr("is too coarse for 0.25 px at 4096: lenses are made anew"));
+  EXPECT_THAT(output_, HasSubstr("is too coarse for 0.25 px at 4096: lenses are computed live instead"));
   EXPECT_THAT(output_, HasSubstr("bake it again with --size 4096\n"));
   EXPECT_THAT(output_, HasSubstr("lens: live"));
   write("finer.toml", text("moving.toml") + "[quality]\nbudget_px = 0.0123456\n");
@@ -184,7 +184,8 @@ TEST_F(BakeCommand, DoesNotReplaceAnotherShowsTrajectoryUnlessAsked) {
   ASSERT_EQ(run("bake still.toml --out baked --no-derivatives"), 0) << output_;
   const std::string before = text("baked");
   EXPECT_NE(run("bake faster.toml --out baked"), 0);
-  EXPECT_THAT(output_, HasSubstr("--out baked: is there, and not of this show: was baked for another spin"));
+  EXPECT_THAT(output_,
+              HasSubstr("--out baked: already exists and does not belong to this show: was baked for another spin"));
   EXPECT_THAT(output_, HasSubstr("--replace"));
   EXPECT_TRUE(text("baked") == before);
   ASSERT_EQ(run("bake faster.toml --out baked --replace --no-derivatives"), 0) << output_;
@@ -195,7 +196,7 @@ TEST_F(BakeCommand, DoesNotReplaceAFileThatIsNoTrajectory) {
   write("still.toml", still_show);
   write("notes.txt", "of the day");
   EXPECT_NE(run("bake still.toml --out notes.txt"), 0);
-  EXPECT_THAT(output_, HasSubstr("is there, and is no trajectory"));
+  EXPECT_THAT(output_, HasSubstr("already exists and is not a trajectory"));
   EXPECT_EQ(text("notes.txt"), "of the day");
 }
 
@@ -203,7 +204,7 @@ TEST_F(BakeCommand, ReplacesItsOwnShowsTrajectoryOfOtherSettings) {
   write("still.toml", still_show);
   ASSERT_EQ(run("bake still.toml --out baked --no-derivatives"), 0) << output_;
   EXPECT_EQ(run("bake still.toml --out baked --budget 0.1 --no-derivatives"), 0) << output_;
-  EXPECT_THAT(output_, HasSubstr("built now"));
+  EXPECT_THAT(output_, HasSubstr("computed now"));
 }
 
 //! The trajectory of the show below, with gaps that miss what they missed and a lot more.
@@ -240,17 +241,17 @@ TEST_F(BakeCommand, StreamsTellWhatATrajectoryMisses) {
   EXPECT_THAT(
       notes("bad", 0),
       testing::ElementsAre(testing::AllOf(
-          HasSubstr("bad misses the budget of 4 px in "),
-          HasSubstr(fmt::format("10 s of the show, the worst with 6.000 px at {:.2f} s; pictures there get live grids",
-                                middle_s)))))
+          HasSubstr("bad exceeds the budget of 4 px in "),
+          HasSubstr(fmt::format(
+              "10 s of the show); the largest error is 6.000 px at {:.2f} s; frames there use live grids", middle_s)))))
       << "as the bake tells it";
   EXPECT_THAT(notes("bad", 16), testing::IsEmpty()) << "half as many pixels";
   Show turning = show;
   turning.stereo = {StereoLayout::separate, StereoModel::omni, 0.1};
   EXPECT_THAT(stream_notes(open_stream(turning, options, Backend::cpu).get(), turning, options, Backend::cpu, 2048),
-              testing::ElementsAre(HasSubstr("eyes of the model omni")));
+              testing::ElementsAre(HasSubstr("stereo model omni")));
   EXPECT_THAT(notes("good", 2048), testing::ElementsAre(HasSubstr((folder_ / "good").string() +
-                                                                  " was baked for 4 px in pictures 32 px wide")));
+                                                                  " was baked for 4 px in frames 32 px wide")));
 }
 
 TEST_F(BakeCommand, WhatDoesNotFitIsRefusedInWords) {
@@ -263,18 +264,18 @@ TEST_F(BakeCommand, WhatDoesNotFitIsRefusedInWords) {
   EXPECT_THAT(output_, HasSubstr("another camera path"));
   fs::rename(folder_ / "moving.trajectory", folder_ / "other.trajectory");
   EXPECT_EQ(run("render other.toml --size 16 --frames 1"), 0);
-  EXPECT_THAT(output_, HasSubstr("left alone"));
+  EXPECT_THAT(output_, HasSubstr("(trajectory ignored)"));
   EXPECT_NE(run("render moving.toml --size 16 --frames 1 --lens streamed"), 0);
   EXPECT_THAT(output_, HasSubstr("no trajectory"));
   EXPECT_NE(run("render moving.toml --size 16 --frames 1 --trajectory moving.toml"), 0);
   EXPECT_THAT(output_, HasSubstr("is not a trajectory"));
   EXPECT_NE(run("bake moving.toml --out /dev/null/x"), 0);
   EXPECT_NE(run("bake moving.toml --out m --part 3/2"), 0);
-  EXPECT_THAT(output_, HasSubstr("no part of a bake"));
+  EXPECT_THAT(output_, HasSubstr("does not name a part"));
   EXPECT_NE(run("bake moving.toml --out m --budget 0"), 0);
   write("quadtree.toml", std::string(moving_show) + "[grid]\nscheme = \"quadtree\"\n");
   EXPECT_NE(run("bake quadtree.toml --out q"), 0);
-  EXPECT_THAT(output_, HasSubstr("is not baked"));
+  EXPECT_THAT(output_, HasSubstr("cannot be baked"));
   write("half.part", "title");
   EXPECT_NE(run("bake moving.toml --out half"), 0);
 }

@@ -74,17 +74,18 @@ TEST_F(DiagramCommand, RefusesAFolderThatIsNotThere) {
 }
 
 TEST_F(DiagramCommand, RefusesOptionsThatMakeNoSense) {
-  EXPECT_THAT(refusal("ball.toml --out x.jpg"), HasSubstr("no name of a PNG"));
+  EXPECT_THAT(refusal("ball.toml --out x.jpg"), HasSubstr("does not end in .png"));
   for (const char* size : {"10", "100x", "axb", "1e9", "100x100x100", "100.5"}) {
-    EXPECT_THAT(refusal(std::string("ball.toml --out x.png --size ") + size), HasSubstr("no size of a picture"))
+    EXPECT_THAT(refusal(std::string("ball.toml --out x.png --size ") + size), HasSubstr("is not a picture size"))
         << size;
   }
   for (const char* images : {"0", "6", "1.5", "one", "1,,2"}) {
-    EXPECT_THAT(refusal(std::string("ball.toml --out x.png --images ") + images), HasSubstr("no orders of images"))
+    EXPECT_THAT(refusal(std::string("ball.toml --out x.png --images ") + images),
+                HasSubstr("is not a list of image orders"))
         << images;
   }
   for (const char* from : {"10", "10,95", "10,20,0", "10,20,30,40", "north"}) {
-    EXPECT_THAT(refusal(std::string("ball.toml --out x.png --from ") + from), HasSubstr("no place of a camera"))
+    EXPECT_THAT(refusal(std::string("ball.toml --out x.png --from ") + from), HasSubstr("is not a camera position"))
         << from;
   }
   EXPECT_THAT(refusal("ball.toml --out x --frames 1:2 --at 1"), HasSubstr("--at"));

@@ -77,7 +77,7 @@ TEST_F(CommandLine, PlanRefusesWhatIsNotAShow) {
 
 TEST_F(CommandLine, CatalogueTellsWhatItHoldsAndWritesIt) {
   ASSERT_EQ(run("catalogue bright_stars --faintest 2 --out few.stars"), 0) << output_;
-  EXPECT_THAT(output_, HasSubstr("49 stars, 0 without a colour"));
+  EXPECT_THAT(output_, HasSubstr("49 stars, 0 without a color"));
   const std::string brightest = "32349   101.287";
   EXPECT_THAT(output_, HasSubstr(brightest));
   ASSERT_EQ(run("catalogue few.stars"), 0) << output_;
@@ -87,14 +87,14 @@ TEST_F(CommandLine, CatalogueTellsWhatItHoldsAndWritesIt) {
 TEST_F(CommandLine, CatalogueReadsATableAndSaysWhatItLeftOut) {
   write("own.csv", "id,ra,dec,mag,ci\n1,1.5,20,3.0,0.6\n2,2.5,-10,4.0,\n3,,0,5.0,0.1\n");
   ASSERT_EQ(run("catalogue own.csv"), 0) << output_;
-  EXPECT_THAT(output_, HasSubstr("2 stars, 1 without a colour, 1 row left out: 1 without a place (line 4)"));
+  EXPECT_THAT(output_, HasSubstr("2 stars, 1 without a color, 1 row left out: 1 without a place (line 4)"));
   EXPECT_THAT(output_, testing::ContainsRegex("4\\.00       -\n"));
 }
 
 TEST_F(CommandLine, CatalogueWritesOverNothingButACatalogueOfItsOwn) {
   write("precious.toml", "duration_s = 1\n");
   EXPECT_EQ(run("catalogue bright_stars --faintest 2 --out precious.toml"), 1);
-  EXPECT_THAT(output_, HasSubstr("--out precious.toml: is there, and is no catalogue"));
+  EXPECT_THAT(output_, HasSubstr("--out precious.toml: already exists and is not an Ergodome catalogue"));
   EXPECT_EQ(read_whole_file(folder_ / "precious.toml", 1000, ""), "duration_s = 1\n");
   EXPECT_EQ(run("catalogue bright_stars --faintest 2 --out precious.toml --replace"), 0) << output_;
   EXPECT_EQ(run("catalogue bright_stars --faintest 1 --out precious.toml"), 0) << output_;

@@ -45,7 +45,7 @@ TEST(RunCost, HasUnitsOfSizeAndTime) {
 TEST(DiskRoom, IsToldWhereItIsTooLittle) {
   EXPECT_EQ(room_note("frames", "the show", 1000, 1000), "");
   EXPECT_THAT(room_note("frames", "the rest of the run", 3'000'000'000, 200'000'000),
-              StartsWith("frames: the rest of the run needs about 3 GB, and its disk has 200 MB free; "));
+              StartsWith("frames: the rest of the run needs about 3 GB, but its disk has only 200 MB free; "));
   EXPECT_EQ(free_bytes("/nowhere/at/all") > 0, free_bytes("/") > 0);
 }
 
@@ -69,7 +69,7 @@ TEST_F(CommandLine, PlanMeasuresFilesOfTheFormatThatIsAskedFor) {
   write("short.toml", short_show);
   ASSERT_EQ(run("plan short.toml --backend cpu --format exr --stereo multiview --size 32"), 0) << output_;
   EXPECT_THAT(output_, HasSubstr("render: 4 frames, about "));
-  EXPECT_THAT(output_, HasSubstr("measured: frame 3, in the middle of the show, rendered and written as exr"));
+  EXPECT_THAT(output_, HasSubstr("measured on frame 3, in the middle of the show, written as exr"));
 }
 
 TEST_F(CommandLine, PlanNamesTheFrameThatItMeasured) {

@@ -50,7 +50,7 @@ class ExhibitInAWindow : public test::CommandLine {
 TEST_F(ExhibitInAWindow, LetsAVisitorFlyWhoTakesThePad) {
   ASSERT_EQ(exhibit("--record flight.toml --for 6 --pad-fixture '" ERGODOME_TEST_DATA_DIR "/hid/flight.toml'"), 0)
       << output_;
-  EXPECT_THAT(log(), HasSubstr("a visitor has come"));
+  EXPECT_THAT(log(), HasSubstr("a visitor arrived"));
   const Show flight = read_show(folder_ / "flight-000001.toml");
   EXPECT_GT(flight.duration_s, 1.0);
   const CameraPose first = camera_pose(flight, 0.0);
@@ -66,7 +66,7 @@ TEST_F(ExhibitInAWindow, RecordsEachVisitAndNothingOfTheAttractShow) {
   EXPECT_EQ(text("flight-000001.toml"), "of another run");
   // How many visits there are is the machine's pace.
   const std::string told = log();
-  const std::string visit = "a visitor has come";
+  const std::string visit = "a visitor arrived";
   int visits = 0;
   for (std::size_t at = told.find(visit); at != std::string::npos; at = told.find(visit, at + 1)) {
     ++visits;
@@ -84,12 +84,12 @@ TEST_F(ExhibitInAWindow, RefusesToShowWhatWouldBeRemovedAmongItsRecords) {
   write("flight-000001.toml", scene_);
   attract_ = "flight-000001.toml";
   EXPECT_EQ(exhibit("--record flight.toml"), 2);
-  EXPECT_THAT(output_, HasSubstr("give the show that is to stay another name"));
+  EXPECT_THAT(output_, HasSubstr("rename the show"));
 }
 
 TEST_F(ExhibitInAWindow, ShowsTheAttractShowWhenNobodyComes) {
   ASSERT_EQ(exhibit("--for 2 --screenshot shot.png"), 0) << output_;
-  EXPECT_THAT(log(), testing::Not(HasSubstr("a visitor has come")));
+  EXPECT_THAT(log(), testing::Not(HasSubstr("a visitor arrived")));
 }
 
 TEST_F(ExhibitInAWindow, NotesInItsLogThatAnAttractShowDoesNotFitTheScreen) {
@@ -101,15 +101,15 @@ TEST_F(ExhibitInAWindow, NotesInItsLogThatAnAttractShowDoesNotFitTheScreen) {
 TEST_F(ExhibitInAWindow, LogsThatATrajectoryIsTooCoarse) {
   ASSERT_EQ(run("bake attract.toml --out attract.trajectory --size 16 --no-derivatives"), 0) << output_;
   ASSERT_EQ(exhibit("--for 0.2"), 0) << output_;
-  EXPECT_THAT(log(), HasSubstr("is too coarse for 0.25 px at 64: a ray is followed for each pixel"));
+  EXPECT_THAT(log(), HasSubstr("is too coarse for 0.25 px at 64: each pixel is traced instead"));
 }
 
 TEST_F(ExhibitInAWindow, LogsWhatBeginsAndWhyItEnds) {
   ASSERT_EQ(exhibit("--for 0.2 --web 0"), 0) << output_;
-  EXPECT_THAT(log(), HasSubstr("an exhibit begins: ergodome " ERGODOME_VERSION
-                               ", visitors' show visitor, attract show attract, cpu ("));
+  EXPECT_THAT(log(), HasSubstr("exhibit started: ergodome " ERGODOME_VERSION
+                               ", visitor for visitors, attract show attract, cpu ("));
   EXPECT_THAT(log(), HasSubstr("), status page at 127.0.0.1:"));
-  EXPECT_THAT(log(), HasSubstr("the exhibit ends: the 0.2 s of --for are over"));
+  EXPECT_THAT(log(), HasSubstr("exhibit ended: the time limit of --for (0.2 s) was reached"));
 }
 
 TEST_F(ExhibitInAWindow, LogsThatTheVisitorsShowBreaksWhileTheAttractShowRuns) {

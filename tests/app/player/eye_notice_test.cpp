@@ -24,8 +24,10 @@ TEST(EyeNotice, TellsAgainOfADistanceThatAPersonHasChosen) {
 }
 
 TEST(EyeNotice, SpeaksTheLanguageOfTheShow) {
-  EXPECT_EQ(line_of(narrow, "de"), "Augen 0.5 M auseinander passen hier nicht: Sie stehen so weit, wie es geht.");
-  EXPECT_EQ(line_of(narrow, "en"), "Eyes 0.5 M apart do not fit here: they stand as far apart as they can.");
+  EXPECT_EQ(line_of(narrow, "de"),
+            "Der Augenabstand von 0.5 M ist hier nicht möglich; er wurde auf den größten möglichen Wert verringert.");
+  EXPECT_EQ(line_of(narrow, "en"),
+            "The baseline of 0.5 M is not possible here; it was reduced to the largest possible value.");
 }
 
 TEST(EyeNotice, NamesTheShowsLineOnlyWhereTheDistanceIsTheShows) {

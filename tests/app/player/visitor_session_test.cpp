@@ -125,7 +125,7 @@ TEST_F(VisitorSession, TellsThatTheShowsOwnFlatEyesAreReplacedInAFall) {
   input.actions = {KeyAction::let_go};
   now_ += std::chrono::milliseconds(17);
   session.advance(input);
-  EXPECT_THAT(session.caption(), testing::HasSubstr("Eyes of the model flat see nothing in a fall"));
+  EXPECT_THAT(session.caption(), testing::HasSubstr("Stereo model flat is not possible in a fall"));
   for (int i = 0; i < 3000 && session.frame().pose.r > horizon_radius(session_spin); ++i) {
     now_ += std::chrono::milliseconds(17);
     session.advance({});

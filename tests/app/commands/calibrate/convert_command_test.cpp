@@ -139,14 +139,14 @@ TEST_F(ConvertCommand, AViewBecomesAMeshOfTheDomemaster) {
   ASSERT_EQ(run("inspect view.toml"), 0) << output_;
   EXPECT_THAT(output_, HasSubstr("p: the warp file gives the view yaw 20.00°, pitch 45.00°"));
   EXPECT_NE(run("inspect view.txt"), 0);
-  EXPECT_THAT(output_, HasSubstr("is a Sky-Skan warp; name it in a dome setup"));
+  EXPECT_THAT(output_, HasSubstr("is a Sky-Skan warp; use it in a dome setup"));
 }
 
 TEST_F(ConvertCommand, SaysThatAMapHoldsNoIntensities) {
   const std::string head = "2\n2 2\n-2 -1 0 0 0.25\n2 -1 1 0 1\n-2 1 0 1 -1\n";
   write("a.data", head + "2 1 1 1 1\n");
   ASSERT_EQ(run("convert a.data a.pfm --aspect 2"), 0) << output_;
-  EXPECT_THAT(output_, HasSubstr("a .pfm holds no intensities, and a.data has some from 0.25 to 1;"));
+  EXPECT_THAT(output_, HasSubstr("a .pfm file stores no intensities, but a.data contains some from 0.25 to 1;"));
 }
 
 TEST_F(ConvertCommand, SaysNothingOfIntensitiesWhereAllAreFull) {
@@ -205,10 +205,10 @@ TEST_F(ConvertCommand, ATiltWrittenBesideFlatWarpsOfMpcdiChangesNoShow) {
   write("dome.toml", leaning(""));
   ASSERT_EQ(run("convert dome.toml made"), 0) << output_;
   ASSERT_EQ(run("convert made/dome.toml a.mpcdi"), 0) << output_;
-  EXPECT_THAT(output_,
-              HasSubstr("are in its warps, and MPCDI does not tell them: for level test patterns write tilt_deg = 15"));
+  EXPECT_THAT(output_, HasSubstr("its warps include tilt_deg and rotation_deg, which MPCDI does not store: for level "
+                                 "test patterns, set tilt_deg = 15"));
   ASSERT_EQ(run("convert a.mpcdi again.toml --radius 6"), 0) << output_;
-  EXPECT_THAT(output_, HasSubstr("test patterns are level once tilt_deg is written"));
+  EXPECT_THAT(output_, HasSubstr("set tilt_deg to make test patterns level"));
   std::string with_tilt = text("again.toml");
   with_tilt.replace(with_tilt.find("[dome]"), 6, "[dome]\ntilt_deg = 15");
   write("tilted.toml", with_tilt);
@@ -220,10 +220,10 @@ TEST_F(ConvertCommand, ATiltWrittenBesideFlatWarpsOfMpcdiChangesNoShow) {
 TEST_F(ConvertCommand, ATiltWrittenBesidePlacesOfMpcdiTiltsShowsAgain) {
   write("dome.toml", leaning(""));
   ASSERT_EQ(run("convert dome.toml a.mpcdi"), 0) << output_;
-  EXPECT_THAT(output_,
-              HasSubstr("are in its places, and MPCDI does not tell them: for level test patterns keep this setup"));
+  EXPECT_THAT(output_, HasSubstr("its positions include tilt_deg and rotation_deg, which MPCDI does not store: for "
+                                 "level test patterns, keep the original setup"));
   ASSERT_EQ(run("convert a.mpcdi again.toml --radius 6"), 0) << output_;
-  EXPECT_THAT(output_, HasSubstr("shows are right with tilt_deg and rotation_deg 0"));
+  EXPECT_THAT(output_, HasSubstr("shows are correct with tilt_deg and rotation_deg 0"));
   EXPECT_LT(farthest_apart(pictures_of("dome.toml")[0].warp, pictures_of("again.toml")[0].warp), 1e-4);
   std::string with_tilt = text("again.toml");
   with_tilt.replace(with_tilt.find("[dome]"), 6, "[dome]\ntilt_deg = 15");
@@ -234,7 +234,7 @@ TEST_F(ConvertCommand, ATiltWrittenBesidePlacesOfMpcdiTiltsShowsAgain) {
 TEST_F(ConvertCommand, WarpsWithARotationKeepTheirSetupForLevelPatterns) {
   write("dome.toml", leaning("rotation_deg = 20"));
   ASSERT_EQ(run("convert dome.toml made"), 0) << output_;
-  EXPECT_THAT(output_, HasSubstr("test patterns are level with the old setup alone"));
+  EXPECT_THAT(output_, HasSubstr("test patterns are level only with the original setup"));
 }
 
 TEST_F(ConvertCommand, SaysNothingOfTiltWhereThereIsNone) {
@@ -260,7 +260,7 @@ TEST_F(CommandLine, InspectTellsHowMuchOfTheDomeAProjectorLights) {
         "window_px = [0, 0]\n");
   ASSERT_EQ(run("inspect dome.toml --picture dome.png --size 200"), 0) << output_;
   EXPECT_THAT(output_, HasSubstr("33.3 %  from geometry"));
-  EXPECT_THAT(output_, HasSubstr("66.7 % of the dome is lit by none"));
+  EXPECT_THAT(output_, HasSubstr("66.7 % of the dome is lit by no projector"));
   EXPECT_TRUE(is_complete_image(folder_ / "dome.png", 200, 200));
 }
 
@@ -284,8 +284,9 @@ TEST_F(CommandLine, InspectRemarksOnAMeshForARasterOfAnotherShape) {
   write("dome.toml", dome_with_a_mesh);
   write("a.data", mesh_of_width(1.3333333));
   ASSERT_EQ(run("inspect dome.toml"), 0) << output_;
-  EXPECT_THAT(output_,
-              HasSubstr("m: x in a.data runs to 1.333, where the raster's sides are at 1.778, so these stay black"));
+  EXPECT_THAT(
+      output_,
+      HasSubstr("m: x in a.data extends to 1.333, but the raster's edges are at 1.778, so the edges stay black"));
   EXPECT_THAT(output_, HasSubstr("--aspect 1.3333"));
 }
 

@@ -34,8 +34,20 @@ TEST_F(CommandLine, InspectTellsWhatAShowDoesWithTime) {
   const std::size_t words = output_.find("words.ogg");
   ASSERT_NE(logo, std::string::npos);
   ASSERT_NE(words, std::string::npos);
-  EXPECT_THAT(output_.substr(logo, output_.find('\n', logo) - logo), HasSubstr("NOT THERE"));
-  EXPECT_THAT(output_.substr(words), Not(HasSubstr("NOT THERE")));
+  EXPECT_THAT(output_.substr(logo, output_.find('\n', logo) - logo), HasSubstr("MISSING"));
+  EXPECT_THAT(output_.substr(words), Not(HasSubstr("MISSING")));
+}
+
+TEST_F(CommandLine, InspectPrintsOneTitleOfSeveralLanguages) {
+  const std::string rest = "\nduration_s = 1\n[[camera.key]]\nr = 20\n";
+  for (const auto& [titles, printed] :
+       {std::pair("{ de = \"Schatten\", en = \"Shadow\" }", "title           Shadow\n"),
+        std::pair("{ fr = \"Ombre\", de = \"Schatten\" }", "title           Schatten\n"),
+        std::pair("\"Small\"", "title           Small\n")}) {
+    write("titled.toml", "title = " + std::string(titles) + rest);
+    EXPECT_EQ(run("inspect titled.toml"), 0) << output_;
+    EXPECT_THAT(output_, HasSubstr(printed));
+  }
 }
 
 TEST_F(CommandLine, InspectTellsWhichFilesOfAShowAreMissing) {
@@ -51,9 +63,9 @@ TEST_F(CommandLine, InspectTellsWhichFilesOfAShowAreMissing) {
     return at == std::string::npos ? "" : output_.substr(at, output_.find('\n', at) - at);
   };
   for (const char* const name : {"nomap.png", "nostars.csv", "nopattern.exr", "notexture.png"}) {
-    EXPECT_THAT(line_of(name), HasSubstr("NOT THERE")) << name;
+    EXPECT_THAT(line_of(name), HasSubstr("MISSING")) << name;
   }
-  EXPECT_THAT(line_of("there.obj"), AllOf(HasSubstr("objects[0].mesh"), Not(HasSubstr("NOT THERE"))));
+  EXPECT_THAT(line_of("there.obj"), AllOf(HasSubstr("objects[0].mesh"), Not(HasSubstr("MISSING"))));
   EXPECT_THAT(line_of("too late"), HasSubstr("AFTER THE END"));
 }
 
@@ -66,7 +78,7 @@ TEST_F(CommandLine, InspectRemarksOnEyesThatConvergeNearerThanTheyAreApart) {
     EXPECT_EQ(run("inspect crossed.toml"), 0) << output_;
   };
   inspect("0.4");
-  EXPECT_THAT(output_, HasSubstr("eyes 1 M apart converge at 0.4 M"));
+  EXPECT_THAT(output_, HasSubstr("the baseline is 1 M but the convergence distance only 0.4 M"));
   inspect("5");
   EXPECT_THAT(output_, Not(HasSubstr("converge at")));
 }
@@ -76,7 +88,7 @@ TEST_F(CommandLine, InspectTellsAFolderFromAFileThatIsMissing) {
         "[[camera.key]]\nr = 20\n[sky]\nmap = \"black\"\n[[overlay]]\nimage = \"logo\"\nfrom_s = 0\nto_s = 1\n");
   std::filesystem::create_directory(folder_ / "logo");
   EXPECT_EQ(run("inspect named.toml"), 1) << output_;
-  EXPECT_THAT(output_, AllOf(testing::ContainsRegex("logo [^\n]*IS A FOLDER"), Not(HasSubstr("NOT THERE"))));
+  EXPECT_THAT(output_, AllOf(testing::ContainsRegex("logo [^\n]*IS A FOLDER"), Not(HasSubstr("MISSING"))));
 }
 
 TEST_F(CommandLine, InspectTellsOfSoundThatBreaksOff) {
@@ -109,7 +121,7 @@ TEST_F(CommandLine, InspectMarksNumbersThatHaveNotComeToTheirLastKeyAtTheEnd) {
         "[[animate]]\nnumber = \"sky.exposure\"\nkey = [{ t_s = 5, value = 1 }, { t_s = 60, value = 4 }]\n"
         "[[animate]]\nnumber = \"hole.spin\"\nkey = [{ t_s = 5, value = 0.1 }, { t_s = 20, value = 0.4 }]\n");
   ASSERT_EQ(run("inspect late.toml"), 0) << output_;
-  EXPECT_THAT(output_, testing::ContainsRegex("sky.exposure [^\n]* GOES ON AFTER THE END"));
+  EXPECT_THAT(output_, testing::ContainsRegex("sky.exposure [^\n]* CONTINUES AFTER THE END"));
   EXPECT_THAT(output_, Not(testing::ContainsRegex("hole.spin [^\n]* AFTER THE END")));
 }
 
@@ -179,7 +191,7 @@ TEST_F(CommandLine, InspectTellsTheSizeOfMeshesAndRemarksOnThem) {
         "method = \"trace\"\nsize = 0.5\nposition = [12, 0, 0]\n");
   write("ship.obj", "v 0 0 0\nv 2 0 0\nv 2 4 0\nv 0 4 0\nusemtl steel\nf 1 2 3 4\nf 1 1 2\n");
   ASSERT_EQ(run("inspect ship.toml"), 0) << output_;
-  EXPECT_THAT(output_, HasSubstr("2 triangles, 1 without area left out, 1 x 2 x 0 M before it is turned\n"
+  EXPECT_THAT(output_, HasSubstr("2 triangles, 1 without area omitted, 1 x 2 x 0 M before rotation\n"
                                  "    uses materials that none of its material files defines (\"steel\")"));
   ASSERT_EQ(run("inspect ship.toml --json"), 0) << output_;
   const auto mesh = nlohmann::json::parse(output_)["meshes"][0];
@@ -217,7 +229,7 @@ TEST_F(CommandLine, InspectReadsEveryFileThatAShowNames) {
     ASSERT_NE(at, std::string::npos) << file << ": " << output_;
     EXPECT_THAT(output_.substr(at, output_.find('\n', at) - at), HasSubstr(problem)) << file;
   }
-  EXPECT_THAT(output_, HasSubstr("evening.toml: 5 of 6 files that it names are of no use"));
+  EXPECT_THAT(output_, HasSubstr("evening.toml: 5 of 6 referenced files cannot be used; see the list above"));
 }
 
 TEST_F(CommandLine, InspectTellsItAsJson) {

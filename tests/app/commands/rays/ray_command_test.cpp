@@ -76,7 +76,7 @@ TEST_F(RayCommands, EndingsOfOutChooseTheFormat) {
   ASSERT_EQ(run("edge --rays rays.csv --out edge.json --points 4"), 0) << output_;
   EXPECT_EQ(nlohmann::json::parse(text("edge.json")).size(), 4U);
   EXPECT_EQ(run("edge --rays rays.csv --out edge.xlsx"), 2);
-  EXPECT_THAT(output_, HasSubstr("let it end in .csv, .tsv or .json"));
+  EXPECT_THAT(output_, HasSubstr("choose a name that ends in .csv, .tsv or .json"));
 }
 
 TEST_F(RayCommands, TraceWorksByEveryMethodInBothPrecisions) {

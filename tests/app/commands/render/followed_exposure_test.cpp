@@ -66,14 +66,14 @@ TEST_F(FollowedExposure, OfPartsThatBeganAnewIsMadeAgainWhereTheFramesBeforeHave
 
 TEST_F(FollowedExposure, ThatBeginsAnewIsTold) {
   EXPECT_EQ(run("render fall.toml --backend cpu --out middle --frames 5:6"), 0) << output_;
-  EXPECT_THAT(output_, HasSubstr("begins anew with frame 5"));
+  EXPECT_THAT(output_, HasSubstr("starts again at frame 5"));
   EXPECT_NE(frame("middle", 5), frame("whole", 5));
 }
 
 TEST_F(FollowedExposure, DoesNotGoOnFromFramesThatWereAskedForOtherwise) {
   EXPECT_EQ(run("render fall.toml --backend cpu --out mixed --frames 1:3 --lens direct"), 0) << output_;
   EXPECT_EQ(run("render fall.toml --backend cpu --out mixed --frames 4:5 --lens live"), 0) << output_;
-  EXPECT_THAT(output_, HasSubstr("begins anew with frame 4"));
+  EXPECT_THAT(output_, HasSubstr("starts again at frame 4"));
 }
 
 TEST_F(FollowedExposure, SaysNothingOfLightThatNoExposureChanges) {

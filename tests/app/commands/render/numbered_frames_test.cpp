@@ -83,7 +83,7 @@ TEST_F(NumberedFrames, ThatWereAskedForOtherwiseAreTold) {
   ASSERT_EQ(render("--frames 1:3"), 0) << output_;
   EXPECT_THAT(output_, Not(HasSubstr("otherwise")));
   ASSERT_EQ(render("--frames 1:3 --size 24"), 0) << output_;
-  EXPECT_THAT(output_, HasSubstr("\n3 frames there were asked for otherwise (4:6)\n"));
+  EXPECT_THAT(output_, HasSubstr("\nthe folder also contains 3 frames rendered with other options (4:6)\n"));
 }
 
 TEST_F(NumberedFrames, BeyondTheShowsEndAreTold) {
@@ -91,14 +91,17 @@ TEST_F(NumberedFrames, BeyondTheShowsEndAreTold) {
   std::string shorter = numbered_show;
   write("still.toml", shorter.replace(shorter.find("0.6"), 3, "0.5"));
   ASSERT_EQ(render("--resume"), 0) << output_;
-  EXPECT_THAT(output_, StartsWith("0 frames in f, beside 5 frames that were there\n1 frame there was asked for "));
+  EXPECT_THAT(
+      output_,
+      StartsWith(
+          "0 frames in f; skipped 5 frames from an earlier run\nthe folder also contains 1 frame rendered with "));
 }
 
 TEST_F(NumberedFrames, ThatAreMadeAgainAreToldApartFromThoseThatWereMissing) {
   ASSERT_EQ(render("--frames 1:3"), 0) << output_;
   fs::remove(folder_ / "f/still_000002.png");
   ASSERT_EQ(render("--frames 1:4 --size 24 --resume"), 0) << output_;
-  EXPECT_THAT(output_, HasSubstr("\n4 frames in f (2 again, asked for otherwise before)\n"));
+  EXPECT_THAT(output_, HasSubstr("\n4 frames in f (2 replaced, rendered with other options before)\n"));
 }
 
 TEST_F(NumberedFrames, HaveTheirSheetWhenTheirRunIsStopped) {
@@ -110,7 +113,7 @@ TEST_F(NumberedFrames, HaveTheirSheetWhenTheirRunIsStopped) {
                               "until [ -e f/still_000002.png ]; do kill -0 $! || exit 9; sleep 0.02; done; "
                               "kill -TERM $!; wait $!";
   ASSERT_EQ(WEXITSTATUS(std::system(command.c_str())), 1);
-  EXPECT_THAT(text("said"), HasSubstr("go on with --resume"));
+  EXPECT_THAT(text("said"), HasSubstr("continue with --resume"));
   int there = 0;
   while (fs::exists(folder_ / "f" / frame_path("still", there, 9000, FramePart::whole, "png"))) {
     ++there;
