@@ -163,9 +163,9 @@ void require_time(const std::string& option, const Show& show, double time_s) {
 }
 
 void require_features(const Show& show) {
-  const std::vector<std::string> missing = missing_features(show);
+  const std::vector<MissingFeature> missing = missing_features(show);
   if (!missing.empty()) {
-    throw Error(show.name + ".toml", fmt::format("{}", fmt::join(missing, "; ")), "remove it from the show");
+    throw Error(show.name + ".toml", missing.front().problem, missing.front().remedy);
   }
 }
 

@@ -56,21 +56,21 @@ const char* observer_word(const CameraSettings& camera) {
 void take_velocity(TomlTable& table, const std::string& file, const Show& show, CameraKey& key) {
   const WrittenMotion written = read_motion(table, "velocity", file, {});
   if (!show.camera.keys.empty() && table.has("velocity") != show.camera.keys.front().velocity.has_value()) {
-    throw table.error_at("velocity", table.has("velocity") ? "is not there at the keys before" : "is missing",
-                         "give all keys of the camera a velocity, or none");
+    throw table.error_at("velocity", table.has("velocity") ? "is missing from the keys before this one" : "is missing",
+                         "give either all keys of the camera a velocity, or none");
   }
   if (!table.has("velocity")) {
     return;
   }
   if (show.camera.fall && show.camera.fall->until_s) {
-    throw table.error_at("velocity", "is not for a camera whose fall ends",
-                         "leave out until_s of [camera.fall], or the velocities of all keys");
+    throw table.error_at("velocity", "cannot be combined with a fall that ends",
+                         "remove until_s from [camera.fall], or velocity from all keys");
   }
   const Vector3<double> v =
       observer_velocity(written.motion, spin_at(show, key.time_s), key.r, key.theta, written.velocity);
   if (!(dot(v, v) <= fastest_observer * fastest_observer * (1.0 + 1e-12))) {
-    throw table.error_at("velocity", fmt::format("would outrun light at r = {} M", key.r),
-                         "lead the camera further out, or write velocity = { beta = 0.3, toward = [0, 0, 1] }");
+    throw table.error_at("velocity", fmt::format("would exceed the speed of light at r = {} M", key.r),
+                         "move the camera farther out, or write velocity = { beta = 0.3, toward = [0, 0, 1] }");
   }
   key.velocity = v;
 }
@@ -80,16 +80,16 @@ void check_time(const TomlTable& table, const CameraSettings& camera, const Came
   if (!camera.keys.empty()) {
     const CameraKey& before = camera.keys.back();
     if (!(key.time_s - before.time_s >= least_key_gap_s)) {
-      throw table.error_at("t_s", "does not come after the key before", "put the keys in order of time");
+      throw table.error_at("t_s", "is not later than that of the previous key", "sort the keys by time");
     }
     if (!(key.time_s - before.time_s - before.hold_s >= least_key_gap_s)) {
-      throw table.error_at("t_s", "comes before the camera has left the key before",
-                           "shorten its hold_s, or put this key later");
+      throw table.error_at("t_s", "is before the end of the previous key's hold",
+                           "shorten the hold_s of the previous key, or move this key later");
     }
   }
   const double since_fall_s = camera.fall && camera.fall->until_s ? key.time_s - *camera.fall->until_s : 0.0;
   if (since_fall_s > 0.0 && since_fall_s < least_key_gap_s) {
-    throw table.error_at("t_s", "does not come after the end of the fall", "put the key later, or end the fall before");
+    throw table.error_at("t_s", "is not later than the end of the fall", "move the key later, or end the fall earlier");
   }
 }
 
@@ -102,10 +102,11 @@ void check_key(const TomlTable& table, double spin, const CameraSettings& camera
   }
   if (!key.velocity && outruns_light(camera, spin, key.r, key.theta)) {
     throw table.error_at(
-        "r", fmt::format("is {} M, where {} observer would outrun light", key.r, observer_word(camera)),
+        "r",
+        fmt::format("is {} M, where {} observer would have to move faster than light", key.r, observer_word(camera)),
         camera.motion == ObserverMotion::fixed
-            ? fmt::format("stay above {:.6g} M or choose observer = \"zamo\"", static_limit_radius(spin, key.theta))
-            : "stay outside the photon orbit or choose observer = \"zamo\"");
+            ? fmt::format("stay above {:.6g} M, or choose observer = \"zamo\"", static_limit_radius(spin, key.theta))
+            : "stay outside the photon orbit, or choose observer = \"zamo\"");
   }
 }
 
@@ -115,10 +116,10 @@ void check_place(const TomlTable& table, const Show& show, double time_s) {
   if (outruns_light(show.camera, spin_at(show, time_s), pose.r, pose.theta)) {
     throw table.error_at(
         "r",
-        fmt::format("leads by r = {:.4g} M and theta = {:.4g} deg at {:.4g} s, where {} observer would "
-                    "outrun light",
+        fmt::format("leads the camera to r = {:.4g} M and theta = {:.4g} deg at {:.4g} s, where {} observer would "
+                    "have to move faster than light",
                     pose.r, radian_deg * pose.theta, time_s, observer_word(show.camera)),
-        "lead the camera further out between the keys, or choose observer = \"zamo\"");
+        "keep the camera farther out between the keys, or choose observer = \"zamo\"");
   }
 }
 
@@ -129,10 +130,11 @@ void check_end_of_fall(const TomlTable& fall, const Show& show) {
   }
   const CameraKey& end = show.camera.after_fall.front();
   if (outruns_light(show.camera, show.spin, end.r, end.theta)) {
-    throw fall.error_at("until_s",
-                        fmt::format("ends a fall at r = {:.4g} M, where {} observer would outrun light", end.r,
-                                    observer_word(show.camera)),
-                        "end it where the camera is further out, or choose observer = \"zamo\"");
+    throw fall.error_at(
+        "until_s",
+        fmt::format("ends the fall at r = {:.4g} M, where {} observer would have to move faster than light", end.r,
+                    observer_word(show.camera)),
+        "end it where the camera is farther out, or choose observer = \"zamo\"");
   }
 }
 
@@ -189,8 +191,7 @@ void read_camera(const toml::table* table, const std::string& file, Show& show) 
   show.camera.velocity = observer.velocity;
   const auto keys = camera.tables("key", most_keys);
   if (keys.empty()) {
-    throw camera.error_at("key", "is missing",
-                          "give the camera at least one [[camera.key]] with r, theta_deg and phi_deg");
+    throw camera.error_at("key", "is missing", "add at least one [[camera.key]] with r, theta_deg and phi_deg");
   }
   for (std::size_t i = 0; i < keys.size(); ++i) {
     TomlTable each(*keys[i], file, fmt::format("camera.key[{}]", i));
@@ -199,7 +200,7 @@ void read_camera(const toml::table* table, const std::string& file, Show& show) 
     if (falls && i > 0) {
       take_place_of_fall(each, show.camera.keys.back(), key);
     } else if (!each.has("r")) {
-      throw each.error_at("r", "is missing", "write the camera's radius in units of M");
+      throw each.error_at("r", "is missing", "give the camera's radius in units of M, for example r = 20");
     }
     check_time(each, show.camera, key);
     if (!falls) {

@@ -16,12 +16,12 @@ Vector3<double> read_vector(TomlTable& table, std::string_view key, const toml::
   for (std::size_t i = 0; i < 3; ++i) {
     const auto part = list->get(i)->value<double>();
     if (!part || !std::isfinite(*part) || std::abs(*part) > 1e100) {
-      throw table.error_at(key, "holds something that is not a number", "write three numbers");
+      throw table.error_at(key, "contains an entry that is not a finite number", "write three numbers");
     }
     *parts[i] = *part;
   }
   if (!(dot(v, v) > 0.0)) {
-    throw table.error_at(key, "has no length", "write a direction that is not zero");
+    throw table.error_at(key, "is zero", "write a direction with at least one number other than 0");
   }
   return v;
 }
@@ -40,7 +40,7 @@ WrittenMotion read_motion(TomlTable& table, std::string_view key, const std::str
   TomlTable velocity(*at->as_table(), file, table.path_of(key));
   const double beta = velocity.number("beta", 0.0, 0.0, 1.0);
   if (!(beta <= fastest_observer)) {
-    throw velocity.error_at("beta", "is the speed of light", "choose a speed up to 0.999999");
+    throw velocity.error_at("beta", "is too close to the speed of light", "choose at most 0.999999");
   }
   const toml::node* toward = velocity.node("toward");
   if (toward == nullptr) {

@@ -21,10 +21,12 @@ namespace {
 void check_clock(const TomlTable& table, const Show& show) {
   const Animation* const changing = find_animation(show, "camera.fall.clock");
   if (changing == nullptr && !table.has("clock")) {
-    throw table.error_at("clock", "is missing", "write clock = 6, or how many M of the camera's own time a second has");
+    throw table.error_at(
+        "clock", "is missing",
+        "write the camera's own time that passes in a second of the show, for example clock = 6 (in M)");
   }
   if (!((changing != nullptr ? range_of(*changing).greatest : show.camera.fall->clock) > 0.0)) {
-    throw table.error_at("clock", "never runs", "choose a number above 0");
+    throw table.error_at("clock", "is never above 0, so that the camera would not fall", "choose a number above 0");
   }
 }
 
@@ -38,13 +40,13 @@ void check_end(const TomlTable& table, const Show& show) {
   constexpr double rounding_s = 1e-9;
   if (!(*fall.until_s >= earliest_s - rounding_s)) {
     throw table.error_at("until_s",
-                         fmt::format("is {} s: from {} s on, the clock takes ease_s to start and as long to stop",
+                         fmt::format("is {} s, too soon after {} s: the clock needs ease_s to start and ease_s to stop",
                                      *fall.until_s, fall.time_s),
-                         fmt::format("let the fall last until {:.6g} s or longer, or make ease_s smaller", earliest_s));
+                         fmt::format("choose {:.6g} s or later, or a smaller ease_s", earliest_s));
   }
   if (!(*fall.until_s <= show.duration_s)) {
-    throw table.error_at("until_s", fmt::format("is {} s, and the show ends at {} s", *fall.until_s, show.duration_s),
-                         "leave it out: the camera falls to the end of the show");
+    throw table.error_at("until_s", fmt::format("is {} s, but the show ends at {} s", *fall.until_s, show.duration_s),
+                         "remove it to let the camera fall until the end of the show");
   }
 }
 
@@ -58,15 +60,15 @@ void check_rest(const TomlTable& table, const Show& show, double begin_r) {
   if (fall.least_r > 0.0 && !(fall.least_r >= before && fall.least_r < begin_r) &&
       !(within && fall.least_r >= deepest && fall.least_r <= horizon / nearest_rest)) {
     throw table.error_at(
-        "least_r", fmt::format("is {} M, not between the horizon and the place of the beginning", fall.least_r),
-        fmt::format("choose it from {:.6g} to below {:.6g}", before, begin_r) +
-            (has_inside(show.spin) ? fmt::format(", or within the horizon, from {:.6g} to {:.6g}", deepest,
+        "least_r", fmt::format("is {} M, but must lie between the horizon and the start of the fall", fall.least_r),
+        fmt::format("choose at least {:.6g} and less than {:.6g}", before, begin_r) +
+            (has_inside(show.spin) ? fmt::format(", or inside the horizon {:.6g} to {:.6g}", deepest,
                                                  std::floor(1e5 * horizon / nearest_rest) * 1e-5)
                                    : ""));
   }
   if (within && fall.until_s) {
-    throw table.error_at("until_s", "ends a fall that least_r leads into the hole",
-                         "leave one of both out: from within the horizon keys lead nowhere");
+    throw table.error_at("until_s", "ends a fall whose least_r is inside the horizon",
+                         "remove one of the two: the camera cannot leave the horizon");
   }
 }
 
@@ -75,23 +77,23 @@ void check_beginning(const TomlTable& table, const Show& show) {
   const FallSettings& fall = *show.camera.fall;
   const auto key = std::ranges::find(show.camera.keys, fall.time_s, &CameraKey::time_s);
   if (key == show.camera.keys.end()) {
-    throw table.error_at("t_s", fmt::format("is {} s, when the camera has no key", fall.time_s),
-                         "write a [[camera.key]] with that t_s and the place where the fall begins");
+    throw table.error_at("t_s", fmt::format("is {} s, but the camera has no key at that time", fall.time_s),
+                         "add a [[camera.key]] with that t_s and the position where the fall begins");
   }
   if (!(fall.time_s < show.duration_s)) {
-    throw table.error_at("t_s", fmt::format("is {} s, and the show ends at {} s", fall.time_s, show.duration_s),
-                         "let it fall earlier, or give the show a longer duration_s");
+    throw table.error_at("t_s", fmt::format("is {} s, but the show ends at {} s", fall.time_s, show.duration_s),
+                         "start the fall earlier, or increase duration_s");
   }
   if (find_animation(show, "hole.spin") != nullptr) {
-    throw table.error_at("t_s", "begins a fall about a hole whose spin changes",
-                         "do not animate hole.spin: orbits are those of a hole that stays as it is");
+    throw table.error_at("t_s", "starts a fall while the spin of the hole is animated",
+                         "do not animate hole.spin: a free fall needs a constant spin");
   }
   check_rest(table, show, key->r);
   const Vector3<double> v = observer_velocity(fall.motion, show.spin, key->r, key->theta, fall.velocity);
   if (!(dot(v, v) <= fastest_observer * fastest_observer * (1.0 + 1e-12))) {
     throw table.error_at(table.has("velocity") ? "velocity" : "t_s",
-                         fmt::format("begins a fall at r = {} M with a velocity that would outrun light", key->r),
-                         "begin further out, or write velocity = { beta = 0.3, toward = [0, 0, 1] }");
+                         fmt::format("starts a fall at r = {} M with a velocity faster than light", key->r),
+                         "start farther out, or write velocity = { beta = 0.3, toward = [0, 0, 1] }");
   }
 }
 
@@ -121,8 +123,8 @@ void take_place_of_fall(const TomlTable& table, const CameraKey& before, CameraK
   for (const char* const place : {"r", "theta_deg", "phi_deg"}) {
     if (table.has(place)) {
       throw table.error_at(
-          place, "leads a camera that falls",
-          "leave r, theta_deg and phi_deg to keys up to camera.fall.t_s and after camera.fall.until_s");
+          place, "is given while the camera falls",
+          "write r, theta_deg and phi_deg only in keys up to camera.fall.t_s and after camera.fall.until_s");
     }
   }
   key.r = before.r;
@@ -134,9 +136,9 @@ void check_sights_within(TomlTable& root, const std::string& file, const Show& s
   const std::optional<LocalText> hidden = leads_within(show) ? hidden_within(show) : std::nullopt;
   if (hidden) {
     const TomlTable fall(*root.table("camera")->get("fall")->as_table(), file, "camera.fall");
-    throw fall.error_at(
-        "least_r", fmt::format("leads through the horizon, from within which {} cannot be shown", hidden->at("en")),
-        "take that out of the show, or choose a least_r outside");
+    throw fall.error_at("least_r",
+                        fmt::format("leads through the horizon, but {} cannot be shown inside it", hidden->at("en")),
+                        "change that setting, or choose a least_r outside the horizon");
   }
 }
 
@@ -154,17 +156,17 @@ void let_fall(const toml::table& fall, const std::string& file, Show& show) {
   if (!orbit.leads_within() && orbit.horizon_s() && *orbit.horizon_s() < show.duration_s) {
     const double horizon = horizon_radius(show.spin);
     throw table.error_at(
-        "t_s", fmt::format("begins a fall that leads into the horizon at {:.6g} s", *orbit.horizon_s()),
-        fmt::format("end the fall before (until_s), or write least_r = {:.4g}, where time comes to rest",
+        "t_s", fmt::format("starts a fall that reaches the horizon at {:.6g} s", *orbit.horizon_s()),
+        fmt::format("end the fall earlier with until_s, or write least_r = {:.4g} to stop outside the horizon",
                     1.05 * horizon) +
             (has_inside(show.spin)
-                 ? fmt::format("; {:.4g} leads through the horizon", 0.5 * (horizon + deepest_rest(show.spin)))
+                 ? fmt::format(", or least_r = {:.4g} to fall through it", 0.5 * (horizon + deepest_rest(show.spin)))
                  : ""));
   }
   if (!orbit.stop_s() && !orbit.horizon_s() && orbit.followed_s() < show.duration_s) {
     throw table.error_at(
-        "clock", fmt::format("runs so fast that the orbit cannot be followed beyond {:.6g} s", orbit.followed_s()),
-        "choose a slower clock, a shorter show, or a least_r");
+        "clock", fmt::format("is so fast that the orbit can be computed only up to {:.6g} s", orbit.followed_s()),
+        "choose a smaller clock or a shorter show, or set least_r");
   }
 }
 

@@ -32,7 +32,7 @@ void flush_to_disk(const std::filesystem::path& file, const std::filesystem::pat
   }
   if (!flushed) {
     throw Error(final_name.string(), std::string("cannot be written: ") + std::strerror(problem),
-                "free some space or choose another folder");
+                "free some space, or choose another folder");
   }
 }
 
@@ -42,7 +42,9 @@ constexpr std::size_t random_digits = 16;
 std::string partial_name(const std::filesystem::path& path) {
   std::uint64_t number = 0;
   if (::getrandom(&number, sizeof number, 0) != static_cast<ssize_t>(sizeof number)) {
-    throw Error(path.string(), std::string("cannot be written: no random name: ") + std::strerror(errno), "try again");
+    throw Error(path.string(),
+                std::string("cannot be written: no random numbers for a temporary name: ") + std::strerror(errno),
+                "try again");
   }
   return fmt::format("{}{:016x}-{}", partial_prefix, number, path.filename().string());
 }
@@ -67,7 +69,7 @@ class PartialFile {
       handle_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
       if (handle_ < 0) {
         throw Error(path.string(), std::string("cannot be written: ") + std::strerror(errno),
-                    "check the folder, its permissions and the space left");
+                    "check the folder, its permissions and the free space");
       }
     } while (!lock());
   }
@@ -113,7 +115,7 @@ std::filesystem::path behind_links(const std::filesystem::path& path) {
     at = target.is_absolute() ? target : at.parent_path() / target;
   }
   if (std::filesystem::is_symlink(at, problem)) {
-    throw Error(path.string(), "is a link that leads back to itself", "remove it, or make what it is to name");
+    throw Error(path.string(), "is a symbolic link that points to itself", "remove the link, or point it to a file");
   }
   return at;
 }
@@ -125,7 +127,8 @@ void require_writable(const std::filesystem::path& named) {
   for (const std::filesystem::path& each : {named, kept}) {
     const std::filesystem::file_status status = std::filesystem::status(behind_links(each), unknown);
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
-      throw Error(each.string(), "is to be written; it is there, and is no file", "move it, or choose another folder");
+      throw Error(each.string(), "cannot be written: a directory or device with that name exists",
+                  "move it, or choose another folder");
     }
   }
   std::filesystem::path folder = std::filesystem::absolute(behind_links(named)).parent_path();
@@ -133,11 +136,11 @@ void require_writable(const std::filesystem::path& named) {
     folder = folder.parent_path();
   }
   if (!std::filesystem::is_directory(folder, unknown)) {
-    throw Error(named.string(), "cannot be written: " + folder.string() + " is no folder", "choose another folder");
+    throw Error(named.string(), "cannot be written: " + folder.string() + " is not a folder", "choose another folder");
   }
   if (::access(folder.c_str(), W_OK | X_OK) != 0) {
     throw Error(named.string(),
-                "cannot be written: the folder " + folder.string() + " takes no files: " + std::strerror(errno),
+                "cannot be written: no permission to create files in " + folder.string() + ": " + std::strerror(errno),
                 "check its permissions, or choose another folder");
   }
 }
@@ -148,7 +151,8 @@ void write_atomically(const std::filesystem::path& named,
   std::error_code unknown;
   const std::filesystem::file_status status = std::filesystem::status(path, unknown);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
-    throw Error(named.string(), "is there, and is no file", "give the name of a file");
+    throw Error(named.string(), "cannot be written: a directory or device with that name exists",
+                "choose another name");
   }
   const PartialFile partial(path);
   write(partial.path());
@@ -192,7 +196,7 @@ void write_text_atomically(const std::filesystem::path& path, std::string_view t
     file.close();
     if (!file) {
       throw Error(path.string(), std::string("cannot be written: ") + std::strerror(errno),
-                  "check the folder, its permissions and the space left");
+                  "check the folder, its permissions and the free space");
     }
   });
 }
@@ -228,7 +232,7 @@ void make_folder(const std::filesystem::path& folder) {
   std::error_code problem;
   std::filesystem::create_directories(folder, problem);
   if (problem) {
-    throw Error(folder.string(), "cannot be made: " + problem.message(), "choose another folder");
+    throw Error(folder.string(), "cannot be created: " + problem.message(), "choose another folder");
   }
 }
 

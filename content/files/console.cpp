@@ -58,8 +58,7 @@ bool finish_output() {
     output_problem = errno != 0 ? errno : EIO;
   }
   if (output_problem != 0 && output_problem != EPIPE) {
-    print_note("the output cannot be written: {}; send it elsewhere, or free space there",
-               std::strerror(output_problem));
+    print_note("cannot write the output: {}; free some space, or redirect it elsewhere", std::strerror(output_problem));
   }
   return output_problem == 0;
 }

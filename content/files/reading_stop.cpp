@@ -17,7 +17,7 @@ void stop_reading() noexcept { stopped.store(true, std::memory_order_relaxed); }
 
 void require_reading_goes_on(const std::string& place) {
   if (stopped.load(std::memory_order_relaxed)) {
-    throw Error(place, "was not read to its end", "the program was asked to stop");
+    throw Error(place, "was not read completely, because the program was asked to stop", "run it again");
   }
 }
 

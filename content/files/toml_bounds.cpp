@@ -98,7 +98,7 @@ class TomlScan {
 
   void count_dotted(long parts) {
     dotted_ += parts;
-    require(dotted_ <= most_toml_dotted_parts, "has more than {} dotted keys and headers of tables",
+    require(dotted_ <= most_toml_dotted_parts, "has more than {} parts in dotted keys and table headers",
             most_toml_dotted_parts);
   }
 
@@ -132,7 +132,7 @@ class TomlScan {
   void require(bool holds, std::string_view problem, long limit) const {
     if (!holds) {
       throw Error(fmt::format("{}:{}", file_, line_), fmt::format(fmt::runtime(problem), limit),
-                  "check whether this is the right file, and simplify it there");
+                  "check that this is the right file, or simplify it on that line");
     }
   }
 

@@ -31,6 +31,13 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 //! Returns a key or word as messages show it: of bounded length, whatever the file holds.
 std::string shown(std::string_view key) { return printable(key.substr(0, 60)); }
 
+//! Returns a key's path as settings on the command line write it: "camera.key.0.r" for "camera.key[0].r".
+std::string setting_path(std::string path) {
+  std::erase(path, ']');
+  std::ranges::replace(path, '[', '.');
+  return path;
+}
+
 }  // namespace
 
 std::string nearest_word(std::string_view word, const std::vector<std::string>& words) {
@@ -84,7 +91,8 @@ double TomlTable::number(std::string_view key, double otherwise, double least, d
     throw error_at(key, "is not a number", "write a number such as 1.5");
   }
   if (!(*value >= least && *value <= greatest)) {
-    throw error_at(key, fmt::format("is {}", *value), fmt::format("choose a number from {} to {}", least, greatest));
+    throw error_at(key, fmt::format("is {}, outside {} to {}", *value, least, greatest),
+                   "choose a value in that range");
   }
   return *value;
 }
@@ -98,15 +106,17 @@ std::vector<double> TomlTable::numbers(std::string_view key, std::size_t fewest,
   }
   const toml::array* list = at->as_array();
   if (list == nullptr || list->size() < fewest || list->size() > most) {
-    throw error_at(key, "is not a list of numbers as long as it should be",
+    throw error_at(key,
+                   fewest == most ? fmt::format("is not a list of {} numbers", most)
+                                  : fmt::format("is not a list of {} to {} numbers", fewest, most),
                    fewest == most ? fmt::format("write {} numbers in brackets", most)
                                   : fmt::format("write {} to {} numbers in brackets", fewest, most));
   }
   for (const toml::node& item : *list) {
     const auto value = item.value<double>();
     if (!item.is_number() || !value || !(*value >= least && *value <= greatest)) {
-      throw error_at(key, "holds something else than a number in range",
-                     fmt::format("choose numbers from {} to {}", least, greatest));
+      throw error_at(key, fmt::format("contains an entry that is not a number from {} to {}", least, greatest),
+                     "correct that entry");
     }
     found.push_back(*value);
   }
@@ -120,7 +130,8 @@ int TomlTable::integer(std::string_view key, int otherwise, int least, int great
   }
   const auto value = at->value_exact<int64_t>();
   if (!value || *value < least || *value > greatest) {
-    throw error_at(key, "is not a whole number in range", fmt::format("choose one from {} to {}", least, greatest));
+    throw error_at(key, fmt::format("is not a whole number from {} to {}", least, greatest),
+                   "choose one in that range");
   }
   return static_cast<int>(*value);
 }
@@ -140,7 +151,7 @@ bool TomlTable::boolean(std::string_view key, bool otherwise) {
 std::string TomlTable::text(std::string_view key, const std::string& otherwise) {
   std::string line = lines(key, otherwise);
   if (line.find('\n') != std::string::npos) {
-    throw error_at(key, "holds a line break", "write it in one line");
+    throw error_at(key, "contains a line break", "write it on one line");
   }
   return line;
 }
@@ -152,10 +163,10 @@ std::string TomlTable::lines(std::string_view key, const std::string& otherwise)
   }
   const auto value = at->value_exact<std::string>();
   if (!value || value->size() > 4096) {
-    throw error_at(key, "is not a text", "write it in quotes, at most 4096 bytes");
+    throw error_at(key, "is not a text of at most 4096 bytes", "write it in quotes");
   }
   if (find_control(*value) != std::string::npos) {
-    throw error_at(key, "holds a control character", "remove it");
+    throw error_at(key, "contains a control character", "remove it");
   }
   return *value;
 }
@@ -172,7 +183,7 @@ int TomlTable::choice(std::string_view key, int otherwise, std::initializer_list
   const std::string nearest = nearest_word(word, {words.begin(), words.end()});
   throw error_at(key, fmt::format("is \"{}\"", shown(word)),
                  nearest.empty() ? fmt::format("choose one of {}", fmt::join(words, ", "))
-                                 : fmt::format("did you mean \"{}\"? There are {}", nearest, fmt::join(words, ", ")));
+                                 : fmt::format("did you mean \"{}\"? Available: {}", nearest, fmt::join(words, ", ")));
 }
 
 const toml::table* TomlTable::table(std::string_view key) {
@@ -194,11 +205,13 @@ std::vector<const toml::table*> TomlTable::tables(std::string_view key, std::siz
   }
   const toml::array* list = at->as_array();
   if (list == nullptr || list->size() > most) {
-    throw error_at(key, "is not a list of tables", fmt::format("write [[{}]], at most {} times", path_of(key), most));
+    throw error_at(key, "is not a list of tables, or is too long",
+                   fmt::format("write [[{}]], at most {} times", path_of(key), most));
   }
   for (const toml::node& item : *list) {
     if (!item.is_table()) {
-      throw error_at(key, "holds something that is not a table", fmt::format("write [[{}]]", path_of(key)));
+      throw error_at(key, "contains an entry that is not a table",
+                     fmt::format("write each entry as [[{}]]", path_of(key)));
     }
     found.push_back(item.as_table());
   }
@@ -208,9 +221,12 @@ std::vector<const toml::table*> TomlTable::tables(std::string_view key, std::siz
 void TomlTable::refuse_unknown_keys() const {
   for (const auto& [key, value] : table_) {
     if (!known_.contains(key.str())) {
-      const std::string nearest = nearest_word(key.str(), {known_.begin(), known_.end()});
+      std::string nearest = nearest_word(key.str(), {known_.begin(), known_.end()});
+      if (!nearest.empty() && !is_from(value.source(), file_)) {
+        nearest = setting_path(path_of(nearest));
+      }
       throw error_at(key.str(), "is not a known key",
-                     nearest.empty() ? fmt::format("known are {}", fmt::join(known_, ", "))
+                     nearest.empty() ? fmt::format("known keys: {}", fmt::join(known_, ", "))
                                      : fmt::format("did you mean \"{}\"?", nearest));
     }
   }
@@ -218,10 +234,11 @@ void TomlTable::refuse_unknown_keys() const {
 
 toml::table parse_toml(std::string_view text, const std::string& file, std::size_t largest_mib, std::string_view kind) {
   if (text.size() > (largest_mib << 20U)) {
-    throw Error(file, fmt::format("is larger than {} MiB", largest_mib), fmt::format("{} is a short text file", kind));
+    throw Error(file, fmt::format("is larger than {} MiB", largest_mib),
+                fmt::format("check the path: {} is a small text file", kind));
   }
   if (text.substr(0, 4096).find('\0') != std::string_view::npos) {
-    throw Error(file, "is no text", fmt::format("{} is a text file (.toml)", kind));
+    throw Error(file, "is not a text file", fmt::format("check the path: {} is a text file (.toml)", kind));
   }
   require_bounded_toml(text, file);
   try {
@@ -229,7 +246,7 @@ toml::table parse_toml(std::string_view text, const std::string& file, std::size
   } catch (const toml::parse_error& problem) {
     constexpr std::size_t longest_description = 300;
     throw Error(fmt::format("{}:{}", file, problem.source().begin.line),
-                printable(problem.description().substr(0, longest_description)), "correct the TOML there");
+                printable(problem.description().substr(0, longest_description)), "correct the TOML on that line");
   }
 }
 

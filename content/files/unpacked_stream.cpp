@@ -51,7 +51,7 @@ bool UnpackedStream::refill() {
   packed_.resize(packed_chunk_bytes);
   stream_.read(packed_.data(), static_cast<std::streamsize>(packed_.size()));
   if (stream_.bad()) {
-    throw Error(place_, "cannot be read", "check its disk");
+    throw Error(place_, "cannot be read", "check the disk");
   }
   packed_.resize(static_cast<std::size_t>(stream_.gcount()));
   packed_bytes_ += packed_.size();
@@ -80,7 +80,7 @@ std::size_t UnpackedStream::unpack(std::span<char> out) {
   while (state.avail_out > 0) {
     if (next_ == packed_.size() && !refill()) {
       if (in_member_) {
-        throw Error(place_, "is cut off: its gzip data end too early", "copy or download it again");
+        throw Error(place_, "is truncated: its gzip data ends too early", "copy or download it again");
       }
       break;
     }
@@ -113,7 +113,8 @@ std::size_t UnpackedStream::unpack(std::span<char> out) {
 
 void UnpackedStream::require_plausible_size() const {
   if (unpacked_bytes_ > harmless_unpacked_bytes && unpacked_bytes_ / most_unpacked_ratio > packed_bytes_) {
-    throw Error(place_, "unpacks to more than 200 times its size, as no table does", "check where it comes from");
+    throw Error(place_, "unpacks to more than 200 times its size, which no real table does",
+                "check where the file comes from");
   }
 }
 

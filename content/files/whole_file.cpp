@@ -11,7 +11,7 @@ namespace ergodome {
 std::string read_whole_file(const std::filesystem::path& path, std::size_t most_bytes, const std::string& remedy) {
   std::error_code problem;
   if (!std::filesystem::is_regular_file(path, problem)) {
-    throw Error(path.string(), "is not a file that can be read", remedy);
+    throw Error(path.string(), "does not exist or is not a regular file", remedy);
   }
   const std::uintmax_t size = std::filesystem::file_size(path, problem);
   if (problem || size > most_bytes) {

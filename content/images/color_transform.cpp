@@ -106,7 +106,7 @@ const char* name_of_space(cmsColorSpaceSignature space) {
     case cmsSigRgbData:
       return "RGB";
     case cmsSigGrayData:
-      return "grey";
+      return "gray";
     case cmsSigCmykData:
       return "CMYK";
     default:
@@ -125,8 +125,8 @@ ColorTransform::ColorTransform(const ColorMetadata& metadata, int color_channels
         cmsOpenProfileFromMem(metadata.icc_profile.data(), static_cast<cmsUInt32Number>(metadata.icc_profile.size())));
     const bool grey = color_channels == 1;
     if (profile && cmsGetColorSpace(profile.get()) != (grey ? cmsSigGrayData : cmsSigRgbData)) {
-      problem = fmt::format("its color profile is for {} colors, its pixels are {}",
-                            name_of_space(cmsGetColorSpace(profile.get())), grey ? "grey" : "RGB");
+      problem = fmt::format("its color profile is for {} colors, but its pixels are {}",
+                            name_of_space(cmsGetColorSpace(profile.get())), grey ? "gray" : "RGB");
       return;
     }
     conversion_ = conversion_from(profile.get(), color_channels);
@@ -149,7 +149,7 @@ ColorTransform::ColorTransform(const ColorMetadata& metadata, int color_channels
       const Profile profile = plausible ? linear_rgb_profile(p) : nullptr;
       conversion_ = conversion_from(profile.get(), color_channels);
       if (!conversion_) {
-        problem = "the chromaticities of its primaries are those of no color space";
+        problem = "the chromaticities of its primaries do not define a color space";
         return;
       }
     }

@@ -15,12 +15,14 @@ const ImageLibrary& load() {
   void* const entry = module != nullptr ? dlsym(module, "ergodome_openimageio") : nullptr;
   if (entry == nullptr) {
     const char* const reason = dlerror();
-    throw Error(file, std::string("cannot be loaded: ") + (reason != nullptr ? reason : "it is another file"),
-                "run app/setup and build again");
+    throw Error(
+        file,
+        std::string("cannot be loaded: ") + (reason != nullptr ? reason : "it is not an image library of Ergodome"),
+        "run app/setup and build again");
   }
   const ImageLibrary* const library = reinterpret_cast<const ImageLibrary* (*)(std::uint64_t)>(entry)(image_interface);
   if (library == nullptr) {
-    throw Error(file, "is of another build than the program", "build all of it, or install it again");
+    throw Error(file, "comes from another build than the program", "build everything again, or reinstall");
   }
   return *library;
 }

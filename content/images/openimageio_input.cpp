@@ -168,7 +168,7 @@ class Input final : public ImageInput {
       part_ = layer_.part;
       input_->seek_subimage(part_, 0);
     } else if (!asked_.layer.empty()) {
-      problem_ = "it is not an OpenEXR file, and has no layers";
+      problem_ = "it is not an OpenEXR file, so it has no layers";
     }
     if (is("hdr")) {
       radiance_ = read_radiance_header(bytes_.head(longest_head));
@@ -319,11 +319,12 @@ std::unique_ptr<ImageInput> open_image(const std::string& name, const ImageLibra
     return nullptr;
   }
   if (input->is_jpeg() && !has_jpeg_end(bytes.all())) {
-    problem = "it is torn, and breaks off before its end";
+    problem = "it is truncated";
     return nullptr;
   }
   if (input->is_too_large()) {
-    problem = "it shows more than 16384 x 8192 pixels, turned, or in another window than they fill";
+    problem =
+        "it has more than 16384 x 8192 pixels together with a rotation or a display window, which is not supported";
     return nullptr;
   }
   if (input->has_large_tiles()) {

@@ -61,7 +61,7 @@ TriangleMesh make_triangle(const TriangleShape& shape) {
   end_part(mesh, {1.0F, 1.0F, 1.0F});
   drop_degenerate_triangles(mesh);
   if (mesh.indices.empty()) {
-    throw Error("triangle", "has corners on one line", "choose three that are not");
+    throw Error("triangle", "has its three corners on one line", "move one of them off the line");
   }
   return mesh;
 }

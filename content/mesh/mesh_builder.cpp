@@ -38,12 +38,12 @@ void MeshBuilder::remark(const std::string& sentence) {
 MeshImage image_beside_mesh(const std::string& name, const std::string& place, const std::filesystem::path& folder) {
   constexpr std::size_t longest_name = 200;
   if (name.starts_with("data:")) {
-    throw Error(place, "has an image inside the file that cannot be read", "export it with PNG or JPEG images");
+    throw Error(place, "has an unreadable image inside the file", "export it with PNG or JPEG images");
   }
   if (leads_outside(name)) {
     throw Error(place,
-                fmt::format("names an image outside its folder (\"{}\")", printable(name.substr(0, longest_name))),
-                "keep images beside the mesh");
+                fmt::format("refers to an image outside its folder (\"{}\")", printable(name.substr(0, longest_name))),
+                "put the images into the folder of the mesh");
   }
   const std::filesystem::path there = file_of_mesh(folder, name);
   if (there.empty() && !folder.empty()) {
@@ -54,8 +54,8 @@ MeshImage image_beside_mesh(const std::string& name, const std::string& place, c
 
 Error missing_file(const std::string& place, const std::string& name) {
   constexpr std::size_t longest_name = 200;
-  return {place, fmt::format("names \"{}\", which is not in its folder", printable(name.substr(0, longest_name))),
-          "put it there, or take out the line that names it"};
+  return {place, fmt::format("refers to \"{}\", which is not in its folder", printable(name.substr(0, longest_name))),
+          "put the file there, or remove the reference"};
 }
 
 }  // namespace ergodome

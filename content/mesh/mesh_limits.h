@@ -13,6 +13,6 @@ inline constexpr std::size_t most_mesh_vertices = 3 * most_mesh_triangles;
 inline constexpr float brightest_glow = 60'000.0F;
 
 //! The remedy where a file is no mesh.
-inline constexpr const char* wanted_meshes = "give a Wavefront OBJ (.obj) or glTF 2 file (.gltf, .glb)";
+inline constexpr const char* wanted_meshes = "use a Wavefront OBJ (.obj) or glTF 2 file (.gltf, .glb)";
 
 }  // namespace ergodome

@@ -25,7 +25,7 @@ MeshFormat format_of(const std::filesystem::path& path) {
   if (ending == ".gltf" || ending == ".glb") {
     return ending == ".glb" ? MeshFormat::glb : MeshFormat::gltf;
   }
-  throw Error(path.string(), "is no kind of mesh that is read", wanted_meshes);
+  throw Error(path.string(), "is not a supported mesh format", wanted_meshes);
 }
 
 }  // namespace
@@ -49,7 +49,7 @@ TriangleMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::st
   if (mesh.indices.empty()) {
     throw Error(place,
                 mesh.dropped_triangles > 0
-                    ? fmt::format("has {}, all without area", counted(mesh.dropped_triangles, "triangle"))
+                    ? fmt::format("has only {} without area", counted(mesh.dropped_triangles, "triangle"))
                 : mesh.remarks.empty() ? std::string("has no triangles")
                                        : fmt::format("has no triangles; it {}", mesh.remarks.front()),
                 wanted_meshes);

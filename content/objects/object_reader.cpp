@@ -35,7 +35,7 @@ void read_triangle(TomlTable& table, TriangleShape& shape) {
   }
   const toml::array* const corners = node->as_array();
   const auto wrong = [&] {
-    return table.error_at("corners", "are not three places", "write [[0, 0, 0], [0, 1, 0], [0, 0, 1]]");
+    return table.error_at("corners", "are not three positions", "write [[0, 0, 0], [0, 1, 0], [0, 0, 1]]");
   };
   if (corners == nullptr || corners->size() != 3) {
     throw wrong();
@@ -64,8 +64,10 @@ void read_disk_shape(TomlTable& table, DiskShape& shape) {
   shape.segments = table.integer("segments", shape.segments, fewest_segments, most_segments);
   shape.rings = table.integer("rings", shape.rings, 1, most_rings);
   if (!(shape.outer > shape.inner)) {
-    throw table.error_at(table.has("outer") ? "outer" : "inner", "leaves no disk",
-                         "choose an outer radius beyond the inner one");
+    throw table.has("outer") ? table.error_at("outer", fmt::format("is {}, but inner is {}", shape.outer, shape.inner),
+                                              "choose an outer radius beyond the inner one")
+                             : table.error_at("inner", fmt::format("is {}, but outer is {}", shape.inner, shape.outer),
+                                              "choose an outer radius beyond the inner one");
   }
 }
 
@@ -73,13 +75,13 @@ void read_form(TomlTable& table, ObjectSettings& object) {
   object.mesh = table.text("mesh", "");
   if (!object.mesh.empty()) {
     if (table.has("shape")) {
-      throw table.error_at("shape", "stands beside a mesh", "write one of the two");
+      throw table.error_at("shape", "cannot be combined with mesh", "write only one of the two");
     }
     object.form = ObjectForm::mesh;
     return;
   }
   if (!table.has("shape")) {
-    throw table.error_at("shape", "is missing", "write shape = \"sphere\" or mesh = the path of a mesh");
+    throw table.error_at("shape", "is missing", "write shape = \"sphere\", or mesh with the path of a mesh file");
   }
   object.form = static_cast<ObjectForm>(1 + table.choice("shape", 0, {"triangle", "sphere", "disk"}));
   switch (object.form) {
@@ -107,7 +109,8 @@ ObjectOrbit read_orbit(const toml::table& from, const std::string& file, const s
 
 void read_way(TomlTable& table, const std::string& file, std::array<Animation, 3>& way) {
   if (table.has("key") && table.tables("key", most_way_keys).empty()) {
-    throw table.error_at("key", "has no place", "write [{ t_s = 0, position = [10, 0, 0] }], or position alone");
+    throw table.error_at("key", "is an empty list",
+                         "write [{ t_s = 0, position = [10, 0, 0] }], or position in place of it");
   }
   for (const toml::table* each : table.tables("key", most_way_keys)) {
     TomlTable reader(*each, file, fmt::format("{}[{}]", table.path_of("key"), way[0].keys.size()));
@@ -118,7 +121,7 @@ void read_way(TomlTable& table, const std::string& file, std::array<Animation, 3
     const Vector3<double> place = read_place(reader, "position");
     const auto ease = static_cast<Ease>(reader.choice("ease", 0, {"smooth", "linear", "in", "out", "in_out", "hold"}));
     if (!way[0].keys.empty() && !(time_s - way[0].keys.back().time_s >= least_key_gap_s)) {
-      throw reader.error_at("t_s", "does not come after the key before", "put the keys in order of time");
+      throw reader.error_at("t_s", "is not later than that of the previous key", "sort the keys by time");
     }
     reader.refuse_unknown_keys();
     const double parts[3] = {place.x, place.y, place.z};
@@ -138,8 +141,8 @@ void read_motion(TomlTable& table, const std::string& file, ObjectSettings& obje
   const int ways = static_cast<int>(table.has("position")) + static_cast<int>(table.has("orbit")) +
                    static_cast<int>(table.has("key"));
   if (ways > 1) {
-    throw table.error_at(table.has("orbit") ? "orbit" : "key", "is a second place for one object",
-                         "write one of position, orbit and key");
+    throw table.error_at(table.has("orbit") ? "orbit" : "key", "gives the object a second position",
+                         "write only one of position, orbit and key");
   }
 }
 
@@ -171,8 +174,8 @@ void read_look(TomlTable& table, const std::string& file, ObjectSettings& object
 //! Rays find every image; polygons those that they are asked for.
 void check_images(const TomlTable& table, const ObjectSettings& object) {
   if (object.method == ObjectMethod::trace && table.has("images")) {
-    throw table.error_at("images", "is for polygons: rays see every image",
-                         "leave it out, or write method = \"polygon\"");
+    throw table.error_at("images", "is used only with method = \"polygon\"; method = \"trace\" finds all images",
+                         "remove it, or write method = \"polygon\"");
   }
 }
 
@@ -182,10 +185,10 @@ void check_retarded(const TomlTable& table, const ObjectSettings& object) {
     return;
   }
   if (object.method != ObjectMethod::trace) {
-    throw table.error_at("retarded", "is not known to polygons", "write method = \"trace\"");
+    throw table.error_at("retarded", "cannot be used with method = \"polygon\"", "write method = \"trace\"");
   }
   if (!object.way[0].keys.empty()) {
-    throw table.error_at("retarded", "needs a motion in the hole's time, and keys are in the show's",
+    throw table.error_at("retarded", "needs a motion in the time of the hole, but keys use the time of the show",
                          "write orbit = { r = 10, speed = 20 } in place of the keys");
   }
 }
@@ -223,8 +226,8 @@ void read_objects(TomlTable& root, const std::string& file, Show& show) {
     show.light->strength = table.number("strength", 1.0, 0.0, 1e12);
     show.light->falloff = static_cast<LampFalloff>(table.choice("falloff", 0, {"lens", "published"}));
     if (!(length(show.light->position) > nearest_of_observers)) {
-      throw table.error_at(table.has("position") ? "position" : "strength", "leaves the light inside the photon sphere",
-                           "choose a place farther than 3 M from the hole's middle");
+      throw table.error_at(table.has("position") ? "position" : "strength", "puts the light inside the photon sphere",
+                           "choose a position more than 3 M from the center of the hole");
     }
     table.refuse_unknown_keys();
   }
@@ -232,21 +235,23 @@ void read_objects(TomlTable& root, const std::string& file, Show& show) {
 
 std::optional<PolygonLimit> polygon_limit(const Show& show) {
   if (show.spin != 0.0 || find_animation(show, "hole.spin") != nullptr) {
-    return PolygonLimit{"are drawn by the method polygon, which knows Schwarzschild holes only",
-                        "write method = \"trace\", or spin = 0 in [hole] without animating it"};
+    return PolygonLimit{"use method = \"polygon\", which supports only a hole without spin (Schwarzschild)",
+                        "write method = \"trace\", or set spin = 0 in [hole] and do not animate it"};
   }
   for (const CameraKey& key : show.camera.keys) {
     if (!(key.r > nearest_of_observers)) {
       return PolygonLimit{
-          fmt::format("are not seen from inside the photon sphere by polygons (camera at r = {} M)", key.r),
+          fmt::format("use method = \"polygon\", which needs a camera outside the photon sphere (camera at r = {} M)",
+                      key.r),
           "keep the camera farther out than 3 M, or write method = \"trace\""};
     }
   }
   if (show.camera.orbit && !(show.camera.orbit->least_r() > nearest_of_observers)) {
-    return PolygonLimit{fmt::format("are not seen from inside the photon sphere by polygons (the camera falls to r = "
-                                    "{:.6g} M)",
-                                    show.camera.orbit->least_r()),
-                        "let the camera stay farther out than 3 M, or write method = \"trace\""};
+    return PolygonLimit{
+        fmt::format(
+            "use method = \"polygon\", which needs a camera outside the photon sphere (it falls to r = {:.6g} M)",
+            show.camera.orbit->least_r()),
+        "keep the camera farther out than 3 M, or write method = \"trace\""};
   }
   return std::nullopt;
 }
@@ -256,12 +261,12 @@ void check_objects(const TomlTable& root, const Show& show) {
     return;
   }
   if (!show.light && std::ranges::any_of(show.objects, &ObjectSettings::lit)) {
-    throw root.error_at("objects", "are lit, but the show has no light",
-                        "write [light] with position = [x, y, z] and strength");
+    throw root.error_at("objects", "have light = \"lambert\", but the show has no [light]",
+                        "add [light] with position = [x, y, z] and strength");
   }
   const ObjectMethod method = show.objects.front().method;
   if (!std::ranges::all_of(show.objects, [&](const ObjectSettings& each) { return each.method == method; })) {
-    throw root.error_at("objects", "are drawn by two methods", "write the same method for all of them");
+    throw root.error_at("objects", "use two different methods", "write the same method for all of them");
   }
   if (method == ObjectMethod::trace) {
     return;

@@ -94,14 +94,14 @@ struct Reason {
   const char* reason;
 };
 
-constexpr const char* of_the_picture = "all pictures of a show have one size";
-constexpr const char* of_the_screen = "it belongs to the screen, not to the show";
-constexpr const char* of_the_spikes = "whole numbers do not change little by little";
+constexpr const char* of_the_picture = "all frames of a show have the same size";
+constexpr const char* of_the_screen = "it describes the screen, which does not change during a show";
+constexpr const char* of_the_spikes = "a whole number cannot change gradually";
 constexpr std::array fixed_numbers = {
-    Reason{"duration_s", "a show has one length"},
-    Reason{"frame_rate_hz", "a show has one frame rate"},
-    Reason{"disk.inner", "it follows the spin where it is \"isco\""},
-    Reason{"disk.speed", "clouds would jump"},
+    Reason{"duration_s", "a show has only one duration"},
+    Reason{"frame_rate_hz", "a show has only one frame rate"},
+    Reason{"disk.inner", "to let it follow the spin, write inner = \"isco\""},
+    Reason{"disk.speed", "changing it would make the clouds jump"},
     Reason{"view.size_px", of_the_picture},
     Reason{"view.aspect", of_the_picture},
     Reason{"view.height_deg", of_the_picture},
@@ -112,10 +112,10 @@ constexpr std::array fixed_numbers = {
     Reason{"effects.diffraction.blades", of_the_spikes},
     Reason{"effects.diffraction.vanes", of_the_spikes},
     Reason{"effects.diffraction.size_px", of_the_spikes},
-    Reason{"stereo.comfort_deg", "it is a person's, not the show's"},
-    Reason{"camera.observer", "the way an observer moves is one for the whole show"},
-    Reason{"camera", "the camera moves by its own keys: [[camera.key]]"},
-    Reason{"quality.budget_px", "lenses are baked for one budget"},
+    Reason{"stereo.comfort_deg", "it describes the viewers, not the show"},
+    Reason{"camera.observer", "the kind of observer is the same for the whole show"},
+    Reason{"camera", "to move the camera, write [[camera.key]]"},
+    Reason{"quality.budget_px", "a show is baked for a single budget"},
 };
 
 }  // namespace
@@ -145,7 +145,7 @@ const AnimatableNumber* find_animatable(std::string_view path) {
 NumberLimits limits_of(std::string_view path) {
   const AnimatableNumber* const found = find_animatable(path);
   if (found == nullptr) {
-    throw std::logic_error("no such number: " + std::string(path));
+    throw std::logic_error("unknown animatable number: " + std::string(path));
   }
   return found->limits;
 }

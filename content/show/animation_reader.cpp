@@ -19,7 +19,7 @@ const AnimatableNumber& number_of(TomlTable& table) {
     return *found;
   }
   if (path.empty()) {
-    throw table.error_at("number", "is missing", "name what changes, as in number = \"hole.spin\"");
+    throw table.error_at("number", "is missing", "name the number to animate, for example number = \"hole.spin\"");
   }
   const std::string problem = fmt::format("is \"{}\"", path.substr(0, 60));
   if (const auto reason = why_not_animatable(path)) {
@@ -33,8 +33,8 @@ const AnimatableNumber& number_of(TomlTable& table) {
     }
   }
   const std::string nearest = nearest_word(path, paths);
-  throw table.error_at("number", problem + ", no number that can be animated",
-                       nearest.empty() ? fmt::format("there are {}", fmt::join(paths, ", "))
+  throw table.error_at("number", problem + ", which is not a number that can be animated",
+                       nearest.empty() ? "see reference/show-keys.md in the documentation for those that can"
                                        : fmt::format("did you mean \"{}\"?", nearest));
 }
 
@@ -43,8 +43,9 @@ void check_field_of_view(const TomlTable& table, const ViewSettings& view) {
   const bool follows =
       view.projection == ViewProjection::dome || (view.projection == ViewProjection::pinhole && !view.frustum);
   if (!follows) {
-    throw table.error_at("number", "is \"view.fov_deg\", which this view does not go by, or which sets its height",
-                         "animate it on domes, and with pinholes that have no frustum");
+    throw table.error_at("number",
+                         "is \"view.fov_deg\", which this view does not use, or uses for the height of the picture",
+                         "animate it only with projection = \"dome\", or with \"pinhole\" without a frustum");
   }
 }
 
@@ -62,7 +63,7 @@ std::vector<NumberKey> read_keys(TomlTable& table, const std::string& file, cons
     key.value = reader.number("value", 0.0, limits.least, limits.greatest);
     key.ease = static_cast<Ease>(reader.choice("ease", 0, {"smooth", "linear", "in", "out", "in_out", "hold"}));
     if (!keys.empty() && !(key.time_s - keys.back().time_s >= least_key_gap_s)) {
-      throw reader.error_at("t_s", "does not come after the key before", "put the keys in order of time");
+      throw reader.error_at("t_s", "is not later than that of the previous key", "sort the keys by time");
     }
     reader.refuse_unknown_keys();
     keys.push_back(key);
@@ -77,14 +78,15 @@ std::vector<NumberKey> read_keys(TomlTable& table, const std::string& file, cons
 Animation read_animation(TomlTable& table, const std::string& file, const Show& show) {
   const AnimatableNumber& number = number_of(table);
   if (find_animation(show, number.path) != nullptr) {
-    throw table.error_at("number", fmt::format("is \"{}\" once more", number.path), "put all its keys into one place");
+    throw table.error_at("number", fmt::format("is \"{}\", which is animated twice", number.path),
+                         "put all its keys into one [[animate]]");
   }
   if (!number.get(show)) {
     const std::string_view part = number.path.substr(0, number.path.rfind('.'));
     throw table.error_at("number", fmt::format("is \"{}\", but the show has no {}", number.path, part),
                          part.find('[') == std::string_view::npos
-                             ? fmt::format("write [{}] into it", part)
-                             : fmt::format("write [[{}]] once more", part.substr(0, part.find('['))));
+                             ? fmt::format("add [{}] to the show", part)
+                             : fmt::format("add another [[{}]]", part.substr(0, part.find('['))));
   }
   if (number.path == "view.fov_deg") {
     check_field_of_view(table, show.view);
@@ -106,8 +108,9 @@ void check_order(const TomlTable& root, const Show& show, std::string_view lower
   const double highest = values_of(show, lower).greatest;
   const double lowest = values_of(show, upper).least;
   if (lowest - highest < gap && (find_animation(show, lower) != nullptr || find_animation(show, upper) != nullptr)) {
-    throw root.error_at("animate", fmt::format("takes {} to {} while {} is down to {}", lower, highest, upper, lowest),
-                        fmt::format("keep {} or more between them", gap));
+    throw root.error_at(
+        "animate", fmt::format("raises {} to {}, while {} is as low as {}", lower, highest, upper, lowest),
+        gap > 0.0 ? fmt::format("keep them at least {} apart", gap) : "keep the first at or below the second");
   }
 }
 

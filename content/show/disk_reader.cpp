@@ -55,12 +55,13 @@ DiskSettings read_disk(const toml::table& table, const std::string& file) {
   disk.contrast = own_number(reader, "contrast", disk.contrast);
   disk.speed = reader.number("speed", disk.speed, -1e6, 1e6);
   if (disk.plunging && disk.profile == DiskProfile::page_thorne) {
-    throw reader.error_at("plunging", "shows nothing: page_thorne has no light inside the innermost stable orbit",
+    throw reader.error_at("plunging",
+                          "has no effect: profile = \"page_thorne\" has no light inside the innermost stable orbit",
                           "write profile = \"uniform\"");
   }
   if (disk.plunging && !disk.inner) {
-    throw reader.error_at("plunging", "has no room: the disk ends at the innermost stable orbit",
-                          "write inner = a radius inside it");
+    throw reader.error_at("plunging", "has no effect: the disk ends at the innermost stable orbit",
+                          "set inner to a radius inside that orbit");
   }
   reader.refuse_unknown_keys();
   return disk;
@@ -79,8 +80,12 @@ void check_disk(const toml::table& table, const std::string& file, const Show& s
   }
   const double inner = disk.inner.value_or(first.least);
   if (!(disk.outer > inner)) {
-    throw reader.error_at(reader.has("outer") ? "outer" : "inner",
-                          fmt::format("leaves no disk: from {:.6g} M to {:.6g} M", inner, disk.outer),
+    throw reader.has("outer")
+        ? reader.error_at("outer",
+                          fmt::format("is {:.6g} M, but the disk's inner edge is at {:.6g} M", disk.outer, inner),
+                          "choose an outer edge beyond the inner one")
+        : reader.error_at("inner",
+                          fmt::format("is {:.6g} M, but the disk's outer edge is at {:.6g} M", inner, disk.outer),
                           "choose an outer edge beyond the inner one");
   }
 }

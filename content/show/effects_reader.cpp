@@ -21,10 +21,12 @@ DiffractionSettings read_diffraction(const toml::table& table, const std::string
   spikes.size_px = reader.integer("size_px", spikes.size_px, 3, 1025);
   spikes.scale = own_number(reader, "scale", spikes.scale);
   if (spikes.blades == 1 || spikes.blades == 2) {
-    throw reader.error_at("blades", "make no aperture", "choose 0 for a round one, or 3 and more");
+    throw reader.error_at("blades", fmt::format("is {}, but an aperture has at least 3 blades", spikes.blades),
+                          "choose 3 or more, or 0 for a round aperture");
   }
   if (spikes.size_px % 2 == 0) {
-    throw reader.error_at("size_px", "is even: the pattern has no middle", "choose an odd width");
+    throw reader.error_at("size_px", fmt::format("is {}, but the pattern needs a middle pixel", spikes.size_px),
+                          "choose an odd number");
   }
   reader.refuse_unknown_keys();
   return spikes;
@@ -72,8 +74,8 @@ void read_tone(const toml::table& table, const std::string& file, ToneSettings& 
     settings.least_stops = own_number(automatic, "least_stops", settings.least_stops);
     settings.most_stops = own_number(automatic, "most_stops", settings.most_stops);
     if (settings.most_stops < settings.least_stops) {
-      throw automatic.error_at("most_stops", fmt::format("is {}", settings.most_stops),
-                               fmt::format("choose least_stops, {}, or more", settings.least_stops));
+      throw automatic.error_at("most_stops", fmt::format("is {}, below least_stops", settings.most_stops),
+                               fmt::format("choose {} or more", settings.least_stops));
     }
     settings.adapt_s = own_number(automatic, "adapt_s", settings.adapt_s);
     automatic.refuse_unknown_keys();

@@ -30,7 +30,7 @@ void read_flight(const toml::table& table, const std::string& file, FlightSettin
   flight.most_r = reader.number("most_r", flight.most_r, 5.0, 1e9);
   flight.return_s = reader.number("return_s", flight.return_s, 0.5, 60.0);
   if (!(flight.least_r <= 0.9 * flight.most_r)) {
-    throw reader.error_at("least_r", fmt::format("is {}, too near to most_r", flight.least_r),
+    throw reader.error_at("least_r", fmt::format("is {}, too close to most_r", flight.least_r),
                           fmt::format("choose at most {:.6g}", 0.9 * flight.most_r));
   }
   if (const toml::table* comfort = reader.table("comfort")) {

@@ -50,24 +50,24 @@ class Idle {
 
 void add_sky(const Show& show, Idle& idle) {
   if (show.sky.map == "black") {
-    idle.add({"sky.filter", "sky.shift", "sky.brightening"}, "is for a map, and this one is black");
+    idle.add({"sky.filter", "sky.shift", "sky.brightening"}, "has no effect on map = \"black\"");
     if (show.sky.stars.empty()) {
-      idle.add({"sky.exposure", "sky.spin_axis"}, "is for a map and stars, and there are none");
+      idle.add({"sky.exposure", "sky.spin_axis"}, "has no effect without stars on map = \"black\"");
     }
   } else if (!show.effects.redshift) {
-    idle.add({"sky.shift"}, "is for effects.redshift = true");
+    idle.add({"sky.shift"}, "is used only with effects.redshift = true");
   }
   if (show.sky.map == "grid") {
-    idle.add({"sky.spin_axis"}, "is for another map: the grid is drawn in the hole's own axes");
+    idle.add({"sky.spin_axis"}, "has no effect on map = \"grid\", which uses the hole's own axes");
   }
   if (show.sky.stars.empty()) {
     idle.add({"stars.method", "sky.faintest_mag", "effects.magnification", "effects.psf", "effects.trails",
               "effects.diffraction"},
-             "is for stars, and sky.stars names none");
+             "has no effect without sky.stars");
   } else if (show.effects.diffraction && !show.effects.diffraction->pattern.empty()) {
     idle.add({"effects.diffraction.blades", "effects.diffraction.vanes", "effects.diffraction.obstruction",
               "effects.diffraction.size_px", "effects.diffraction.scale"},
-             "is for an aperture, and effects.diffraction.pattern stands in its place");
+             "is replaced by effects.diffraction.pattern");
   }
 }
 
@@ -76,16 +76,20 @@ void add_light(const Show& show, Idle& idle) {
     return;
   }
   if (std::ranges::none_of(show.objects, &ObjectSettings::lit)) {
-    idle.add({"light"}, "is for objects with light = \"lambert\"");
+    idle.add({"light"}, "is used only by objects with light = \"lambert\"");
   } else if (show.light->falloff == LampFalloff::lens && show.objects.front().method == ObjectMethod::polygon) {
-    idle.add({"light.falloff"}, "is for method = \"trace\": light on polygons fades as published");
+    idle.add({"light.falloff"}, "\"lens\" is used only with method = \"trace\"; polygons use \"published\"");
   }
 }
 
 void add_objects(const Show& show, Idle& idle) {
   for (std::size_t i = 0; i < show.objects.size(); ++i) {
+    const std::string of = "objects[" + std::to_string(i) + "].";
     if (!show.objects[i].orbit) {
-      idle.add({"objects[" + std::to_string(i) + "].retarded"}, "is for objects on an orbit");
+      idle.add({of + "retarded"}, "is used only by objects on an orbit");
+    }
+    if (show.objects[i].method != ObjectMethod::polygon) {
+      idle.add({of + "tessellation"}, "is used only with method = \"polygon\"");
     }
   }
 }
@@ -98,13 +102,12 @@ void add_shells(const Show& show, Idle& idle) {
       return value <= 0.0 && find_animation(show, of + key) == nullptr;
     };
     if (never("line_width_deg", shell.line_width_deg)) {
-      idle.add({of + "line_color", of + "line_opacity", of + "spacing_deg"}, "is for lines, and they have no width");
+      idle.add({of + "line_color", of + "line_opacity", of + "spacing_deg"}, "has no effect while line_width_deg is 0");
     } else if (never("line_opacity", shell.line_opacity)) {
-      idle.add({of + "line_color", of + "line_width_deg", of + "spacing_deg"},
-               "is for lines, and they have no opacity");
+      idle.add({of + "line_color", of + "line_width_deg", of + "spacing_deg"}, "has no effect while line_opacity is 0");
     }
     if (never("fill_opacity", shell.fill_opacity)) {
-      idle.add({of + "fill_color", of + "texture"}, "is for fill_opacity above 0");
+      idle.add({of + "fill_color", of + "texture"}, "has no effect while fill_opacity is 0");
     }
   }
 }
@@ -112,15 +115,15 @@ void add_shells(const Show& show, Idle& idle) {
 void add_view(const Show& show, Idle& idle) {
   const ViewProjection projection = show.view.projection;
   if (projection != ViewProjection::dome) {
-    idle.add({"view.tilt_deg"}, "is for projection = \"dome\"");
+    idle.add({"view.tilt_deg"}, "is used only with projection = \"dome\"");
   }
   if (show.view.frustum) {
-    idle.add({"view.aspect", "view.fov_deg"}, "is for a pinhole without frustum");
+    idle.add({"view.aspect", "view.fov_deg"}, "is replaced by view.frustum");
   } else if (projection != ViewProjection::pinhole) {
-    idle.add({"view.aspect"}, "is for projection = \"pinhole\"");
+    idle.add({"view.aspect"}, "is used only with projection = \"pinhole\"");
   }
   if (projection == ViewProjection::equirect || projection == ViewProjection::cube) {
-    idle.add({"view.fov_deg"}, "is for a view that shows a part of the sphere");
+    idle.add({"view.fov_deg"}, "has no effect: this projection shows the whole sphere");
   }
 }
 
@@ -128,9 +131,9 @@ void add_stereo(const Show& show, Idle& idle) {
   if (eye_count(show.stereo) == 1) {
     idle.add({"stereo.model", "stereo.baseline", "stereo.convergence", "stereo.fade", "stereo.comfort_deg",
               "stereo.swap_eyes", "stereo.tint_eyes"},
-             "is for two eyes, and layout = \"mono\" has one until --stereo or a key gives another");
+             "needs two eyes; layout = \"mono\" has one unless --stereo or a keystroke changes it");
   } else if (show.stereo.model != StereoModel::omni) {
-    idle.add({"stereo.fade"}, "is for model = \"omni\"");
+    idle.add({"stereo.fade"}, "is used only with model = \"omni\"");
   }
 }
 
@@ -139,17 +142,17 @@ void add_stereo(const Show& show, Idle& idle) {
 std::vector<IdleLine> idle_lines(const Show& show) {
   Idle idle(show);
   if (show.tone.curve != ToneCurve::reinhard) {
-    idle.add({"tone.white"}, "is for curve = \"reinhard\"");
+    idle.add({"tone.white"}, "is used only with curve = \"reinhard\"");
   }
   if (show.tone.curve != ToneCurve::gamma) {
-    idle.add({"tone.gamma"}, "is for curve = \"gamma\"");
+    idle.add({"tone.gamma"}, "is used only with curve = \"gamma\"");
   }
   if (show.disk && show.disk->pattern == DiskPattern::none) {
-    idle.add({"disk.contrast", "disk.speed"}, "is for pattern = \"procedural\"");
+    idle.add({"disk.contrast", "disk.speed"}, "is used only with pattern = \"procedural\"");
   }
   add_stereo(show, idle);
   if (show.camera.orbit && show.camera.orbit->least_r() > (1.0 + 1e-9) * show.camera.fall->least_r) {
-    idle.add({"camera.fall.least_r"}, "is for a fall that comes so near to the hole");
+    idle.add({"camera.fall.least_r"}, "has no effect: the fall never comes this close to the hole");
   }
   add_sky(show, idle);
   add_light(show, idle);

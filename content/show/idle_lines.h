@@ -11,7 +11,7 @@ namespace ergodome {
 struct IdleLine {
   std::string key;  //!< by its path ("tone.gamma", "animate.tone.gamma")
   int line = 0;
-  std::string why;  //!< "is for curve = \"gamma\""
+  std::string why;  //!< "is used only with curve = \"gamma\""
 };
 
 //! The lines of a show that belong to a curve, a pattern, a filter, a projection or stars that it does not have, in the order of the file. Lines of a show

@@ -27,15 +27,15 @@ void read_color(TomlTable& table, std::string_view key, std::array<double, 3>& c
 ShellSettings read_shell(TomlTable& table) {
   ShellSettings shell;
   if (!table.has("radius")) {
-    throw table.error_at("radius", "is missing", "write the shell's radius in units of M");
+    throw table.error_at("radius", "is missing", "give the radius of the shell in units of M, for example radius = 10");
   }
   shell.radius = own_number(table, "radius", shell.radius);
   shell.spacing_deg = table.number("spacing_deg", shell.spacing_deg, 0.5, 180.0);
   const double parts = 180.0 / shell.spacing_deg;
   // As near as six digits of the quotient.
   if (std::abs(parts - std::round(parts)) > 1e-5 * parts) {
-    throw table.error_at("spacing_deg", "does not divide 180, so that the grid would not close",
-                         fmt::format("write {:.6g}", 180.0 / std::round(parts)));
+    throw table.error_at("spacing_deg", "does not divide 180 evenly, so the grid lines would not close",
+                         fmt::format("choose for example {:.6g}", 180.0 / std::round(parts)));
   }
   shell.spacing_deg = 180.0 / std::round(parts);
   shell.line_width_deg = own_number(table, "line_width_deg", shell.line_width_deg);
@@ -82,7 +82,7 @@ void check_shells(TomlTable& root, const std::string& file, const Show& show) {
       throw reader.error_at(
           "radius",
           fmt::format("is {} M{}, {} the horizon at {:.6g} M", r, r < show.shells[i].radius ? " at some time" : "",
-                      r > horizon ? "too near to" : "inside", horizon),
+                      r > horizon ? "too close to" : "inside", horizon),
           fmt::format("choose {:.6g} or more", std::ceil(least * 1e5) * 1e-5));
     }
   }

@@ -33,13 +33,12 @@ int frame_count(const Show& show) {
 
 double frame_time_s(const Show& show, int frame) { return frame / show.frame_rate_hz; }
 
-std::vector<std::string> missing_features(const Show& show) {
-  std::vector<std::string> missing;
+std::vector<MissingFeature> missing_features(const Show& show) {
+  std::vector<MissingFeature> missing;
   const StereoSettings& stereo = show.stereo;
   if (has_objects(show, ObjectMethod::polygon) && (show.disk || !show.shells.empty())) {
-    missing.emplace_back(
-        "objects drawn as polygons have no common depth with a disk or shells (objects.method, disk, shells): write "
-        "method = \"trace\"");
+    missing.push_back({"objects with method = \"polygon\" cannot be combined with a disk or shells",
+                       "write method = \"trace\" in [[objects]]"});
   }
   if (eye_count(stereo) < 2) {
     return missing;
@@ -49,7 +48,8 @@ std::vector<std::string> missing_features(const Show& show) {
   const auto& animations = show.timeline.animations;
   const bool follows = std::ranges::find(animations, "stereo.convergence", &Animation::path) != animations.end();
   if ((stereo.convergence > 0.0 || follows) && stereo.model != StereoModel::omni && !converges) {
-    missing.emplace_back("eyes converge on domes and flat screens, and in the model omni (stereo.convergence)");
+    missing.push_back({"stereo.convergence cannot be used with this projection and stereo.model",
+                       "choose the projection dome or pinhole, or stereo.model = \"omni\""});
   }
   return missing;
 }

@@ -287,7 +287,13 @@ inline bool has_objects(const Show& show, ObjectMethod method) {
   return !show.objects.empty() && show.objects.front().method == method;
 }
 
-//! What the show asks for that this version cannot draw yet, a sentence each; empty when it is all there.
-std::vector<std::string> missing_features(const Show& show);
+//! A combination of settings that cannot be drawn.
+struct MissingFeature {
+  std::string problem;
+  std::string remedy;
+};
+
+//! Returns the unsupported combinations that the show asks for.
+std::vector<MissingFeature> missing_features(const Show& show);
 
 }  // namespace ergodome

@@ -28,7 +28,7 @@ void require_no_pipe(const std::filesystem::path& path) {
   std::error_code problem;
   const std::filesystem::file_status status = std::filesystem::status(path, problem);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
-    throw Error(path.string(), "is not a file that can be read", "give a file");
+    throw Error(path.string(), "is not a regular file", "give the path of a file");
   }
 }
 

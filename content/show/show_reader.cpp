@@ -30,8 +30,8 @@ void read_sky(const toml::table& table, const std::string& file, SkySettings& sk
   sky.map = reader.text("map", sky.map);
   if (const toml::table* layout = reader.table("map_layout")) {
     if (is_built_in_sky(sky.map)) {
-      throw reader.error_at("map_layout", "is for a map of one's own, and map is \"" + sky.map + "\"",
-                            "leave it out, or give the path of an image as map");
+      throw reader.error_at("map_layout", "cannot be used with the built-in map \"" + sky.map + "\"",
+                            "remove it, or give the path of an image as map");
     }
     sky.map_layout = read_map_layout(*layout, file);
   }
@@ -67,8 +67,8 @@ void read_stereo(const toml::table& table, const std::string& file, StereoSettin
     if (!(stereo.fade_to_deg - stereo.fade_from_deg >= least_fade_deg)) {
       throw angles.error_at(
           "to_deg",
-          fmt::format("is {}, less than a degree above from_deg, {}", stereo.fade_to_deg, stereo.fade_from_deg),
-          "leave the baseline a degree or more to fade in");
+          fmt::format("is {}, less than 1 degree above from_deg ({})", stereo.fade_to_deg, stereo.fade_from_deg),
+          "make it at least 1 degree larger than from_deg");
     }
     angles.refuse_unknown_keys();
   }
@@ -198,9 +198,10 @@ Show read_show(const std::filesystem::path& path) { return read_show_with_settin
 Show read_show_with_settings(const std::filesystem::path& path, const ShowSettings& settings) {
   std::error_code problem;
   if (!std::filesystem::is_regular_file(path, problem)) {
-    throw Error(path.string(), "is not a file that can be read", "give the path of a show (.toml)");
+    throw Error(path.string(), "does not exist or is not a regular file", "give the path of a show (.toml)");
   }
-  return parse_show(read_whole_file(path, largest_mib << 20U, "a show is a short text file"), path.string(), settings);
+  return parse_show(read_whole_file(path, largest_mib << 20U, "a show is a small text file; check the path"),
+                    path.string(), settings);
 }
 
 }  // namespace ergodome

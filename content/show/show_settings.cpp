@@ -50,12 +50,12 @@ Setting split_setting(const std::string& text) {
   const std::size_t equals = text.find('=');
   const std::string shown = printable(std::string_view(text).substr(0, std::min<std::size_t>(equals, 200)));
   Setting setting{fmt::format("{} {}", show_setting_option, shown), {}, {}};
-  constexpr const char* remedy = "write KEY=VALUE, as in hole.spin=0.5 or camera.key.0.r=30";
+  constexpr const char* remedy = "write KEY=VALUE, for example hole.spin=0.5 or camera.key.0.r=30";
   if (equals == std::string::npos) {
     throw Error(setting.place, "has no value", remedy);
   }
   if (text.size() > longest_setting) {
-    throw Error(setting.place, "is longer than 1 MiB", "write such values into the show");
+    throw Error(setting.place, "is longer than 1 MiB", "write such a value into the show file");
   }
   setting.parts = parts_of_path(std::string_view(text).substr(0, equals));
   if (setting.parts.size() > most_path_parts || !std::ranges::all_of(setting.parts, is_bare_key)) {
@@ -114,7 +114,7 @@ toml::table table_of_value(const Setting& setting) {
   if (auto parsed = parsed_value(setting, toml_string_of(setting.value))) {
     return std::move(*parsed);
   }
-  throw Error(setting.place, "has a value that is not UTF-8 text", "write it in UTF-8");
+  throw Error(setting.place, "has a value that is not valid UTF-8", "write it in UTF-8");
 }
 
 //! Returns the path up to `count` parts, as messages write it.
@@ -129,9 +129,9 @@ toml::node& entry_of(toml::array& entries, const Setting& setting, std::size_t d
   const auto [end, problem] = std::from_chars(part.data(), part.data() + part.size(), index);
   if (problem != std::errc() || end != part.data() + part.size() || index >= entries.size()) {
     throw Error(setting.place,
-                fmt::format("{} has no entry {}; {} has {}", path_up_to(setting, depth), part, file,
+                fmt::format("{} has no entry {} ({} has {})", path_up_to(setting, depth), part, file,
                             counted(static_cast<long>(entries.size()), "such entry", "such entries")),
-                "count from 0, and set the whole list to make it longer");
+                "count from 0; to add entries, set the whole list");
   }
   return entries[index];
 }
@@ -167,7 +167,7 @@ void apply_setting(toml::table& show, const Setting& setting, const std::string&
       at = &entry;
     } else {
       const std::string path = path_up_to(setting, depth);
-      throw Error(setting.place, fmt::format("{} is a single value in {}", path, file),
+      throw Error(setting.place, fmt::format("{} is a single value in {}, not a table or list", path, file),
                   fmt::format("set {} itself", path));
     }
   }

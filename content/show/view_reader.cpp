@@ -21,12 +21,12 @@ std::size_t read_numbers(TomlTable& table, std::string_view key, const toml::nod
                          const std::string& remedy) {
   const toml::array* list = node.as_array();
   if (list == nullptr || list->empty() || list->size() > numbers.size()) {
-    throw table.error_at(key, "is not a list of that many numbers", remedy);
+    throw table.error_at(key, fmt::format("is not a list of at most {} numbers", numbers.size()), remedy);
   }
   for (std::size_t i = 0; i < list->size(); ++i) {
     const auto number = list->get(i)->value<double>();
     if (!number || !std::isfinite(*number) || std::abs(*number) > 1e6) {
-      throw table.error_at(key, "holds something that is not a number of reasonable size", remedy);
+      throw table.error_at(key, "contains an entry that is not a number from -1e6 to 1e6", remedy);
     }
     numbers[i] = *number;
   }
@@ -37,12 +37,13 @@ void read_polynomial(TomlTable& reader, ViewSettings& view) {
   const toml::node* node = reader.node("polynomial");
   if ((node != nullptr) != (view.lens == LensLaw::polynomial)) {
     throw reader.error_at(node != nullptr ? "polynomial" : "lens",
-                          node != nullptr ? "belongs to another lens" : "has no polynomial",
-                          "write lens = \"polynomial\" and polynomial = [f1, f3, f5, f7] together");
+                          node != nullptr ? "is used only with lens = \"polynomial\""
+                                          : "is \"polynomial\", but the polynomial is missing",
+                          "write both lens = \"polynomial\" and polynomial = [f1, f3, f5, f7]");
   }
   if (node != nullptr) {
     read_numbers(reader, "polynomial", *node, view.polynomial,
-                 "write [f1, f3, f5, f7] of r = f1 t + f3 t^3 + ..., r in half widths, t in radians");
+                 "write [f1, f3, f5, f7] of r = f1 t + f3 t^3 + ... (r in half widths, t in radians)");
   }
 }
 
@@ -51,13 +52,14 @@ void check_lens(const TomlTable& reader, const ViewSettings& view) {
   const auto& f = view.polynomial;
   const double largest_deg = 2.0 * radian_deg * largest_half_angle(view.lens, {f[0], f[1], f[2], f[3]});
   if (view.lens == LensLaw::polynomial && view.field_of_view_deg > largest_deg) {
-    throw reader.error_at("polynomial",
-                          fmt::format("does not rise all the way to a field of view of {} deg", view.field_of_view_deg),
-                          largest_deg > 0.0 ? fmt::format("choose fov_deg up to {:.6g}, or measure again", largest_deg)
-                                            : "its first number is the slope at the zenith: above 0");
+    throw reader.error_at(
+        "polynomial",
+        fmt::format("does not increase up to the edge of the field of view of {} deg", view.field_of_view_deg),
+        largest_deg > 0.0 ? fmt::format("choose fov_deg up to {:.6g}, or measure the lens again", largest_deg)
+                          : "choose a first number above 0, the slope at the zenith");
   }
   if (view.field_of_view_deg > largest_deg) {
-    throw reader.error_at("fov_deg", fmt::format("is {}, more than this lens can see", view.field_of_view_deg),
+    throw reader.error_at("fov_deg", fmt::format("is {}, more than this lens can show", view.field_of_view_deg),
                           fmt::format("choose at most {:.6g}", largest_deg));
   }
 }
@@ -72,19 +74,20 @@ void read_dome(TomlTable& reader, const std::string& file, ViewSettings& view) {
     view.truncation = {parts.number("bottom", 0.0, 0.0, 1.0), parts.number("top", 0.0, 0.0, 1.0)};
     parts.refuse_unknown_keys();
     if (view.truncation.bottom + view.truncation.top >= 1.0) {
-      throw reader.error_at("truncate", "leaves nothing of the picture", "choose parts that add up to less than 1");
+      throw reader.error_at("truncate", "removes the whole picture",
+                            "choose bottom and top that add up to less than 1");
     }
   }
   if (const toml::node* node = reader.node("viewer")) {
     constexpr const char* remedy = "write three numbers: [right, up, back], in radii of the dome";
     double place[3] = {};
     if (read_numbers(reader, "viewer", *node, place, remedy) != 3) {
-      throw reader.error_at("viewer", "is not a place", remedy);
+      throw reader.error_at("viewer", "is not a position of three numbers", remedy);
     }
     view.viewer = {place[0], place[1], place[2]};
     if (!(dot(view.viewer, view.viewer) <= farthest_viewer * farthest_viewer)) {
       throw reader.error_at("viewer", "is not inside the dome",
-                            fmt::format("choose a place up to {} from its middle", farthest_viewer));
+                            fmt::format("choose a position at most {} dome radii from the center", farthest_viewer));
     }
   }
 }
@@ -98,10 +101,11 @@ FrustumAngles read_frustum(const toml::table& table, const std::string& file) {
   angles.up_deg = reader.number("up_deg", angles.up_deg, -most, most);
   angles.down_deg = reader.number("down_deg", angles.down_deg, -most, most);
   if (!(angles.right_deg - angles.left_deg >= 1e-6)) {
-    throw reader.error_at("right_deg", "does not lie to the right of left_deg", "angles to the left are negative");
+    throw reader.error_at("right_deg", "is not to the right of left_deg",
+                          "choose a larger angle; angles to the left are negative");
   }
   if (!(angles.up_deg - angles.down_deg >= 1e-6)) {
-    throw reader.error_at("up_deg", "does not lie above down_deg", "angles downwards are negative");
+    throw reader.error_at("up_deg", "is not above down_deg", "choose a larger angle; angles downward are negative");
   }
   reader.refuse_unknown_keys();
   return angles;
@@ -111,8 +115,8 @@ FrustumAngles read_frustum(const toml::table& table, const std::string& file) {
 void check_whole_sky(const TomlTable& reader, const ViewSettings& view) {
   if (view.field_of_view_deg != usual_field_of_view_deg(view.projection)) {
     throw reader.error_at("fov_deg",
-                          fmt::format("is {}, and this projection shows the whole sky", view.field_of_view_deg),
-                          "leave it out, or choose the projection dome, cylinder or pinhole");
+                          fmt::format("is {}, but this projection always shows the whole sky", view.field_of_view_deg),
+                          "remove it, or choose the projection dome, cylinder or pinhole");
   }
 }
 

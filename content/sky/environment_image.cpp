@@ -23,16 +23,16 @@ constexpr int widest = 65'536;
 void check_shape(const ImageShape& shape, const std::string& name) {
   if (shape.width < narrowest || shape.width > widest || shape.depth > 1) {
     throw Error(name, fmt::format("is {} pixels wide", shape.width),
-                fmt::format("a sky map is {} to {} pixels wide", narrowest, widest));
+                fmt::format("scale it to a width from {} to {} pixels", narrowest, widest));
   }
   if (shape.channels < 1 || shape.channels > 64) {
-    throw Error(name, fmt::format("has {} channels", shape.channels), "save it as RGB");
+    throw Error(name, fmt::format("has {} channels", shape.channels), "save it with red, green and blue");
   }
 }
 
 Error of_wrong_shape(const std::string& name, const ImageShape& shape) {
   return {name, fmt::format("is {} x {}, neither twice as wide as high nor a cube map", shape.width, shape.height),
-          "convert it to an equirectangular map of the whole sky"};
+          "convert it to an equirectangular (2:1) map of the whole sky"};
 }
 
 //! Where one of `from` texels in a row lies in a row of `to`, no more of them: in the first it has this part, and the rest in the next.
@@ -78,7 +78,7 @@ class MapReader {
       const int end = std::min(begin + rows_at_once, shape.height);
       if (!input_.read_rows(begin, end, read_channels_, rows.data())) {
         throw Error(name_, fmt::format("cannot be read at row {}: {}", begin, input_.error()),
-                    "the file seems torn; save it again");
+                    "the file seems to be truncated or damaged; save it again");
       }
       make_rows(texel_place(end - 1, shape.height, image_.height).first + 2);
       for (int y = begin; y < end; ++y) {
@@ -89,7 +89,7 @@ class MapReader {
     }
     make_rows(image_.height);
     if (image_.repaired.not_numbers == static_cast<long>(shape.width) * shape.height) {
-      throw Error(name_, "holds no light that is a number", "save it again");
+      throw Error(name_, "contains no finite colors", "save it again");
     }
     return std::move(image_);
   }
@@ -196,13 +196,13 @@ EnvironmentImage read_with(const ImageLibrary::Wishes& wishes, const std::string
   std::string problem;
   const auto input = image_library().open(name, wishes, problem);
   if (!input) {
-    throw Error(name, "is not an image that can be read: " + problem,
-                "give an equirectangular EXR, HDR, PNG, TIFF or JPEG");
+    throw Error(name, "cannot be read as an image: " + problem,
+                "use an equirectangular EXR, HDR, PNG, TIFF or JPEG image");
   }
   try {
     return read_shape(*input, name, largest_width);
   } catch (const std::bad_alloc&) {
-    throw Error(name, "is too large for the memory", "scale it down");
+    throw Error(name, "does not fit into memory", "scale it down");
   }
 }
 
@@ -222,7 +222,7 @@ EnvironmentImage read_environment_image(const std::filesystem::path& name, int l
   std::error_code problem;
   const auto [path, layer] = layered_file(name);
   if (!std::filesystem::is_regular_file(path, problem)) {
-    throw Error(path.string(), "is not a file that can be read", "give the path of an equirectangular image");
+    throw Error(path.string(), "does not exist or is not a regular file", "give the path of an equirectangular image");
   }
   return read_with(sky_wishes(std::nullopt, layer), path.string(), largest_width);
 }

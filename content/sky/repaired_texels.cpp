@@ -17,9 +17,9 @@ std::string repair_text(const RepairedTexels& texels) {
       text += fmt::format("{}{} {}", text.empty() ? "" : ", ", counted(count, "texel"), what);
     }
   };
-  add(texels.too_bright, fmt::format("infinite or brighter than {:g}, now bounded", brightest_texel));
-  add(texels.below_zero, "with a colour below 0, now 0");
-  add(texels.not_numbers, "with a colour that is no number, now black");
+  add(texels.too_bright, fmt::format("infinite or brighter than {:g} (clamped)", brightest_texel));
+  add(texels.below_zero, "with a negative color (set to 0)");
+  add(texels.not_numbers, "with a non-finite color (set to black)");
   return text;
 }
 
@@ -27,7 +27,7 @@ std::string note_of_repair(const Show& show, const std::string& key, const std::
                            const RepairedTexels& texels) {
   return named_by(show, key,
                   Error((std::filesystem::path(show.folder) / name).string(), "has " + repair_text(texels),
-                        "save it again without infinity and what is no number"))
+                        "save the image again without infinite, NaN or negative values"))
       .what();
 }
 

@@ -62,8 +62,8 @@ std::filesystem::path built_in_content_folder() {
   std::error_code problem;
   if (const char* const chosen = std::getenv("ERGODOME_CONTENT"); chosen != nullptr && *chosen != '\0') {
     if (!fs::is_directory(fs::path(chosen) / "maps", problem)) {
-      throw Error(std::string("ERGODOME_CONTENT ") + chosen, "holds no built-in content",
-                  "set it to the project's folder content/, or unset it");
+      throw Error(std::string("ERGODOME_CONTENT ") + chosen, "contains no built-in content",
+                  "set it to the folder content/ of the project, or unset it");
     }
     return chosen;
   }
@@ -76,7 +76,8 @@ std::filesystem::path built_in_content_folder() {
       return folder;
     }
   }
-  throw Error("built-in content", "is not there", "set ERGODOME_CONTENT to the project's folder content/");
+  throw Error("built-in content", "was not found",
+              "reinstall the program, or set ERGODOME_CONTENT to the folder content/ of the project");
 }
 
 bool is_built_in_sky(const std::string& name) { return name == "grid" || name == "milky_way" || name == "black"; }
@@ -94,7 +95,7 @@ EnvironmentImage load_sky_map(const Show& show) {
   return read_named(show, "sky.map", show.sky.map, [&](const std::filesystem::path& path) {
     std::error_code problem;
     if (!std::filesystem::exists(layered_file(path).path, problem)) {
-      throw Error(show.sky.map.empty() ? "\"\"" : path.string(), "is not there",
+      throw Error(show.sky.map.empty() ? "\"\"" : path.string(), "does not exist",
                   "give a built-in sky (milky_way, grid, black) or the path of an image");
     }
     EnvironmentImage image = read_environment_image(path);

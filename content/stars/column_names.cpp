@@ -83,6 +83,10 @@ const Substitute substitutes[] = {
 
 }  // namespace
 
+std::string_view column_name_to_use(Quantity quantity) {
+  return std::ranges::find(known_names, quantity, &KnownName::quantity)->name;
+}
+
 std::span<const KnownName> known_column_names() { return known_names; }
 
 std::span<const Substitute> column_substitutes() { return substitutes; }

@@ -21,11 +21,8 @@ struct KnownName {
 //! Returns all names in the order of preference.
 std::span<const KnownName> known_column_names();
 
-//! What to name columns, for messages.
-inline constexpr const char* column_names_to_use =
-    "right ascension: ra_deg, RAdeg, RAJ2000 or RA_ICRS in degrees, ra_hours in hours, ra in either; declination: "
-    "dec_deg, DEdeg, DEJ2000, DE_ICRS or dec; magnitude: v_mag, Vmag, mag, Gmag or phot_g_mean_mag; where they are "
-    "known, colour: b_v, B-V, ci, bp_rp or teff; number: hip or id; distance: dist";
+//! Returns the preferred name of a column, for messages.
+std::string_view column_name_to_use(Quantity quantity);
 
 //! Columns that say why a quantity is missing.
 struct Substitute {

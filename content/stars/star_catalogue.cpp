@@ -56,13 +56,13 @@ StarCatalogue load_stars(const Show& show) {
   return read_named(show, "sky.stars", name, [](const std::filesystem::path& path) {
     std::error_code problem;
     if (!std::filesystem::is_regular_file(path, problem)) {
-      throw Error(path.string(), "is not a file that can be read",
-                  "give a built-in catalogue (bright_stars, all_stars) or the path of one");
+      throw Error(path.string(), "does not exist or is not a regular file",
+                  "give a built-in star table (bright_stars, all_stars) or the path of one");
     }
     StarCatalogue read = read_stars(path);
     if (read.stars.empty() && !read.left_out.empty()) {
-      throw Error(path.string(), fmt::format("has no star: {}", text_of(read.left_out)),
-                  "stars have a right ascension, a declination and a magnitude; the sun is none");
+      throw Error(path.string(), fmt::format("contains no usable star: {}", text_of(read.left_out)),
+                  "give each star a right ascension, a declination and a magnitude");
     }
     return read;
   });
@@ -74,10 +74,10 @@ std::size_t count_of(const std::vector<RowsLeftOut>& left_out) {
 }
 
 std::string text_of(const std::vector<RowsLeftOut>& left_out) {
-  std::string text = counted(count_of(left_out), "row") + " left out";
+  std::string text = counted(count_of(left_out), "row") + " skipped";
   for (const RowsLeftOut& rows : left_out) {
-    text += fmt::format("{} {} {} ({}line {})", &rows == &left_out.front() ? ":" : ",", rows.count, rows.why,
-                        rows.count > 1 ? "first in " : "", rows.first_line);
+    text += fmt::format("{} {} {} ({}line {})", &rows == &left_out.front() ? ":" : ",", counted(rows.count, "row"),
+                        rows.why, rows.count > 1 ? "first in " : "", rows.first_line);
   }
   return text;
 }
@@ -90,15 +90,15 @@ std::string note_of_left_out(const Show& show, const std::vector<RowsLeftOut>& l
   std::vector<RowsLeftOut> lost = left_out;
   std::erase_if(lost, [](const RowsLeftOut& rows) { return rows.meant; });
   return named_by(show, "sky.stars",
-                  Error((std::filesystem::path(show.folder) / show.sky.stars).string(), "has " + text_of(lost),
-                        "complete these rows, or take them out"))
+                  Error((std::filesystem::path(show.folder) / show.sky.stars).string(), text_of(lost),
+                        "complete or remove these rows"))
       .what();
 }
 
 std::string note_of_no_stars(const Show& show) {
   return named_by(show, "sky.stars",
-                  Error((std::filesystem::path(show.folder) / show.sky.stars).string(), "holds no stars",
-                        "name another catalogue, or leave sky.stars out"))
+                  Error((std::filesystem::path(show.folder) / show.sky.stars).string(), "contains no stars",
+                        "choose another star table, or remove sky.stars"))
       .what();
 }
 

@@ -38,7 +38,7 @@ struct StarCatalogue {
 //! How many rows they are in all.
 std::size_t count_of(const std::vector<RowsLeftOut>& left_out);
 
-//! In words: "3 rows left out: 2 without a place (first in line 7), 1 without a magnitude (line 9)".
+//! In words: "3 rows skipped: 2 rows without a position (first in line 7), 1 row without a magnitude (line 9)".
 std::string text_of(const std::vector<RowsLeftOut>& left_out);
 
 //! Whether other rows are left out than those that are meant to be.

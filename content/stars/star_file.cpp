@@ -68,7 +68,7 @@ struct PackedColumns {
     const double magnitude = v_mag[i] / units_a_magnitude;
     if (ra_deg > 360.0 || std::abs(dec_deg) > 90.0 || std::abs(magnitude) > 60.0 ||
         (i > 0 && v_mag[i - 1] > v_mag[i])) {
-      throw Error(place, fmt::format("is damaged (star {})", i + 1), "make it again from its table");
+      throw Error(place, fmt::format("is damaged (star {})", i + 1), "create it again from its table");
     }
     const float colour =
         b_v[i] == no_colour ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(b_v[i] / units_a_magnitude);
@@ -89,7 +89,7 @@ Bytes packed(std::span<const std::byte> raw) {
 Bytes unpacked_stars(std::span<const std::byte> bytes, std::size_t size, const std::string& place) {
   Bytes raw(size);
   if (ZSTD_decompress(raw.data(), raw.size(), bytes.data(), bytes.size()) != size) {
-    throw Error(place, "is damaged (its packed part)", "make it again from its table");
+    throw Error(place, "is damaged (compressed part)", "create it again from its table");
   }
   return raw;
 }
@@ -106,7 +106,7 @@ bool is_star_file(const std::filesystem::path& path) {
 StarCatalogue parse_star_file(std::span<const std::byte> bytes, const std::string& place) {
   if (bytes.size() < header_bytes ||
       !std::ranges::equal(bytes.first(sizeof star_magic), std::as_bytes(std::span(star_magic)))) {
-    throw Error(place, "is not a star catalogue of this project", "make one with ergodome catalogue TABLE --out FILE");
+    throw Error(place, "is not a star file of Ergodome", "create one with ergodome catalogue TABLE --out FILE");
   }
   ByteReader header(bytes.first(header_bytes).subspan(sizeof star_magic), place);
   const auto written = header.number<std::uint32_t>();
@@ -114,16 +114,16 @@ StarCatalogue parse_star_file(std::span<const std::byte> bytes, const std::strin
   const auto packed_bytes = header.number<std::uint64_t>();
   const auto packed_sum = header.number<std::uint64_t>();
   if (header.number<std::uint64_t>() != checksum(bytes.first(summed_bytes))) {
-    throw Error(place, "is damaged (its header)", "make it again from its table");
+    throw Error(place, "is damaged (header)", "create it again from its table");
   }
   if (written > version) {
-    throw Error(place, fmt::format("is of version {}; this program reads version {}", written, version),
+    throw Error(place, fmt::format("has format version {}, but this program reads version {}", written, version),
                 "make it again from its table, or use a newer Ergodome");
   }
   const std::span<const std::byte> body = bytes.subspan(header_bytes);
   if (body.size() != packed_bytes || count > most_file_stars || bytes_a_star * count > most_packing * body.size() ||
       checksum(body) != packed_sum) {
-    throw Error(place, "is damaged, or cut off", "make it again from its table");
+    throw Error(place, "is damaged or truncated", "create it again from its table");
   }
   const Bytes raw = unpacked_stars(body, bytes_a_star * count, place);
   ByteReader from(raw, place);
@@ -143,12 +143,12 @@ StarCatalogue read_star_file(const std::filesystem::path& path) {
   const std::uintmax_t size = std::filesystem::file_size(path, problem);
   std::ifstream stream(path, std::ios::binary);
   if (problem || !stream || size > bytes_a_star * std::uintmax_t{most_file_stars}) {
-    throw Error(path.string(), "cannot be read as a star catalogue", "check the path and its permissions");
+    throw Error(path.string(), "cannot be opened", "check the path and its permissions");
   }
   Bytes bytes(size);
   stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
   if (!stream) {
-    throw Error(path.string(), "cannot be read", "check its disk");
+    throw Error(path.string(), "cannot be read", "check the disk");
   }
   return parse_star_file(bytes, path.string());
 }
@@ -173,7 +173,7 @@ void write_star_file(const StarCatalogue& catalogue, const std::filesystem::path
     std::ofstream stream(partial, std::ios::binary);
     stream.write(reinterpret_cast<const char*>(file.bytes().data()), static_cast<std::streamsize>(file.bytes().size()));
     if (!stream.flush()) {
-      throw Error(path.string(), "cannot be written", "check the disk's space");
+      throw Error(path.string(), "cannot be written", "check the free space on the disk");
     }
   });
 }

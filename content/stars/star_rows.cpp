@@ -58,15 +58,17 @@ std::string StarRows::place(std::size_t line) const { return fmt::format("{}:{}"
 
 void StarRows::refuse(const std::string& cell, Quantity quantity, std::size_t line) const {
   if (cell.find('\n') != std::string::npos) {
-    throw Error(place(line), fmt::format("has a cell of more than one line where {} should be", words_of(quantity)),
-                "close its quotes");
+    throw Error(place(line),
+                fmt::format("has a cell that spans several lines where {} is expected", words_of(quantity)),
+                "close its quotation marks");
   }
   const bool coordinate = quantity == right_ascension || quantity == declination;
-  throw Error(
-      place(line),
-      fmt::format("has \"{}\" where {} should be", printable(std::string_view(cell).substr(0, 40)), words_of(quantity)),
-      coordinate ? "write a number, or hours (degrees), minutes and seconds as 05:14:32.27, or nothing"
-                 : "write a number, or nothing");
+  throw Error(place(line),
+              fmt::format("has \"{}\" where {} is expected", printable(std::string_view(cell).substr(0, 40)),
+                          words_of(quantity)),
+              coordinate
+                  ? "write a number, or hours (degrees), minutes and seconds such as 05:14:32.27, or leave it empty"
+                  : "write a number, or leave it empty");
 }
 
 std::string StarRows::number_text(const std::string& cell) const {
@@ -114,13 +116,13 @@ double StarRows::right_ascension_of(const std::string& text, const std::string& 
   const bool in_degrees = columns_.ra.unit == AngleUnit::degrees && columns_.ra.source == UnitSource::units_row;
   const bool named_degrees = plain_column_name(columns_.names[right_ascension]).ends_with("deg");
   if (angle->mark == AngleMark::none && (in_degrees || named_degrees)) {
-    throw Error(place(line), fmt::format("has \"{}\" in a column in degrees", printable(cell.substr(0, 40))),
-                "write degrees with decimals, or mark the unit as in 05h14m32.27s or 78d38m04s");
+    throw Error(place(line), fmt::format("has \"{}\" in a column of degrees", printable(cell.substr(0, 40))),
+                "write decimal degrees, or mark the units as in 05h14m32.27s or 78d38m04s");
   }
   const double ra_deg = angle->mark == AngleMark::degrees ? angle->value : 15.0 * angle->value;
   if (std::abs(ra_deg) > 360.0) {
     throw Error(place(line), fmt::format("has a right ascension of {}", printable(cell.substr(0, 40))),
-                "right ascensions are at most 24 hours or 360 degrees");
+                "write at most 24 hours or 360 degrees");
   }
   return ra_deg;
 }
@@ -133,8 +135,7 @@ double StarRows::declination_of(const std::string& text, const std::string& cell
   }
   const double dec_deg = radians ? angle->value * radian_deg : angle->value;
   if (std::isfinite(dec_deg) && std::abs(dec_deg) > 90.0) {
-    throw Error(place(line), fmt::format("has a star at declination {} deg", dec_deg),
-                "declinations are between -90 and 90 degrees");
+    throw Error(place(line), fmt::format("has a declination of {} deg", dec_deg), "write -90 to 90 degrees");
   }
   return dec_deg;
 }
@@ -191,28 +192,29 @@ void StarRows::take(const RowCells& cells, std::size_t line) {
   const double v_mag = magnitude(cells, line);
   const double b_v = colour(cells, line);
   if (!std::isfinite(at.ra) || !std::isfinite(at.dec_deg)) {
-    return leave_out({"without a place", 1, line, false});
+    return leave_out({"without a position", 1, line, false});
   }
   if (!std::isfinite(v_mag)) {
     return leave_out({"without a magnitude", 1, line, false});
   }
   // Other stars have a distance of 0 where it is not known.
   if (number(cells, sun_distance, line) == 0.0 && v_mag < brightest_but_the_sun) {
-    return leave_out({"of the Sun", 1, line, true});
+    return leave_out({"for the Sun", 1, line, true});
   }
   const bool in_hours = columns_.ra.unit == AngleUnit::hours && columns_.ra.source != UnitSource::program;
   if (std::abs(at.ra) > 360.0 || (in_hours && decimal_ && std::abs(at.ra) > most_hours)) {
-    throw Error(place(line), fmt::format("has a star at right ascension {} {}", at.ra, in_hours ? "h" : "deg"),
-                "right ascensions are at most 24 hours or 360 degrees; name the column ra_deg or ra_hours");
+    throw Error(place(line), fmt::format("has a right ascension of {} {}", at.ra, in_hours ? "h" : "deg"),
+                "write at most 24 hours or 360 degrees, and name the column ra_hours or ra_deg");
   }
   if (sexagesimal_ && decimal_) {
-    throw Error(place(line), "has right ascensions with and without minutes in one column", "write all in one form");
+    throw Error(place(line), "mixes decimal and sexagesimal right ascensions in one column",
+                "write all of them in one form");
   }
   if (v_mag < -30.0 || v_mag > 60.0) {
-    throw Error(place(line), fmt::format("has a star of magnitude {}", v_mag), "magnitudes are between -30 and 60");
+    throw Error(place(line), fmt::format("has a magnitude of {}", v_mag), "write -30 to 60");
   }
   if (catalogue_.stars.size() >= most_stars) {
-    throw Error(place(line), "has more than 100 million stars", "leave the faint ones out");
+    throw Error(place(line), "has more than 100 million stars", "remove the faintest ones");
   }
   const double own = number(cells, catalogue_number, line);
   const bool counted = own >= 0.0 && own <= 4e9;
@@ -258,12 +260,12 @@ std::string StarRows::how_read() const {
   };
   std::string text = name(right_ascension);
   if (sexagesimal_) {
-    text += " in minutes and seconds";
+    text += " in sexagesimal form";
   } else {
     constexpr const char* units[] = {"", "degrees", "hours", "radians"};
     text += fmt::format(" in {}", units[static_cast<int>(columns_.ra.unit)]);
     if (columns_.ra.source == UnitSource::program) {
-      text += fmt::format(" (columns of {})", columns_.program);
+      text += fmt::format(" (columns named as in {})", columns_.program);
     } else if (columns_.ra.source == UnitSource::values) {
       text += columns_.ra.unit == AngleUnit::degrees
                   ? " (values above 24)"
@@ -279,7 +281,7 @@ std::string StarRows::how_read() const {
     text += from.empty() ? "" : fmt::format("; {} from {}", what, from);
   };
   add("V", {v_magnitude, g_magnitude, vt_magnitude});
-  add("colour", {b_v_colour, bp_rp_colour, bp_magnitude, bt_magnitude, star_temperature_k});
+  add("color", {b_v_colour, bp_rp_colour, bp_magnitude, bt_magnitude, star_temperature_k});
   return text;
 }
 

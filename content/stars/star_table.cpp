@@ -43,7 +43,7 @@ class CsvParser {
     }
     // A quote that is never closed swallows the rest of the file.
     if (csv_get_buffer_size(&parser_) > longest_cell) {
-      table.fail("has a cell of more than 64 KiB", "close the quotes");
+      table.fail("has a cell of more than 64 KiB", "close its quotation marks");
     }
   }
 
@@ -51,7 +51,7 @@ class CsvParser {
     // Strict at the end alone: a quote within a cell that has none about it is no mistake.
     csv_set_opts(&parser_, CSV_REPALL_NL | CSV_STRICT | CSV_STRICT_FINI);
     if (csv_fini(&parser_, &take_cell, &end_row, &table) != 0) {
-      table.fail("has a quote that is not closed before the file ends", "close it");
+      table.fail("has a quotation mark that is never closed", "close it");
     }
   }
 
@@ -164,8 +164,8 @@ class TableLines {
     const bool data = first != std::string_view::npos &&
                       (std::string_view("+-.0123456789").find(line[first]) != std::string_view::npos);
     if (data && last_comment_.empty()) {
-      throw Error(file_, "does not name its columns: its first line begins with a number",
-                  "name them in the first line; save a table of fixed widths as CSV first");
+      throw Error(file_, "has no column names: its first line begins with a number",
+                  "name the columns in the first line; convert a fixed-width table to CSV first");
     }
     const std::string header = data ? last_comment_ : std::string(line);
     separator_ = told_separator_.value_or(separator_of(header));

@@ -35,9 +35,9 @@ void TableBuilder::take_cell(std::string_view cell) {
   } else if (const auto& quantities = rows_.columns().quantities; cell_ < quantities.size() && quantities[cell_]) {
     cells_[*quantities[cell_]] = cell;
   } else if (cell_ >= named_ && !cell.empty()) {
-    fail(fmt::format("has more cells than the {} that the first line names", named_),
-         separator_ == ' ' ? "save it as CSV: its cells are separated by spaces, so they must hold none"
-                           : "name every column, and put cells that hold commas in quotes");
+    fail(fmt::format("has more cells than the {} columns that the first line names", named_),
+         separator_ == ' ' ? "save it as CSV: cells of a table that is separated by spaces cannot contain spaces"
+                           : "name every column, and put cells with commas in quotation marks");
   }
   ++cell_;
 }
@@ -78,11 +78,11 @@ void TableBuilder::take_row() {
   }
   rows_begun_ = true;
   if (repeats_header()) {
-    return fail("has the columns' names again: a second table begins", "leave one table in a file");
+    return fail("repeats the column names, so a second table begins here", "split the file into one file per table");
   }
   if (separator_ == ' ' && cell_ != named_) {
-    return fail(fmt::format("has {} cells, but the first line names {}", cell_, named_),
-                "save it as CSV: its cells are separated by spaces, so none may be blank or hold spaces");
+    return fail(fmt::format("has {} cells, but the first line names {} columns", cell_, named_),
+                "save it as CSV: cells of a table that is separated by spaces cannot be empty or contain spaces");
   }
   rows_.take(cells_, line_);
 }
@@ -94,7 +94,7 @@ void TableBuilder::count_lines(std::string_view cell) {
   const auto lines = static_cast<std::size_t>(std::ranges::count(cell, '\n'));
   const auto separators = static_cast<std::size_t>(std::ranges::count(cell, separator_));
   if (!in_header_ && named_ > 1 && separators >= (named_ - 1) * lines) {
-    rows_.leave_out({"within quotes that go on into the next line", lines, line_ + lines_in_row_, false});
+    rows_.leave_out({"inside quotation marks that are closed on another line", lines, line_ + lines_in_row_, false});
   }
   lines_in_row_ += lines;
 }
@@ -108,7 +108,7 @@ void TableBuilder::check() const {
 StarCatalogue TableBuilder::finish() {
   check();
   if (in_header_) {
-    throw Error(file_, "is empty", "name the columns in its first line: ra_deg,dec_deg,v_mag,b_v");
+    throw Error(file_, "is empty", "name the columns in the first line, for example ra_deg,dec_deg,v_mag,b_v");
   }
   return rows_.finish();
 }

@@ -15,9 +15,8 @@ namespace ergodome {
 namespace {
 
 constexpr const char* quantity_words[quantity_count] = {
-    "a right ascension", "a declination", "a magnitude", "a magnitude", "a magnitude",   "a colour",
-    "a colour",          "a magnitude",   "a magnitude", "a magnitude", "a temperature", "a catalogue's number",
-    "a distance"};
+    "a right ascension", "a declination", "a magnitude", "a magnitude",   "a magnitude",      "a color",   "a color",
+    "a magnitude",       "a magnitude",   "a magnitude", "a temperature", "a catalog number", "a distance"};
 
 bool holds(const std::vector<std::string>& names, std::string_view name) {
   return std::ranges::find(names, name) != names.end();
@@ -31,7 +30,7 @@ std::string substitute_for(Quantity missing, const std::vector<std::string>& nam
     const auto there = [&](std::string_view name) { return holds(names, name); };
     if (other.missing == missing &&
         (all ? std::ranges::all_of(other.names, there) : std::ranges::any_of(other.names, there))) {
-      return fmt::format("; it has {}, which are not read", other.what);
+      return fmt::format(" (it has {}, which cannot be used)", other.what);
     }
   }
   return "";
@@ -96,9 +95,11 @@ void require_coordinates_and_magnitude(const TableColumns& columns, const std::v
                                        const std::string& place) {
   std::string missing;
   std::string instead;
+  std::string names_to_use;
   const auto require = [&](bool there, Quantity quantity) {
     if (!there) {
       missing += fmt::format("{}{}", missing.empty() ? "" : ", ", quantity_words[quantity]);
+      names_to_use += fmt::format("{}{}", names_to_use.empty() ? "" : ", ", column_name_to_use(quantity));
       instead += substitute_for(quantity, names);
     }
   };
@@ -106,8 +107,11 @@ void require_coordinates_and_magnitude(const TableColumns& columns, const std::v
   require(columns.has(declination), declination);
   require(columns.has(v_magnitude) || columns.has(g_magnitude) || columns.has(vt_magnitude), v_magnitude);
   if (!missing.empty()) {
-    throw Error(place, fmt::format("names no column for {}{}", missing, instead),
-                fmt::format("add it and name it in the first line, in capitals or not: {}", column_names_to_use));
+    throw Error(
+        place, fmt::format("has no column for {}{}", missing, instead),
+        fmt::format(
+            "name it in the first line, for example {}; other names: see reference/star-tables.md in the documentation",
+            names_to_use));
   }
 }
 
@@ -133,12 +137,17 @@ void apply_unit(TableColumns& columns, Quantity quantity, std::string_view unit,
     if (const auto known = angle_unit_named(unit)) {
       (quantity == right_ascension ? columns.ra : columns.dec) = {*known, source};
     } else if (!unit.empty() && unit != "J2000" && unit != "J2000.0" && unit != "2000" && unit != "ICRS") {
-      throw Error(place, fmt::format("gives {} in \"{}\"", words_of(quantity), printable(unit.substr(0, 40))),
-                  "convert it to degrees (deg), hours (h) or radians (rad) of the equinox J2000");
+      throw Error(place,
+                  fmt::format("gives {} in the unsupported unit or equinox \"{}\"", words_of(quantity),
+                              printable(unit.substr(0, 40))),
+                  "convert the column to degrees (deg), hours (h) or radians (rad), equinox J2000");
     }
   } else if (!is_supported_unit(quantity, unit)) {
-    throw Error(place, fmt::format("gives {} in \"{}\"", words_of(quantity), printable(unit.substr(0, 40))),
-                quantity == star_temperature_k ? "convert it to kelvins (K)" : "convert it to magnitudes (mag)");
+    throw Error(
+        place,
+        fmt::format("gives {} in the unsupported unit \"{}\"", words_of(quantity), printable(unit.substr(0, 40))),
+        quantity == star_temperature_k ? "convert the column to kelvins (K)"
+                                       : "convert the column to magnitudes (mag)");
   }
 }
 
@@ -160,7 +169,7 @@ TableColumns choose_columns(const std::vector<std::string>& names, const UnitsBy
     const std::string& name = plain[chosen.column];
     if (std::ranges::count(plain, name) > 1) {
       throw Error(place, fmt::format("has two columns for {} named {}", words_of(quantity), name),
-                  "leave one of them, or rename it");
+                  "remove or rename one of them");
     }
     columns.quantities[chosen.column] = quantity;
     columns.names[quantity] = names[chosen.column];

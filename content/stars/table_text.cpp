@@ -31,8 +31,8 @@ constexpr OtherFormat other_formats[] = {
      "7zXZ\0"sv,
      "is compressed (xz)", "unpack it with unxz"},
     {"\x28\xB5\x2F\xFD"sv, "is compressed (zstd)", "unpack it with unzstd"},
-    {"PK\x03\x04"sv, "is a ZIP archive or a workbook (.xlsx, .ods)", "unpack it, or save the sheet as CSV"},
-    {"\xD0\xCF\x11\xE0"sv, "is a workbook (.xls)", "save the sheet as CSV"},
+    {"PK\x03\x04"sv, "is a ZIP archive or a spreadsheet (.xlsx, .ods)", "unpack it, or save the sheet as CSV"},
+    {"\xD0\xCF\x11\xE0"sv, "is a spreadsheet (.xls)", "save the sheet as CSV"},
     {"SIMPLE  ="sv, "is a FITS file", save_as_csv},
     {"\x89HDF"sv, "is an HDF5 file", save_as_csv},
     {"PAR1"sv, "is a Parquet file", save_as_csv},
@@ -57,7 +57,7 @@ void require_table_of_text(std::string_view begin, const std::string& file) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first != std::string_view::npos && text[first] == '<') {
     const bool votable = text.substr(0, 4096).find("VOTABLE") != std::string_view::npos;
-    throw Error(file, votable ? "is a VOTable (XML)" : "is XML or HTML, not a table of text",
+    throw Error(file, votable ? "is a VOTable (XML)" : "is XML or HTML, not a text table",
                 votable ? save_as_csv : "download the table itself, as CSV or TSV");
   }
 }
@@ -65,7 +65,7 @@ void require_table_of_text(std::string_view begin, const std::string& file) {
 //! Throws Error if the first line holds zero bytes, which no text in UTF-8 does.
 void require_no_binary_file(std::string_view begin, const std::string& file) {
   if (begin.substr(0, begin.find_first_of("\r\n")).substr(0, 4096).find('\0') != std::string_view::npos) {
-    throw Error(file, "is a binary file, not a table of text", save_as_csv);
+    throw Error(file, "is a binary file, not a text table", save_as_csv);
   }
 }
 
@@ -146,7 +146,7 @@ void TableText::convert_utf16(bool at_end) {
   }
   raw_.erase(0, i);
   if (at_end && (!raw_.empty() || high_surrogate_ != 0)) {
-    throw Error(file_, "is cut off within a character (UTF-16)", "copy or download it again");
+    throw Error(file_, "is truncated within a character (UTF-16)", "copy or download it again");
   }
 }
 

@@ -87,7 +87,7 @@ std::optional<std::size_t> NumberTable::find(std::string_view name) const {
     return std::nullopt;
   }
   if (std::find(found + 1, names_.end(), name) != names_.end()) {
-    throw Error(file_ + ":1", fmt::format("has two columns {}", name), "leave one of them, or rename it");
+    throw Error(file_ + ":1", fmt::format("has two columns {}", name), "remove or rename one of them");
   }
   return static_cast<std::size_t>(found - names_.begin());
 }
@@ -108,15 +108,15 @@ bool NumberTable::next(TableLine& line) {
     }
     line.place = fmt::format("{}:{}", file_, line_number_);
     if (text_.size() > longest_line || rows_ >= most_rows) {
-      throw Error(line.place, "is too much for one table", "split the file; lines up to 64 KiB, 50 million rows");
+      throw Error(line.place, "exceeds the limits of a table: lines of 64 KiB, 50 million rows", "split the file");
     }
     ++rows_;
     line.cells = split(text_);
     const auto extra = line.cells.begin() + static_cast<std::ptrdiff_t>(std::min(names_.size(), line.cells.size()));
     if (std::any_of(extra, line.cells.end(), [](std::string_view cell) { return !cell.empty(); })) {
       throw Error(line.place,
-                  fmt::format("has {} cells, and the first line names {}", line.cells.size(), names_.size()),
-                  "name every column; a number has a point, and no comma");
+                  fmt::format("has {} cells, but the first line names {} columns", line.cells.size(), names_.size()),
+                  "name every column, and write numbers with a decimal point, not a comma");
     }
     return true;
   }
@@ -126,7 +126,7 @@ bool NumberTable::next(TableLine& line) {
 std::ifstream open_table(const std::filesystem::path& path, std::string_view what) {
   std::error_code problem;
   if (!std::filesystem::is_regular_file(path, problem)) {
-    throw Error(path.string(), "is not a file that can be read", fmt::format("give the path of {} (.csv)", what));
+    throw Error(path.string(), "does not exist or cannot be read", fmt::format("give the path of {} (.csv)", what));
   }
   std::ifstream stream(path, std::ios::binary);
   if (!stream) {

@@ -19,8 +19,8 @@ constexpr double slack = 1e-9;
 
 void check_radius(double r, std::string_view name, const std::string& place) {
   if (!(r > 2.0 && r <= 1e12)) {
-    throw Error(place, fmt::format("{} is {:.9g}", name, r),
-                "choose a radius outside the horizon at 2 (M = 1), up to 1e12");
+    throw Error(place, fmt::format("{} is {:.9g}, outside 2 to 1e12", name, r),
+                "choose a radius outside the horizon, which is at 2 (M = 1)");
   }
 }
 
@@ -34,7 +34,7 @@ PairRow pair_of(const TableLine& line, const std::size_t (&columns)[4]) {
   check_radius(row.r, "r", line.place);
   if (!(order >= 1.0 && order <= highest_order && order == std::floor(order))) {
     throw Error(line.place, fmt::format("order is {:.9g}", order),
-                fmt::format("choose 1 (the direct image), 2 (round the other side), ... {}", highest_order));
+                fmt::format("choose 1 (direct image), 2 (around the other side), ... up to {}", highest_order));
   }
   row.order = static_cast<int>(order);
   const double most = std::max(2, row.order) * pi;
@@ -44,7 +44,7 @@ PairRow pair_of(const TableLine& line, const std::size_t (&columns)[4]) {
   }
   row.angle = image_angle(row.phi, row.order);
   if (const char* reason = why_not_connected(row.r_observer, row.r, row.angle)) {
-    throw Error(line.place, fmt::format("has no light ray of order {}: {}", row.order, reason),
+    throw Error(line.place, fmt::format("no light ray of order {} exists: {}", row.order, reason),
                 "choose another point or order");
   }
   row.place = line.place;

@@ -37,7 +37,7 @@ EitherColumn either(const NumberTable& table, const std::string& file, std::stri
   const auto one = table.find(first);
   const auto other = table.find(second);
   if (one && other) {
-    throw Error(file + ":1", fmt::format("has both columns {} and {}", first, second), "leave one of them");
+    throw Error(file + ":1", fmt::format("has both columns {} and {}", first, second), "remove one of them");
   }
   if (!one && !other) {
     throw Error(file + ":1", fmt::format("has no column {} (nor {})", first, second),
@@ -52,7 +52,7 @@ double theta_of(const TableLine& line, const EitherColumn& theta) {
   const double most = theta.second ? 180.0 : 3.1415926535897936;
   if (!(angle >= 0.0 && angle <= most)) {
     throw Error(
-        line.place, fmt::format("{} is {}", theta.name, angle),
+        line.place, fmt::format("{} is {}, out of range", theta.name, angle),
         theta.second ? "choose an angle from 0 to 180" : "choose an angle from 0 to pi, or name the column theta_deg");
   }
   return theta.second ? angle * one_degree : angle;
@@ -71,7 +71,7 @@ ObserverMotion motion_of(const TableLine& line, std::string_view word) {
       return motion;
     }
   }
-  throw Error(line.place, fmt::format("observer is \"{}\"", word.substr(0, 40)),
+  throw Error(line.place, fmt::format("observer is \"{}\", which does not exist", word.substr(0, 40)),
               "choose one of zamo, static, geodesic, retrograde, rain, boost, rain_boost");
 }
 
@@ -90,24 +90,27 @@ Vector3<double> vector_of(const TableLine& line, const std::optional<std::size_t
 
 void check(const RayRow& row, const TableLine& line, std::string_view spin_name) {
   if (!(std::abs(row.spin) <= 1.0)) {
-    throw Error(line.place, fmt::format("{} is {}", spin_name, row.spin), "choose a spin from -1 to 1");
+    throw Error(line.place, fmt::format("{} is {}, outside -1 to 1", spin_name, row.spin),
+                "choose a spin in that range");
   }
   const double horizon = horizon_radius(row.spin);
   const bool falls = row.motion == ObserverMotion::rain || row.motion == ObserverMotion::rain_boost;
   const double least = falls ? std::min(least_interior_radius(row.spin), horizon) : horizon;
   if (!(row.r > least && row.r <= 1e12)) {
     throw Error(
-        line.place, fmt::format("r is {}", row.r),
+        line.place, fmt::format("r is {}, out of range for this observer", row.r),
         falls || !(row.r > least_interior_radius(row.spin))
-            ? fmt::format("choose a radius above {:.6g}, up to 1e12", least)
-            : fmt::format("choose a radius above the horizon at {:.6g}, up to 1e12, or the observer rain or rain_boost",
-                          horizon));
+            ? fmt::format("choose a radius above {:.6g} and up to 1e12", least)
+            : fmt::format(
+                  "choose a radius above the horizon at {:.6g} and up to 1e12, or the observer rain or rain_boost",
+                  horizon));
   }
   const Vector3<double> v = row.motion == ObserverMotion::rain_boost
                                 ? row.velocity
                                 : observer_velocity(row.motion, row.spin, row.r, row.theta, row.velocity);
   if (row.motion != ObserverMotion::rain && !(dot(v, v) < 1.0)) {
-    throw Error(line.place, "its observer would outrun light there", "choose another observer or a larger radius");
+    throw Error(line.place, "this observer would have to move faster than light at this radius",
+                "choose another observer or a larger radius");
   }
 }
 
@@ -117,7 +120,7 @@ void need_velocity(const TableLine& line, const Columns& columns) {
   for (std::size_t i = 0; i < 3; ++i) {
     if (!columns.beta[i]) {
       throw Error(line.place,
-                  fmt::format("observer is {}, and there is no column {}", line.cell(columns.observer), names[i]),
+                  fmt::format("observer is {}, but the table has no column {}", line.cell(columns.observer), names[i]),
                   "name beta_r, beta_theta and beta_phi in the first line");
     }
   }
@@ -136,9 +139,9 @@ void check_velocity(const RayRow& row, const TableLine& line, const Columns& col
     const double beta = given ? line.number(*columns.beta[i], "beta") : 0.0;
     if (beta != 0.0 && !(std::abs(beta - own[i]) < same)) {
       throw Error(line.place,
-                  fmt::format("gives another velocity than {} has there ({:.6g}, {:.6g}, {:.6g})",
+                  fmt::format("has a velocity that differs from that of the observer {} ({:.6g}, {:.6g}, {:.6g})",
                               line.cell(columns.observer), own[0], own[1], own[2]),
-                  "write the observer boost, or leave the cells beta_* empty");
+                  "use the observer boost, or leave the beta_* cells empty");
     }
   }
 }
@@ -177,8 +180,8 @@ std::vector<RayRow> read_ray_table(std::istream& stream, const std::string& file
       const Vector3<double> n = vector_of(line, columns.direction, "n");
       const double largest = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
       if (!(largest > 0.0)) {
-        throw Error(line.place, "n_r, n_theta, n_phi are all 0, which is no direction",
-                    "write a vector that points to where the light seems to come from; its length does not matter");
+        throw Error(line.place, "n_r, n_theta and n_phi are all 0, so the direction is undefined",
+                    "write a vector of any length that points to where the light seems to come from");
       }
       const Vector3<double> scaled = (1.0 / largest) * n;
       row.direction = (1.0 / std::sqrt(dot(scaled, scaled))) * scaled;

@@ -53,7 +53,7 @@ std::string read_words(TomlTable& table, std::string_view key) {
 Presence read_presence(TomlTable& table) {
   for (const char* const needed : {"from_s", "to_s"}) {
     if (!table.has(needed)) {
-      throw table.error_at(needed, "is missing", "write from_s and to_s, when it comes and when it is gone");
+      throw table.error_at(needed, "is missing", "write from_s and to_s: when it appears and when it has disappeared");
     }
   }
   Presence presence;
@@ -61,7 +61,7 @@ Presence read_presence(TomlTable& table) {
   presence.to_s = table.number("to_s", 0.0, 0.0, longest_s);
   const double there_s = presence.to_s - presence.from_s;
   if (!(there_s > 0.0)) {
-    throw table.error_at("to_s", "does not come after from_s", "choose a later time");
+    throw table.error_at("to_s", "is not later than from_s", "choose a later time");
   }
   presence.fade_in_s = table.number("fade_in_s", -1.0, 0.0, longest_s);
   presence.fade_out_s = table.number("fade_out_s", -1.0, 0.0, longest_s);
@@ -79,8 +79,8 @@ Presence read_presence(TomlTable& table) {
   if (!(presence.fade_in_s + presence.fade_out_s <= there_s * (1.0 + 1e-9))) {
     throw table.error_at(
         table.has("fade_out_s") ? "fade_out_s" : "fade_in_s",
-        fmt::format("takes longer, with the other fade, than the {} s between from_s and to_s", there_s),
-        "shorten one");
+        fmt::format("and the other fade together take longer than the {} s from from_s to to_s", there_s),
+        "shorten one of the fades");
   }
   return presence;
 }
@@ -95,7 +95,7 @@ DomePlace read_place(TomlTable& table) {
 
 Chapter read_chapter(TomlTable& table, const std::string& file) {
   if (!table.has("t_s")) {
-    throw table.error_at("t_s", "is missing", "write when the chapter begins");
+    throw table.error_at("t_s", "is missing", "write the time at which the chapter begins, for example t_s = 20");
   }
   return {table.number("t_s", 0.0, 0.0, longest_s), read_local_text(table, file, "title")};
 }
@@ -116,7 +116,7 @@ Caption read_caption(TomlTable& table, const std::string& file) {
 std::string read_path(TomlTable& table, std::string_view key) {
   std::string path = table.text(key, "");
   if (path.empty()) {
-    throw table.error_at(key, "is missing", "write the path of a file, as seen from the show's folder");
+    throw table.error_at(key, "is missing", "write the path of a file, relative to the folder of the show");
   }
   return path;
 }
@@ -142,7 +142,9 @@ AudioTrack read_track(TomlTable& table, const std::string&) {
   track.fade_out_s = table.number("fade_out_s", 0.0, 0.0, longest_s);
   track.language = table.text("language", "");
   if (!track.language.empty() && !is_language_tag(track.language)) {
-    throw table.error_at("language", "is no language tag", "write one such as \"en\", \"de\" or \"pt-BR\"");
+    throw table.error_at("language",
+                         fmt::format("is \"{}\", which is not a language tag", printable(track.language.substr(0, 40))),
+                         "write a tag such as \"en\", \"de\" or \"pt-BR\"");
   }
   track.loop = table.boolean("loop", false);
   return track;
@@ -157,7 +159,7 @@ void read_each(TomlTable& root, const std::string& file, const char* name, std::
     Entry entry = read(table, file);
     if constexpr (std::is_same_v<Entry, Chapter>) {
       if (!entries.empty() && !(entry.time_s > entries.back().time_s)) {
-        throw table.error_at("t_s", "does not come after the chapter before", "put the chapters in order of time");
+        throw table.error_at("t_s", "is not later than that of the previous chapter", "sort the chapters by time");
       }
     }
     table.refuse_unknown_keys();
@@ -180,7 +182,7 @@ ReadoutSettings read_readout(const toml::table& table, const std::string& file) 
 LocalText read_local_text(TomlTable& table, const std::string& file, std::string_view key) {
   const toml::node* const node = table.node(key);
   if (node == nullptr) {
-    throw table.error_at(key, "is missing", "write \"...\", or { en = \"...\", de = \"...\" }");
+    throw table.error_at(key, "is missing", "write \"TEXT\", or { en = \"TEXT\", de = \"TEXT\" }");
   }
   if (!node->is_table()) {
     return {{"", read_words(table, key)}};
@@ -188,14 +190,14 @@ LocalText read_local_text(TomlTable& table, const std::string& file, std::string
   const toml::table& languages = *node->as_table();
   if (languages.empty() || languages.size() > most_languages) {
     throw table.error_at(key, languages.empty() ? "has no language" : "has too many languages",
-                         fmt::format("give it 1 to {}", most_languages));
+                         fmt::format("give it 1 to {} languages", most_languages));
   }
   TomlTable reader(languages, file, table.path_of(key));
   LocalText text;
   for (const auto& [tag, words] : languages) {
     // The empty one is for languages that are not there.
     if (!tag.str().empty() && !is_language_tag(tag.str())) {
-      throw reader.error_at(tag.str(), "is no language tag", "write one such as en, de or pt-BR");
+      throw reader.error_at(tag.str(), "is not a language tag", "write a tag such as en, de or pt-BR");
     }
     text[std::string(tag.str())] = read_words(reader, tag.str());
   }
@@ -234,10 +236,11 @@ void check_spin_on_path(const std::string& file, const Show& show) {
       const double r = camera_pose(show, time_s).r;
       if (!(r > horizon)) {
         const int line = show.lines.at("animate.hole.spin");
-        throw Error(line == key_set_outside ? show_setting_option : fmt::format("{}:{}", file, line),
-                    fmt::format("at {:.6g} s this spin has a horizon at {:.6g} M, and the camera at {:.6g} M in it",
-                                time_s, horizon, r),
-                    "keep the camera further out, or the spin higher");
+        throw Error(
+            line == key_set_outside ? show_setting_option : fmt::format("{}:{}", file, line),
+            fmt::format("at {:.6g} s this spin has its horizon at {:.6g} M, so that the camera at {:.6g} M is inside",
+                        time_s, horizon, r),
+            "keep the camera farther out, or choose a larger spin");
       }
     }
   }

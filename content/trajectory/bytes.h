@@ -15,7 +15,7 @@
 
 namespace ergodome {
 
-static_assert(std::endian::native == std::endian::little, "numbers are stored as a little-endian machine has them");
+static_assert(std::endian::native == std::endian::little, "numbers are stored in little-endian order");
 
 using Bytes = std::vector<std::byte>;
 
@@ -63,7 +63,7 @@ class ByteReader {
 
   std::span<const std::byte> take(std::size_t count) {
     if (count > rest_.size()) {
-      throw Error(place_, "ends too early", "bake it again");
+      throw Error(place_, "is truncated", "bake it again");
     }
     const std::span<const std::byte> taken = rest_.first(count);
     rest_ = rest_.subspan(count);

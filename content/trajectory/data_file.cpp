@@ -18,7 +18,7 @@ DataFile DataFile::open(const std::filesystem::path& path) {
     file.fail("cannot be opened", "check the path and its permissions");
   }
   if (!S_ISREG(facts.st_mode)) {
-    throw Error(path.string(), "is no file", "choose a trajectory made by ergodome bake");
+    throw Error(path.string(), "is not a regular file", "choose a trajectory made by ergodome bake");
   }
   return file;
 }
@@ -29,7 +29,7 @@ DataFile DataFile::open_locked(const std::filesystem::path& path) {
     file.fail("cannot be written", "check the folder and its permissions");
   }
   if (::flock(file.handle_, LOCK_EX | LOCK_NB) != 0) {
-    throw Error(path.string(), "another process is baking it", "wait for it, or bake another part");
+    throw Error(path.string(), "is in use by another ergodome bake", "wait until it ends, or bake to another file");
   }
   return file;
 }
@@ -54,7 +54,7 @@ std::uint64_t DataFile::size() const {
 Bytes DataFile::read(std::uint64_t offset, std::uint64_t count, const std::string& place) const {
   // A damaged file can claim any size.
   if (const std::uint64_t all = size(); offset > all || count > all - offset) {
-    throw Error(place, "the file ends too early", "bake it again");
+    throw Error(place, "is truncated", "bake it again");
   }
   Bytes bytes(count);
   std::uint64_t done = 0;
@@ -64,7 +64,7 @@ Bytes DataFile::read(std::uint64_t offset, std::uint64_t count, const std::strin
       fail("cannot be read", "check the disk");
     }
     if (got == 0) {
-      throw Error(place, "the file ends too early", "bake it again");
+      throw Error(place, "is truncated", "bake it again");
     }
     done += got > 0 ? static_cast<std::uint64_t>(got) : 0;
   }
@@ -75,7 +75,7 @@ void DataFile::append(std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
     const ssize_t put = ::write(handle_, bytes.data(), bytes.size());
     if (put < 0 && errno != EINTR) {
-      fail("cannot be written", "free some space; what is there is kept, and baking goes on from it");
+      fail("cannot be written", "free some space and run the bake again: it continues from what is saved");
     }
     bytes = bytes.subspan(put > 0 ? static_cast<std::size_t>(put) : 0);
   }
@@ -86,7 +86,7 @@ void DataFile::append(std::span<const std::byte> bytes) {
 
 void DataFile::cut(std::uint64_t size) {
   if (::ftruncate(handle_, static_cast<off_t>(size)) != 0) {
-    fail("cannot be cut to what is complete", "check the disk");
+    fail("cannot be shortened to its complete part", "check the disk");
   }
 }
 

@@ -75,20 +75,20 @@ DiskStation parse_disk_layout(std::span<const std::byte> raw, const std::string&
   station.pattern = (cells.flags & station_has_pattern) != 0;
   station.inner_r = from.number<double>();
   station.outer_r = from.number<double>();
-  require_whole(are_edges(station), "its edges", place);
+  require_whole(are_edges(station), "disk edges", place);
   const std::span<const std::byte> orders = from.take(station.cells.leaf_count());
   station.orders.resize(orders.size());
   std::ranges::transform(orders, station.orders.begin(),
                          [](std::byte order) { return std::to_integer<unsigned char>(order); });
   const bool derivatives = (cells.flags & station_has_derivatives) != 0;
   require_whole(from.left() == (derivatives ? 3 : 1) * cells.nodes * stored_floats(station) * bytes_a_number,
-                "another size than it should have", place);
+                "unexpected size", place);
   make_room(station, cells.nodes, derivatives);
   for_each_component(station, [&](std::vector<float>& nodes, std::size_t component) {
     read_planes(from, nodes, component, floats_a_node);
   });
   for (const DiskStation::NodeSets* sets : {&station.nodes, &station.nodes_along_r, &station.nodes_along_theta}) {
-    require_whole(std::ranges::all_of(*sets, all_finite), "a node that is no number", place);
+    require_whole(std::ranges::all_of(*sets, all_finite), "a non-finite number", place);
   }
   return station;
 }

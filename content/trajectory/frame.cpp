@@ -50,12 +50,13 @@ TrajectoryHeader parse_trajectory_header(std::span<const std::byte> bytes, const
   ByteReader from(bytes, place);
   const std::span<const std::byte> first = from.take(std::min(bytes.size(), sizeof frame_magic));
   if (!std::ranges::equal(first, std::as_bytes(std::span(frame_magic)))) {
-    throw Error(place, "is not a trajectory", "make one with ergodome bake");
+    throw Error(place, "is not a trajectory", "create one with ergodome bake");
   }
   const auto version = from.number<std::uint32_t>();
   if (version > trajectory_version) {
     throw Error(
-        place, fmt::format("is a trajectory of version {}; this program reads version {}", version, trajectory_version),
+        place,
+        fmt::format("is a trajectory of version {}, but this program reads version {}", version, trajectory_version),
         "bake it again, or use a newer Ergodome");
   }
   TrajectoryHeader header;
@@ -94,7 +95,7 @@ FrameHeader parse_frame_header(std::span<const std::byte> bytes, const std::stri
   header.unpacked_bytes = from.number<std::uint64_t>();
   header.checksum = from.number<std::uint64_t>();
   if (header.payload_bytes > largest_frame_bytes || header.unpacked_bytes > largest_frame_bytes) {
-    throw Error(place, "is damaged (a size that cannot be)", "bake it again");
+    throw Error(place, "is damaged (impossible size)", "bake it again");
   }
   return header;
 }

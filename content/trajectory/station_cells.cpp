@@ -89,17 +89,17 @@ PackedBytes pack_bytes(std::span<const std::byte> raw) {
   Bytes small(ZSTD_compressBound(raw.size()));
   const std::size_t size = ZSTD_compress(small.data(), small.size(), raw.data(), raw.size(), compression_level);
   if (ZSTD_isError(size) != 0) {
-    throw Error("station", std::string("cannot be packed: ") + ZSTD_getErrorName(size));
+    throw Error("station", std::string("cannot be compressed: ") + ZSTD_getErrorName(size));
   }
   small.resize(size);
   return {std::move(small), raw.size()};
 }
 
 Bytes unpack_bytes(std::span<const std::byte> packed, std::uint64_t unpacked_bytes, const std::string& place) {
-  require_whole(ZSTD_getFrameContentSize(packed.data(), packed.size()) == unpacked_bytes, "its packed size", place);
+  require_whole(ZSTD_getFrameContentSize(packed.data(), packed.size()) == unpacked_bytes, "compressed size", place);
   Bytes raw(unpacked_bytes);
   const std::size_t size = ZSTD_decompress(raw.data(), raw.size(), packed.data(), packed.size());
-  require_whole(ZSTD_isError(size) == 0 && size == raw.size(), "cannot be unpacked", place);
+  require_whole(ZSTD_isError(size) == 0 && size == raw.size(), "cannot be decompressed", place);
   return raw;
 }
 
@@ -144,7 +144,7 @@ StationCells read_cells(ByteReader& from, std::size_t stored_floats, const std::
   require_whole(columns > 0 && rows > 0 && columns <= most_root_cells && rows <= most_root_cells / columns &&
                     edge >= 16 && edge <= numbers && tree <= numbers && leaves <= numbers / 5 &&
                     nodes <= numbers / stored_floats,
-                "a size that cannot be", place);
+                "impossible size", place);
   station.columns = static_cast<int>(columns);
   station.rows = static_cast<int>(rows);
   station.edge.resize(edge);
@@ -157,9 +157,9 @@ StationCells read_cells(ByteReader& from, std::size_t stored_floats, const std::
     read_planes(from, station.leaves, corner, 4);
   }
   read_planes(from, station.leaf_error_px, 0, 1);
-  require_whole(is_place(station), "its place", place);
-  require_whole(is_chart(station), "its chart", place);
-  require_whole(is_tree(station, nodes), "its cells", place);
+  require_whole(is_place(station), "position", place);
+  require_whole(is_chart(station), "chart", place);
+  require_whole(is_tree(station, nodes), "cells", place);
   return {std::move(station), flags, nodes};
 }
 

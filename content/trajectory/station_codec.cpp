@@ -49,14 +49,14 @@ LensStation parse_station_layout(std::span<const std::byte> raw, const std::stri
   auto [station, flags, nodes] = read_cells(from, std::size(stored_components), place);
   read_nodes(from, nodes, station.nodes);
   if ((flags & station_has_derivatives) != 0) {
-    require_whole(from.left() >= 2 * nodes * std::size(stored_components) * bytes_a_number, "derivatives missing",
+    require_whole(from.left() >= 2 * nodes * std::size(stored_components) * bytes_a_number, "missing derivatives",
                   place);
     read_nodes(from, nodes, station.nodes_along_r);
     read_nodes(from, nodes, station.nodes_along_theta);
   }
-  require_whole(from.left() == 0, "more than it should hold", place);
+  require_whole(from.left() == 0, "surplus data", place);
   require_whole(all_finite(station.nodes) && all_finite(station.nodes_along_r) && all_finite(station.nodes_along_theta),
-                "a node that is no number", place);
+                "a non-finite number", place);
   return std::move(station);
 }
 

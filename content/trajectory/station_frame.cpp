@@ -55,7 +55,7 @@ LensStation parse_station(std::span<const std::byte> frame, const std::string& p
   const StationSummary summary = read_summary(from);
   LensStation station = unpack_station(from.take(from.left()), parse_frame_header(frame, place).unpacked_bytes, place);
   if (station.r != summary.r || station.theta != summary.theta) {
-    throw Error(place, "is damaged (its place)", "bake it again");
+    throw Error(place, "is damaged (position)", "bake it again");
   }
   return station;
 }

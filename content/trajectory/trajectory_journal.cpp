@@ -42,8 +42,9 @@ void TrajectoryJournal::scan() {
   const std::uint64_t end = file_.size();
   const Bytes found = file_.read(0, std::min<std::uint64_t>(end, expected.size()), name);
   if (!std::equal(found.begin(), found.end(), expected.begin())) {
-    throw Error(name, "is not the journal of this bake (another show, budget or version, or no journal)",
-                "remove it, or choose another file with --out");
+    throw Error(
+        name, "was not written by this bake: it belongs to another show, budget or version, or is another kind of file",
+        "remove it, or choose another --out");
   }
   if (found.size() < expected.size()) {
     // Not even its beginning came to the disk.
@@ -194,7 +195,7 @@ void TrajectoryJournal::seal(const std::filesystem::path& path, const std::vecto
     to.file.close();
     if (!to.file) {
       throw Error(path.string(), std::string("cannot be written: ") + std::strerror(errno),
-                  "free some space; what is baked is kept, and baking goes on from it");
+                  "free some space and run the bake again: it continues from what is saved");
     }
   });
 }

@@ -10,7 +10,7 @@ namespace ergodome {
 
 namespace {
 
-constexpr const char* not_there = "not where the index says";
+constexpr const char* not_there = "a station that does not match the index";
 
 //! Reads a frame that starts at an offset, whole.
 Bytes read_frame(const DataFile& file, std::uint64_t offset, const std::string& place) {
@@ -26,10 +26,11 @@ TrajectoryReader::TrajectoryReader(const std::filesystem::path& path) : file_(Da
   const TrajectoryHeader header =
       parse_trajectory_header(file_.read(0, std::min<std::uint64_t>(file_bytes_, trajectory_header_bytes), name), name);
   if (!header.sealed) {
-    throw Error(name, "is a bake that is not finished", "go on with it: ergodome bake SHOW --out FILE, without .part");
+    throw Error(name, "is an unfinished bake",
+                "finish it with ergodome bake SHOW --out FILE, where FILE is this name without .part");
   }
   if (header.file_bytes != file_bytes_) {
-    throw Error(name, "is cut off or has grown", "copy it again, or bake it again");
+    throw Error(name, "does not have its original size", "copy it again, or bake it again");
   }
   const std::string index_place = name + ": index";
   if (header.index_bytes > largest_frame_bytes || header.index_bytes < frame_header_bytes ||

@@ -43,7 +43,7 @@ void require(const std::string& kernel, Backend backend, const char* channel, co
       throw Error("kernel " + kernel,
                   std::string(channel) + "[" + std::to_string(first + (bad - here)) + "] of " + std::to_string(count) +
                       " is " + std::to_string(*bad),
-                  "tell the project with the show, or unset ERGODOME_CHECK_NUMBERS");
+                  "report this with the show to the developers, or unset ERGODOME_CHECK_NUMBERS");
     }
   }
 }

@@ -20,17 +20,18 @@ namespace {
 cudaMemPool_t kept_pool() {
   static const cudaMemPool_t pool = [] {
     int device = 0;
-    check_cuda(cudaGetDevice(&device), "finding the device");
+    check_cuda(cudaGetDevice(&device), "finding the GPU");
     int has_pools = 0;
-    check_cuda(cudaDeviceGetAttribute(&has_pools, cudaDevAttrMemoryPoolsSupported, device), "asking the device");
+    check_cuda(cudaDeviceGetAttribute(&has_pools, cudaDevAttrMemoryPoolsSupported, device), "querying the GPU");
     cudaMemPool_t found = nullptr;
     if (has_pools == 0) {
       return found;
     }
-    check_cuda(cudaDeviceGetDefaultMemPool(&found, device), "finding the device's memory");
+    check_cuda(cudaDeviceGetDefaultMemPool(&found, device), "finding the GPU memory pool");
     // Not for ever: other programs, and OpenGL, want some too.
     std::uint64_t most_bytes = std::uint64_t{1} << 30;
-    check_cuda(cudaMemPoolSetAttribute(found, cudaMemPoolAttrReleaseThreshold, &most_bytes), "keeping memory");
+    check_cuda(cudaMemPoolSetAttribute(found, cudaMemPoolAttrReleaseThreshold, &most_bytes),
+               "setting up the GPU memory pool");
     return found;
   }();
   return pool;
@@ -41,13 +42,13 @@ cudaMemPool_t kept_pool() {
 void* allocate_cuda(std::size_t bytes) {
   void* memory = nullptr;
   if (kept_pool() == nullptr) {
-    check_cuda(cudaMalloc(&memory, bytes), "asking for device memory");
+    check_cuda(cudaMalloc(&memory, bytes), "allocating GPU memory");
     return memory;
   }
-  check_cuda(cudaMallocFromPoolAsync(&memory, bytes, kept_pool(), current_stream()), "asking for device memory");
+  check_cuda(cudaMallocFromPoolAsync(&memory, bytes, kept_pool(), current_stream()), "allocating GPU memory");
   // Other streams copy into it, but for those of threads that work in order.
   if (!works_in_order()) {
-    check_cuda(cudaStreamSynchronize(current_stream()), "asking for device memory");
+    check_cuda(cudaStreamSynchronize(current_stream()), "allocating GPU memory");
   }
   return memory;
 }
@@ -66,7 +67,7 @@ namespace {
 //! A stream of its own: a reader's copies and the pictures in flight do not wait for each other.
 class CopyStream {
  public:
-  CopyStream() { check_cuda(cudaStreamCreateWithFlags(&handle_, cudaStreamNonBlocking), "making a stream"); }
+  CopyStream() { check_cuda(cudaStreamCreateWithFlags(&handle_, cudaStreamNonBlocking), "creating a CUDA stream"); }
   ~CopyStream() { cudaStreamDestroy(handle_); }
   CopyStream(const CopyStream&) = delete;
   CopyStream& operator=(const CopyStream&) = delete;
@@ -90,8 +91,8 @@ class HostStage {
       const Half& half = halves_[part % 2];
       check_cuda(
           cudaMemcpyAsync(half.memory, from + part * bytes, size_of(part), cudaMemcpyDeviceToHost, stream_.handle()),
-          "copy from the device");
-      check_cuda(cudaEventRecord(half.there, stream_.handle()), "copy from the device");
+          "copying from the GPU");
+      check_cuda(cudaEventRecord(half.there, stream_.handle()), "copying from the GPU");
     };
     send(0);
     for (std::size_t part = 0; part < parts; ++part) {
@@ -99,7 +100,7 @@ class HostStage {
         send(part + 1);
       }
       const Half& half = halves_[part % 2];
-      check_cuda(cudaEventSynchronize(half.there), "copy from the device");
+      check_cuda(cudaEventSynchronize(half.there), "copying from the GPU");
       constexpr int piece = 1 << 18;
       parallel_for(static_cast<int>(size_of(part)), piece, [&](int begin, int end) {
         std::copy(half.memory + begin, half.memory + end, to + part * bytes + begin);
@@ -110,8 +111,8 @@ class HostStage {
  private:
   struct Half {
     Half() {
-      check_cuda(cudaEventCreateWithFlags(&there, cudaEventDisableTiming), "making an event");
-      check_cuda(cudaMallocHost(&memory, bytes), "asking for host memory");
+      check_cuda(cudaEventCreateWithFlags(&there, cudaEventDisableTiming), "creating a CUDA event");
+      check_cuda(cudaMallocHost(&memory, bytes), "allocating pinned memory");
     }
     std::byte* memory = nullptr;
     cudaEvent_t there = nullptr;
@@ -165,29 +166,29 @@ class Idle {
 }  // namespace
 
 void clear_cuda(void* memory, std::size_t bytes) {
-  check_cuda(cudaMemsetAsync(memory, 0, bytes, current_stream()), "clearing device memory");
+  check_cuda(cudaMemsetAsync(memory, 0, bytes, current_stream()), "clearing GPU memory");
 }
 
 void copy_to_cuda(void* to, const void* from, std::size_t bytes) {
   if (works_in_order()) {
     // Drivers may read on after the call returns, and what is copied from may be gone then.
-    check_cuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyHostToDevice, current_stream()), "copy to the device");
-    return finish_launch("copy to the device");
+    check_cuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyHostToDevice, current_stream()), "copying to the GPU");
+    return finish_launch("copying to the GPU");
   }
   const Idle<CopyStream>::Taken stream;
-  check_cuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyHostToDevice, stream->handle()), "copy to the device");
-  check_cuda(cudaStreamSynchronize(stream->handle()), "copy to the device");
+  check_cuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyHostToDevice, stream->handle()), "copying to the GPU");
+  check_cuda(cudaStreamSynchronize(stream->handle()), "copying to the GPU");
 }
 
 void copy_from_cuda(void* to, const void* from, std::size_t bytes) {
   constexpr std::size_t few_bytes = std::size_t{256} << 10;
   if (bytes < few_bytes) {
-    check_cuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToHost, current_stream()), "copy from the device");
-    check_cuda(cudaStreamSynchronize(current_stream()), "copy from the device");
+    check_cuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToHost, current_stream()), "copying from the GPU");
+    check_cuda(cudaStreamSynchronize(current_stream()), "copying from the GPU");
     return;
   }
   if (works_in_order()) {
-    finish_launch("copy from the device");
+    finish_launch("copying from the GPU");
   }
   const Idle<HostStage>::Taken stage;
   stage->copy(static_cast<std::byte*>(to), static_cast<const std::byte*>(from), bytes);
@@ -197,9 +198,9 @@ void* begin_urgent_cuda() {
   static const cudaStream_t urgent = [] {
     int least = 0;
     int greatest = 0;
-    check_cuda(cudaDeviceGetStreamPriorityRange(&least, &greatest), "asking the device");
+    check_cuda(cudaDeviceGetStreamPriorityRange(&least, &greatest), "querying the GPU");
     cudaStream_t stream = nullptr;
-    check_cuda(cudaStreamCreateWithPriority(&stream, cudaStreamNonBlocking, greatest), "making a stream");
+    check_cuda(cudaStreamCreateWithPriority(&stream, cudaStreamNonBlocking, greatest), "creating a CUDA stream");
     return stream;
   }();
   return std::exchange(current_stream(), urgent);
@@ -213,7 +214,7 @@ void end_in_order_cuda(bool before, bool may_throw) {
     return;
   }
   if (may_throw) {
-    return finish_launch("waiting for the device");
+    return finish_launch("waiting for the GPU");
   }
   cudaStreamSynchronize(current_stream());
   cudaGetLastError();

@@ -59,7 +59,7 @@ bool has_instruction_set(InstructionSet set) {
 }
 
 Error missing_instruction_set() {
-  return {"this program", "has no kernels for this CPU: it was built for another machine",
+  return {"this program", "contains no code for this CPU, because it was built for another machine",
           "rebuild it here, or build the CMake preset release, which supports all x86-64 CPUs"};
 }
 

@@ -77,6 +77,6 @@ void warp_pixels_cuda(const WarpBatch& batch) {
   }
 }
 
-void wait_for_cuda() { finish_launch("waiting for the device"); }
+void wait_for_cuda() { finish_launch("waiting for the GPU"); }
 
 }  // namespace ergodome

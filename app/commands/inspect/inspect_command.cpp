@@ -85,7 +85,10 @@ nlohmann::json facts_of(const Show& show) {
   facts["stereo_model"] = stereo_model_names[static_cast<std::size_t>(show.stereo.model)];
   facts["baseline"] = show.stereo.baseline;
   facts["budget_px"] = show.quality.budget_px;
-  facts["not_drawn_yet"] = missing_features(show);
+  facts["not_drawn_yet"] = nlohmann::json::array();
+  for (const MissingFeature& missing : missing_features(show)) {
+    facts["not_drawn_yet"].push_back(missing.problem);
+  }
   facts["timeline"] = facts_of_timeline(show, notes.unusable);
   facts["idle"] = facts_of_idle_lines(show);
   facts["notes"] = notes.unseen;

@@ -127,7 +127,8 @@ ExrLayer choose_exr_layer(const std::vector<ExrLayer>& layers, const std::string
     return found.front();
   }
   if (name.empty() || found.size() > 1) {
-    problem = fmt::format("it has several layers; choose one with #LAYER after the file's name: {}", list_of(layers));
+    problem =
+        fmt::format("it has several layers; append #LAYER to the file name to choose one of: {}", list_of(layers));
   } else {
     problem = fmt::format("it has no layer \"{}\"; available: {}", name, list_of(layers));
   }

@@ -12,7 +12,7 @@ namespace ergodome {
 
 namespace {
 
-constexpr const char* broken_off = "it is torn, and breaks off before its end";
+constexpr const char* broken_off = "it is truncated";
 constexpr std::uint32_t longest_chunk = 0x7FFF'FFFF;
 
 unsigned long sum_over(unsigned long sum, const char* bytes, std::size_t count) {
@@ -37,9 +37,8 @@ std::string problem_of_chunk(const NextBytes& next, std::uint32_t length, std::s
   }
   // Kinds of a small first letter are left out by readers where they are damaged: texts, profiles.
   const bool matters = (static_cast<unsigned char>(kind.front()) & 0x20U) == 0;
-  return !matters || big_endian_word({saved.data(), saved.size()}) == sum
-             ? ""
-             : "it is torn: some of its bytes are not those that were saved";
+  return !matters || big_endian_word({saved.data(), saved.size()}) == sum ? ""
+                                                                          : "it is damaged: a checksum does not match";
 }
 
 }  // namespace
@@ -68,7 +67,7 @@ std::string problem_of_png(const NextBytes& next, PngExtent extent) {
       return "";
     }
     if (length > longest_chunk) {
-      return "it is torn: some of its bytes are not those that were saved";
+      return "it is damaged: a checksum does not match";
     }
     std::string problem = problem_of_chunk(next, length, kind, room);
     if (!problem.empty()) {
@@ -76,7 +75,7 @@ std::string problem_of_png(const NextBytes& next, PngExtent extent) {
     }
     pixels = pixels || kind == "IDAT";
     if (kind == "IEND") {
-      return pixels ? "" : "it holds no pixels";
+      return pixels ? "" : "it contains no pixels";
     }
   }
 }

@@ -93,7 +93,7 @@ std::string problem_of_image(TIFF* file, std::uint64_t file_bytes) {
       return "it is damaged: some of its pixels are missing";
     }
     if (offset > file_bytes || bytes > file_bytes - offset) {
-      return "it is damaged: pixels lie beyond its end";
+      return "it is truncated: pixels lie beyond its end";
     }
     if (bytes < plain_bytes(file, tiled, i)) {
       return "it is damaged: it has fewer bytes than its pixels need";

@@ -47,7 +47,7 @@ Entries entries_in(const GltfFile& file, int view_index, std::size_t offset, std
   const bool fits =
       count == 0 || (room >= entry_bytes && stride >= entry_bytes && count - 1 <= (room - entry_bytes) / stride);
   if (!fits) {
-    throw file.error("has an accessor whose bytes are not in its buffer");
+    throw file.error("has an accessor that reaches beyond its buffer");
   }
   return {buffer.data.data() + view.byteOffset + offset, stride, 0, false};
 }
@@ -141,7 +141,7 @@ std::vector<Number> all_numbers(const GltfFile& file, const Accessor& accessor) 
   std::vector<std::size_t> places(count);
   for_each_number(file, where, count, 1, [&](std::size_t i, int /*component*/, double place) {
     if (!(place >= 0.0 && place < static_cast<double>(accessor.count))) {
-      throw file.error("has a sparse accessor that replaces an entry which is not there");
+      throw file.error("has a sparse accessor that replaces a nonexistent entry");
     }
     places[i] = static_cast<std::size_t>(place);
   });
@@ -158,7 +158,7 @@ constexpr std::size_t most_zero_entries = 4'000'000;
 std::size_t gltf_count(const GltfFile& file, int index) {
   const Accessor& accessor = file.at(file.model.accessors, index, "accessor");
   if (entries_of(file, accessor).first == nullptr && accessor.count > most_zero_entries) {
-    throw file.error(fmt::format("has an accessor of {} entries without a buffer", accessor.count));
+    throw file.error(fmt::format("has an accessor with {} entries but no buffer", accessor.count));
   }
   return accessor.count;
 }
@@ -176,7 +176,7 @@ std::vector<std::uint32_t> gltf_whole_numbers(const GltfFile& file, int index) {
                      accessor.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
                      accessor.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
   if (!whole || accessor.normalized) {
-    throw file.error("has indices that are not unsigned whole numbers");
+    throw file.error("has indices that are not unsigned integers");
   }
   return all_numbers<std::uint32_t>(file, accessor);
 }

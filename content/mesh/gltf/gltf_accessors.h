@@ -23,7 +23,7 @@ struct GltfFile {
   template <class Entry>
   const Entry& at(const std::vector<Entry>& entries, int index, const char* what) const {
     if (index < 0 || static_cast<std::size_t>(index) >= entries.size()) {
-      throw error(std::string("names ") + what + " " + std::to_string(index) + ", which is not there");
+      throw error(std::string("refers to ") + what + " " + std::to_string(index) + ", which does not exist");
     }
     return entries[static_cast<std::size_t>(index)];
   }

@@ -69,7 +69,7 @@ void require_bounded_gltf(std::string_view json, const std::string& place) {
   Counter counter;
   if (!Json::sax_parse(json, &counter)) {
     throw Error(place, counter.problem().empty() ? "is not valid JSON" : counter.problem(),
-                "export it again, with fewer nodes and meshes");
+                "export it again, if necessary with fewer nodes and meshes");
   }
 }
 

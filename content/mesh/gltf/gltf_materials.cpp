@@ -139,7 +139,7 @@ std::string_view kind_of(const tinygltf::Image& image) {
 MeshImage image_inside(const GltfFile& file, const tinygltf::Image& image, int index) {
   const std::string_view kind = kind_of(image);
   if (kind.empty()) {
-    throw Error(file.place, fmt::format("has image {} in a format that is not read", index),
+    throw Error(file.place, fmt::format("has image {} in an unsupported format", index),
                 "export it with PNG, JPEG or WebP images");
   }
   // Few images of glTF files have names.
@@ -168,9 +168,9 @@ void put_picture(const GltfFile& file, const TextureUse& use, const std::filesys
   }
   if (source < 0) {
     throw Error(file.place,
-                fmt::format("has a texture in a format that is not read ({})",
+                fmt::format("has a texture in an unsupported format ({})",
                             printable(texture.extensions.begin()->first.substr(0, 100))),
-                "export it with PNG, JPEG or WebP");
+                "export it with PNG, JPEG or WebP images");
   }
   const tinygltf::Image& image = file.at(file.model.images, source, "image");
   part.image = image.uri.empty() || !image.image.empty() ? image_inside(file, image, source)

@@ -32,7 +32,7 @@ GltfNumbers attribute(const GltfFile& file, const std::map<std::string, int>& at
   }
   GltfNumbers numbers = gltf_numbers(file, found->second);
   if (numbers.count() != count || numbers.components < fewest || numbers.components > most) {
-    throw file.error(fmt::format("has {} of another size than its positions", name));
+    throw file.error(fmt::format("has {} entries that do not match its positions in number or type", name));
   }
   return numbers;
 }
@@ -188,13 +188,13 @@ Shape shape_of(const GltfFile& file, const tinygltf::Primitive& primitive, const
     throw primitive.extensions.empty()
         ? file.error("has positions without a buffer")
         : Error(file.place,
-                fmt::format("has triangles in the glTF extension {}, which is not read",
+                fmt::format("has triangles in the unsupported glTF extension {}",
                             printable(primitive.extensions.begin()->first.substr(0, 100))),
                 "export it without that extension");
   }
   shape.positions = gltf_numbers(file, found->second);
   if (shape.positions.components != 3) {
-    throw file.error("has positions that are not three numbers");
+    throw file.error("has positions that do not have three components");
   }
   const std::size_t count = shape.positions.count();
   const auto read = [&](const std::string& name, int fewest, int most) {
@@ -214,7 +214,7 @@ void remark_on(const GltfFile& file, const tinygltf::Primitive& primitive, const
                const GltfTexturePlace& texture, const GltfPlacement& placement, MeshBuilder& builder) {
   if (texture.textured && shape.textures.values.empty()) {
     builder.remark(fmt::format(
-        "has triangles without the texture coordinates of their texture (TEXCOORD_{}); they show a single corner of it",
+        "has textured triangles without texture coordinates (TEXCOORD_{}); they show a single texel of their texture",
         texture.set));
   }
   const bool cut =
@@ -253,7 +253,7 @@ void add_gltf_primitive(const GltfFile& file, const tinygltf::Primitive& primiti
   }
   for (const std::uint32_t index : order) {
     if (index >= shape.positions.count()) {
-      throw file.error("has a triangle with a corner that is not there");
+      throw file.error("has a triangle that refers to a nonexistent vertex");
     }
   }
   const std::vector<Triangle> triangles = triangles_of(file, mode, order);

@@ -38,7 +38,7 @@ std::string_view json_in_glb(std::string_view bytes, const std::string& place) {
     at += whole ? chunk_head + word(at) : 0;
   }
   if (!whole) {
-    throw Error(place, "is no GLB, or is cut off", wanted_meshes);
+    throw Error(place, "is not a GLB file, or is truncated", wanted_meshes);
   }
   return bytes.substr(head + chunk_head, word(head));
 }
@@ -105,7 +105,7 @@ tinygltf::FsCallbacks callbacks_of(FilesBeside& files) {
       return false;
     }
     try {
-      const std::string read = read_whole_file(file, largest_mesh_bytes, "give a buffer of at most 1 GiB");
+      const std::string read = read_whole_file(file, largest_mesh_bytes, "a buffer may have at most 1 GiB");
       bytes->assign(read.begin(), read.end());
     } catch (const Error& problem) {
       beside.problem = problem.what();
@@ -135,7 +135,7 @@ std::string first_line(const std::string& text) {
 void require_known_extensions(const GltfFile& file) {
   for (const std::string& name : file.model.extensionsRequired) {
     if (!is_known_gltf_extension(name)) {
-      throw Error(file.place, fmt::format("requires the glTF extension {}, which is not read", first_line(name)),
+      throw Error(file.place, fmt::format("requires the unsupported glTF extension {}", first_line(name)),
                   "export it without that extension");
     }
   }
@@ -145,12 +145,13 @@ void require_known_extensions(const GltfFile& file) {
 //! has no data of its own.
 void require_readable(const GltfFile& file, bool binary) {
   if (!file.model.asset.version.starts_with("2.")) {
-    throw Error(file.place, fmt::format("is glTF {}", first_line(file.model.asset.version)), "export it as glTF 2.0");
+    throw Error(file.place, fmt::format("is glTF {}, which is not supported", first_line(file.model.asset.version)),
+                "export it as glTF 2.0");
   }
   require_known_extensions(file);
   for (std::size_t i = 1; binary && i < file.model.buffers.size(); ++i) {
     if (file.model.buffers[i].uri.empty()) {
-      throw Error(file.place, fmt::format("has buffer {} without data, as files with meshopt compression do", i),
+      throw Error(file.place, fmt::format("has buffer {} without data, as in files with meshopt compression", i),
                   "export it without compression");
     }
   }
@@ -176,13 +177,13 @@ void load(std::string_view bytes, bool binary, const std::string& place, const s
     require_known_extensions({model, place});
   }
   if (!files.problem.empty()) {
-    throw Error(place, "names a file that cannot be read: " + files.problem, "put a whole one there");
+    throw Error(place, "refers to a file that cannot be read: " + files.problem, "replace that file");
   }
   if (!files.missing.empty()) {
     throw missing_file(place, files.missing);
   }
   if (!loaded) {
-    throw Error(place, "is not a glTF file that can be read: " + first_line(problem), wanted_meshes);
+    throw Error(place, "cannot be read as glTF: " + first_line(problem), wanted_meshes);
   }
 }
 
@@ -195,7 +196,7 @@ std::vector<glm::dmat4> joints_of(const GltfFile& file, const GltfNodes& nodes, 
   const GltfNumbers inverse =
       skin.inverseBindMatrices >= 0 ? gltf_numbers(file, skin.inverseBindMatrices) : GltfNumbers();
   if (!inverse.values.empty() && (inverse.components != 16 || inverse.count() < skin.joints.size())) {
-    throw file.error("has a skin with too few matrices");
+    throw file.error("has a skin with fewer inverse bind matrices than joints");
   }
   std::vector<glm::dmat4> joints;
   for (std::size_t i = 0; i < skin.joints.size(); ++i) {

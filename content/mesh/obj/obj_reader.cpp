@@ -170,7 +170,7 @@ void ObjReader::read_vertex(std::string_view rest) {
     ++count;
   }
   if (count < 3) {
-    throw error("has a vertex that is not three numbers", face_remedy);
+    throw error("has a vertex that does not have three coordinates", face_remedy);
   }
   Vertex vertex = {{numbers[0], numbers[1], numbers[2]}, {1.0F, 1.0F, 1.0F}, count >= 6};
   if (vertex.has_color) {
@@ -197,7 +197,7 @@ std::int64_t ObjReader::take_index(std::string_view& word, std::size_t count) co
   }
   double number = 0.0;
   if (!take_number(digits, number) || number != std::floor(number) || number == 0.0 || std::abs(number) > 1e9) {
-    throw error("has a face with a corner that is not a whole number", face_remedy);
+    throw error("has a face whose vertex index is not a whole number", face_remedy);
   }
   // Negative numbers count back from the last one so far.
   const auto index = static_cast<std::int64_t>(number);
@@ -212,7 +212,7 @@ void ObjReader::read_face(std::string_view rest) {
   for (std::string_view word = take_word_of(rest); !word.empty() && word.front() != '#'; word = take_word_of(rest)) {
     if (corners_.size() - first >= most_face_corners) {
       throw error(fmt::format("has a face of more than {} corners", most_face_corners),
-                  "let the program that wrote it cut faces into triangles");
+                  "export the mesh with triangulated faces");
     }
     Corner corner{};
     corner.vertex = take_index(word, vertices_.size());
@@ -229,7 +229,7 @@ void ObjReader::read_face(std::string_view rest) {
   const auto sides = static_cast<double>(count);
   cutting_work_ += count > 4 ? sides * sides : 0.0;
   if (cutting_work_ > most_cutting_work) {
-    throw error("has too many faces of many corners", "let the program that wrote it cut faces into triangles");
+    throw error("has too many faces with many corners", "export the mesh with triangulated faces");
   }
   builder_.reserve(count - 2, 3 * (count - 2));
   faces_.push_back({first, static_cast<std::uint32_t>(count), material_, smoothing_group_, line_});
@@ -247,7 +247,9 @@ void ObjReader::read_libraries(std::string_view rest) {
     if (file.empty()) {
       throw missing_file(builder_.place(), name);
     }
-    add_obj_materials(read_whole_file(file, largest_library_bytes, "materials are a short text file"), materials_);
+    add_obj_materials(
+        read_whole_file(file, largest_library_bytes, "a material file is a short text file; check the path"),
+        materials_);
   }
 }
 
@@ -255,7 +257,7 @@ int ObjReader::material_number(std::string_view name) {
   constexpr std::size_t most_materials = 10'000;
   const auto [at, is_new] = numbers_.try_emplace(std::string(name), static_cast<int>(names_.size()));
   if (names_.size() >= most_materials) {
-    throw error(fmt::format("uses more than {} materials", most_materials), "join some of them");
+    throw error(fmt::format("uses more than {} materials", most_materials), "merge some of them");
   }
   if (is_new) {
     names_.emplace_back(name);
@@ -275,7 +277,7 @@ void ObjReader::check_end(std::string_view text) const {
     ++corners;
   }
   if (corners < 3) {
-    throw error("is cut off within a face", "copy or export it again");
+    throw error("is truncated within a face", "copy or export it again");
   }
 }
 
@@ -338,11 +340,11 @@ void ObjReader::build() {
       const Corner& corner = corners_[i];
       if (corner.vertex < 0 || !is_there(corner.vertex, vertices_.size()) ||
           !is_there(corner.texture, textures_.size()) || !is_there(corner.normal, normals_.size())) {
-        throw error("has a face with a corner that is not there", face_remedy);
+        throw error("has a face that refers to a nonexistent vertex", face_remedy);
       }
       const Vector3<double>& p = vertices_[static_cast<std::size_t>(corner.vertex)].position;
       if (!(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z))) {
-        throw error("has a face with a non-finite corner", "give it three finite numbers, or export the mesh again");
+        throw error("has a vertex with a non-finite coordinate", "correct it, or export the mesh again");
       }
     }
   }
@@ -386,7 +388,7 @@ void ObjReader::build_face(const Face& face) {
   }
   const bool plain = corners_[face.first_corner].texture < 0;
   if (plain && !placed.name.empty()) {
-    builder_.remark(fmt::format("has triangles without texture coordinates; they show a single corner of {}",
+    builder_.remark(fmt::format("has triangles without texture coordinates; they show a single texel of {}",
                                 std::filesystem::path(placed.name).filename().string()));
   }
 }
@@ -416,10 +418,10 @@ MeshPart ObjReader::part_of(int number) {
   std::ranges::transform(part.color, part.color.begin(),
                          [&](float light) { return std::clamp(light, 0.0F, brightest); });
   if (!by_glow && !texture.name.empty() && is_black(part.color)) {
-    builder_.remark("has textures that a black color (Kd 0 0 0) makes black");
+    builder_.remark("has textures that are black because their material color is black (Kd 0 0 0)");
   }
   if (material->diffuse_unread) {
-    builder_.remark("has a material whose color (Kd) is not three numbers with decimal points; it is not drawn");
+    builder_.remark("has a material whose color (Kd) is not three numbers with decimal points; the color is ignored");
   }
   if (glows && !by_glow) {
     builder_.remark("has emissive materials; their emission (Ke) is not drawn");
@@ -458,9 +460,8 @@ void ObjReader::remark_on_materials() {
   const std::size_t named = std::min(missing.size(), most_named);
   const std::size_t more = missing.size() - named;
   missing.resize(named);
-  builder_.remark(
-      fmt::format("uses materials that none of its material files defines (\"{}\"{}): their triangles are grey",
-                  fmt::join(missing, "\", \""), more > 0 ? fmt::format(" and {} more", more) : ""));
+  builder_.remark(fmt::format("uses materials that no material file defines (\"{}\"{}); their triangles are gray",
+                              fmt::join(missing, "\", \""), more > 0 ? fmt::format(" and {} more", more) : ""));
 }
 
 }  // namespace
@@ -485,7 +486,9 @@ std::vector<std::filesystem::path> files_of_obj(std::string_view text, const std
   }
   for (const std::filesystem::path& library : std::vector<std::filesystem::path>(files)) {
     ObjMaterials materials;
-    add_obj_materials(read_whole_file(library, largest_library_bytes, "materials are a short text file"), materials);
+    add_obj_materials(
+        read_whole_file(library, largest_library_bytes, "a material file is a short text file; check the path"),
+        materials);
     for (const auto& [name, material] : materials) {
       add(material.diffuse_texture.name);
       add(material.emission_texture.name);

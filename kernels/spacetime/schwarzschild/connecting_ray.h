@@ -197,15 +197,15 @@ ERGO_HD double critical_angle(const Endpoints& ends) {
 //! Why there is no such ray, or nothing (nullptr): radii not above 2 M or above 1e12 M, angles below 0 or above 600 rad, the same place.
 inline const char* why_not_connected(double r_observer, double r, double angle) {
   if (!(r_observer > 2.0 && r > 2.0)) {
-    return "no light comes from the horizon or from inside";
+    return "no light escapes from the horizon or from inside it";
   }
   if (!(r_observer <= 1e12 && r <= 1e12)) {
-    return "radii go up to 1e12";
+    return "radii may be at most 1e12";
   }
   if (!(angle >= 0.0 && angle <= 600.0)) {
-    return "angles go from 0 to 600 rad";
+    return "angles must be from 0 to 600 rad";
   }
-  return r_observer == r && angle == 0.0 ? "the point is where the observer is" : nullptr;
+  return r_observer == r && angle == 0.0 ? "the point is at the observer's position" : nullptr;
 }
 
 //! The ray from (r, φ = angle) to an observer at (r_observer, 0) that sweeps the azimuth `angle` about the hole [M, rad]; see

@@ -181,7 +181,7 @@ TEST_F(HostileInput, MeshesAreRefused) {
   write("names.obj", "mtllib p.mtl\n" + point + "usemtl a\nf 1 2 3\n");
   write("blanks.obj", point + repeated(3'000'000, "f \\\n"));
   expect_mesh_refused("face.obj", "more than 1024 corners");
-  expect_mesh_refused("faces.obj", "too many faces of many corners");
+  expect_mesh_refused("faces.obj", "too many faces with many corners");
   expect_mesh_refused("materials.obj", "more than 10000 materials");
   expect_mesh_refused("libraries.obj", "names \"a\"");
   expect_mesh_refused("names.obj", "which is not in its folder");
@@ -200,7 +200,7 @@ TEST_F(HostileInput, ImagesAreRefused) {
   expect_map_refused("big.hdr", "claims 60000 x 30000 pixels");
   expect_map_refused("big.ppm", "claims 60000 x 30000 pixels");
   expect_map_refused("text.png", "not an image");
-  expect_map_refused("pipe.png", "is not a file that can be read");
+  expect_map_refused("pipe.png", "is not a regular file");
 }
 
 TEST_F(HostileInput, TablesAreRefused) {

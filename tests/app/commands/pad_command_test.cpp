@@ -82,7 +82,7 @@ TEST_F(PadCommand, WritesNothingWhereNothingWasMoved) {
 TEST_F(PadCommand, EndsWithOneLineWhereAFileIsBroken) {
   write("pads.toml", "[default]\nleft_stick = { dead_zone = 2 }\n");
   EXPECT_EQ(run("pad --settings pads.toml"), 1);
-  EXPECT_THAT(output_, HasSubstr("pads.toml:2: default.left_stick.dead_zone is 2; choose a number from 0 to 0.9"));
+  EXPECT_THAT(output_, HasSubstr("pads.toml:2: default.left_stick.dead_zone is 2, outside 0 to 0.9"));
   EXPECT_EQ(run("pad --settings missing.toml"), 1);
   EXPECT_EQ(run("pad --fixture missing.toml"), 1);
   EXPECT_EQ(run("pad --live --calibrate"), 2);

@@ -87,7 +87,7 @@ TEST_F(CommandLine, CatalogueTellsWhatItHoldsAndWritesIt) {
 TEST_F(CommandLine, CatalogueReadsATableAndSaysWhatItLeftOut) {
   write("own.csv", "id,ra,dec,mag,ci\n1,1.5,20,3.0,0.6\n2,2.5,-10,4.0,\n3,,0,5.0,0.1\n");
   ASSERT_EQ(run("catalogue own.csv"), 0) << output_;
-  EXPECT_THAT(output_, HasSubstr("2 stars, 1 without a color, 1 row left out: 1 without a place (line 4)"));
+  EXPECT_THAT(output_, HasSubstr("2 stars, 1 without a color, 1 row skipped: 1 row without a position (line 4)"));
   EXPECT_THAT(output_, testing::ContainsRegex("4\\.00       -\n"));
 }
 

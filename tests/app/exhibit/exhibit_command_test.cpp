@@ -107,7 +107,7 @@ TEST_F(ExhibitInAWindow, LogsThatATrajectoryIsTooCoarse) {
 TEST_F(ExhibitInAWindow, LogsWhatBeginsAndWhyItEnds) {
   ASSERT_EQ(exhibit("--for 0.2 --web 0"), 0) << output_;
   EXPECT_THAT(log(), HasSubstr("exhibit started: ergodome " ERGODOME_VERSION
-                               ", visitor for visitors, attract show attract, cpu ("));
+                               ", visitors' show visitor, attract show attract, cpu ("));
   EXPECT_THAT(log(), HasSubstr("), status page at 127.0.0.1:"));
   EXPECT_THAT(log(), HasSubstr("exhibit ended: the time limit of --for (0.2 s) was reached"));
 }

@@ -277,9 +277,9 @@ TEST(VisitorFallsIn, StaysOutsideWhereTheShowKeepsVisitorsThere) {
     const char* flight;
     const char* says;
   } shows[] = {{0.0, "[[objects]]\nshape = \"sphere\"\nmethod = \"polygon\"\nsize = 0.5\nposition = [9, 0, 0]\n",
-                "polygon cannot be shown"},
+                "the objects of this show cannot be shown"},
                {0.9, "guard = \"photon_orbit\"\n", "leaves the flight region"},
-               {1.0, "", "no inside"}};
+               {1.0, "", "the inside of the hole cannot be shown"}};
   for (const auto& [spin, flight, says] : shows) {
     Visitor visitor(show_at(spin, 5.0, 90.0, flight));
     visitor.flier.hold({}, 60.0);

@@ -72,7 +72,7 @@ TEST(KeyVelocity, IsForAllKeysOrNone) {
   EXPECT_THAT(test::error_of([] { keyed_show(fast_ahead, "", fast_ahead); }),
               HasSubstr("k.toml:8: camera.key[1].velocity is missing"));
   EXPECT_THAT(test::error_of([] { keyed_show("", "", fast_ahead); }),
-              HasSubstr("k.toml:13: camera.key[2].velocity is not there at the keys before"));
+              HasSubstr("k.toml:13: camera.key[2].velocity is missing from the keys before this one"));
 }
 
 TEST(KeyVelocity, IsRefusedWhereItIsNone) {
@@ -82,10 +82,10 @@ TEST(KeyVelocity, IsRefusedWhereItIsNone) {
   EXPECT_THAT(test::error_of([] {
                 parse_show("[hole]\nspin = 0.9\n[camera]\n[[camera.key]]\nr = 1.5\nvelocity = \"static\"\n", "k.toml");
               }),
-              HasSubstr("k.toml:6: camera.key[0].velocity would outrun light at r = 1.5 M"));
+              HasSubstr("k.toml:6: camera.key[0].velocity would exceed the speed of light at r = 1.5 M"));
   EXPECT_THAT(
       test::error_of([] { keyed_show(fast_ahead, fast_ahead, fast_ahead, "[camera.fall]\nclock = 1\nuntil_s = 5\n"); }),
-      HasSubstr("camera.key[0].velocity is not for a camera whose fall ends"));
+      HasSubstr("camera.key[0].velocity cannot be combined with a fall that ends"));
 }
 
 }  // namespace

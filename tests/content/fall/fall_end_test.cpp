@@ -157,19 +157,19 @@ TEST(FallEnd, SaysWhatIsWrongWithItAndInWhichLine) {
   const std::string velocity = "velocity = \"static\"\n";
   EXPECT_THAT(fall_end_error(velocity + "until_s = 5\n"), HasSubstr("f.toml:10: camera.fall.until_s is 5 s"));
   EXPECT_THAT(fall_end_error(velocity + "until_s = 70\n"),
-              HasSubstr("f.toml:10: camera.fall.until_s is 70 s, and the show ends at 60 s"));
+              HasSubstr("f.toml:10: camera.fall.until_s is 70 s, but the show ends at 60 s"));
   EXPECT_THAT(fall_end_error(velocity + "until_s = nan\n"), HasSubstr("camera.fall.until_s"));
   EXPECT_THAT(fall_end_error(velocity + "least_r = 1.5\nuntil_s = 25\n", begin_keys, "static"),
-              HasSubstr("f.toml:11: camera.fall.until_s ends a fall at r = 1.5 M, where a static observer would"));
+              HasSubstr("f.toml:11: camera.fall.until_s ends the fall at r = 1.5 M, where a static observer would"));
 }
 
 TEST(FallEnd, WantsPlacesOfTheKeysAfterItAndOfNoneBefore) {
   EXPECT_THAT(fall_end_error(usual_fall_end, begin_keys + turn_keys + "r = 9\n" + glide_keys),
-              HasSubstr("f.toml:19: camera.key[1].r leads a camera that falls"));
+              HasSubstr("f.toml:19: camera.key[1].r is given while the camera falls"));
   EXPECT_THAT(fall_end_error(usual_fall_end, begin_keys + "[[camera.key]]\nt_s = 20.5\n"),
               HasSubstr("f.toml:16: camera.key[1].r is missing"));
   EXPECT_THAT(fall_end_error(usual_fall_end, begin_keys + "[[camera.key]]\nt_s = 20.0000001\nr = 30\n"),
-              HasSubstr("f.toml:17: camera.key[1].t_s does not come after the end of the fall"));
+              HasSubstr("f.toml:17: camera.key[1].t_s is not later than the end of the fall"));
   EXPECT_THAT(
       fall_end_error("velocity = \"rain\"\nleast_r = 3\nuntil_s = 25\n",
                      begin_keys + "[[camera.key]]\nt_s = 40\nr = 1.6\n[[camera.key]]\nt_s = 50\nr = 9\n", "static"),

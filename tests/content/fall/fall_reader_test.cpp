@@ -151,11 +151,11 @@ std::string error_in(const std::string& fall, const std::string& more = falling_
 
 TEST(FallReader, NamesWhatIsWrongInItsTable) {
   EXPECT_THAT(error_in("t_s = 4\n"), HasSubstr("f.toml:6: camera.fall.clock is missing"));
-  EXPECT_THAT(error_in("t_s = 4\nclock = 0\n"), HasSubstr("f.toml:8: camera.fall.clock never runs"));
+  EXPECT_THAT(error_in("t_s = 4\nclock = 0\n"), HasSubstr("f.toml:8: camera.fall.clock is never above 0"));
   EXPECT_THAT(error_in("t_s = 4\nclock = -1\n"), HasSubstr("camera.fall.clock is -1"));
   EXPECT_THAT(error_in("t_s = 4\nclock = nan\n"), HasSubstr("camera.fall.clock"));
   EXPECT_THAT(error_in("t_s = 5\nclock = 6\n"),
-              HasSubstr("f.toml:7: camera.fall.t_s is 5 s, when the camera has no key"));
+              HasSubstr("f.toml:7: camera.fall.t_s is 5 s, but the camera has no key"));
   EXPECT_THAT(error_in("t_s = 4\nclock = 6\nvelocity = { beta = 1, toward = [1, 0, 0] }\n"),
               HasSubstr("camera.fall.velocity.beta"));
   EXPECT_THAT(error_in("t_s = 4\nclock = 6\nvelocity = { beta = 0.1, toward = [nan, 0, 0] }\n"),
@@ -163,25 +163,25 @@ TEST(FallReader, NamesWhatIsWrongInItsTable) {
   EXPECT_THAT(error_in(usual + "least_r = 1.436\n"), HasSubstr("f.toml:10: camera.fall.least_r is 1.436 M"));
   EXPECT_THAT(error_in(usual + "least_r = 20\n"), HasSubstr("camera.fall.least_r is 20 M"));
   EXPECT_THAT(error_in("t_s = 4\nclock = 1e9\nvelocity = { beta = 0.2, toward = [0, 0, 1] }\n"),
-              HasSubstr("camera.fall.clock runs so fast"));
+              HasSubstr("camera.fall.clock is so fast"));
 }
 
 TEST(FallReader, RefusesAFallIntoTheHoleWithItsTimeAndTheRemedy) {
   EXPECT_THAT(error_in("t_s = 4\nclock = 6\nvelocity = \"rain\"\n"),
-              AllOf(HasSubstr("f.toml:7: camera.fall.t_s begins a fall that leads into the horizon at 1"),
+              AllOf(HasSubstr("f.toml:7: camera.fall.t_s starts a fall that reaches the horizon at 1"),
                     HasSubstr("least_r = 1.508")));
 }
 
 TEST(FallReader, RefusesWhatDoesNotGoWithAFall) {
   EXPECT_THAT(error_in(usual, falling_keys + "r = 9\n"),
-              HasSubstr("f.toml:23: camera.key[2].r leads a camera that falls"));
+              HasSubstr("f.toml:23: camera.key[2].r is given while the camera falls"));
   EXPECT_THAT(error_in(usual, falling_keys + "[[animate]]\nnumber = \"hole.spin\"\nkey = [{ t_s = 0, value = 0.5 }]\n"),
-              HasSubstr("a hole whose spin changes"));
+              HasSubstr("while the spin of the hole is animated"));
   EXPECT_THAT(error_in("t_s = 70\nclock = 6\n",
                        falling_keys.substr(0, falling_keys.rfind("[[")) + "[[camera.key]]\nt_s = 70\nr = 9\n"),
-              HasSubstr("camera.fall.t_s is 70 s, and the show ends at 60 s"));
+              HasSubstr("camera.fall.t_s is 70 s, but the show ends at 60 s"));
   EXPECT_THAT(error_in("t_s = 4\nclock = 6\nvelocity = \"retrograde\"\n", "[[camera.key]]\nt_s = 4\nr = 3\n"),
-              HasSubstr("outrun light"));
+              HasSubstr("faster than light"));
 }
 
 }  // namespace

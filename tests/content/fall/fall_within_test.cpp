@@ -177,20 +177,20 @@ TEST(FallWithin, RefusesWhatCannotBeSeenFromThere) {
 TEST(FallWithin, RefusesRadiiAtTheHorizonAndTooNearToTheInnerOne) {
   for (const char* const r : {"0.58", "1.435", "1.437", "12"}) {
     EXPECT_THAT(error_of(through_the_horizon + "least_r = " + r + "\n"),
-                AllOf(HasSubstr("t.toml:10: camera.fall.least_r is "), HasSubstr("within the horizon, from 0.5")))
+                AllOf(HasSubstr("t.toml:10: camera.fall.least_r is "), HasSubstr("inside the horizon 0.5")))
         << r;
   }
 }
 
 TEST(FallWithin, RefusesAnEndFromWhichKeysWouldLeadOut) {
   EXPECT_THAT(error_of(through_the_horizon + "least_r = 0.8\nuntil_s = 40\n"),
-              HasSubstr("t.toml:11: camera.fall.until_s ends a fall that least_r leads into the hole"));
+              HasSubstr("t.toml:11: camera.fall.until_s ends a fall whose least_r is inside the horizon"));
 }
 
 TEST(FallWithin, AHoleThatSpinsAtItsMostHasNoInside) {
   const std::string extremal = "duration_s = 60\n[hole]\nspin = 1\n[[camera.key]]\nr = 12\n[camera.fall]\nclock = 2\n";
   EXPECT_THAT(error_of(extremal + "velocity = \"rain\"\nleast_r = 0.9\n"),
-              AllOf(HasSubstr("camera.fall.least_r is 0.9"), testing::Not(HasSubstr("within the horizon"))));
+              AllOf(HasSubstr("camera.fall.least_r is 0.9"), testing::Not(HasSubstr("inside the horizon"))));
 }
 
 }  // namespace

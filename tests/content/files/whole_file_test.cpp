@@ -34,8 +34,8 @@ TEST_F(WholeFile, LargerThanItsBoundIsAnErrorWithTheRemedy) {
 
 TEST_F(WholeFile, ThatIsMissingOrAFolderIsAnErrorWithItsName) {
   EXPECT_THAT(test::error_of([&] { read_whole_file(folder_ / "absent", 4, "give a file"); }),
-              HasSubstr("absent: is not a file"));
-  EXPECT_THAT(test::error_of([&] { read_whole_file(folder_, 4, "give a file"); }), HasSubstr("is not a file"));
+              HasSubstr("absent: does not exist"));
+  EXPECT_THAT(test::error_of([&] { read_whole_file(folder_, 4, "give a file"); }), HasSubstr("is not a regular file"));
 }
 
 }  // namespace

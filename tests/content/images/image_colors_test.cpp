@@ -261,7 +261,7 @@ TEST_F(ImageColors, ProfilesThatDoNotFitAreNamed) {
                    profile.data());
     return problem_of(write("map.tif", spec, {0.5F, 0.5F, 0.5F}));
   };
-  EXPECT_THAT(with_profile(icc_profile(1.8, true)), HasSubstr("its color profile is for grey colors"));
+  EXPECT_THAT(with_profile(icc_profile(1.8, true)), HasSubstr("its color profile is for gray colors"));
   std::string damaged = icc_profile(1.8, false);
   std::fill(damaged.begin() + 128, damaged.begin() + 160, '\x7F');
   EXPECT_THAT(with_profile(damaged), HasSubstr("its color profile is damaged"));
@@ -327,7 +327,7 @@ TEST_F(ImageColors, LayersOfOpenExrAreFoundByTheirChannels) {
   EXPECT_THAT(first_texel(light({"only.R", "only.G", "only.B", "Z"}, {1, 2, 3, 9})), near(1, 2, 3));
   EXPECT_THAT(first_texel(light({"Y"}, {2})), near(2, 2, 2));
   EXPECT_THAT(problem_of(light({"a.R", "a.G", "a.B", "b.R", "b.G", "b.B"}, {1, 2, 3, 9, 9, 9})),
-              HasSubstr("choose one with #LAYER after the file's name: a, b"));
+              HasSubstr("append #LAYER to the file name to choose one of: a, b"));
   EXPECT_THAT(problem_of(light({"X", "Q"}, {1, 2})), HasSubstr("no layer with red, green and blue channels"));
 }
 

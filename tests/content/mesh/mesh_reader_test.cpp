@@ -47,12 +47,12 @@ TEST(MeshReader, SaysWhatIsWrongWithTheFileAndWhatToDo) {
   for (const auto& wrong : std::map<std::string, std::string>{
            {"", "mesh.obj"},
            {"v 0 0 0\n", "mesh.obj"},
-           {"v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", "all without area"},
-           {"v 0 0 0\nv 1 0 0\nv nan 1 0\nf 1 2 3\n", "mesh.obj:4: has a face with a non-finite corner"},
-           {"f 1 2 3\n", "mesh.obj:1: has a face with a corner that is not there"},
-           {"v 0 0 0\nv 1 0 0\nf 1 2 900000\n", "mesh.obj:3: has a face with a corner that is not there"},
-           {"v 0 0\n", "mesh.obj:1: has a vertex that is not three numbers"},
-           {"v 0 0 0\nf 1 x 1\n", "mesh.obj:2: has a face with a corner that is not a whole number"}}) {
+           {"v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", "has only 1 triangle without area"},
+           {"v 0 0 0\nv 1 0 0\nv nan 1 0\nf 1 2 3\n", "mesh.obj:4: has a vertex with a non-finite coordinate"},
+           {"f 1 2 3\n", "mesh.obj:1: has a face that refers to a nonexistent vertex"},
+           {"v 0 0 0\nv 1 0 0\nf 1 2 900000\n", "mesh.obj:3: has a face that refers to a nonexistent vertex"},
+           {"v 0 0\n", "mesh.obj:1: has a vertex that does not have three coordinates"},
+           {"v 0 0 0\nf 1 x 1\n", "mesh.obj:2: has a face whose vertex index is not a whole number"}}) {
     EXPECT_THAT(error_of([&] { parse_mesh(wrong.first, MeshFormat::obj, "mesh.obj"); }),
                 testing::AllOf(testing::HasSubstr(wrong.second), testing::HasSubstr("; ")))
         << wrong.first;
@@ -93,7 +93,7 @@ TEST(MeshReader, SaysThatAnObjBreaksOffWithinAFace) {
   const std::string whole = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4";
   EXPECT_EQ(parse_mesh(whole, MeshFormat::obj, "mesh.obj").triangle_count(), 2) << "the last line needs no end";
   EXPECT_THAT(error_of([&] { parse_mesh(whole.substr(0, whole.size() - 2), MeshFormat::obj, "mesh.obj"); }),
-              testing::HasSubstr("mesh.obj:6: is cut off within a face"));
+              testing::HasSubstr("mesh.obj:6: is truncated within a face"));
 }
 
 class MeshFilesOnDisk : public test::FolderTest {
@@ -119,7 +119,7 @@ TEST_F(MeshFilesOnDisk, RemarksOnAMaterialThatItsFilesDoNotHave) {
   write("a.mtl", "newmtl warm\nKd 0.5 0.25 0\n");
   write("a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl warm\nf 1 2 3\nusemtl  cold one \nf 3 2 1\n");
   EXPECT_THAT(read_mesh(folder_ / "a.obj").remarks,
-              testing::ElementsAre(testing::HasSubstr("none of its material files defines (\"cold one\")")));
+              testing::ElementsAre(testing::HasSubstr("no material file defines (\"cold one\")")));
 }
 
 TEST_F(MeshFilesOnDisk, RemarksOnAPictureWithoutPlacesOnIt) {
@@ -127,7 +127,7 @@ TEST_F(MeshFilesOnDisk, RemarksOnAPictureWithoutPlacesOnIt) {
   write("skin.png", "");
   write("a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl warm\nf 1 2 3\n");
   EXPECT_THAT(read_mesh(folder_ / "a.obj").remarks,
-              testing::ElementsAre(testing::HasSubstr("they show a single corner of skin.png")));
+              testing::ElementsAre(testing::HasSubstr("they show a single texel of skin.png")));
 }
 
 TEST_F(MeshFilesOnDisk, RemarksOnMaterialsThatAreTransparent) {
@@ -218,7 +218,7 @@ TEST(MeshReader, RefusesAnImageInsideTheFileOfNoKnownKind) {
   EXPECT_THAT(error_of([] {
                 parse_mesh(gltf_with_image(R"({"bufferView":2,"mimeType":"image/../x"})"), MeshFormat::gltf, "a.gltf");
               }),
-              testing::HasSubstr("in a format that is not read"));
+              testing::HasSubstr("in an unsupported format"));
 }
 
 TEST_F(MeshFilesOnDisk, NamesOfAGltfMayBeUris) {
@@ -241,8 +241,9 @@ TEST_F(MeshFilesOnDisk, NothingOutsideTheFolderIsNamed) {
 
 TEST_F(MeshFilesOnDisk, MaterialsThatAreNotThereAreAnErrorThatNamesThem) {
   write("d.obj", "mtllib colours.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl warm\nf 1 2 3\n");
-  EXPECT_THAT(error_of([&] { read_mesh(folder_ / "d.obj"); }),
-              testing::AllOf(testing::HasSubstr("d.obj: names \"colours.mtl\""), testing::HasSubstr("put it there")));
+  EXPECT_THAT(
+      error_of([&] { read_mesh(folder_ / "d.obj"); }),
+      testing::AllOf(testing::HasSubstr("d.obj: refers to \"colours.mtl\""), testing::HasSubstr("put the file there")));
   write("colours.mtl", "newmtl warm\nKd 0.5 0.25 0\n");
   EXPECT_THAT(read_mesh(folder_ / "d.obj").parts.front().color, testing::ElementsAre(0.5F, 0.25F, 0.0F));
 }
@@ -252,8 +253,9 @@ TEST_F(MeshFilesOnDisk, AnImageThatIsNotThereIsAnErrorThatNamesIt) {
   write("d.obj", "mtllib d.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl skin\nf 1 2 3\n");
   write("d.gltf", gltf_with_image(R"({"uri":"no.png"})"));
   for (const std::string mesh : {"d.obj", "d.gltf"}) {
-    EXPECT_THAT(error_of([&] { read_mesh(folder_ / mesh); }),
-                testing::AllOf(testing::HasSubstr(mesh + ": names \"no.png\""), testing::HasSubstr("put it there")));
+    EXPECT_THAT(
+        error_of([&] { read_mesh(folder_ / mesh); }),
+        testing::AllOf(testing::HasSubstr(mesh + ": refers to \"no.png\""), testing::HasSubstr("put the file there")));
   }
 }
 
@@ -276,7 +278,7 @@ TEST_F(MeshFilesOnDisk, AMissingFileAndAnotherKindAreErrorsWithARemedy) {
   EXPECT_THAT(error_of([&] { read_mesh(folder_ / "none.obj"); }), testing::HasSubstr("none.obj: "));
   write("d.stl", "solid\n");
   EXPECT_THAT(error_of([&] { read_mesh(folder_ / "d.stl"); }),
-              testing::AllOf(testing::HasSubstr("no kind of mesh"), testing::HasSubstr("glTF 2")));
+              testing::AllOf(testing::HasSubstr("not a supported mesh format"), testing::HasSubstr("glTF 2")));
 }
 
 }  // namespace

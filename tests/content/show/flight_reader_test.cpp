@@ -34,7 +34,7 @@ TEST(FlightReader, NamesWhatIsWrong) {
   const auto error = [](const std::string& flight) { return test::error_of([&] { show_with_flight(flight); }); };
   EXPECT_THAT(error("gard = \"horizon\"\n"), HasSubstr("did you mean \"guard\""));
   EXPECT_THAT(error("guard = \"photon\"\n"), HasSubstr("photon_orbit"));
-  EXPECT_THAT(error("least_r = 80\nmost_r = 50\n"), HasSubstr("f.toml:4: flight.least_r is 80, too near to most_r"));
+  EXPECT_THAT(error("least_r = 80\nmost_r = 50\n"), HasSubstr("f.toml:4: flight.least_r is 80, too close to most_r"));
   EXPECT_THAT(error("comfort = { turn_deg_s = nan }\n"), HasSubstr("flight.comfort.turn_deg_s"));
 }
 

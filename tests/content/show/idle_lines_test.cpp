@@ -78,7 +78,7 @@ TEST(IdleLines, AreTheFieldOfViewOfADomeThatIsShownAsASphere) {
   Show show = parse_show("[view]\nfov_deg = 90\n[camera]\n[[camera.key]]\nr = 30\n", "film.toml");
   EXPECT_THAT(idle_lines(show), IsEmpty());
   show.view.projection = ViewProjection::equirect;
-  EXPECT_THAT(idle_lines(show), ElementsAre(idle(2, "view.fov_deg", "part of the sphere")));
+  EXPECT_THAT(idle_lines(show), ElementsAre(idle(2, "view.fov_deg", "the whole sphere")));
 }
 
 TEST(IdleLines, AreTheFieldOfViewBesideAFrustum) {
@@ -134,6 +134,13 @@ TEST(IdleLines, AreInNoBuiltInShow) {
       EXPECT_THAT(idle_lines(read_show(entry.path())), IsEmpty()) << entry.path();
     }
   }
+}
+
+TEST(IdleLines, AreTheTessellationOfTracedObjects) {
+  const std::string ball = "[[objects]]\nshape = \"sphere\"\nposition = [9, 0, 0]\ntessellation = { most = 8 }\n";
+  EXPECT_THAT(idle_in(ball), IsEmpty());
+  EXPECT_THAT(idle_in(ball + "method = \"trace\"\n"),
+              ElementsAre(idle(4, "objects[0].tessellation", "only with method = \"polygon\"")));
 }
 
 TEST(IdleLines, OfALightAreThoseThatLightNothing) {

@@ -54,7 +54,7 @@ TEST(ShellReader, RefusesWhatCannotBe) {
 
 TEST(ShellReader, TakesTheSpacingThatItAdvises) {
   const std::string problem = test::error_of([] { show_with_shells("[[shells]]\nradius = 9\nspacing_deg = 7\n"); });
-  EXPECT_THAT(problem, testing::HasSubstr("write 6.92308"));
+  EXPECT_THAT(problem, testing::HasSubstr("choose for example 6.92308"));
   const Show show = show_with_shells("[[shells]]\nradius = 9\nspacing_deg = 6.92308\n");
   EXPECT_EQ(show.shells[0].spacing_deg, 180.0 / 26.0);
 }

@@ -27,7 +27,7 @@ class FilesOfAShow : public test::FolderTest {
 TEST_F(FilesOfAShow, AMissingSkyIsToldWithTheLineThatNamesIt) {
   const Show show = film("[hole]\nspin = 0.5\n[sky]\nmap = \"none.jpg\"\n");
   EXPECT_THAT(test::error_of([&] { load_sky_map(show); }),
-              AllOf(HasSubstr("none.jpg: is not there"), HasSubstr("(sky.map, film.toml:4)")));
+              AllOf(HasSubstr("none.jpg: does not exist"), HasSubstr("(sky.map, film.toml:4)")));
 }
 
 TEST_F(FilesOfAShow, ASkyThatIsNoImageIsToldWithTheLineThatNamesIt) {

@@ -85,8 +85,11 @@ TEST(ShowSettings, LaterOnesComeLater) {
 
 TEST(ShowSettings, ProblemsNameTheSettingAndTheKey) {
   EXPECT_THAT(setting_problem({"hole.spin=1.5"}), StartsWith("--set hole.spin: hole.spin is 1.5"));
-  EXPECT_THAT(setting_problem({"hole.spinn=0.5"}),
-              AllOf(StartsWith("--set hole.spinn: hole.spinn is not a known key"), HasSubstr("did you mean \"spin\"")));
+  EXPECT_THAT(setting_problem({"hole.spinn=0.5"}), AllOf(StartsWith("--set hole.spinn: hole.spinn is not a known key"),
+                                                         HasSubstr("did you mean \"hole.spin\"")));
+  EXPECT_THAT(
+      setting_problem({"camera.key.0.thetadeg=80"}),
+      AllOf(StartsWith("--set camera.key.0.thetadeg: "), HasSubstr("did you mean \"camera.key.0.theta_deg\"?")));
   EXPECT_THAT(setting_problem({"hol.spin=0.5"}),
               AllOf(StartsWith("--set hol.spin: hol is not a known key"), HasSubstr("did you mean \"hole\"")));
   EXPECT_THAT(setting_problem({"camera.key.1.r=1"}), StartsWith("--set camera.key.1.r: camera.key[1].r is 1 M"));
@@ -109,7 +112,7 @@ TEST(ShowSettings, ThatAreNoneAreRefused) {
     EXPECT_THAT(setting_problem({path}), HasSubstr("is not the path of a key")) << path;
   }
   EXPECT_THAT(setting_problem({"camera.observer.toward=[0, 0"}), HasSubstr("has a malformed value: [0, 0"));
-  EXPECT_THAT(setting_problem({"title=\xff"}), HasSubstr("not UTF-8"));
+  EXPECT_THAT(setting_problem({"title=\xff"}), HasSubstr("not valid UTF-8"));
   EXPECT_THAT(setting_problem({"title=A\x1b[2J"}), Not(HasSubstr("\x1b")));
   EXPECT_THAT(setting_problem({"title=" + std::string(100, '[')}),
               AllOf(StartsWith("--set title:"), HasSubstr("deeper")));

@@ -91,7 +91,7 @@ TEST(View, RefusesFieldsThatALensCannotSee) {
 
 TEST(View, RefusesPolynomialsThatDoNotRise) {
   EXPECT_THAT(view_problem("lens = \"polynomial\"\npolynomial = [1.0, -0.4]\n"),
-              AllOf(HasSubstr("show.toml:6"), HasSubstr("view.polynomial"), HasSubstr("does not rise")));
+              AllOf(HasSubstr("show.toml:6"), HasSubstr("view.polynomial"), HasSubstr("does not increase")));
   EXPECT_THAT(view_problem("lens = \"polynomial\"\npolynomial = [-1.0]\n"), HasSubstr("above 0"));
 }
 
@@ -114,7 +114,7 @@ TEST(View, RefusesAViewerOutsideTheDome) {
 }
 
 TEST(View, RefusesATruncationThatLeavesNothing) {
-  EXPECT_THAT(view_problem("truncate = { bottom = 0.6, top = 0.4 }\n"), HasSubstr("leaves nothing"));
+  EXPECT_THAT(view_problem("truncate = { bottom = 0.6, top = 0.4 }\n"), HasSubstr("removes the whole picture"));
   EXPECT_THAT(view_problem("truncate = { botom = 0.6 }\n"), HasSubstr("\"bottom\""));
 }
 

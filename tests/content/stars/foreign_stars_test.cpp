@@ -70,7 +70,7 @@ TEST(ForeignStars, HipparcosFromVizierHasItsPublishedValues) {
   expect_star(read.stars[2], 88.7929, 7.4071, 0.45, 1.500);     // Betelgeuse
   expect_star(read.stars[3], 37.9546, 89.2641, 1.97, 0.636);    // Polaris
   EXPECT_EQ(read.stars[3].number, 11767U);
-  EXPECT_EQ(read.read_as, "_RAJ2000 in degrees, _DEJ2000; V from Vmag; colour from B-V");
+  EXPECT_EQ(read.read_as, "_RAJ2000 in degrees, _DEJ2000; V from Vmag; color from B-V");
 }
 
 TEST(ForeignStars, SexagesimalCoordinatesFromVizierAndStellarium) {
@@ -95,7 +95,7 @@ TEST(ForeignStars, GaiaIsInDegreesEvenBelow24AndHasVAndColourOfItsOwnBands) {
   }
   const StarCatalogue archive = foreign_stars("gaia_archive.csv");
   ASSERT_EQ(archive.stars.size(), 3U);
-  EXPECT_THAT(archive.read_as, HasSubstr("ra in degrees (columns of Gaia's archive)"));
+  EXPECT_THAT(archive.read_as, HasSubstr("ra in degrees (columns named as in Gaia's archive)"));
   EXPECT_NEAR(archive.stars[1].b_v, 0.650, 2e-4) << "from its temperature of 5778 K";
   EXPECT_TRUE(std::isnan(archive.stars[2].b_v));
 }
@@ -127,8 +127,8 @@ TEST(ForeignStars, PackedHygOfTwoMembersIsReadAndNamedWithoutItsEndings) {
   ASSERT_EQ(read.stars.size(), 1U);
   expect_sirius(read.stars[0]);
   EXPECT_EQ(read.name, "hyg_v42");
-  EXPECT_EQ(text_of(read.left_out), "1 row left out: 1 of the Sun (line 2)");
-  EXPECT_THAT(read.read_as, HasSubstr("ra in hours (columns of HYG)"));
+  EXPECT_EQ(text_of(read.left_out), "1 row skipped: 1 row for the Sun (line 2)");
+  EXPECT_THAT(read.read_as, HasSubstr("ra in hours (columns named as in HYG)"));
 }
 
 TEST(ForeignStars, UnitOfAColumnRaIsDecidedByEvidence) {
@@ -146,29 +146,32 @@ TEST(ForeignStars, UnitOfAColumnRaIsDecidedByEvidence) {
   EXPECT_EQ(first("RA (hh:mm:ss),Dec (dd:mm:ss),mag\n2:30,-3:00,4\n"), 37.5);
   EXPECT_EQ(first("RAJ2000,DEJ2000,Vmag\n2,3,4\n"), 2.0);
   EXPECT_NEAR(first("ra\tdec\tmag\nrad\trad\tmag\n1.5\t0.5\t4\n"), 85.9437, 1e-4);
-  EXPECT_THAT(problem_of_stars("ra_hours,dec,mag\n101,3,4\n"), HasSubstr("stars.csv:2: has a star at right ascension"));
+  EXPECT_THAT(problem_of_stars("ra_hours,dec,mag\n101,3,4\n"),
+              HasSubstr("stars.csv:2: has a right ascension of 101 h"));
 }
 
 TEST(ForeignStars, WhatIsNotSupportedIsNamed) {
   EXPECT_THAT(problem_of_stars("<?xml version=\"1.0\"?>\n<VOTABLE version=\"1.4\">"), HasSubstr("is a VOTable"));
   EXPECT_THAT(problem_of_stars("SIMPLE  =                    T"), HasSubstr("is a FITS file"));
-  EXPECT_THAT(problem_of_stars("PK\x03\x04zip"), HasSubstr("workbook"));
+  EXPECT_THAT(problem_of_stars("PK\x03\x04zip"), HasSubstr("spreadsheet"));
   EXPECT_THAT(problem_of_stars("BZh91AY"), HasSubstr("bzip2"));
-  EXPECT_THAT(problem_of_stars("  32349 101.28 -16.71 -1.44\n"), HasSubstr("fixed widths"));
+  EXPECT_THAT(problem_of_stars("  32349 101.28 -16.71 -1.44\n"), HasSubstr("fixed-width"));
   EXPECT_THAT(problem_of_stars("glon,glat,mag\n1,2,3\n"), HasSubstr("it has galactic coordinates"));
   EXPECT_THAT(problem_of_stars("RAB1950,DEB1950,Vmag\n1,2,3\n"), HasSubstr("equinox B1950"));
   EXPECT_THAT(problem_of_stars("ra,dec,absmag\n1,2,3\n"), HasSubstr("it has absolute magnitudes"));
   EXPECT_THAT(problem_of_stars("ra,dec,gmag\n1,2,3\n"), HasSubstr("Sloan"));
   EXPECT_THAT(problem_of_stars("RAh,RAm,RAs,DEd,Vmag\n1,2,3,4,5\n"), HasSubstr("in several columns"));
-  EXPECT_THAT(problem_of_stars("ra\tdec\tmag\ndeg\tdeg\tmmag\n1\t2\t3\n"), HasSubstr("gives a magnitude in \"mmag\""));
+  EXPECT_THAT(problem_of_stars("ra\tdec\tmag\ndeg\tdeg\tmmag\n1\t2\t3\n"),
+              HasSubstr("gives a magnitude in the unsupported unit \"mmag\""));
   EXPECT_THAT(problem_of_stars("ra dec mag name\n1 2 3 a b\n"), HasSubstr("separated by spaces"));
   EXPECT_THAT(problem_of_stars("ra dec mag name\n1 2 3\n"), HasSubstr("has 3 cells"));
-  EXPECT_THAT(problem_of_stars("ra,dec,mag\n05 14 32,2,3\n6.5,2,3\n"), HasSubstr("with and without minutes"));
-  EXPECT_THAT(problem_of_stars("ra_deg,dec,mag\n05 14 32,2,3\n"), HasSubstr("in a column in degrees"));
-  EXPECT_THAT(problem_of_stars("RA (deg),dec,mag\n05 14 32,2,3\n"), HasSubstr("in a column in degrees"));
-  EXPECT_THAT(problem_of_stars("RA (B1950),dec,mag\n5,2,3\n"), HasSubstr("gives a right ascension in \"B1950\""));
+  EXPECT_THAT(problem_of_stars("ra,dec,mag\n05 14 32,2,3\n6.5,2,3\n"), HasSubstr("mixes decimal and sexagesimal"));
+  EXPECT_THAT(problem_of_stars("ra_deg,dec,mag\n05 14 32,2,3\n"), HasSubstr("in a column of degrees"));
+  EXPECT_THAT(problem_of_stars("RA (deg),dec,mag\n05 14 32,2,3\n"), HasSubstr("in a column of degrees"));
+  EXPECT_THAT(problem_of_stars("RA (B1950),dec,mag\n5,2,3\n"),
+              HasSubstr("gives a right ascension in the unsupported unit or equinox \"B1950\""));
   EXPECT_THAT(problem_of_stars("#R\nRAJ2000\tDEJ2000\tVmag\n1\t2\t3\n\n#R\nRAJ2000\tDEJ2000\tVmag\n1\t2\t3\n"),
-              HasSubstr("stars.csv:6: has the columns' names again"));
+              HasSubstr("stars.csv:6: repeats the column names"));
 }
 
 TEST(ForeignStars, CommentsBetweenRowsAreCountedAsLines) {
@@ -182,7 +185,7 @@ TEST(ForeignStars, DamagedGzipIsAnError) {
   EXPECT_EQ(stars_of_text(good).stars.size(), 2U);
   EXPECT_EQ(stars_of_text(good + std::string(512, '\0')).stars.size(), 2U);
   for (std::size_t size = 3; size < good.size(); ++size) {
-    EXPECT_THAT(problem_of_stars(good.substr(0, size)), HasSubstr("is cut off")) << size;
+    EXPECT_THAT(problem_of_stars(good.substr(0, size)), HasSubstr("is truncated")) << size;
   }
   EXPECT_THAT(problem_of_stars(good + "rest"), HasSubstr("is damaged"));
   EXPECT_THAT(problem_of_stars(gzipped(good)), HasSubstr("gzip in gzip"));
@@ -195,7 +198,7 @@ TEST(ForeignStars, GzipThatUnpacksToTooMuchIsAnError) {
 
 TEST(ForeignStars, Utf16ThatIsCutOffIsAnError) {
   const std::string wide("\xFF\xFEr\0a\0,\0", 8);
-  EXPECT_THAT(problem_of_stars(wide + "x"), HasSubstr("cut off within a character"));
+  EXPECT_THAT(problem_of_stars(wide + "x"), HasSubstr("truncated within a character"));
   EXPECT_THAT(problem_of_stars(std::string("\xFF\xFE\0\0r\0\0\0", 8)), HasSubstr("UTF-32"));
 }
 

@@ -47,7 +47,7 @@ TEST(RayTable, TakesTheMarkThatSpreadsheetsWriteFirst) {
 
 TEST(RayTable, RefusesALineWithoutEndBeforeReadingItAll) {
   EXPECT_THAT(ray_problem(header + "0.5,6,1,zamo,1,0,0\n" + std::string(1'000'000, '1')),
-              AllOf(HasSubstr("rays.csv:3"), HasSubstr("too much")));
+              AllOf(HasSubstr("rays.csv:3"), HasSubstr("exceeds the limits")));
 }
 
 TEST(RayTable, FindsColumnsByNameAndIgnoresOthers) {
@@ -74,15 +74,15 @@ TEST(RayTable, ProblemsNameTheLine) {
   EXPECT_THAT(ray_problem(header + "0,nan,1,zamo,1,0,0\n"), HasSubstr("not a number"));
   EXPECT_THAT(ray_problem(header + "0,9,1,zamo,inf,0,0\n"), HasSubstr("not a number"));
   EXPECT_THAT(ray_problem(header + "0,9,1,zamo,0,0,0\n"),
-              HasSubstr("n_r, n_theta, n_phi are all 0, which is no direction"));
+              HasSubstr("n_r, n_theta and n_phi are all 0, so the direction is undefined"));
   EXPECT_THAT(ray_problem(header + "0,9,1,zamo,1,nan,0\n"), HasSubstr("n_theta is \"nan\", not a number"));
   EXPECT_THAT(ray_problem(header + "0,9,1,zamo,1\n"), HasSubstr("not a number"));
   EXPECT_THAT(ray_problem(header + "0,1.9,1,zamo,1,0,0\n"), HasSubstr("horizon"));
   EXPECT_THAT(ray_problem(header + "1.1,9,1,zamo,1,0,0\n"), HasSubstr("a is 1.1"));
   EXPECT_THAT(ray_problem(header + "0,9,4,zamo,1,0,0\n"), HasSubstr("theta is 4"));
   EXPECT_THAT(ray_problem(header + "0,9,1,tourist,1,0,0\n"), HasSubstr("tourist"));
-  EXPECT_THAT(ray_problem(header + "0.9,1.95,1.57,static,1,0,0\n"), HasSubstr("outrun light"));
-  EXPECT_THAT(ray_problem(header + std::string(70'000, '1') + "\n"), HasSubstr("too much"));
+  EXPECT_THAT(ray_problem(header + "0.9,1.95,1.57,static,1,0,0\n"), HasSubstr("faster than light"));
+  EXPECT_THAT(ray_problem(header + std::string(70'000, '1') + "\n"), HasSubstr("exceeds the limits"));
 }
 
 TEST(RayTable, TakesSpinAndDegreesByTheirColumnsNames) {
@@ -111,7 +111,7 @@ TEST(RayTable, NothingInALineIsIgnored) {
   EXPECT_THAT(ray_problem("a,r,r,theta,observer,n_r,n_theta,n_phi\n0,9,9,1,zamo,1,0,0\n"),
               HasSubstr("has two columns r"));
   EXPECT_THAT(ray_problem("a,r,theta,observer,n_r,n_theta,n_phi,beta_phi\n0,9,1,zamo,1,0,0,0.5\n"),
-              HasSubstr("gives another velocity than zamo has there"));
+              HasSubstr("has a velocity that differs from that of the observer zamo"));
 }
 
 TEST(RayTable, WhoIsBoostedNeedsAllColumnsOfTheVelocity) {

@@ -50,21 +50,21 @@ TEST_P(StationCodecRefuses, WhatKernelsCouldNotReadSafely) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Damage, StationCodecRefuses,
-                         testing::Values(Damage{"its place", [](LensStation& s) { s.r = 0.5; }},
-                                         Damage{"its place", [](LensStation& s) { s.spin = NAN; }},
-                                         Damage{"its place", [](LensStation& s) { s.theta = -1.0; }},
-                                         Damage{"its chart", [](LensStation& s) { s.first = s.second; }},
-                                         Damage{"its chart", [](LensStation& s) { s.edge[5] = NAN; }},
-                                         Damage{"its chart", [](LensStation& s) { s.range = 0.0F; }},
-                                         Damage{"a size", [](LensStation& s) { s.columns = 0; }},
-                                         Damage{"a size", [](LensStation& s) { s.edge.clear(); }},
-                                         Damage{"its cells", [](LensStation& s) { s.tree[0] = 0; }},
-                                         Damage{"its cells", [](LensStation& s) { s.tree[2] = 2 * 2; }},
-                                         Damage{"its cells", [](LensStation& s) { s.tree[0] = 2 * 3; }},
-                                         Damage{"its cells", [](LensStation& s) { s.tree[1] = -1 - 2 * 3; }},
-                                         Damage{"its cells", [](LensStation& s) { s.leaves[4] = 6; }},
-                                         Damage{"its cells", [](LensStation& s) { s.leaves[4] = -1; }},
-                                         Damage{"its cells",
+                         testing::Values(Damage{"(position)", [](LensStation& s) { s.r = 0.5; }},
+                                         Damage{"(position)", [](LensStation& s) { s.spin = NAN; }},
+                                         Damage{"(position)", [](LensStation& s) { s.theta = -1.0; }},
+                                         Damage{"(chart)", [](LensStation& s) { s.first = s.second; }},
+                                         Damage{"(chart)", [](LensStation& s) { s.edge[5] = NAN; }},
+                                         Damage{"(chart)", [](LensStation& s) { s.range = 0.0F; }},
+                                         Damage{"impossible size", [](LensStation& s) { s.columns = 0; }},
+                                         Damage{"impossible size", [](LensStation& s) { s.edge.clear(); }},
+                                         Damage{"(cells)", [](LensStation& s) { s.tree[0] = 0; }},
+                                         Damage{"(cells)", [](LensStation& s) { s.tree[2] = 2 * 2; }},
+                                         Damage{"(cells)", [](LensStation& s) { s.tree[0] = 2 * 3; }},
+                                         Damage{"(cells)", [](LensStation& s) { s.tree[1] = -1 - 2 * 3; }},
+                                         Damage{"(cells)", [](LensStation& s) { s.leaves[4] = 6; }},
+                                         Damage{"(cells)", [](LensStation& s) { s.leaves[4] = -1; }},
+                                         Damage{"(cells)",
                                                 [](LensStation& s) {
                                                   s.tree.assign(2, -1);
                                                   for (int depth = 0; depth <= deepest_cell; ++depth) {
@@ -73,12 +73,12 @@ INSTANTIATE_TEST_SUITE_P(Damage, StationCodecRefuses,
                                                     s.tree.insert(s.tree.end(), 2, -1);
                                                   }
                                                 }},
-                                         Damage{"its cells",
+                                         Damage{"(cells)",
                                                 [](LensStation& s) {
                                                   // Both halves of a root have the same halves.
                                                   s.tree = {2 * 2 + 1, -1, 2 * 4, 2 * 4, -1, -1};
                                                 }},
-                                         Damage{"no number", [](LensStation& s) { s.nodes[17] = INFINITY; }}),
+                                         Damage{"a non-finite number", [](LensStation& s) { s.nodes[17] = INFINITY; }}),
                          [](const testing::TestParamInfo<Damage>& each) {
                            return "Case" + std::to_string(each.index);
                          });
@@ -119,13 +119,13 @@ TEST_P(DiskCodecRefuses, WhatKernelsCouldNotReadSafely) {
 
 INSTANTIATE_TEST_SUITE_P(
     Damage, DiskCodecRefuses,
-    testing::Values(DiskDamage{"its place", [](DiskStation& d) { d.cells.r = 0.5; }},
-                    DiskDamage{"its cells", [](DiskStation& d) { d.cells.leaves[4] = 6; }},
-                    DiskDamage{"its edges", [](DiskStation& d) { d.outer_r = d.inner_r; }},
-                    DiskDamage{"its edges", [](DiskStation& d) { d.inner_r = NAN; }},
-                    DiskDamage{"another size", [](DiskStation& d) { d.orders.push_back(1); }},
-                    DiskDamage{"another size", [](DiskStation& d) { d.nodes_along_r[0] = d.nodes[0]; }},
-                    DiskDamage{"no number", [](DiskStation& d) { d.nodes[2][17] = INFINITY; }}),
+    testing::Values(DiskDamage{"(position)", [](DiskStation& d) { d.cells.r = 0.5; }},
+                    DiskDamage{"(cells)", [](DiskStation& d) { d.cells.leaves[4] = 6; }},
+                    DiskDamage{"disk edges", [](DiskStation& d) { d.outer_r = d.inner_r; }},
+                    DiskDamage{"disk edges", [](DiskStation& d) { d.inner_r = NAN; }},
+                    DiskDamage{"unexpected size", [](DiskStation& d) { d.orders.push_back(1); }},
+                    DiskDamage{"unexpected size", [](DiskStation& d) { d.nodes_along_r[0] = d.nodes[0]; }},
+                    DiskDamage{"a non-finite number", [](DiskStation& d) { d.nodes[2][17] = INFINITY; }}),
     [](const testing::TestParamInfo<DiskDamage>& each) { return "Case" + std::to_string(each.index); });
 
 }  // namespace

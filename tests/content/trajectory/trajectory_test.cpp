@@ -81,7 +81,8 @@ TEST_F(Trajectory, ReadsBackWhatWasBaked) {
 TEST_F(Trajectory, AskedForADiskThatAStationHasNotSaysSo) {
   make_file();
   const TrajectoryReader reader(file());
-  EXPECT_THAT(error_of([&] { (void)reader.read_disk(bare); }), HasSubstr("station 2, disk: is damaged (not where"));
+  EXPECT_THAT(error_of([&] { (void)reader.read_disk(bare); }),
+              HasSubstr("station 2, disk: is damaged (a station that does not match the index"));
 }
 
 TEST_F(Trajectory, CutOffAnywhereIsToldAndNeverRead) {
@@ -93,7 +94,7 @@ TEST_F(Trajectory, CutOffAnywhereIsToldAndNeverRead) {
     EXPECT_THAT(error_of([&] { TrajectoryReader reader(file()); }), HasSubstr("t.trajectory")) << size;
   }
   write_text(file(), whole + "x");
-  EXPECT_THAT(error_of([&] { TrajectoryReader reader(file()); }), HasSubstr("cut off or has grown"));
+  EXPECT_THAT(error_of([&] { TrajectoryReader reader(file()); }), HasSubstr("does not have its original size"));
 }
 
 TEST_F(Trajectory, ForeignNewerAndUnfinishedFilesAreToldApart) {
@@ -104,9 +105,9 @@ TEST_F(Trajectory, ForeignNewerAndUnfinishedFilesAreToldApart) {
   text[8] = 3;
   write_text(file(), text);
   EXPECT_THAT(error_of([&] { TrajectoryReader reader(file()); }), HasSubstr("version 3"));
-  EXPECT_THAT(error_of([&] { TrajectoryReader reader(journal_file()); }), HasSubstr("not finished"));
+  EXPECT_THAT(error_of([&] { TrajectoryReader reader(journal_file()); }), HasSubstr("unfinished bake"));
   EXPECT_THAT(error_of([&] { TrajectoryReader reader(folder_ / "none"); }), HasSubstr("none"));
-  EXPECT_THAT(error_of([&] { TrajectoryReader reader(folder_); }), HasSubstr("is no file"));
+  EXPECT_THAT(error_of([&] { TrajectoryReader reader(folder_); }), HasSubstr("is not a regular file"));
 }
 
 TEST_F(Trajectory, EveryFlippedByteIsDetectedOrHarmless) {
@@ -166,9 +167,10 @@ TEST_F(Trajectory, JournalGoesOnAfterItsLastWholeFrame) {
 
 TEST_F(Trajectory, JournalIsForOneProcessAndNoFinishedFile) {
   make_file();
-  EXPECT_THAT(error_of([&] { TrajectoryJournal other(file(), provenance()); }), HasSubstr("not the journal"));
+  EXPECT_THAT(error_of([&] { TrajectoryJournal other(file(), provenance()); }), HasSubstr("not written by this bake"));
   const TrajectoryJournal journal(journal_file(), provenance());
-  EXPECT_THAT(error_of([&] { TrajectoryJournal other(journal_file(), provenance()); }), HasSubstr("another process"));
+  EXPECT_THAT(error_of([&] { TrajectoryJournal other(journal_file(), provenance()); }),
+              HasSubstr("in use by another ergodome bake"));
 }
 
 TEST_F(Trajectory, JournalOfAnotherBakeIsRefused) {
@@ -176,7 +178,7 @@ TEST_F(Trajectory, JournalOfAnotherBakeIsRefused) {
   TrajectoryProvenance changed = provenance();
   changed.budget_px = 0.5;
   EXPECT_THAT(error_of([&] { TrajectoryJournal other(journal_file(), changed); }),
-              HasSubstr("not the journal of this bake"));
+              HasSubstr("not written by this bake"));
 }
 
 TEST_F(Trajectory, JoinedPartsAreTheSameFile) {

@@ -134,7 +134,8 @@ TEST_F(CalibrateCommand, WritesNothingWhereOneFileCannotBeWritten) {
   write("dome.toml", dome_of_two);
   std::filesystem::create_directories(folder_ / "made" / "2_right_blend.png");
   EXPECT_NE(run("calibrate dome.toml --out made --size 512"), 0);
-  EXPECT_THAT(output_, HasSubstr("made/2_right_blend.png: is to be written; it is there, and is no file"));
+  EXPECT_THAT(output_,
+              HasSubstr("made/2_right_blend.png: cannot be written: a directory or device with that name exists"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "made" / "1_left___one.data"));
 }
 

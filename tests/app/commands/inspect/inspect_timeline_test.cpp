@@ -146,7 +146,7 @@ TEST_F(CommandLine, RenderTellsWhatNobodyWillSee) {
   write("sunk.toml", sunk.replace(sunk.find("[view]"), 6, "stars = \"none.csv\"\n[view]"));
   write("none.csv", "ra_deg,dec_deg,v_mag\n");
   ASSERT_EQ(run("render sunk.toml --frames 1:1 --backend cpu --out f"), 0) << output_;
-  EXPECT_THAT(output_, HasSubstr("none.csv: holds no stars"));
+  EXPECT_THAT(output_, HasSubstr("none.csv: contains no stars"));
   EXPECT_THAT(output_, HasSubstr("ergodome: objects[0]: is inside the horizon"));
 }
 
@@ -166,7 +166,7 @@ TEST_F(CommandLine, InspectTellsOfACatalogueWithoutStars) {
   write("dark.toml", "[[camera.key]]\nr = 12\n[sky]\nmap = \"black\"\nstars = \"none.csv\"\n[view]\nsize_px = 16\n");
   write("none.csv", "ra_deg,dec_deg,v_mag\n");
   ASSERT_EQ(run("inspect dark.toml"), 0) << output_;
-  EXPECT_THAT(output_, HasSubstr("none.csv: holds no stars (sky.stars, dark.toml:5); name another catalogue"));
+  EXPECT_THAT(output_, HasSubstr("none.csv: contains no stars (sky.stars, dark.toml:5); choose another star table"));
 }
 
 TEST_F(CommandLine, ShowsTellOfTexelsOfTheirMapThatAreNoLight) {
@@ -192,7 +192,7 @@ TEST_F(CommandLine, InspectTellsTheSizeOfMeshesAndRemarksOnThem) {
   write("ship.obj", "v 0 0 0\nv 2 0 0\nv 2 4 0\nv 0 4 0\nusemtl steel\nf 1 2 3 4\nf 1 1 2\n");
   ASSERT_EQ(run("inspect ship.toml"), 0) << output_;
   EXPECT_THAT(output_, HasSubstr("2 triangles, 1 without area omitted, 1 x 2 x 0 M before rotation\n"
-                                 "    uses materials that none of its material files defines (\"steel\")"));
+                                 "    uses materials that no material file defines (\"steel\")"));
   ASSERT_EQ(run("inspect ship.toml --json"), 0) << output_;
   const auto mesh = nlohmann::json::parse(output_)["meshes"][0];
   EXPECT_EQ(mesh["triangles"], 2);

@@ -70,8 +70,9 @@ TEST(ObjReader, RefusesFacesOfManyCornersAtOnce) {
     face += " " + std::to_string(i);
   }
   const auto begin = std::chrono::steady_clock::now();
-  EXPECT_THAT(error_of([&] { obj_mesh(text + face + "\n"); }),
-              testing::AllOf(HasSubstr("a.obj:100001: has a face of more than 1024 corners"), HasSubstr("triangles")));
+  EXPECT_THAT(
+      error_of([&] { obj_mesh(text + face + "\n"); }),
+      testing::AllOf(HasSubstr("a.obj:100001: has a face of more than 1024 corners"), HasSubstr("triangulated")));
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(2));
 }
 
@@ -162,7 +163,7 @@ TEST_F(ObjFiles, OfOtherProgramsAreReadRight) {
 
 TEST(ObjReader, RefusesIndicesBeforeTheFirst) {
   for (const char* const face : {"f -4 2 3", "f 1/-4 2/2 3/3", "f 1//-1 2//1 3//1", "f 1/9 2/2 3/3"}) {
-    EXPECT_THAT(error_of([&] { obj_mesh(textured + face + "\n"); }), HasSubstr("corner that is not there")) << face;
+    EXPECT_THAT(error_of([&] { obj_mesh(textured + face + "\n"); }), HasSubstr("nonexistent vertex")) << face;
   }
 }
 
@@ -208,7 +209,7 @@ TEST_F(ObjFiles, RemarksOnWhatOfAMaterialIsNotDrawn) {
   EXPECT_THAT(remarks("Kd 1 1 1\nd 1\nTr 0\nillum 2"), testing::IsEmpty());
   EXPECT_THAT(remarks("Kd 0,5 0,5 0,5"), ElementsAre(HasSubstr("decimal points")));
   EXPECT_THAT(remarks("Kd spectral red.rfl"), ElementsAre(HasSubstr("decimal points")));
-  EXPECT_THAT(remarks("Kd 0 0 0\nmap_Kd skin.png"), ElementsAre(HasSubstr("black color")));
+  EXPECT_THAT(remarks("Kd 0 0 0\nmap_Kd skin.png"), ElementsAre(HasSubstr("material color is black")));
   EXPECT_THAT(remarks("Kd 0.5 # grey\nmap_Kd skin.png"), testing::IsEmpty());
 }
 
