@@ -23,7 +23,7 @@ struct RepairedTexels {
   [[nodiscard]] bool are_a_mistake() const { return too_bright + not_numbers > 0; }
 };
 
-//! What they are: "3 texels infinite or brighter than 1e+09, now bounded, 1 texel with a colour below 0, now 0"; empty where there are none.
+//! What they are: "3 texels infinite or brighter than 1e+09 (clamped), 1 texel with a negative color (set to 0)"; empty where there are none.
 std::string repair_text(const RepairedTexels& texels);
 
 //! A sentence for the person whose show names such a map, by its key ("sky.map") and its path in the show.

@@ -287,9 +287,9 @@ void ShowRenderer::set_stereo(const StereoSettings& stereo) {
   }
   Show changed = show_;
   changed.stereo = stereo;
-  const std::vector<std::string> missing = missing_features(changed);
+  const std::vector<MissingFeature> missing = missing_features(changed);
   if (!missing.empty()) {
-    throw Error(show_.name, missing.front(), "choose another setting");
+    throw Error(show_.name, missing.front().problem, missing.front().remedy);
   }
   show_.stereo = stereo;
 }

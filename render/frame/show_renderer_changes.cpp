@@ -76,9 +76,9 @@ FrameQuality ShowRenderer::quality() const { return {show_.quality.budget_px, le
 
 void ShowRenderer::set_show(const Show& show, std::shared_ptr<StationStream> stream) {
   Show next = show_at(show, time_s_);
-  const std::vector<std::string> missing = missing_features(next);
+  const std::vector<MissingFeature> missing = missing_features(next);
   if (!missing.empty()) {
-    throw Error(next.name, missing.front(), "remove it from the show for now");
+    throw Error(next.name, missing.front().problem, missing.front().remedy);
   }
   std::optional<ShowSky> sky;
   if (!same_map(show_, next)) {
