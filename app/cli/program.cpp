@@ -10,9 +10,9 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/environment.h"
+#include "app/cli/help_format.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/usage_error.h"
-#include "app/cli/help_format.h"
 #include "content/files/console.h"
 #include "content/files/toml_table.h"
 #include "kernels/core/error.h"
