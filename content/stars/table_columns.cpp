@@ -30,7 +30,7 @@ std::string substitute_for(Quantity missing, const std::vector<std::string>& nam
     const auto there = [&](std::string_view name) { return holds(names, name); };
     if (other.missing == missing &&
         (all ? std::ranges::all_of(other.names, there) : std::ranges::any_of(other.names, there))) {
-      return fmt::format(" (it has {}, which cannot be used)", other.what);
+      return fmt::format("; it has {}, which cannot be used", other.what);
     }
   }
   return "";
@@ -107,11 +107,10 @@ void require_coordinates_and_magnitude(const TableColumns& columns, const std::v
   require(columns.has(declination), declination);
   require(columns.has(v_magnitude) || columns.has(g_magnitude) || columns.has(vt_magnitude), v_magnitude);
   if (!missing.empty()) {
-    throw Error(
-        place, fmt::format("has no column for {}{}", missing, instead),
-        fmt::format(
-            "name it in the first line, for example {}; other names: see reference/star-tables.md in the documentation",
-            names_to_use));
+    throw Error(place, fmt::format("has no column for {}{}", missing, instead),
+                fmt::format("name the columns in the first line, for example {}; other names: see "
+                            "reference/star-tables.md in the documentation",
+                            names_to_use));
   }
 }
 
