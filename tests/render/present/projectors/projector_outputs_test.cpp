@@ -60,7 +60,7 @@ TEST(ProjectorOutputs, OnAMissingMonitorAreToldWithThoseThatThereAre) {
 TEST(ProjectorOutputs, WithoutMonitorsWindowsAreTakenAsTheyAre) {
   EXPECT_NO_THROW(require_outputs(setup_of({projector_in_window(5000, 0)}), {}));
   EXPECT_THAT(test::error_of([] { require_outputs(setup_of({projector_on_monitor(0)}), {}); }),
-              HasSubstr("connect one"));
+              HasSubstr("connect it"));
 }
 
 TEST(ProjectorOutputs, AreWholeMonitorsOrWindows) {
