@@ -44,7 +44,7 @@ TEST_F(CommandLine, RenderResumesNoFramesThatWereAskedForDifferently) {
     // What only the format tells apart is found again as other options are.
     if (options.find(" --") != std::string::npos) {
       ASSERT_EQ(run(command), 0);
-      EXPECT_THAT(output_, HasSubstr("0 frames in frames, beside 1 frame that was there")) << options;
+      EXPECT_THAT(output_, HasSubstr("0 frames in frames; skipped 1 frame from an earlier run")) << options;
     }
   }
   write("small.toml", tiny_show + "[tone]\nexposure_stops = 1\n");
@@ -170,7 +170,7 @@ TEST_F(CommandLine, RenderWritesCaptionsInALanguage) {
 
 TEST_F(CommandLine, TellsACommandThatIsNoneByItsName) {
   EXPECT_EQ(run("rendr once-around"), 2);
-  EXPECT_THAT(output_, HasSubstr("no command rendr; did you mean render?"));
+  EXPECT_THAT(output_, HasSubstr("unknown command rendr; did you mean render?"));
   EXPECT_EQ(run("--frobnicate"), 2);
   EXPECT_THAT(output_, Not(HasSubstr("no command")));
   EXPECT_EQ(run("--help foo"), 0);

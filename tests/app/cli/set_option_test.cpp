@@ -44,9 +44,9 @@ TEST_F(SetOption, IsAnErrorOfTheCommandLine) {
 TEST_F(SetOption, IsNoticedByResume) {
   ASSERT_EQ(run("render small.toml --out frames"), 0) << output_;
   ASSERT_EQ(run("render small.toml --out frames --resume"), 0) << output_;
-  EXPECT_THAT(output_, AllOf(HasSubstr("0 frames"), HasSubstr("2 frames that were there")));
+  EXPECT_THAT(output_, AllOf(HasSubstr("0 frames"), HasSubstr("skipped 2 frames")));
   ASSERT_EQ(run("render small.toml --out frames --resume --set hole.spin=0.5"), 0) << output_;
-  EXPECT_THAT(output_, HasSubstr("2 again"));
+  EXPECT_THAT(output_, HasSubstr("2 replaced"));
   ASSERT_EQ(run("render small.toml --out frames --resume --set hole.spin=0.5"), 0) << output_;
   EXPECT_THAT(output_, AllOf(HasSubstr("0 frames"), Not(HasSubstr("again"))));
 }

@@ -172,7 +172,7 @@ TEST_F(BakeCommand, RenderStreamsFromTheFileBesideTheShowAndSkipsABadStation) {
   ASSERT_EQ(run("render moving.toml --size 64 --frames 150:155 --backend cpu"), 0) << output_;
   EXPECT_THAT(output_, HasSubstr("(skipped)"));
   EXPECT_EQ(output_.find("(skipped)"), output_.rfind("(skipped)"));
-  EXPECT_THAT(output_, HasSubstr("1 bad"));
+  EXPECT_THAT(output_, HasSubstr("1 damaged"));
 }
 
 constexpr const char* still_show =
@@ -266,7 +266,7 @@ TEST_F(BakeCommand, WhatDoesNotFitIsRefusedInWords) {
   EXPECT_EQ(run("render other.toml --size 16 --frames 1"), 0);
   EXPECT_THAT(output_, HasSubstr("(trajectory ignored)"));
   EXPECT_NE(run("render moving.toml --size 16 --frames 1 --lens streamed"), 0);
-  EXPECT_THAT(output_, HasSubstr("no trajectory"));
+  EXPECT_THAT(output_, HasSubstr("needs a trajectory"));
   EXPECT_NE(run("render moving.toml --size 16 --frames 1 --trajectory moving.toml"), 0);
   EXPECT_THAT(output_, HasSubstr("is not a trajectory"));
   EXPECT_NE(run("bake moving.toml --out /dev/null/x"), 0);

@@ -180,7 +180,7 @@ TEST_F(RenderAMovie, IsReadBackByTheEncoderItself) {
   Movie movie;
   movie.file = folder_ / "film.mkv";
   movie.pictures.resize(4);
-  EXPECT_THAT([&] { check_movie(movie); }, testing::ThrowsMessage<Error>(HasSubstr("has 3 frames of 4")));
+  EXPECT_THAT([&] { check_movie(movie); }, testing::ThrowsMessage<Error>(HasSubstr("has only 3 of 4 frames")));
   fs::resize_file(movie.file, fs::file_size(movie.file) / 2);
   movie.pictures.resize(3);
   EXPECT_THROW(check_movie(movie), Error);
@@ -312,7 +312,7 @@ TEST_F(RenderAMovie, IsRefusedBeforeAnyFrameIsMade) {
   EXPECT_EQ(run("render small.toml --out f --movie film.avi"), 2);
   EXPECT_THAT(output_, HasSubstr(".mkv"));
   EXPECT_EQ(run("render small.toml --out f --format exr --movie film.mp4"), 2);
-  EXPECT_THAT(output_, HasSubstr("linear light"));
+  EXPECT_THAT(output_, HasSubstr("EXR frames"));
   EXPECT_EQ(run("render small.toml --out f --movie small.toml/film.mp4"), 1);
   EXPECT_THAT(output_, HasSubstr("small.toml is no folder"));
   EXPECT_EQ(run("render small.toml --out f --stereo rows --movie film.mp4"), 2);

@@ -60,7 +60,7 @@ TEST_F(FollowedExposure, OfPartsThatBeganAnewIsMadeAgainWhereTheFramesBeforeHave
   EXPECT_EQ(run("render fall.toml --backend cpu --out later --frames 5:8"), 0) << output_;
   EXPECT_EQ(run("render fall.toml --backend cpu --out later --frames 1:4"), 0) << output_;
   EXPECT_EQ(run("render fall.toml --backend cpu --out later --resume"), 0) << output_;
-  EXPECT_THAT(output_, HasSubstr("4 frames in later, beside 4 frames that were there"));
+  EXPECT_THAT(output_, HasSubstr("4 frames in later; skipped 4 frames from an earlier run"));
   expect_whole("later");
 }
 
