@@ -165,7 +165,7 @@ TEST_F(RecordedFlight, EndsWithTheFallAndSaysSo) {
   record();
   fly_to(1.0);
   press(KeyAction::return_to_path);
-  EXPECT_THAT(session_->caption(), HasSubstr("record ends"));
+  EXPECT_THAT(session_->caption(), HasSubstr("recording ends"));
   const double end_s = session_->now_s() - begin_s_;
   fly_while([&](const CameraPose& /*pose*/) { return times_s_.back() < end_s + 1.0; });
   const Show show = read_again();
@@ -185,7 +185,7 @@ TEST_F(RecordedFlight, EndsWhereTheShowFallsWithinOnAnotherOrbitAndSaysSo) {
   const double end_s = session_->now_s() - begin_s_;
   press(KeyAction::return_to_path);
   ASSERT_TRUE(within(session_->frame().pose));
-  EXPECT_THAT(session_->caption(), HasSubstr("record ends"));
+  EXPECT_THAT(session_->caption(), HasSubstr("recording ends"));
   const Show show = read_again();
   EXPECT_TRUE(within(camera_pose(show, show.duration_s)));
   EXPECT_LT(show.duration_s, end_s + 0.05);
@@ -197,7 +197,7 @@ TEST_F(RecordedFlight, IsOfTheHoleThatWasFallenIntoWhateverSpinTheShowGetsLater)
   record();
   fly_to(1.0);
   session_->set_show(parse_show("duration_s = 9\n[hole]\nspin = 0.2\n[[camera.key]]\nr = 4\n", "flown.toml"));
-  EXPECT_THAT(session_->caption(), HasSubstr("record ends"));
+  EXPECT_THAT(session_->caption(), HasSubstr("recording ends"));
   frame();
   const Show show = read_again();
   EXPECT_EQ(show.spin, record_spin);
