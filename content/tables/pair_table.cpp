@@ -45,7 +45,7 @@ PairRow pair_of(const TableLine& line, const std::size_t (&columns)[4]) {
   row.angle = image_angle(row.phi, row.order);
   if (const char* reason = why_not_connected(row.r_observer, row.r, row.angle)) {
     throw Error(line.place, fmt::format("no light ray of order {} exists: {}", row.order, reason),
-                "choose another point or order");
+                "change r_obs, r, phi or order in this line");
   }
   row.place = line.place;
   row.text = fmt::format("{},{},{},{}", line.cell(columns[0]), line.cell(columns[1]), line.cell(columns[2]),

@@ -97,10 +97,10 @@ Projection converged_projection(const Projection& projection, double offset, dou
     turned.dome.viewer.x += slope;
     turned.dome.off_centre = 1;
     if (!(dot(turned.dome.viewer, turned.dome.viewer) < nearest_convergence * nearest_convergence)) {
-      throw Error(
-          "stereo.convergence",
-          fmt::format("{:.6g} M is too near for a baseline of {:.6g} M on a dome", convergence, 2.0 * std::abs(offset)),
-          "choose a larger convergence distance, or a smaller baseline");
+      throw Error("stereo.convergence",
+                  fmt::format("a convergence distance of {:.6g} M is too small for a baseline of {:.6g} M on a dome",
+                              convergence, 2.0 * std::abs(offset)),
+                  "choose a larger convergence distance, or a smaller baseline");
     }
   }
   return turned;

@@ -13,7 +13,7 @@ std::string Planner::variant(const char* kernel) const {
 void Planner::plan_grid(const std::string& reason, bool if_needed) {
   pass("trace_nodes", WorkMoment::place, 0, 0, reason, if_needed);
   pass("check_cells", WorkMoment::place, 0, 0, reason, if_needed);
-  buffer("lens grid while it is traced", WorkMoment::place, 0, reason);
+  buffer("lens grid being traced", WorkMoment::place, 0, reason);
 }
 
 void Planner::plan_lens() {
@@ -52,7 +52,7 @@ void Planner::plan_lens() {
     pixel_pass(variant("trace_pixels"), quality, true);
   }
   if (streamed) {
-    buffer("lens grid of a place between stations", WorkMoment::picture, 0, quality);
+    buffer("lens grid at a position between stations", WorkMoment::picture, 0, quality);
     if (plan_.eyes > 1) {
       // An eye beside the camera's path is served as long as rays confirm it.
       pass("check_blend", WorkMoment::picture, 0, 0, quality + ", " + why("stereo.model"), true);

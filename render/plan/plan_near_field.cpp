@@ -99,13 +99,13 @@ void Planner::plan_disk_grid(const std::string& reason, bool if_needed) {
   for (const char* const name : {"trace_disk_nodes", "check_disk_cells"}) {
     pass(name, WorkMoment::place, 0, 0, reason, if_needed);
   }
-  for (const char* const name : {"disk grid while it is traced", "disk grid"}) {
+  for (const char* const name : {"disk grid being traced", "disk grid"}) {
     buffer(name, WorkMoment::place, 0, reason);
   }
 }
 
 void Planner::plan_streamed_disk(const std::string& reason) {
-  buffer("disk grid of a place between stations", WorkMoment::picture, 0, reason);
+  buffer("disk grid at a position between stations", WorkMoment::picture, 0, reason);
   if (plan_.eyes > 1) {
     // As for the lens: an eye beside the camera's path is served as long as rays confirm it.
     pass("check_disk_grid", WorkMoment::picture, 0, 0, reason + ", " + why("stereo.model"), true);

@@ -143,7 +143,8 @@ std::string method_words(const std::string& method) {
        " at the poles"},
       {"rk34", "a Runge-Kutta integrator of third and fourth order, with Ergodome's equations"},
       {"baseline_rk34",
-       "the same integrator with the published equations, which use angles and are singular at the poles"},
+       "a Runge-Kutta integrator of third and fourth order, with the published equations in polar angles, which are "
+       "singular at the poles"},
       {"closed_form",
        "computes the path of light from a formula (elliptic functions): slow and exact; the reference for all others"},
       {"stations with derivatives",

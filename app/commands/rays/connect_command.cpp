@@ -98,9 +98,11 @@ std::vector<Answer> connect_through_tables(const std::vector<PairRow>& rows, con
       const SeenPoint point = look_up_connection(table.view(), r_observer, rows[i].r, rows[i].angle);
       answers[i] = {point.xi, point.travel_time};
     }
-    print_out("r_obs {:.9g}: table of {} x {} nodes per order, {}, r {:.9g} to {:.9g}, from {} rays, {:.1f} ms\n",
-              r_observer, settings.rows, settings.columns, counted(settings.orders, "order"), settings.r_nearest,
-              settings.r_farthest, table.view().grid.fan_rows * fan_columns(table.view().grid), time.count());
+    print_out(
+        "r_obs {:.9g}: made a table of {} x {} nodes per order, for {} and points from r = {:.9g} to {:.9g}, from {} "
+        "rays in {:.1f} ms\n",
+        r_observer, settings.rows, settings.columns, counted(settings.orders, "order"), settings.r_nearest,
+        settings.r_farthest, table.view().grid.fan_rows * fan_columns(table.view().grid), time.count());
     progress.advance_to(++done);
   }
   return answers;
@@ -138,7 +140,7 @@ void add_connect_command(CLI::App& app) {
   command->add_option("--rows", options->rows, "with --method table: nodes in 1/r")
       ->check(CLI::Range(4, 8192))
       ->capture_default_str();
-  command->add_option("--columns", options->columns, "with --method table: nodes in azimuth per order")
+  command->add_option("--columns", options->columns, "with --method table: nodes in azimuth for each order of images")
       ->check(CLI::Range(4, 8192))
       ->capture_default_str();
   IdleOptions idle(*command);

@@ -62,12 +62,13 @@ void run_edge(const EdgeOptions& options) {
 void add_edge_command(CLI::App& app) {
   auto options = std::make_shared<EdgeOptions>();
   CLI::App* command =
-      app.add_subcommand("edge", "Compute the angle of directions from the shadow's edge, or points of the edge");
+      app.add_subcommand("edge", "Compute the angle of directions from the shadow's edge, or points of that edge");
   command->add_option("--rays", options->rays, "table of rays (CSV); see the columns below")
       ->required()
       ->type_name("FILE");
   command->add_option("--out", options->out, "table to write")->required()->type_name("FILE");
-  command->add_option("--points", options->points, "instead, write this many points of the edge for each camera")
+  command
+      ->add_option("--points", options->points, "instead, write this many points of the shadow's edge for each camera")
       ->check(CLI::Range(1, 1'000'000));
   command->footer(ray_table_help() +
                   "\nedge_distance: angle from the shadow's edge [rad], positive outside. Points are directions, like "

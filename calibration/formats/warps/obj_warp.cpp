@@ -94,7 +94,7 @@ class ObjWarpParser {
     // Negative indices count back from the last line that was read.
     index = index < 0 ? static_cast<long long>(count) + index + 1 : index;
     if (index < 1 || index > static_cast<long long>(count)) {
-      throw text_.error(fmt::format("refers to element {} of {}", index, count),
+      throw text_.error(fmt::format("refers to number {}, but the lines before it define {}", index, count),
                         "use only vertices and texture coordinates of earlier lines, counted from 1");
     }
     return index;

@@ -7,7 +7,7 @@ namespace ergodome {
 namespace {
 
 constexpr std::size_t node_floats = floats_a_node;
-constexpr const char* buffer_name = "lens grid while it is traced";
+constexpr const char* buffer_name = "lens grid being traced";
 
 //! Makes room for `count` elements; what was there may be lost.
 template <class T>

@@ -27,7 +27,7 @@ std::size_t bytes_for(std::size_t edge, std::size_t tree, std::size_t leaves, st
 
 //! Names of buffers.
 constexpr const char* grid_buffer = "lens grid";
-constexpr const char* moved_grid_buffer = "lens grid of a place between stations";
+constexpr const char* moved_grid_buffer = "lens grid at a position between stations";
 
 LensPlace place_of(const LensStation& station) { return {station.r, station.theta}; }
 

@@ -4,7 +4,7 @@ namespace ergodome {
 
 namespace {
 
-constexpr const char* disk_grid_in_the_making = "disk grid while it is traced";
+constexpr const char* disk_grid_in_the_making = "disk grid being traced";
 
 //! Makes room for `count` elements; what was there may be lost.
 template <class T>

@@ -9,7 +9,7 @@ namespace ergodome {
 
 namespace {
 
-constexpr const char* moved_disk_buffer = "disk grid of a place between stations";
+constexpr const char* moved_disk_buffer = "disk grid at a position between stations";
 
 LensPlace disk_place_of(const DiskStation& station) { return {station.cells.r, station.cells.theta}; }
 

@@ -86,7 +86,7 @@ FarField::FarField(const ApertureSettings& settings) {
   std::string problem;
   const std::vector<float> field = image_library().transform(mask.data(), cells_, problem);
   if (field.empty()) {
-    throw Error("aperture", "cannot be transformed: " + problem, "choose a smaller pattern");
+    throw Error("aperture", "cannot be transformed: " + problem, "choose a smaller diffraction.size_px");
   }
   integrate(field.data());
 }

@@ -151,7 +151,7 @@ TEST(ObjWarp, RefusesWhatItCannotRead) {
   EXPECT_THAT(problem(with_change(obj, "v 1 -1 0", "v 1 -1 0.5")),
               HasSubstr("a.warp:6: has z = 0.5, but other vertices have z = 0"));
   EXPECT_THAT(problem(with_change(obj, "1/1 3/3 4/4", "1/1 3/3 4/5")),
-              HasSubstr("a.warp:12: refers to element 5 of 4"));
+              HasSubstr("a.warp:12: refers to number 5, but the lines before it define 4"));
   EXPECT_THAT(problem(with_change(obj, "1/1 3/3 4/4", "1//1 3//1 4//1")),
               HasSubstr("every corner of a warp needs texture coordinates"));
   EXPECT_THAT(problem(with_change(obj, "vt 0.9 0.3", "vt 0.9 inf")), HasSubstr("v is inf"));
