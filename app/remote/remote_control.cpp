@@ -35,7 +35,7 @@ std::vector<NetAddress> subscribers_of(const RemoteOptions& options, const NetAd
                        "give one such as 192.168.1.20:9001 or [fd00::7]:9001");
     }
     if (address->family() != bound.family() || (bound.is_loopback() && !address->is_loopback())) {
-      throw UsageError("--osc-subscriber", fmt::format("{} cannot be reached from {}", text, bound.host()),
+      throw UsageError("--osc-subscriber", fmt::format("packets from {} cannot reach {}", bound.host(), text),
                        "listen on 0.0.0.0, or on an address of this machine in the same network (--osc-bind)");
     }
     subscribers.push_back(*address);

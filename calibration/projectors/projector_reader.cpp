@@ -211,7 +211,7 @@ class ProjectorReader {
     only_for("region", warp.format == WarpFormat::mpcdi, "mpcdi");
     only_for("x_range", warp.format == WarpFormat::bourke, "bourke");
     only_for("source", tells_no_source(warp.format),
-             "bourke, pfm, domeprojection, obj, simcad and easyblend, which do not store it");
+             "bourke, pfm, domeprojection, obj, simcad and easyblend, whose files do not name the source");
     warp.rows = static_cast<RowOrder>(table.choice("rows", 0, {"bottom_up", "top_down"}));
     warp.texture = static_cast<TextureDirection>(table.choice("texture", 0, {"downwards", "upwards"}));
     warp.region = table.text("region", "");

@@ -67,8 +67,9 @@ void check_rest(const TomlTable& table, const Show& show, double begin_r) {
                                    : ""));
   }
   if (within && fall.until_s) {
-    throw table.error_at("until_s", "ends a fall whose least_r is inside the horizon",
-                         "remove one of the two: the camera cannot leave the horizon");
+    throw table.error_at("until_s",
+                         "cannot end the fall, because least_r is inside the horizon, which the camera cannot leave",
+                         "remove until_s or least_r");
   }
 }
 

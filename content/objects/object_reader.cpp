@@ -235,23 +235,22 @@ void read_objects(TomlTable& root, const std::string& file, Show& show) {
 
 std::optional<PolygonLimit> polygon_limit(const Show& show) {
   if (show.spin != 0.0 || find_animation(show, "hole.spin") != nullptr) {
-    return PolygonLimit{"use method = \"polygon\", which supports only a hole without spin (Schwarzschild)",
+    return PolygonLimit{"are drawn with method = \"polygon\", which supports only a hole without spin (Schwarzschild)",
                         "write method = \"trace\", or set spin = 0 in [hole] and do not animate it"};
   }
   for (const CameraKey& key : show.camera.keys) {
     if (!(key.r > nearest_of_observers)) {
-      return PolygonLimit{
-          fmt::format("use method = \"polygon\", which needs a camera outside the photon sphere (camera at r = {} M)",
-                      key.r),
-          "keep the camera farther out than 3 M, or write method = \"trace\""};
+      return PolygonLimit{fmt::format("are drawn with method = \"polygon\", which needs a camera outside the photon "
+                                      "sphere (camera at r = {} M)",
+                                      key.r),
+                          "keep the camera farther out than 3 M, or write method = \"trace\""};
     }
   }
   if (show.camera.orbit && !(show.camera.orbit->least_r() > nearest_of_observers)) {
-    return PolygonLimit{
-        fmt::format(
-            "use method = \"polygon\", which needs a camera outside the photon sphere (it falls to r = {:.6g} M)",
-            show.camera.orbit->least_r()),
-        "keep the camera farther out than 3 M, or write method = \"trace\""};
+    return PolygonLimit{fmt::format("are drawn with method = \"polygon\", which needs a camera outside the photon "
+                                    "sphere (it falls to r = {:.6g} M)",
+                                    show.camera.orbit->least_r()),
+                        "keep the camera farther out than 3 M, or write method = \"trace\""};
   }
   return std::nullopt;
 }

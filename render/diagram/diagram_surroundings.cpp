@@ -87,8 +87,8 @@ void add_observer(const ViewSettings& view, const EyeCamera& eye, double length,
   scene.framed.insert(scene.framed.end(), border.begin(), border.end());
   scene.lines.push_back({std::move(border), ink, outline_width_px});
   scene.legend.push_back({LegendLine::Sign::line, ink,
-                          fmt::format("observer at r = {:.4g} M, with {}", eye.r,
-                                      outline.border.empty() ? "the center of its view" : "the edge of its view")});
+                          fmt::format("observer at r = {:.4g} M, and {}", eye.r,
+                                      outline.border.empty() ? "the direction it faces" : "the edge of its view")});
 }
 
 }  // namespace ergodome

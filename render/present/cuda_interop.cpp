@@ -24,7 +24,7 @@ void check(cudaError_t code, const char* doing) {
 CudaTextureLink::CudaTextureLink(unsigned texture) {
   cudaGraphicsResource_t resource = nullptr;
   check(cudaGraphicsGLRegisterImage(&resource, texture, GL_TEXTURE_2D, cudaGraphicsRegisterFlagsWriteDiscard),
-        "sharing the picture");
+        "giving CUDA access to the picture");
   resource_ = resource;
 }
 
@@ -32,7 +32,7 @@ CudaTextureLink::~CudaTextureLink() { cudaGraphicsUnregisterResource(static_cast
 
 void CudaTextureLink::copy_from_device(std::span<const Part> parts) {
   auto* resource = static_cast<cudaGraphicsResource_t>(resource_);
-  check(cudaGraphicsMapResources(1, &resource), "mapping the picture");
+  check(cudaGraphicsMapResources(1, &resource), "preparing the picture for CUDA");
   cudaArray_t array = nullptr;
   cudaError_t copied = cudaGraphicsSubResourceGetMappedArray(&array, resource, 0, 0);
   constexpr std::size_t pixel = 4 * sizeof(float);
@@ -44,14 +44,14 @@ void CudaTextureLink::copy_from_device(std::span<const Part> parts) {
                               part.rgba, row, row, static_cast<std::size_t>(part.height), cudaMemcpyDeviceToDevice);
     }
   }
-  check(cudaGraphicsUnmapResources(1, &resource), "unmapping the picture");
-  check(copied, "copying the picture");
+  check(cudaGraphicsUnmapResources(1, &resource), "returning the picture to OpenGL");
+  check(copied, "copying the picture to OpenGL");
 }
 
 CudaBufferLink::CudaBufferLink(unsigned buffer) {
   cudaGraphicsResource_t resource = nullptr;
   check(cudaGraphicsGLRegisterBuffer(&resource, buffer, cudaGraphicsRegisterFlagsWriteDiscard),
-        "sharing a projector's raster");
+        "giving CUDA access to a projector's picture");
   resource_ = resource;
 }
 
@@ -59,15 +59,15 @@ CudaBufferLink::~CudaBufferLink() { cudaGraphicsUnregisterResource(static_cast<c
 
 void CudaBufferLink::copy_from_device(const std::uint8_t* from, std::size_t bytes) {
   auto* resource = static_cast<cudaGraphicsResource_t>(resource_);
-  check(cudaGraphicsMapResources(1, &resource), "mapping a projector's raster");
+  check(cudaGraphicsMapResources(1, &resource), "preparing a projector's picture for CUDA");
   void* to = nullptr;
   std::size_t room = 0;
   cudaError_t copied = cudaGraphicsResourceGetMappedPointer(&to, &room, resource);
   if (copied == cudaSuccess) {
     copied = cudaMemcpyAsync(to, from, bytes < room ? bytes : room, cudaMemcpyDeviceToDevice);
   }
-  check(cudaGraphicsUnmapResources(1, &resource), "unmapping a projector's raster");
-  check(copied, "copying a projector's raster");
+  check(cudaGraphicsUnmapResources(1, &resource), "returning a projector's picture to OpenGL");
+  check(copied, "copying a projector's picture to OpenGL");
 }
 
 }  // namespace ergodome

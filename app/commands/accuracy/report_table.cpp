@@ -95,7 +95,8 @@ std::string equal_error_table(const AccuracyAxis& axis, double most_px) {
     rows.push_back(std::move(row));
   }
   return fmt::format("\n{}: fastest setting at {} (p99){}\n{}", axis.title, error_text(axis, most_px),
-                     axis.base.empty() ? std::string() : ", ratio to the time of " + axis.base, columns_of(rows, 2));
+                     axis.base.empty() ? std::string() : ", ratio = time relative to that of " + axis.base,
+                     columns_of(rows, 2));
 }
 
 }  // namespace

@@ -114,8 +114,9 @@ void convert_mpcdi(const ConvertOptions& options) {
       to.string(), options.radius_m,
       flat ? "shows are correct without them; set tilt_deg to make test patterns level (the warps include "
              "rotation_deg)"
-           : "positions are read in the dome's axes, so shows are correct with tilt_deg and rotation_deg 0, and test "
-             "patterns are level only in a dome without tilt; set tilt_deg if the positions have y straight up");
+           : "if the positions in the file have y straight up, set tilt_deg; if they are in the axes of the tilted "
+             "dome, keep tilt_deg and rotation_deg at 0: shows are correct, but test patterns are level only if the "
+             "dome has no tilt");
 }
 
 //! Columns and rows of the map that a mesh becomes.

@@ -72,7 +72,7 @@ FrameWriter::FrameWriter(const RenderOptions& options, const Show& show, const s
     projectors_.emplace(*setup, pictures,
                         backend_ == Backend::cuda ? ProjectorDrawer::cuda : ProjectorDrawer::automatic);
     choice_.size_px = choice_.size_px > 0 ? choice_.size_px : enough_master_px(pictures);
-    print_out("rendering domemasters of {} for {}\n", counted(choice_.size_px, "pixel"),
+    print_out("rendering domemasters {} wide for {}\n", counted(choice_.size_px, "pixel"),
               counted(pictures.size(), "projector"));
   }
   for (const std::string& note : renderer_.notes()) {
@@ -299,8 +299,9 @@ std::string FrameWriter::cost_note(int next, int last) {
     return "";
   }
   const long left = options_.resume ? missing(next, last) : last + 1L - next;
-  return left > 0 ? run_cost_text(written_ + left, frame_cost_) + (options_.movie.empty() ? "" : ", plus the film")
-                  : "";
+  return left > 0
+             ? run_cost_text(written_ + left, frame_cost_) + (options_.movie.empty() ? "" : ", not counting the film")
+             : "";
 }
 
 std::string FrameWriter::new_room_note(int next, int last) {

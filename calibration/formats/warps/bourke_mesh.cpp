@@ -142,7 +142,8 @@ class BourkeParser {
 
 WarpMesh parse_bourke_mesh(std::string_view text, const std::string& file, double half_width) {
   if (!(half_width >= 0.01 && half_width <= 100.0)) {
-    throw Error(file, fmt::format("cannot be read with x from -{0} to {0}", half_width),
+    throw Error(file,
+                fmt::format("cannot be read with x from -{0} to {0}: {0} is not between 0.01 and 100", half_width),
                 "give the raster's aspect ratio (width / height), or 1");
   }
   return BourkeParser(text, file, half_width).parse();

@@ -31,7 +31,7 @@ void require_output(const ProjectorSetup& projector, const std::vector<DesktopMo
     throw Error(place_of(projector),
                 fmt::format("no monitor shows its window, {} x {} pixels at window_px = [{}, {}]", window.width_px,
                             window.height_px, window.x_px, window.y_px),
-                "move it to " + monitor_list(monitors) + ", or use monitor instead");
+                "move it to " + monitor_list(monitors) + ", or write monitor in place of window_px");
   }
 }
 

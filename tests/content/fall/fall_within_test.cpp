@@ -184,7 +184,7 @@ TEST(FallWithin, RefusesRadiiAtTheHorizonAndTooNearToTheInnerOne) {
 
 TEST(FallWithin, RefusesAnEndFromWhichKeysWouldLeadOut) {
   EXPECT_THAT(error_of(through_the_horizon + "least_r = 0.8\nuntil_s = 40\n"),
-              HasSubstr("t.toml:11: camera.fall.until_s ends a fall whose least_r is inside the horizon"));
+              HasSubstr("t.toml:11: camera.fall.until_s cannot end the fall, because least_r is inside the horizon"));
 }
 
 TEST(FallWithin, AHoleThatSpinsAtItsMostHasNoInside) {
