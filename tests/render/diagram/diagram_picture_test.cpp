@@ -192,7 +192,7 @@ TEST(Diagrams, RefuseWhatTheyCannotShow) {
   Show empty = small_show(0.0);
   empty.objects.clear();
   EXPECT_THAT(test::error_of([&] { Diagram(empty, {}); }), HasSubstr("has no objects"));
-  EXPECT_THAT(test::error_of([&] { Diagram(small_show(0.5), {{1, 2}, 9}); }), HasSubstr("has a hole that spins"));
+  EXPECT_THAT(test::error_of([&] { Diagram(small_show(0.5), {{1, 2}, 9}); }), HasSubstr("has a spinning hole"));
 }
 
 }  // namespace
