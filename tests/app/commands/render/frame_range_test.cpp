@@ -70,8 +70,7 @@ TEST(FramesBetween, LieInTheShow) {
   EXPECT_THAT(
       [&] { frames_between("12s", "31s", show); },
       ThrowsMessage<UsageError>(HasSubstr("--to 31s: is after the end of the show at 30 s; choose a time from")));
-  EXPECT_THAT([&] { frames_between("1:00", "", show); },
-              ThrowsMessage<UsageError>(HasSubstr("--from 1:00: is after")));
+  EXPECT_THAT([&] { frames_between("1:00", "", show); }, ThrowsMessage<UsageError>(HasSubstr("--from 1:00: is after")));
   for (const auto& [from, to] :
        {std::pair("22s", "12s"), {"12s", "12s"}, {"30s", ""}, {"", "0s"}, {"12.001s", "12.002s"}}) {
     const auto refused = [first = from, second = to, &show] { frames_between(first, second, show); };
