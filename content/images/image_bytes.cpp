@@ -40,6 +40,10 @@ std::string ImageBytes::all() const {
   if (bytes_) {
     return {reinterpret_cast<const char*>(bytes_->data()), bytes_->size()};
   }
+  std::error_code problem;
+  if (!std::filesystem::is_regular_file(name_, problem)) {
+    return "";  // A folder can be opened, but not read.
+  }
   std::ifstream file(name_, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
 }

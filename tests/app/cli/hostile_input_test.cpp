@@ -183,7 +183,7 @@ TEST_F(HostileInput, MeshesAreRefused) {
   expect_mesh_refused("face.obj", "more than 1024 corners");
   expect_mesh_refused("faces.obj", "too many faces with many corners");
   expect_mesh_refused("materials.obj", "more than 10000 materials");
-  expect_mesh_refused("libraries.obj", "names \"a\"");
+  expect_mesh_refused("libraries.obj", "refers to \"a\"");
   expect_mesh_refused("names.obj", "which is not in its folder");
   expect_mesh_refused("blanks.obj", "not a whole number");
 }
@@ -191,7 +191,7 @@ TEST_F(HostileInput, MeshesAreRefused) {
 TEST_F(HostileInput, ImagesAreRefused) {
   for (const char* const name : {"big.tif", "u0.tif", "u50.tif"}) {
     fs::copy_file(fs::path(ERGODOME_TEST_DATA_DIR "/foreign/damaged") / name, folder_ / name);
-    expect_map_refused(name, "is damaged");
+    expect_map_refused(name, "is truncated");
   }
   write("big.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 30000 +X 60000\n");
   write("big.ppm", "P6 60000 30000 255\n" + std::string(1000, '\0'));
@@ -199,7 +199,7 @@ TEST_F(HostileInput, ImagesAreRefused) {
   ::mkfifo((folder_ / "pipe.png").c_str(), 0600);
   expect_map_refused("big.hdr", "claims 60000 x 30000 pixels");
   expect_map_refused("big.ppm", "claims 60000 x 30000 pixels");
-  expect_map_refused("text.png", "not an image");
+  expect_map_refused("text.png", "cannot be read as an image");
   expect_map_refused("pipe.png", "is not a regular file");
 }
 

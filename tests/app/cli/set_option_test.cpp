@@ -34,7 +34,7 @@ TEST_F(SetOption, ChangesWhatCommandsRead) {
 
 TEST_F(SetOption, IsAnErrorOfTheCommandLine) {
   EXPECT_EQ(run("inspect small.toml --set hole.spinn=0.5"), 2);
-  EXPECT_THAT(output_, AllOf(HasSubstr("--set hole.spinn"), HasSubstr("did you mean \"spin\"")));
+  EXPECT_THAT(output_, AllOf(HasSubstr("--set hole.spinn"), HasSubstr("did you mean \"hole.spin\"")));
   EXPECT_EQ(run("render small.toml --set hole.spin=0.5 --set sky.map=missing.png --out frames"), 1);
   EXPECT_THAT(output_, AllOf(HasSubstr("missing.png"), HasSubstr("(sky.map, --set)")));
   EXPECT_EQ(run("inspect sky.ppm --set hole.spin=0.5"), 2) << output_;

@@ -102,10 +102,10 @@ TEST_F(CommandLine, RenderWarnsOfAFullDiskBeforeItsFirstFrame) {
   const std::string separate = "render long.toml --backend cpu --out f --stereo separate --size 256 --format exr ";
   // A frame: 256 x 256 pixels, three channels of 2 bytes, two eyes. All of 1e9 frames: 786 TB.
   EXPECT_NE(run(separate + "--compression none"), 0);
-  EXPECT_THAT(output_, HasSubstr("f: the run needs about 786 TB, and its disk has "));
+  EXPECT_THAT(output_, HasSubstr("f: the run needs about 786 TB, but its disk has only "));
   EXPECT_NE(run(separate), 0);
   EXPECT_THAT(output_,
-              HasSubstr("f: the run, even if its frames compress to a tenth, needs about 79 TB, and its disk"));
+              HasSubstr("f: the run, even if its frames compress to a tenth, needs about 79 TB, but its disk"));
   EXPECT_NE(run(separate + "--compression none --frames 1-100"), 0);
   EXPECT_THAT(output_, Not(HasSubstr("its disk has ")));
 }

@@ -86,7 +86,7 @@ TEST(PadSettings, NameFileLineAndTheNearestWord) {
 TEST(PadSettings, RefuseWhatCannotBe) {
   EXPECT_THAT(pad_problem("[default]\nleft_stick = { dead_zone = 0.5, full_at = 0.5 }\n"),
               HasSubstr("not at least 0.05 larger than dead_zone"));
-  EXPECT_THAT(pad_problem("[default]\nleft_stick = { dead_zone = nan }\n"), HasSubstr("choose a number"));
+  EXPECT_THAT(pad_problem("[default]\nleft_stick = { dead_zone = nan }\n"), HasSubstr("is nan, outside 0 to 0.9"));
   EXPECT_THAT(pad_problem("[default]\ncalibration = { x = [5, 4, 6] }\n"), HasSubstr("is not in rising order"));
   EXPECT_THAT(pad_problem("[default]\ncalibration = { x = [5, 5, 5] }\n"), HasSubstr("is not in rising order"));
   EXPECT_THAT(pad_problem("[[pad]]\n"), HasSubstr("is missing, and so are name and serial"));

@@ -178,7 +178,7 @@ TEST_F(HotReload, ReadsAtOnceOnRequest) {
   reload_->request();
   const auto gone = poll();
   ASSERT_TRUE(gone);
-  EXPECT_THAT(gone->problem, testing::HasSubstr("is not a regular file"));
+  EXPECT_THAT(gone->problem, testing::HasSubstr("no longer exists or is not a file"));
 }
 
 TEST_F(HotReload, DoesNotWaitForAFileThatTakesLongToRead) {

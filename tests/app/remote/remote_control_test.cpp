@@ -143,8 +143,8 @@ TEST_F(RemoteControlTest, ChecksSubscribersOfTheCommandLine) {
        {"192.0.2.7", "192.0.2.7:", "192.0.2.7:0", "host:9001", "fd00::7:9001", "192.0.2.7:9001x"}) {
     EXPECT_THAT(refusal(with(wrong, "0.0.0.0")), HasSubstr("not a numeric address with a port")) << wrong;
   }
-  EXPECT_THAT(refusal(with("192.0.2.7:9001", "127.0.0.1")), HasSubstr("cannot be reached"));
-  EXPECT_THAT(refusal(with("[fd00::7]:9001", "0.0.0.0")), HasSubstr("cannot be reached"));
+  EXPECT_THAT(refusal(with("192.0.2.7:9001", "127.0.0.1")), HasSubstr("cannot reach"));
+  EXPECT_THAT(refusal(with("[fd00::7]:9001", "0.0.0.0")), HasSubstr("cannot reach"));
 }
 
 TEST_F(RemoteControlTest, AFloodOfOscLeavesTheQueueBounded) {

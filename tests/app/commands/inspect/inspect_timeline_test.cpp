@@ -176,9 +176,8 @@ TEST_F(CommandLine, ShowsTellOfTexelsOfTheirMapThatAreNoLight) {
   light[30] = -1.0F;
   write("sky.pfm", "PF\n16 8\n-1.0\n" + std::string(reinterpret_cast<const char*>(light.data()), 4 * light.size()));
   const std::string told =
-      "sky.pfm: has 1 texel infinite or brighter than 1e+09, now bounded, 1 texel with a colour below 0, now 0 "
-      "(sky.map, "
-      "bright.toml:4)";
+      "sky.pfm: has 1 texel infinite or brighter than 1e+09 (clamped), 1 texel with a negative color (set to 0) "
+      "(sky.map, bright.toml:4)";
   ASSERT_EQ(run("inspect bright.toml"), 0) << output_;
   EXPECT_THAT(output_, HasSubstr(told));
   ASSERT_EQ(run("render bright.toml --out o --backend cpu"), 0) << output_;

@@ -314,7 +314,7 @@ TEST_F(RenderAMovie, IsRefusedBeforeAnyFrameIsMade) {
   EXPECT_EQ(run("render small.toml --out f --format exr --movie film.mp4"), 2);
   EXPECT_THAT(output_, HasSubstr("EXR frames"));
   EXPECT_EQ(run("render small.toml --out f --movie small.toml/film.mp4"), 1);
-  EXPECT_THAT(output_, HasSubstr("small.toml is no folder"));
+  EXPECT_THAT(output_, HasSubstr("small.toml is not a folder"));
   EXPECT_EQ(run("render small.toml --out f --stereo rows --movie film.mp4"), 2);
   EXPECT_THAT(output_, HasSubstr("choose .mov or .mkv"));
   EXPECT_EQ(run("render small.toml --out f --movie ''"), 2);

@@ -299,7 +299,7 @@ TEST_F(MpcdiFile, LinksThatLeadOutOfTheFolderAreRefused) {
 TEST_F(MpcdiFile, MissingFileBesideItIsAnErrorWithItsName) {
   write_media(media_xml);
   fs::remove(folder_ / "left.png");
-  EXPECT_THAT(problem(), HasSubstr("left.png: is not a file"));
+  EXPECT_THAT(problem(), HasSubstr("left.png: does not exist or is not a regular file"));
 }
 
 }  // namespace
