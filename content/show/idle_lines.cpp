@@ -89,7 +89,14 @@ void add_objects(const Show& show, Idle& idle) {
       idle.add({of + "retarded"}, "is used only by objects on an orbit");
     }
     if (show.objects[i].method != ObjectMethod::polygon) {
-      idle.add({of + "tessellation"}, "is used only with method = \"polygon\"");
+      constexpr const char* why = "is used only with method = \"polygon\"";
+      const std::string table = of + "tessellation";
+      if (show.lines.contains(table + ".torn")) {
+        // Diagrams of traced objects use `torn`.
+        idle.add({table + ".most", table + ".factor", table + ".power"}, why);
+      } else {
+        idle.add({table}, why);
+      }
     }
   }
 }
