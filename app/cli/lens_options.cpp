@@ -140,8 +140,9 @@ std::vector<std::string> stream_notes(const StationStream* stream, const Show& s
   const TrajectoryReader& trajectory = stream->trajectory();
   if (eye_count(show.stereo) > 1 && show.stereo.model == StereoModel::omni) {
     const bool asked_for = !options.trajectory.empty() || lens_choice(options) == LensChoice::streamed;
-    return asked_for ? std::vector{fmt::format("stereo model omni has a camera for each pixel and does not use {}",
-                                               trajectory.path().string())}
+    return asked_for ? std::vector{fmt::format(
+                           "stereo model omni has a camera for each pixel, so the trajectory {} is not used",
+                           trajectory.path().string())}
                      : std::vector<std::string>();
   }
   const TrajectoryProvenance& baked = trajectory.provenance();

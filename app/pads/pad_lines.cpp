@@ -42,7 +42,7 @@ std::string live_line(const PadView& pad) {
   }
   if (pad.refused > 0) {
     fmt::format_to(std::back_inserter(line), "  ({} of {} not understood)", pad.refused,
-                   counted(pad.reports, "report"));
+                   counted(pad.reports, "HID report"));
   }
   return line;
 }

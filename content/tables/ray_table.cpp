@@ -141,7 +141,7 @@ void check_velocity(const RayRow& row, const TableLine& line, const Columns& col
       throw Error(line.place,
                   fmt::format("has a velocity that differs from that of the observer {} ({:.6g}, {:.6g}, {:.6g})",
                               line.cell(columns.observer), own[0], own[1], own[2]),
-                  "use the observer boost, or leave the beta_* cells empty");
+                  "write the observer \"boost\", or leave the beta_* cells empty");
     }
   }
 }

@@ -188,7 +188,7 @@ std::optional<AccuracyAxis> measure_stereo(const Show& show, PixelNeed need, con
       "the left of two real eyes, {:g} M apart, each with its own camera, with rays in closed form. The models flat "
       "and omni place the eyes differently on purpose, so their errors show that difference",
       left.front().show.stereo.baseline);
-  axis.time = "per pair of eyes";
+  axis.time = "per frame, for both eyes";
   axis.choices = measure_lenses(stereo_choices(settings.quick), need, left, settings, progress);
   return axis;
 }

@@ -90,7 +90,7 @@ Diagram::Diagram(const Show& show, const DiagramSettings& settings) : show_(show
   connects_ = !spins && !retarded;
   if (!connects_ && !settings.images.empty()) {
     throw Error("diagram --images",
-                fmt::format("{} has {}, so its rays are traced from the view, whatever their image order", show.name,
+                fmt::format("{} has {}, so rays are traced from the view, and images cannot be selected", show.name,
                             spins ? "a spinning hole" : "retarded objects"),
                 "omit --images");
   }

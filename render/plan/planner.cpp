@@ -129,7 +129,7 @@ void Planner::plan_channels() {
   };
   const bool sky = request_.mode == ViewMode::sky;
   channel(true, "coverage", 1, "every picture shows the shadow");
-  channel(true, "error_estimate", 1, "every picture counts failed rays");
+  channel(true, "error_estimate", 1, "the failed rays of every picture are counted");
   channel(channels_.sky, "sky", 3, why_view());
   channel(channels_.footprint, "footprint", 6,
           sky ? why(needs_.shading.brightening ? "sky.brightening" : "sky.filter") : why_view());

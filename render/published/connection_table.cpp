@@ -22,7 +22,8 @@ void check(const ConnectionTableSettings& settings) {
   }
   const bool one_observer = settings.r_observer_nearest == settings.r_observer_farthest;
   if (one_observer ? settings.layers != 1 : settings.layers < 4) {
-    throw Error(place, "has a wrong number of layers", "choose 1 for one observer, and at least 4 for a range");
+    throw Error(place, "has a wrong number of layers",
+                "choose 1 if all observers have the same radius, otherwise at least 4");
   }
   if (settings.orders < 2 || settings.orders > most_connection_orders) {
     throw Error(place, "has an unsupported number of orders", "choose 2 to 16");

@@ -158,7 +158,7 @@ void tell_float(const std::string& what, const Place& place, const Directions& r
 }
 
 void tell_where_float_is_enough() {
-  std::puts("| rays in float | wrong side | gave up | median, 99th of 100 on the screen [rad] |\n|---|---|---|---|");
+  std::puts("| rays in float | wrong | gave up | displacement on the screen: median, p99 [rad] |\n|---|---|---|---|");
   const Place usual = {0.9, 8.0, 1.3};
   tell_float("r = 8, whole sky", usual, whole_sky(station_at(usual)));
   for (int exponent = 1; exponent <= 8; ++exponent) {

@@ -123,8 +123,8 @@ std::string repeatability_words(const AccuracyReport& report) {
     return fmt::format("The machine was quiet enough to rank methods: {}.", measured);
   }
   return fmt::format(
-      "The machine was too busy to rank methods: {}. Where the times of two methods differ by less than that, it is "
-      "unknown which is faster. The errors are not affected. Stop other programs and measure again.",
+      "The machine was too busy to rank methods: {}. Where the times of two methods differ by less than this "
+      "factor, it is unknown which is faster. The errors are not affected. Stop other programs and measure again.",
       measured);
 }
 

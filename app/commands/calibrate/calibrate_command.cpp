@@ -229,10 +229,11 @@ void add_calibrate_command(CLI::App& app) {
       command->add_option("--tolerance", options->tolerance_px, "accepted error of a warp in pixels of the domemaster")
           ->check(number_between(0.01, 10.0))
           ->capture_default_str();
-  CLI::Option* const softness =
-      command->add_option("--softness", options->blend.softness, "how blends fall off: 1 linearly, 2 or more smoothly")
-          ->check(number_between(0.5, 8.0))
-          ->capture_default_str();
+  CLI::Option* const softness = command
+                                    ->add_option("--softness", options->blend.softness,
+                                                 "how masks fade across an overlap: 1 is linear, 2 or more is smooth")
+                                    ->check(number_between(0.5, 8.0))
+                                    ->capture_default_str();
   CLI::Option* const evenness = command
                                     ->add_option("--evenness", options->blend.evenness,
                                                  "compensation of brightness across the dome: 0 none, 1 full")

@@ -95,7 +95,7 @@ void require_channels(const RenderOptions& options, const Show& show) {
   }
   const std::vector<ChannelGroup> groups = channel_groups(options.channels);
   if (!show.disk && std::ranges::any_of(groups, is_of_disk)) {
-    throw UsageError(option, show.name + " has no disk", "add a [disk] table to the show, or leave out disk");
+    throw UsageError(option, show.name + " has no disk", "add a [disk] table to the show, or omit the disk channels");
   }
 }
 

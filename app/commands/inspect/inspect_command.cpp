@@ -173,7 +173,7 @@ void print_facts(const nlohmann::json& facts) {
 }
 
 void print_grid(const nlohmann::json& grid) {
-  print_out("\nlens grid at r = {:.6g} M, theta = {:.4f} deg: {}, {}{}, {} of them{} left to direct rays\n",
+  print_out("\nlens grid at r = {:.6g} M, theta = {:.4f} deg: {}, {}{}, {} of these cells{} left to direct rays\n",
             grid["r"].get<double>(), grid["theta_deg"].get<double>(), counted(grid["nodes"].get<int>(), "node"),
             counted(grid["cells"].get<int>(), "cell"), grid["mirrored"].get<bool>() ? " (half the sky, mirrored)" : "",
             grid["left_to_rays"].get<int>(),

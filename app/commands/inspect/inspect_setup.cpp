@@ -132,7 +132,7 @@ void print_setup(const nlohmann::json& facts) {
     print_out("{:<18}{}\n", name, facts[name].dump());
   }
   print_out("\n{:>3} {:<16} {:>11} {:>8} {:>11} {:>6} {:>8}  {}\n", "", "projector", "raster", "lens", "warp", "mask",
-            "of dome", "warp from");
+            "dome lit", "warp from");
   int number = 0;
   for (const auto& projector : facts["projectors"]) {
     print_out("{:>3} {:<16} {:>11} {:>8} {:>11} {:>6} {:>6.1f} %  {}\n", ++number, projector["name"].get<std::string>(),

@@ -293,8 +293,7 @@ void add_trace_command(CLI::App& app) {
   command->footer(
       ray_table_help() +
       "\nsky_x, sky_y, sky_z: unit vector to the origin of the light in the distant sky: z along the spin axis, "
-      "x toward\nphi = 0, y toward phi = 90 degrees. g: observed frequency of light that was emitted there with "
-      "frequency 1.");
+      "x toward\nphi = 0, y toward phi = 90 degrees. g: observed frequency over the frequency emitted there.");
   command->callback([options, near_field, idle] {
     idle.refuse();
     require_table_ending("--out", options->out);

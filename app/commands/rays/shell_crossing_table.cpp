@@ -62,10 +62,10 @@ std::string shell_lines(std::span<const RayRow> rows, const ShellTableOptions& o
   const RayRow& first = rows.front();
   const double horizon_r = horizon_radius(first.spin);
   if (!(options.r > horizon_r)) {
-    throw Error(
-        "trace --shell",
-        fmt::format("{} M is inside the horizon of ray {}, which is at {:.6g} M", options.r, first.id, horizon_r),
-        fmt::format("choose a radius above {:.6g}", horizon_r));
+    throw Error("trace --shell",
+                fmt::format("{} M is inside the horizon: for ray {}, the horizon is at {:.6g} M", options.r, first.id,
+                            horizon_r),
+                fmt::format("choose a radius above {:.6g}", horizon_r));
   }
   const CameraStation camera = make_camera_station(first.spin, first.r, first.theta, 0.0, first.motion, first.velocity);
   std::vector<std::optional<std::string>> lines(rows.size());

@@ -125,7 +125,7 @@ std::optional<MpcdiFisheye> read_mpcdi_lens(const XmlElement& element) {
     lens.anamorphic_angle_deg = anamorphic->number_of("angle", 0.0);
   }
   if (!(lens.coefficients[0] > 0.0) || !(lens.anamorphic_ratio > 0.0)) {
-    throw element.error("has a lens of size 0", "choose f1 and the anamorphic ratio above 0");
+    throw element.error("has a lens whose f1 or anamorphic ratio is not above 0", "write values above 0");
   }
   return lens;
 }

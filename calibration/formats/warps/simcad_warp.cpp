@@ -21,7 +21,8 @@ std::vector<double> offsets_of(const XmlElement& element) {
   }
   const double range = element.number_attribute("range");
   if (!(std::abs(range) > 0.0)) {
-    throw element.error("has a range of 0", "write the offset that spans the whole width or height of the raster");
+    throw element.error("has a range of 0",
+                        "write range = \"1\" for offsets in fractions of the raster, or its size in pixels");
   }
   const std::string text = element.text();
   std::string_view rest = text;

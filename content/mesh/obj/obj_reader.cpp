@@ -277,7 +277,7 @@ void ObjReader::check_end(std::string_view text) const {
     ++corners;
   }
   if (corners < 3) {
-    throw error("is truncated within a face", "copy or export it again");
+    throw error("ends in the middle of a face", "copy or export it again");
   }
 }
 

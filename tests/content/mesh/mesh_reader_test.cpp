@@ -93,7 +93,7 @@ TEST(MeshReader, SaysThatAnObjBreaksOffWithinAFace) {
   const std::string whole = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4";
   EXPECT_EQ(parse_mesh(whole, MeshFormat::obj, "mesh.obj").triangle_count(), 2) << "the last line needs no end";
   EXPECT_THAT(error_of([&] { parse_mesh(whole.substr(0, whole.size() - 2), MeshFormat::obj, "mesh.obj"); }),
-              testing::HasSubstr("mesh.obj:6: is truncated within a face"));
+              testing::HasSubstr("mesh.obj:6: ends in the middle of a face"));
 }
 
 class MeshFilesOnDisk : public test::FolderTest {
