@@ -98,7 +98,7 @@ double PlayBudget::error_px() const {
 }
 
 std::string PlayBudget::display_text() const {
-  std::string text = fmt::format("budget {}: error {:.3f} px", text_of(plan_.budget), error_px());
+  std::string text = fmt::format("budget {}: measured error {:.3f} px", text_of(plan_.budget), error_px());
   if (keeper_) {
     text += fmt::format(", {:.1f} of {:.1f} ms, {:.1f} fps, step {} of {}", work_ms_, plan_.budget.frame_ms(),
                         interval_ms_ > 0.0 ? 1000.0 / interval_ms_ : 0.0, keeper_->rung() + 1, plan_.ladder.size());

@@ -94,9 +94,9 @@ std::string equal_error_table(const AccuracyAxis& axis, double most_px) {
     }
     rows.push_back(std::move(row));
   }
-  return fmt::format("\n{}: fastest setting at {} (p99){}\n{}", axis.title, error_text(axis, most_px),
-                     axis.base.empty() ? std::string() : ", ratio = time relative to that of " + axis.base,
-                     columns_of(rows, 2));
+  return fmt::format(
+      "\n{}: fastest setting with an error of at most {} (p99){}\n{}", axis.title, error_text(axis, most_px),
+      axis.base.empty() ? std::string() : ", ratio = time relative to that of " + axis.base, columns_of(rows, 2));
 }
 
 }  // namespace

@@ -40,24 +40,24 @@ std::uint32_t big_endian(std::span<const std::byte> bytes) {
 std::string problem_of(int code) {
   switch (code) {
     case LO_EINVALIDPATH:
-      return "its address is not padded with zeros to a multiple of four bytes";
+      return "has an address that is not padded with zeros to a multiple of four bytes";
     case LO_ENOTYPE:
     case LO_EBADTYPE:
-      return "it has arguments without type tags";
+      return "has arguments without type tags";
     case LO_EINVALIDTYPE:
-      return "its type tags are not padded with zeros to a multiple of four bytes";
+      return "has type tags that are not padded with zeros to a multiple of four bytes";
     case LO_EINVALIDARG:
-      return "an argument is truncated or does not match its type tag";
+      return "has an argument that is truncated or does not match its type tag";
     case LO_ESIZE:
-      return "its size does not match its type tags";
+      return "has a size that does not match its type tags";
     case LO_ETERM:
-      return "a string is not terminated by a zero";
+      return "has a string that is not terminated by a zero";
     case LO_EPAD:
-      return "a string is not padded with zeros to a multiple of four bytes";
+      return "has a string that is not padded with zeros to a multiple of four bytes";
     case LO_TOOBIG:
-      return "it is too large";
+      return "is too large";
     default:
-      return fmt::format("it is malformed (liblo error {})", code);
+      return fmt::format("is malformed (liblo error {})", code);
   }
 }
 
@@ -90,7 +90,7 @@ OscArgument argument_of(char type, const void* place) {
     case LO_INFINITUM:  // A trigger without a value.
       return std::monostate{};
     default:
-      refuse(fmt::format("its first argument has the unsupported type '{}'",
+      refuse(fmt::format("has a first argument of the unsupported type '{}'",
                          std::isprint(static_cast<unsigned char>(type)) ? type : '?'));
   }
 }
@@ -137,10 +137,10 @@ bool is_understood(char type) { return std::string_view("ihfdsSTFNI").find(type)
 
 OscMessage message_of(std::span<const std::byte> bytes, OscTime time) {
   if (bytes.empty()) {
-    refuse("it is empty");
+    refuse("is empty");
   }
   if (bytes[0] != std::byte{'/'}) {
-    refuse("its address does not begin with /");
+    refuse("has an address that does not begin with /");
   }
   // liblo changes the byte order in a copy of its own, but takes a pointer that is not to constants.
   std::vector<std::byte> copy(bytes.begin(), bytes.end());
@@ -155,7 +155,7 @@ OscMessage message_of(std::span<const std::byte> bytes, OscTime time) {
   }
   const int count = lo_message_get_argc(message.get());
   if (count > most_arguments) {
-    refuse(fmt::format("it has more than {} arguments", most_arguments));
+    refuse(fmt::format("has more than {} arguments", most_arguments));
   }
   OscMessage result;
   result.time = time;
@@ -178,19 +178,19 @@ bool is_bundle(std::span<const std::byte> bytes) {
 void add_messages(std::span<const std::byte> bytes, OscTime time, int depth, std::vector<OscMessage>& messages) {
   if (!is_bundle(bytes)) {
     if (messages.size() >= most_osc_messages) {
-      refuse(fmt::format("it has more than {} messages", most_osc_messages));
+      refuse(fmt::format("has more than {} messages", most_osc_messages));
     }
     messages.push_back(message_of(bytes, time));
     return;
   }
   if (depth >= deepest_osc_bundle) {
-    refuse(fmt::format("its bundles are nested deeper than {} levels", deepest_osc_bundle));
+    refuse(fmt::format("has bundles that are nested deeper than {} levels", deepest_osc_bundle));
   }
   const OscTime own_time = (OscTime{big_endian(bytes.subspan(8))} << 32U) | big_endian(bytes.subspan(12));
   std::span<const std::byte> rest = bytes.subspan(bundle_head_bytes);
   while (!rest.empty()) {
     if (rest.size() < 4 || big_endian(rest) > rest.size() - 4) {
-      refuse("an element is longer than the packet");
+      refuse("has an element that is longer than the packet");
     }
     const std::size_t size = big_endian(rest);
     add_messages(rest.subspan(4, size), own_time, depth + 1, messages);
@@ -229,7 +229,7 @@ double osc_difference_s(OscTime a, OscTime b) {
 
 std::vector<OscMessage> parse_osc(std::span<const std::byte> packet) {
   if (packet.size() > largest_osc_packet) {
-    refuse(fmt::format("it is longer than {} bytes", largest_osc_packet));
+    refuse(fmt::format("is longer than {} bytes", largest_osc_packet));
   }
   std::vector<OscMessage> messages;
   add_messages(packet, osc_at_once, 0, messages);

@@ -32,7 +32,8 @@ GltfNumbers attribute(const GltfFile& file, const std::map<std::string, int>& at
   }
   GltfNumbers numbers = gltf_numbers(file, found->second);
   if (numbers.count() != count || numbers.components < fewest || numbers.components > most) {
-    throw file.error(fmt::format("has {} entries that do not match its positions in number or type", name));
+    throw file.error(fmt::format(
+        "has a primitive whose {} data has the wrong type or does not have one entry for each position", name));
   }
   return numbers;
 }

@@ -170,7 +170,7 @@ void ObjReader::read_vertex(std::string_view rest) {
     ++count;
   }
   if (count < 3) {
-    throw error("has a vertex that does not have three coordinates", face_remedy);
+    throw error("has a vertex with fewer than three valid coordinates", face_remedy);
   }
   Vertex vertex = {{numbers[0], numbers[1], numbers[2]}, {1.0F, 1.0F, 1.0F}, count >= 6};
   if (vertex.has_color) {

@@ -242,7 +242,7 @@ OverlayPass::TileRows OverlayPass::draw_sheet(const OverlayTarget& target, const
   }
   const bool on_device = target.backend == Backend::cuda;
   if (on_device && texture.device.size() == 0) {
-    texture.device = Buffer<std::uint16_t>(target.backend, texture.host.size(), "overlays on the device");
+    texture.device = Buffer<std::uint16_t>(target.backend, texture.host.size(), "overlays on the GPU");
     texture.device.write(texture.host.data(), texture.host.size());
   }
   if (on_device && tile_numbers_.size() < numbers.size()) {

@@ -103,7 +103,8 @@ TEST(PlayBudget, WaitsForALensNoLongerThanARateLeavesTimeFor) {
 TEST(PlayBudget, DisplaysErrorTimeRateAndStep) {
   PlayBudget budget(plan_with({0.25, 30.0}));
   budget.note_picture(25.0, 33.0);
-  EXPECT_EQ(budget.display_text(), "budget 0.25px,30fps: error 0.090 px, 25.0 of 33.3 ms, 30.3 fps, step 2 of 3");
+  EXPECT_EQ(budget.display_text(),
+            "budget 0.25px,30fps: measured error 0.090 px, 25.0 of 33.3 ms, 30.3 fps, step 2 of 3");
 }
 
 TEST(PlayBudget, SumsUpHowTheRateWasHeld) {

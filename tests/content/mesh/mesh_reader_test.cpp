@@ -51,7 +51,7 @@ TEST(MeshReader, SaysWhatIsWrongWithTheFileAndWhatToDo) {
            {"v 0 0 0\nv 1 0 0\nv nan 1 0\nf 1 2 3\n", "mesh.obj:4: has a vertex with a non-finite coordinate"},
            {"f 1 2 3\n", "mesh.obj:1: has a face that refers to a nonexistent vertex"},
            {"v 0 0 0\nv 1 0 0\nf 1 2 900000\n", "mesh.obj:3: has a face that refers to a nonexistent vertex"},
-           {"v 0 0\n", "mesh.obj:1: has a vertex that does not have three coordinates"},
+           {"v 0 0\n", "mesh.obj:1: has a vertex with fewer than three valid coordinates"},
            {"v 0 0 0\nf 1 x 1\n", "mesh.obj:2: has a face whose vertex index is not a whole number"}}) {
     EXPECT_THAT(error_of([&] { parse_mesh(wrong.first, MeshFormat::obj, "mesh.obj"); }),
                 testing::AllOf(testing::HasSubstr(wrong.second), testing::HasSubstr("; ")))

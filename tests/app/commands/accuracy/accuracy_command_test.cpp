@@ -92,7 +92,7 @@ TEST_F(CommandLine, AccuracyOfRaysComparesThePublishedMethods) {
   write("small.toml", accuracy_show);
   ASSERT_EQ(run("accuracy small.toml --quick --size 24 --rounds 1 --axes rays --at 0.25px"), 0) << output_;
   for (const char* const words :
-       {"taylor", "baseline_rk34", "quadtree, spline", "at 0.25 px (p99)", "the method of RK34"}) {
+       {"taylor", "baseline_rk34", "quadtree, spline", "an error of at most 0.25 px (p99)", "the method of RK34"}) {
     EXPECT_THAT(output_, HasSubstr(words));
   }
   EXPECT_THAT(output_, Not(HasSubstr("lensed images of stars")));

@@ -119,13 +119,13 @@ TEST(OscPackets, AreRefusedInWords) {
   const std::pair<std::string_view, const char*> cases[] = {
       {""sv, "is empty"},
       {"play"sv, "does not begin with /"},
-      {"/ping"sv, "its address is not padded"},
-      {"/a\0\0i\0\0\0"sv, "it has arguments without type tags"},
-      {"/a\0\0\0\0\0\0"sv, "it has arguments without type tags"},
-      {"/a\0\0,iii"sv, "its type tags are not padded"},
-      {"/a\0\0,i\0\0\0\0"sv, "an argument is truncated"},
-      {"/a\0\0,s\0\0text"sv, "an argument is truncated"},
-      {"/a\0\0,i\0\0\0\0\0\1\0\0\0\1"sv, "its size does not match"}};
+      {"/ping"sv, "has an address that is not padded"},
+      {"/a\0\0i\0\0\0"sv, "has arguments without type tags"},
+      {"/a\0\0\0\0\0\0"sv, "has arguments without type tags"},
+      {"/a\0\0,iii"sv, "has type tags that are not padded"},
+      {"/a\0\0,i\0\0\0\0"sv, "has an argument that is truncated"},
+      {"/a\0\0,s\0\0text"sv, "has an argument that is truncated"},
+      {"/a\0\0,i\0\0\0\0\0\1\0\0\0\1"sv, "has a size that does not match"}};
   for (const auto& [packet, words] : cases) {
     EXPECT_NE(refusal(bytes_of(packet)).find(words), std::string::npos) << refusal(bytes_of(packet));
   }
