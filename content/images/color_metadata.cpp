@@ -19,7 +19,7 @@ constexpr Chromaticities pal = {0.64, 0.33, 0.29, 0.60, 0.15, 0.06, 0.3127, 0.32
 constexpr Chromaticities smpte_c = {0.630, 0.340, 0.310, 0.595, 0.155, 0.070, 0.3127, 0.3290};
 constexpr Chromaticities dci_p3 = {0.680, 0.320, 0.265, 0.690, 0.150, 0.060, 0.314, 0.351};
 
-//! Sets primaries and transfer function by code points (ITU-T H.273, tables 2 and 3).
+//! Sets primaries and transfer function from code points (ITU-T H.273, tables 2 and 3).
 void take_code_points(const CodePoints& points, ColorMetadata& metadata) {
   switch (points.primaries) {
     case 1:
@@ -78,7 +78,8 @@ void take_code_points(const CodePoints& points, ColorMetadata& metadata) {
   }
 }
 
-//! Sets the transfer function by an exponent. Close to 2.2 it means sRGB, as in libpng: many programs describe sRGB by it.
+//! Sets the transfer function from an exponent. An exponent close to 2.2 becomes the sRGB curve, as
+//! in libpng, because many programs write it for sRGB.
 void take_gamma(double exponent, ColorMetadata& metadata) {
   constexpr double srgb_exponent = 2.2;
   constexpr double significant = 0.05;
@@ -116,10 +117,11 @@ void take_png(const NextBytes& png, ColorMetadata& metadata) {
   }
 }
 
-//! Sets the transfer function by OpenImageIO's name of the color space.
+//! Sets the transfer function from OpenImageIO's name of the color space.
 void take_name(const OIIO::ImageSpec& spec, ColorMetadata& metadata) {
   const std::string name(spec.get_string_attribute("oiio:ColorSpace", "sRGB"));
-  // Netpbm's files are Rec709 to OpenImageIO, by their specification; programs write sRGB into them.
+  // OpenImageIO reports Rec709 for Netpbm files, following their specification, but programs write
+  // sRGB into them.
   const bool is_srgb = name.empty() || OIIO::Strutil::iequals(name, "sRGB") || OIIO::Strutil::iequals(name, "Rec709");
   if (OIIO::Strutil::iequals(name, "linear")) {
     metadata.curve = TransferCurve::linear;

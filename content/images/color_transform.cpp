@@ -38,7 +38,8 @@ Profile linear_grey_profile() {
   return profile;
 }
 
-//! Returns LittleCMS's conversion of floats from a profile to linear light; null if it cannot make one.
+//! Returns LittleCMS's conversion of floats from a profile to linear light; null if it cannot
+//! create one.
 std::shared_ptr<void> conversion_from(void* from, int color_channels) {
   if (from == nullptr) {
     return nullptr;
@@ -61,7 +62,8 @@ float bt709_decoded(float value) {
   return value < 0.081F ? value / 4.5F : std::pow((value + 0.099F) / 1.099F, 1.0F / 0.45F);
 }
 
-//! Decodes the perceptual quantizer (SMPTE ST 2084); 1 is the reference white of 203 cd/m² (ITU-R BT.2408).
+//! Decodes the perceptual quantizer (SMPTE ST 2084); 1 is the reference white of 203 cd/m² (ITU-R
+//! BT.2408).
 float pq_decoded(float value) {
   constexpr float m1 = 2610.0F / 16384.0F;
   constexpr float m2 = 2523.0F / 4096.0F * 128.0F;
@@ -90,7 +92,7 @@ std::function<float(float)> decoding(const ColorMetadata& metadata) {
   };
 }
 
-//! True for the primaries that stand for CIE XYZ itself.
+//! Returns true if the primaries are CIE X, Y and Z.
 bool are_xyz(const Chromaticities& p) {
   constexpr std::array<double, 6> xyz = {1.0, 0.0, 0.0, 1.0, 0.0, 0.0};
   return std::equal(xyz.begin(), xyz.end(), p.begin(), [](double a, double b) { return std::abs(a - b) < 1e-4; });
@@ -118,7 +120,7 @@ const char* name_of_space(cmsColorSpaceSignature space) {
 
 ColorTransform::ColorTransform(const ColorMetadata& metadata, int color_channels, std::string& problem)
     : color_channels_(color_channels) {
-  // LittleCMS writes its messages to stderr without a handler.
+  // Without a handler, LittleCMS writes its messages to stderr.
   cmsSetLogErrorHandler([](cmsContext, cmsUInt32Number, const char*) {});
   if (!metadata.icc_profile.empty()) {
     const Profile profile(
@@ -140,7 +142,7 @@ ColorTransform::ColorTransform(const ColorMetadata& metadata, int color_channels
     if (metadata.primaries && color_channels == 3 && !are_rec_709(*metadata.primaries)) {
       Chromaticities p = *metadata.primaries;
       if (are_xyz(p) && !metadata.adapts_xyz) {
-        // Colors, not amounts of primaries: their white is not adapted.
+        // These numbers are absolute XYZ colors, so their white is not adapted.
         scale_ = {static_cast<float>(d65.y / d65.x), 1.0F, static_cast<float>(d65.y / (1.0 - d65.x - d65.y))};
         p[6] = d65.x;
         p[7] = d65.y;
@@ -160,7 +162,7 @@ ColorTransform::ColorTransform(const ColorMetadata& metadata, int color_channels
 void ColorTransform::find_kind() {
   constexpr float tolerance = 0.002F;
   is_srgb_ = is_identity_ = true;
-  // Greys show the curve, single colors the matrix.
+  // Grays test the curve, single colors the matrix.
   for (int step = 0; step <= 16; ++step) {
     for (int color = -1; color < (color_channels_ == 3 ? 3 : 0); ++color) {
       const float value = static_cast<float>(step) / 16.0F;

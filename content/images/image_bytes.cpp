@@ -42,7 +42,7 @@ std::string ImageBytes::all() const {
   }
   std::error_code problem;
   if (!std::filesystem::is_regular_file(name_, problem)) {
-    return "";  // A folder can be opened, but not read.
+    return "";  // A folder can be opened but not read.
   }
   std::ifstream file(name_, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};

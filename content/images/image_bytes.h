@@ -10,7 +10,7 @@
 
 namespace ergodome {
 
-//! The bytes of an image: those of a file, or others that stand for it in memory.
+//! The bytes of an image, from a file or from memory.
 class ImageBytes {
  public:
   ImageBytes(std::string name, std::optional<std::span<const std::byte>> bytes)
@@ -19,15 +19,15 @@ class ImageBytes {
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const std::optional<std::span<const std::byte>>& memory() const { return bytes_; }
 
-  //! Returns a reader from the first byte on. It must not outlive the bytes.
+  //! Returns a function that reads the bytes from the first on. It must not outlive the bytes.
   [[nodiscard]] NextBytes from_start() const;
 
-  //! Returns the first bytes, at most so many.
+  //! Returns the first `most` bytes, or all if there are fewer.
   [[nodiscard]] std::string head(std::size_t most) const;
 
   [[nodiscard]] std::string all() const;
 
-  //! Returns 0 if the file cannot be read.
+  //! Returns the size [bytes]; 0 if the file cannot be read.
   [[nodiscard]] std::uintmax_t size() const;
 
  private:

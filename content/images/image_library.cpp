@@ -10,7 +10,7 @@ namespace {
 
 const ImageLibrary& load() {
   constexpr const char* file = ERGODOME_IMAGE_MODULE;
-  // Never closed: what it hands out may be in use to the end.
+  // The module is never closed: its objects may be in use until the program ends.
   void* const module = dlopen(file, RTLD_LAZY | RTLD_LOCAL);
   void* const entry = module != nullptr ? dlsym(module, "ergodome_openimageio") : nullptr;
   if (entry == nullptr) {

@@ -4,25 +4,26 @@
 
 namespace ergodome {
 
-//! How the numbers of a file's pixels become light. Files are opened with `Wishes::separate_alpha` for it.
+//! How the numbers of a file's pixels encode light. Files must be opened with
+//! `Wishes::separate_alpha`.
 struct LightCoding {
   int channels = 3;
-  int alpha = -1;         //!< its channel, or -1
-  bool decoded = false;   //!< from sRGB
-  bool separate = false;  //!< colours are not times alpha
+  int alpha = -1;         //!< index of the alpha channel, or -1
+  bool decoded = false;   //!< the colors must be decoded from sRGB
+  bool separate = false;  //!< the colors are not premultiplied by alpha
 
-  //! The alpha of a pixel of `channels` numbers; 1 where there is none.
+  //! Returns the alpha of a pixel of `channels` numbers; 1 without an alpha channel.
   [[nodiscard]] float alpha_of(const float* pixel) const;
 
-  //! How many of a pixel's numbers its light needs: colours, and alpha where it is not in them as it should be.
+  //! Returns how many of a pixel's numbers put_light() reads: the colors, and alpha if it needs it.
   [[nodiscard]] int light_channels() const;
 
-  //! A pixel's red, green and blue light times its alpha, which over black is what is seen of it. The curve of sRGB is for colours as they are; so they are
-  //! multiplied after it.
+  //! Computes a pixel's linear red, green and blue premultiplied by alpha: what is seen of it over
+  //! black. The sRGB curve applies to unpremultiplied colors, so alpha multiplies the decoded ones.
   void put_light(const float* pixel, float* rgb) const;
 };
 
-//! The coding of an image; alpha is what its file calls so.
+//! Returns the coding of an image of this shape.
 LightCoding light_coding(const ImageShape& shape);
 
 }  // namespace ergodome

@@ -26,7 +26,7 @@ namespace ergodome {
 
 namespace {
 
-//! The first line of a message: readers of PNG say one thing in three.
+//! Returns the first line of a message. PNG readers repeat one message in three lines.
 std::string first_line(const std::string& message) { return message.substr(0, message.find('\n')); }
 
 std::vector<ExrPart> parts_of(OIIO::ImageInput& input) {
@@ -41,13 +41,13 @@ std::vector<ExrPart> parts_of(OIIO::ImageInput& input) {
   return parts;
 }
 
-//! Longest header of a Radiance picture that is read.
+//! Maximum length of the header of a Radiance file [bytes].
 constexpr std::size_t longest_head = std::size_t{1} << 16U;
 
 class Input final : public ImageInput {
  public:
-  //! Opens a file, or its bytes; is_open() returns whether that worked. `replaced` (empty: none) is read in
-  //! place of the file's bytes.
+  //! Opens a file or its bytes; is_open() returns true if that succeeded. Reads `replaced` instead
+  //! of the file's bytes unless it is empty.
   Input(const std::string& name, const ImageLibrary::Wishes& asked, std::string replaced)
       : replaced_(std::move(replaced)),
         bytes_(name, asked.bytes),
@@ -60,7 +60,7 @@ class Input final : public ImageInput {
     if (asked.separate_alpha) {
       wishes.attribute("oiio:UnassociatedAlpha", 1);
       if (memory != nullptr) {
-        // Readers that are given wishes look for it there alone.
+        // With a configuration, readers get the memory proxy only from it.
         wishes.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, static_cast<const void*>(&memory));
       }
     }
@@ -77,7 +77,7 @@ class Input final : public ImageInput {
   [[nodiscard]] bool has_large_tiles() const { return !StoredRows::is_bounded(input_->spec()); }
   [[nodiscard]] const ImageShape& shape() const override { return shape_; }
   [[nodiscard]] const OIIO::ImageSpec& stored() const { return input_->spec(); }
-  //! What of the file cannot be shown right; empty if nothing.
+  //! Returns what cannot be shown correctly; empty if nothing.
   [[nodiscard]] const std::string& problem() const { return problem_; }
 
   bool go_to_part(int part) override {
@@ -133,7 +133,8 @@ class Input final : public ImageInput {
   }
 
  private:
-  //! Looks at a PNG up to its end before the first of its pixels are read, and not earlier: who asks for a file's size alone need not wait for that.
+  //! Checks a PNG to its end. This runs before the first pixels are read and not earlier, because
+  //! callers that need only a file's size should not wait for it.
   bool is_whole() {
     if (!torn_) {
       torn_ = is("png") ? problem_of_png(bytes_.from_start(), PngExtent::to_end) : "";
@@ -161,7 +162,7 @@ class Input final : public ImageInput {
   [[nodiscard]] bool is(std::string_view format) const { return input_->format_name() == format; }
   [[nodiscard]] StoredPixels stored_pixels(int channels) const { return {part_, layer_.first_channel, channels}; }
 
-  //! Chooses layer, crop and color conversion before the first pixels are read.
+  //! Chooses the layer, the crop and the color conversion before the first pixels are read.
   void prepare() {
     if (is("openexr") && asked_.as_light) {
       layer_ = choose_exr_layer(exr_layers(parts_of(*input_)), asked_.layer, problem_);
@@ -197,13 +198,13 @@ class Input final : public ImageInput {
     shape_.encoded = colors.is_srgb();
     if (!colors.is_srgb() && !colors.is_identity()) {
       colors_ = colors;
-      // A curve applies to colors that are not multiplied by alpha.
+      // The curve applies to unpremultiplied colors.
       divides_by_alpha_ = !colors.is_linear() && shape_.alpha_channel >= 0 && !shape_.separate_alpha;
       shape_.separate_alpha = shape_.separate_alpha || divides_by_alpha_;
     }
   }
 
-  //! Removes the exposure that a Radiance picture was saved with, and converts colors.
+  //! Removes the exposure with which a Radiance file was saved, and converts colors.
   void make_light(std::size_t pixels, int channels, float* to) const {
     if (radiance_.gains != RadianceHeader().gains) {
       for (std::size_t i = 0; i < pixels; ++i) {
@@ -230,7 +231,7 @@ class Input final : public ImageInput {
     shape_.height = layout_.height();
     shape_.depth = spec.depth;
     shape_.channels = layer_.channels > 0 ? layer_.channels : spec.nchannels;
-    // The reader of GIF counts its four channels from 1.
+    // OpenImageIO's GIF reader counts its four channels from 1.
     shape_.alpha_channel = layer_.channels > 0 ? layer_.alpha : std::min(spec.alpha_channel, spec.nchannels - 1);
     shape_.sample_bytes = static_cast<int>(spec.format.size());
     // Color metadata of a texture's file is ignored (glTF 2.0, 3.8.2).
@@ -264,15 +265,15 @@ class Input final : public ImageInput {
   std::string replaced_;
   ImageBytes bytes_;
   ImageLibrary::Wishes asked_;
-  std::optional<std::string> torn_;  //!< what is wrong with a PNG, once that is known; empty where nothing is
+  std::optional<std::string> torn_;  //!< what is wrong with a PNG, empty if nothing; absent before the check
   OIIO::Filesystem::IOMemReader memory_;
   std::unique_ptr<OIIO::ImageInput> input_;
   std::string problem_;
   ImageShape shape_;
   ShownLayout layout_;
   StoredRows rows_;
-  std::vector<float> shown_;  //!< the picture, of a file that is turned
-  int shown_channels_ = 0;    //!< that it has
+  std::vector<float> shown_;  //!< all pixels of an image that must be turned
+  int shown_channels_ = 0;    //!< channels in shown_; 0 if it is empty
   int part_ = 0;
   ExrLayer layer_;
   PanoramaCrop crop_;
@@ -281,8 +282,8 @@ class Input final : public ImageInput {
   bool divides_by_alpha_ = false;
 };
 
-//! Returns that an image claims more pixels than a file of so many bytes can hold, empty where it may be so. A plain black
-//! image in the formats that pack best has some 10,000 pixels a byte.
+//! Returns the problem if an image claims more pixels than `file_bytes` bytes can hold, else an
+//! empty text. The best-packing formats store some 10,000 pixels of plain black in a byte.
 std::string problem_of_size(int width, int height, std::uintmax_t file_bytes) {
   constexpr double most_pixels_a_byte = 100'000.0;
   const double pixels = static_cast<double>(width) * height;
@@ -292,8 +293,8 @@ std::string problem_of_size(int width, int height, std::uintmax_t file_bytes) {
   return fmt::format("it claims {} x {} pixels in {} bytes", width, height, file_bytes);
 }
 
-//! Returns a Radiance picture in CIE XYZ under the name of RGB. Both formats store three channels alike, but
-//! OpenImageIO opens only RGB.
+//! Returns a Radiance file in CIE XYZ relabeled as RGB. Both formats store three channels in the
+//! same way, but OpenImageIO opens only RGB.
 std::string as_rgbe(std::string bytes) {
   constexpr std::string_view xyz = "\nFORMAT=32-bit_rle_xyze";
   const std::size_t at = bytes.find(xyz);

@@ -7,7 +7,7 @@
 
 namespace ergodome {
 
-//! ImageLibrary::open by OpenImageIO.
+//! Implements ImageLibrary::open() with OpenImageIO.
 std::unique_ptr<ImageInput> open_image(const std::string& name, const ImageLibrary::Wishes& wishes,
                                        std::string& problem);
 

@@ -85,7 +85,7 @@ class Output final : public ImageOutput {
   std::unique_ptr<OIIO::ImageOutput> output_;
 };
 
-//! A canvas as OpenImageIO draws on it.
+//! Wraps a canvas for OpenImageIO's drawing functions.
 OIIO::ImageBuf buffer_of(const ImageCanvas& canvas) {
   return {OIIO::ImageSpec(canvas.width, canvas.height, canvas.channels, OIIO::TypeDesc::FLOAT), canvas.pixels};
 }

@@ -2,29 +2,32 @@
 
 namespace ergodome {
 
-//! How the pixels of a file lie in the picture that it shows: somewhere in a window that they need not fill, or reach beyond, and all of it turned.
+//! Position of a file's pixels in the image that is shown: in a window that they may leave partly
+//! empty or exceed, which is then turned.
 struct ShownLayout {
-  long data_left = 0;  //!< where the file's pixels begin, from the window's corner
+  long data_left = 0;  //!< left edge of the file's pixels from the window's
   long data_top = 0;
   int data_width = 0;
   int data_height = 0;
   int window_width = 0;
   int window_height = 0;
   int orientation =
-      1;  //!< of the window, as TIFF and Exif count: 1 is upright, 3 upside down, 6 to be turned right by a quarter
+      1;  //!< of the window, as in TIFF and Exif: 1 is upright, 3 upside down, 6 to be turned right by 90°
 
-  //! Whether the file's pixels are the picture's, row by row.
+  //! Returns true if the file's pixels are those of the shown image, row by row.
   [[nodiscard]] bool is_plain() const;
 
-  //! Size of the picture as it is shown.
+  //! Size of the image as it is shown.
   [[nodiscard]] int width() const { return orientation > 4 ? window_height : window_width; }
   [[nodiscard]] int height() const { return orientation > 4 ? window_width : window_height; }
 
-  //! Whether picture and file have no more pixels than are put in place in memory, 16384 x 8192.
+  //! Returns true if neither the shown image nor the file has more than 16384 x 8192 pixels, the
+  //! limit for rearranging pixels in memory.
   [[nodiscard]] bool is_bounded() const;
 };
 
-//! Puts rows [begin, end) of a file's pixels, of `channels` numbers each, where the picture shows them; what lies outside of its window is left out.
+//! Copies rows [begin, end) of a file's pixels, of `channels` numbers each, to their positions in
+//! the shown image. Skips pixels outside the window.
 template <class Number>
 void put_rows(const ShownLayout& layout, int begin, int end, int channels, const Number* rows, Number* shown) {
   const long width = layout.width();

@@ -15,7 +15,7 @@ bool read_numbers_in_place(OIIO::ImageInput& input, const StoredPixels& stored, 
   const int last_channel = first_channel + channels;
   const OIIO::ImageSpec spec = input.spec();
   const auto numbers = static_cast<std::size_t>(channels);
-  // Of tiles a row of them at a time.
+  // Tiled images are read one row of tiles at a time.
   const bool tiled = spec.tile_width > 0;
   const int rows_at_once = std::min(spec.height, tiled ? spec.tile_height : 64);
   std::vector<Number> rows(numbers * static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(rows_at_once));
@@ -30,7 +30,7 @@ bool read_numbers_in_place(OIIO::ImageInput& input, const StoredPixels& stored, 
       return false;
     }
     if (begin == 0) {
-      // Not earlier: a torn file may tell of any size.
+      // The image is allocated only after the first read: a damaged file may claim any size.
       shown.assign(numbers * static_cast<std::size_t>(layout.width()) * static_cast<std::size_t>(layout.height()),
                    Number{});
     }
@@ -39,8 +39,9 @@ bool read_numbers_in_place(OIIO::ImageInput& input, const StoredPixels& stored, 
   return true;
 }
 
-//! Returns what is left of a TIFF's orientation once OpenImageIO has read it. It reads YCbCr, CIELAB and JPEG-compressed grey through
-//! libtiff's RGBA interface, which mirrors, but does not exchange rows and columns.
+//! Returns the part of a TIFF's orientation that OpenImageIO has not applied. It reads YCbCr,
+//! CIELAB and JPEG-compressed gray through libtiff's RGBA interface, which mirrors, but does not
+//! exchange rows and columns.
 int left_of_tiff_orientation(const OIIO::ImageSpec& spec, int orientation) {
   const int photometric = spec.get_int_attribute("tiff:PhotometricInterpretation", 2);
   const bool grey_jpeg = photometric <= 1 && spec.get_string_attribute("compression") == "jpeg";
@@ -49,7 +50,8 @@ int left_of_tiff_orientation(const OIIO::ImageSpec& spec, int orientation) {
   return mirrored_already ? left.at(static_cast<std::size_t>(orientation)) : orientation;
 }
 
-//! OpenImageIO numbers "+X +Y" of Radiance pictures 6 and "-X -Y" 8; in Exif it is the other way round.
+//! Converts OpenImageIO's orientation of a Radiance file to Exif: OpenImageIO exchanges 6 ("+X +Y")
+//! and 8 ("-X -Y").
 int exif_of_radiance_orientation(int orientation) { return orientation == 6 ? 8 : orientation == 8 ? 6 : orientation; }
 
 }  // namespace

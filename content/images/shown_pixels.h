@@ -9,10 +9,10 @@
 
 namespace ergodome {
 
-//! How the part of a file that is open is shown.
+//! Returns how the selected part of a file is shown.
 ShownLayout shown_layout(const OIIO::ImageInput& input);
 
-//! Channels of a part's pixels.
+//! The channels to read of one part of a file.
 struct StoredPixels {
   int part = 0;
   int first_channel = 0;
@@ -21,7 +21,8 @@ struct StoredPixels {
   bool operator==(const StoredPixels&) const = default;
 };
 
-//! Reads pixels, and puts them where the part's picture shows them; the rest of it is black. Returns false if the file is damaged.
+//! Reads pixels and puts them at their positions in the shown image; the rest of it is black.
+//! Returns false if the file is damaged.
 bool read_in_place(OIIO::ImageInput& input, const StoredPixels& stored, const ShownLayout& layout,
                    std::vector<float>& shown);
 bool read_in_place(OIIO::ImageInput& input, const StoredPixels& stored, const ShownLayout& layout,

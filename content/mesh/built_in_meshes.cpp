@@ -16,8 +16,8 @@ SurfaceVertex vertex_of(const Vector3<double>& position, const Vector3<double>& 
           {1.0F, 1.0F, 1.0F}};
 }
 
-//! Adds a grid of points, columns + 1 by rows + 1, with two triangles a cell; `point(u, v)` gives a vertex. Columns run counterclockwise
-//! before rows, as seen from outside.
+//! Adds a grid of (columns + 1) x (rows + 1) vertices with two triangles per cell; `point(u, v)`
+//! returns a vertex. As seen from outside, rows are counterclockwise from columns.
 template <class Point>
 void add_grid(TriangleMesh& mesh, int columns, int rows, const Point& point) {
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
@@ -36,7 +36,7 @@ void add_grid(TriangleMesh& mesh, int columns, int rows, const Point& point) {
   }
 }
 
-//! Ends a part: all indices since the last one.
+//! Adds a part with all indices since the previous part.
 void end_part(TriangleMesh& mesh, const std::array<float, 3>& color) {
   const std::uint32_t first = mesh.parts.empty() ? 0 : mesh.parts.back().first_index + mesh.parts.back().index_count;
   MeshPart& part = mesh.parts.emplace_back();
@@ -87,7 +87,8 @@ TriangleMesh make_disk(const DiskShape& shape) {
   const auto across = [&](double v) { return Vector3<double>{0.0, 0.0, half * (2.0 * v - 1.0)}; };
   const auto face = [&](double side) {
     return [half, radius, side](double u, double v) {
-      // Seen from outside each face is run through counterclockwise: towards -z from the outer edge inwards.
+      // Both faces must run counterclockwise as seen from outside, so the one toward -z runs from
+      // the outer edge inward.
       const double out = side > 0.0 ? 1.0 - v : v;
       return vertex_of(radius(out) * round_axis(u) + Vector3<double>{0.0, 0.0, side * half}, {0.0, 0.0, side}, u, out);
     };

@@ -10,24 +10,26 @@
 
 namespace ergodome {
 
-//! Puts a mesh together from triangles in any order of their materials: each material becomes one part.
+//! Builds a mesh from triangles whose materials come in any order: each material becomes one part.
 class MeshBuilder {
  public:
-  //! `place` is how messages call the mesh.
+  //! `place` is the name of the mesh in messages.
   explicit MeshBuilder(std::string place) : place_(std::move(place)) {}
 
   [[nodiscard]] const std::string& place() const { return place_; }
 
-  //! Throws Error where so many more triangles and vertices exceed the limits. Call it before adding them.
+  //! Throws Error if this many more triangles and vertices exceed the limits. Call it before adding
+  //! them.
   void reserve(std::size_t triangles, std::size_t vertices);
 
   std::uint32_t add_vertex(const SurfaceVertex& vertex);
   void add_triangle(int material, std::uint32_t a, std::uint32_t b, std::uint32_t c);
 
-  //! Adds a sentence about what is not drawn as the file's author may expect, once.
+  //! Adds a sentence about a feature of the file that is drawn differently or not at all. Ignores
+  //! repeated sentences.
   void remark(const std::string& sentence);
 
-  //! Returns the mesh; `look(material)` gives the part of a material without its triangles.
+  //! Returns the mesh; `look(material)` returns the part of a material without its triangles.
   template <class Look>
   TriangleMesh take(const Look& look) {
     for (const auto& [material, indices] : indices_) {
@@ -51,10 +53,11 @@ class MeshBuilder {
   std::size_t triangles_ = 0;
 };
 
-//! Returns the picture of a name in a mesh's file. Throws Error where it leads outside the folder, or is not there.
+//! Returns the image with this name in a mesh's file. Throws Error if it is outside the mesh's
+//! folder or missing.
 MeshImage image_beside_mesh(const std::string& name, const std::string& place, const std::filesystem::path& folder);
 
-//! What is wrong where a mesh names a file that is not in its folder.
+//! Returns the error for a mesh that names a file that is not in its folder.
 Error missing_file(const std::string& place, const std::string& name);
 
 }  // namespace ergodome

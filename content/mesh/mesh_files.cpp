@@ -26,14 +26,14 @@ void add_file(const fs::path& folder, std::string_view name, std::vector<fs::pat
   }
 }
 
-//! What stands under "uri" in the JSON of a .gltf, or in the chunk of it that a .glb begins with.
+//! Returns the files named under "uri" in the JSON of a .gltf, or in the JSON chunk of a .glb.
 std::vector<fs::path> files_of_gltf(std::string_view text, const fs::path& folder) {
   constexpr std::string_view key = "\"uri\"";
   std::vector<fs::path> files;
   for (std::size_t at = text.find(key); at != std::string::npos; at = text.find(key, at + 1)) {
     const std::size_t begin = text.find('"', at + key.size());
     const std::size_t end = begin == std::string::npos ? begin : text.find('"', begin + 1);
-    // Data that stands in the file itself is no name, and long.
+    // Longer values are embedded data, not names.
     if (end != std::string::npos && end - begin < 4096) {
       const auto name = nlohmann::json::parse(text.substr(begin, end - begin + 1), nullptr, false);
       add_file(folder, name.is_string() ? name.get<std::string>() : "", files);
@@ -56,7 +56,7 @@ std::vector<fs::path> files_of_mesh(const fs::path& mesh) {
     const std::string text = read_whole_file(mesh, largest_mesh_bytes, wanted_meshes);
     return obj ? files_of_obj(text, folder) : files_of_gltf(text, folder);
   } catch (const Error&) {
-    return {};  // Whoever reads the mesh says what is wrong with it.
+    return {};  // The mesh reader reports what is wrong.
   }
 }
 

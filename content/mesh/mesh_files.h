@@ -5,9 +5,10 @@
 
 namespace ergodome {
 
-//! Files in the folder of a mesh, or below, that it names: materials of an OBJ with their pictures, buffers and pictures of a glTF 2 file. By its text
-//! alone, without making a mesh of it: so some may be among them that its triangles do not need, and it may be no mesh at all. Each once; none where it cannot
-//! be read.
+//! Returns the files in the folder of a mesh, or below it, that it names: materials and images of
+//! an OBJ, buffers and images of a glTF 2 file. Each appears once. Searches only the text, without
+//! building the mesh, so some may be unused and the mesh may be invalid. Returns none if the mesh
+//! cannot be read.
 std::vector<std::filesystem::path> files_of_mesh(const std::filesystem::path& mesh);
 
 }  // namespace ergodome

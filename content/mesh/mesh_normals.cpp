@@ -19,7 +19,7 @@ bool has_length(const Vector3<double>& normal) {
   return square > least_square && std::isfinite(square);
 }
 
-//! Twice a triangle's area along its normal.
+//! Returns a vector of twice a triangle's area, along its normal.
 Vector3<double> area_of(const TriangleMesh& mesh, std::size_t first) {
   const auto corner = [&](std::size_t i) { return numbers_of(mesh.vertices[mesh.indices[first + i]].position); };
   return cross(corner(1) - corner(0), corner(2) - corner(0));
@@ -39,7 +39,8 @@ void repair_normals(TriangleMesh& mesh) {
   }
   constexpr Vector3<double> none{0.0, 0.0, 0.0};
   std::vector<Vector3<double>> sums(mesh.vertices.size(), none);
-  // Of the first face at each corner: faces that are there twice, wound both ways, add up to nothing.
+  // The first face at each vertex is the fallback: duplicate faces with opposite winding sum to
+  // zero.
   std::vector<Vector3<double>> firsts(mesh.vertices.size(), none);
   for (std::size_t first = 0; first + 2 < mesh.indices.size(); first += 3) {
     const Vector3<double> area = area_of(mesh, first);

@@ -4,7 +4,8 @@
 
 namespace ergodome {
 
-//! Gives corners whose normal is zero, or no number, that of the faces that meet in them, weighted by their areas: where no face shares a corner, the face's own.
+//! Replaces normals that are zero or non-finite by the mean normal of the faces that share the
+//! vertex, weighted by area. A vertex of a single face gets the face's normal.
 void repair_normals(TriangleMesh& mesh);
 
 }  // namespace ergodome

@@ -8,18 +8,18 @@
 
 namespace ergodome {
 
-//! Kinds of mesh files that are read.
+//! Supported kinds of mesh files.
 enum class MeshFormat { obj, gltf, glb };
 
-//! Reads a mesh from a Wavefront OBJ (.obj) or glTF 2 file (.gltf, .glb), with its materials and what else it names beside it,
-//! but nothing outside its folder. Triangles without area are dropped.
+//! Reads a mesh from a Wavefront OBJ (.obj) or glTF 2 file (.gltf, .glb), with its materials and
+//! the files that it names in its folder, but none outside. Drops triangles without area.
 //!
-//! Throws Error, with the file and a remedy, where it or a file that it names is missing, of another kind, malformed, too large,
-//! or has no triangle, or one with a non-finite corner.
+//! Throws Error, with the file and a remedy, if the mesh or a file that it names is missing, of an
+//! unsupported kind, malformed or too large, and if it has no triangles or a non-finite corner.
 TriangleMesh read_mesh(const std::filesystem::path& path);
 
-//! The same from bytes that name files in `folder`; where it is empty, these are not there. `place` is how messages call the
-//! mesh.
+//! Reads a mesh from bytes as read_mesh() does. `folder` (may be empty) holds the files that it
+//! names. `place` is the name of the mesh in messages.
 TriangleMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::string& place,
                         const std::filesystem::path& folder = {});
 

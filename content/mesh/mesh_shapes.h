@@ -4,26 +4,26 @@
 
 #include "kernels/core/vector3.h"
 
-// What meshes that are made by code are made of (content/mesh/built_in_meshes.h).
+// Parameters of the built-in meshes (content/mesh/built_in_meshes.h).
 namespace ergodome {
 
-//! The corners of a triangle, and a texture on it: the first corner has (0, 0), the second (1, 0), the third (0, 1).
+//! The corners of a triangle. Their texture coordinates are (0, 0), (1, 0) and (0, 1).
 struct TriangleShape {
   std::array<Vector3<double>, 3> corners = {{{0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
 };
 
-//! A sphere of radius 1 by longitude and latitude, its poles on the z axis.
+//! A sphere of radius 1 divided by longitude and latitude, with its poles on the z axis.
 struct SphereShape {
   int segments = 36;  //!< of longitude
   int rings = 18;     //!< of latitude
 };
 
-//! A disk with a hole and a thickness about the z axis.
+//! A disk with a hole and a thickness around the z axis.
 struct DiskShape {
   double inner = 6.6;
   double outer = 16.5;
   double thickness = 1.1;
-  int segments = 64;  //!< round the axis
+  int segments = 64;  //!< around the axis
   int rings = 9;      //!< of each face
 };
 

@@ -13,10 +13,12 @@ namespace {
 
 constexpr std::uint32_t leaf_triangles = 4;
 constexpr int bin_count = 16;
-//! Parts of a tree that are made by themselves: enough to share them out evenly, and none too small to be worth it.
+//! Subtrees that are built in parallel: enough to balance the threads, none too small to be worth
+//! it.
 constexpr std::size_t most_parts = 256;
 constexpr std::size_t least_part = 4096;
-//! From here on parts are halved by number: that ends within the greatest depth for any mesh.
+//! From this depth on, nodes are halved by triangle count, which keeps any mesh within
+//! `deepest_tree`.
 constexpr int deepest_by_area = deepest_tree - 34;
 
 struct Box {
@@ -43,7 +45,7 @@ struct Box {
   }
 };
 
-//! A triangle while the tree is built.
+//! A triangle during the construction of the tree.
 struct Item {
   Box box;
   float middle[3];
@@ -52,10 +54,10 @@ struct Item {
 
 using ItemIterator = std::vector<Item>::iterator;
 
-//! Where to cut.
+//! A cut of a node into a near and a far part.
 struct Cut {
   int axis = -1;
-  int bin = 0;  //!< the first on the far side
+  int bin = 0;  //!< the first bin of the far part
   double cost = std::numeric_limits<double>::max();
 };
 
@@ -73,7 +75,7 @@ Binning binning(const Box& middles, int axis) {
   return {middles.low[axis], static_cast<float>(bin_count) / width};
 }
 
-//! The best cut across one axis, if it is better than the one that is known.
+//! Replaces `best` by the best cut across one axis, if that is better.
 void find_cut(ItemIterator begin, ItemIterator end, const Box& middles, int axis, Cut& best) {
   if (!(middles.high[axis] - middles.low[axis] > 0.0F) || !std::isfinite(binning(middles, axis).scale)) {
     return;
@@ -106,7 +108,7 @@ void find_cut(ItemIterator begin, ItemIterator end, const Box& middles, int axis
   }
 }
 
-//! Parts the items of a node in two; both get some.
+//! Divides the items of a node into two nonempty parts. Returns the beginning of the second.
 ItemIterator part_items(ItemIterator begin, ItemIterator end, int depth) {
   Box middles;
   for (ItemIterator item = begin; item != end; ++item) {
@@ -129,7 +131,7 @@ ItemIterator part_items(ItemIterator begin, ItemIterator end, int depth) {
   return half;
 }
 
-//! Calls each(i) for i from 0 to a count, on all threads.
+//! Calls each(i) for i from 0 to count - 1, on all threads.
 template <class Each>
 void for_each_on_all_threads(std::size_t count, const Each& each) {
   parallel_for(static_cast<int>(count), 4096, [&](int begin, int end) {
@@ -153,14 +155,14 @@ std::vector<Item> items_of(const TriangleMesh& mesh) {
   return items;
 }
 
-//! A node whose box and children are still to be made.
+//! A node whose box and children have not been built yet.
 struct Open {
   std::size_t node;
   std::size_t begin, end;
   int depth;
 };
 
-//! Makes the nodes that are open, and what is below them; those that are left(open) stay as they are.
+//! Builds the open node and the nodes below it, except those for which left(open) returns true.
 template <class Left>
 void make_nodes_below(std::vector<Item>& items, const Open& from, std::vector<TreeNode>& nodes, const Left& left) {
   std::vector<Open> open = {from};
@@ -192,7 +194,8 @@ void make_nodes_below(std::vector<Item>& items, const Open& from, std::vector<Tr
   }
 }
 
-//! Puts a tree of its own in the place of a node.
+//! Replaces a node by the root of a separately built tree, and appends the other nodes of that
+//! tree.
 void put_in_place(const std::vector<TreeNode>& tree, std::size_t node, std::vector<TreeNode>& nodes) {
   const auto beyond = static_cast<std::uint32_t>(nodes.size() - 1);
   const auto moved = [beyond](TreeNode from) {
@@ -203,7 +206,8 @@ void put_in_place(const std::vector<TreeNode>& tree, std::size_t node, std::vect
   std::transform(tree.begin() + 1, tree.end(), std::back_inserter(nodes), moved);
 }
 
-//! The top of the tree one node after another, its parts on all threads: in the same order, whatever the threads do.
+//! Builds the top of the tree serially and its subtrees on all threads. The order of the nodes is
+//! deterministic.
 std::vector<TreeNode> make_nodes(std::vector<Item>& items) {
   const std::size_t part = std::max(least_part, items.size() / most_parts);
   std::vector<TreeNode> nodes(1);

@@ -7,13 +7,14 @@
 
 namespace ergodome {
 
-//! A tree of boxes over a mesh's triangles, in memory of its own.
+//! A bounding volume hierarchy over a mesh's triangles that owns its memory; view() is what kernels
+//! use.
 struct TriangleBoxes {
   std::vector<TreeNode> nodes;
-  std::vector<float> corners;            //!< nine numbers a triangle, in the order of the leaves
-  std::vector<std::uint32_t> triangles;  //!< which of the mesh's triangles each of them is
-  Vector3<double> middle{};              //!< of the box about all
-  double radius = 0.0;                   //!< of the sphere about that which holds all
+  std::vector<float> corners;            //!< nine numbers per triangle, in the order of the leaves
+  std::vector<std::uint32_t> triangles;  //!< the mesh's triangle of each of these
+  Vector3<double> middle{};              //!< center of the box around all triangles
+  double radius = 0.0;                   //!< of the sphere around `middle` that contains all triangles
 
   [[nodiscard]] TriangleTree view() const { return {nodes.data(), corners.data(), triangles.data(), middle, radius}; }
   [[nodiscard]] long bytes() const {
@@ -22,8 +23,9 @@ struct TriangleBoxes {
   }
 };
 
-//! Builds it top down; boxes are cut where the areas of both parts, times their triangles, are least (Wald 2007, with sixteen bins an axis).
-//! The mesh must have triangles, and no more than 2^31.
+//! Builds the hierarchy top down with the surface area heuristic: each cut minimizes the sum of
+//! area times triangle count over both parts (Wald 2007, with sixteen bins per axis). The mesh must
+//! have between 1 and 2^31 triangles.
 TriangleBoxes build_triangle_tree(const TriangleMesh& mesh);
 
 }  // namespace ergodome

@@ -7,10 +7,12 @@ namespace ergodome {
 
 namespace {
 
-//! Twice the area over the square of the longest side, below which a triangle is a line: some roundings of a float.
+//! Twice the area over the square of the longest side below which a triangle counts as a line: a
+//! few roundings of a float.
 constexpr double thinnest = 1e-7;
 
-//! Whether three corners span an area. Not so where a coordinate is no number: every comparison with it fails.
+//! Returns true if three corners span an area; false if a coordinate is NaN, as comparisons with it
+//! fail.
 bool has_area(const SurfaceVertex& a, const SurfaceVertex& b, const SurfaceVertex& c) {
   double along_b[3];
   double along_c[3];

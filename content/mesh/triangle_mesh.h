@@ -10,17 +10,18 @@
 
 namespace ergodome {
 
-//! The picture on some triangles.
+//! The image on some triangles.
 struct MeshImage {
-  std::string name;                          //!< path of its file, or what messages call it; empty: there is none
-  std::shared_ptr<const std::string> bytes;  //!< of one that is inside the mesh's own file, coded as its name ends
-  std::string mesh;                          //!< path of the mesh that names a file of its own
-  bool of_gltf = false;                      //!< its colours are sRGB, whatever its file says of them (glTF 2.0, 3.8.3)
+  std::string name;  //!< path of its file, or its name in messages; empty if there is no image
+  std::shared_ptr<const std::string>
+      bytes;             //!< contents if it is embedded in the mesh's file; the ending of `name` tells the format
+  std::string mesh;      //!< path of the mesh that names a separate image file
+  bool of_gltf = false;  //!< colors are sRGB, whatever the image's metadata states (glTF 2.0, 3.8.3)
 
   [[nodiscard]] bool empty() const { return name.empty(); }
 };
 
-//! Triangles of one look, one after the other in the indices.
+//! Triangles with the same material, consecutive in the indices.
 struct MeshPart {
   std::uint32_t first_index = 0;
   std::uint32_t index_count = 0;
@@ -28,17 +29,18 @@ struct MeshPart {
   MeshImage image;
   TextureWrap wrap_u = TextureWrap::repeat;
   TextureWrap wrap_v = TextureWrap::repeat;
-  bool transparent = false;        //!< its file says so; it is drawn opaque
+  bool transparent = false;        //!< the file states transparency; drawn opaque nevertheless
   bool image_alpha_counts = true;  //!< alpha of the image is meant as transparency
 };
 
-//! A surface of triangles, in a unit and about a middle of its own. Their corners run counterclockwise as seen from outside.
+//! A surface of triangles, in its own unit and coordinates. Corners run counterclockwise as seen
+//! from outside.
 struct TriangleMesh {
   std::vector<SurfaceVertex> vertices;
-  std::vector<std::uint32_t> indices;  //!< three a triangle
-  std::vector<MeshPart> parts;         //!< all indices, in their order
-  long dropped_triangles = 0;          //!< left out, because they have no area
-  std::vector<std::string> remarks;    //!< sentences about what of its file is not drawn as its maker may think
+  std::vector<std::uint32_t> indices;  //!< three per triangle
+  std::vector<MeshPart> parts;         //!< cover all indices, in their order
+  long dropped_triangles = 0;          //!< dropped because they have no area
+  std::vector<std::string> remarks;    //!< sentences about features that are drawn differently or not at all
 
   [[nodiscard]] long triangle_count() const { return static_cast<long>(indices.size() / 3); }
   [[nodiscard]] long bytes() const {
@@ -46,10 +48,11 @@ struct TriangleMesh {
   }
 };
 
-//! Leaves out triangles without area (such as those with a corner that is no number), and counts them; parts that are left empty go, too.
+//! Drops triangles without area, also those with a non-finite corner, and counts them. Removes
+//! parts that become empty.
 void drop_degenerate_triangles(TriangleMesh& mesh);
 
-//! The distance of the corner that is farthest from the mesh's own middle.
+//! Returns the distance of the farthest vertex from the origin of the mesh.
 double radius_of(const TriangleMesh& mesh);
 
 }  // namespace ergodome

@@ -25,7 +25,7 @@ std::optional<std::uint32_t> little_endian_word(const NextBytes& next) {
   return value;
 }
 
-//! Reads a name, which ends with a zero; nothing if it is longer than any.
+//! Reads a zero-terminated name. Returns nothing if it is longer than OpenEXR allows.
 std::optional<std::string> name_of(const NextBytes& next) {
   constexpr std::size_t longest_name = 255;
   std::string name;
@@ -49,7 +49,7 @@ bool skip_bytes(const NextBytes& next, std::uint64_t count) {
   return true;
 }
 
-//! Kinds of one size, which the library reads whatever size the file claims.
+//! An attribute type of fixed size. OpenEXR reads that many bytes, whatever size the file claims.
 struct FixedKind {
   std::string_view name;
   std::uint32_t bytes;
@@ -80,7 +80,8 @@ constexpr FixedKind fixed_kinds[] = {{"box2f", 16},
                                      {"v3f", 12},
                                      {"v3i", 12}};
 
-//! Reads a list of channels, which ends with an empty name; true if that is where its size says.
+//! Reads a list of channels, which ends with an empty name. Returns true if it ends where its size
+//! says.
 bool is_channel_list_whole(const NextBytes& next, std::uint64_t size) {
   constexpr std::uint64_t channel_bytes = 16;
   while (size > 0) {
@@ -100,7 +101,7 @@ bool is_channel_list_whole(const NextBytes& next, std::uint64_t size) {
   return false;
 }
 
-//! Reads an attribute after its name: kind, size and value.
+//! Reads an attribute after its name: type, size and value. Returns false if they are damaged.
 bool is_attribute_whole(const NextBytes& next, std::uintmax_t file_bytes) {
   constexpr std::uint64_t preview_head = 8;
   const std::optional<std::string> kind = name_of(next);
@@ -115,7 +116,7 @@ bool is_attribute_whole(const NextBytes& next, std::uintmax_t file_bytes) {
   if (*kind != "preview") {
     return (fixed == std::end(fixed_kinds) || fixed->bytes == *size) && skip_bytes(next, *size);
   }
-  // The library allocates by the size of this picture.
+  // OpenEXR allocates memory for the preview by its width and height.
   const std::optional<std::uint32_t> width = little_endian_word(next);
   const std::optional<std::uint32_t> height = width ? little_endian_word(next) : std::nullopt;
   return height && *size >= preview_head && *width <= file_bytes && *height <= file_bytes &&
@@ -134,7 +135,7 @@ std::string problem_of_exr(const NextBytes& next, std::uintmax_t file_bytes) {
   if (!version) {
     return damaged_header;
   }
-  // In a file of several parts, an empty header ends them.
+  // In a file of several parts, an empty header follows the last one.
   for (bool empty = true;;) {
     const std::optional<std::string> name = name_of(next);
     if (!name) {

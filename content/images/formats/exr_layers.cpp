@@ -20,7 +20,7 @@ std::string in_small_letters(std::string_view text) {
   return small;
 }
 
-//! A channel's name after its last point, in small letters.
+//! Returns a channel's name after its last dot, in lower case.
 std::string last_word(std::string_view name) {
   const std::size_t point = name.rfind('.');
   return in_small_letters(point == std::string_view::npos ? name : name.substr(point + 1));
@@ -36,7 +36,8 @@ bool is_channel(std::string_view name, std::string_view letter, std::string_view
   return last == letter || last == word;
 }
 
-//! Returns the layer that begins at a channel; it has no channels if that is no color.
+//! Returns the layer whose first channel is channels[first]; without channels if that is not a
+//! color.
 ExrLayer layer_at(const std::vector<std::string>& channels, std::size_t first) {
   const std::string layer_name = layer_of(channels[first]);
   const auto is = [&](std::size_t at, std::string_view letter, std::string_view word) {

@@ -10,7 +10,7 @@ namespace ergodome {
 
 namespace {
 
-//! A FITS file in memory. A file on the disk cannot be filled by CFITSIO once it is there.
+//! A FITS file in memory, because CFITSIO cannot write into an existing file on the disk.
 class FitsMemory {
  public:
   explicit FitsMemory(int& status) { fits_create_memfile(&file_, &bytes_, &size_, growth, std::realloc, &status); }
@@ -76,11 +76,11 @@ void append_unit(std::ofstream& to, const FitsMemory& memory, int& status) {
 void append_image(std::ofstream& to, const FitsImage& image, int& status) {
   const FitsMemory memory(status);
   std::array<long, 2> axes = {image.width, image.height};
-  // An extension follows a primary header, whose bytes stay behind.
+  // CFITSIO requires a primary header before an extension; only the extension's bytes are appended.
   fits_create_img(memory.file(), BYTE_IMG, 0, nullptr, &status);
   fits_create_img(memory.file(), DOUBLE_IMG, 2, axes.data(), &status);
   write_cards(memory.file(), image.cards, status);
-  // CFITSIO takes no constant pixels, and changes none.
+  // CFITSIO takes a non-const pointer but does not change the pixels.
   auto* const pixels = const_cast<double*>(image.pixels.data());
   for (LONGLONG row = 0; row < image.height; ++row) {
     const LONGLONG from = (image.height - 1 - row) * image.width;
@@ -89,7 +89,7 @@ void append_image(std::ofstream& to, const FitsImage& image, int& status) {
   append_unit(to, memory, status);
 }
 
-//! An open FITS file on the disk. Names are taken as they are, without CFITSIO's filters.
+//! An open FITS file on the disk. The file name is used literally, without CFITSIO's filter syntax.
 class FitsInput {
  public:
   explicit FitsInput(const std::string& path) { fits_open_diskfile(&file_, path.c_str(), READONLY, &status_); }
@@ -109,7 +109,8 @@ class FitsInput {
     return status_ == 0 ? count : 0;
   }
 
-  //! Returns whether both checksums of a header and its data are there and right. Headers are counted from 1.
+  //! Returns true if both checksums of a header and its data exist and are correct. Headers are
+  //! counted from 1.
   [[nodiscard]] bool is_right(int unit) {
     int data = 0;
     int all = 0;

@@ -7,11 +7,11 @@
 
 namespace ergodome {
 
-//! See ImageLibrary::write_fits().
+//! Implements ImageLibrary::write_fits().
 bool write_fits_file(const std::string& path, std::span<const FitsCard> primary, std::span<const FitsImage> images,
                      std::string& problem);
 
-//! See ImageLibrary::whole_fits_text().
+//! Implements ImageLibrary::whole_fits_text().
 std::string text_of_whole_fits(const std::string& path, const std::string& name, int images);
 
 }  // namespace ergodome

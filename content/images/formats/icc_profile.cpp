@@ -18,11 +18,11 @@ constexpr const char* damaged_profile =
 //! Bytes before the tag table.
 constexpr std::size_t header_bytes = 128;
 
-//! Position of the mark "acsp" in the header.
+//! Position of the signature "acsp" in the header.
 constexpr std::size_t mark_offset = 36;
 constexpr std::string_view profile_mark = "acsp";
 
-//! Returns whether the strings of a tag with texts in several languages lie within the profile.
+//! Returns true if the strings of a multilingual text tag lie within the profile.
 bool has_texts_within(std::string_view profile, std::size_t tag) {
   constexpr std::size_t fixed_bytes = 16;
   constexpr std::size_t record_bytes = 12;
@@ -44,7 +44,7 @@ bool has_texts_within(std::string_view profile, std::size_t tag) {
   return true;
 }
 
-//! Returns whether a tag lies within the profile and is as long as its type requires.
+//! Returns true if a tag lies within the profile and is as long as its type requires.
 bool is_sound_tag(std::string_view profile, std::size_t offset, std::size_t size) {
   constexpr std::size_t type_bytes = 8;
   constexpr std::size_t description_bytes = 12;
@@ -55,8 +55,8 @@ bool is_sound_tag(std::string_view profile, std::size_t offset, std::size_t size
   return (type != "desc" || size >= description_bytes) && (type != "mluc" || has_texts_within(profile, offset));
 }
 
-//! Checks the profiles that are stored uncompressed anywhere in a file. Bytes that only happen to look
-//! like a mark are rarely followed by a plausible size.
+//! Checks the profiles that are stored uncompressed anywhere in a file. Bytes that only happen to
+//! equal the signature are rarely preceded by a plausible size.
 std::string problem_of_plain_profiles(std::string_view bytes) {
   constexpr std::uint32_t largest_profile = 1U << 24U;
   for (std::size_t at = bytes.find(profile_mark); at < bytes.size(); at = bytes.find(profile_mark, at + 1)) {

@@ -13,7 +13,7 @@ namespace ergodome {
 
 namespace {
 
-//! Returns a property of an XMP description, which is an attribute or a child.
+//! Returns a property of an XMP description, which is an attribute or a child element.
 std::string property(const pugi::xml_node& description, const char* name) {
   const std::string full_name = std::string("GPano:") + name;
   if (const pugi::xml_attribute attribute = description.attribute(full_name.c_str())) {
@@ -36,7 +36,7 @@ void place_crop(const PanoramaCrop& crop, ShownLayout& layout) {
   const double scale = static_cast<double>(layout.data_width) / crop.width;
   const auto scaled = [&](int value) { return std::lround(scale * value); };
   layout.window_height = static_cast<int>(scaled(crop.full_height));
-  // Exactly two to one, whatever rounding does.
+  // The panorama must be exactly two to one, whatever the rounding.
   layout.window_width =
       static_cast<int>(crop.full_width == 2 * crop.full_height ? 2L * layout.window_height : scaled(crop.full_width));
   layout.data_left = scaled(crop.left);
@@ -73,7 +73,7 @@ PanoramaCrop read_panorama_crop(std::string_view bytes) {
             pixels(description, "CroppedAreaImageWidthPixels"),
             pixels(description, "CroppedAreaImageHeightPixels"),
             ""};
-    // Panoramas without a crop leave all of this out.
+    // Panoramas without a crop have none of these properties.
     if (crop.full_width < 1 || crop.full_height < 1 || crop.left < 0 || crop.top < 0 || crop.width < 1 ||
         crop.height < 1) {
       crop = {};

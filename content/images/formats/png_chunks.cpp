@@ -19,7 +19,8 @@ unsigned long sum_over(unsigned long sum, const char* bytes, std::size_t count) 
   return crc32(sum, reinterpret_cast<const Bytef*>(bytes), static_cast<uInt>(count));
 }
 
-//! Reads what follows a chunk's length and kind: its data and their sum.
+//! Reads the data and checksum that follow a chunk's length and type. Returns what is wrong with
+//! them; empty if nothing.
 std::string problem_of_chunk(const NextBytes& next, std::uint32_t length, std::string_view kind,
                              std::vector<char>& room) {
   unsigned long sum = sum_over(crc32(0, nullptr, 0), kind.data(), kind.size());
@@ -35,7 +36,8 @@ std::string problem_of_chunk(const NextBytes& next, std::uint32_t length, std::s
   if (!next(saved.data(), saved.size())) {
     return broken_off;
   }
-  // Kinds of a small first letter are left out by readers where they are damaged: texts, profiles.
+  // PNG readers ignore damaged ancillary chunks (first letter in lower case), such as texts and
+  // profiles.
   const bool matters = (static_cast<unsigned char>(kind.front()) & 0x20U) == 0;
   return !matters || big_endian_word({saved.data(), saved.size()}) == sum ? ""
                                                                           : "it is damaged: a checksum does not match";

@@ -23,7 +23,7 @@ void take_color_chunk(std::string_view kind, std::string_view data, PngColors& c
   } else if (kind == "gAMA" && data.size() == 4) {
     colors.gamma = big_endian_word(data) / unit;
   } else if (kind == "cHRM" && data.size() == 32) {
-    // The chunk begins with white.
+    // The chunk begins with the white point.
     std::array<double, 8> values{};
     for (std::size_t i = 0; i < values.size(); ++i) {
       values.at((i + 6) % 8) = big_endian_word(data.substr(4 * i)) / unit;
@@ -43,7 +43,8 @@ bool skip(const NextBytes& next, std::size_t count, std::vector<char>& room) {
   return true;
 }
 
-//! Passes kind and data of each chunk before the pixels to `take`, without those longer than `longest`.
+//! Passes the type and data of each chunk before the pixels to `take`, without chunks longer than
+//! `longest`.
 template <class Take>
 void for_each_chunk(const NextBytes& next, std::size_t longest, Take&& take) {
   constexpr std::size_t sum_bytes = 4;
@@ -72,7 +73,8 @@ void for_each_chunk(const NextBytes& next, std::size_t longest, Take&& take) {
   }
 }
 
-//! Returns the profile of an iCCP chunk: a name, a zero, the compression method, compressed bytes.
+//! Returns the profile of an iCCP chunk, which is a name, a zero, the compression method and
+//! compressed bytes.
 std::string unpacked_profile(std::string_view chunk) {
   constexpr std::size_t largest_profile = std::size_t{1} << 24U;
   const std::size_t zero = chunk.find('\0');
@@ -80,10 +82,10 @@ std::string unpacked_profile(std::string_view chunk) {
     return "";
   }
   const std::string_view packed = chunk.substr(zero + 2);
-  // Deflate packs at most some 1032 times.
+  // Deflate compresses at most about 1032 times.
   std::string profile(std::min(largest_profile, std::max<std::size_t>(1100 * packed.size(), 1024)), '\0');
   auto size = static_cast<uLongf>(profile.size());
-  // What comes before a damaged byte counts: the PNG library may use it.
+  // Keeps the bytes before a damaged one: libpng may use them.
   uncompress(reinterpret_cast<Bytef*>(profile.data()), &size, reinterpret_cast<const Bytef*>(packed.data()),
              static_cast<uLong>(packed.size()));
   profile.resize(size);

@@ -13,7 +13,7 @@ namespace ergodome {
 
 namespace {
 
-//! The numbers after the equals sign of a header line.
+//! Returns the numbers after the equals sign of a header line.
 std::vector<double> numbers_of(std::string_view line) {
   std::istringstream text{std::string(line.substr(line.find('=') + 1))};
   text.imbue(std::locale::classic());
@@ -24,7 +24,8 @@ std::vector<double> numbers_of(std::string_view line) {
   return numbers;
 }
 
-//! True if the red, green and blue primaries are those of sRGB or Radiance's own, which differ by 0.01 in green.
+//! Returns true if the red, green and blue primaries are those of sRGB or Radiance's default ones,
+//! which differ by 0.01 in green.
 bool are_usual_primaries(const std::vector<double>& primaries) {
   constexpr std::array<double, 6> usual = {0.64, 0.33, 0.30, 0.60, 0.15, 0.06};
   constexpr double tolerance = 0.0101;

@@ -12,7 +12,7 @@ namespace ergodome {
 
 namespace {
 
-//! Bytes in memory, as libtiff reads them.
+//! Bytes in memory, as a source for libtiff.
 struct Source {
   std::span<const std::byte> bytes;
   std::uint64_t at = 0;
@@ -42,7 +42,7 @@ toff_t seek(thandle_t handle, toff_t offset, int origin) {
 int close(thandle_t /*handle*/) { return 0; }
 toff_t size(thandle_t handle) { return source_of(handle).bytes.size(); }
 
-//! What libtiff has to say is said by OpenImageIO as well.
+//! Suppresses libtiff's messages; OpenImageIO reports the same problems.
 int say_nothing(TIFF* /*file*/, void* /*data*/, const char* /*module*/, const char* /*format*/, va_list /*values*/) {
   return 1;
 }
@@ -54,14 +54,14 @@ File open(const std::string& name, Source* memory) {
                                                                                  &TIFFOpenOptionsFree);
   TIFFOpenOptionsSetErrorHandlerExtR(options.get(), say_nothing, nullptr);
   TIFFOpenOptionsSetWarningHandlerExtR(options.get(), say_nothing, nullptr);
-  constexpr const char* mode = "rmD";  // without a memory map; offsets are loaded when they are asked for
+  constexpr const char* mode = "rmD";  // no memory map; offsets are loaded on demand
   return {memory == nullptr ? TIFFOpenExt(name.c_str(), mode, options.get())
                             : TIFFClientOpenExt(name.c_str(), mode, memory, read, write_nothing, seek, close, size,
                                                 nullptr, nullptr, options.get()),
           &TIFFClose};
 }
 
-//! Returns how many bytes a strip or tile has where it is not compressed; 0 where it is.
+//! Returns the size of an uncompressed strip or tile [bytes]; 0 if it is compressed.
 std::uint64_t plain_bytes(TIFF* file, bool tiled, std::uint32_t strip) {
   std::uint16_t compression = COMPRESSION_NONE;
   TIFFGetFieldDefaulted(file, TIFFTAG_COMPRESSION, &compression);
@@ -108,7 +108,7 @@ std::string problem_of_tiff(const std::string& name, const std::optional<std::sp
   Source memory{bytes.value_or(std::span<const std::byte>())};
   const File file = open(name, bytes ? &memory : nullptr);
   if (!file) {
-    return "";  // OpenImageIO says why.
+    return "";  // OpenImageIO reports why.
   }
   const std::uint64_t file_bytes = TIFFGetSizeProc(file.get())(TIFFClientdata(file.get()));
   return problem_of_image(file.get(), file_bytes);

@@ -7,11 +7,13 @@
 
 namespace ergodome {
 
-//! Returns what is wrong with the strips or tiles of a TIFF file, or of bytes that stand for it: they lie beyond the end, or
-//! hold fewer bytes than their pixels need. OpenImageIO reads such pixels as black. Empty where nothing is wrong.
+//! Returns what is wrong with the strips or tiles of a TIFF in a file, or in `bytes` if given: they
+//! lie beyond its end, or are shorter than their pixels need. OpenImageIO reads such pixels as
+//! black. Returns an empty text if nothing is wrong.
 std::string problem_of_tiff(const std::string& name, const std::optional<std::span<const std::byte>>& bytes);
 
-//! Returns the ICC profile of a TIFF's first image; empty if it has none, and for files of other formats.
+//! Returns the ICC profile of a TIFF's first image; empty if it has none, and for files of other
+//! formats.
 std::string tiff_icc_profile(const std::string& name, const std::optional<std::span<const std::byte>>& bytes);
 
 }  // namespace ergodome

@@ -11,9 +11,9 @@ namespace {
 
 using tinygltf::Accessor;
 
-//! Where the entries of an accessor lie.
+//! Memory layout of an accessor's entries.
 struct Entries {
-  const unsigned char* first = nullptr;  //!< nullptr: all are zero
+  const unsigned char* first = nullptr;  //!< null: all entries are zero
   std::size_t stride = 0;
   int component_type = 0;
   bool normalized = false;
@@ -35,7 +35,8 @@ int components_of(const GltfFile& file, const Accessor& accessor) {
   return components;
 }
 
-//! Finds `count` entries of so many bytes in a buffer view. Throws Error where they are not in it.
+//! Finds `count` entries of `entry_bytes` bytes in a buffer view. Throws Error if it does not
+//! contain them.
 Entries entries_in(const GltfFile& file, int view_index, std::size_t offset, std::size_t count,
                    std::size_t entry_bytes) {
   const tinygltf::BufferView& view = file.at(file.model.bufferViews, view_index, "buffer view");
@@ -111,7 +112,7 @@ void for_each_number(const GltfFile& file, const Entries& entries, std::size_t c
   }
 }
 
-//! The accessor's numbers as `Number`, sparse ones included.
+//! Returns the accessor's numbers as `Number`, sparse ones included.
 template <class Number>
 std::vector<Number> all_numbers(const GltfFile& file, const Accessor& accessor) {
   const int components = components_of(file, accessor);
@@ -150,7 +151,7 @@ std::vector<Number> all_numbers(const GltfFile& file, const Accessor& accessor) 
   return numbers;
 }
 
-//! Maximum number of entries without a buffer: they are zero (glTF 2.0, 3.6.2).
+//! Maximum number of entries without a buffer, which are zero (glTF 2.0, 3.6.2).
 constexpr std::size_t most_zero_entries = 4'000'000;
 
 }  // namespace

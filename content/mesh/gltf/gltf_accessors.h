@@ -10,16 +10,17 @@
 
 namespace ergodome {
 
-//! A glTF file that was read, as its parts look things up in it.
+//! A parsed glTF file with checked access to its lists.
 struct GltfFile {
   const tinygltf::Model& model;
-  const std::string& place;  //!< how messages call it
+  const std::string& place;  //!< its name in messages
 
   [[nodiscard]] Error error(const std::string& problem) const {
     return {place, problem, "export the mesh again, or check it with a glTF validator"};
   }
 
-  //! An entry of one of the file's lists, which is called `what`. Throws Error where it is not there.
+  //! Returns an entry of one of the file's lists; `what` is its name in messages. Throws Error if
+  //! the index is out of range.
   template <class Entry>
   const Entry& at(const std::vector<Entry>& entries, int index, const char* what) const {
     if (index < 0 || static_cast<std::size_t>(index) >= entries.size()) {
@@ -29,7 +30,7 @@ struct GltfFile {
   }
 };
 
-//! Numbers of an accessor, `components` each.
+//! Values of an accessor, `components` per entry.
 struct GltfNumbers {
   int components = 0;
   std::vector<float> values;
@@ -42,14 +43,16 @@ struct GltfNumbers {
   }
 };
 
-//! Returns how many entries an accessor has, after checking that its buffer holds them. Nothing is read.
+//! Returns the number of entries of an accessor. Checks that its buffer contains them, but reads
+//! none.
 std::size_t gltf_count(const GltfFile& file, int accessor);
 
-//! Reads an accessor of any component type: normalized integers become fractions, others numbers (glTF 2.0, 3.6.2 and
-//! KHR_mesh_quantization); sparse entries replace those of the buffer, which are zero without one. Throws Error where its bytes are not in its buffer.
+//! Reads an accessor of any component type: normalized integers become fractions, others numbers
+//! (glTF 2.0, 3.6.2 and KHR_mesh_quantization). Sparse entries replace those of the buffer, or
+//! zeros without a buffer. Throws Error if its buffer does not contain its bytes.
 GltfNumbers gltf_numbers(const GltfFile& file, int accessor);
 
-//! Reads an accessor of whole numbers: indices, joints.
+//! Reads an accessor of integers: indices, joints.
 std::vector<std::uint32_t> gltf_whole_numbers(const GltfFile& file, int accessor);
 
 }  // namespace ergodome

@@ -13,11 +13,11 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr int deepest_nesting = 64;
-//! Each node, accessor and primitive is an object, of up to a kilobyte once it is read.
+//! Each node, accessor and primitive is an object of up to a kilobyte in memory.
 constexpr long most_objects = 200'000;
 constexpr long most_values = 2'000'000;
 
-//! Counts what the parser finds, and ends it at a limit. The parser does not call itself.
+//! Counts the parser's events and stops it at a limit. The SAX parser does not recurse.
 class Counter : public nlohmann::json_sax<Json> {
  public:
   bool null() override { return value(); }

@@ -5,8 +5,8 @@
 
 namespace ergodome {
 
-//! Checks the JSON of a glTF file before it is parsed: nesting, objects and values within limits, so that neither the stack
-//! nor the memory overflows. Throws Error where it exceeds them or is no JSON.
+//! Checks the JSON of a glTF file before it is parsed: limits on nesting, objects and values keep
+//! stack and memory from overflowing. Throws Error if it exceeds them or is not JSON.
 void require_bounded_gltf(std::string_view json, const std::string& place);
 
 }  // namespace ergodome

@@ -23,7 +23,7 @@ constexpr std::string_view specular_glossiness = "KHR_materials_pbrSpecularGloss
 using tinygltf::ExtensionMap;
 using tinygltf::Value;
 
-//! A picture that a material names, wherever it does.
+//! A reference of a material to a texture.
 struct TextureUse {
   int texture = -1;
   int set = 0;
@@ -49,7 +49,7 @@ std::array<double, 3> numbers_in(const Value& object, const std::string& key, st
   return numbers;
 }
 
-//! What is drawn of a material.
+//! The properties of a material that are drawn.
 struct Look {
   std::array<double, 3> color = {1.0, 1.0, 1.0};
   double brightest = 1.0;
@@ -72,7 +72,7 @@ TextureUse use_of(const tinygltf::TextureInfo& info) {
   return {info.index, info.texCoord, extension(info.extensions, texture_transform)};
 }
 
-//! The light that a surface sends out itself. KHR_materials_emissive_strength multiplies it.
+//! Returns the emitted light of a surface, multiplied by KHR_materials_emissive_strength.
 std::array<double, 3> glow_of(const tinygltf::Material& material) {
   std::array<double, 3> glow{};
   const Value* const extended = extension(material.extensions, "KHR_materials_emissive_strength");
@@ -102,7 +102,7 @@ Look look_of(const tinygltf::Material& material) {
   const bool glows = std::ranges::max(glow) > 0.0;
   const bool black = std::ranges::max(look.color) <= 0.0;
   if (glows && black) {
-    // The surfaces of a show shine by themselves: a body that only glows is its glow.
+    // Surfaces of a show emit light, so a black surface that glows is drawn in its glow.
     look.color = glow;
     look.brightest = brightest_glow;
     look.texture = {material.emissiveTexture.index, material.emissiveTexture.texCoord,
@@ -118,7 +118,8 @@ TextureWrap wrap_of(int wrap) {
                                                          : TextureWrap::repeat;
 }
 
-//! The ending of an image's name by its first bytes, otherwise by what the file calls it; empty: no kind that is read.
+//! Returns the ending of an image's name from its first bytes, or else from its MIME type; empty
+//! for unsupported formats.
 std::string_view kind_of(const tinygltf::Image& image) {
   const std::string_view bytes(reinterpret_cast<const char*>(image.image.data()), image.image.size());
   if (bytes.starts_with("\x89PNG")) {
@@ -135,7 +136,7 @@ std::string_view kind_of(const tinygltf::Image& image) {
   return other ? "" : said == "image/png" ? "png" : said == "image/jpeg" || said == "image/jpg" ? "jpg" : "";
 }
 
-//! An image whose bytes were read with the file.
+//! Returns an image that is embedded in the mesh's file.
 MeshImage image_inside(const GltfFile& file, const tinygltf::Image& image, int index) {
   const std::string_view kind = kind_of(image);
   if (kind.empty()) {
@@ -148,7 +149,7 @@ MeshImage image_inside(const GltfFile& file, const tinygltf::Image& image, int i
           std::make_shared<const std::string>(image.image.begin(), image.image.end()), ""};
 }
 
-//! The image of a texture, in the format that every program reads if there is one; -1: none in a format that is read.
+//! Returns the image of a texture: PNG or JPEG if available, else WebP; -1 if none is supported.
 int source_of(const tinygltf::Texture& texture) {
   const Value* const webp = extension(texture.extensions, webp_texture);
   return texture.source >= 0 || webp == nullptr ? texture.source
@@ -207,7 +208,7 @@ GltfTexturePlace gltf_texture_place(const GltfFile& file, int material) {
   const std::array<double, 3> offset = numbers_in(*transform, "offset", {0.0, 0.0, 0.0});
   const std::array<double, 3> scale = numbers_in(*transform, "scale", {1.0, 1.0, 1.0});
   const double angle = number_in(*transform, "rotation").value_or(0.0);
-  // Translation * rotation * scale, with v downwards.
+  // Translation * rotation * scale, with v pointing down.
   place.u = {scale[0] * std::cos(angle), scale[1] * std::sin(angle), offset[0]};
   place.v = {-scale[0] * std::sin(angle), scale[1] * std::cos(angle), offset[1]};
   return place;

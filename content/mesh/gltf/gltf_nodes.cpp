@@ -29,7 +29,7 @@ glm::dmat4 own_matrix(const tinygltf::Node& node) {
   return matrix;
 }
 
-//! The parent of each node; -1: none.
+//! Returns the parent of each node; -1 for none.
 std::vector<int> parents_of(const GltfFile& file) {
   const std::vector<tinygltf::Node>& nodes = file.model.nodes;
   std::vector<int> parents(nodes.size(), -1);
@@ -46,7 +46,7 @@ std::vector<int> parents_of(const GltfFile& file) {
   return parents;
 }
 
-//! The nodes that the scene begins with.
+//! Returns the root nodes of the scene.
 std::vector<int> roots_of(const GltfFile& file, const std::vector<int>& parents) {
   if (!file.model.scenes.empty()) {
     const std::vector<int>& named = file.at(file.model.scenes, std::max(file.model.defaultScene, 0), "scene").nodes;
@@ -64,7 +64,7 @@ std::vector<int> roots_of(const GltfFile& file, const std::vector<int>& parents)
   return roots;
 }
 
-//! Whether a node, with its children, is hidden by KHR_node_visibility.
+//! Returns true if KHR_node_visibility hides a node with its children.
 bool is_hidden(const tinygltf::Node& node) {
   const auto found = node.extensions.find("KHR_node_visibility");
   if (found == node.extensions.end() || !found->second.Has("visible")) {

@@ -13,14 +13,16 @@ struct GltfInstance {
   int mesh;
 };
 
-//! The nodes of the file's default scene, or of its first, where they stand. A file without scenes shows all its nodes.
+//! The nodes of the file's default scene, or of its first scene, with their transforms. A file
+//! without scenes shows all its nodes.
 struct GltfNodes {
   std::vector<GltfInstance> instances;
-  std::vector<glm::dmat4> world;  //!< of each node: from its own space to the scene's
+  std::vector<glm::dmat4> world;  //!< for each node, the matrix from its coordinates to the scene's
 };
 
-//! Walks through the nodes; those that KHR_node_visibility hides place no meshes, nor do their children. Throws Error where a node has two parents, as the format forbids: a few nodes could stand for
-//! billions.
+//! Traverses the nodes of the scene. Nodes hidden by KHR_node_visibility and their children place
+//! no meshes. Throws Error if a node has two parents: the format forbids it, and a few such nodes
+//! could expand to billions.
 GltfNodes gltf_nodes(const GltfFile& file);
 
 }  // namespace ergodome

@@ -22,8 +22,8 @@ namespace {
 using tinygltf::Accessor;
 using Triangle = std::array<std::uint32_t, 3>;
 
-//! Reads an attribute of a primitive, for all of its vertices. Empty where it has none. Throws Error where it has another
-//! number of entries or of components.
+//! Reads an attribute of a primitive for all its vertices; empty if the primitive does not have it.
+//! Throws Error for another number of entries, or of components outside [fewest, most].
 GltfNumbers attribute(const GltfFile& file, const std::map<std::string, int>& attributes, const std::string& name,
                       std::size_t count, int fewest, int most) {
   const auto found = attributes.find(name);
@@ -40,7 +40,7 @@ GltfNumbers attribute(const GltfFile& file, const std::map<std::string, int>& at
 
 glm::dvec3 vector_of(const float* numbers) { return {numbers[0], numbers[1], numbers[2]}; }
 
-//! The triangles of a strip or fan, or of a list, by numbers of vertices.
+//! Returns the triangles of a list, strip or fan as vertex indices.
 std::vector<Triangle> triangles_of(const GltfFile& file, int mode, const std::vector<std::uint32_t>& order) {
   std::vector<Triangle> triangles;
   const std::size_t count = order.size();
@@ -66,7 +66,7 @@ std::vector<Triangle> triangles_of(const GltfFile& file, int mode, const std::ve
   return triangles;
 }
 
-//! A primitive's vertices before they are placed.
+//! A primitive's vertices before their transform.
 struct Shape {
   GltfNumbers positions;
   GltfNumbers normals;
@@ -82,7 +82,7 @@ void add_weighted(GltfNumbers& to, const GltfNumbers& targets, double weight) {
   }
 }
 
-//! Moves vertices to the morph targets, as far as these weigh.
+//! Adds the morph targets to the vertices, each with its weight.
 void morph(const GltfFile& file, const tinygltf::Primitive& primitive, const std::vector<double>& weights,
            Shape& shape) {
   const std::size_t count = shape.positions.count();
@@ -94,7 +94,8 @@ void morph(const GltfFile& file, const tinygltf::Primitive& primitive, const std
   }
 }
 
-//! The matrix that places a vertex: its joints', by their weights, or the node's.
+//! Returns the matrix that places a vertex: the weighted sum of its joints' matrices, or the
+//! node's.
 glm::dmat4 matrix_of(const GltfFile& file, const Shape& shape, const GltfPlacement& placement, std::size_t vertex) {
   if (placement.joints.empty() || shape.joints.values.empty() || shape.weights.values.empty()) {
     return placement.world;
@@ -125,10 +126,11 @@ class Placer {
     SurfaceVertex vertex = {};
     put(position, vertex.position);
     if (!shape_.normals.values.empty()) {
-      // By the cofactors, which are the inverse's transpose but for a factor, and there for flat matrices, too.
+      // The cofactor matrix is the inverse transpose up to a factor, and also exists for matrices
+      // that flatten.
       const glm::dmat3 m(matrix);
       const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
-      // Mirrors turn cofactors over against the inverse's transpose.
+      // For mirroring matrices, the cofactors have the opposite sign of the inverse transpose.
       const double side = glm::determinant(m) < 0.0 ? -1.0 : 1.0;
       const glm::dvec3 normal = side * (cofactors * vector_of(shape_.normals[i]));
       const double length = glm::length(normal);
@@ -137,7 +139,7 @@ class Placer {
     if (!shape_.textures.values.empty()) {
       const auto u = static_cast<double>(shape_.textures[i][0]);
       const auto v = static_cast<double>(shape_.textures[i][1]);
-      // glTF counts v downwards.
+      // In glTF, v points down.
       vertex.texture[0] = static_cast<float>(texture_.u[0] * u + texture_.u[1] * v + texture_.u[2]);
       vertex.texture[1] = static_cast<float>(1.0 - (texture_.v[0] * u + texture_.v[1] * v + texture_.v[2]));
     }
@@ -147,7 +149,7 @@ class Placer {
     return vertex;
   }
 
-  //! Whether the vertex's triangles are turned inside out.
+  //! Returns true if the transform turns triangles inside out.
   [[nodiscard]] bool mirrors() const {
     return placement_.joints.empty() && glm::determinant(glm::dmat3(placement_.world)) < 0.0;
   }
@@ -165,7 +167,8 @@ class Placer {
   const GltfTexturePlace& texture_;
 };
 
-//! Gives the corners of a triangle its own normal, as glTF asks for where there are none (3.7.2.1).
+//! Gives the corners of a triangle its face normal, as glTF requires for meshes without normals
+//! (3.7.2.1).
 void make_flat(std::array<SurfaceVertex, 3>& corners) {
   const auto at = [&](std::size_t i) { return vector_of(corners.at(i).position); };
   const glm::dvec3 normal = glm::cross(at(1) - at(0), at(2) - at(0));

@@ -8,14 +8,14 @@
 
 namespace ergodome {
 
-//! Where a primitive stands: by one matrix, or by those of the joints of a skin.
+//! The transform of a primitive: one matrix, or those of the joints of a skin.
 struct GltfPlacement {
   glm::dmat4 world;
-  std::vector<glm::dmat4> joints;      //!< of a skin; empty: it has none
-  const std::vector<double>* weights;  //!< of its morph targets
+  std::vector<glm::dmat4> joints;      //!< of a skin; empty without one
+  const std::vector<double>* weights;  //!< of the morph targets
 };
 
-//! Adds the triangles of a primitive to a mesh. Points and lines add nothing.
+//! Adds the triangles of a primitive to a mesh. Ignores points and lines.
 void add_gltf_primitive(const GltfFile& file, const tinygltf::Primitive& primitive, const GltfPlacement& placement,
                         MeshBuilder& builder);
 

@@ -23,7 +23,8 @@ namespace ergodome {
 
 namespace {
 
-//! Returns the JSON in the bytes of a .glb, after checking that the lengths in it are those of its bytes.
+//! Returns the JSON in the bytes of a .glb. Throws Error if the lengths in its headers do not match
+//! its bytes.
 std::string_view json_in_glb(std::string_view bytes, const std::string& place) {
   constexpr std::size_t head = 12;
   constexpr std::size_t chunk_head = 8;
@@ -43,24 +44,24 @@ std::string_view json_in_glb(std::string_view bytes, const std::string& place) {
   return bytes.substr(head + chunk_head, word(head));
 }
 
-//! Files that the loader asks for: those in the mesh's folder, or below.
+//! The files that the loader may read: those in the mesh's folder, or below.
 struct FilesBeside {
   const std::filesystem::path& folder;
-  std::string missing;  //!< the first that is not there
-  std::string problem;  //!< why one could not be read
+  std::string missing;  //!< the first missing file
+  std::string problem;  //!< why a file could not be read
 
   [[nodiscard]] std::filesystem::path find(const std::string& name) const {
     if (std::filesystem::path found = file_of_mesh(folder, name); !found.empty()) {
       return found;
     }
-    // The loader takes a plus sign in a URI for a blank.
+    // The loader decodes a plus sign in a URI as a blank.
     std::string plus = name;
     std::ranges::replace(plus, ' ', '+');
     return file_of_mesh(folder, plus);
   }
 };
 
-//! Pictures are read when they are drawn.
+//! Returns true for image files. The loader need not read them; they are read when they are drawn.
 bool is_picture(const std::string& name) {
   std::string ending = std::filesystem::path(name).extension().string();
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -70,7 +71,8 @@ bool is_picture(const std::string& name) {
 
 bool is_data(std::string_view name) { return name.starts_with("data:"); }
 
-//! Decodes a data URI (RFC 2397) of a media type that the loader does not know. False where it is not in base 64.
+//! Decodes a data URI (RFC 2397) of a media type that the loader does not know. Returns false if it
+//! is not base64.
 bool decode_data(const std::string& name, std::vector<unsigned char>& bytes) {
   constexpr std::string_view coding = ";base64,";
   const std::size_t head = name.substr(0, name.find(',') + 1).find(coding);
@@ -78,7 +80,7 @@ bool decode_data(const std::string& name, std::vector<unsigned char>& bytes) {
     return false;
   }
   std::string digits = name.substr(head + coding.size());
-  std::ranges::replace(digits, ' ', '+');  // the loader takes a plus sign in a URI for a blank
+  std::ranges::replace(digits, ' ', '+');  // the loader decodes a plus sign in a URI as a blank
   std::string media_type;
   return tinygltf::DecodeDataURI(&bytes, media_type, "data:application/octet-stream;base64," + digits, 0, false);
 }
@@ -118,14 +120,14 @@ tinygltf::FsCallbacks callbacks_of(FilesBeside& files) {
   return callbacks;
 }
 
-//! Keeps the bytes of a picture inside the file as they are coded there.
+//! Keeps the bytes of an embedded image encoded.
 bool keep_coded(tinygltf::Image* image, const int /*index*/, std::string* /*error*/, std::string* /*warning*/,
                 int /*width*/, int /*height*/, const unsigned char* bytes, int size, void* /*data*/) {
   image->image.assign(bytes, bytes + std::max(size, 0));
   return true;
 }
 
-//! The first line of what the loader says, which may quote the file.
+//! Returns the first line of the loader's message, which may quote the file.
 std::string first_line(const std::string& text) {
   constexpr std::size_t longest = 200;
   return printable(text.substr(0, std::min(text.find('\n'), longest)));
@@ -141,8 +143,8 @@ void require_known_extensions(const GltfFile& file) {
   }
 }
 
-//! Throws Error if the file is of another version, requires an unsupported extension, or is a GLB with a second buffer that
-//! has no data of its own.
+//! Throws Error if the file is not glTF 2, requires an unsupported extension, or is a GLB with a
+//! second buffer that has no data.
 void require_readable(const GltfFile& file, bool binary) {
   if (!file.model.asset.version.starts_with("2.")) {
     throw Error(file.place, fmt::format("is glTF {}, which is not supported", first_line(file.model.asset.version)),
@@ -187,7 +189,7 @@ void load(std::string_view bytes, bool binary, const std::string& place, const s
   }
 }
 
-//! The matrices of a skin's joints: from the space of the mesh to the scene's.
+//! Returns the matrices of a skin's joints from the mesh's coordinates to the scene's.
 std::vector<glm::dmat4> joints_of(const GltfFile& file, const GltfNodes& nodes, int skin_index) {
   if (skin_index < 0) {
     return {};

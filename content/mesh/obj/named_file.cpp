@@ -9,7 +9,7 @@ namespace ergodome {
 
 namespace {
 
-//! A URI's text with its percent-encoded bytes (RFC 3986, 2.1) as they are; what is not of that form stays.
+//! Decodes the percent-encoded bytes of a URI (RFC 3986, 2.1). Leaves malformed codes unchanged.
 std::string decoded(std::string_view text) {
   std::string plain;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -23,7 +23,7 @@ std::string decoded(std::string_view text) {
   return plain;
 }
 
-//! Finds an entry of a folder by its name in any case of its letters, as Windows does.
+//! Finds an entry of a folder by its name in any case, as Windows does.
 std::filesystem::path entry_in_any_case(const std::filesystem::path& folder, const std::string& name) {
   const auto lower = [](std::string text) {
     std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -41,7 +41,7 @@ std::filesystem::path entry_in_any_case(const std::filesystem::path& folder, con
 }
 
 std::filesystem::path file_inside(const std::filesystem::path& folder, const std::string& name) {
-  // The system's own limit on paths.
+  // The operating system's limit on paths.
   constexpr std::size_t longest_name = 4096;
   if (name.size() > longest_name) {
     return {};
@@ -62,14 +62,15 @@ std::filesystem::path file_inside(const std::filesystem::path& folder, const std
   return !at.empty() && std::filesystem::is_regular_file(at, problem) ? at : std::filesystem::path();
 }
 
-//! A name with the slashes of other systems; of a path that begins at a drive, a server or the root, the file's name alone.
+//! Replaces backslashes by slashes. Reduces a path that begins with a drive, a server or the root
+//! to its file name.
 std::string name_beside_mesh(std::string name) {
   std::ranges::replace(name, '\\', '/');
   const bool drive = name.size() > 2 && std::isalpha(static_cast<unsigned char>(name[0])) != 0 && name[1] == ':';
   return drive || name.starts_with('/') ? std::filesystem::path(name).filename().string() : name;
 }
 
-//! A name in Latin-1, as old Windows programs write it, in UTF-8.
+//! Converts a name from Latin-1, which old Windows programs write, to UTF-8.
 std::string from_latin_1(const std::string& name) {
   std::string text;
   for (const char c : name) {

@@ -5,11 +5,12 @@
 
 namespace ergodome {
 
-//! Returns the file in a mesh's folder, or below it, that a mesh names: as written, as a URI (RFC 3986, 2.1), with backslashes,
-//! or in another case of its letters; of an absolute path, the file of that name beside the mesh. Empty where there is none.
+//! Finds the file in a mesh's folder, or below it, that a mesh names. Tries the name as written, as
+//! a URI (RFC 3986, 2.1), with backslashes, and in any case; for an absolute path, the file with
+//! that name beside the mesh. Returns an empty path if none exists.
 std::filesystem::path file_of_mesh(const std::filesystem::path& folder, const std::string& name);
 
-//! Whether a name leads out of the mesh's folder, where nothing is read.
+//! Returns true if a name leads out of the mesh's folder, where no files are read.
 bool leads_outside(const std::string& name);
 
 }  // namespace ergodome

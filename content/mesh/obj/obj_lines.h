@@ -5,18 +5,18 @@
 
 namespace ergodome {
 
-//! Walks through the statements of a Wavefront OBJ or MTL file. Comments and empty lines are left out, lines that end with a
-//! backslash go on in the next one, and a byte-order mark is skipped.
+//! Iterates over the statements of a Wavefront OBJ or MTL file. Skips comments, empty lines and a
+//! byte-order mark, and joins lines that end with a backslash to the next one.
 class ObjLines {
  public:
-  //! `text` must outlive this.
+  //! `text` must outlive this object.
   explicit ObjLines(std::string_view text);
 
-  //! Goes to the next statement; false where there is none.
+  //! Goes to the next statement; returns false at the end.
   bool next();
 
   [[nodiscard]] std::string_view keyword() const { return keyword_; }
-  //! What follows the keyword, without blanks at its ends.
+  //! Returns the text after the keyword, without surrounding blanks.
   [[nodiscard]] std::string_view rest() const { return rest_; }
   [[nodiscard]] long line() const { return line_; }
 
@@ -29,13 +29,14 @@ class ObjLines {
   long next_line_ = 1;
 };
 
-//! Takes the next word, up to a blank, from the beginning of a text; empty where there is none.
+//! Removes and returns the next word of a text, up to a blank; empty at the end.
 std::string_view take_word_of(std::string_view& text);
 
-//! Takes the next word if it is a number as a whole.
+//! Removes the next word of a text and parses it as a number. Returns false, and leaves the text
+//! unchanged, if the whole word is not a number.
 bool take_number(std::string_view& text, double& number);
 
-//! A name without the quotes that some programs write around it.
+//! Removes the quotes that some programs write around a name.
 std::string_view unquoted(std::string_view name);
 
 }  // namespace ergodome

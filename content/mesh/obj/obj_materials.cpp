@@ -18,9 +18,9 @@ bool take_color(std::string_view text, std::array<float, 3>& color) {
   }
   const std::string_view behind = take_word_of(text);
   if (count == 0 || (count < 3 && !behind.empty() && behind.front() != '#')) {
-    return false;  // such as "spectral" and "xyz", which name other spaces
+    return false;  // such as "spectral" and "xyz", which select other color spaces
   }
-  // One number stands for three.
+  // A single number stands for all three.
   for (; count < 3; ++count) {
     numbers.at(count) = numbers[0];
   }
@@ -28,7 +28,7 @@ bool take_color(std::string_view text, std::array<float, 3>& color) {
   return true;
 }
 
-//! Some programs write "map_kd" and "KD".
+//! Converts a keyword to lower case, as some programs write "map_kd" and "KD".
 std::string lower_case(std::string_view keyword) {
   std::string lower(keyword);
   std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -56,7 +56,8 @@ void read_statement(const ObjLines& lines, ObjMaterial& material) {
     rest = take_word_of(behind) == "-halo" ? behind : rest;
     material.transparent = material.transparent || (take_number(rest, number) && number < 1.0);
   } else if (keyword == "tr" && take_number(rest, number)) {
-    // The inverse of d. Old programs wrote d's value here; a wholly transparent body was not meant.
+    // Tr is 1 - d, but old programs wrote the value of d; so 1 is not taken for a fully transparent
+    // body.
     material.transparent = material.transparent || (number > 0.0 && number < 1.0);
   }
 }

@@ -9,19 +9,19 @@
 
 namespace ergodome {
 
-//! A picture that a material names, and how it lies on the surface: u * scale + offset.
+//! An image that a material names, and its mapping to the surface: u * scale + offset.
 struct ObjTexture {
-  std::string name;  //!< as the file has it; empty: none
+  std::string name;  //!< as written in the file; empty if there is none
   std::array<double, 2> scale = {1.0, 1.0};
   std::array<double, 2> offset = {0.0, 0.0};
   bool clamp = false;
 };
 
-//! A material of a Wavefront MTL file, as far as it is drawn or remarked on.
+//! The properties of a Wavefront MTL material that are drawn or remarked on.
 struct ObjMaterial {
   std::array<float, 3> diffuse = {0.6F, 0.6F, 0.6F};
   bool has_diffuse = false;
-  bool diffuse_unread = false;  //!< Kd is there, but no three numbers: a spectrum, or numbers with decimal commas
+  bool diffuse_unread = false;  //!< Kd is present but not three numbers: a spectrum, or numbers with decimal commas
   std::array<float, 3> emission = {0.0F, 0.0F, 0.0F};
   ObjTexture diffuse_texture;
   ObjTexture emission_texture;
@@ -30,13 +30,15 @@ struct ObjMaterial {
 
 using ObjMaterials = std::map<std::string, ObjMaterial, std::less<>>;
 
-//! Adds the materials of a file's text; of two with one name the first counts.
+//! Adds the materials of a file's text. If two have the same name, the first one counts.
 void add_obj_materials(std::string_view text, ObjMaterials& materials);
 
-//! Reads the text of a map_ statement: options, each with its numbers, then a name that may hold blanks.
+//! Reads the text of a map_ statement: options with their numbers, then a name that may contain
+//! blanks.
 ObjTexture obj_texture(std::string_view text);
 
-//! Returns the names in an mtllib statement: one name with blanks where such a file is there, else one name a word.
+//! Returns the names in an mtllib statement: one name with blanks if that file exists, else one
+//! name per word.
 std::vector<std::string> library_names(std::string_view rest, const std::filesystem::path& folder);
 
 }  // namespace ergodome

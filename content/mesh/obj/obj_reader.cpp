@@ -25,13 +25,13 @@ namespace ergodome {
 namespace {
 
 constexpr const char* face_remedy = "export the mesh again";
-//! A material's library is text of some lines a material.
+//! A material library has only some lines per material.
 constexpr std::size_t largest_library_bytes = std::size_t{64} << 20U;
-//! Squares of the numbers of faces' corners, all together, that cutting them may take.
+//! Maximum work of triangulation: sum over the faces of their squared numbers of corners.
 constexpr double most_cutting_work = 1e9;
 constexpr int no_material = -1;
 
-//! A corner of a face, by numbers from 0; -1: it has none.
+//! Indices of a face's corner, from 0; -1 for none.
 struct Corner {
   std::int64_t vertex;
   std::int64_t texture;
@@ -48,7 +48,7 @@ struct Face {
 
 struct Vertex {
   Vector3<double> position;
-  std::array<float, 3> color;  //!< as the file has it, then linear light
+  std::array<float, 3> color;  //!< as in the file, later linear light
   bool has_color;
 };
 
@@ -106,8 +106,8 @@ class ObjReader {
   double cutting_work_ = 0.0;
   std::set<std::string> libraries_;
   ObjMaterials materials_;
-  std::map<std::string, int, std::less<>> numbers_;  //!< of materials that faces use, from 0
-  std::vector<std::string> names_;                   //!< by number
+  std::map<std::string, int, std::less<>> numbers_;  //!< index of each material that faces use, from 0
+  std::vector<std::string> names_;                   //!< names of these materials by index
   int material_ = no_material;
   long smoothing_group_ = 0;
   bool has_colors_ = false;
@@ -117,7 +117,7 @@ class ObjReader {
   bool has_free_forms_ = false;
   bool smooth_by_groups_ = false;
   long line_ = 0;
-  //! Sums of the normals of the faces of a smoothing group at a vertex.
+  //! Sums of the face normals of each smoothing group at each vertex.
   std::unordered_map<std::uint64_t, Vector3<double>> sums_;
 };
 
@@ -148,7 +148,8 @@ void ObjReader::read_statement(std::string_view keyword, std::string_view rest) 
   }
 }
 
-//! Reads one or two texture coordinates. Non-finite ones, such as 1.#QNAN of Windows programs, become 0.
+//! Reads one or two texture coordinates. Non-finite ones, such as 1.#QNAN from Windows programs,
+//! become 0.
 void ObjReader::read_texture(std::string_view rest) {
   std::array<float, 2> at{};
   for (float& coordinate : at) {
@@ -175,7 +176,7 @@ void ObjReader::read_vertex(std::string_view rest) {
   Vertex vertex = {{numbers[0], numbers[1], numbers[2]}, {1.0F, 1.0F, 1.0F}, count >= 6};
   if (vertex.has_color) {
     has_colors_ = true;
-    const std::size_t first = count == 7 ? 4 : 3;  // behind a weight, which only curves have
+    const std::size_t first = count == 7 ? 4 : 3;  // after a weight, which only curves use
     for (std::size_t i = 0; i < 3; ++i) {
       vertex.color.at(i) = static_cast<float>(std::clamp(numbers.at(first + i), 0.0, 255.0));
       brightest_color_ = std::max(brightest_color_, vertex.color.at(i));
@@ -199,7 +200,7 @@ std::int64_t ObjReader::take_index(std::string_view& word, std::size_t count) co
   if (!take_number(digits, number) || number != std::floor(number) || number == 0.0 || std::abs(number) > 1e9) {
     throw error("has a face whose vertex index is not a whole number", face_remedy);
   }
-  // Negative numbers count back from the last one so far.
+  // Negative indices count back from the latest vertex.
   const auto index = static_cast<std::int64_t>(number);
   constexpr std::int64_t before_the_first = -2;
   return index > 0 ? index - 1
@@ -265,7 +266,8 @@ int ObjReader::material_number(std::string_view name) {
   return at->second;
 }
 
-//! Throws Error where the file breaks off within a face. One that breaks off between two faces is a smaller mesh.
+//! Throws Error if the file is truncated within a face. A file truncated between faces is a smaller
+//! valid mesh.
 void ObjReader::check_end(std::string_view text) const {
   const std::size_t line = text.find_last_of("\r\n");
   std::string_view last = line == std::string_view::npos ? text : text.substr(line + 1);
@@ -285,7 +287,7 @@ Vector3<double> ObjReader::position(const Face& face, std::size_t corner) const 
   return vertices_[static_cast<std::size_t>(corners_[face.first_corner + corner].vertex)].position;
 }
 
-//! Twice the face's area along its normal.
+//! Returns a vector of twice the face's area, along its normal.
 Vector3<double> ObjReader::face_normal(const Face& face) const {
   Vector3<double> sum = {0.0, 0.0, 0.0};
   for (std::size_t i = 1; i + 1 < face.corners; ++i) {
@@ -310,7 +312,8 @@ void ObjReader::sum_normals() {
   }
 }
 
-//! Zero where neither the file nor the faces give one; the mesh's triangles do, later.
+//! Returns the normal of a corner; zero if neither the file nor the faces define one.
+//! repair_normals() later replaces zeros.
 Vector3<double> ObjReader::normal_of(const Face& face, const Corner& corner) const {
   if (corner.normal >= 0) {
     return normals_[static_cast<std::size_t>(corner.normal)];
@@ -320,7 +323,8 @@ Vector3<double> ObjReader::normal_of(const Face& face, const Corner& corner) con
   return length > 0.0 ? (1.0 / length) * sum : Vector3<double>{0.0, 0.0, 0.0};
 }
 
-//! Decodes the colors of vertices from sRGB. Whole numbers above 1 are those from 0 to 255.
+//! Decodes vertex colors from sRGB. If all are whole numbers and some exceed 1, they range from 0
+//! to 255.
 void ObjReader::decode_colors() {
   const float white = colors_are_whole_ && brightest_color_ > 1.0F ? 255.0F : 1.0F;
   for (Vertex& vertex : vertices_) {
@@ -399,7 +403,8 @@ const ObjMaterial* ObjReader::material_of(int number) const {
   return found == materials_.end() ? nullptr : &found->second;
 }
 
-//! What glows without a colour of its own is drawn in its glow: the surfaces of a show shine by themselves.
+//! Returns the part of a material. A black material that glows is drawn in its glow, as surfaces of
+//! a show emit light.
 MeshPart ObjReader::part_of(int number) {
   MeshPart part;
   const ObjMaterial* const material = material_of(number);
@@ -411,7 +416,7 @@ MeshPart ObjReader::part_of(int number) {
   const bool glows = !is_black(material->emission) || !material->emission_texture.name.empty();
   const bool by_glow = glows && material->diffuse_texture.name.empty() && is_black(material->diffuse);
   const ObjTexture& texture = by_glow ? material->emission_texture : material->diffuse_texture;
-  // Of a picture without a colour, all light is the picture's.
+  // An image without a color in the material is multiplied by white.
   const bool white = !texture.name.empty() && !(by_glow ? !is_black(material->emission) : material->has_diffuse);
   part.color = white ? std::array<float, 3>{1.0F, 1.0F, 1.0F} : by_glow ? material->emission : material->diffuse;
   const float brightest = by_glow ? brightest_glow : 1.0F;

@@ -13,7 +13,7 @@ struct Point {
   double x, y;
 };
 
-//! Newell's normal: the sum of the projected areas, robust for faces that are not flat.
+//! Returns Newell's normal: the sum of the projected areas, robust for nonplanar faces.
 Vector3<double> normal_of(std::span<const Vector3<double>> corners) {
   Vector3<double> sum = {0.0, 0.0, 0.0};
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -24,7 +24,7 @@ Vector3<double> normal_of(std::span<const Vector3<double>> corners) {
   return sum;
 }
 
-//! The corners in a plane, counterclockwise, without the coordinate along which the face is largest.
+//! Projects the corners onto the coordinate plane in which the face is largest, counterclockwise.
 std::vector<Point> flattened(std::span<const Vector3<double>> corners) {
   const Vector3<double> normal = normal_of(corners);
   const double x = std::abs(normal.x);
@@ -44,7 +44,7 @@ std::vector<Point> flattened(std::span<const Vector3<double>> corners) {
   return points;
 }
 
-//! Twice the signed area of a triangle: above 0 where it runs counterclockwise.
+//! Returns twice the signed area of a triangle; positive if it runs counterclockwise.
 double area(const Point& a, const Point& b, const Point& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
@@ -55,7 +55,8 @@ bool is_inside(const Point& p, const Point& a, const Point& b, const Point& c) {
 
 bool is_same(const Point& a, const Point& b) { return a.x == b.x && a.y == b.y; }
 
-//! Whether the corner at `at` of what is left can be cut off: it points outwards, and no other corner lies in it.
+//! Returns true if corner left[at] can be cut off: it is convex, and no other corner lies in its
+//! triangle.
 bool is_ear(const std::vector<Point>& points, const std::vector<std::uint32_t>& left, std::size_t at) {
   const std::size_t before = (at + left.size() - 1) % left.size();
   const std::size_t after = (at + 1) % left.size();
@@ -82,7 +83,7 @@ std::vector<Triangle> ears_of(const std::vector<Point>& points) {
   std::size_t at = 0;
   std::size_t tried = 0;
   while (left.size() > 3) {
-    // Where none is an ear the face crosses itself or has no area: any corner will do.
+    // A face without an ear intersects itself or has no area; then any corner is cut.
     if (tried < left.size() && !is_ear(points, left, at)) {
       at = (at + 1) % left.size();
       ++tried;

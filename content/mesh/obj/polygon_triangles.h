@@ -9,12 +9,13 @@
 
 namespace ergodome {
 
-//! The most corners that a face may have: cutting it takes their square.
+//! Maximum number of corners of a face: triangulation takes time in proportion to its square.
 inline constexpr std::size_t most_face_corners = 1024;
 
-//! Cuts a face into triangles: by the shorter diagonal for four corners, else by ears (Meisters 1975), seen along the face's
-//! mean normal (Newell). Returns three numbers of corners a triangle, wound as the face is; concave faces are right, faces that
-//! cross themselves are covered somehow.
+//! Triangulates a face: four corners along the shorter diagonal, others by ear clipping (Meisters
+//! 1975), seen along the face's mean normal (Newell). Returns three corner indices per triangle,
+//! wound as the face is. Correct for concave faces; the triangulation of a self-intersecting face
+//! is arbitrary.
 std::vector<std::array<std::uint32_t, 3>> triangles_of_polygon(std::span<const Vector3<double>> corners);
 
 }  // namespace ergodome
