@@ -21,7 +21,7 @@ glm::dquat key_orientation(const CameraKey& key) {
   }
   const glm::dvec3 north(0.0, -1.0, 0.0);
   const glm::dvec3 across = glm::cross(forward, north);
-  // Looking along the meridian's pole there is no "up"; the outward radial direction serves.
+  // Along the spin axis the up direction is undefined; the outward radial direction replaces it.
   const glm::dvec3 right = glm::length(across) > 1e-9 ? glm::normalize(across) : glm::dvec3(0.0, 0.0, 1.0);
   const glm::dvec3 up = glm::cross(right, forward);
   const glm::dquat look = glm::quat_cast(glm::dmat3(right, up, -forward));

@@ -17,10 +17,10 @@ namespace {
 
 using CameraKeys = std::span<const CameraKey>;
 
-//! When the camera leaves a key.
+//! Returns when the camera leaves a key [s].
 double leave_s(const CameraKey& key) { return key.time_s + key.hold_s; }
 
-//! The way from a key to the next one.
+//! The path segment from a key to the next one.
 struct Way {
   std::size_t from;
   double span_s;
@@ -29,7 +29,8 @@ struct Way {
 
 double span_s(const CameraKeys& keys, std::size_t i) { return keys[i + 1].time_s - leave_s(keys[i]); }
 
-//! Derivatives of some measure of the path at both ends of a way. `rise(i)` is what it adds from key i to the next one.
+//! Returns the derivatives of a quantity at both ends of a segment. `rise(i)` is its increase from
+//! key i to the next one.
 template <class Rise>
 std::pair<KeyMotion, KeyMotion> motions(const CameraKeys& keys, const Way& way, const Rise& rise) {
   const auto chord = [&](std::size_t i) {
@@ -41,7 +42,7 @@ std::pair<KeyMotion, KeyMotion> motions(const CameraKeys& keys, const Way& way, 
           motion_at_end(way.ends.end, own, way.from + 2 < keys.size() ? chord(way.from + 1) : own)};
 }
 
-//! A coordinate at t in [0, 1] of a way.
+//! Returns a coordinate at t in [0, 1] of a segment.
 template <class Value>
 double interpolated(const CameraKeys& keys, const Way& way, double t, const Value& value) {
   const double from = value(keys[way.from]);
@@ -55,7 +56,7 @@ double interpolated(const CameraKeys& keys, const Way& way, double t, const Valu
 
 glm::dquat nearer(const glm::dquat& q, const glm::dquat& to) { return glm::dot(q, to) < 0.0 ? -q : q; }
 
-//! Axis times half the angle of a turn.
+//! Returns the axis of a rotation times half its angle.
 glm::dvec3 logarithm(const glm::dquat& turn) {
   const glm::dvec3 v(turn.x, turn.y, turn.z);
   const double sine = glm::length(v);
@@ -68,17 +69,20 @@ glm::dquat exponential(const glm::dvec3& v) {
   return {std::cos(half_angle), v.x * factor, v.y * factor, v.z * factor};
 }
 
-//! Logarithm of the turn from one key's orientation to the next, the short way. It is the same vector in the frames of both.
+//! Returns the logarithm of the shorter rotation from key i's orientation to the next one's. It is
+//! the same vector in the frames of both keys.
 glm::dvec3 turn_between(const CameraKeys& keys, std::size_t i) {
   const glm::dquat from = key_orientation(keys[i]);
   return logarithm(glm::inverse(from) * nearer(key_orientation(keys[i + 1]), from));
 }
 
-//! C² between keys: the cumulative form of Kim, Kim & Shin (SIGGRAPH 1995), with the Bernstein basis of degree five.
+//! Interpolates the orientation so that it is C² between keys: the cumulative form of Kim, Kim &
+//! Shin (SIGGRAPH 1995), with the Bernstein basis of degree five.
 //!
-//! q(t) = q0 Π exp(ω_k B_k(t)), B_k the sum of the basis from k on. In the camera's own frame its turning rate at t = 0 is 5 ω1 and
-//! changes by 20 (ω2 - ω1); at t = 1 they are 5 ω5 and 20 (ω5 - R ω4), where R turns back by ω5. Rates of a key are limited part by part
-//! as those of a coordinate are, and the ways on both sides have them in the key's own frame: that is one frame.
+//! q(t) = q0 Π exp(ω_k B_k(t)), where B_k is the sum of the basis from k on. In the camera's frame
+//! its angular velocity is 5 ω1 at t = 0 and changes by 20 (ω2 - ω1); at t = 1 these are 5 ω5 and
+//! 20 (ω5 - R ω4), where R is the inverse rotation by ω5. At a key, each component of the rate is
+//! limited as for a coordinate. Both segments at a key use its frame, so their rates match.
 glm::dquat orientation_between(const CameraKeys& keys, const Way& way, double t) {
   const glm::dquat q0 = key_orientation(keys[way.from]);
   const glm::dvec3 whole = turn_between(keys, way.from);
@@ -112,12 +116,13 @@ glm::dquat orientation_between(const CameraKeys& keys, const Way& way, double t)
   return glm::normalize(q0 * turned);
 }
 
-//! Keys up to a time, that one included.
+//! Returns the keys up to a time, inclusive.
 CameraKeys keys_until(CameraKeys keys, double time_s) {
   return {keys.begin(), std::ranges::upper_bound(keys, time_s, {}, &CameraKey::time_s)};
 }
 
-//! A time between two keys: the way there, and the part of it that is done; or a key that is held.
+//! Position of a time on the path: a segment and its completed part `t`, or the key at which the
+//! camera is held.
 struct OnTheWay {
   std::optional<std::size_t> held;
   Way way{};
@@ -144,7 +149,7 @@ glm::dquat orientation_at(CameraKeys keys, double time_s) {
   return now.held ? key_orientation(keys[*now.held]) : orientation_between(keys, now.way, now.t);
 }
 
-//! The place, and the velocity where keys have one.
+//! Returns the position, and the velocity if keys have one.
 CameraPose place_at(CameraKeys keys, double time_s) {
   const OnTheWay now = on_the_way(keys, time_s);
   if (now.held) {
@@ -164,7 +169,8 @@ CameraPose place_at(CameraKeys keys, double time_s) {
   return pose;
 }
 
-//! The velocity of the keys or of the observer, and the given part of the way from it to that of a fall.
+//! Returns a velocity between that of the keys or the observer (part 0) and that of a fall, `falls`
+//! (part 1).
 Vector3<double> between_observer_and_fall(const Show& show, double time_s, const CameraPose& pose,
                                           const Vector3<double>& falls, double part) {
   const Vector3<double> own = pose.velocity.value_or(
@@ -172,7 +178,7 @@ Vector3<double> between_observer_and_fall(const Show& show, double time_s, const
   return own + part * (falls - own);
 }
 
-//! The camera before its show's fall, turned as in its own place.
+//! Returns the camera before its fall, without an orientation.
 CameraPose pose_before_fall(const Show& show, double time_s) {
   const FreeFall& orbit = *show.camera.orbit;
   CameraPose pose = place_at(keys_until(show.camera.keys, orbit.begin_s()), time_s);
@@ -183,7 +189,8 @@ CameraPose pose_before_fall(const Show& show, double time_s) {
   return pose;
 }
 
-//! The part of the roll about e_r, which a fall has left, that is still there: it goes on the way to the next place.
+//! Returns the remaining part of the roll around e_r that a fall has caused; it is removed on the
+//! way to the next key.
 double roll_left(CameraKeys places, double time_s) {
   if (places.size() < 2 || !(time_s > leave_s(places[0]))) {
     return 1.0;
@@ -191,7 +198,8 @@ double roll_left(CameraKeys places, double time_s) {
   return 1.0 - eased(std::min((time_s - leave_s(places[0])) / span_s(places, 0), 1.0));
 }
 
-//! The camera after its show's fall. `orientation` goes into the frame that the fall has taken along.
+//! Returns the camera after its fall. `orientation` is relative to the frame that was transported
+//! along the fall.
 CameraPose pose_after_fall(const Show& show, double time_s, const glm::dquat& orientation) {
   const FreeFall& orbit = *show.camera.orbit;
   const FallPlace end = orbit.at(time_s);
@@ -235,7 +243,7 @@ std::shared_ptr<const FreeFall> follow_fall(const Show& show) {
   if (!show.camera.fall) {
     return nullptr;
   }
-  constexpr double beyond_s = 1.0;  // shutters close after the last picture
+  constexpr double beyond_s = 1.0;  // Camera shutters close after the last frame.
   const FallSettings& fall = *show.camera.fall;
   const CameraKey& key = keys_until(show.camera.keys, fall.time_s).back();
   const FallStart start = {key.r, key.theta, key.phi,

@@ -42,7 +42,7 @@ CameraKey read_key(TomlTable& table) {
   return key;
 }
 
-//! Whether a show's observer would have to be faster than light there.
+//! Returns true if the show's observer would have to be faster than light there.
 bool outruns_light(const CameraSettings& camera, double spin, double r, double theta) {
   const Vector3<double> v = observer_velocity(camera.motion, spin, r, theta, camera.velocity);
   return !(dot(v, v) < 1.0) && camera.motion != ObserverMotion::rain;
@@ -52,7 +52,8 @@ const char* observer_word(const CameraSettings& camera) {
   return camera.motion == ObserverMotion::fixed ? "a static" : "an orbiting";
 }
 
-//! Gives a key with a place the velocity that its table says, if it says one: all keys do, or none.
+//! Sets the velocity of a key with a position from its table. Throws Error if only some keys have a
+//! velocity.
 void take_velocity(TomlTable& table, const std::string& file, const Show& show, CameraKey& key) {
   const WrittenMotion written = read_motion(table, "velocity", file, {});
   if (!show.camera.keys.empty() && table.has("velocity") != show.camera.keys.front().velocity.has_value()) {
@@ -75,7 +76,7 @@ void take_velocity(TomlTable& table, const std::string& file, const Show& show, 
   key.velocity = v;
 }
 
-//! A key comes after those before it, and not at once after a fall.
+//! Throws Error if a key is not later than the keys before it, or follows a fall too closely.
 void check_time(const TomlTable& table, const CameraSettings& camera, const CameraKey& key) {
   if (!camera.keys.empty()) {
     const CameraKey& before = camera.keys.back();
@@ -93,7 +94,7 @@ void check_time(const TomlTable& table, const CameraSettings& camera, const Came
   }
 }
 
-//! A camera must be outside the horizon, and its observer slower than light there.
+//! Throws Error if a key is inside the horizon, or its observer would be faster than light.
 void check_key(const TomlTable& table, double spin, const CameraSettings& camera, const CameraKey& key) {
   const double horizon = horizon_radius(spin);
   if (!(key.r > horizon)) {
@@ -110,7 +111,8 @@ void check_key(const TomlTable& table, double spin, const CameraSettings& camera
   }
 }
 
-//! The same at a time of the show, for which the table of the key that leads there is blamed.
+//! Throws Error if the observer would be faster than light at a show time. The error names the
+//! table of the key that the camera is moving to.
 void check_place(const TomlTable& table, const Show& show, double time_s) {
   const CameraPose pose = camera_pose(show, time_s);
   if (outruns_light(show.camera, spin_at(show, time_s), pose.r, pose.theta)) {
@@ -123,7 +125,8 @@ void check_place(const TomlTable& table, const Show& show, double time_s) {
   }
 }
 
-//! The same where a fall ends, for which its table is blamed.
+//! Throws Error if the observer would be faster than light where a fall ends. The error names the
+//! fall's table.
 void check_end_of_fall(const TomlTable& fall, const Show& show) {
   if (show.camera.after_fall.empty()) {
     return;
@@ -138,7 +141,7 @@ void check_end_of_fall(const TomlTable& fall, const Show& show) {
   }
 }
 
-//! Where the way to a key that is no fall's begins: at the key before, or where the fall has ended.
+//! Returns where the way to a key outside a fall begins: the previous key, or the end of the fall.
 const CameraKey& key_before(const Show& show, std::size_t i) {
   const CameraKey& before = show.camera.keys[i - 1];
   const std::vector<CameraKey>& after_fall = show.camera.after_fall;
@@ -148,9 +151,10 @@ const CameraKey& key_before(const Show& show, std::size_t i) {
              : before;
 }
 
-//! The same between two keys, with what the first one holds, and wherever the spin has a key; not in a fall, which is always slower.
+//! Throws Error if the observer would be faster than light between two keys, during a hold, or at a
+//! key of the spin. Skips falls, which are always slower.
 void check_ways(const std::vector<const toml::table*>& tables, const std::string& file, const Show& show) {
-  // Static observers are slow enough outside 2 M, those on orbits outside 4 M, whatever the spin.
+  // Static observers are slower than light outside 2 M, orbiting ones outside 4 M, for any spin.
   constexpr double safe_r = 4.0;
   const ObserverMotion motion = show.camera.motion;
   if (show.camera.keys.front().velocity) {
@@ -163,7 +167,7 @@ void check_ways(const std::vector<const toml::table*>& tables, const std::string
     return TomlTable(*tables[key], file, fmt::format("camera.key[{}]", key));
   };
   const std::vector<CameraKey>& keys = show.camera.keys;
-  // A path of many keys has them near to each other, and is to be read at once.
+  // The keys of a long path are close together, and reading it must not take long.
   const int places = keys.size() > 1000 ? 8 : 64;
   for (std::size_t i = 1; i < keys.size(); ++i) {
     if (show.camera.fall && falls_at(*show.camera.fall, keys[i].time_s)) {

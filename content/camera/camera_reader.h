@@ -8,8 +8,9 @@
 
 namespace ergodome {
 
-//! Reads a show's [camera], or its absence, into the show, whose hole has been read with what animates it. Throws Error with file, line and remedy
-//! for what is wrong in it, for keys inside the horizon, and for keys and ways between them on which its observer would outrun light.
+//! Reads a show's [camera] table, which may be absent. The show's hole and its animations must have
+//! been read. Throws Error with file, line and remedy for mistakes in the table, keys inside the
+//! horizon, and keys or path segments on which the observer would be faster than light.
 void read_camera(const toml::table* table, const std::string& file, Show& show);
 
 }  // namespace ergodome

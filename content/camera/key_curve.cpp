@@ -7,17 +7,19 @@ namespace ergodome {
 
 namespace {
 
-// Let a way of length h rise with the rate d (those that fall are mirrored), and begin with the derivatives m and s. Its first Bernstein
-// coefficients are then p, p + h m / 5 and p + 2 h m / 5 + h² s / 20. They rise, and stay in the way's first half, if
-// m ≥ 0, -4 m / h ≤ s and s ≤ 10 d / h - 8 m / h. At its end, with s of the other sign, the same holds. A key's two ways share m and s:
-// there is an s for both whenever m ≤ 2.5 d on both sides, and m is no more than 1.25 of the parabola's slope.
+// For a span of length h that rises at the mean rate d (falling ones are mirrored) and begins with
+// the derivatives m and s, the first Bernstein coefficients are p, p + h m / 5 and p + 2 h m / 5 +
+// h² s / 20. They increase, and stay in the first half of the span, if m ≥ 0 and -4 m / h ≤ s ≤ 10
+// d / h - 8 m / h. At the end the same holds with the sign of s reversed. The two spans at a key
+// share m and s: an s for both exists if m ≤ 2.5 d on both sides, and if m is at most 1.25 times
+// the slope of the parabola.
 constexpr double steepest = 2.5;
-//! The steepest that begins or ends a way with s = 0.
+//! Maximum slope, relative to the span's mean rate, at an end with s = 0.
 constexpr double steepest_straight = 1.25;
 
 double same_sign(double value, double as) { return std::copysign(value, as); }
 
-//! Of a way that rests at one end and is not slowed at the other: t³.
+//! Returns the motion at the full-speed end of a span that rests at its other end: t³.
 KeyMotion unslowed(const Chord& own, double side) { return {3.0 * own.rate, side * 6.0 * own.rate / own.span_s}; }
 
 KeyMotion straight_on(const Chord& other, const Chord& own) {
@@ -27,27 +29,27 @@ KeyMotion straight_on(const Chord& other, const Chord& own) {
   return {same_sign(std::min(std::abs(other.rate), steepest_straight * std::abs(own.rate)), own.rate), 0.0};
 }
 
-//! Limits of a second derivative.
+//! Range of a second derivative.
 struct Limits {
   double least;
   double greatest;
 };
 
-//! Those that a way of the rate d [1/s] sets where it begins with the slope m.
+//! Returns the range for a span that begins with the slope m.
 Limits limits_at_begin(double m, const Chord& way) {
   const double back = -4.0 * m / way.span_s;
   const double forth = (10.0 * way.rate - 8.0 * m) / way.span_s;
   return {std::min(back, forth), std::max(back, forth)};
 }
 
-//! The same seen from its end, where time runs backwards.
+//! Returns the range for a span that ends with the slope m.
 Limits limits_at_end(double m, const Chord& way) {
   const double back = 4.0 * m / way.span_s;
   const double forth = (8.0 * m - 10.0 * way.rate) / way.span_s;
   return {std::min(back, forth), std::max(back, forth)};
 }
 
-//! A key between others: whether the curve rests there.
+//! Returns true if the curve rests at an inner key.
 bool rests_between(const CurveKey& before, const CurveKey& key) {
   const bool held = key.leave_s > key.arrive_s;
   return held || key.ease == Ease::in || key.ease == Ease::in_out || before.ease == Ease::out ||
@@ -125,7 +127,7 @@ KeyMotion motion_at_end(SpanEnd end, const Chord& own, const Chord& after) {
 
 double quintic(double from, double to, double span_s, const KeyMotion& begin, const KeyMotion& end, double t) {
   const double way = to - from;
-  // Bernstein coefficients, less the first.
+  // Bernstein coefficients minus the first one.
   const double c1 = span_s * begin.rate / 5.0;
   const double c2 = 2.0 * c1 + span_s * span_s * begin.change / 20.0;
   const double c4 = way - span_s * end.rate / 5.0;
@@ -133,7 +135,7 @@ double quintic(double from, double to, double span_s, const KeyMotion& begin, co
   const double s = 1.0 - t;
   const double sum = t * (5.0 * s * s * s * s * c1 +
                           t * (10.0 * s * s * s * c2 + t * (10.0 * s * s * c3 + t * (5.0 * s * c4 + t * way))));
-  // What rounding adds must not lead out of a number's range.
+  // Rounding must not leave the range of the number.
   return std::clamp(from + sum, std::min(from, to), std::max(from, to));
 }
 

@@ -7,59 +7,64 @@
 
 namespace ergodome {
 
-//! A key as a curve sees it: when the way to it ends, when the way from it begins (later where it is held), and how that way goes.
+//! Times and easing of a key: when the curve arrives and leaves (later, if the key is held), and
+//! the easing of the span after it.
 struct CurveKey {
   double arrive_s;
   double leave_s;
   Ease ease;
 };
 
-//! From 0 to 1 on [0, 1], with two derivatives of 0 at both ends.
+//! Rises from 0 to 1 on [0, 1], with two zero derivatives at both ends.
 inline double eased(double s) { return s * s * s * (10.0 + s * (6.0 * s - 15.0)); }
 
-//! What a curve does at a key.
+//! The motion of a curve at a key.
 struct KeyMotion {
   double rate = 0.0;    //!< first derivative [1/s]
   double change = 0.0;  //!< second derivative [1/s²]
 };
 
-//! The straight way between two keys.
+//! The straight line between two keys.
 struct Chord {
   double rate;    //!< [1/s]
-  double span_s;  //!< more than 0
+  double span_s;  //!< positive
 };
 
-//! How the way between two keys begins or ends.
+//! How the curve between two keys begins or ends.
 enum class SpanEnd {
   rest,      //!< both derivatives are 0
-  shared,    //!< as the way on the other side of the key
-  straight,  //!< at the speed of the straight way there, as far as that does not overshoot
-  at_speed   //!< without easing: as t³ ends
+  shared,    //!< the same derivatives as on the other side of the key
+  straight,  //!< at the speed of the neighboring linear span, limited against overshoot
+  at_speed   //!< at full speed without easing, as t³ ends
 };
 
-//! Both ends of a way.
+//! Both ends of a span.
 struct SpanEnds {
   SpanEnd begin;
   SpanEnd end;
 };
 
-//! How the way from key `i` to the next one begins and ends. `count` keys; `key(i)` may be asked for any of them.
+//! Returns how the span from key `i` to the next one begins and ends. There are `count` keys;
+//! `key(i)` returns any of them.
 //!
-//! Curves rest at the first and the last key, where one is held, where Ease::in leaves and Ease::out arrives, and beside a jump.
+//! Curves rest at the first and the last key, where a key is held, where Ease::in leaves and
+//! Ease::out arrives, and next to a jump.
 SpanEnds span_ends(std::size_t count, std::size_t i, const std::function<CurveKey(std::size_t)>& key);
 
-//! The two derivatives that both ways at a key share: of the parabola through it and its neighbours, limited so that neither way turns
-//! back or passes its other key.
+//! Returns the two derivatives that both spans at a key share: those of the parabola through it and
+//! its neighbors, limited so that neither span reverses or overshoots its other key.
 KeyMotion shared_motion(const Chord& before, const Chord& after);
 
-//! The motion at the beginning of a way with chord `own`; `before` is the chord on the other side of the key.
+//! Returns the motion at the beginning of a span with chord `own`; `before` is the chord on the
+//! other side of the key.
 KeyMotion motion_at_begin(SpanEnd end, const Chord& before, const Chord& own);
 
-//! The same at its end, with the chord `after`.
+//! Returns the motion at the end of a span with chord `own`; `after` is the chord on the other side
+//! of the key.
 KeyMotion motion_at_end(SpanEnd end, const Chord& own, const Chord& after);
 
-//! The quintic from `from` to `to` in `span_s` with these motions at its ends, at t in [0, 1]. With the motions above it runs from one to
-//! the other without turning back: the coefficients of its Bernstein form do, and the curve follows them.
+//! Returns the quintic from `from` to `to` in `span_s` with these motions at its ends, at t in [0,
+//! 1]. With the motions above it is monotonic, because its Bernstein coefficients are.
 double quintic(double from, double to, double span_s, const KeyMotion& begin, const KeyMotion& end, double t);
 
 }  // namespace ergodome

@@ -8,13 +8,14 @@
 
 namespace ergodome {
 
-//! How an observer moves, as a show says it: by a name, or by a velocity in the ZAMO frame.
+//! The motion of an observer in a show file: a name, or a velocity in the ZAMO frame.
 struct WrittenMotion {
   ObserverMotion motion = ObserverMotion::zamo;
   Vector3<double> velocity = {0.0, 0.0, 0.0};  //!< for ObserverMotion::velocity
 };
 
-//! Reads "rain", or { beta = 0.4, toward = [0, 0, 1] }; `otherwise` where the key is absent. Throws Error for what is no motion.
+//! Reads "rain", or { beta = 0.4, toward = [0, 0, 1] }; returns `otherwise` if the key is absent.
+//! Throws Error if the value is invalid.
 WrittenMotion read_motion(TomlTable& table, std::string_view key, const std::string& file,
                           const WrittenMotion& otherwise);
 

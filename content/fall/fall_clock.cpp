@@ -17,8 +17,8 @@ struct GaussNode {
   double weight;
 };
 
-//! Gauss & Legendre's nodes on [0, 1] (Abramowitz & Stegun, table 25.4, n = 6): exact for polynomials up to degree 11. An animated number
-//! is one of degree 5, and so is what eases it in.
+//! Gauss-Legendre nodes on [0, 1] (Abramowitz & Stegun, table 25.4, n = 6): exact for polynomials
+//! up to degree 11. An animated number and its easing are polynomials of degree 5.
 constexpr std::array<GaussNode, 6> gauss_nodes = {{
     {0.5 - 0.5 * 0.932469514203152028, 0.5 * 0.171324492379170345},
     {0.5 - 0.5 * 0.661209386466264514, 0.5 * 0.360761573048138608},
@@ -81,7 +81,7 @@ double FallClock::proper_time(double time_s) const {
   if (run >= *stop_ + stopping_) {
     return *stop_;
   }
-  // The integral of a clock that goes from 1 to 0 as 1 - 3 s² + 2 s³.
+  // The integral of a clock rate that falls from 1 to 0 as 1 - 3 s² + 2 s³.
   const double s = (run - (*stop_ - stopping_)) / (2.0 * stopping_);
   return *stop_ - stopping_ + 2.0 * stopping_ * s * (1.0 - s * s * (1.0 - 0.5 * s));
 }

@@ -8,24 +8,25 @@
 
 namespace ergodome {
 
-//! The own time of a falling camera as a function of the show's: the integral of its clock, which starts from rest, and comes to rest at the
-//! fall's end.
+//! The proper time of a falling camera as a function of show time: the integral of its clock rate,
+//! which starts from 0 and returns to 0 at the end of the fall.
 class FallClock {
  public:
-  //! `changing` has the clock's keys where it is animated, else it is nullptr; it is not kept.
+  //! `changing` contains the keys of an animated clock rate, else it is nullptr; it is copied.
   FallClock(const FallSettings& settings, const Animation* changing);
 
-  //! The camera's own time since its fall began [M]; 0 before. Never falls.
+  //! Returns the camera's proper time since its fall began [M]; 0 before. Never decreases.
   [[nodiscard]] double proper_time(double time_s) const;
 
-  //! When the camera's own time comes to a value > 0 [s]; nothing where that is not before `end_s`.
+  //! Returns the show time when the proper time reaches a positive value [s]; nothing if that is
+  //! not by `end_s`.
   [[nodiscard]] std::optional<double> time_s(double proper_time, double end_s) const;
 
-  //! Has the own time come to rest at a value > 0, smoothly.
+  //! Makes the proper time stop smoothly at a positive value.
   void stop_at(double proper_time);
 
  private:
-  //! The clock from one time on, up to which the camera's own time has run to a value.
+  //! A piece of the clock that begins at one time, with the proper time up to there.
   struct Piece {
     double begin_s;
     double proper_time;
@@ -36,12 +37,12 @@ class FallClock {
   [[nodiscard]] double unstopped(double time_s) const;
 
   double begin_s_;
-  double end_s_;  //!< infinity where the fall does not end
+  double end_s_;  //!< infinite if the fall does not end
   double ease_s_;
   Animation clock_;
-  std::vector<Piece> pieces_;  //!< on each of them the clock is a polynomial
+  std::vector<Piece> pieces_;  //!< the clock rate is a polynomial on each
   std::optional<double> stop_;
-  double stopping_ = 0.0;  //!< own time before the stop from which the clock slows down
+  double stopping_ = 0.0;  //!< proper time before the stop from which the clock slows down
 };
 
 }  // namespace ergodome

@@ -30,7 +30,7 @@ void check_clock(const TomlTable& table, const Show& show) {
   }
 }
 
-//! The end must leave the clock the time to start and to stop, and be one that the show comes to.
+//! Throws Error if a fall ends too early for its clock to start and stop, or after the show.
 void check_end(const TomlTable& table, const Show& show) {
   const FallSettings& fall = *show.camera.fall;
   if (!fall.until_s) {
@@ -50,7 +50,7 @@ void check_end(const TomlTable& table, const Show& show) {
   }
 }
 
-//! Where time comes to rest: before the horizon, or behind it and before the inner one.
+//! Throws Error unless time stops outside the outer horizon, or between the horizons.
 void check_rest(const TomlTable& table, const Show& show, double begin_r) {
   const FallSettings& fall = *show.camera.fall;
   const double horizon = horizon_radius(show.spin);
@@ -73,7 +73,7 @@ void check_rest(const TomlTable& table, const Show& show, double begin_r) {
   }
 }
 
-//! What can be wrong before the orbit is known.
+//! Checks the beginning of a fall before its orbit is computed.
 void check_beginning(const TomlTable& table, const Show& show) {
   const FallSettings& fall = *show.camera.fall;
   const auto key = std::ranges::find(show.camera.keys, fall.time_s, &CameraKey::time_s);

@@ -13,11 +13,12 @@ namespace {
 
 constexpr double step_error = 1e-13;
 constexpr std::size_t most_steps = 200'000;
-//! So near to the horizon a fall ends that does not lead through it [M].
+//! Distance from the horizon at which a fall ends that does not cross it [M].
 constexpr double horizon_gap = 1e-6;
-//! Clocks are asked for times up to this.
+//! Maximum time for which clocks are evaluated.
 constexpr double end_of_time_s = 1e12;
-//! Turns that change the radius, relatively, or the polar angle by less are those of a circle, in rounding [rad].
+//! Minimum relative change of the radius, or change of the polar angle [rad], at a turning point.
+//! Smaller ones are rounding errors of a circle.
 constexpr double least_swing = 1e-7;
 
 double radius_of(const OrbitState& s) { return 1.0 / s.u; }
@@ -30,12 +31,12 @@ glm::dvec3 direction_in_space(const OrbitState& s) {
   return glm::normalize(glm::dvec3(c * s.m.x - d * s.m.y, d * s.m.x + c * s.m.y, s.m.z));
 }
 
-//! The azimuth of a body; on the axis, where there is none, the given one.
+//! Returns the azimuth of a body; `on_axis` where it is undefined.
 double azimuth_of(const OrbitState& s, double on_axis) {
   return std::hypot(s.m.x, s.m.y) > 1e-150 ? std::atan2(s.m.y, s.m.x) + s.drag : on_axis;
 }
 
-//! The rotation that takes one unit vector to another, not opposite one by the shortest way.
+//! Returns the smallest rotation from one unit vector to another; they must not be opposite.
 glm::dquat least_turn(const glm::dvec3& from, const glm::dvec3& to) {
   const glm::dvec3 axis = glm::cross(from, to);
   return glm::normalize(glm::dquat(1.0 + glm::dot(from, to), axis.x, axis.y, axis.z));
@@ -130,7 +131,7 @@ void FreeFall::follow(double proper_time) {
   }
 }
 
-//! The last own time of a step that is outside a radius.
+//! Returns the last proper time in a step that is outside a radius.
 double FreeFall::time_at_radius(const Station& from, double to, double r) const {
   double outside = from.proper_time;
   double inside = to;
@@ -154,16 +155,16 @@ void FreeFall::end_at_radius(const Station& from, double to, double r) {
   }
 }
 
-//! What swings from one turn to the next: the radius, or the polar angle.
+//! A quantity that oscillates between turning points: the radius, or the polar angle.
 struct FreeFall::Swing {
   FallTurn::Kind after_rise;
   FallTurn::Kind after_fall;
   double (*rate)(const OrbitState&);
   double (*measure)(const OrbitState&);
-  double last;  //!< its measure where it turned last, or began
+  double last;  //!< its measure at the last turning point, or at the beginning
 };
 
-//! Turns are noted by the camera's own time.
+//! Records a turning point with its proper time in place of its show time.
 void FreeFall::note_turn(const Station& from, const Station& to, Swing& swing) {
   const bool rises = swing.rate(from.state) > 0.0;
   const bool has_swung = std::abs(swing.measure(from.state) - swing.last) > 0.5 * least_swing;

@@ -9,26 +9,28 @@
 
 namespace ergodome {
 
-//! Where and how fast a fall begins.
+//! Initial position and velocity of a fall.
 struct FallStart {
   double r;                  //!< [M]
   double theta;              //!< [rad]
   double phi;                //!< [rad]
-  Vector3<double> velocity;  //!< in the ZAMO frame (e_r, e_θ, e_φ), slower than light
+  Vector3<double> velocity;  //!< in the ZAMO frame (e_r, e_θ, e_φ), below that of light
 };
 
 //! A falling camera at one instant.
 struct FallPlace {
   double r;                  //!< [M]
   double theta;              //!< [rad]
-  double phi;                //!< [rad]; goes on over many turns; within the horizon that of ingoing Kerr coordinates
-  Vector3<double> velocity;  //!< in the ZAMO frame; in the rain's of a fall that leads through the horizon
-  //! From (e_r, e_θ, e_φ) as they were when the fall began, taken along without a roll about e_r, to those of this place. The axis is no
-  //! seam to it. Where the fall leads through the horizon, what is boosted from the ZAMO at its start is boosted from the rain in it.
+  double phi;                //!< [rad]; continues over many turns; inside the horizon that of ingoing Kerr coordinates
+  Vector3<double> velocity;  //!< in the ZAMO frame; in the rain frame if the fall leads through the horizon
+  //! Rotation from the initial (e_r, e_θ, e_φ), transported along the fall without a roll around
+  //! e_r, to those at this position. It is continuous across the axis. If the fall leads through
+  //! the horizon, it turns axes boosted from the ZAMO at the start into axes boosted from the rain
+  //! here.
   glm::dquat frame;
 };
 
-//! What an orbit does at one instant: it is farthest in or out, or farthest north or south.
+//! A turning point of an orbit: minimum or maximum of its radius or of its latitude.
 struct FallTurn {
   enum class Kind { nearest, farthest, northernmost, southernmost };
   Kind kind;
@@ -37,13 +39,15 @@ struct FallTurn {
   double theta;  //!< [rad]
 };
 
-//! A timelike geodesic of Kerr's spacetime, followed once by a camera's own time; any instant of it comes out the same, whoever asks when.
+//! A timelike geodesic of Kerr spacetime as a function of the camera's proper time, integrated
+//! once. The result for an instant does not depend on earlier requests.
 //!
-//! What is kept are the states after each step of the integration; an instant is one shorter step from the state before it. Steps have
-//! errors below 1e-13 rad.
+//! Stores the state after each integration step; other instants are computed by one shorter step
+//! from the preceding state. Step errors are below 1e-13 rad.
 class FreeFall {
  public:
-  //! Follows the orbit to `end_s`, where its end is not nearer: by the horizon, at `least_r`, or after too many steps.
+  //! Computes the orbit up to `end_s`. It ends earlier near the horizon, at `least_r`, or after too
+  //! many steps.
   FreeFall(double spin, const FallStart& start, const FallSettings& settings, const Animation* clock, double end_s);
 
   [[nodiscard]] double begin_s() const { return settings_.time_s; }
@@ -51,40 +55,41 @@ class FreeFall {
   [[nodiscard]] double ease_s() const { return settings_.ease_s; }
   [[nodiscard]] const FallStart& start() const { return start_; }
 
-  //! The camera at a time of the show: at its start before, at its end after.
+  //! Returns the camera at a show time: before the fall its start, after it its end.
   [[nodiscard]] FallPlace at(double time_s) const;
 
-  //! Where the orbit turns, in order of time.
+  //! Returns the turning points of the orbit in order of time.
   [[nodiscard]] const std::vector<FallTurn>& turns() const { return turns_; }
 
-  //! The nearest that it comes to the hole [M].
+  //! Returns the minimum radius of the orbit [M].
   [[nodiscard]] double least_r() const { return least_r_; }
 
-  //! Whether the fall is meant to lead through the horizon, and comes there.
+  //! Returns true if the fall's settings allow it to cross the horizon and it does.
   [[nodiscard]] bool leads_within() const { return leads_within_; }
 
-  //! When the horizon is reached; nothing where it is not.
+  //! Returns when the orbit crosses the horizon [s]; nothing if it does not.
   [[nodiscard]] std::optional<double> horizon_s() const { return horizon_s_; }
 
-  //! When time comes to rest at FallSettings::least_r; nothing where the orbit does not come there.
+  //! Returns when time stops at FallSettings::least_r [s]; nothing if the orbit does not reach it.
   [[nodiscard]] std::optional<double> stop_s() const { return stop_s_; }
 
-  //! How far the orbit has been followed [s].
+  //! Returns the show time up to which the orbit was computed [s].
   [[nodiscard]] double followed_s() const { return followed_s_; }
 
-  //! The camera's own time since the fall began [M].
+  //! Returns the camera's proper time since the fall began [M].
   [[nodiscard]] double proper_time(double time_s) const;
 
-  //! The angle that the direction from the hole to the camera has swept since then [rad], over the axis or round it.
+  //! Returns the angle that the direction from the hole to the camera has swept since the fall
+  //! began [rad], across the axis or around it.
   [[nodiscard]] double swept_angle(double time_s) const;
 
  private:
   struct Station {
     double proper_time;  //!< [M]
     OrbitState state;
-    double phi;        //!< azimuth without jumps [rad]
+    double phi;        //!< continuous azimuth [rad]
     double swept;      //!< angle [rad]
-    glm::dquat frame;  //!< FallPlace's, to the directions of space (z along the spin axis)
+    glm::dquat frame;  //!< FallPlace's frame relative to space (z along the spin axis)
   };
 
   struct Swing;
@@ -107,7 +112,7 @@ class FreeFall {
   std::vector<Station> stations_;
   std::vector<FallTurn> turns_;
   double least_r_;
-  std::optional<double> crossing_;  //!< own time at the horizon of a fall that leads through it [M]
+  std::optional<double> crossing_;  //!< proper time of crossing the horizon [M]
   std::optional<double> horizon_s_;
   std::optional<double> stop_s_;
   double followed_s_;

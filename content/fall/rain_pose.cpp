@@ -6,7 +6,8 @@ namespace ergodome {
 
 namespace {
 
-//! A velocity in the ZAMO frame as one in the rain's: the inverse of ObserverMotion::rain_boost's.
+//! Converts a velocity from the ZAMO frame to the rain frame: the inverse of
+//! ObserverMotion::rain_boost.
 Vector3<double> rain_velocity(double spin, double r, double theta, const Vector3<double>& in_zamo) {
   const KerrFunctions f = kerr_functions(spin, r, theta);
   const double lapse = std::sqrt(f.sigma * f.delta / f.area);

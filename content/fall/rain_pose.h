@@ -6,15 +6,16 @@
 
 namespace ergodome {
 
-//! rain_axes_from_zamo_axes() as a rotation of (e_r, e_θ, e_φ).
+//! Returns rain_axes_from_zamo_axes() as a rotation of (e_r, e_θ, e_φ).
 glm::dquat rain_turn(double spin, double r, double theta, const Vector3<double>& in_zamo,
                      const Vector3<double>& in_rain);
 
-//! The same camera with its velocity in the ZAMO's frame, and axes that are boosted from there; one that moves otherwise, or is within the
-//! horizon, as it is.
+//! Returns the same camera with its velocity in the ZAMO frame and axes boosted from there. Returns
+//! it unchanged if its velocity is not in the rain frame, or if it is inside the horizon.
 CameraPose in_zamo_frame(const CameraPose& pose, double spin);
 
-//! The other way: of a camera outside the horizon that has a velocity.
+//! Converts a camera outside the horizon to the rain frame. Returns it unchanged if it has no
+//! velocity, or one in that frame.
 CameraPose in_rain_frame(const CameraPose& pose, double spin);
 
 }  // namespace ergodome

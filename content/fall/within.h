@@ -6,20 +6,22 @@
 
 namespace ergodome {
 
-//! Where time may come to rest, relative to the horizon.
+//! Minimum ratio of a stopping radius to the horizon's radius, or of the horizon's to a stopping
+//! radius inside it.
 inline constexpr double nearest_rest = 1.001;
 
-//! The deepest place [M] that falls lead to.
+//! Returns the minimum stopping radius of falls [M].
 double deepest_rest(double spin);
 
-//! Whether there is room within the horizon for a fall to come to rest: not where the spin is 1 or -1, or all but that.
+//! Returns true if falls can stop inside the horizon; false if the spin is 1 or -1, or almost.
 bool has_inside(double spin);
 
-//! What a show has that its own fall through the horizon cannot show, in English and German; nothing where all of it can be seen.
+//! Returns, in English and German, which feature of a show cannot be shown from inside the horizon;
+//! nothing if all can.
 std::optional<LocalText> hidden_within(const Show& show);
 
-//! Why a visitor of a show may not fall through the horizon, in English and German; nothing where he may. Eyes of the model flat keep nobody
-//! outside: the player draws others in their place.
+//! Returns, in English and German, why visitors of a show may not fall through the horizon; nothing
+//! if they may. The stereo model "flat" does not prevent it, as the player then uses another model.
 std::optional<LocalText> kept_outside(const Show& show);
 
 }  // namespace ergodome

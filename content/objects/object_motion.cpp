@@ -9,10 +9,10 @@ namespace ergodome {
 
 namespace {
 
-//! Where an orbit leads, `ahead` of where it has come to at a show time [rad].
+//! Returns the position on an orbit at a show time, advanced by the angle `ahead` [rad].
 Vector3<double> place_on(const ObjectOrbit& orbit, double time_s, double ahead) {
   const double turns = orbit_rate(orbit) * std::abs(orbit.speed) * time_s / full_turn;
-  // Whole turns go first: shows may run for years.
+  // Whole turns are removed first, for accuracy in shows that run for years.
   const double angle = orbit.phi + full_turn * (turns - std::floor(turns)) + ahead;
   const double along = orbit.r * std::cos(angle);
   const double across = orbit.r * std::sin(angle) * std::cos(orbit.inclination);

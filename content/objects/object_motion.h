@@ -6,13 +6,13 @@
 
 namespace ergodome {
 
-//! Where an object is and how it is turned: place = position + size · rows · (point of the mesh).
+//! Position and rotation of an object: point = position + size · rows · (point of the mesh).
 struct ObjectPlacement {
   Vector3<double> position;  //!< [M]
   double rows[3][3];         //!< a rotation
   Vector3<double> ahead = {0.0, 0.0,
-                           0.0};  //!< on an orbit: from the hole's middle to where it is a quarter of it later [M]
-  double rate = 0.0;              //!< angular velocity in the hole's time [1/M]; 0: it rests, or nobody knows
+                           0.0};  //!< on an orbit: the position a quarter turn later, relative to the hole [M]
+  double rate = 0.0;              //!< angular velocity in the hole's time [1/M]; 0: at rest or unknown
 
   bool operator==(const ObjectPlacement& other) const {
     return position.x == other.position.x && position.y == other.position.y && position.z == other.position.z &&
@@ -20,12 +20,13 @@ struct ObjectPlacement {
   }
 };
 
-//! Angular velocity along an orbit, in the hole's time [1/M]: 1 / (r^(3/2) + a cos i), below 0 backwards. It is that of matter in free fall in
-//! the plane of the equator (Bardeen, Press & Teukolsky 1972, eq. 2.16), with the hole and against it, and about holes without spin; where an
-//! inclined orbit about a spinning hole would leave its circle it is between the two.
+//! Returns the angular velocity along an orbit in the hole's time [1/M], 1 / (r^(3/2) + a cos i);
+//! negative if it runs backward. It is that of free fall in the equatorial plane (Bardeen, Press &
+//! Teukolsky 1972, eq. 2.16), prograde and retrograde, and around holes without spin. An inclined
+//! orbit around a spinning hole would not stay a circle; its rate is interpolated.
 double orbit_rate(const ObjectOrbit& orbit);
 
-//! An object's placement at a show time.
+//! Returns an object's placement at a show time.
 ObjectPlacement placement_at(const ObjectSettings& object, double time_s);
 
 }  // namespace ergodome

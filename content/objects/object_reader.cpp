@@ -131,7 +131,8 @@ void read_way(TomlTable& table, const std::string& file, std::array<Animation, 3
   }
 }
 
-//! One of three says where an object is.
+//! Reads the motion of an object. Throws Error unless exactly one of `position`, `orbit` and `key`
+//! is given.
 void read_motion(TomlTable& table, const std::string& file, ObjectSettings& object) {
   object.position = read_place(table, "position");
   if (const toml::table* const orbit = table.table("orbit")) {
@@ -171,7 +172,7 @@ void read_look(TomlTable& table, const std::string& file, ObjectSettings& object
   object.images = table.integer("images", object.images, 1, most_polygon_images);
 }
 
-//! Rays find every image; polygons those that they are asked for.
+//! Throws Error for `images` with rays, which find every image.
 void check_images(const TomlTable& table, const ObjectSettings& object) {
   if (object.method == ObjectMethod::trace && table.has("images")) {
     throw table.error_at("images", "is used only with method = \"polygon\"; method = \"trace\" finds all images",
@@ -179,7 +180,8 @@ void check_images(const TomlTable& table, const ObjectSettings& object) {
   }
 }
 
-//! Light travel time is asked of what traces light, and of motions that go by the hole's time.
+//! Throws Error unless light travel time is used with ray tracing and with a motion in the hole's
+//! time.
 void check_retarded(const TomlTable& table, const ObjectSettings& object) {
   if (!object.retarded) {
     return;

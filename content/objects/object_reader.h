@@ -8,22 +8,23 @@
 
 namespace ergodome {
 
-//! Reads [[objects]] and [light]. Throws Error with file, line and key.
+//! Reads [[objects]] and [light]. Throws Error with file, line and key for invalid values.
 void read_objects(TomlTable& root, const std::string& file, Show& show);
 
-//! Why polygons cannot show a show's objects, and what can be done.
+//! Why the method "polygon" cannot draw a show's objects, and the remedy.
 struct PolygonLimit {
   std::string problem;
   std::string remedy;
 };
 
-//! Nothing where they can.
+//! Returns the reason why polygons cannot draw the show's objects; nothing if they can.
 std::optional<PolygonLimit> polygon_limit(const Show& show);
 
-//! Throws Error where the show's hole, camera or light are not such that its objects could be drawn. All of these must have been read.
+//! Throws Error if hole, camera or light of the show do not allow its objects to be drawn. All of
+//! these must have been read.
 void check_objects(const TomlTable& root, const Show& show);
 
-//! Writes both into a show's table.
+//! Writes [[objects]] and [light] into a show's table.
 void add_objects(const Show& show, toml::table& root);
 
 }  // namespace ergodome

@@ -7,12 +7,13 @@ namespace ergodome {
 
 namespace {
 
-//! Degrees of an angle in radians, no more than the reader takes, whatever rounding adds.
+//! Converts radians to degrees, clamped to the range that the reader accepts, as rounding may
+//! exceed it.
 double degrees_of(double angle, double most) { return std::clamp(angle * radian_deg, -most, most); }
 
 toml::array array_of(const Vector3<double>& v) { return toml::array{v.x, v.y, v.z}; }
 
-//! What of an object's form differs from one to the other.
+//! Adds the keys that are specific to an object's form.
 void add_form(const ObjectSettings& object, toml::table& table) {
   switch (object.form) {
     case ObjectForm::mesh:

@@ -17,7 +17,8 @@ constexpr NumberChange stars{true, false, false};
 constexpr NumberChange sky{true, true, false};
 constexpr NumberChange exposure{false, false, true};
 
-//! `place(show)` points to the number in a show, const or not, or is nullptr.
+//! Returns an entry of the list. `place(show)` returns a pointer to the number in a const or
+//! mutable show, or nullptr.
 template <class Place>
 constexpr AnimatableNumber number(std::string_view path, double least, double greatest, const NumberChange& change,
                                   Place) {
@@ -35,7 +36,7 @@ constexpr AnimatableNumber number(std::string_view path, double least, double gr
           }};
 }
 
-//! Points to a member of a part that a show may be without.
+//! Returns a pointer to a member of an optional part of a show, or nullptr if it is absent.
 constexpr auto part_of(auto& part, auto member) -> decltype(&((*part).*member)) {
   return part ? &((*part).*member) : nullptr;
 }

@@ -9,46 +9,49 @@
 
 namespace ergodome {
 
-//! What a change of a number calls for, beside another picture.
+//! The parts of a rendering that a change of a number invalidates; every change needs a new frame.
 struct NumberChange {
-  bool stars = false;     //!< stars are found or drawn otherwise
-  bool sky = false;       //!< map and stars are read and turned anew: a good part of a second
-  bool exposure = false;  //!< exposure follows the light otherwise
+  bool stars = false;     //!< stars are found or drawn differently
+  bool sky = false;       //!< map and stars must be read and rotated again, which takes a good part of a second
+  bool exposure = false;  //!< automatic exposure reacts differently
 
   NumberChange& operator|=(const NumberChange& other);
 };
 
-//! What a number may be, ends included.
+//! The range of a number, both ends included.
 struct NumberLimits {
   double least;
   double greatest;
 };
 
-//! Of a picture on a flat screen.
+//! Maximum field of view of a pinhole view.
 inline constexpr double widest_pinhole_deg = 179.0;
 
-//! A number of a show that may change with time. Whole numbers, and what belongs to the screen or to the size of its picture, may not.
+//! A number of a show that can be animated. Integers, and numbers that belong to the screen or to
+//! the size of the image, cannot.
 struct AnimatableNumber {
-  std::string_view path;  //!< its place in the file: "hole.spin"
+  std::string_view path;  //!< its path in the file: "hole.spin"
   NumberLimits limits;    //!< of its own key, in any show
   NumberChange change;
-  std::optional<double> (*get)(const Show&);  //!< nothing where the show has no such part
-  void (*put)(Show&, double);                 //!< where it has
+  std::optional<double> (*get)(const Show&);  //!< returns nothing if the show lacks the part
+  void (*put)(Show&, double);                 //!< requires that the show has the part
 };
 
-//! All of them.
+//! Returns all animatable numbers.
 std::span<const AnimatableNumber> animatable_numbers();
 
-//! One of them by its path, or nullptr.
+//! Returns the animatable number with this path, or nullptr.
 const AnimatableNumber* find_animatable(std::string_view path);
 
-//! Limits of the number with this path, for its own key. There must be one.
+//! Returns the limits of the number with this path for its own key. The number must exist.
 NumberLimits limits_of(std::string_view path);
 
-//! The limits in a show whose view and parts have been read: a lens may see less than others do.
+//! Returns the limits in a show whose view and other parts have been read: some lenses have a
+//! smaller maximum field of view.
 NumberLimits limits_in(const Show& show, const AnimatableNumber& number);
 
-//! Why a path that is not in the list cannot be animated, and what to do; nothing where it is no number of a show at all.
+//! Returns why a number that is not in the list cannot be animated, and the remedy; nothing if the
+//! path is not a number of shows.
 std::optional<std::string> why_not_animatable(std::string_view path);
 
 }  // namespace ergodome

@@ -15,7 +15,7 @@ Chord chord(const NumberKeys& keys, std::size_t i) {
   return {(keys[i + 1].value - keys[i].value) / span_s, span_s};
 }
 
-//! On the way from key `i`, t in [0, 1).
+//! Returns the value between key `i` and the next one, t in [0, 1).
 double value_between(const NumberKeys& keys, std::size_t i, double t) {
   const double from = keys[i].value;
   const double to = keys[i + 1].value;
@@ -33,7 +33,7 @@ double value_between(const NumberKeys& keys, std::size_t i, double t) {
                  motion_at_end(ends.end, own, i + 2 < keys.size() ? chord(keys, i + 1) : own), t);
 }
 
-//! Gives each animated number the value that `value(animation)` says.
+//! Sets each animated number to `value(animation)`.
 template <class Value>
 NumberChange put_values(Show& show, const Value& value) {
   NumberChange changed;

@@ -4,34 +4,36 @@
 
 namespace ergodome {
 
-//! The value of an animated number at a show time. It keeps the first key's before it and the last one's after it.
+//! Returns the value of an animated number at a show time; the first key's value before it, the
+//! last key's after it.
 //!
-//! On Ease::smooth ways it is C² and does not pass its keys (content/key_curve.h); other ways are as Ease says. Times are taken from the
-//! key before: late in a show they are as exact as doubles tell them.
+//! With Ease::smooth, the curve is C² and does not overshoot its keys (content/camera/key_curve.h);
+//! other kinds are described at Ease. Times are measured from the preceding key, so late in a show
+//! they are as exact as doubles can represent them.
 double value_at(const Animation& animation, double time_s);
 
-//! Puts every animated number's value at a show time into the show, and tells what has changed. A show without animations stays
-//! untouched; nothing is copied.
+//! Sets every animated number of the show to its value at a show time, and returns what must be
+//! updated. A show without animations is not changed; nothing is copied.
 NumberChange animate(Show& show, double time_s);
 
-//! The same in a copy.
+//! Returns a copy of the show with the values at a show time.
 Show show_at(Show show, double time_s);
 
-//! The animation of a number, or nullptr.
+//! Returns the animation of a number, or nullptr.
 const Animation* find_animation(const Show& show, std::string_view path);
 
-//! Whether the scene may differ from one time of the show to another, wherever the camera is: by numbers that change, clouds of a disk, objects that move. Captions
-//! and overlays are not the scene's.
+//! Returns true if the scene may change with time for a fixed camera: by animated numbers, disk
+//! clouds or moving objects. Captions and overlays do not belong to the scene.
 bool changes_by_itself(const Show& show);
 
-//! The hole's spin at a show time.
+//! Returns the hole's spin at a show time.
 double spin_at(const Show& show, double time_s);
 
-//! Least and greatest value that an animated number has.
+//! Returns the minimum and maximum value of an animation.
 NumberLimits range_of(const Animation& animation);
 
-//! The show with each animated number at the least or at the greatest value that it ever has: what it may call for at some time
-//! is what one of the two does.
+//! Return the show with each animated number at its minimum, or at its maximum. Whatever a show
+//! needs at some time, one of these two needs.
 Show show_at_least(Show show);
 Show show_at_most(Show show);
 

@@ -38,7 +38,8 @@ const AnimatableNumber& number_of(TomlTable& table) {
                                        : fmt::format("did you mean \"{}\"?", nearest));
 }
 
-//! The picture's height would follow, or nothing at all.
+//! Throws Error if the view does not use its field of view, or computes the height of the image
+//! from it.
 void check_field_of_view(const TomlTable& table, const ViewSettings& view) {
   const bool follows =
       view.projection == ViewProjection::dome || (view.projection == ViewProjection::pinhole && !view.frustum);
@@ -69,7 +70,7 @@ std::vector<NumberKey> read_keys(TomlTable& table, const std::string& file, cons
     keys.push_back(key);
   }
   if (keys.empty()) {
-    table.refuse_unknown_keys();  // one of them may have been meant
+    table.refuse_unknown_keys();  // one of them may be a misspelled `key`
     throw table.error_at("key", "is missing", "write key = [{ t_s = 0, value = 0 }, { t_s = 10, value = 1 }]");
   }
   return keys;
@@ -94,7 +95,7 @@ Animation read_animation(TomlTable& table, const std::string& file, const Show& 
   return {std::string(number.path), read_keys(table, file, limits_in(show, number))};
 }
 
-//! What a number of the show may be in the course of time.
+//! Returns the range of a number over the whole show, animated or fixed.
 NumberLimits values_of(const Show& show, std::string_view path) {
   if (const Animation* animation = find_animation(show, path)) {
     return range_of(*animation);
@@ -103,7 +104,8 @@ NumberLimits values_of(const Show& show, std::string_view path) {
   return {fixed, fixed};
 }
 
-//! Throws Error unless one number stays below another at all times; they may not move through each other.
+//! Throws Error unless one number stays below another by `gap` at all times. The whole ranges are
+//! compared: they must not overlap even at different times.
 void check_order(const TomlTable& root, const Show& show, std::string_view lower, std::string_view upper, double gap) {
   const double highest = values_of(show, lower).greatest;
   const double lowest = values_of(show, upper).least;

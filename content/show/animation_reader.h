@@ -7,7 +7,8 @@
 
 namespace ergodome {
 
-//! Reads [[animate]]: numbers that change with time. All other numbers of the show must have been read.
+//! Reads [[animate]], the numbers that change with time. All other numbers of the show must have
+//! been read.
 void read_animations(TomlTable& root, const std::string& file, Show& show);
 
 }  // namespace ergodome

@@ -14,7 +14,7 @@ namespace ergodome {
 
 namespace {
 
-//! A positive number rounded up to six digits: what is printed of it is not below it.
+//! Rounds a positive number up to six digits, so that the printed value is not below it.
 double six_digits_above(double value) {
   const double last = std::pow(10.0, std::floor(std::log10(value)) - 5.0);
   return std::ceil(value / last) * last;
@@ -23,7 +23,8 @@ double six_digits_above(double value) {
 constexpr double least_r = 1.0;
 constexpr double greatest_r = 1e6;
 
-//! Radii that come first for matter, at all times of the show: the least and the greatest.
+//! Returns the minimum and maximum over the show of the smallest radius at which disk matter can
+//! exist.
 NumberLimits innermost_radii(const Show& show, bool plunging) {
   NumberLimits limits{1e9, 0.0};
   for (const double spin : {show_at_least(show).spin, show_at_most(show).spin}) {

@@ -8,10 +8,11 @@
 
 namespace ergodome {
 
-//! Reads the table [effects] of a show's file. Throws Error with file, line and key for what cannot be.
+//! Reads the table [effects] of a show file. Throws Error with file, line and key for invalid
+//! values.
 void read_effects(const toml::table& table, const std::string& file, EffectSettings& effects);
 
-//! The same for [tone].
+//! Reads the table [tone] in the same way.
 void read_tone(const toml::table& table, const std::string& file, ToneSettings& tone);
 
 }  // namespace ergodome

@@ -8,10 +8,10 @@
 
 namespace ergodome {
 
-//! Reads [flight]: how visitors may fly.
+//! Reads [flight], the settings of free flight.
 void read_flight(const toml::table& table, const std::string& file, FlightSettings& flight);
 
-//! The same as a table that reads back.
+//! Returns free-flight settings as a table that read_flight() accepts.
 toml::table flight_table(const FlightSettings& flight);
 
 }  // namespace ergodome

@@ -18,7 +18,7 @@ class Idle {
  public:
   explicit Idle(const Show& show) : show_(show) {}
 
-  //! These keys, what is in their tables and what animates them change nothing.
+  //! Reports these keys, the keys in their tables and the animations of both as unused.
   void add(std::initializer_list<std::string> keys, const std::string& why) {
     for (const auto& [path, line] : show_.lines) {
       std::string_view of = path;
@@ -38,7 +38,8 @@ class Idle {
   }
 
  private:
-  //! Whether a path is the key's, or that of a number in its table, which is told by the table's own line where the file has one.
+  //! Returns true if a path is the key or below it. A key below it is not reported separately if
+  //! the table itself has a line in the file.
   [[nodiscard]] bool is_of(std::string_view key, std::string_view path, bool animation) const {
     const bool below = path.starts_with(key) && path.substr(key.size()).starts_with('.');
     return path == key || (below && (animation || !show_.lines.contains(std::string(key))));

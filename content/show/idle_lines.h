@@ -7,15 +7,15 @@
 
 namespace ergodome {
 
-//! A line of a show's file that changes nothing, as what it is about is not called for.
+//! An unused key of a show file: it belongs to a feature that the show does not use.
 struct IdleLine {
-  std::string key;  //!< by its path ("tone.gamma", "animate.tone.gamma")
+  std::string key;  //!< path of the key ("tone.gamma", "animate.tone.gamma")
   int line = 0;
   std::string why;  //!< "is used only with curve = \"gamma\""
 };
 
-//! The lines of a show that belong to a curve, a pattern, a filter, a projection or stars that it does not have, in the order of the file. Lines of a show
-//! that came from no file are none.
+//! Returns the unused keys of a show, in the order of its file: those of a curve, pattern, filter,
+//! projection or stars that it does not have. Empty for a show that was not read from a file.
 std::vector<IdleLine> idle_lines(const Show& show);
 
 }  // namespace ergodome

@@ -9,7 +9,7 @@ namespace ergodome {
 
 namespace {
 
-//! Points to a number of a shell, or is nullptr where the show has no such shell.
+//! Returns a pointer to a number of a shell, or nullptr if the show has no such shell.
 template <std::size_t Shell, double ShellSettings::*Member>
 auto place(auto& show) -> decltype(&(show.shells[Shell].*Member)) {
   return Shell < show.shells.size() ? &(show.shells[Shell].*Member) : nullptr;
@@ -28,7 +28,7 @@ void put(Show& show, double value) {
   }
 }
 
-//! The list, with the names that its views are of.
+//! The list, together with the strings that its string views refer to.
 struct Numbers {
   std::deque<std::string> paths;
   std::vector<AnimatableNumber> numbers;

@@ -6,7 +6,8 @@
 
 namespace ergodome {
 
-//! The animatable numbers of all shells that a show may have: "shells[0].radius" and so on, counted from 0 in the order of the file.
+//! Returns the animatable numbers of all shells that a show can have: "shells[0].radius" and so on,
+//! counted from 0 in the order of the file.
 const std::vector<AnimatableNumber>& shell_numbers();
 
 }  // namespace ergodome

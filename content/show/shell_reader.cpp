@@ -32,7 +32,7 @@ ShellSettings read_shell(TomlTable& table) {
   shell.radius = own_number(table, "radius", shell.radius);
   shell.spacing_deg = table.number("spacing_deg", shell.spacing_deg, 0.5, 180.0);
   const double parts = 180.0 / shell.spacing_deg;
-  // As near as six digits of the quotient.
+  // The tolerance accepts quotients rounded to six digits.
   if (std::abs(parts - std::round(parts)) > 1e-5 * parts) {
     throw table.error_at("spacing_deg", "does not divide 180 evenly, so the grid lines would not close",
                          fmt::format("choose for example {:.6g}", 180.0 / std::round(parts)));
@@ -49,7 +49,7 @@ ShellSettings read_shell(TomlTable& table) {
   return shell;
 }
 
-//! The largest horizon that the hole has at any time.
+//! Returns the largest horizon radius at any time of the show.
 double greatest_horizon(const Show& show) {
   const double least = show_at_least(show).spin;
   const double most = show_at_most(show).spin;

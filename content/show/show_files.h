@@ -7,20 +7,21 @@
 #include "content/show/show.h"
 #include "kernels/core/error.h"
 
-// Files that a show names.
+// The files that a show names, and their errors.
 namespace ergodome {
 
-//! Returns where a show gives a key: "evening.toml:12", or "--set"; "evening.toml" where it does not.
+//! Returns where a show sets a key: "evening.toml:12" or "--set"; "evening.toml" if it does not.
 std::string place_of(const Show& show, const std::string& key);
 
-//! `error` of a file that `show` names under `key` ("sky.stars", "shells[1].texture"): says in its problem under which key, of which show,
-//! and at which line where that came from a file.
+//! Returns the error of a file that `show` names under `key` ("sky.stars", "shells[1].texture"),
+//! with the key, the show and the line added to its problem.
 Error named_by(const Show& show, const std::string& key, const Error& error);
 
-//! Throws Error where something is at `path` that is no regular file: to open a pipe would wait for ever.
+//! Throws Error if `path` exists and is not a regular file: opening a pipe would block forever.
 void require_no_pipe(const std::filesystem::path& path);
 
-//! Returns what `read(path)` makes of the file `name` in the show's folder. named_by() completes its errors.
+//! Returns the result of `read(path)` for the file `name` in the show's folder. Adds key and show
+//! to errors as named_by() does.
 template <class Read>
 auto read_named(const Show& show, const std::string& key, const std::string& name, const Read& read) {
   try {
@@ -32,23 +33,24 @@ auto read_named(const Show& show, const std::string& key, const std::string& nam
   }
 }
 
-//! A file that a show names for its pictures.
+//! A file that a show names for rendering.
 struct NamedFile {
   std::string key;      //!< "shells[1].texture"
-  std::string name;     //!< as the show gives it, from its folder
-  std::string layer{};  //!< of an image, if the show selects one
+  std::string name;     //!< relative to the show's folder, as written
+  std::string layer{};  //!< of an image; empty if the show does not select one
 };
 
-//! The files of sky, stars, spikes, shells and objects that a show names, in this order; what is built in is none.
+//! Returns the files of sky, stars, spikes, shells and objects that a show names, in this order,
+//! without built-in ones.
 std::vector<NamedFile> files_of_pictures(const Show& show);
 
-//! These, and after them those of overlays and sound: all that a show names.
+//! Returns these files, then those of overlays and sound: all that a show names.
 std::vector<NamedFile> files_of_show(const Show& show);
 
-//! Whether a file that a show names is there.
+//! Returns true if a file that a show names exists.
 bool is_there(const Show& show, const std::string& name);
 
-//! Whether a folder is there in its place.
+//! Returns true if the name is that of an existing folder.
 bool is_folder(const Show& show, const std::string& name);
 
 }  // namespace ergodome

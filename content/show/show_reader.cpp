@@ -115,7 +115,7 @@ void read_parts(TomlTable& root, const std::string& file, Show& show) {
   part("readout", [&](const toml::table& table) { show.readout = read_readout(table, file); });
   read_objects(root, file, show);
   read_fall(root.table("camera"), file, show);
-  // Of these numbers' limits, and of the spin that the camera meets.
+  // The timeline needs the limits of these numbers, and the camera the animated spin.
   read_timeline(root, file, show);
   read_camera(root.table("camera"), file, show);
   check_spin_on_path(file, show);
@@ -125,12 +125,12 @@ void read_parts(TomlTable& root, const std::string& file, Show& show) {
   check_sights_within(root, file, show);
 }
 
-//! Returns the line of a node; key_set_outside for one that is not from the file.
+//! Returns the line of a node; key_set_outside if it is not from the file.
 int line_in(const std::string& file, const toml::node& node) {
   return is_from(node.source(), file) ? static_cast<int>(node.source().begin.line) : key_set_outside;
 }
 
-//! Notes where the keys of tables stand that a show has several of ("shells[1].texture").
+//! Records the lines of the keys in an array of tables ("shells[1].texture").
 void note_tables(const toml::array& tables, const std::string& path, const std::string& file,
                  std::map<std::string, int>& lines) {
   for (std::size_t i = 0; i < tables.size(); ++i) {
@@ -142,7 +142,7 @@ void note_tables(const toml::array& tables, const std::string& path, const std::
   }
 }
 
-//! Notes where each key of a table stands. What lies beyond a number of keys that no valid show has is left out.
+//! Records the line of each key of a table. Stops at a number of keys that no valid show has.
 void note_lines(const toml::table& table, const std::string& path, const std::string& file,
                 std::map<std::string, int>& lines) {
   constexpr std::size_t most_lines = 100'000;
@@ -160,7 +160,7 @@ void note_lines(const toml::table& table, const std::string& path, const std::st
   }
 }
 
-//! Reads the title, which fits one line in every language.
+//! Reads the title, which must fit one line in every language.
 LocalText read_title(TomlTable& root, const std::string& file, const std::string& otherwise) {
   const toml::node* const node = root.node("title");
   if (node == nullptr || !node->is_table()) {

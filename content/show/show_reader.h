@@ -8,20 +8,21 @@
 
 namespace ergodome {
 
-//! The greatest speed of an observer of whom a show tells it.
+//! Maximum speed of an observer's velocity in a show file [c].
 inline constexpr double fastest_observer = 0.999999;
 
-//! Reads a show file (TOML, see content/SHOWS.md). Throws Error with file, line, key and remedy for whatever is wrong in it: unknown keys,
-//! values out of range, cameras inside the horizon, observers that cannot exist there.
+//! Reads a show file (TOML, see reference/show-keys.md in the documentation). Throws Error with
+//! file, line, key and remedy for any mistake: unknown keys, values out of range, cameras inside
+//! the horizon, observers that cannot exist there.
 Show read_show(const std::filesystem::path& path);
 
-//! The same of a show that settings change before it is read.
+//! Reads a show file after applying settings to it.
 Show read_show_with_settings(const std::filesystem::path& path, const ShowSettings& settings);
 
-//! The same from text; `file` is how messages call it.
+//! Reads a show from text; `file` is its name in messages.
 Show parse_show(std::string_view text, const std::string& file, const ShowSettings& settings = {});
 
-//! A show as TOML text that parse_show reads back to the same show.
+//! Returns a show as TOML text from which parse_show() reads the same show.
 std::string to_toml(const Show& show);
 
 }  // namespace ergodome

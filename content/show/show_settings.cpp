@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t longest_setting = std::size_t{1} << 20U;
 constexpr std::size_t most_path_parts = 16;
 
-//! One setting, split.
+//! One setting, split into its parts.
 struct Setting {
   std::string place;               //!< "--set hole.spin"
   std::vector<std::string> parts;  //!< of the path: "hole", "spin"
@@ -33,7 +33,7 @@ bool is_bare_key(std::string_view part) {
   });
 }
 
-//! Splits a path at its dots. "key[0]", as messages write it, is the same as "key.0".
+//! Splits a path at its dots. "key[0]", as messages write it, is equivalent to "key.0".
 std::vector<std::string> parts_of_path(std::string_view path) {
   std::vector<std::string> parts(1);
   for (std::size_t i = 0; i < path.size(); ++i) {
@@ -65,13 +65,13 @@ Setting split_setting(const std::string& text) {
   return setting;
 }
 
-//! Returns an empty table whose source is the setting.
+//! Returns an empty table with the setting as its source.
 toml::table empty_table_of(const Setting& setting) {
   toml::table parsed = toml::parse("t = {}", setting.place);
   return std::move(*parsed["t"].as_table());
 }
 
-//! Parses `key = TEXT`; nothing where that is not one key with its value.
+//! Parses `value = TEXT`; returns nothing unless that is a single key with a value.
 std::optional<toml::table> parsed_value(const Setting& setting, const std::string& text) {
   const std::string line = "value = " + text;
   require_bounded_toml(line, setting.place);
@@ -117,12 +117,12 @@ toml::table table_of_value(const Setting& setting) {
   throw Error(setting.place, "has a value that is not valid UTF-8", "write it in UTF-8");
 }
 
-//! Returns the path up to `count` parts, as messages write it.
+//! Returns the first `count` parts of the path, as messages write them.
 std::string path_up_to(const Setting& setting, std::size_t count) {
   return fmt::format("{}", fmt::join(setting.parts.begin(), setting.parts.begin() + static_cast<long>(count), "."));
 }
 
-//! Returns the entry of an array that a part of the path counts.
+//! Returns the array entry that a part of the path selects. Throws Error if it does not exist.
 toml::node& entry_of(toml::array& entries, const Setting& setting, std::size_t depth, const std::string& file) {
   const std::string& part = setting.parts[depth];
   std::size_t index = 0;
@@ -136,7 +136,7 @@ toml::node& entry_of(toml::array& entries, const Setting& setting, std::size_t d
   return entries[index];
 }
 
-//! Puts a value where a node of any type is.
+//! Replaces an array entry of any type by a value.
 void replace_entry(toml::array& entries, toml::node& entry, toml::node& value) {
   const auto at = std::ranges::find_if(entries, [&](const toml::node& each) { return &each == &entry; });
   value.visit([&](auto& concrete) { entries.replace(at, std::move(concrete)); });

@@ -18,7 +18,8 @@ namespace ergodome {
 
 namespace {
 
-//! Degrees of an angle in radians, no more than the reader takes, whatever rounding adds.
+//! Converts radians to degrees, clamped to the range that the reader accepts, as rounding may
+//! exceed it.
 double degrees_of(double angle, double least = -1e9, double greatest = 1e9) {
   return std::clamp(angle * radian_deg, least, greatest);
 }

@@ -13,10 +13,11 @@ namespace ergodome {
 
 namespace {
 
-//! A viewer at the dome's surface would have a pixel fill half the sky.
+//! Maximum distance of the viewer from the dome's center [radii]: at the dome's surface, one pixel
+//! would fill half the sky.
 constexpr double farthest_viewer = 0.95;
 
-//! Numbers of a list, at least one; returns how many.
+//! Reads a list of at least one number; returns how many. Throws Error if it is empty or too long.
 std::size_t read_numbers(TomlTable& table, std::string_view key, const toml::node& node, std::span<double> numbers,
                          const std::string& remedy) {
   const toml::array* list = node.as_array();
@@ -47,7 +48,7 @@ void read_polynomial(TomlTable& reader, ViewSettings& view) {
   }
 }
 
-//! The law must take the whole field of view.
+//! Throws Error unless the lens law covers the whole field of view.
 void check_lens(const TomlTable& reader, const ViewSettings& view) {
   const auto& f = view.polynomial;
   const double largest_deg = 2.0 * radian_deg * largest_half_angle(view.lens, {f[0], f[1], f[2], f[3]});
@@ -111,7 +112,7 @@ FrustumAngles read_frustum(const toml::table& table, const std::string& file) {
   return angles;
 }
 
-//! A view that always shows the whole sky has no field of view to choose.
+//! Throws Error if the field of view is set in a view that always shows the whole sky.
 void check_whole_sky(const TomlTable& reader, const ViewSettings& view) {
   if (view.field_of_view_deg != usual_field_of_view_deg(view.projection)) {
     throw reader.error_at("fov_deg",

@@ -8,7 +8,7 @@
 
 namespace ergodome {
 
-//! Reads [view]: how the sky is put on a picture.
+//! Reads [view], the projection of the view onto an image.
 void read_view(const toml::table& table, const std::string& file, ViewSettings& view);
 
 }  // namespace ergodome

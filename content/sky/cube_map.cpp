@@ -11,12 +11,13 @@ namespace ergodome {
 
 namespace {
 
-//! A direction as a viewer in the cube sees it.
+//! A direction as seen by a viewer inside the cube.
 struct ViewDirection {
   double right, up, forward;
 };
 
-//! A position in a cube map: the face's cell in the image, and the position in it, 0 to 1 from its top left corner.
+//! A position in a cube map: the cell of the face in the image, and the position in it, 0 to 1 from
+//! its top left corner.
 struct FacePosition {
   int column, row;
   double s, t;
@@ -29,7 +30,8 @@ struct FacePoint {
   double s, t;
 };
 
-//! Returns the face that a direction meets, and where; right, up and forward are OpenGL's X, Y and Z there.
+//! Returns the face that a direction meets, and the position on it; right, up and forward are X, Y
+//! and Z of OpenGL.
 FacePoint face_point(const ViewDirection& d) {
   const double x = std::abs(d.right);
   const double y = std::abs(d.up);
@@ -64,7 +66,8 @@ FacePosition place_in_cross(const FacePoint& point, bool vertical) {
   return vertical ? FacePosition{1, 3, 1.0 - point.s, 1.0 - point.t} : FacePosition{3, 1, point.s, point.t};
 }
 
-//! OpenEXR's X points to the left of a viewer who looks along its Z; its side faces lie on their sides.
+//! Returns a face position in OpenEXR's layout. Its X axis points to the left of a viewer facing
+//! along Z, and its side faces are turned by 90°.
 FacePosition place_in_openexr(const FacePoint& point) {
   switch (point.face) {
     case left_face:  // +X
@@ -99,7 +102,7 @@ FacePosition face_position(const ViewDirection& direction, CubeMapLayout layout)
   return place_in_cross(point, layout == CubeMapLayout::vertical_cross);
 }
 
-//! Adds the bilinear color at a position; texels beyond the face's edge are those at the edge.
+//! Writes the bilinear color at a position; beyond the edge of the face, edge texels are repeated.
 void put_color(const EnvironmentImage& cube, int side, const FacePosition& at, float* to) {
   const auto corner = [&](double part) { return std::clamp(part * side - 0.5, 0.0, side - 1.0); };
   const double x = corner(at.s);
@@ -120,7 +123,7 @@ void put_color(const EnvironmentImage& cube, int side, const FacePosition& at, f
   }
 }
 
-//! True if a cell of a cross has one color, but for its outermost texels.
+//! Returns true if a cell of a cross has a single color, except in its outermost texels.
 bool is_plain_cell(const EnvironmentImage& image, int side, int column, int row) {
   constexpr float tolerance = 0.02F;
   const int margin = std::min(side / 8 + 1, side / 2);

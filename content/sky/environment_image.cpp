@@ -35,7 +35,8 @@ Error of_wrong_shape(const std::string& name, const ImageShape& shape) {
           "convert it to an equirectangular (2:1) map of the whole sky"};
 }
 
-//! Where one of `from` texels in a row lies in a row of `to`, no more of them: in the first it has this part, and the rest in the next.
+//! Position of one of `from` texels in a row of `to` texels, where to <= from: `part` of it is in
+//! texel `first`, the rest in the next one.
 struct TexelPlace {
   int first;
   float part;
@@ -47,10 +48,10 @@ TexelPlace texel_place(std::int64_t texel, std::int64_t from, std::int64_t to) {
   return {static_cast<int>(first), static_cast<float>(static_cast<double>(inside) / static_cast<double>(to))};
 }
 
-//! Reads an opened image row by row, adding up the texels that fall into each of a smaller one.
+//! Reads an opened image row by row, and averages its texels into a smaller image.
 class MapReader {
  public:
-  //! The image is averaged down to `width` x `height` texels, no more than it has.
+  //! The image is averaged down to `width` x `height` texels, which must not exceed its size.
   MapReader(ImageInput& input, std::string name, int width, int height)
       : input_(input), name_(std::move(name)), coding_(light_coding(input.shape())) {
     const ImageShape& shape = input.shape();
@@ -58,13 +59,13 @@ class MapReader {
     image_.file_width = shape.width;
     image_.width = width;
     image_.height = height;
-    // Room alone: a file that breaks off shall not take the memory of what it claims.
+    // Only reserves memory: a truncated file must not allocate what it claims.
     image_.rgb.reserve(floats_of_rows(image_.height));
     columns_.reserve(static_cast<std::size_t>(shape.width));
     for (int x = 0; x < shape.width; ++x) {
       columns_.push_back(texel_place(x, shape.width, image_.width));
     }
-    // Other channels are not looked at.
+    // Only channels that affect the light are read.
     read_channels_ = coding_.light_channels();
   }
 
@@ -99,7 +100,7 @@ class MapReader {
     return 3 * static_cast<std::size_t>(image_.width) * static_cast<std::size_t>(rows);
   }
 
-  //! Makes the first rows of the image, black, where they are not there yet.
+  //! Adds black rows to the image until it has `rows`.
   void make_rows(int rows) {
     image_.rgb.resize(std::max(image_.rgb.size(), floats_of_rows(std::min(rows, image_.height))));
   }
@@ -134,7 +135,7 @@ class MapReader {
     add(down.first + 1, share * (1.0F - down.part));
   }
 
-  //! Makes light of a texel, and counts it where it was none.
+  //! Replaces an invalid color of a texel by valid light, and counts it.
   void repair(float (&colour)[3]) {
     if (std::ranges::all_of(colour, [](float light) { return light >= 0.0F && light <= brightest_texel; })) {
       return;
@@ -147,7 +148,7 @@ class MapReader {
     } else {
       ++image_.repaired.below_zero;
     }
-    // A colour below zero is no light; the others are.
+    // Only the negative components become 0; the others keep their light.
     std::ranges::transform(colour, colour, [](float light) {
       return std::isinf(light) && light > 0.0F ? infinite_texel : std::clamp(light, 0.0F, brightest_texel);
     });
@@ -156,8 +157,8 @@ class MapReader {
   ImageInput& input_;
   std::string name_;
   LightCoding coding_;
-  int read_channels_ = 3;            //!< of a pixel
-  std::vector<TexelPlace> columns_;  //!< where texels of a row fall
+  int read_channels_ = 3;            //!< per pixel
+  std::vector<TexelPlace> columns_;  //!< position of each texel of a row in the smaller image
   EnvironmentImage image_;
 };
 
@@ -174,7 +175,7 @@ EnvironmentImage read_shape(ImageInput& input, const std::string& name, int larg
   const ImageShape shape = input.shape();
   check_shape(shape, name);
   if (shape.width == 2 * shape.height) {
-    // Both of an even width, as the image is twice as wide as high.
+    // Both widths are even, as the image is twice as wide as high.
     const int width = std::min(shape.width, largest_width / 2 * 2);
     return MapReader(input, name, width, width / 2).read();
   }

@@ -10,35 +10,39 @@
 
 namespace ergodome {
 
-//! A sky as an equirectangular image: linear light, three floats a texel, the top row first.
+//! A sky as an equirectangular image: linear light, three floats per texel, top row first.
 struct EnvironmentImage {
   std::string name;
   int width = 0;
   int height = 0;           //!< width / 2
-  int file_width = 0;       //!< of the file's image, which may be wider; 0: of no file
+  int file_width = 0;       //!< width of the image in the file, which may be larger; 0 if there is no file
   std::vector<float> rgb;   //!< 3 * width * height, finite and >= 0
-  RepairedTexels repaired;  //!< of the file
+  RepairedTexels repaired;  //!< statistics of invalid texels in the file
 };
 
-//! A file, and the layer of it that a name such as "sky.exr#ViewLayer.Emit" selects.
+//! A file, and the layer that a name such as "sky.exr#ViewLayer.Emit" selects.
 struct LayeredFile {
   std::filesystem::path path;
-  std::string layer;  //!< empty if the name selects none
+  std::string layer;  //!< empty if the name does not select one
 };
 
-//! Splits a name at its last "#", unless a file has that whole name.
+//! Splits a name at its last "#", unless a file with the full name exists.
 LayeredFile layered_file(const std::filesystem::path& name);
 
-//! Reads an equirectangular image (2:1; EXR, HDR, PNG, TIFF, JPEG, ...) through OpenImageIO. The name may select a layer of OpenEXR.
+//! Reads an equirectangular image (2:1; EXR, HDR, PNG, TIFF, JPEG, ...) through OpenImageIO. The
+//! name may select an OpenEXR layer.
 //!
-//! Colors become linear light of Rec. 709 by what the file says about them; if it says nothing, whole numbers are sRGB and floating
-//! point is linear. A crop of a panorama is put in its position (GPano), with black around it. What alpha leaves
-//! of a colour is its light over black: half of it where alpha is one half. Grey becomes colour. Wider images than `largest_width` are averaged down to it while they are read, so a 32k map needs no
-//! more memory than an 8k one. Throws Error for what is missing, torn, of another shape, narrower than 8 or wider than 65536 pixels,
-//! or without a single texel that is a number.
+//! Colors become linear Rec. 709 light according to the file's metadata; without metadata, integers
+//! are sRGB and floating point is linear. Gray becomes RGB, and transparent colors are blended over
+//! black. A crop of a panorama (GPano) is put at its position in a black one. Images wider than
+//! `largest_width` are averaged down to it while they are read, so a 32k map needs no more memory
+//! than an 8k one.
+//!
+//! Throws Error if the file is missing, damaged, of another shape, narrower than 8 or wider than
+//! 65536 pixels, or has only NaN texels.
 EnvironmentImage read_environment_image(const std::filesystem::path& name, int largest_width = 8192);
 
-//! The same from a file's bytes in memory; `name` (with its ending) tells the format.
+//! Reads such an image from the bytes of a file; the ending of `name` gives its format.
 EnvironmentImage read_environment_image(std::span<const std::byte> bytes, const std::string& name,
                                         int largest_width = 8192);
 

@@ -8,8 +8,8 @@ namespace {
 
 constexpr const char* coordinate_words[] = {"equatorial", "galactic", "ecliptic"};
 
-//! What is usually in the middle of maps in such coordinates: of equatorial ones, what the built-in map has there; the galaxy's centre; the
-//! vernal equinox.
+//! Returns the usual longitude in the middle of maps in these coordinates: that of the built-in map
+//! for equatorial ones, the galactic center, or the vernal equinox.
 double usual_middle_deg(MapCoordinates coordinates) {
   return coordinates == MapCoordinates::equatorial ? MapLayout{}.middle_deg : 0.0;
 }

@@ -19,7 +19,7 @@ namespace {
 
 double nearest_line_deg(double angle_deg, double step_deg) { return std::abs(std::remainder(angle_deg, step_deg)); }
 
-//! 1 on a line, 0 beside it, with an edge one texel soft.
+//! Returns 1 on a line and 0 beside it, with an edge that is one texel soft.
 double line(double distance_deg, double half_width_deg, double texel_deg) {
   return std::clamp((half_width_deg - distance_deg) / texel_deg + 0.5, 0.0, 1.0);
 }
@@ -31,7 +31,7 @@ glm::dvec3 grid_colour(double latitude_deg, double longitude_deg, double texel_d
   glm::dvec3 colour = hues[quadrant] * shade;
   const double parallel = line(nearest_line_deg(latitude_deg, 15.0), 0.35, texel_deg);
   const double stretch = 1.0 / std::max(std::cos(latitude_deg * pi / 180.0), 1e-3);
-  // Near the poles only every sixth meridian goes on, so that the lines do not flood the pole.
+  // Near the poles only every sixth meridian continues, so that the lines do not fill the pole.
   const double step_deg = std::abs(latitude_deg) > 75.0 ? 90.0 : 15.0;
   const double meridian =
       line(nearest_line_deg(longitude_deg, step_deg), 0.35 * std::min(stretch, 40.0), texel_deg * stretch);
@@ -43,7 +43,7 @@ glm::dvec3 grid_colour(double latitude_deg, double longitude_deg, double texel_d
   return glm::mix(colour, latitude_deg > 0.0 ? glm::dvec3(1.0) : glm::dvec3(0.9, 0.05, 0.05), ring);
 }
 
-//! The first texel of each row last.
+//! Reverses the order of the texels in each row.
 void turn_rows_round(EnvironmentImage& image) {
   const std::ptrdiff_t row = 3 * static_cast<std::ptrdiff_t>(image.width);
   for (auto first = image.rgb.begin(); first != image.rgb.end(); first += row) {
@@ -68,7 +68,8 @@ std::filesystem::path built_in_content_folder() {
     return chosen;
   }
   const fs::path program = fs::read_symlink("/proc/self/exe", problem).parent_path();
-  // Of an installed program, of the checkout that it was built in, and of that one after it was moved (build/PRESET/app).
+  // For an installed program, the checkout that it was built in, and a checkout that was moved
+  // (build/PRESET/app).
   const fs::path candidates[] = {program / "../share/ergodome/content", fs::path(ERGODOME_CONTENT_DIR),
                                  program / "../../../content"};
   for (const fs::path& folder : candidates) {
@@ -156,7 +157,8 @@ glm::dmat3 sky_from_equatorial(const SkySettings& sky) {
   const double ra = sky.spin_axis_ra_deg * pi / 180.0;
   const double dec = sky.spin_axis_dec_deg * pi / 180.0;
   const glm::dvec3 axis(std::cos(dec) * std::cos(ra), std::cos(dec) * std::sin(ra), std::sin(dec));
-  // The direction of falling declination along the meridian of the axis; defined at the poles too.
+  // The direction of decreasing declination along the meridian of the axis, which is also defined
+  // at the poles.
   const glm::dvec3 x(std::sin(dec) * std::cos(ra), std::sin(dec) * std::sin(ra), -std::cos(dec));
   return glm::transpose(glm::dmat3(x, glm::cross(axis, x), axis));
 }

@@ -7,8 +7,8 @@ namespace ergodome {
 
 namespace {
 
-//! Names of columns in the order of preference: our own, then those of VizieR, Gaia's archive, HYG
-//! and others.
+//! Column names in order of preference: our own, then those of VizieR, Gaia's archive, HYG and
+//! others.
 constexpr KnownName known_names[] = {
     {"ra_deg", right_ascension, 0, AngleUnit::degrees},
     {"radeg", right_ascension, 1, AngleUnit::degrees},

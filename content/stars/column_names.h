@@ -10,37 +10,39 @@
 
 namespace ergodome {
 
-//! A name under which tables have a column.
+//! A name of a column that tables use for a quantity.
 struct KnownName {
   std::string_view name;
   Quantity quantity;
-  int pair = 0;  //!< a right ascension and a declination of one number belong together; small numbers first
+  int pair =
+      0;  //!< a right ascension and a declination with the same number belong together; smaller ones are preferred
   AngleUnit unit = AngleUnit::open;
 };
 
-//! Returns all names in the order of preference.
+//! Returns all names in order of preference.
 std::span<const KnownName> known_column_names();
 
 //! Returns the preferred name of a column, for messages.
 std::string_view column_name_to_use(Quantity quantity);
 
-//! Columns that say why a quantity is missing.
+//! Columns whose presence explains why a quantity is missing.
 struct Substitute {
   Quantity missing;
   std::initializer_list<std::string_view> names;
   const char* what;
 };
 
+//! Returns the known substitutes.
 std::span<const Substitute> column_substitutes();
 
-//! Returns what stands in brackets at the end of a name: "deg" of "RA (deg)" or "ra[deg]".
+//! Returns the text in brackets at the end of a name: "deg" of "RA (deg)" or "ra[deg]".
 std::string_view bracketed_unit(std::string_view name);
 
 //! Returns a column's name for comparisons: lower case, without a unit in brackets, with _ for
 //! spaces, dots and hyphens.
 std::string plain_column_name(std::string_view name);
 
-//! Returns the unit of a coordinate by its word in a units row: "deg", "h", "h:m:s", "rad".
+//! Returns the unit of a coordinate from its word in a units row: "deg", "h", "h:m:s", "rad".
 std::optional<AngleUnit> angle_unit_named(std::string_view word);
 
 }  // namespace ergodome

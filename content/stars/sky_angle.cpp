@@ -8,8 +8,8 @@ namespace ergodome {
 
 namespace {
 
-//! Marks behind the parts, in the encodings in which tables have them; a lone \xB0 is the degree
-//! sign of Latin-1.
+//! Marks after the parts, in the encodings that occur in tables; a lone \xB0 is the degree sign of
+//! Latin-1.
 constexpr std::string_view hour_marks[] = {"h", "H", "\u02B0"};
 constexpr std::string_view degree_marks[] = {"d", "D", "\u00B0", "\u00BA", "\u02DA", "\xB0"};
 constexpr std::string_view minute_marks[] = {"m", "M", "'", "\u2032", "\u2019", "\u1D50", ":"};
@@ -35,7 +35,7 @@ bool skip_spaces(std::string_view& text) {
   return text.size() != before;
 }
 
-//! Takes a number without a sign or an exponent.
+//! Takes a number without a sign or an exponent from the beginning of the text.
 std::optional<double> take_part(std::string_view& text) {
   if (text.empty() || text.front() < '0' || text.front() > '9') {
     return std::nullopt;
@@ -49,8 +49,8 @@ std::optional<double> take_part(std::string_view& text) {
   return value;
 }
 
-//! Takes what separates part `index` from the next one. Returns false where that is missing or of
-//! another part.
+//! Takes the separator between part `index` and the next one. Returns false if it is missing or
+//! belongs to another part.
 bool take_mark(std::string_view& text, int index, SkyAngle& angle) {
   const bool spaces = skip_spaces(text);
   bool marked = false;

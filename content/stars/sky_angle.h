@@ -7,16 +7,16 @@ namespace ergodome {
 
 enum class AngleMark { none, hours, degrees };
 
-//! A coordinate as a table writes it.
+//! A coordinate as written in a table.
 struct SkyAngle {
   double value = 0.0;  //!< in the unit of its first part
   AngleMark mark = AngleMark::none;
   bool sexagesimal = false;  //!< has minutes
 };
 
-//! Reads a decimal number or a sexagesimal coordinate: `05 14 32.27`, `05:14:32.27`, `5h14m32.27s`,
-//! `-08 12 05.9`, `+89°15′51″`. A sign applies to all parts, so `-00 30 00` is -0.5. Returns
-//! nothing for other text, and for minutes or seconds beyond 60.
+//! Parses a decimal number or a sexagesimal coordinate: `05 14 32.27`, `05:14:32.27`,
+//! `5h14m32.27s`, `-08 12 05.9`, `+89°15′51″`. A sign applies to all parts, so `-00 30 00` is -0.5.
+//! Returns nothing for other text, and for minutes or seconds beyond 60.
 std::optional<SkyAngle> parse_sky_angle(std::string_view text);
 
 }  // namespace ergodome

@@ -19,7 +19,7 @@ namespace ergodome {
 
 namespace {
 
-//! What the eye sees without help, under a dark sky.
+//! Limit of the naked eye under a dark sky [mag].
 constexpr float faintest_bright_star = 6.5F;
 
 }  // namespace

@@ -26,7 +26,7 @@ constexpr double coolest_k = 1000.0;
 }  // namespace
 
 double b_v_from_bp_rp(double bp_rp) {
-  // Bluer stars than the first follow the line through the first two.
+  // Stars bluer than the first type follow the line through the first two.
   const auto* const above = std::find_if(std::next(std::begin(dwarf_colours)), std::prev(std::end(dwarf_colours)),
                                          [&](const DwarfColours& knot) { return knot.bp_rp > bp_rp; });
   const DwarfColours& from = *std::prev(above);
@@ -38,7 +38,7 @@ double b_v_from_temperature(double temperature_k) {
   if (!(temperature_k >= coolest_k)) {
     return std::numeric_limits<double>::quiet_NaN();
   }
-  // t = 1 / (c + 1.7) + 1 / (c + 0.62) with c = 0.92 (B-V), solved for the root at which both terms
+  // Solves t = 1 / (c + 1.7) + 1 / (c + 0.62) with c = 0.92 (B-V) for the root at which both terms
   // are positive.
   const double t = temperature_k / 4600.0;
   const double half = 0.5 * (2.32 * t - 2.0);

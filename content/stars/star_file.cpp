@@ -22,7 +22,8 @@ constexpr std::uint32_t version = 1;
 constexpr std::size_t summed_bytes = 32;
 constexpr std::size_t header_bytes = 40;
 constexpr std::size_t bytes_a_star = 20;
-//! No catalogue packs better; what claims to would take memory for nothing.
+//! Maximum compression ratio that is accepted, so that a false header cannot cause a large
+//! allocation.
 constexpr std::uint64_t most_packing = 4096;
 constexpr std::uint32_t most_file_stars = 100'000'000;
 constexpr double units_a_degree = 1e7;
@@ -32,7 +33,7 @@ constexpr int star_compression_level = 19;
 
 std::uint64_t checksum(std::span<const std::byte> bytes) { return XXH3_64bits(bytes.data(), bytes.size()); }
 
-//! A catalogue's columns as numbers of four bytes.
+//! The columns of a catalog as four-byte numbers.
 struct PackedColumns {
   std::vector<std::uint32_t> number;
   std::vector<std::uint32_t> right_ascension;
@@ -57,7 +58,7 @@ struct PackedColumns {
     right_ascension[i] = static_cast<std::uint32_t>(std::llround(star.ra_deg * units_a_degree));
     declination[i] = static_cast<std::int32_t>(std::lround(star.dec_deg * units_a_degree));
     v_mag[i] = static_cast<std::int32_t>(std::lround(static_cast<double>(star.v_mag) * units_a_magnitude));
-    // What is no colour, or none that fits, is missing.
+    // A color that is NaN or does not fit is stored as missing.
     const double colour = static_cast<double>(star.b_v) * units_a_magnitude;
     b_v[i] = std::abs(colour) < 1e9 ? static_cast<std::int32_t>(std::lround(colour)) : no_colour;
   }

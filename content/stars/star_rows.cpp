@@ -22,17 +22,16 @@ namespace {
 
 constexpr std::size_t most_stars = 100'000'000;
 
-//! Magnitude of what is so near that it is the Sun, for which catalogues have a distance of 0.
+//! Brighter objects are the Sun, for which catalogs have a distance of 0.
 constexpr double brightest_but_the_sun = -20.0;
 
-//! Colours are farther than this from 0 where catalogues write 99 for one that is not known.
+//! Maximum absolute color; catalogs write 99 for an unknown one.
 constexpr double most_colour = 20.0;
 
 constexpr double most_hours = 24.0;
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
-//! True if a cell stands for a number that is not known, in the words of Gaia's archive, VizieR,
-//! SIMBAD and AstroPy.
+//! Returns true if a cell marks an unknown number in Gaia's archive, VizieR, SIMBAD or AstroPy.
 bool is_blank(std::string_view cell) {
   constexpr std::string_view blanks[] = {"",    "null", "NULL", "nan",  "NaN", "NAN", "--", "---",
                                          "N/A", "n/a",  "NA",   "None", "~",   "...", "\\N"};
@@ -76,7 +75,7 @@ std::string StarRows::number_text(const std::string& cell) const {
   if (is_blank(text)) {
     return "";
   }
-  // Where commas do not separate cells, they are decimal points.
+  // Commas that do not separate cells are decimal points.
   if (separator_ != ',' && std::ranges::count(text, ',') == 1 && text.find('.') == std::string::npos) {
     std::ranges::replace(text, ',', '.');
   }
@@ -95,7 +94,7 @@ double StarRows::number(const RowCells& cells, Quantity quantity, std::size_t li
   if (error == std::errc() && end == last) {
     return value;
   }
-  // A number is only a star's name, and may be any text.
+  // A catalog number is only a star's name and may be any text.
   if (quantity == catalogue_number) {
     return missing;
   }
@@ -197,7 +196,7 @@ void StarRows::take(const RowCells& cells, std::size_t line) {
   if (!std::isfinite(v_mag)) {
     return leave_out({"without a magnitude", 1, line, false});
   }
-  // Other stars have a distance of 0 where it is not known.
+  // Other stars also have a distance of 0 if it is unknown.
   if (number(cells, sun_distance, line) == 0.0 && v_mag < brightest_but_the_sun) {
     return leave_out({"for the Sun", 1, line, true});
   }

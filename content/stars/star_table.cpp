@@ -19,11 +19,11 @@ namespace ergodome {
 namespace {
 
 constexpr std::size_t longest_cell = 65'536;
-//! Lines before the header, and the header, are kept whole up to this size [bytes].
+//! Maximum size of the header and of lines before it [bytes].
 constexpr std::size_t longest_kept_line = 1U << 20U;
 constexpr std::size_t most_described_columns = 4096;
 
-//! The library's parser, freed at the end.
+//! Owns a libcsv parser.
 class CsvParser {
  public:
   CsvParser() {
@@ -41,14 +41,14 @@ class CsvParser {
     if (csv_parse(&parser_, text.data(), text.size(), &take_cell, &end_row, &table) != text.size()) {
       table.fail(csv_strerror(csv_error(&parser_)), "write comma-separated values");
     }
-    // A quote that is never closed swallows the rest of the file.
+    // A quote that is never closed absorbs the rest of the file.
     if (csv_get_buffer_size(&parser_) > longest_cell) {
       table.fail("has a cell of more than 64 KiB", "close its quotation marks");
     }
   }
 
   void finish(TableBuilder& table) {
-    // Strict at the end alone: a quote within a cell that has none about it is no mistake.
+    // Strict only at the end: a quote within an unquoted cell is allowed.
     csv_set_opts(&parser_, CSV_REPALL_NL | CSV_STRICT | CSV_STRICT_FINI);
     if (csv_fini(&parser_, &take_cell, &end_row, &table) != 0) {
       table.fail("has a quotation mark that is never closed", "close it");
@@ -65,7 +65,7 @@ class CsvParser {
 };
 
 //! Returns the character between the cells of a header: the most frequent of comma, semicolon, tab
-//! and bar, or else a space.
+//! and bar, or otherwise a space.
 char separator_of(std::string_view header) {
   char most = ',';
   for (const char separator : {';', '\t', '|'}) {
@@ -93,7 +93,7 @@ std::string_view ecsv_value(std::string_view comment, std::string_view key) {
                                                                              : value;
 }
 
-//! Splits a text into lines: skips comments, finds the header, and gives the rest to the CSV
+//! Splits a text into lines: skips comments, finds the header, and passes the rest to the CSV
 //! parser.
 class TableLines {
  public:
@@ -118,7 +118,7 @@ class TableLines {
   }
 
  private:
-  //! Takes a line, or a part of it where it goes on in the next part of the text.
+  //! Takes a line, or a part of one that continues in the next part of the text.
   void take_piece(std::string_view piece, bool ended) {
     if (!header_found_) {
       kept_ += piece;
@@ -157,8 +157,8 @@ class TableLines {
     begin_table(line);
   }
 
-  //! Begins with the first line that is no comment: the header, or data whose header is the last
-  //! comment.
+  //! Begins the table with the first line that is not a comment: the header, or data whose header
+  //! is the last comment.
   void begin_table(std::string_view line) {
     const std::size_t first = line.find_first_not_of("\" ");
     const bool data = first != std::string_view::npos &&
@@ -173,7 +173,7 @@ class TableLines {
     table_.begin(separator_, std::move(units_));
     header_found_ = true;
     if (data) {
-      // The line of this header is counted: a carriage return does not count again.
+      // The line of this header was counted; a carriage return does not count again.
       parse(header + '\r');
     }
     at_line_start_ = kept_.ends_with('\n') || kept_.ends_with('\r');
@@ -206,8 +206,8 @@ class TableLines {
     }
   }
 
-  //! Turns spaces and tabs outside of quotes into one space between cells, and none at the ends of
-  //! a line.
+  //! Replaces spaces and tabs outside quotes by a single space between cells, and removes them at
+  //! the ends of a line.
   void add_with_single_spaces(char c, std::string& text) {
     const bool line_end = c == '\n' || c == '\r';
     if (!in_quotes_ && (c == ' ' || c == '\t')) {
@@ -227,16 +227,16 @@ class TableLines {
   TableBuilder table_;
   CsvParser parser_;
   char separator_ = ',';
-  std::optional<char> told_separator_;  //!< by a spreadsheet's line sep=;
-  std::string kept_;                    //!< a line before the rows
+  std::optional<char> told_separator_;  //!< from a spreadsheet's line `sep=`
+  std::string kept_;                    //!< an incomplete line before the rows
   std::string last_comment_;
   UnitsByName units_;
   bool header_found_ = false;
   bool at_line_start_ = true;
   bool in_comment_ = false;
-  bool in_quotes_ = false;    //!< where spaces separate cells
-  bool in_line_ = false;      //!< the same: the line has begun
-  bool space_waits_ = false;  //!< the same: before the next cell
+  bool in_quotes_ = false;    //!< used if spaces separate cells
+  bool in_line_ = false;      //!< likewise: the line has a cell
+  bool space_waits_ = false;  //!< likewise: a space is due before the next cell
 };
 
 }  // namespace

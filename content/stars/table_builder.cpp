@@ -64,14 +64,15 @@ void TableBuilder::end_header() {
   rows_.begin(choose_columns(names_, units_, fmt::format("{}:{}", file_, line_)), separator_);
 }
 
-//! VizieR repeats its header where a second table begins, and so do files that were joined.
+//! Returns true if a row repeats the header. VizieR and concatenated files do so where a second
+//! table begins.
 bool TableBuilder::repeats_header() const {
   const TableColumns& columns = rows_.columns();
   return cells_[right_ascension] == columns.names[right_ascension] && cells_[declination] == columns.names[declination];
 }
 
 void TableBuilder::take_row() {
-  // Below its header VizieR has a row of units and a row of dashes.
+  // Below its header, VizieR writes a row of units and a row of dashes.
   const bool dashes = only_dashes_ && cells_[right_ascension].size() > 1;
   if (!rows_begun_ && (dashes || rows_.take_units(cells_, line_))) {
     return;
@@ -87,9 +88,9 @@ void TableBuilder::take_row() {
   rows_.take(cells_, line_);
 }
 
-//! Counts the lines that a cell in quotes ends. A quote that is closed in another row swallows one
-//! with each of them, which the separators tell: in a name there may well be an end of a line, but
-//! not as many separators as in a row.
+//! Counts the lines that end within a quoted cell. A quote closed in a later row absorbs whole
+//! rows, which their separators reveal: a cell may contain line breaks, but not as many separators
+//! as rows have. Such rows are reported as skipped.
 void TableBuilder::count_lines(std::string_view cell) {
   const auto lines = static_cast<std::size_t>(std::ranges::count(cell, '\n'));
   const auto separators = static_cast<std::size_t>(std::ranges::count(cell, separator_));

@@ -12,28 +12,29 @@
 
 namespace ergodome {
 
-//! Takes cells and rows from a CSV parser. It must not throw through the parser's frames: the first
-//! problem is kept.
+//! Builds a star catalog from the cells and rows of a CSV parser. Stores the first problem, because
+//! exceptions must not pass through the parser's C code; check() throws it.
 class TableBuilder {
  public:
   explicit TableBuilder(std::string file) : file_(std::move(file)), rows_(file_) {}
 
-  //! Sets the character between cells, and units of columns that comments told, before the header.
+  //! Sets the character between cells, and units of columns from comments, before the header.
   void begin(char separator, UnitsByName units);
 
   void take_cell(std::string_view cell);
 
-  //! `end` is the character that ended it; a carriage return has a line feed behind it.
+  //! Ends a row. `end` is the character that ended it; a carriage return is followed by a line
+  //! feed.
   void end_row(int end);
 
-  //! Counts a line that is not given to the parser.
+  //! Counts a line that is not passed to the parser.
   void skip_line(int end) { line_ += end != '\r' ? 1 : 0; }
 
-  //! True outside of rows, and so outside of quotes.
+  //! Returns true outside rows, and so outside quotes.
   [[nodiscard]] bool is_between_rows() const { return between_rows_; }
   void begin_row() { between_rows_ = false; }
 
-  //! Throws the first problem.
+  //! Throws the first problem, if any.
   void check() const;
 
   StarCatalogue finish();
@@ -48,17 +49,17 @@ class TableBuilder {
 
   std::string file_;
   StarRows rows_;
-  std::size_t line_ = 1;          //!< where the row begins
-  std::size_t lines_in_row_ = 0;  //!< that cells of it have ended
+  std::size_t line_ = 1;          //!< first line of the row
+  std::size_t lines_in_row_ = 0;  //!< lines that ended within its cells
   std::size_t cell_ = 0;
   bool in_header_ = true;
   bool between_rows_ = true;
-  bool rows_begun_ = false;  //!< behind the header, the units and the dashes
-  bool only_dashes_ = true;  //!< in the cells of this row
+  bool rows_begun_ = false;  //!< after the header, the units and the dashes
+  bool only_dashes_ = true;  //!< the cells of this row contain only dashes
   char separator_ = ',';
   UnitsByName units_;
-  std::vector<std::string> names_;  //!< of the header, as far as they are kept
-  std::size_t named_ = 0;           //!< columns of the header
+  std::vector<std::string> names_;  //!< of the header columns that are kept
+  std::size_t named_ = 0;           //!< number of columns in the header
   RowCells cells_;
   std::optional<Error> problem_;
 };

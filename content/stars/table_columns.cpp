@@ -22,10 +22,10 @@ bool holds(const std::vector<std::string>& names, std::string_view name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-//! Returns which of its columns stand in for a missing quantity, in words.
+//! Returns a text about columns that are present instead of a missing quantity, or an empty text.
 std::string substitute_for(Quantity missing, const std::vector<std::string>& names) {
   for (const Substitute& other : column_substitutes()) {
-    // A single letter alone tells nothing.
+    // One-letter names are ambiguous, so all of them must be present.
     const bool all = other.names.begin()->size() == 1;
     const auto there = [&](std::string_view name) { return holds(names, name); };
     if (other.missing == missing &&
@@ -36,7 +36,7 @@ std::string substitute_for(Quantity missing, const std::vector<std::string>& nam
   return "";
 }
 
-//! Index of the first column of a name, or none.
+//! Returns the index of the first column with a name, or nothing.
 std::optional<std::size_t> find_column(const std::vector<std::string>& names, std::string_view name) {
   const auto found = std::ranges::find(names, name);
   return found == names.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - names.begin()));
@@ -59,7 +59,7 @@ std::vector<Candidate> candidates_for(Quantity quantity, const std::vector<std::
   return found;
 }
 
-//! Chooses coordinates of one pair, or the best of each where there is none.
+//! Chooses two coordinates of one pair, or the preferred one of each if no pair exists.
 std::array<std::optional<Candidate>, 2> choose_coordinates(const std::vector<std::string>& names) {
   const auto ras = candidates_for(right_ascension, names);
   const auto decs = candidates_for(declination, names);
@@ -74,7 +74,7 @@ std::array<std::optional<Candidate>, 2> choose_coordinates(const std::vector<std
           decs.empty() ? std::nullopt : std::optional(decs.front())};
 }
 
-//! Finds the program whose columns these are, where that decides what `ra` is.
+//! Identifies the program that wrote the table, if that decides the unit of `ra`.
 void find_program(TableColumns& columns, const std::vector<std::string>& names) {
   const auto any = [&](std::initializer_list<std::string_view> signs) {
     return std::ranges::any_of(signs, [&](std::string_view sign) { return holds(names, sign); });
@@ -114,7 +114,7 @@ void require_coordinates_and_magnitude(const TableColumns& columns, const std::v
   }
 }
 
-//! Units in which a column other than a coordinate is read.
+//! Returns true if a unit is supported for a quantity that is not a coordinate.
 bool is_supported_unit(Quantity quantity, std::string_view unit) {
   const auto one_of = [&](std::initializer_list<std::string_view> units) {
     return std::ranges::find(units, unit) != units.end();
@@ -155,7 +155,7 @@ TableColumns choose_columns(const std::vector<std::string>& names, const UnitsBy
   plain.reserve(names.size());
   for (const std::string& name : names) {
     plain.push_back(plain_column_name(name));
-    // VizieR's gmag is of the Sloan survey, its Gmag of Gaia.
+    // In VizieR, gmag is from the Sloan survey and Gmag from Gaia.
     if (plain.back() == "gmag" && name.find('G') == std::string::npos) {
       plain.back() = "sloan_gmag";
     }
@@ -188,7 +188,7 @@ TableColumns choose_columns(const std::vector<std::string>& names, const UnitsBy
   for (int quantity = declination + 1; quantity < quantity_count; ++quantity) {
     auto found = candidates_for(static_cast<Quantity>(quantity), plain);
     if (!found.empty()) {
-      // A star is known by its catalogue's first number: HYG's id comes before hip.
+      // Uses the first column with a number: HYG's id precedes hip.
       read(quantity == catalogue_number ? *std::ranges::min_element(found, {}, &Candidate::column) : found.front());
     }
   }

@@ -9,7 +9,7 @@
 
 namespace ergodome {
 
-//! What a column of a star table holds.
+//! The quantity in a column of a star table.
 enum Quantity {
   right_ascension,
   declination,
@@ -27,14 +27,14 @@ enum Quantity {
   quantity_count
 };
 
-//! Returns what messages call a column: "a declination".
+//! Returns the quantity in words for messages: "a declination".
 const char* words_of(Quantity quantity);
 
-//! Unit of a coordinate. `open`: nothing but the values tells.
+//! The unit of a coordinate. `open`: only the values can decide.
 enum class AngleUnit { open, degrees, hours, radians };
 
-//! Where the unit of the right ascension comes from.
-//! `units_row`: a row of units, a comment of ECSV, or brackets behind the name.
+//! The source of the unit of the right ascension. `units_row`: a row of units, an ECSV comment, or
+//! brackets after the name. `program`: the program that wrote the table.
 enum class UnitSource { values, name, units_row, program };
 
 struct CoordinateUnit {
@@ -44,21 +44,21 @@ struct CoordinateUnit {
 
 //! The columns of a table that are read.
 struct TableColumns {
-  std::vector<std::optional<Quantity>> quantities;  //!< by the column's index
-  std::vector<std::string> names;  //!< by quantity, as the table writes them; empty where there is none
+  std::vector<std::optional<Quantity>> quantities;  //!< by column index
+  std::vector<std::string> names;                   //!< by quantity, as written in the table; empty if absent
   CoordinateUnit ra;
   CoordinateUnit dec = {AngleUnit::degrees, UnitSource::name};
-  std::string program;  //!< whose columns these are: "Gaia's archive", "HYG"; empty if unknown
+  std::string program;  //!< the program or archive that wrote the table: "Gaia's archive", "HYG"; empty if unknown
 
   [[nodiscard]] bool has(Quantity quantity) const { return !names[quantity].empty(); }
 };
 
-//! Units by a column's name in lower case, from comments that describe the columns (ECSV).
+//! Units by lower-case column name, from comments that describe the columns (ECSV).
 using UnitsByName = std::map<std::string, std::string, std::less<>>;
 
-//! Chooses the columns to read. Where several hold the same quantity, the order of preference
-//! decides, and coordinates come from one pair. Throws Error at `place` if a quantity is missing,
-//! if a name comes twice, and if a unit is not supported.
+//! Chooses the columns to read. If several hold the same quantity, the order of preference decides;
+//! both coordinates come from one pair. Throws Error at `place` if a quantity is missing, a name
+//! occurs twice, or a unit is not supported.
 TableColumns choose_columns(const std::vector<std::string>& names, const UnitsByName& units, const std::string& place);
 
 //! Applies the unit of one column. Throws Error if it is not supported.

@@ -15,7 +15,7 @@ using std::string_view_literals::operator""sv;
 constexpr std::size_t text_chunk_bytes = 1U << 18U;
 constexpr char32_t replacement_character = 0xFFFD;
 
-//! A kind of file that is no table of text, by its first bytes.
+//! The signature of a file format that is not a text table.
 struct OtherFormat {
   std::string_view magic;
   const char* what;
@@ -43,7 +43,7 @@ constexpr OtherFormat other_formats[] = {
     {"[{"sv, "is JSON, not a table with one row per line", save_as_csv},
 };
 
-//! Throws Error if a file begins as one of another kind does.
+//! Throws Error if a file begins with the signature of another format.
 void require_table_of_text(std::string_view begin, const std::string& file) {
   for (const OtherFormat& format : other_formats) {
     if (begin.starts_with(format.magic)) {
@@ -62,7 +62,7 @@ void require_table_of_text(std::string_view begin, const std::string& file) {
   }
 }
 
-//! Throws Error if the first line holds zero bytes, which no text in UTF-8 does.
+//! Throws Error if the first line contains zero bytes, which UTF-8 text never has.
 void require_no_binary_file(std::string_view begin, const std::string& file) {
   if (begin.substr(0, begin.find_first_of("\r\n")).substr(0, 4096).find('\0') != std::string_view::npos) {
     throw Error(file, "is a binary file, not a text table", save_as_csv);
@@ -118,7 +118,7 @@ std::string_view TableText::next() {
 
 void TableText::find_encoding() {
   require_table_of_text(raw_, file_);
-  // Without a mark, the first two characters tell: those of a table's names are Latin letters,
+  // Without a byte-order mark, the first two characters decide: column names are Latin letters,
   // whose high byte is 0.
   const auto zero = [&](std::size_t i) { return raw_[i] == '\0'; };
   const bool letters = raw_.size() >= 4;

@@ -4,7 +4,7 @@
 
 namespace ergodome {
 
-//! Frames in so many seconds: 30 in 1, 30000 in 1001.
+//! A frame rate as a fraction: 30 frames in 1 second, 30000 in 1001.
 struct FrameRate {
   std::int64_t frames = 30;
   std::int64_t seconds = 1;
@@ -12,10 +12,12 @@ struct FrameRate {
   bool operator==(const FrameRate&) const = default;
 };
 
-//! The rate that a number stands for, to 1e-6 Hz; 23.976, 29.97, 47.952, 59.94 and 119.88, to 0.005 Hz, are 1000/1001 of whole ones.
+//! Returns the rate that a number stands for, to 1e-6 Hz. Numbers within 0.005 Hz of 23.976, 29.97,
+//! 47.952, 59.94 and 119.88 become 1000/1001 of a whole rate.
 FrameRate frame_rate_of(double frames_per_second);
 
-//! The number itself, or the exact one where it is short for 1000/1001 of a whole rate [Hz].
+//! Returns the exact rate if the number abbreviates 1000/1001 of a whole rate, else the number
+//! [Hz].
 double exact_rate_hz(double frames_per_second);
 
 }  // namespace ergodome

@@ -8,15 +8,16 @@ namespace ergodome {
 
 namespace {
 
-//! Errors of steps along the orbit, as angles [rad].
+//! Maximum error of a step along the orbit, as an angle [rad].
 constexpr double clock_step_error = 1e-12;
 constexpr std::size_t most_clock_steps = 1'000'000;
 
-//! By how much the time of ingoing Kerr coordinates, t + ∫ (r² + a²) / Δ dr, is ahead of that of ingoing_lag(), t + ∫ 2 r_+ / Δ dr, but for what is the
-//! same everywhere [M]: ∫ (r + r_+) / (r - r_-) dr.
+//! Returns the lead of the time of ingoing Kerr coordinates, t + ∫ (r² + a²) / Δ dr, over that of
+//! ingoing_lag(), t + ∫ 2 r_+ / Δ dr, up to a constant [M]: ∫ (r + r_+) / (r - r_-) dr.
 double ahead_of_lag(double spin, double r) { return r + 2.0 * std::log(r - inner_horizon_radius(spin)); }
 
-//! Seconds that a rate which is eased away within `ease_s` from 0 on stands for, up to a time.
+//! Returns the integral, up to a time, of a factor that falls smoothly from 1 at 0 to 0 at `ease_s`
+//! [s].
 double eased_away_s(double time_s, double ease_s) {
   if (!(time_s > 0.0)) {
     return 0.0;

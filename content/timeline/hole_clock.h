@@ -7,19 +7,22 @@
 
 namespace ergodome {
 
-//! The hole's time as a show runs: that by which the clouds of a disk turn.
+//! The hole's time in the course of a show, which drives the clouds of a disk.
 //!
-//! Without a fall a second of the show has as many M of it as it is told. In a fall the camera's clock says how much own time a second has, and the
-//! orbit how much of the hole's time goes by in it, which then is what a clock far away would tell of the camera: what is seen runs fast or slow by g. In
-//! FallSettings::ease_s after the fall's beginning and before its end the one rate goes over to the other.
+//! Without a fall it advances by a constant number of M per second of the show. In a fall, the
+//! camera's clock defines its proper time per second, and the orbit defines the hole's time per
+//! proper time; what the camera sees then runs fast or slow by g. During FallSettings::ease_s after
+//! the fall's beginning and before its end, one rate changes to the other.
 //!
-//! The hole's time is Boyer-Lindquist's, but that of who falls in (ingoing_lag()) of a fall that leads through the horizon.
+//! The hole's time is Boyer-Lindquist time, or that of infalling observers (ingoing_lag()) for a
+//! fall through the horizon.
 class HoleClock {
  public:
-  //! `orbit` is that of a show's camera, nullptr where it does not fall; `pace` [M/s] is the rate without it.
+  //! `orbit` is that of the show's camera, or nullptr if it does not fall; `pace` is the rate
+  //! without a fall [M/s].
   HoleClock(double spin, std::shared_ptr<const FreeFall> orbit, double pace);
 
-  //! The hole's time at a show time, 0 at the show's beginning [M].
+  //! Returns the hole's time at a show time, from 0 at the show's beginning [M].
   [[nodiscard]] double time(double time_s) const;
 
  private:

@@ -26,7 +26,7 @@ std::vector<std::string> languages(const Timeline& timeline) {
 
 const std::string& text_in(const LocalText& text, std::string_view language) {
   static const std::string nothing;
-  // "de-AT" is served by "de".
+  // Falls back from "de-AT" to "de".
   for (std::string asked(language); !asked.empty();) {
     if (const auto found = text.find(asked); found != text.end()) {
       return found->second;

@@ -8,11 +8,13 @@
 
 namespace ergodome {
 
-//! How a number, or the camera, leaves one key and arrives at the next.
+//! How an animated number or the camera leaves one key and arrives at the next.
 //!
-//! `smooth` rests at the first and the last key, and passes those between without a jolt (C²; content/key_curve.h). `in` leaves its key from
-//! rest, `out` comes to rest at the next, `in_out` does both; the last way of all ends at full speed with `in`, the first begins so
-//! with `out`. `linear` goes at one speed. `hold` stays, and jumps at the next key.
+//! `smooth` rests at the first and the last key, and passes inner keys with continuous second
+//! derivatives (C²; content/camera/key_curve.h). `in` starts from rest, `out` comes to rest at the
+//! next key, `in_out` does both. The last span ends at full speed with `in`, and the first one
+//! begins at full speed with `out`. `linear` has constant speed. `hold` stays, and jumps at the
+//! next key.
 enum class Ease { smooth, linear, in, out, in_out, hold };
 inline constexpr std::array ease_names = {"smooth", "linear", "in", "out", "in_out", "hold"};
 
@@ -20,25 +22,26 @@ inline constexpr std::array ease_names = {"smooth", "linear", "in", "out", "in_o
 struct NumberKey {
   double time_s = 0.0;
   double value = 0.0;
-  Ease ease = Ease::smooth;  //!< on the way from here to the next key
+  Ease ease = Ease::smooth;  //!< on the way from this key to the next
 };
 
-//! One number of the show that changes with time, in place of what its own key says.
+//! A number of the show that changes with time, in place of its fixed value.
 struct Animation {
-  std::string path;             //!< the number's place in the file: "hole.spin"
+  std::string path;             //!< path of the number in the file: "hole.spin"
   std::vector<NumberKey> keys;  //!< in order of time, at least one
 };
 
-//! The same text in several languages, by their tags ("en", "de"); a text that has none stands under "".
+//! A text in several languages, by their tags ("en", "de"); a text without a language has the tag
+//! "".
 using LocalText = std::map<std::string, std::string>;
 
-//! A place to go to by name.
+//! A named time of the show to jump to.
 struct Chapter {
   double time_s = 0.0;
   LocalText title;
 };
 
-//! When something is there, and how it comes and goes.
+//! When something is visible, and how it fades in and out.
 struct Presence {
   double from_s = 0.0;
   double to_s = 0.0;
@@ -46,33 +49,33 @@ struct Presence {
   double fade_out_s = 0.5;
 };
 
-//! Where something stands on the dome, for a person who looks at its front. The view's tilt does not move it.
+//! Position on the dome for a viewer who faces its front. The view's tilt does not move it.
 struct DomePlace {
   double azimuth_deg = 0.0;     //!< to the right of the front
-  double elevation_deg = 20.0;  //!< above the horizon, of its middle
+  double elevation_deg = 20.0;  //!< of its center, above the horizon
   double roll_deg = 0.0;        //!< clockwise
 
   bool operator==(const DomePlace&) const = default;
 };
 
-//! Words on the dome.
+//! A text on the dome.
 struct Caption {
   Presence presence;
   DomePlace place;
   double letter_deg = 2.0;                        //!< height of a line
-  double width_deg = 60.0;                        //!< lines are broken here
+  double width_deg = 60.0;                        //!< maximum width of lines
   std::array<double, 3> color = {1.0, 1.0, 1.0};  //!< linear light, relative to white
   LocalText text;
 };
 
-//! An image over the picture: a flat one at a place, or a domemaster that covers all.
+//! An image over the rendering: a flat one at a position, or a domemaster that covers everything.
 struct Overlay {
   std::string image;  //!< path relative to the show
   Presence presence;
   bool fisheye = false;
   DomePlace place;
-  double width_deg = 30.0;  //!< of a flat one
-  double fov_deg = 180.0;   //!< of a fisheye
+  double width_deg = 30.0;  //!< of a flat image
+  double fov_deg = 180.0;   //!< of a fisheye image
   double opacity = 1.0;
 };
 
@@ -83,11 +86,12 @@ struct AudioTrack {
   double gain_db = 0.0;
   double fade_in_s = 0.0;
   double fade_out_s = 0.0;
-  std::string language;  //!< narration that is heard in this language alone; empty: in all
+  std::string language;  //!< language of a narration, played only in this language; empty: in all
   bool loop = false;
 };
 
-//! What a show does beside its camera.
+//! The contents of a show besides its scene and camera: animations, chapters, captions, overlays
+//! and sound.
 struct Timeline {
   std::vector<Animation> animations;
   std::vector<Chapter> chapters;  //!< in order of time
@@ -96,11 +100,11 @@ struct Timeline {
   std::vector<AudioTrack> audio;
 };
 
-//! Tags of all languages that titles, captions and audio tracks have, in alphabetical order.
+//! Returns the language tags of all titles, captions and audio tracks, in alphabetical order.
 std::vector<std::string> languages(const Timeline& timeline);
 
-//! The text in a language ("de-AT", then "de"); else the one that has none, else English, else the first
-//! there is; empty where there is no text at all.
+//! Returns the text in a language ("de-AT", then "de"); else the one without a language, else
+//! English, else the first one; empty if there is no text at all.
 const std::string& text_in(const LocalText& text, std::string_view language);
 
 }  // namespace ergodome

@@ -22,7 +22,7 @@ constexpr double largest_letter_deg = 45.0;
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-//! Whether a tag is written as BCP 47 has it: "en", "pt-BR", "zh-Hant".
+//! Returns true if a tag has the form of BCP 47: "en", "pt-BR", "zh-Hant".
 bool is_language_tag(std::string_view tag) {
   std::size_t part = 0;
   bool first = true;
@@ -41,7 +41,7 @@ bool is_language_tag(std::string_view tag) {
   return part > 0 && std::min(language, tag.size()) >= 2 && tag.size() <= 35;
 }
 
-//! Words that people are to read. TOML itself has seen to it that they are UTF-8.
+//! Reads a nonempty text for display. TOML guarantees that it is UTF-8.
 std::string read_words(TomlTable& table, std::string_view key) {
   std::string words = table.lines(key, "");
   if (words.empty()) {
@@ -65,7 +65,7 @@ Presence read_presence(TomlTable& table) {
   }
   presence.fade_in_s = table.number("fade_in_s", -1.0, 0.0, longest_s);
   presence.fade_out_s = table.number("fade_out_s", -1.0, 0.0, longest_s);
-  // What is not said fits into what is left.
+  // Fades without a given duration use the remaining time.
   const auto usual = [&](double other_s) {
     return std::clamp(there_s - other_s, 0.0, std::min(usual_fade_s, 0.5 * there_s));
   };
@@ -75,7 +75,7 @@ Presence read_presence(TomlTable& table) {
   if (presence.fade_out_s < 0.0) {
     presence.fade_out_s = usual(presence.fade_in_s);
   }
-  // Decimal times that fit exactly may not in binary.
+  // Decimal times that add up exactly may not do so in binary.
   if (!(presence.fade_in_s + presence.fade_out_s <= there_s * (1.0 + 1e-9))) {
     throw table.error_at(
         table.has("fade_out_s") ? "fade_out_s" : "fade_in_s",
@@ -112,7 +112,7 @@ Caption read_caption(TomlTable& table, const std::string& file) {
   return caption;
 }
 
-//! A path that must be given.
+//! Reads a required path.
 std::string read_path(TomlTable& table, std::string_view key) {
   std::string path = table.text(key, "");
   if (path.empty()) {
@@ -150,7 +150,7 @@ AudioTrack read_track(TomlTable& table, const std::string&) {
   return track;
 }
 
-//! Reads each table of a list by `read`.
+//! Reads each table of an array with `read`.
 template <class Entry>
 void read_each(TomlTable& root, const std::string& file, const char* name, std::vector<Entry>& entries,
                Entry (*read)(TomlTable&, const std::string&)) {
@@ -195,7 +195,7 @@ LocalText read_local_text(TomlTable& table, const std::string& file, std::string
   TomlTable reader(languages, file, table.path_of(key));
   LocalText text;
   for (const auto& [tag, words] : languages) {
-    // The empty one is for languages that are not there.
+    // An empty tag is for languages without a text.
     if (!tag.str().empty() && !is_language_tag(tag.str())) {
       throw reader.error_at(tag.str(), "is not a language tag", "write a tag such as en, de or pt-BR");
     }

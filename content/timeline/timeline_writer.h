@@ -6,10 +6,11 @@
 
 namespace ergodome {
 
-//! Adds a text: a string, or where it has languages a table of strings.
+//! Adds a text: a string, or a table of strings if it has languages.
 void add_local_text(const LocalText& text, const char* key, toml::table& table);
 
-//! Adds to a show's table what read_timeline reads back to the same timeline; nothing where that is empty.
+//! Adds a timeline to a show's table, from which read_timeline() reads it back; adds nothing for an
+//! empty one.
 void add_timeline(const Timeline& timeline, toml::table& root);
 
 }  // namespace ergodome

@@ -19,7 +19,7 @@ static_assert(std::endian::native == std::endian::little, "numbers are stored in
 
 using Bytes = std::vector<std::byte>;
 
-//! Appends numbers and texts to bytes, little-endian, without padding.
+//! Appends numbers and texts to a byte buffer, little-endian, without padding.
 class ByteWriter {
  public:
   template <class T>
@@ -28,7 +28,7 @@ class ByteWriter {
     append(std::as_bytes(std::span(&value, 1)));
   }
 
-  //! Its length as u32, then its bytes.
+  //! Appends the length as u32, then the text.
   void text(std::string_view value) {
     number(static_cast<std::uint32_t>(value.size()));
     append(std::as_bytes(std::span(value)));
@@ -43,7 +43,7 @@ class ByteWriter {
   Bytes bytes_;
 };
 
-//! Reads what ByteWriter wrote. Throws Error, naming the place, where the bytes end too early.
+//! Reads what ByteWriter wrote. Throws Error, which names `place`, if the bytes are truncated.
 class ByteReader {
  public:
   ByteReader(std::span<const std::byte> bytes, std::string place) : rest_(bytes), place_(std::move(place)) {}

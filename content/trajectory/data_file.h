@@ -8,13 +8,15 @@
 
 namespace ergodome {
 
-//! An open file of bytes that several threads may read at once. Errors of the system leave as Error with the file's name.
+//! An open binary file that several threads can read concurrently. System errors are thrown as
+//! Error with the file's name.
 class DataFile {
  public:
-  //! Opens for reading.
+  //! Opens a file for reading.
   static DataFile open(const std::filesystem::path& path);
 
-  //! Opens for reading and appending, made where it is not there, and locked against other processes. Throws Error where one has it.
+  //! Opens a file for reading and appending, and locks it against other processes. Creates it if it
+  //! does not exist. Throws Error if another process has locked it.
   static DataFile open_locked(const std::filesystem::path& path);
 
   DataFile(DataFile&& other) noexcept;
@@ -24,13 +26,14 @@ class DataFile {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] std::uint64_t size() const;
 
-  //! `count` bytes from an offset. Throws Error, as `place`, where the file ends before.
+  //! Reads `count` bytes at an offset. Throws Error, which names `place`, if the file is too short.
   [[nodiscard]] Bytes read(std::uint64_t offset, std::uint64_t count, const std::string& place) const;
 
-  //! Writes at the end, down to the disk: what is cut off by a kill or a full disk, the next `cut` takes away.
+  //! Appends bytes and flushes them to the disk. An interruption may leave a part of them, which
+  //! cut() can remove.
   void append(std::span<const std::byte> bytes);
 
-  //! Takes away what follows the first `size` bytes.
+  //! Truncates the file to `size` bytes.
   void cut(std::uint64_t size);
 
  private:

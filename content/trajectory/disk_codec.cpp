@@ -9,14 +9,15 @@ namespace ergodome {
 
 namespace {
 
-//! Components of a node that are stored of value, derivatives along γ and s, and the mixed one: of 1/r of three orders alone, or with a pattern all.
+//! Returns how many components of a node are stored, each as value, derivatives along γ and s, and
+//! mixed derivative: 1/r of three orders, or all components with a pattern.
 std::size_t stored_parts(bool pattern) { return pattern ? 4 : 3; }
 
 std::size_t stored_floats(const DiskStation& station) {
   return static_cast<std::size_t>(station.sets()) * 4 * stored_parts(station.pattern);
 }
 
-//! Calls `each` with every set of nodes, and the component in it.
+//! Calls `each` with every set of nodes and every stored component.
 template <class Station, class Each>
 void for_each_component(Station& station, const Each& each) {
   for (auto* const sets : {&station.nodes, &station.nodes_along_r, &station.nodes_along_theta}) {

@@ -9,16 +9,17 @@
 
 namespace ergodome {
 
-//! A station's disk layers as the payload of their frame.
+//! Returns a station's disk layers as the compressed payload of their frame.
 PackedBytes pack_disk(const DiskStation& station);
 
-//! The layers of a payload. Throws Error, naming the place, for anything that kernels could not read safely: it need not come from pack_disk.
+//! Decodes disk layers from a payload. Accepts untrusted data: throws Error, which names `place`,
+//! for anything that kernels could not read safely.
 DiskStation unpack_disk(std::span<const std::byte> packed, std::uint64_t unpacked_bytes, const std::string& place);
 
-//! The same from bytes that are not compressed.
+//! Decodes disk layers from uncompressed bytes in the same way.
 DiskStation parse_disk_layout(std::span<const std::byte> raw, const std::string& place);
 
-//! What parse_disk_layout reads.
+//! Returns the uncompressed bytes of disk layers.
 Bytes disk_layout(const DiskStation& station);
 
 }  // namespace ergodome

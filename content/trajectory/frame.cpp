@@ -11,12 +11,12 @@ namespace ergodome {
 
 namespace {
 
-//! The first byte is no text, the ends of line show a file that was sent as text.
+//! The first byte is not text, and the line breaks reveal files that were transferred as text.
 constexpr unsigned char frame_magic[8] = {0x89, 'E', 'R', 'G', 'O', '\r', '\n', 0x1A};
 constexpr std::size_t header_summed_bytes = trajectory_header_bytes - 8;
 constexpr std::size_t frame_summed_bytes = frame_header_bytes - 8;
 
-//! XXH3-64 of one piece after the other.
+//! Returns the XXH3-64 of one or two consecutive pieces.
 std::uint64_t checksum_of(std::span<const std::byte> first, std::span<const std::byte> second = {}) {
   const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(), &XXH3_freeState);
   if (!state || XXH3_64bits_reset(state.get()) != XXH_OK) {

@@ -24,7 +24,7 @@ std::vector<LeafBox> leaf_boxes(const LensStation& station) {
       *root++ = {width * column, height * row, width, height};
     }
   }
-  // Children come after their parents.
+  // Children are stored after their parents.
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const int entry = station.tree[i];
     if (entry < 0) {

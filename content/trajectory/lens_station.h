@@ -6,8 +6,8 @@
 
 namespace ergodome {
 
-//! The lens of one place of a camera: a grid over its whole sky in the rain frame, which serves every motion, orientation and azimuth
-//! of the camera there. LensGrid says what the arrays hold.
+//! The lens map of one camera position: a grid over the whole sky in the rain frame. It serves
+//! every motion, orientation and azimuth of the camera there. LensGrid documents the arrays.
 struct LensStation {
   double spin = 0.0;        //!< [M]
   double r = 0.0;           //!< Boyer-Lindquist radius [M]
@@ -23,13 +23,15 @@ struct LensStation {
   std::vector<int> tree;
   std::vector<int> leaves;
   std::vector<float> nodes;
-  std::vector<float> leaf_error_px;  //!< greatest error at a leaf's check points [px]
-  //! What grids for images of stars keep, empty where nobody asked for it: the nodes as rays have them, also those in the middle of a larger
-  //! leaf's side, and the displacements at each leaf's checks (CheckBatch), those along γ before those along s.
+  std::vector<float> leaf_error_px;  //!< maximum error at each leaf's check points [px]
+  //! Data for images of stars, empty if not requested: the nodes as traced by rays, including those
+  //! in the middle of a larger leaf's side; and the displacements at each leaf's check points
+  //! (CheckBatch), those along γ before those along s.
   std::vector<float> traced_nodes;
   std::vector<float> leaf_displacements;
-  //! How the nodes change with the camera's place at fixed (γ, s), with what moving turns of itself taken out (see place_turn): along r
-  //! [1/M] and θ [1/rad], shaped as `nodes`. Empty where nobody asked for them.
+  //! Derivatives of the nodes with respect to the camera's position at fixed (γ, s), without the
+  //! rotation that place_turn() describes: along r [1/M] and θ [1/rad], shaped as `nodes`. Empty if
+  //! not requested.
   std::vector<float> nodes_along_r;
   std::vector<float> nodes_along_theta;
 
@@ -37,10 +39,10 @@ struct LensStation {
   [[nodiscard]] std::size_t leaf_count() const { return leaves.size() / 4; }
 };
 
-//! The station as kernels on the host read it; it points into the station.
+//! Returns a view of the station for host kernels, which points into the station.
 LensGrid grid_view(const LensStation& station);
 
-//! Where a leaf lies in the chart.
+//! The rectangle of a leaf in the chart.
 struct LeafBox {
   double gamma_turns = 0.0;
   double s = 0.0;
@@ -48,10 +50,10 @@ struct LeafBox {
   double height = 0.0;
 };
 
-//! The boxes of all leaves, by number.
+//! Returns the rectangles of all leaves, by leaf index.
 std::vector<LeafBox> leaf_boxes(const LensStation& station);
 
-//! Whether a leaf's pixels are to be traced, leaf by leaf.
+//! Returns for each leaf whether its pixels must be traced.
 std::vector<bool> flagged_leaves(const LensStation& station);
 
 }  // namespace ergodome

@@ -35,7 +35,8 @@ bool is_place(const LensStation& s) {
   return s.r > deepest && s.r < 1e9 && s.theta >= 0.0 && s.theta <= 3.1416;
 }
 
-//! The axes are a right or left-handed orthonormal frame, the edge an angle at every γ.
+//! Returns true if the axes are orthonormal, right-handed or left-handed, and the edge is an angle
+//! at every γ.
 bool is_chart(const LensStation& s) {
   const auto near = [](float value, float wanted) { return std::abs(value - wanted) < 1e-3F; };
   const bool orthonormal = near(dot(s.centre, s.centre), 1.0F) && near(dot(s.first, s.first), 1.0F) &&
@@ -45,7 +46,8 @@ bool is_chart(const LensStation& s) {
   return orthonormal && angles && s.range > 0.0F && s.range < 100.0F;
 }
 
-//! Children come after their parents, at most `deepest_cell` below a root; leaves and nodes that are named exist.
+//! Returns true if children follow their parents, at most `deepest_cell` below a root, and all
+//! referenced leaves and nodes exist.
 bool is_tree(const LensStation& s, std::size_t nodes) {
   const std::size_t roots = static_cast<std::size_t>(s.columns) * static_cast<std::size_t>(s.rows);
   if (s.tree.size() < roots) {
@@ -64,7 +66,7 @@ bool is_tree(const LensStation& s, std::size_t nodes) {
     if (child <= i || child < roots || child + 1 >= s.tree.size() || depth[i] == deepest_cell) {
       return false;
     }
-    // A child of two parents would have the depth of the last.
+    // This also detects a child with two parents.
     if (depth[child] != 0 || depth[child + 1] != 0) {
       return false;
     }

@@ -8,7 +8,8 @@ namespace ergodome {
 
 namespace {
 
-//! Components of a node that are stored: three of each vector, and the first pad, which says that the node has a sky.
+//! Stored components of a node: three of each vector, and the first padding float, which marks a
+//! node that sees the sky.
 constexpr int stored_components[] = {0, 1, 2, 3, 4, 5, 6, 8, 9, 10, 12, 13, 14};
 
 void write_nodes(ByteWriter& to, const std::vector<float>& nodes) {

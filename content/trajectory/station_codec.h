@@ -10,17 +10,17 @@
 
 namespace ergodome {
 
-//! A station as the payload of its frame.
+//! Returns a station as the compressed payload of its frame.
 PackedBytes pack_station(const LensStation& station);
 
-//! The station of a payload. Throws Error, naming the place, for anything that kernels could not read safely: it need not come from
-//! pack_station.
+//! Decodes a station from a payload. Accepts untrusted data: throws Error, which names `place`, for
+//! anything that kernels could not read safely.
 LensStation unpack_station(std::span<const std::byte> packed, std::uint64_t unpacked_bytes, const std::string& place);
 
-//! The same from bytes that are not compressed.
+//! Decodes a station from uncompressed bytes in the same way.
 LensStation parse_station_layout(std::span<const std::byte> raw, const std::string& place);
 
-//! What parse_station_layout reads.
+//! Returns the uncompressed bytes of a station.
 Bytes station_layout(const LensStation& station);
 
 }  // namespace ergodome

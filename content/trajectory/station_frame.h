@@ -8,7 +8,7 @@
 
 namespace ergodome {
 
-//! What a station's frame says of it before its compressed part: enough for an index.
+//! The uncompressed metadata at the beginning of a station's frame, sufficient for an index.
 struct StationSummary {
   double time_s = 0.0;
   double r = 0.0;
@@ -17,16 +17,17 @@ struct StationSummary {
   std::uint32_t leaves = 0;
 };
 
-//! A station's frame; `number` counts from 0.
+//! Returns a station's frame; `number` counts from 0.
 Bytes make_station_frame(std::uint32_t number, double time_s, const LensStation& station);
 
-//! The frame of a station's disk layers.
+//! Returns the frame of a station's disk layers.
 Bytes make_disk_frame(std::uint32_t number, double time_s, const DiskStation& disk);
 
-//! The same frame, a station's or of its disk layers, under another number, its payload untouched.
+//! Returns a station's or disk's frame with another number and an unchanged payload.
 Bytes renumbered(std::span<const std::byte> frame, std::uint32_t number, const std::string& place);
 
-//! All throw Error, naming the place, where the frame is damaged. The summary and the time do not look into the compressed part.
+//! Parse frames. Throw Error, which names `place`, if the frame is damaged. parse_summary() and
+//! parse_disk_time() do not decompress it.
 StationSummary parse_summary(std::span<const std::byte> frame, const std::string& place);
 LensStation parse_station(std::span<const std::byte> frame, const std::string& place);
 double parse_disk_time(std::span<const std::byte> frame, const std::string& place);

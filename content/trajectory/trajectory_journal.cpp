@@ -16,7 +16,7 @@ namespace ergodome {
 
 namespace {
 
-//! A file that is written from its beginning to its end.
+//! A file that is written sequentially.
 struct GrowingFile {
   std::ofstream file;
   std::uint64_t bytes = 0;
@@ -47,7 +47,7 @@ void TrajectoryJournal::scan() {
         "remove it, or choose another --out");
   }
   if (found.size() < expected.size()) {
-    // Not even its beginning came to the disk.
+    // Not even the header was written completely.
     file_.cut(0);
     file_.append(expected);
     return;
@@ -83,7 +83,7 @@ bool TrajectoryJournal::take_frame(std::uint64_t offset, std::uint64_t end, std:
     next = offset + bytes;
     return true;
   } catch (const Error&) {
-    return false;  // what was in flight when the bake was killed
+    return false;  // the frame that an interrupted bake was writing
   }
 }
 

@@ -10,34 +10,36 @@
 
 namespace ergodome {
 
-//! A bake on its way: stations and gaps in the order in which they were found, each down on the disk before the next is begun. A kill
-//! loses what was in flight alone; opening it again goes on from there.
+//! The journal of an unfinished bake: stations and gaps in the order of their computation, each
+//! flushed to the disk before the next one. After an interruption only the unfinished one is lost,
+//! and the bake can resume.
 class TrajectoryJournal {
  public:
-  //! Opens or begins a journal, and takes away a frame at its end that was cut off. Throws Error where another process has it, or where it
-  //! belongs to another bake.
+  //! Opens or creates a journal, and removes a truncated frame at its end. Throws Error if another
+  //! process uses it, or if it belongs to another bake.
   TrajectoryJournal(const std::filesystem::path& path, const TrajectoryProvenance& provenance);
 
   [[nodiscard]] bool has_station(double time_s) const { return stations_.contains(time_s); }
   [[nodiscard]] std::size_t station_count() const { return stations_.size(); }
 
-  //! A station that is there.
+  //! Reads an existing station.
   [[nodiscard]] LensStation read(double time_s) const;
   void add(double time_s, const LensStation& station);
 
-  //! The same for a station's disk layers.
+  //! The same functions for a station's disk layers.
   [[nodiscard]] bool has_disk(double time_s) const { return disks_.contains(time_s); }
   [[nodiscard]] DiskStation read_disk(double time_s) const;
   void add(double time_s, const DiskStation& disk);
 
-  //! A gap that was found good, or a null pointer.
+  //! Returns an accepted gap, or nullptr.
   [[nodiscard]] const Gap* find_gap(double begin_s, double end_s) const;
   void add(const Gap& gap);
 
-  //! Takes over what another journal of the same bake has and this one has not.
+  //! Adds the entries of another journal of the same bake that are missing here.
   void absorb(const TrajectoryJournal& other);
 
-  //! Writes the finished file: the stations of these times, in order, each followed by its disk layers, and the gaps between them. Whole or not at all.
+  //! Writes the finished file atomically: the stations of these times, in order, each followed by
+  //! its disk layers, and the gaps between them.
   void seal(const std::filesystem::path& path, const std::vector<double>& times_s) const;
 
  private:

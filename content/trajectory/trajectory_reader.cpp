@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* not_there = "a station that does not match the index";
 
-//! Reads a frame that starts at an offset, whole.
+//! Reads the complete frame at an offset.
 Bytes read_frame(const DataFile& file, std::uint64_t offset, const std::string& place) {
   const Bytes header = file.read(offset, frame_header_bytes, place);
   return file.read(offset, frame_header_bytes + parse_frame_header(header, place).payload_bytes, place);
@@ -69,7 +69,7 @@ LensStation TrajectoryReader::read(std::size_t station) const {
 DiskStation TrajectoryReader::read_disk(std::size_t station) const {
   const StationEntry& entry = stations_.at(station);
   const std::string place = station_place(path(), station) + ", disk";
-  // No sum of numbers from a file that has not been looked at.
+  // The difference avoids an overflow with unchecked numbers from the file.
   require_whole(entry.offset <= file_bytes_ && entry.bytes <= file_bytes_ - entry.offset, not_there, place);
   const Bytes frame = frame_at(entry.offset + entry.bytes, entry.disk_bytes, place);
   const FrameHeader header = parse_frame_header(frame, place);

@@ -9,11 +9,12 @@
 
 namespace ergodome {
 
-//! A finished trajectory file: its index in memory, its stations on the disk, each to be read without the others.
+//! Reads a finished trajectory file: the index is in memory, the stations stay on the disk and can
+//! be read independently.
 class TrajectoryReader {
  public:
-  //! Opens and checks header, provenance and index. Throws Error with the remedy for files that are cut off, damaged, foreign, newer, or
-  //! a bake that is not finished.
+  //! Opens a file and checks header, provenance and index. Throws Error with a remedy if it is
+  //! truncated, damaged, of another format, of a newer version, or an unfinished bake.
   explicit TrajectoryReader(const std::filesystem::path& path);
 
   [[nodiscard]] const std::filesystem::path& path() const { return file_.path(); }
@@ -21,10 +22,11 @@ class TrajectoryReader {
   [[nodiscard]] const std::vector<StationEntry>& stations() const { return stations_; }
   [[nodiscard]] std::uint64_t file_bytes() const { return file_bytes_; }
 
-  //! Reads one station; any number of threads may. Throws Error naming the station where it is damaged.
+  //! Reads a station; safe to call from several threads. Throws Error, which names the station, if
+  //! it is damaged.
   [[nodiscard]] LensStation read(std::size_t station) const;
 
-  //! The same for a station's disk layers, of one that has them (StationEntry::disk_bytes).
+  //! Reads the disk layers of a station that has them (StationEntry::disk_bytes).
   [[nodiscard]] DiskStation read_disk(std::size_t station) const;
 
  private:
