@@ -49,7 +49,7 @@ std::string partial_name(const std::filesystem::path& path) {
   return fmt::format("{}{:016x}-{}", partial_prefix, number, path.filename().string());
 }
 
-//! Whether a name is that of a partial file.
+//! Returns true if a name is that of a partial file.
 bool is_partial(std::string_view name) {
   const std::string_view digits = name.substr(std::min(partial_prefix.size(), name.size()), random_digits);
   return name.starts_with(partial_prefix) && digits.size() == random_digits &&
@@ -57,12 +57,12 @@ bool is_partial(std::string_view name) {
          name.substr(partial_prefix.size() + random_digits).starts_with('-');
 }
 
-//! A partial file, locked for as long as this process writes it: the lock goes with the process, on whatever machine or in
-//! whatever container that runs.
+//! A partial file that is locked while this process writes it. The lock ends with the process, on
+//! any machine and in any container.
 class PartialFile {
  public:
   explicit PartialFile(const std::filesystem::path& path) : path_(path) {
-    // The ending stays, because image writers choose their format by it.
+    // Keeps the extension, from which image writers choose their format.
     do {
       close();
       path_.replace_filename(partial_name(path));
@@ -84,8 +84,8 @@ class PartialFile {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
  private:
-  //! Returns false where the file was taken for an abandoned one before it was locked. File systems without locks are those
-  //! on which nothing is taken for abandoned.
+  //! Locks the file. Returns false if it was removed as abandoned before it was locked. On a file
+  //! system without locks no file is removed as abandoned.
   [[nodiscard]] bool lock() const {
     if (::flock(handle_, LOCK_EX | LOCK_NB) != 0) {
       return errno != EWOULDBLOCK;
@@ -106,10 +106,11 @@ class PartialFile {
 }  // namespace
 
 std::filesystem::path behind_links(const std::filesystem::path& path) {
-  constexpr int most_links = 40;  // as many as the system follows
+  constexpr int most_links = 40;  // the limit of the operating system
   std::error_code problem;
   std::filesystem::path at = path;
-  // What the last one names need not be there, so that the system cannot be asked for all at once.
+  // The target of the last link may not exist, so functions that resolve all links at once would
+  // fail.
   for (int i = 0; i < most_links && std::filesystem::is_symlink(at, problem); ++i) {
     const std::filesystem::path target = std::filesystem::read_symlink(at, problem);
     at = target.is_absolute() ? target : at.parent_path() / target;

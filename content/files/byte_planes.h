@@ -6,9 +6,11 @@
 
 namespace ergodome {
 
+// Storage of four-byte numbers as byte planes, which compress better.
 inline constexpr std::size_t bytes_a_number = 4;
 
-//! Every `stride`-th of numbers of 4 bytes, as four planes of their bytes: the high ones are much alike and pack well.
+//! Writes every `stride`-th number, beginning at `first`, as four planes of their bytes. The high
+//! bytes are similar and compress well.
 template <class T>
 void write_planes(ByteWriter& to, const std::vector<T>& numbers, std::size_t first, std::size_t stride) {
   static_assert(sizeof(T) == bytes_a_number);
@@ -23,7 +25,7 @@ void write_planes(ByteWriter& to, const std::vector<T>& numbers, std::size_t fir
   to.append(planes);
 }
 
-//! Fills every `stride`-th of `numbers` from such planes.
+//! Reads every `stride`-th number, beginning at `first`, from such planes.
 template <class T>
 void read_planes(ByteReader& from, std::vector<T>& numbers, std::size_t first, std::size_t stride) {
   static_assert(sizeof(T) == bytes_a_number);

@@ -20,7 +20,7 @@ namespace {
 int output_problem = 0;
 
 void write_to(std::FILE* stream, std::string_view text) {
-  // Of what is printed in one go, most is plain.
+  // Text between line breaks and tabs is printed in one piece.
   std::string shown;
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find_first_of("\n\t", begin), text.size());
@@ -39,7 +39,7 @@ void write_to(std::FILE* stream, std::string_view text) {
 void prepare_console() {
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(descriptor, F_GETFD) < 0 && errno == EBADF) {
-      // To be read alone: what is printed there fails, as it would have.
+      // Opened for reading only, so that printing to it fails as it would have without it.
       static_cast<void>(::open("/dev/null", O_RDONLY));
     }
   }
@@ -52,7 +52,7 @@ void note_text(std::string_view text) { write_to(stderr, fmt::format("ergodome: 
 
 bool finish_output() {
   errno = 0;
-  std::cout.flush();  // of the parser's help, and of stdout
+  std::cout.flush();  // flushes the help text of the parser, and stdout
   const bool failed = std::fflush(stdout) != 0 || std::ferror(stdout) != 0;
   if (failed && output_problem == 0) {
     output_problem = errno != 0 ? errno : EIO;

@@ -7,16 +7,17 @@
 
 namespace ergodome {
 
-//! What the program prints is never worth losing its work for: nothing here throws. Text from files cannot change the
-//! terminal: control characters except line breaks and tabs are printed by their numbers.
+//! Console output. Nothing here throws, because failed output must not lose the program's work.
+//! Text from files cannot control the terminal: control characters other than line breaks and tabs
+//! are printed as escapes.
 
-//! Makes sure that descriptors 0 to 2 are open, so that no file of ours gets one of them, and that a closed pipe is an error
-//! of writing and not the end of the program. Call it first.
+//! Ensures that descriptors 0 to 2 are open, so that no other file gets one of them, and that
+//! writing to a closed pipe is an error instead of a signal. Call it first.
 void prepare_console();
 
-//! Prints to the standard output. finish_output() reports what could not be written.
+//! Prints to the standard output. finish_output() reports failures.
 void print_text(std::string_view text);
-//! Prints a line to the standard error, behind the program's name.
+//! Prints a line to the standard error, after the program's name.
 void note_text(std::string_view text);
 
 template <class... Values>
@@ -28,8 +29,8 @@ void print_note(fmt::format_string<Values...> format, Values&&... values) {
   note_text(fmt::format(format, std::forward<Values>(values)...));
 }
 
-//! Flushes the standard output. Returns false where something printed is lost, with a line on the standard error, unless the
-//! reader of a pipe just had enough.
+//! Flushes the standard output. Returns false if any output was lost; then also prints the reason
+//! to the standard error, except for a closed pipe.
 bool finish_output();
 
 }  // namespace ergodome

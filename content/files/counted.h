@@ -5,7 +5,8 @@
 
 namespace ergodome {
 
-//! A number with its noun, for messages: "1 gap", "2 gaps", "0 gaps". `several` is the plural where that is not the noun with an s.
+//! Returns a number with its noun for messages: "1 gap", "2 gaps", "0 gaps". `several` is the
+//! plural, if it is not the noun with an s.
 template <class Integer>
 std::string counted(Integer count, std::string_view noun, std::string_view several = {}) {
   std::string text = std::to_string(count) + ' ';

@@ -6,7 +6,8 @@ namespace ergodome {
 
 namespace {
 
-//! Returns how many bytes the control character at `at` has: 0 where there is none. C1 has two, C2 80 to C2 9F.
+//! Returns the size of the control character at `at` [bytes]; 0 if it is another character. C1
+//! characters have two bytes, C2 80 to C2 9F.
 std::size_t control_size(std::string_view text, std::size_t at) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   if (byte(at) < 0x20U || byte(at) == 0x7FU) {

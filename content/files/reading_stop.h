@@ -4,10 +4,12 @@
 
 namespace ergodome {
 
-//! Asks all readers of files to give up, on whatever thread: the program is about to end. Safe in a signal handler.
+//! Makes all file readers stop, on all threads, because the program is about to end. Safe in a
+//! signal handler.
 void stop_reading() noexcept;
 
-//! Throws Error once stop_reading() was called. Readers call it in their long loops; it costs a load.
+//! Throws Error after stop_reading() was called. Readers call it in long loops; it costs one atomic
+//! load.
 void require_reading_goes_on(const std::string& place);
 
 }  // namespace ergodome

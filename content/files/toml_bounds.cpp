@@ -11,7 +11,8 @@ namespace ergodome {
 
 namespace {
 
-//! Walks through TOML by its punctuation alone. Strings and comments end where toml++ 3.3 ends them, or where it gives up.
+//! Scans TOML by its punctuation alone. Strings and comments end where toml++ 3.3 ends them, or
+//! where it fails.
 class TomlScan {
  public:
   TomlScan(std::string_view text, const std::string& file) : text_(text), file_(file) {}
@@ -46,7 +47,7 @@ class TomlScan {
         dots_ = 0;
         break;
       case ',':
-        // In a table, the key that follows counts.
+        // In an inline table, the next key is counted instead.
         if (depth_ > 0 && open_[depth_ - 1] == '[') {
           count_value();
         }
@@ -86,12 +87,12 @@ class TomlScan {
     dots_ = 0;
   }
 
-  //! Counts the header of a table that begins here, unless it repeats the last one.
+  //! Counts the table header that begins here, unless it repeats the previous one.
   void count_header() {
     const std::string_view line = text_.substr(at_, text_.find('\n', at_) - at_);
     if (line != header_) {
       header_ = line;
-      // More of them are refused where they are read.
+      // The parser rejects headers with more parts.
       count_dotted(1 + std::min<long>(std::ranges::count(line, '.'), most_toml_key_parts));
     }
   }
@@ -104,7 +105,7 @@ class TomlScan {
 
   void count_value() { require(++values_ <= most_toml_values, "has more than {} values", most_toml_values); }
 
-  //! Goes to the last character of a string, or of the text or line where nothing ends it.
+  //! Goes to the last character of a string; if it is not closed, to the end of the text or line.
   void skip_string(char quote) {
     const std::string_view triple = quote == '"' ? "\"\"\"" : "'''";
     const bool multi_line = text_.substr(at_).starts_with(triple);
@@ -121,7 +122,7 @@ class TomlScan {
       } else if (!multi_line && c == quote) {
         return;
       } else if (multi_line && text_.substr(at_).starts_with(triple)) {
-        // Up to two quotes more belong to the text.
+        // Up to two more quotes belong to the text.
         const std::string_view quotes = text_.substr(at_, 5);
         at_ += std::min(quotes.find_first_not_of(quote), quotes.size()) - 1;
         return;

@@ -5,13 +5,14 @@
 
 namespace ergodome {
 
-//! Limits on the structure of a TOML file. The parser calls itself for each part of a dotted key, and searches the tables
-//! made by dotted keys and headers once for each further one: without limits, a file of 200 KB overflows the stack, and one
-//! of 1 MB takes minutes.
+//! Limits on the structure of a TOML file. The parser recurses for each part of a dotted key, and
+//! searches all tables from dotted keys and headers for each new one. Without limits, a file of 200
+//! KB overflows the stack, and one of 1 MB takes minutes.
 inline constexpr int most_toml_key_parts = 16;
 inline constexpr int deepest_toml_nesting = 32;
 inline constexpr long most_toml_values = 1'000'000;
-//! Parts of dotted keys and of headers, where a header that repeats the one before it does not count.
+//! Parts of dotted keys and of table headers; a header that repeats the previous one does not
+//! count.
 inline constexpr long most_toml_dotted_parts = 40'000;
 
 //! Checks the limits above without parsing. Throws Error with file and line.

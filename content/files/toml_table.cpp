@@ -28,10 +28,11 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
-//! Returns a key or word as messages show it: of bounded length, whatever the file holds.
+//! Returns a key or word for messages, with limited length.
 std::string shown(std::string_view key) { return printable(key.substr(0, 60)); }
 
-//! Returns a key's path as settings on the command line write it: "camera.key.0.r" for "camera.key[0].r".
+//! Returns a key's path in the form of command-line settings: "camera.key.0.r" for
+//! "camera.key[0].r".
 std::string setting_path(std::string path) {
   std::erase(path, ']');
   std::ranges::replace(path, '[', '.');
@@ -43,7 +44,7 @@ std::string setting_path(std::string path) {
 std::string nearest_word(std::string_view word, const std::vector<std::string>& words) {
   const std::string_view bounded = word.substr(0, 100);
   std::string nearest;
-  // A word that shares less would be a guess, not a correction.
+  // A less similar word would be a guess, not a correction.
   std::size_t least = bounded.size() / 3 + 2;
   for (const std::string& candidate : words) {
     const std::size_t distance = edit_distance(bounded, candidate);
@@ -52,7 +53,7 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
       nearest = candidate;
     }
   }
-  // An abbreviation is far from its word.
+  // An abbreviation has a large edit distance to its word.
   constexpr std::size_t least_letters = 3;
   const auto begins = [&](const std::string& candidate) { return candidate.starts_with(bounded); };
   if (nearest.empty() && bounded.size() >= least_letters && std::ranges::count_if(words, begins) == 1) {

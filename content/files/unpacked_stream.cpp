@@ -13,10 +13,10 @@ namespace ergodome {
 namespace {
 
 constexpr std::size_t packed_chunk_bytes = 1U << 16U;
-//! Tables of text shrink by a factor of 3 to 20. A file that unpacks to more than this factor is
-//! not data but an attack.
+//! Maximum compression ratio. Text tables compress by a factor of 3 to 20; a much larger factor
+//! indicates a decompression bomb.
 constexpr std::uint64_t most_unpacked_ratio = 200;
-//! Below this size [bytes] any ratio is harmless.
+//! Below this size any ratio is harmless [bytes].
 constexpr std::uint64_t harmless_unpacked_bytes = std::uint64_t{64} << 20U;
 //! 15 bits of window, plus 16: zlib reads the gzip header and checks the trailer's CRC.
 constexpr int gzip_window_bits = 15 + 16;
@@ -85,7 +85,7 @@ std::size_t UnpackedStream::unpack(std::span<char> out) {
       break;
     }
     if (!in_member_) {
-      // Zero bytes pad the end of some archives; other bytes have to be another member.
+      // Zero bytes pad the end of some archives; other bytes must be another member.
       if (packed_[next_] == '\0') {
         ++next_;
         continue;

@@ -6,8 +6,9 @@
 
 namespace ergodome {
 
-//! A file's bytes. Throws Error where it is missing, no regular file, cannot be read, or is larger than `most_bytes`, so that
-//! nothing is allocated for a file that a format cannot have. `remedy` says what kind of file is wanted.
+//! Returns a file's bytes. Throws Error if it is missing, not a regular file, unreadable, or larger
+//! than `most_bytes`, so that no memory is allocated for files too large for their format. `remedy`
+//! states what kind of file is expected.
 std::string read_whole_file(const std::filesystem::path& path, std::size_t most_bytes, const std::string& remedy);
 
 }  // namespace ergodome

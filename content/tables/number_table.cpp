@@ -15,7 +15,8 @@ namespace {
 constexpr std::size_t longest_line = 65'536;
 constexpr std::size_t most_rows = 50'000'000;
 
-//! The next line, without its end. Of a line that is too long only the beginning comes: one character more than may be.
+//! Reads the next line without its end. A line that is too long is cut after one character more
+//! than the maximum.
 bool read_line(std::istream& stream, std::string& line) {
   line.resize(longest_line + 2);
   stream.getline(line.data(), static_cast<std::streamsize>(line.size()));
@@ -55,11 +56,11 @@ std::vector<std::string_view> split(std::string_view line) {
 double TableLine::number(std::size_t column, std::string_view name) const {
   std::string_view text = cell(column);
   if (!text.empty() && text.front() == '+') {
-    text.remove_prefix(1);  // from_chars takes no plus sign
+    text.remove_prefix(1);  // from_chars does not accept a plus sign
   }
   double value = 0.0;
   const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
-  // Numbers below the smallest double are zero for our purpose.
+  // Numbers below the smallest double count as zero.
   const bool tiny = problem == std::errc::result_out_of_range && text.find("e-") != std::string_view::npos;
   if (tiny) {
     return 0.0;
@@ -75,7 +76,7 @@ NumberTable::NumberTable(std::istream& stream, std::string file) : stream_(strea
     throw Error(file_, "has no header line", "name the columns in the first line");
   }
   if (text_.starts_with("\xEF\xBB\xBF")) {
-    text_.erase(0, 3);  // spreadsheets mark UTF-8 so
+    text_.erase(0, 3);  // spreadsheets mark UTF-8 with these bytes
   }
   const std::vector<std::string_view> names = split(text_);
   names_.assign(names.begin(), names.end());

@@ -11,33 +11,35 @@
 
 namespace ergodome {
 
-//! One line of a table of numbers while it is taken apart.
+//! The cells of one line of a number table.
 struct TableLine {
-  std::vector<std::string_view> cells;  //!< of text that the table keeps until its next line is read
+  std::vector<std::string_view> cells;  //!< refer to the table's text; valid until the next line is read
   std::string place;                    //!< file and line, for messages
 
-  //! A cell without its spaces and quotes; empty where the line is too short.
+  //! Returns a cell without surrounding spaces and quotes; empty if the line is too short.
   [[nodiscard]] std::string_view cell(std::size_t column) const {
     return column < cells.size() ? cells[column] : std::string_view{};
   }
 
-  //! A cell's finite number; throws Error, which calls it `name`, where there is none.
+  //! Returns the finite number in a cell. Throws Error, which calls it `name`, if the cell does not
+  //! contain one.
   [[nodiscard]] double number(std::size_t column, std::string_view name) const;
 };
 
-//! Reads a table of numbers line by line: CSV whose first line names the columns. Lines are at most 64 KiB, rows at most 50 million; Error
-//! tells what is beyond.
+//! Reads a table of numbers line by line: CSV whose first line names the columns. Throws Error for
+//! lines above 64 KiB and for more than 50 million rows.
 class NumberTable {
  public:
-  //! Reads the first line; `file` is how messages call the table.
+  //! Reads the first line; `file` is the name of the table in messages.
   NumberTable(std::istream& stream, std::string file);
 
-  //! A column's number by its name; throws Error where two have it.
+  //! Returns the index of a column by its name. Throws Error if two columns have it.
   [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const;
-  //! The same; throws Error where there is none.
+  //! Returns the index of a required column. Throws Error if it is missing.
   [[nodiscard]] std::size_t need(std::string_view name) const;
 
-  //! Takes the next line that is not empty; false at the end. Throws Error where it has more cells than the first line names.
+  //! Reads the next nonempty line; returns false at the end. Throws Error if it has more cells than
+  //! the first line.
   bool next(TableLine& line);
 
  private:
@@ -49,7 +51,8 @@ class NumberTable {
   std::size_t rows_ = 0;
 };
 
-//! Opens a table's file; throws Error, which says that it should be `what` ("a table of rays"), where it cannot be read.
+//! Opens a table file. Throws Error, which describes it as `what` ("a table of rays"), if it cannot
+//! be read.
 std::ifstream open_table(const std::filesystem::path& path, std::string_view what);
 
 }  // namespace ergodome

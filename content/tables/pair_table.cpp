@@ -14,7 +14,8 @@ namespace ergodome {
 
 namespace {
 
-//! Angles written with fewer digits than a double has may be a little beyond their end.
+//! Tolerance for angles at the end of their range that are written with fewer digits than a double
+//! has.
 constexpr double slack = 1e-9;
 
 void check_radius(double r, std::string_view name, const std::string& place) {

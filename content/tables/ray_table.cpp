@@ -14,11 +14,11 @@ namespace ergodome {
 
 namespace {
 
-//! A number that may stand in one of two columns.
+//! A number whose column has one of two names.
 struct EitherColumn {
   std::size_t column;
   std::string_view name;
-  bool second;  //!< it is the second of the two names
+  bool second;  //!< true if it has the second name
 };
 
 struct Columns {
@@ -31,7 +31,7 @@ struct Columns {
   std::optional<std::size_t> direction[3];
 };
 
-//! Finds the column that has one of two names. Throws Error where the table has neither, or both.
+//! Finds the column that has one of two names. Throws Error if the table has neither or both.
 EitherColumn either(const NumberTable& table, const std::string& file, std::string_view first,
                     std::string_view second) {
   const auto one = table.find(first);
@@ -114,7 +114,8 @@ void check(const RayRow& row, const TableLine& line, std::string_view spin_name)
   }
 }
 
-//! Throws Error unless a table has the three columns of a velocity: a part under a name that is misspelt would be 0.
+//! Throws Error unless the table has the three columns of a velocity: a component with a misspelled
+//! name would count as 0.
 void need_velocity(const TableLine& line, const Columns& columns) {
   constexpr std::string_view names[3] = {"beta_r", "beta_theta", "beta_phi"};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -126,7 +127,8 @@ void need_velocity(const TableLine& line, const Columns& columns) {
   }
 }
 
-//! A velocity beside an observer who has his own must be that one; cells that are empty, and zeros, say nothing.
+//! Throws Error if a row gives a velocity that differs from that of its named observer. Empty cells
+//! and zeros are ignored.
 void check_velocity(const RayRow& row, const TableLine& line, const Columns& columns) {
   constexpr double same = 1e-6;
   if (row.motion == ObserverMotion::velocity || row.motion == ObserverMotion::rain_boost) {
