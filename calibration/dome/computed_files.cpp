@@ -11,14 +11,16 @@ namespace ergodome {
 
 namespace {
 
-//! How far a computed node may be off, in widths of the master: half a pixel of one of 4096. Files round to far less.
+//! Maximum error of a computed node, in widths of the master: half a pixel of a 4096-pixel master.
+//! Files round to far less.
 constexpr double node_tolerance = 1.2e-4;
-//! How far a computed mask's value may be off: a step of 8 bits.
+//! Maximum error of a computed mask's value: one step of 8 bits.
 constexpr double mask_tolerance = 1.0 / 255.0;
-//! Pixels a side of a mask that are looked at.
+//! Number of compared pixels per side of a mask.
 constexpr int mask_samples = 48;
 
-//! Whether all of a warp's nodes on the dome lie in the master where the projector throws them.
+//! Returns true if all of a warp's nodes on the dome are where the projector's light meets the
+//! domemaster.
 bool is_computed_warp(const ProjectorOptics& optics, const DomeScreen& screen, const WarpMesh& warp) {
   bool any = false;
   for (const WarpNode& node : warp.nodes) {

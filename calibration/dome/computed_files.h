@@ -6,10 +6,12 @@
 
 namespace ergodome {
 
-//! A setup without the names of those files that hold what the projectors' lenses and places make, which can be made anew after a change of
-//! the dome: warps of domemasters (with a mask named beside them) whose nodes lie where light meets the dome, and of these projectors masks
-//! that the usual BlendSettings give. Files that differ, as those of an outside calibration or with corners moved by hand do, stay named.
-//! `loaded`: what load_projector() makes of each projector.
+//! Returns a setup without the names of files that only contain what lenses and poses of the
+//! projectors determine, because these can be recomputed after a change of the dome. They are warps
+//! of domemasters (with a mask beside them) whose nodes agree with where the light meets the dome,
+//! and masks of these projectors that the default BlendSettings produce. Files that differ, such as
+//! external calibrations or manually moved corners, keep their names. `loaded` contains the result
+//! of load_projector() for each projector.
 DomeSetup without_computed_files(const DomeSetup& setup, const std::vector<LoadedProjector>& loaded);
 
 }  // namespace ergodome

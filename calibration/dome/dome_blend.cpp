@@ -11,11 +11,11 @@ namespace ergodome {
 
 namespace {
 
-//! Places a side of each raster at which light is looked for.
+//! Samples per side of each raster for finding the light level.
 constexpr int samples = 97;
-//! Parts below this are of no account: full light there would not be missed.
+//! Smaller shares are negligible and do not limit the light level.
 constexpr double least_part = 1e-3;
-//! Values of masks from which on more light may have been cut off: the last step of 16 bits.
+//! Mask values from here on may have been clamped: the last step of 16 bits.
 constexpr float cut_off = 0.99998F;
 
 }  // namespace

@@ -7,34 +7,39 @@
 
 namespace ergodome {
 
-//! How projectors share the dome.
+//! How overlapping projectors share the dome's light.
 struct BlendSettings {
-  //! Parts are as these powers of the depths in the rasters: 1 leaves kinks at the seams' ends, 2 or more none.
+  //! Each projector's share is proportional to this power of its depth in the raster. 1 leaves
+  //! visible edges at the ends of seams; 2 or more does not.
   double softness = 2.0;
-  //! From 0, light as it falls, to 1, as even as the dimmest place: where a raster is spread over more of the dome it is dimmer. In
-  //! between, light goes with that power of what it falls short.
+  //! 0: no equalization; 1: the whole dome is as bright as its dimmest point, although rasters that
+  //! are spread over more of the dome are dimmer. Between these, this power of the brightness
+  //! differences is equalized.
   double evenness = 1.0;
 };
 
-//! The light of several projectors on one dome: where they overlap, their parts are 1 together. Each is taken to spread the same light
-//! evenly over its raster.
+//! The light of several projectors on one dome: in overlaps their shares add up to 1. All
+//! projectors are assumed to be equally bright, with uniform light over the raster.
 class DomeBlend {
  public:
-  //! Throws Error where no projector lights the dome. The projectors are copied.
+  //! Throws Error if no projector lights the dome. Copies the projectors.
   DomeBlend(std::vector<ProjectorOptics> projectors, const DomeScreen& screen, const BlendSettings& settings);
 
-  //! A projector's part in the light at one of its places, 0 to 1.
+  //! Returns a projector's share of the light at a position of its raster, 0 to 1.
   [[nodiscard]] double part(std::size_t projector, const RasterPlace& place) const;
 
-  //! What the linear values there are to be multiplied with, 0 to 1: the part, and what makes the dome even.
+  //! Returns the factor for linear values at a position of the raster, 0 to 1: the share times the
+  //! equalization.
   [[nodiscard]] double intensity(std::size_t projector, const RasterPlace& place) const;
 
-  //! Intensities of all pixels of a raster, for linear values (blend_mask_gamma 1), as a grey mask of 16 bits.
+  //! Returns the intensities of all pixels of a raster, for linear values (blend_mask_gamma 1), as
+  //! a gray mask of 16 bits.
   [[nodiscard]] BlendMap mask(std::size_t projector, int width_px, int height_px) const;
 
-  //! What mask() gives, in a small part of the time, from the mask that the blend of another tilt of the same dome gave, from a file of 16
-  //! bits, too: a tilt changes what light all places can have, which is one factor, and where that mask was cut off at 1 it is computed anew.
-  //! Pixels far beyond the dome's rim keep what they had. `before`: that blend.
+  //! Returns the same as mask() in a fraction of the time, from the mask of `before`, the blend at
+  //! another tilt of the same dome; that mask may come from a 16-bit file. A tilt only changes the
+  //! light level of the whole dome, which is one factor. Pixels that were clamped at 1 are
+  //! recomputed. Pixels far beyond the dome's rim keep their values.
   [[nodiscard]] BlendMap mask_after_tilt(std::size_t projector, const BlendMap& mask, const DomeBlend& before) const;
 
   [[nodiscard]] const std::vector<ProjectorOptics>& projectors() const { return projectors_; }
@@ -45,7 +50,7 @@ class DomeBlend {
   std::vector<ProjectorOptics> projectors_;
   DomeScreen screen_;
   BlendSettings settings_;
-  double level_ = 1.0;  //!< the light, to the power of evenness, that all places can have
+  double level_ = 1.0;  //!< light, to the power of `evenness`, that all points of the dome can reach
 };
 
 }  // namespace ergodome

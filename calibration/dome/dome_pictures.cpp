@@ -33,7 +33,7 @@ DomePictures::DomePictures(DomeSetup setup, MaskDetail detail)
       files_[i].warp = std::monostate{};
     }
     masks_.push_back(has_computed_mask(i) ? pictures_[i].blend : BlendMap{});
-    // Masks of files stay as they are.
+    // Masks from files do not change.
     coarse_.push_back(detail == MaskDetail::preview && has_computed_mask(i) && read_.projectors[i].blend_mask.empty() &&
                       !read_.projectors[i].warp);
     any = any || has_computed_mask(i);
@@ -44,7 +44,7 @@ DomePictures::DomePictures(DomeSetup setup, MaskDetail detail)
 }
 
 bool DomePictures::has_computed_mask(std::size_t projector) const {
-  // Without all lenses there is none, which the picture tells.
+  // Without lenses no mask is computed, and the blend has width 0.
   const ProjectorSetup& files = without_.projectors[projector];
   return !files.warp && files.blend_mask.empty() && pictures_[projector].blend.width > 0;
 }
@@ -110,7 +110,7 @@ bool DomePictures::leaves_behind(const DomeSetup& setup) const {
     return false;
   }
   for (std::size_t i = 0; i < files_.size(); ++i) {
-    // Surfaces, and what a lens shows, are put into the master by the tilt.
+    // Surfaces and lens images are mapped to the master with the tilt, so they follow it.
     const bool flat = std::holds_alternative<WarpMesh>(files_[i].warp) && files_[i].source == WarpSource::dome_picture;
     if (flat) {
       return true;

@@ -54,7 +54,7 @@ bool share_output(const ProjectorSetup& a, const ProjectorSetup& b) {
          b.output.window_y_px < a.output.window_y_px + a.height_px;
 }
 
-//! Two projectors may share neither a name nor a part of the screen.
+//! Throws Error if two projectors share a name or a part of the screen.
 void check_apart(const TomlTable& table, const ProjectorSetup& projector, const ProjectorSetup& other) {
   if (projector.name == other.name) {
     throw table.error_at("name", fmt::format("\"{}\" is used twice", projector.name.substr(0, 60)),
@@ -67,7 +67,7 @@ void check_apart(const TomlTable& table, const ProjectorSetup& projector, const 
   }
 }
 
-//! Projectors and mirrors far outside the dome are slips of units.
+//! Throws Error for projectors and mirrors far outside the dome, which indicate a wrong unit.
 void check_places(const TomlTable& table, const ProjectorSetup& projector, double radius_m) {
   constexpr double farthest_radii = 10.0;
   if (!(std::sqrt(dot(projector.position_m, projector.position_m)) <= farthest_radii * radius_m)) {

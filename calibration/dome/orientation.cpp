@@ -15,7 +15,7 @@ struct SineCosine {
 
 SineCosine of_degrees(double angle_deg) { return {std::sin(one_degree * angle_deg), std::cos(one_degree * angle_deg)}; }
 
-//! The axes after yaw and pitch, before roll.
+//! Returns the axes after yaw and pitch, before roll.
 ProjectorAxes axes_without_roll(const SineCosine& yaw, const SineCosine& pitch) {
   return {{yaw.cosine, 0.0, yaw.sine},
           {-yaw.sine * pitch.sine, pitch.cosine, yaw.cosine * pitch.sine},

@@ -8,30 +8,33 @@
 
 namespace ergodome {
 
-//! A mask: a number from 0 to 1 for each channel of each sample, as the file holds it (no gamma is taken out). Rows from top to
-//! bottom.
+//! A mask: a number from 0 to 1 for each channel of each sample, as stored in the file (without
+//! gamma decoding). Rows from top to bottom.
 struct BlendMap {
   int width = 0;
   int height = 0;
   int channels = 1;           //!< 1 or 3
-  int bit_depth = 8;          //!< 8 or 16: what the file had, and what a writer uses
+  int bit_depth = 8;          //!< 8 or 16, as in the file; writers use it
   std::vector<float> values;  //!< channels * width * height
 };
 
-//! Reads a mask from an image's bytes (PNG, TIFF and what else OpenImageIO knows by the ending of `name`). Throws Error for what is no
-//! image, torn, smaller than 2 x 2, beyond the bounds of warp_mesh.h, or neither grey nor RGB.
+//! Reads a mask from the bytes of an image (PNG, TIFF and other formats that OpenImageIO recognizes
+//! by the extension of `name`). Throws Error if it is not an image, damaged, smaller than 2 x 2,
+//! beyond the limits of warp_mesh.h, or neither gray nor RGB.
 BlendMap parse_blend_map(std::span<const std::byte> bytes, const std::string& name);
 
-//! The same from a file.
+//! Reads a mask from a file.
 BlendMap read_blend_map(const std::filesystem::path& path);
 
-//! Whether a mask has the shape of a raster, in any size; those of small ones are rounded.
+//! Returns true if a mask of any size has the aspect ratio of a raster, within the rounding of
+//! small sizes.
 bool has_shape_of(const BlendMap& map, int width_px, int height_px);
 
-//! A mask in the shape of a raster: as it is where it has that, else with a sample for each pixel, linear between the mask's own.
+//! Returns a mask with the aspect ratio of a raster: unchanged if it has that ratio, otherwise
+//! resampled linearly to a sample per pixel.
 BlendMap in_shape_of(const BlendMap& map, int width_px, int height_px);
 
-//! A mask as the bytes of a PNG of its bit depth.
+//! Returns a mask as the bytes of a PNG with its bit depth.
 std::string to_png(const BlendMap& map, const std::string& name);
 
 }  // namespace ergodome

@@ -7,7 +7,7 @@ namespace ergodome {
 
 namespace {
 
-//! Returns the offset at a position, bilinearly between the four points around it.
+//! Returns the offset at a position, bilinear between the four points around it.
 double between(const GridOffsets& grid, const std::vector<double>& offsets, const RasterPlace& place) {
   const int cells = grid.points - 1;
   const double x = std::clamp(place.x, 0.0, 1.0) * cells;
@@ -40,7 +40,7 @@ double clamped(const GridOffsets& grid, const std::vector<double>& offsets, std:
   return std::clamp(offset, least, std::max(least, most));
 }
 
-//! Returns a channel of a mask at a position, bilinearly between its samples, which fill the raster.
+//! Returns a channel of a mask at a position, bilinear between its samples, which fill the raster.
 float read(const BlendMap& mask, const RasterPlace& place, int channel) {
   const double x = std::clamp(place.x * mask.width - 0.5, 0.0, mask.width - 1.0);
   const double y = std::clamp(place.y * mask.height - 0.5, 0.0, mask.height - 1.0);
@@ -56,7 +56,7 @@ float read(const BlendMap& mask, const RasterPlace& place, int channel) {
                                       std::lerp(at(left, top + 1), at(left + 1, top + 1), x - left), y - top));
 }
 
-//! Returns the node at a position between nodes, on the two triangles that a cell is drawn as.
+//! Returns the node at a position between nodes, on the two triangles of a cell.
 WarpNode node_between(const WarpMesh& mesh, double column, double row) {
   const int left = std::min(static_cast<int>(column), mesh.columns - 2);
   const int top = std::min(static_cast<int>(row), mesh.rows - 2);
@@ -70,7 +70,7 @@ WarpNode node_between(const WarpMesh& mesh, double column, double row) {
   const float second = std::min(across, down);
   const float weights[] = {1.0F - first, first - second, second};
   const WarpNode* const nodes[] = {&a, &b, &c};
-  // Nodes without weight may hold anything.
+  // Nodes of weight 0 may contain any values.
   const auto mix = [&](float WarpNode::*value) {
     float sum = 0.0F;
     for (int i = 0; i < 3; ++i) {
@@ -122,7 +122,8 @@ RasterPlace moved_place(const GridOffsets& grid, const RasterPlace& place) {
 }
 
 RasterPlace moved_back(const GridOffsets& grid, const RasterPlace& place) {
-  // Newton's method with differences; the map is bilinear in each cell and close to the identity.
+  // Newton's method with finite differences; the map is bilinear in each cell and close to the
+  // identity.
   constexpr double step = 1e-6;
   const double longest = 0.5 / (grid.points - 1);
   RasterPlace back = place;

@@ -8,23 +8,24 @@
 #include "calibration/projectors/projector_optics.h"
 #include "calibration/warps/warp_mesh.h"
 
-// Corrects a projector that was nudged: a grid of points moves its picture back, bilinearly in between.
+// Corrects a projector that was nudged: a grid of points moves its image back, with bilinear
+// interpolation.
 namespace ergodome {
 
 //! Offsets of the points of a regular grid over the raster: to the right as fractions of its width,
-//! downwards as fractions of its height.
+//! downward as fractions of its height.
 struct GridOffsets {
-  //! Largest offset of a point.
+  //! Maximum offset of a point.
   static constexpr double farthest = 0.25;
 
-  //! Largest difference between the offsets of neighbors, as a fraction of their distance. Below 1/2, the
-  //! displacement has an inverse.
+  //! Maximum difference between the offsets of neighbors, as a fraction of their distance. Below
+  //! 1/2, the displacement has an inverse.
   static constexpr double slack = 0.4;
 
-  //! Points on each side. Each grid contains the points of those before it.
+  //! Points per side. Each grid contains the points of the smaller ones.
   static constexpr std::array sizes = {2, 3, 5, 9};
 
-  int points = 2;  //!< on each side; 2: the corners alone
+  int points = 2;  //!< per side; 2: only the corners
   std::vector<double> right = std::vector<double>(4);
   std::vector<double> down = std::vector<double>(4);
 
@@ -44,22 +45,22 @@ struct GridOffsets {
   friend bool operator==(const GridOffsets&, const GridOffsets&) = default;
 };
 
-//! Returns where a position of the raster is moved. Positions outside it move like the
-//! nearest one on its edge.
+//! Returns the displaced position of a position on the raster. Positions outside the raster are
+//! displaced like the nearest one on its edge.
 RasterPlace moved_place(const GridOffsets& grid, const RasterPlace& place);
 
 //! Inverts moved_place() to 1e-9, for positions on the raster.
 RasterPlace moved_back(const GridOffsets& grid, const RasterPlace& place);
 
-//! Returns a warp with moved nodes, refined by refined_for() first.
+//! Returns a warp with moved nodes, after refining it with refined_for().
 WarpMesh moved_warp(const GridOffsets& grid, const WarpMesh& mesh);
 
-//! Returns a mesh with nodes added by interpolation, so that it has at least two cells per cell of the grid.
-//! Returns it unchanged if it is not rectangular, or if the grid has only corners.
+//! Returns a mesh with nodes added by interpolation, so that it has at least two cells per cell of
+//! the grid. Returns it unchanged if it is not rectangular, or if the grid has only corners.
 WarpMesh refined_for(const GridOffsets& grid, const WarpMesh& mesh);
 
-//! Returns a mask that fits the moved warp: each pixel holds the value of the position that is moved there.
-//! Values on the mask's edge continue beyond it.
+//! Returns a mask that fits the moved warp: each pixel has the value of the position that is moved
+//! there. Values at the mask's edge continue beyond it.
 BlendMap moved_mask(const GridOffsets& grid, const BlendMap& mask);
 
 }  // namespace ergodome

@@ -14,7 +14,7 @@ namespace ergodome {
 
 namespace {
 
-//! The region of that id, or the only one where `id` is empty.
+//! Returns the region with an id, or the only one if `id` is empty.
 const MpcdiRegion& region_of(const Mpcdi& mpcdi, const std::string& id, const std::string& file) {
   const MpcdiRegion* found = nullptr;
   std::string ids;
@@ -92,7 +92,8 @@ void load_warp(const WarpFile& warp, const std::filesystem::path& path, double a
   }
 }
 
-//! What `read` makes of a file that a projector names under `key`; what is wrong with it is told with that projector's place.
+//! Returns the result of `read()` for a file that a projector names under `key`. Adds key and
+//! projector to errors.
 template <class Read>
 auto read_for(const ProjectorSetup& projector, const char* key, const Read& read) {
   try {
@@ -102,7 +103,7 @@ auto read_for(const ProjectorSetup& projector, const char* key, const Read& read
   }
 }
 
-//! A mask in the shape of the projector's raster, in any size.
+//! Reads a mask of any size with the aspect ratio of the projector's raster.
 BlendMap read_mask(const DomeSetup& setup, const ProjectorSetup& projector, const char* key, const std::string& file) {
   return read_for(projector, key, [&] {
     const std::filesystem::path path = setup.folder / file;

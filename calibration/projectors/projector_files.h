@@ -11,22 +11,24 @@
 
 namespace ergodome {
 
-//! What the files of a projector say, beside its setup.
+//! A projector with the contents of its files.
 struct LoadedProjector {
-  //! Nothing, a flat warp, or the surface that the raster meets. Maps are continued to the rim of the raster.
+  //! Nothing, a flat warp, or the surface that the raster lights. Maps are extended to the edge of
+  //! the raster.
   std::variant<std::monostate, WarpMesh, SurfaceMesh> warp;
   WarpSource source = WarpSource::dome_picture;
-  Lens lens;  //!< the setup's; where it has none, that of the MPCDI region, with position and orientation
+  Lens lens;  //!< the setup's; if it has none, that of the MPCDI region, with position and orientation
   Vector3<double> position_m{};
   Orientation orientation;
   std::optional<MpcdiMask> blend;       //!< the setup's mask, or else the region's alphaMap
   std::optional<BlendMap> black_level;  //!< the setup's mask, or else the region's betaMap
-  Vector3<double> black_level_lift{};   //!< the setup's; 1 where it is 0 and there is a betaMap
+  Vector3<double> black_level_lift{};   //!< the setup's; 1 if that is 0 and there is a betaMap
   std::vector<std::string> notes;       //!< remarks on the warp's file, for the user
 };
 
-//! Reads the warp and the masks of a projector of a setup. Throws Error, naming the file, for whatever its reader refuses, for a
-//! region that a calibration does not have, and where it has several and the setup names none.
+//! Reads the warp and the masks of a projector. Throws Error, which names the file, for anything
+//! that its reader refuses, for a missing region of a calibration, and if a calibration has several
+//! regions but the setup names none.
 LoadedProjector load_projector(const DomeSetup& setup, const ProjectorSetup& projector);
 
 }  // namespace ergodome

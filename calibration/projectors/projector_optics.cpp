@@ -16,7 +16,7 @@ double length(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
 
 Vector3<double> normalized(const Vector3<double>& v) { return (1.0 / length(v)) * v; }
 
-//! Some unit vector across another.
+//! Returns a unit vector perpendicular to another vector.
 Vector3<double> across(const Vector3<double>& v) {
   const Vector3<double> other = std::abs(v.x) < 0.7 ? Vector3<double>{1.0, 0.0, 0.0} : Vector3<double>{0.0, 1.0, 0.0};
   return normalized(cross(v, other));
@@ -61,7 +61,8 @@ ProjectorOptics::ProjectorOptics(const DomeSetup& setup, const ProjectorSetup& p
 
 bool ProjectorOptics::outside() const { return length(position_m_) >= dome_radius_m_; }
 
-//! Whether light that leaves the projector this way (of unit length) meets the dome's shell from outside.
+//! Returns true if light in this direction (of unit length) from the projector meets the dome's
+//! shell from outside.
 bool ProjectorOptics::is_stopped_outside(const Vector3<double>& way) const {
   if (!outside()) {
     return false;
@@ -155,8 +156,9 @@ std::optional<Vector3<double>> ProjectorOptics::dome_point(const RasterPlace& pl
   return sphere_point(mirror_->position_m + met, way - (2.0 * dot(way, normal)) * normal);
 }
 
-//! Where light from the projector to a point is reflected (Alhazen's problem): in the plane of both and the mirror's middle, where what
-//! comes and what goes have opposite parts along the mirror.
+//! Returns where light from the projector to a point is reflected (Alhazen's problem). The solution
+//! is in the plane of both points and the mirror's center, where the directions to both have
+//! opposite components along the mirror's surface.
 Vector3<double> ProjectorOptics::mirror_point(const Vector3<double>& point) const {
   const Vector3<double> from = position_m_ - mirror_->position_m;
   const Vector3<double> to = point - mirror_->position_m;
@@ -208,13 +210,13 @@ double ProjectorOptics::depth(const RasterPlace& place) const {
 }
 
 double ProjectorOptics::spread_m2(const RasterPlace& place) const {
-  // Differences of third order in this are far below what a pixel is.
+  // The third-order error of this step is far below a pixel.
   constexpr double step = 1e-4;
   const auto here = dome_point(place);
   if (!here) {
     return 0.0;
   }
-  // Next to where light passes the dome by, one side tells.
+  // Near the edge of the lit sphere, a one-sided difference is used.
   const auto rate = [&](double dx, double dy) {
     const auto before = dome_point({place.x - dx, place.y - dy});
     const auto after = dome_point({place.x + dx, place.y + dy});

@@ -7,37 +7,44 @@
 
 namespace ergodome {
 
-//! A place on a projector's raster: 0 to 1 across it, x to the right, y down.
+//! A position on a projector's raster: 0 to 1 across it, x to the right, y down.
 struct RasterPlace {
   double x;
   double y;
 };
 
-//! What light of a projector meets which point of the dome: through its lens, over its mirror if it has one, to the sphere. The shell that
-//! stops light from outside is the half of the sphere above the rim. Places are in the dome's axes, as in DomeSetup.
+//! The light paths of a projector: through its lens, over its mirror if it has one, to the dome's
+//! sphere. The shell, which blocks light from outside, is the half of the sphere above the rim.
+//! Positions are in the dome's axes, as in DomeSetup.
 class ProjectorOptics {
  public:
-  //! Throws Error, naming the projector, where it has no lens, as a warp alone does not tell where the picture goes, and where it stands
-  //! outside the sphere above the dome's rim, where the dome's shell is between it and the dome's inside.
+  //! Throws Error, which names the projector, if it has no lens, because a warp alone does not
+  //! define the light's direction, or if it is outside the sphere above the dome's rim, where the
+  //! shell blocks its light.
   ProjectorOptics(const DomeSetup& setup, const ProjectorSetup& projector);
 
-  //! The point of the sphere [m] that a place of the raster meets. A fisheye's map goes on beyond its image circle, where no light is,
-  //! so that meshes need not end there. Nothing where light misses the mirror, or the sphere.
+  //! Returns the point of the sphere that a position of the raster lights [m]; nothing if the light
+  //! misses the mirror or the sphere. A fisheye's mapping continues beyond its unlit image circle,
+  //! so that meshes need not end there.
   [[nodiscard]] std::optional<Vector3<double>> dome_point(const RasterPlace& place) const;
 
-  //! The place of the raster that lights a point of the sphere; the inverse. Nothing where none does.
+  //! Returns the position of the raster that lights a point of the sphere: the inverse of
+  //! dome_point(). Nothing if none does.
   [[nodiscard]] std::optional<RasterPlace> raster_place(const Vector3<double>& point) const;
 
-  //! How far a place lies inside of what is lit: 0 at the rims of raster and image circle and beyond, 1 in the middle, smooth between.
+  //! Returns how far a position is inside the lit area: 0 at the edges of raster and image circle
+  //! and beyond, 1 in the middle, smooth between.
   [[nodiscard]] double depth(const RasterPlace& place) const;
 
-  //! Area of the sphere that the raster would light if all of it were lit as this place is [m²]; 0 where there is none.
+  //! Returns the area of the sphere that the raster would light if all of it were spread as at this
+  //! position [m²]; 0 if the position lights no point.
   [[nodiscard]] double spread_m2(const RasterPlace& place) const;
 
-  //! Whether the projector stands outside the sphere, so that its light comes in below the dome's rim.
+  //! Returns true if the projector is outside the sphere, so that its light enters below the dome's
+  //! rim.
   [[nodiscard]] bool outside() const;
 
-  //! How messages call the projector (place_of()).
+  //! Returns the name of the projector for messages (place_of()).
   [[nodiscard]] const std::string& place() const { return place_; }
   [[nodiscard]] double dome_radius_m() const { return dome_radius_m_; }
   [[nodiscard]] int longer_side_px() const { return longer_side_px_; }

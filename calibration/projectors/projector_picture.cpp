@@ -14,12 +14,13 @@ namespace ergodome {
 
 namespace {
 
-//! Side of a pixel of a preview's mask, in pixels of the raster.
+//! Size of a preview mask's pixel, in pixels of the raster.
 constexpr int preview_pixel_px = 8;
 
 DomeScreen screen_of(const DomeSetup& setup) { return {setup.tilt_deg, 180.0}; }
 
-//! Puts a node to the master's place of a point or direction, if it has one.
+//! Sets a node's texture coordinates to the master's position of a point or direction; invalidates
+//! it if there is none.
 void set_place(const DomeScreen& screen, const Vector3<double>& point, WarpNode& node) {
   double u = 0.0;
   double v = 0.0;
@@ -46,10 +47,10 @@ WarpMesh warp_of_surface(const DomeScreen& screen, const SurfaceMesh& surface) {
   return with_rim(mesh);
 }
 
-//! Returns into how many steps a cell must be cut so that, in each, the lens's picture deviates from a
-//! straight line by less than about 0.1 pixel of a master of 4096.
+//! Returns into how many steps a cell must be cut so that, in each, the lens image deviates from a
+//! straight line by less than about 0.1 pixel of a 4096-pixel master.
 int steps_through_lens(const WarpMesh& warp, const Frustum& frustum) {
-  // In units of the tangent plane, where angles are not linear: a step of 1/32 is less than 2°.
+  // In units of the tangent plane, in which angles are not linear: a step of 1/32 is less than 2°.
   constexpr double longest_step = 1.0 / 32.0;
   const double across = std::tan(one_degree * frustum.right_deg) - std::tan(one_degree * frustum.left_deg);
   const double upwards = std::tan(one_degree * frustum.up_deg) - std::tan(one_degree * frustum.down_deg);
@@ -94,7 +95,7 @@ WarpMesh unturned_warp(const DomeSetup& setup, const ProjectorSetup& projector, 
   return dome_warp(ProjectorOptics(setup, placed), screen, master_px, tolerance_px);
 }
 
-//! Turns the places of the master, so that what it has in front is shown `angle` to the right of it.
+//! Rotates the positions in the master, so that its front is shown `angle` to the right.
 void turn(WarpMesh& mesh, double angle) {
   if (angle == 0.0) {
     return;
@@ -117,7 +118,8 @@ BlendMap linear(const MpcdiMask& mask) {
   return map;
 }
 
-//! The light of all projectors of a setup that needs it computed: one of them has neither warp nor mask.
+//! Returns the blend of all projectors if one of them has neither warp nor mask and all have
+//! lenses.
 std::optional<DomeBlend> computed_blend(const DomeSetup& setup) {
   const bool wanted = std::ranges::any_of(setup.projectors, [](const ProjectorSetup& projector) {
     return !projector.warp && projector.blend_mask.empty();
@@ -128,10 +130,12 @@ std::optional<DomeBlend> computed_blend(const DomeSetup& setup) {
   return blend_of(setup);
 }
 
-//! The larger of a cell's densities along two directions: pixels of the raster over widths of the master.
+//! Returns the pixel density of a cell in the direction in which it is largest: pixels of the
+//! raster per width of the master.
 double finest_density(const WarpNode& corner, const WarpNode& right, const WarpNode& below, int width_px,
                       int height_px) {
-  // u and v as linear functions of the raster's pixels; the smaller singular value is where pixels lie closest.
+  // u and v are linear functions of the raster's pixels; the smaller singular value belongs to the
+  // direction in which pixels are closest.
   const double ax = width_px * static_cast<double>(right.x - corner.x);
   const double ay = height_px * static_cast<double>(right.y - corner.y);
   const double bx = width_px * static_cast<double>(below.x - corner.x);

@@ -157,7 +157,8 @@ class ProjectorReader {
     return static_cast<int>(value);
   }
 
-  //! A file that the setup names under `key`; empty where it names none.
+  //! Returns a file that the setup names under `key`; empty if it does not name one. Throws Error
+  //! for an empty name or a missing file.
   std::string read_file(TomlTable& table, std::string_view key) const {
     std::string name = table.text(key, "");
     if (table.has(key) && name.empty()) {
@@ -226,8 +227,8 @@ class ProjectorReader {
     return warp;
   }
 
-  //! Returns the format of a warp by its content, or else by its ending. Files that need not exist go by their
-  //! ending alone.
+  //! Returns the format of a warp from its content, or else from its extension. For files that need
+  //! not exist, only the extension counts.
   WarpFormat format_of(const TomlTable& table, std::string_view key, const std::string& name) const {
     const std::string ending = std::filesystem::path(name).extension().string();
     const auto format =
@@ -259,7 +260,7 @@ class ProjectorReader {
     }
   }
 
-  //! One number for all colours, or three.
+  //! Reads one number for all colors, or three.
   Vector3<double> read_colour_of(std::string_view key, const Vector3<double>& otherwise, double greatest) {
     const toml::node* const node = table_.node(key);
     if (node == nullptr) {

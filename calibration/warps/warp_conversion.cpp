@@ -10,12 +10,12 @@ namespace {
 
 constexpr float unknown_sample = std::numeric_limits<float>::quiet_NaN();
 
-//! Far outside any image; what is not finite is not below it either.
+//! Maximum coordinate, far outside any image; the comparison also rejects NaN.
 constexpr float largest_coordinate = 1e4F;
 
 float directed(float v, TextureDirection direction) { return direction == TextureDirection::downwards ? v : 1.0F - v; }
 
-//! The node at `t` beyond `inner` on the line from it to `outer`: 1 is `outer`.
+//! Returns the node at `t` on the line from `inner` (0) to `outer` (1).
 WarpNode continued(const WarpNode& inner, const WarpNode& outer, float t) {
   const auto along = [t](float from, float to) { return from + t * (to - from); };
   return {along(inner.x, outer.x),
@@ -26,7 +26,8 @@ WarpNode continued(const WarpNode& inner, const WarpNode& outer, float t) {
           inner.valid && outer.valid};
 }
 
-//! A mask's value (0 to 1, the mean of its channels) at a place of the raster, between its samples.
+//! Returns a mask's value (0 to 1, the mean of its channels) at a position of the raster,
+//! interpolated between its samples.
 double value_at(const BlendMap& mask, double x, double y) {
   const double column = std::clamp(x * mask.width - 0.5, 0.0, mask.width - 1.0);
   const double row = std::clamp(y * mask.height - 0.5, 0.0, mask.height - 1.0);
@@ -77,7 +78,7 @@ FloatMap map_from_warp(const WarpMesh& mesh, int width, int height, TextureDirec
 }
 
 WarpMesh with_rim(const WarpMesh& mesh) {
-  // The rim is half a step beyond the outermost samples.
+  // The edge is half a step beyond the outermost samples.
   constexpr float to_rim = 1.5F;
   WarpMesh wider{mesh.topology, mesh.columns + 2, mesh.rows, {}};
   for (int row = 0; row < mesh.rows; ++row) {

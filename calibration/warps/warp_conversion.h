@@ -4,39 +4,44 @@
 #include "calibration/projectors/blend_map.h"
 #include "calibration/warps/warp_mesh.h"
 
-// Between the forms that a warp takes in files.
+// Conversions between the forms of a warp in files.
 namespace ergodome {
 
-//! Whether texture coordinates of a map run downwards, as MPCDI has them, or upwards, as some programs wrote them.
+//! Direction of a map's texture coordinates: downward as in MPCDI, or upward as some programs write
+//! them.
 enum class TextureDirection { downwards, upwards };
 
-//! A map of two-dimensional data as a mesh: each sample is a node in the fill layout, its first two components u and v. Samples
-//! where one of them is not finite (or is beyond 10,000) are unknown and not drawn; the third component, the sample's error, is
-//! left out.
+//! Converts a map of two-dimensional data to a mesh: each sample is a node in the fill layout, with
+//! its first two components as u and v. Samples with a component that is not finite (or beyond
+//! 10,000) are unknown and not drawn. Ignores the third component, the sample's error.
 WarpMesh warp_from_map(const FloatMap& map, TextureDirection direction);
 
-//! A mesh as a map of the given size: nodes where the mesh has them in place already, else values between nodes by
-//! resampled_warp. Third components are 0; samples that no drawn cell covers are NaN.
+//! Converts a mesh to a map of the given size. Uses the nodes if they are already at the map's
+//! positions, otherwise resampled_warp(). Third components are 0; samples that no drawn cell covers
+//! are NaN.
 FloatMap map_from_warp(const WarpMesh& mesh, int width, int height, TextureDirection direction);
 
-//! A mesh's values at the places of a map of the given size. Cells are two triangles, cut from the top left corner to the bottom
-//! right, in which all is linear; where cells overlap the last one counts. Throws Error where they overlap more than a warp's
-//! can.
+//! Returns a mesh's values at the positions of a map of the given size. Each cell is two triangles,
+//! divided from the top left corner to the bottom right, with linear interpolation; where cells
+//! overlap the last one counts. Throws Error if they overlap more than those of a real warp.
 WarpMesh resampled_warp(const WarpMesh& mesh, int width, int height);
 
-//! Returns a mesh that draws the same with each cell cut into `steps` x `steps`, for conversions that are
-//! not linear. Uses fewer steps if the mesh would exceed 2^23 nodes or most_mesh_side. Returns a polar mesh
-//! unchanged.
+//! Returns a mesh that draws the same with each cell cut into `steps` x `steps`, for nonlinear
+//! conversions. Uses fewer steps if the mesh would exceed 2^23 nodes or most_mesh_side. Returns a
+//! polar mesh unchanged.
 WarpMesh refined_warp(const WarpMesh& mesh, int steps);
 
-//! A mesh in fill layout with nodes on the raster's rim added, continued in a straight line from the outermost two on each side:
-//! samples stand for the middles of their part of the raster, so a coarse map alone would leave the rim undrawn.
+//! Returns a mesh in fill layout with nodes added at the raster's edge, extrapolated linearly from
+//! the outermost two on each side. Samples are at the centers of their parts of the raster, so a
+//! coarse map alone would leave the edge undrawn.
 WarpMesh with_rim(const WarpMesh& mesh);
 
-//! A mesh's intensities, 0 where it is not drawn, as a grey mask of 16 bits and the given size. Intensities above 1 become 1.
+//! Returns a mesh's intensities, 0 where it is not drawn, as a gray mask of 16 bits and the given
+//! size. Intensities above 1 become 1.
 BlendMap mask_from_warp(const WarpMesh& mesh, int width, int height);
 
-//! Multiplies a mesh's intensities by a mask, read between its samples at each node and raised to `gamma`; of colours the mean.
+//! Multiplies a mesh's intensities by a mask, interpolated at each node and raised to `gamma`. Uses
+//! the mean of a mask's color channels.
 void multiply_intensity(WarpMesh& mesh, const BlendMap& mask, double gamma);
 
 }  // namespace ergodome

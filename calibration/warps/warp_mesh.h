@@ -6,39 +6,42 @@
 
 #include "kernels/core/vector3.h"
 
-// Where a projector's picture comes from: the one form in memory of every format of warps.
+// Mapping from a projector's raster to its source image: the common in-memory form of all warp
+// formats.
 //
-// Positions on the raster run from 0 to 1 across it, x to the right, y down, (0, 0) being the top left corner of the top left pixel.
-// Texture coordinates run likewise across the source image: v = 0 is its top. Rows go from top to bottom, columns from left to right.
+// Positions on the raster run from 0 to 1 across it, x to the right, y down; (0, 0) is the top left
+// corner of the top left pixel. Texture coordinates run likewise across the source image: v = 0 is
+// its top. Rows go from top to bottom, columns from left to right.
 namespace ergodome {
 
-//! Most columns or rows of a mesh, and most nodes: one for each pixel of an 8k UHD projector.
+//! Maximum number of columns or rows of a mesh, and of its nodes: one for each pixel of an 8K UHD
+//! projector.
 inline constexpr int most_mesh_side = 16'384;
 inline constexpr std::size_t most_mesh_nodes = std::size_t{1} << 25U;
 
 //! One node of a warp.
 struct WarpNode {
-  float x = 0.0F;  //!< on the raster; meshes may go beyond its rim
+  float x = 0.0F;  //!< on the raster; may be outside it
   float y = 0.0F;
   float u = 0.0F;  //!< in the source image
   float v = 0.0F;
   float intensity = 1.0F;  //!< factor of the source's values, >= 0
-  bool valid = true;       //!< cells with a corner that is not are not drawn
+  bool valid = true;       //!< cells with an invalid corner are not drawn
 };
 
 //! How the cells of a mesh are connected.
 enum class MeshTopology {
   rectangular,
-  polar,           //!< columns go round: the first follows the last
-  separate_cells,  //!< a cell for each triangle of a file, in no order on the raster, with undrawn nodes between
+  polar,           //!< columns go around: the first follows the last
+  separate_cells,  //!< a cell for each triangle of a file, in any order on the raster, with undrawn nodes between
 };
 
-//! A warp in two dimensions: a grid of nodes, between which all is linear.
+//! A two-dimensional warp: a grid of nodes with linear interpolation between them.
 struct WarpMesh {
   MeshTopology topology = MeshTopology::rectangular;
   int columns = 0;
   int rows = 0;
-  std::vector<WarpNode> nodes;  //!< rows * columns, row after row
+  std::vector<WarpNode> nodes;  //!< rows * columns, row by row
 
   [[nodiscard]] WarpNode& at(int column, int row) { return nodes[index(column, row)]; }
   [[nodiscard]] const WarpNode& at(int column, int row) const { return nodes[index(column, row)]; }
@@ -49,20 +52,21 @@ struct WarpMesh {
   }
 };
 
-//! A warp in three dimensions: what point of the dome's surface each part of the raster meets.
+//! A three-dimensional warp: the point of the dome's surface that each part of the raster lights.
 //!
-//! Samples fill the raster: sample (i, j) of n × m stands for position ((i + 1/2) / n, (j + 1/2) / m).
+//! Samples fill the raster: sample (i, j) of n × m is at position ((i + 1/2) / n, (j + 1/2) / m).
 struct SurfaceMesh {
   int columns = 0;
   int rows = 0;
-  std::vector<Vector3<float>> points;  //!< [m], x right, y up, z back as a viewer looks to the front; NaN where unknown
+  std::vector<Vector3<float>> points;  //!< [m], x right, y up, z back for a viewer who faces the front; NaN if unknown
 };
 
-//! Throws Error, naming `place`, unless both sides are 2 to most_mesh_side and there are at most most_mesh_nodes nodes.
+//! Throws Error, which names `place`, unless both sides are 2 to most_mesh_side and there are at
+//! most most_mesh_nodes nodes.
 void check_mesh_size(long long columns, long long rows, const std::string& place);
 
-//! A position's number of a row of `count` samples that fill the raster: sample `index` lies at (index + 1/2) / count (MPCDI's
-//! "fill" layout, VESA MPCDI 2.0, 3.6).
+//! Returns the position of sample `index` in a row of `count` samples that fill the raster: (index
+//! + 1/2) / count (MPCDI's "fill" layout, VESA MPCDI 2.0, 3.6).
 inline double fill_position(int index, int count) { return (index + 0.5) / count; }
 
 }  // namespace ergodome

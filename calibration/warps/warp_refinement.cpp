@@ -6,8 +6,8 @@ namespace ergodome {
 
 namespace {
 
-//! Returns the node at (s, t) in a cell, each from 0 to 1, to the right and downwards. Cells are cut from
-//! the top left corner to the bottom right.
+//! Returns the node at (s, t) in a cell, each from 0 to 1, to the right and downward. Cells are
+//! divided from the top left corner to the bottom right.
 WarpNode in_cell(const WarpNode* const corners[4], float s, float t) {
   const WarpNode& a = *corners[0];
   const WarpNode& b = *corners[1];

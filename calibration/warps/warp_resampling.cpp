@@ -8,7 +8,8 @@ namespace ergodome {
 
 namespace {
 
-//! A corner of a triangle in the target's samples: (0, 0) is the middle of the first.
+//! A corner of a triangle in sample coordinates of the target: (0, 0) is the center of the first
+//! sample.
 struct Corner {
   double column;
   double row;
@@ -48,7 +49,8 @@ class Resampler {
   }
 
  private:
-  //! How often on average a sample may be tested: cells that overlap so much make no picture, and would take hours.
+  //! Maximum number of tests per sample on average: cells that overlap more do not form an image
+  //! and would take hours.
   static constexpr double most_layers = 64.0;
 
   [[nodiscard]] Corner corner(const WarpNode& node) const {
@@ -110,7 +112,8 @@ class Resampler {
     target.valid = true;
   }
 
-  //! Nodes that lie on samples keep their values, also at the rim of what is drawn, where no cell has four corners.
+  //! Keeps the values of nodes that coincide with samples, also at the edge of the drawn area,
+  //! where cells lack drawn corners.
   void keep_nodes_in_place() {
     constexpr double near = 1e-3;
     for (const WarpNode& node : mesh_.nodes) {

@@ -18,13 +18,13 @@ struct MasterPlace {
 
 MasterPlace operator-(const MasterPlace& a, const MasterPlace& b) { return {a.u - b.u, a.v - b.v}; }
 
-//! a + s (b - a) + t (c - a)
+//! Returns a + s (b - a) + t (c - a).
 MasterPlace between(const MasterPlace& a, const MasterPlace& b, const MasterPlace& c, double s, double t) {
   return {a.u + s * (b.u - a.u) + t * (c.u - a.u), a.v + s * (b.v - a.v) + t * (c.v - a.v)};
 }
 
-//! The four samples of a map around a pixel, and the pixel's position between them: 0 to 1, or beyond at the
-//! raster's rim.
+//! The four samples of a map around a pixel, and the pixel's position between them: 0 to 1, or
+//! beyond at the raster's edge.
 struct Cell {
   MasterPlace top_left;
   MasterPlace top_right;
@@ -61,8 +61,8 @@ Cell cell_of(const FloatMap& map, double x, double y) {
 
 bool sees_master(const WarpNode& node) { return node.valid && std::hypot(node.u - 0.5F, node.v - 0.5F) <= 0.5F; }
 
-//! Returns the change of a warp per pixel along one axis, at a pixel: between both neighbors if they are
-//! drawn, otherwise between the pixel and the one that is.
+//! Returns the change of a warp per pixel along one axis, at a pixel: between both neighbors if
+//! they are drawn, otherwise between the pixel and the drawn one.
 MasterPlace slope_at(const WarpMesh& exact, int column, int row, int right, int down) {
   const auto place = [](const WarpNode& node) { return MasterPlace{node.u, node.v}; };
   int from = 0;

@@ -5,18 +5,20 @@
 
 namespace ergodome {
 
-//! Largest error between the samples of a thinned map [px of the projector].
+//! Maximum error between the samples of a thinned map [px of the projector].
 inline constexpr double thinned_error_px = 0.05;
 
-//! Returns the largest error of a map [px of the projector], by bilinear interpolation and by triangles, at
-//! the drawn pixels that see the domemaster's circle; infinite if the map does not draw such a pixel. Stops
-//! at the first pixel with an error above `enough_px`. `exact` has a node for each pixel of the raster.
+//! Returns the maximum error of a map [px of the projector], by bilinear and by triangular
+//! interpolation, at the drawn pixels that show the domemaster's circle; infinite if the map does
+//! not draw such a pixel. Stops at the first pixel with an error above `enough_px`. `exact` has a
+//! node for each pixel of the raster.
 double map_error_px(const WarpMesh& exact, const FloatMap& map, double enough_px);
 
-//! Returns a map of a warp, with texture coordinates downwards, that has a sample for 8 x 8, 4 x 4 or 2 x 2
-//! pixels of the raster: the coarsest with an error of at most thinned_error_px. If none has, it has a
-//! sample for each pixel. Coarser maps are not made, because programs differ in how they read the half cell
-//! at the rim, which is four pixels wide for 8 x 8. `exact` is the warp with a node for each pixel.
+//! Returns a map of a warp, with texture coordinates downward, that has a sample for 8 x 8, 4 x 4
+//! or 2 x 2 pixels of the raster: the coarsest with an error of at most thinned_error_px, otherwise
+//! one with a sample for each pixel. Coarser maps are not used, because programs interpret the half
+//! cell at the edge differently, which is four pixels wide for 8 x 8. `exact` is the warp with a
+//! node for each pixel.
 FloatMap thinned_map(const WarpMesh& warp, const WarpMesh& exact);
 
 }  // namespace ergodome

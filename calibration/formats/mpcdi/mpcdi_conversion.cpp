@@ -13,12 +13,12 @@ namespace ergodome {
 
 namespace {
 
-//! Far outside any dome in any unit; what is not finite is not below it either.
+//! Maximum coordinate, far outside any dome in any unit; the comparison also rejects NaN.
 constexpr float largest_place = 1e7F;
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr Vector3<float> unknown_place = {nan, nan, nan};
 
-//! A vector of a file in the dome's axes.
+//! Converts a vector from the file's axes to the dome's axes.
 Vector3<double> in_dome_axes(const MpcdiFrame& frame, const Vector3<double>& v) {
   return {dot(v, frame.pitch_axis), -dot(v, frame.yaw_axis), -dot(v, frame.roll_axis)};
 }
@@ -106,7 +106,7 @@ MpcdiRegion region_from_warp(const std::string& id, const WarpMesh& warp, int re
 Mpcdi media_calibration(std::vector<MpcdiRegion> regions, const std::string& date) {
   Mpcdi mpcdi;
   mpcdi.date = date;
-  // Table 3-2: level 1 has 32 x 32 samples at the most.
+  // Table 3-2: level 1 has at most 32 x 32 samples.
   const bool fine = std::any_of(regions.begin(), regions.end(), [](const MpcdiRegion& region) {
     return region.geometry && (region.geometry->map.width > 32 || region.geometry->map.height > 32);
   });

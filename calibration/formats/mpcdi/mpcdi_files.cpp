@@ -17,12 +17,12 @@ namespace {
 constexpr std::size_t most_map_bytes = 256 + 12 * most_mesh_nodes;
 constexpr std::size_t most_mask_bytes = std::size_t{512} << 20U;
 
-//! Returns the path that an element names, in <path> or as its own text, with slashes; nothing if it is empty. Throws Error if it
-//! could lead out of the archive.
+//! Returns the path that an element names, in <path> or as its own text, with slashes; nothing if
+//! it is empty. Throws Error if it could lead out of the archive.
 std::optional<std::string> checked_path(const XmlElement& element) {
   const std::string own_text = element.text();
   std::string path = own_text.empty() || element.child("path") ? element.needed_child("path").text() : own_text;
-  // Windows programs write their own separators.
+  // Windows programs write backslashes.
   std::ranges::replace(path, '\\', '/');
   if (path.empty()) {
     return std::nullopt;
@@ -37,29 +37,30 @@ std::optional<std::string> checked_path(const XmlElement& element) {
   return path;
 }
 
-//! Returns whether two names are equal apart from case.
+//! Returns true if two names are equal except for case.
 bool same_letters(std::string_view a, std::string_view b) {
   return std::ranges::equal(a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
-//! What messages call a file: who names it, then its own name, whose ending tells the format.
+//! Returns the name of a file in messages: the element that names it, then the file's name, whose
+//! extension gives the format.
 std::string name_of(const XmlElement& element, const std::string& path) { return element.place() + ": " + path; }
 
 MpcdiOrigin origin_of(const std::string& word) {
-  // VESA's own library writes a word of <interpolation> here: what is no origin counts as unknown.
+  // VESA's library writes a word of <interpolation> here; other words count as unknown.
   const auto* const found = std::find(mpcdi_origin_words.begin(), mpcdi_origin_words.end(), word);
   return found == mpcdi_origin_words.end() ? MpcdiOrigin::unknown
                                            : static_cast<MpcdiOrigin>(found - mpcdi_origin_words.begin());
 }
 
-//! Returns the unit of a <geometryWarpFile>, in lowercase. An unknown unit throws Error if the profile has
-//! lengths, and counts as "unknown" otherwise.
+//! Returns the unit of a <geometryWarpFile> in lowercase. An unknown unit throws Error if the
+//! profile has lengths, and counts as "unknown" otherwise.
 std::string unit_of(const XmlElement& element, MpcdiProfile profile) {
   std::string unit = element.text_of("geometricUnit", "unknown");
   std::ranges::transform(unit, unit.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   static const std::set<std::string> units = {"mm", "cm", "dm", "m", "in", "ft", "yd", "unknown"};
   if (!units.contains(unit) && !has_lengths(profile)) {
-    // Coordinates on a screen or in a picture have no unit.
+    // Coordinates on a screen or in an image have no unit.
     unit = "unknown";
   } else if (!units.contains(unit)) {
     throw element.error(fmt::format("has the unknown geometricUnit \"{}\"", unit.substr(0, 40)),

@@ -9,12 +9,13 @@
 
 namespace ergodome {
 
-//! Reads the maps and masks that filesets of an MPCDI description name.
+//! Reads the maps and masks that the filesets of an MPCDI description name.
 class MpcdiFileReader {
  public:
   MpcdiFileReader(MpcdiFiles files, RowOrder order) : files_(std::move(files)), order_(order) {}
 
-  //! Reads one <fileset> into its region. Throws Error where the profile needs what is not there.
+  //! Reads one <fileset> into its region. Throws Error if files are missing that the profile
+  //! requires.
   void read(const XmlElement& fileset, const Mpcdi& mpcdi, MpcdiRegion& region) const;
 
  private:
@@ -26,12 +27,12 @@ class MpcdiFileReader {
   RowOrder order_;
 };
 
-//! Returns the path of a file that a description in `folder` names. If no file has exactly this name, its
-//! case is ignored, as on Windows.
+//! Returns the path of a file that a description in `folder` names. If no file has exactly this
+//! name, its case is ignored, as on Windows.
 std::filesystem::path file_beside(const std::filesystem::path& folder, const std::string& name);
 
-//! Files that lie beside a description. Only what is below `folder` is opened: names with a drive, from the root, or through ".."
-//! are refused, and so are links that lead out of it.
+//! Returns a reader of the files beside a description. Opens only files below `folder`: throws
+//! Error for names with a drive, absolute names, names with "..", and links that lead outside.
 MpcdiFiles files_in_folder(const std::filesystem::path& folder);
 
 }  // namespace ergodome

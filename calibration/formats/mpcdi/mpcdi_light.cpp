@@ -9,7 +9,8 @@ namespace {
 
 double part(const Vector3<double>& v, std::size_t channel) { return channel == 0 ? v.x : channel == 1 ? v.y : v.z; }
 
-//! A channel of a mask at a place of the raster (0 to 1, y down), linear between samples; 1 where there is no mask.
+//! Returns a channel of a mask at a position of the raster (0 to 1, y down), linear between
+//! samples; 1 without a mask.
 double channel_at(const BlendMap& mask, double x, double y, std::size_t channel) {
   if (mask.width == 0) {
     return 1.0;

@@ -63,7 +63,8 @@ class DescriptionReader {
     return name == "MPCDI";
   }
 
-  //! Version 1 has one level for both: 2 and 4 with a betaMap, 3 and 4 with a warp for each pixel.
+  //! Reads version and levels. Version 1 has a single level: 2 and 4 have a betaMap, 3 and 4 a warp
+  //! for each pixel.
   void read_version() {
     const bool old = root_.attribute("level").has_value();
     const double version = root_.number_attribute("version", old ? 1.0 : 2.0);
@@ -161,7 +162,7 @@ class DescriptionReader {
     for (const XmlElement& fileset : filesets) {
       read(fileset, fileset.needed_attribute("region"));
     }
-    // Some programs write a region's fileset into the region.
+    // Some programs write a region's fileset inside the region.
     for (const auto& [id, found] : regions_) {
       for (const XmlElement& fileset : found.element.children("fileset")) {
         const std::string named = fileset.attribute("region").value_or(id);

@@ -13,7 +13,7 @@ namespace ergodome {
 
 namespace {
 
-//! What rounding may leave of a region's rim, or of the right angles of a frame.
+//! Rounding tolerance for the edge of a region and for the right angles of a frame.
 constexpr double slack = 1e-3;
 
 std::string shown_type(const std::string& text) { return text.substr(0, 60); }
@@ -47,7 +47,7 @@ MpcdiFrame read_frame(const XmlElement& element) {
   return frame;
 }
 
-//! The gamma of <decode> or <encode>, if there is one.
+//! Returns the gamma of <decode> or <encode>, if it exists.
 std::optional<double> read_gamma(const XmlElement& color, std::string_view name, std::vector<std::string>& left_out) {
   const auto element = color.child(name);
   const std::string type = element ? element->attribute("type").value_or("none") : "none";
@@ -137,7 +137,7 @@ void check_mpcdi_region(const MpcdiRegion& region, MpcdiProfile profile, const X
   if (profile == MpcdiProfile::shader_lamps && !region.frame) {
     throw element.error("has no <coordinateFrame>", "profile sl needs one: export it again");
   }
-  // The angles of a fisheye come near 90° on either side and say nothing.
+  // The angles of a fisheye are near 90° on all sides and have no meaning.
   if (region.frustum && !region.fisheye) {
     check_frustum(*region.frustum, element);
   }

@@ -9,13 +9,15 @@
 
 namespace ergodome {
 
-//! Reads a <region> of a display, without its files. What it asks for and this program has not (tables of colours) goes to `left_out`.
+//! Reads a <region> of a display, without its files. Adds unsupported features (color tables) to
+//! `left_out`.
 MpcdiRegion read_mpcdi_region(const XmlElement& element, std::vector<std::string>& left_out);
 
-//! The lens in a <region> of Christie's BufferExtension; nothing where it speaks of none.
+//! Returns the lens in a <region> of Christie's BufferExtension; nothing if it has none.
 std::optional<MpcdiFisheye> read_mpcdi_lens(const XmlElement& element);
 
-//! Throws Error where a region lacks what its profile needs (VESA MPCDI 2.0, 3.5), or its frustum is impossible.
+//! Throws Error if a region lacks what its profile requires (VESA MPCDI 2.0, 3.5), or its frustum
+//! is impossible.
 void check_mpcdi_region(const MpcdiRegion& region, MpcdiProfile profile, const XmlElement& element);
 
 }  // namespace ergodome

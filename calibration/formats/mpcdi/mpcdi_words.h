@@ -6,14 +6,15 @@
 
 #include "calibration/formats/mpcdi/mpcdi.h"
 
-// The words of MPCDI's XML that stand for values, in the order of the enumerations.
+// Words in MPCDI's XML, in the order of the enumerations that they stand for.
 namespace ergodome {
 
 inline constexpr std::array<std::string_view, 4> mpcdi_profile_words = {"2d", "3d", "a3", "sl"};
 inline constexpr std::array<std::string_view, 4> mpcdi_origin_words = {"unknown", "centerOfMass", "idealEyePoint",
                                                                        "floorCenter"};
 
-//! The nine numbers of a coordinateFrame's axes and the three of its position, with their tags.
+//! One of the nine components of a coordinateFrame's axes or the three of its position, with its
+//! tag.
 struct MpcdiFrameNumber {
   std::string_view tag;
   Vector3<double> MpcdiFrame::*vector;

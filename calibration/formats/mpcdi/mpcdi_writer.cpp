@@ -103,7 +103,7 @@ class ArchiveWriter {
     add(element, "downAngle", number(frustum.down_deg));
   }
 
-  //! None is no gamma of 1.
+  //! Writes a gamma if it is set; an absent gamma differs from a gamma of 1.
   static void write_gamma(pugi::xml_node color, const char* name, const std::optional<double>& gamma) {
     if (gamma) {
       pugi::xml_node element = color.append_child(name);
@@ -137,7 +137,7 @@ class ArchiveWriter {
     }
   }
 
-  //! The name of a new member of the archive with these bytes.
+  //! Adds a member with these bytes to the archive, and returns its name.
   std::string member(const char* kind, const char* ending, std::string bytes) {
     members_.emplace_back(fmt::format("{}{}.{}", kind, ids_.size(), ending), std::move(bytes));
     return members_.back().first;

@@ -15,11 +15,11 @@ namespace ergodome {
 
 namespace {
 
-//! The axes of the dome as MPCDI tells axes: yaw down, pitch right, roll to the front.
+//! The axes of the dome as an MPCDI frame: yaw down, pitch right, roll to the front.
 constexpr MpcdiFrame dome_frame = {{0, 0, 0}, {0, -1, 0}, {1, 0, 0}, {0, 0, -1}};
 
-//! A direction or a place in the axes of the dome itself, turned about its own axis with the picture: there the dome stands upright, and the master's front
-//! is in front.
+//! Returns a direction or position in the dome's own axes: the dome is untilted, and rotated around
+//! its axis with the image, so that the front of the domemaster is in front.
 Vector3<double> in_own_axes(const DomeSetup& setup, const Vector3<double>& v) {
   const double tilt = one_degree * setup.tilt_deg;
   const double turn = one_degree * setup.rotation_deg;
@@ -40,9 +40,9 @@ Orientation in_own_axes(const DomeSetup& setup, const Orientation& orientation) 
 //! Number of samples in a warp's map.
 enum class MapSamples { each_pixel, as_needed };
 
-//! Returns the region of profile 2d for a projector's picture, whatever that was made from.
+//! Returns the region of profile 2d for a projector, whatever its files.
 MpcdiRegion flat_region(const ProjectorPicture& picture, MapSamples samples) {
-  // Masks have a sample for each pixel: they are finer than the nodes of most meshes.
+  // Masks have a sample per pixel, which is finer than the nodes of most meshes.
   const WarpMesh fine = resampled_warp(picture.warp, picture.width_px, picture.height_px);
   MpcdiRegion region;
   region.id = picture.name;
@@ -56,7 +56,8 @@ MpcdiRegion flat_region(const ProjectorPicture& picture, MapSamples samples) {
   return region;
 }
 
-//! The pictures of a setup's projectors, once somebody asks: all files, warps and masks go into them.
+//! Computes the warps and masks of a setup's projectors at their first use, because this reads all
+//! files.
 class PicturesOnce {
  public:
   explicit PicturesOnce(const DomeSetup& setup) : setup_(setup) {}
@@ -88,7 +89,8 @@ MpcdiRegion posed_region(const DomeSetup& setup, std::size_t index, const Loaded
   const std::optional<MpcdiMask> beta =
       beta_of(loaded.black_level.value_or(BlendMap{}), loaded.black_level_lift, projector.gain);
   if (has_gain(projector.gain) || (beta && !loaded.blend)) {
-    // Who names the file for its masks has no blend by lens and place any more: the alphaMap has that, too.
+    // A setup that names this file for its masks no longer computes the blend from lenses and
+    // positions, so the alphaMap must include it.
     const auto pixels = static_cast<std::size_t>(projector.width_px) * static_cast<std::size_t>(projector.height_px);
     put_light(pictures.at(index), {projector.width_px, projector.height_px, 1, 16, std::vector<float>(pixels, 1.0F)},
               region);
@@ -101,7 +103,8 @@ MpcdiRegion posed_region(const DomeSetup& setup, std::size_t index, const Loaded
   return region;
 }
 
-//! The flat lenses and places of all projectors; none where one of them has something else, too.
+//! Returns the flat lenses and poses of all projectors; nothing if one of them has a warp, a mirror
+//! or another lens.
 std::optional<std::vector<MpcdiRegion>> posed_regions(const DomeSetup& setup) {
   std::vector<MpcdiRegion> regions;
   PicturesOnce pictures(setup);
@@ -137,7 +140,7 @@ DomeSetup setup_from_mpcdi(const Mpcdi& mpcdi, const std::string& file, double r
         projector.position_m = pose.position_m;
         projector.orientation = pose.orientation;
       }
-      // Without a warp it is the masks that the file is named for.
+      // Without a warp, the file is named for its masks.
       if (region.geometry || !region.orientation || region.alpha || region.beta) {
         projector.warp = WarpFile{file, WarpFormat::mpcdi, RowOrder::bottom_up, TextureDirection::downwards, region.id};
       }

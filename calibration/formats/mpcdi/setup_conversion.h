@@ -10,19 +10,25 @@
 
 namespace ergodome {
 
-//! A dome setup whose projectors are the regions of a calibration, side by side on the desktop. Warps and masks stay in `file`,
-//! which the setup names; lenses and places of profiles 3d and sl come into the setup, where they can be adjusted. MPCDI does not
-//! tell a dome's radius.
+//! Returns a dome setup whose projectors are the regions of a calibration, side by side on the
+//! desktop. The setup names `file` for warps and masks; it contains lenses and poses of profiles 3d
+//! and sl, so that they can be adjusted. The radius is a parameter because MPCDI does not contain
+//! it.
 DomeSetup setup_from_mpcdi(const Mpcdi& mpcdi, const std::string& file, double radius_m);
 
-//! A calibration of a setup's projectors, with their files read. Where all have a flat lens and a place, and neither a warp nor a mirror,
-//! it is of profile sl, with those in the dome's own axes, which tilt and rotation are then in, and the masks. Every other setup becomes one of profile 2d, which has what each projector shows of the
-//! domemaster, as projector_pictures() tells it: a warp for each pixel, with the setup's rotation in it, which MPCDI does not tell; the
-//! alpha mask from intensities and blend mask; the beta mask from black level and lift. Gains are in both masks (put_light()). Throws Error for what projector_pictures() refuses.
+//! Reads the files of a setup and returns its calibration.
+//!
+//! If all projectors have a flat lens and a pose, and neither a warp nor a mirror, it has profile
+//! sl: the poses in the dome's own axes, with tilt and rotation applied, and the masks.
+//!
+//! Otherwise it has profile 2d, with what each projector shows of the domemaster
+//! (projector_pictures()): a warp with a sample per pixel, which includes the setup's rotation; an
+//! alpha mask from intensities and blend mask; a beta mask from black level and lift. Both masks
+//! include gains (put_light()). Throws Error as projector_pictures() does.
 Mpcdi mpcdi_from_setup(const DomeSetup& setup, const std::string& date);
 
-//! Returns a calibration of profile 2d with these pictures, whose warps have as many samples as they need
-//! (thinned_map()). Calls `progress` with the number of finished regions.
+//! Returns a calibration of profile 2d for these projectors. Their warps have as many samples as
+//! necessary (thinned_map()). Calls `progress` with the number of finished regions.
 Mpcdi mpcdi_from_pictures(const std::vector<ProjectorPicture>& pictures, const std::string& date,
                           const std::function<void(long)>& progress = {});
 

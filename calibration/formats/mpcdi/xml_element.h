@@ -13,15 +13,17 @@
 
 namespace ergodome {
 
-//! An XML file of a stranger: UTF-8, of bounded size and depth, without a document type. pugixml knows no entities but the five
-//! of XML, and reads no other file; what declares entities is refused all the same, so that nobody relies on them.
+//! An untrusted XML file: UTF-8, of limited size and depth, without a document type. pugixml
+//! supports only the five predefined entities and reads no other file; document types are refused
+//! nevertheless, so that no file depends on its entities.
 class XmlFile {
  public:
-  //! Throws Error with the line where the text is no well-formed XML, too deep, or declares a document type.
+  //! Throws Error with the line if the text is not well-formed XML, is nested too deeply, or
+  //! declares a document type.
   XmlFile(std::string_view text, std::string name);
 
   [[nodiscard]] pugi::xml_node root() const;
-  //! "FILE:LINE" of an element.
+  //! Returns "FILE:LINE" of an element.
   [[nodiscard]] std::string place(const pugi::xml_node& node) const;
 
  private:
@@ -32,25 +34,26 @@ class XmlFile {
   pugi::xml_document document_;
 };
 
-//! One element of such a file. Names are compared without regard to capitals, as MPCDI asks (VESA MPCDI 2.0, 3.5.2); values keep
-//! theirs. The file must outlive it.
+//! An element of such a file. Names are case-insensitive, as MPCDI requires (VESA MPCDI 2.0,
+//! 3.5.2); values are not. The file must outlive it.
 class XmlElement {
  public:
   XmlElement(const XmlFile& file, const pugi::xml_node& node) : file_(&file), node_(node) {}
 
   [[nodiscard]] std::string name() const { return node_.name(); }
-  //! "FILE:LINE".
+  //! Returns "FILE:LINE".
   [[nodiscard]] std::string place() const { return file_->place(node_); }
   [[nodiscard]] std::optional<XmlElement> child(std::string_view name) const;
-  //! A child that must be there.
+  //! Returns a required child. Throws Error if it is missing.
   [[nodiscard]] XmlElement needed_child(std::string_view name) const;
   [[nodiscard]] std::vector<XmlElement> children(std::string_view name) const;
 
-  //! The text in it, without the blanks around.
+  //! Returns the text in the element, without surrounding blanks.
   [[nodiscard]] std::string text() const;
-  //! A child's text; `otherwise` where there is no such child or nothing in it.
+  //! Returns a child's text; `otherwise` if the child is missing or empty.
   [[nodiscard]] std::string text_of(std::string_view name, const std::string& otherwise) const;
-  //! A finite number of size 1e9 at the most; without `otherwise` it must be there.
+  //! Returns a child's number, finite and at most 1e9 in magnitude. Without `otherwise`, throws
+  //! Error if it is missing.
   [[nodiscard]] double number_of(std::string_view name, std::optional<double> otherwise = {}) const;
 
   [[nodiscard]] std::optional<std::string> attribute(std::string_view name) const;
@@ -59,7 +62,7 @@ class XmlElement {
   [[nodiscard]] int whole_attribute(std::string_view name, int least, int greatest,
                                     std::optional<int> otherwise = {}) const;
 
-  //! "FILE:LINE: <NAME> PROBLEM; REMEDY".
+  //! Returns an error "FILE:LINE: <NAME> PROBLEM; REMEDY".
   [[nodiscard]] Error error(const std::string& problem, const std::string& remedy) const;
 
  private:

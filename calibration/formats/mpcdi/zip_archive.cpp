@@ -13,11 +13,12 @@ namespace ergodome {
 namespace {
 
 constexpr zip_int64_t most_entries = 4096;
-//! Smooth warps deflate some twenty times, empty masks a few hundred times; small members may do better.
+//! Smooth warps are compressed about twentyfold, empty masks a few hundredfold; small members may
+//! exceed the ratio.
 constexpr std::size_t largest_ratio = 500;
 constexpr std::size_t small_member = std::size_t{1} << 20U;
 
-//! A libzip error code as a text.
+//! Returns a libzip error code as a text.
 std::string text_of(int code) {
   zip_error_t error;
   zip_error_init_with_code(&error, code);
@@ -123,7 +124,7 @@ std::string ZipArchive::read(const std::string& member, std::size_t most_bytes) 
   if (!file) {
     throw Error(place, std::string("cannot be unpacked: ") + zip_strerror(handle_->archive), "pack the archive again");
   }
-  // One byte more than announced, so that the library comes to the end and compares the checksum.
+  // Reads one byte more than announced, so that libzip reaches the end and verifies the checksum.
   std::string bytes(size + 1, '\0');
   std::size_t filled = 0;
   zip_int64_t got = 0;
@@ -140,7 +141,8 @@ std::string ZipArchive::read(const std::string& member, std::size_t most_bytes) 
 
 namespace {
 
-//! Adds the members and closes the archive, whose bytes are then in its source. `false` where the library refuses.
+//! Adds the members and closes the archive, whose bytes are then in its source. Returns false if
+//! libzip fails.
 bool fill(zip_t* archive, const std::vector<std::pair<std::string, std::string>>& members) {
   for (const auto& [name, bytes] : members) {
     zip_source_t* const source = zip_source_buffer(archive, bytes.data(), bytes.size(), 0);
@@ -149,7 +151,7 @@ bool fill(zip_t* archive, const std::vector<std::pair<std::string, std::string>>
       zip_source_free(source);
       return false;
     }
-    // 1980-01-01, the earliest date that the format has: the bytes depend on the members alone.
+    // 1980-01-01, the earliest date of the format, so that the bytes depend only on the members.
     constexpr zip_uint16_t earliest_date = (1U << 5U) | 1U;
     if (zip_file_set_dostime(archive, static_cast<zip_uint64_t>(index), 0, earliest_date, 0) != 0) {
       return false;

@@ -9,23 +9,26 @@
 
 namespace ergodome {
 
-//! Reads named members of a zip archive in memory. Nothing is ever written to the disk, so a member's name is only ever compared.
+//! Reads named members of a zip archive in memory. Writes nothing to the disk; member names are
+//! only compared.
 //!
-//! Archives of strangers are held to bounds: entries, bytes of one member, how many times larger than packed it is, and bytes unpacked
-//! from the archive in all. Members are stored or deflated, and not encrypted; their checksums are verified.
+//! Archives are untrusted: there are limits for entries, bytes of a member, its compression ratio,
+//! and the bytes decompressed in total. Members must be stored or deflated, and not encrypted;
+//! their checksums are verified.
 class ZipArchive {
  public:
-  //! Opens an archive, from which `most_unpacked` bytes may be read in all; `bytes` must outlive it. Throws Error where it is
-  //! none, or has too many entries.
+  //! Opens an archive, from which at most `most_unpacked` bytes may be read in total; `bytes` must
+  //! outlive it. Throws Error if it is not an archive, or has too many entries.
   ZipArchive(std::span<const std::byte> bytes, std::string name, std::size_t most_unpacked = std::size_t{2} << 30U);
   ~ZipArchive();
   ZipArchive(const ZipArchive&) = delete;
   ZipArchive& operator=(const ZipArchive&) = delete;
 
-  //! Returns whether there is a member of that name, regardless of case. Slashes also match backslashes.
+  //! Returns true if there is a member with this name in any case. Slashes also match backslashes.
   [[nodiscard]] bool has(const std::string& member) const;
 
-  //! A member's bytes. Throws Error, naming archive and member, where it is missing, torn, or beyond a bound.
+  //! Returns a member's bytes. Throws Error, which names archive and member, if it is missing,
+  //! damaged, or beyond a limit.
   std::string read(const std::string& member, std::size_t most_bytes);
 
  private:
@@ -36,8 +39,8 @@ class ZipArchive {
   std::size_t unpacked_left_;
 };
 
-//! An archive of the given members (name, bytes), deflated, as bytes. The same members make the same archive, byte for byte. Throws
-//! Error, naming `name`, when the library refuses.
+//! Returns an archive of the given members (name, bytes), deflated. The same members always produce
+//! the same bytes. Throws Error, which names `name`, if libzip fails.
 std::string zip_of(const std::vector<std::pair<std::string, std::string>>& members, const std::string& name);
 
 }  // namespace ergodome

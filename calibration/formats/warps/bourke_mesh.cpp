@@ -14,7 +14,7 @@ namespace ergodome {
 
 namespace {
 
-//! No mesh needs more, and every node of the largest mesh fits.
+//! Sufficient for every node of the largest mesh.
 constexpr std::size_t most_mesh_bytes = std::size_t{2} << 30U;
 //! Far outside any raster or image.
 constexpr double largest_mesh_coordinate = 1e4;

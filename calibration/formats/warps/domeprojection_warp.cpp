@@ -41,7 +41,8 @@ class DomeprojectionParser {
     WarpNode node;
   };
 
-  //! Returns whether a line is the first one and names the columns. Takes the separator from the first line.
+  //! Returns true if a line is the first one and names the columns. Determines the separator from
+  //! the first line.
   bool is_head(std::string_view line) {
     if (started_) {
       return false;
@@ -108,7 +109,8 @@ class DomeprojectionParser {
   WarpMesh grid() const {
     check_mesh_size(columns_, rows_, file_);
     const std::size_t places = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
-    // Missing nodes are parts that the projector does not show; meshes with hardly any nodes are refused.
+    // Missing nodes are parts that the projector does not show; meshes with very few nodes are
+    // refused.
     constexpr std::size_t most_places_a_node = 16;
     if (places / most_places_a_node > nodes_.size()) {
       throw Error(file_, fmt::format("has {} nodes for {} columns and {} rows", nodes_.size(), columns_, rows_),

@@ -14,7 +14,7 @@ namespace ergodome {
 
 namespace {
 
-//! Keywords that take a number, and their defaults.
+//! Keywords with a number, and their defaults.
 const std::map<std::string, double, std::less<>> usual_numbers = {
     {"ORTHO_LEFT", 0.0},
     {"ORTHO_RIGHT", 1.0},
@@ -139,7 +139,7 @@ class EasyblendParser {
     if (nodes_.size() >= most_mesh_nodes) {
       throw text_.error(fmt::format("has more than {} nodes", most_mesh_nodes), "export a coarser mesh");
     }
-    // The file's t runs to the left, its s downwards.
+    // In the file, t increases to the left and s downward.
     node.u = static_cast<float>(1.0 - t);
     node.v = static_cast<float>(s);
     node.intensity = static_cast<float>(intensity / 255.0);
@@ -203,7 +203,8 @@ class EasyblendParser {
     return view;
   }
 
-  //! Turns a vector about x by the pitch (up), then about y by the yaw (to the left), then about z by the roll (anticlockwise).
+  //! Rotates a vector around x by the pitch (up), then around y by the yaw (to the left), then
+  //! around z by the roll (counterclockwise).
   [[nodiscard]] Vector3<double> turned(Vector3<double> v) const {
     const auto turn = [this](const char* key, double& a, double& b) {
       const double angle = one_degree * number(key);
@@ -229,7 +230,8 @@ class EasyblendParser {
       }
       node.x = static_cast<float>(x);
       node.y = static_cast<float>(1.0 - y);
-      // Intensities multiply the values that are sent; the light goes by those to the power of gamma.
+      // Intensities multiply the transmitted values; light is proportional to these to the power of
+      // gamma.
       node.intensity = std::pow(node.intensity, static_cast<float>(number("GAMMA")));
     }
   }

@@ -14,7 +14,7 @@ namespace ergodome {
 namespace {
 
 constexpr std::size_t most_warp_bytes = std::size_t{1} << 30U;
-//! Largest coordinate or angle that is read; far outside any raster or image.
+//! Maximum coordinate or angle; far outside any raster or image.
 constexpr double largest_warp_number = 1e4;
 
 }  // namespace

@@ -84,7 +84,7 @@ class ObjWarpParser {
     require_room(positions_.size());
   }
 
-  //! Takes an index from the front of a face's corner. Returns 0 if there is none.
+  //! Removes an index from the front of a face's corner and returns it; returns 0 if there is none.
   long long taken_index(std::string_view& corner, std::size_t count) const {
     long long index = 0;
     const auto [end, problem] = std::from_chars(corner.data(), corner.data() + corner.size(), index);
@@ -92,7 +92,7 @@ class ObjWarpParser {
       return 0;
     }
     corner.remove_prefix(static_cast<std::size_t>(end - corner.data()));
-    // Negative indices count back from the last line that was read.
+    // Negative indices count back from the latest line.
     index = index < 0 ? static_cast<long long>(count) + index + 1 : index;
     if (index < 1 || index > static_cast<long long>(count)) {
       throw text_.error(fmt::format("refers to number {}, but the lines before it define {}", index, count),
@@ -119,8 +119,8 @@ class ObjWarpParser {
     return node_of(static_cast<std::size_t>(position - 1), static_cast<std::size_t>(texture - 1));
   }
 
-  //! Returns the node of a position with a texture coordinate. With a position's first texture coordinate,
-  //! the node has the position's index, so that grids are recognized.
+  //! Returns the node of a position with a texture coordinate. For a position's first texture
+  //! coordinate, the node has the position's index, so that grids are recognized.
   std::uint32_t node_of(std::size_t position, std::size_t texture) {
     nodes_.resize(std::max(nodes_.size(), positions_.size()));
     first_texture_.resize(positions_.size(), none);

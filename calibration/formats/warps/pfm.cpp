@@ -27,7 +27,7 @@ struct Header {
   int width;
   int height;
   bool least_byte_first;
-  std::size_t bytes;  //!< of the header, with the line's end
+  std::size_t bytes;  //!< size of the header, including the line end
 };
 
 Header parse_header(std::string_view text, const std::string& name) {

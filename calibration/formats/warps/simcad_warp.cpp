@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t most_simcad_bytes = std::size_t{64} << 20U;
 
-//! Returns an element's offsets, as fractions of the raster.
+//! Returns an element's offsets as fractions of the raster.
 std::vector<double> offsets_of(const XmlElement& element) {
   if (!element.attribute("range")) {
     throw element.error("has no range attribute",

@@ -75,7 +75,7 @@ class SkyskanParser {
       throw text_.error("is not a mesh size", "write the number of columns and the number of rows");
     }
     check_mesh_size(columns, rows, text_.place());
-    constexpr std::size_t least_line = 8;  // "0 0 0 0" and the line's end
+    constexpr std::size_t least_line = 8;  // "0 0 0 0" and the line end
     if (static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows) > bytes_ / least_line + 1) {
       throw text_.error(fmt::format("declares {} x {} nodes, but is too short for them", columns, rows),
                         "the file is truncated or damaged; export it again");

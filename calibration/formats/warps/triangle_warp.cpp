@@ -13,15 +13,17 @@ namespace ergodome {
 
 namespace {
 
-//! The corners of a grid cell that a triangle has: bits 0 and 1 in the first row, 2 and 3 in the second.
+//! The corners of a grid cell that a triangle has: bits 0 and 1 in the first row, 2 and 3 in the
+//! second.
 struct CellPart {
-  std::size_t cell;  //!< its first node
+  std::size_t cell;  //!< index of its first node
   unsigned corners;
 };
 
 std::optional<CellPart> part_of_cell(const WarpTriangle& triangle, std::size_t columns) {
   const std::size_t first = *std::ranges::min_element(triangle);
-  // The triangle's smallest node is the cell's first, or its second if the triangle lacks the first.
+  // The triangle's smallest node is the cell's first, or its second if the triangle lacks the
+  // first.
   for (const std::size_t back : {std::size_t{0}, std::size_t{1}}) {
     if (first < back || (first - back) % columns + 1 == columns) {
       continue;
@@ -40,10 +42,11 @@ std::optional<CellPart> part_of_cell(const WarpTriangle& triangle, std::size_t c
   return std::nullopt;
 }
 
-//! Returns whether two triangles of three corners each fill a cell: they share a diagonal.
+//! Returns true if two triangles of three corners each fill a cell: they share a diagonal.
 bool fills_cell(unsigned a, unsigned b) { return (a | b) == 15U && ((a & b) == 9U || (a & b) == 6U); }
 
-//! Returns whether the triangles are the two halves of every cell of a grid with `columns` columns of nodes.
+//! Returns true if the triangles are the two halves of every cell of a grid with `columns` columns
+//! of nodes.
 bool is_grid(std::size_t nodes, const std::vector<WarpTriangle>& triangles, std::size_t columns) {
   if (columns < 2 || nodes % columns != 0 || nodes / columns < 2 ||
       triangles.size() != 2 * (columns - 1) * (nodes / columns - 1)) {
@@ -66,7 +69,8 @@ bool is_grid(std::size_t nodes, const std::vector<WarpTriangle>& triangles, std:
   return 2 * filled == triangles.size();
 }
 
-//! Returns the columns of nodes in the grid that the triangles form; 0 if they form none.
+//! Returns the number of columns of nodes in the grid that the triangles form; 0 if they do not
+//! form one.
 std::size_t grid_columns(std::size_t nodes, const std::vector<WarpTriangle>& triangles) {
   std::size_t widest = 0;
   for (const WarpTriangle& triangle : triangles) {

@@ -62,8 +62,8 @@ bool is_obj_line(std::string_view line) {
   return word == "mtllib" || word == "usemtl" || ((word == "o" || word == "g") && !take_word(rest).empty());
 }
 
-//! Returns whether a line names domeprojection's columns, or is a node in a file without that header: six
-//! numbers separated by semicolons.
+//! Returns true if a line names domeprojection's columns, or is a node in a file without that
+//! header: six numbers separated by semicolons.
 bool is_domeprojection_line(const std::string& small) {
   return small.starts_with("x;y;u;v;col") || small.starts_with("x,y,u,v,col") || small.starts_with("x\ty\tu\tv\tcol") ||
          (std::ranges::count(small, ';') == 5 && std::ranges::all_of(small, [](unsigned char c) {

@@ -24,9 +24,10 @@ class WarpText {
     return {place(), problem, remedy};
   }
 
-  //! Parses a number between -10,000 and 10,000. `what` names it in messages.
+  //! Parses a number between -10,000 and 10,000. `what` is its name in messages. Throws Error for
+  //! anything else.
   [[nodiscard]] double number(std::string_view word, std::string_view what) const;
-  //! Parses a whole number from `least` to `most`.
+  //! Parses an integer from `least` to `most`. Throws Error for anything else.
   [[nodiscard]] long long whole(std::string_view word, std::string_view what, long long least, long long most) const;
 
  private:
@@ -37,7 +38,7 @@ class WarpText {
 //! Returns the first 40 bytes of a text, printable, for a message.
 std::string shown_of(std::string_view text);
 
-//! Throws Error, naming `place`, unless a flat picture can have this field of view.
+//! Throws Error, which names `place`, unless a flat image can have this field of view.
 void check_view(const Frustum& frustum, const std::string& place);
 
 }  // namespace ergodome
