@@ -58,13 +58,12 @@ struct ProjectorSetup {
   int height_px = 0;
   ProjectorOutput output;
   std::optional<WarpFile> warp;
-  std::string blend_mask;         //!< file with factors of the light; empty: none
-  double blend_mask_gamma = 1.0;  //!< exponent that makes its values linear
-  std::string black_level_mask;   //!< where the lift is added; empty: everywhere
-  Vector3<double> black_level_lift{0.0, 0.0,
-                                   0.0};  //!< red, green, blue; linear, as a fraction of the projector's full light
-  double gamma = 2.2;                     //!< of the projector: light = value ^ gamma
-  Vector3<double> gain{1.0, 1.0, 1.0};    //!< factors of linear light, red, green, blue
+  std::string blend_mask;                           //!< file with factors of the light; empty: none
+  double blend_mask_gamma = 1.0;                    //!< exponent that makes its values linear
+  std::string black_level_mask;                     //!< where the lift is added; empty: everywhere
+  Vector3<double> black_level_lift{0.0, 0.0, 0.0};  //!< red, green, blue; linear fraction of the full light
+  double gamma = 2.2;                               //!< of the projector: light = value ^ gamma
+  Vector3<double> gain{1.0, 1.0, 1.0};              //!< factors of linear light, red, green, blue
 };
 
 //! Returns the name of a projector for messages: "dome.toml:12, projector north".

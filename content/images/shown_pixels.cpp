@@ -61,14 +61,14 @@ ShownLayout shown_layout(const OIIO::ImageInput& input) {
   ShownLayout layout;
   layout.data_width = layout.window_width = spec.width;
   layout.data_height = layout.window_height = spec.height;
-  // Other formats only tell where on a page an image lies, some of them in inches.
+  // In other formats this is the position of an image on a page, sometimes in inches.
   if (std::string_view(input.format_name()) == "openexr") {
     layout.data_left = static_cast<long>(spec.x) - spec.full_x;
     layout.data_top = static_cast<long>(spec.y) - spec.full_y;
     layout.window_width = spec.full_width;
     layout.window_height = spec.full_height;
   }
-  // Of a cube map OpenImageIO takes one face for the window.
+  // For a cube map, OpenImageIO reports a single face as the window.
   if (spec.get_string_attribute("textureformat") == "CubeFace Environment") {
     layout.data_left = layout.data_top = 0;
     layout.window_width = spec.width;

@@ -180,8 +180,7 @@ void check_images(const TomlTable& table, const ObjectSettings& object) {
   }
 }
 
-//! Throws Error unless light travel time is used with ray tracing and with a motion in the hole's
-//! time.
+//! Throws Error if light travel time is used without ray tracing, or with keys in the show's time.
 void check_retarded(const TomlTable& table, const ObjectSettings& object) {
   if (!object.retarded) {
     return;

@@ -51,7 +51,7 @@ struct ObjectSettings {
   SphereShape sphere;
   DiskShape disk;
   double size = 1.0;                           //!< M per unit of the mesh
-  Vector3<double> turn = {0.0, 0.0, 0.0};      //!< about the x, then the y, then the z axis [rad]
+  Vector3<double> turn = {0.0, 0.0, 0.0};      //!< around the x, then the y, then the z axis [rad]
   Vector3<double> position = {0.0, 0.0, 0.0};  //!< of the mesh's origin [M]
   std::optional<ObjectOrbit> orbit;            //!< in place of the position
   std::array<Animation, 3> way;                //!< x, y, z as functions of time; replaces the position if it has keys
@@ -62,9 +62,8 @@ struct ObjectSettings {
   ObjectMethod method = ObjectMethod::polygon;
   bool retarded = false;  //!< traced objects are seen where they were when their light left them
   TessellationSettings tessellation;
-  int images = 2;  //!< of polygons: 1 for the direct image; each more goes half a turn further around the hole
-  double torn =
-      10.0;  //!< maximum growth of a triangle's circumference; larger ones count as torn by the hole and are not drawn
+  int images = 2;      //!< of polygons: 1 for the direct image; each more goes half a turn further around the hole
+  double torn = 10.0;  //!< triangles whose circumference grows by more count as torn and are not drawn
 };
 
 //! A static point light.

@@ -38,7 +38,7 @@ struct CameraKey {
   double phi = 0.0;                       //!< azimuth [rad]; may exceed a full turn
   LookTarget look;
   double yaw = 0.0;          //!< to the right [rad]
-  double pitch = 0.0;        //!< upwards [rad]
+  double pitch = 0.0;        //!< upward [rad]
   double roll = 0.0;         //!< clockwise [rad]
   double hold_s = 0.0;       //!< the camera stays at this key for this time
   Ease ease = Ease::smooth;  //!< from here to the next key; cameras cannot use Ease::hold

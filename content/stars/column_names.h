@@ -14,8 +14,7 @@ namespace ergodome {
 struct KnownName {
   std::string_view name;
   Quantity quantity;
-  int pair =
-      0;  //!< a right ascension and a declination with the same number belong together; smaller ones are preferred
+  int pair = 0;  //!< names with the same number belong together; smaller ones are preferred
   AngleUnit unit = AngleUnit::open;
 };
 

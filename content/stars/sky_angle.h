@@ -5,6 +5,7 @@
 
 namespace ergodome {
 
+//! The unit that a mark after the first part of a coordinate states.
 enum class AngleMark { none, hours, degrees };
 
 //! A coordinate as written in a table.

@@ -11,8 +11,9 @@ namespace ergodome {
 //!
 //! Without a fall it advances by a constant number of M per second of the show. In a fall, the
 //! camera's clock defines its proper time per second, and the orbit defines the hole's time per
-//! proper time; what the camera sees then runs fast or slow by g. During FallSettings::ease_s after
-//! the fall's beginning and before its end, one rate changes to the other.
+//! proper time; what the camera sees then runs fast or slow by the redshift factor g. During
+//! FallSettings::ease_s after the fall's beginning and before its end, one rate changes to the
+//! other.
 //!
 //! The hole's time is Boyer-Lindquist time, or that of infalling observers (ingoing_lag()) for a
 //! fall through the horizon.

@@ -15,6 +15,7 @@
 
 namespace ergodome {
 
+// Serialization of numbers and texts in trajectory and star files.
 static_assert(std::endian::native == std::endian::little, "numbers are stored in little-endian order");
 
 using Bytes = std::vector<std::byte>;

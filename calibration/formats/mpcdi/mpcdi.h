@@ -83,8 +83,7 @@ struct MpcdiRegion {
   std::optional<Frustum> frustum;
   std::optional<MpcdiFrame> frame;
   std::optional<MpcdiFisheye> fisheye;
-  std::optional<double>
-      decode_gamma;  //!< from the source's values to linear light; absent if the file does not state it
+  std::optional<double> decode_gamma;  //!< from the source to linear light; absent if not stated
   std::optional<double>
       encode_gamma;  //!< from linear light to the projector's input; absent if the file does not state it
   std::optional<MpcdiGeometry> geometry;
