@@ -11,12 +11,12 @@
 #include "kernels/core/pack.h"
 #endif
 
-// The elementary operations that kernels use on "a real number", be it a number, a SIMD pack of numbers or a dual number
-// (kernels/core/dual.h adds the last).
+// The elementary operations of kernels on "a real number": a plain number, a SIMD pack of numbers,
+// or a dual number (added by kernels/core/dual.h).
 namespace ergodome::inline ERGO_TARGET {
 
-//! What a real type is made of: `Scalar` is float or double, `Real` the type without derivatives, `Integer` as many whole
-//! numbers of the same width, `lane_count` how many numbers one value holds.
+//! Components of a real type: `Scalar` is float or double, `Real` the type without derivatives,
+//! `Integer` as many integers of the same width, `lane_count` the number of lanes.
 template <class T>
 struct RealTraits {
   using Scalar = T;
@@ -26,7 +26,7 @@ struct RealTraits {
   static constexpr int lane_count = 1;
 };
 
-//! Whether a real type carries a mixed second derivative (kernels/core/mixed_dual.h).
+//! True for real types with a mixed second derivative (kernels/core/mixed_dual.h).
 template <class T>
 inline constexpr bool has_mixed_part = false;
 
@@ -77,7 +77,7 @@ template <int N> inline auto truncated(const Pack<float, N>& a) { return __built
 // clang-format on
 #endif
 
-//! Whole numbers as numbers.
+//! Converts integers to real numbers.
 template <class T>
 ERGO_HD T real_of(const IntegerOf<T>& a) {
   if constexpr (RealTraits<T>::lane_count == 1) {
@@ -102,15 +102,15 @@ ERGO_HD T absolute(const T& a) {
   return select(a < T(ScalarOf<T>(0)), -a, a);
 }
 
-//! sqrt(a), and 0 for the small negative numbers that rounding makes of 0.
+//! Returns sqrt(a), or 0 for small negative numbers that come from rounding.
 template <class T>
 ERGO_HD T safe_sqrt(const T& a) {
   return sqrt(select(a > T(ScalarOf<T>(0)), a, T(ScalarOf<T>(0))));
 }
 
-//! A power of two times a mantissa, to about 1 %: enough for a step size, at a handful of operations.
+//! Returns a^p for a > 0 to about 1 %, enough for a step size, in a handful of operations.
 //!
-//! Approximates a^p for a > 0 through the exponent bits, taken as a piecewise linear logarithm.
+//! Uses the exponent bits as a piecewise linear logarithm.
 ERGO_HD float rough_power(float a, float p) {
   std::int32_t bits = 0;
   std::memcpy(&bits, &a, sizeof bits);
@@ -131,7 +131,7 @@ ERGO_HD double rough_power(double a, double p) {
   return power;
 }
 
-//! log2 of a positive number to 0.01: what choosing between mip levels takes.
+//! Returns log2 of a positive number to 0.01, enough to choose between mip levels.
 ERGO_HD float rough_log2(float a) {
   std::int32_t bits = 0;
   std::memcpy(&bits, &a, sizeof bits);
@@ -155,7 +155,7 @@ inline Pack<float, N> rough_log2(const Pack<float, N>& a) {
 
 template <class T, int N>
 inline Pack<T, N> rough_power(const Pack<T, N>& a, T p) {
-  // Casts between vector types of one size keep the bits.
+  // Casts between vector types of the same size keep the bits.
   using Integer = typename PackMask<T, N>::Register;
   using Register = typename Pack<T, N>::Register;
   const auto one = static_cast<typename PackMask<T, N>::Integer>(sizeof(T) == 4 ? 0x3f7a3beaLL : 0x3fef477d30000000LL);
@@ -166,7 +166,8 @@ inline Pack<T, N> rough_power(const Pack<T, N>& a, T p) {
 #endif
 
 namespace detail {
-//! sin and cos on [-π/4, π/4]; coefficients of the Cephes library (S. Moshier), float and double.
+//! Computes sin and cos on [-π/4, π/4]; coefficients of the Cephes library (S. Moshier), float and
+//! double.
 template <class T>
 ERGO_HD void sine_cosine_octant(const T& x, T& sine, T& cosine) {
   using S = ScalarOf<T>;
@@ -193,11 +194,12 @@ ERGO_HD void sine_cosine_octant(const T& x, T& sine, T& cosine) {
 }
 }  // namespace detail
 
-//! sin and cos of an angle of moderate size (|angle| < 10⁴), to a few units in the last place.
+//! Computes sin and cos of an angle of moderate size (|angle| < 10⁴), to a few units in the last
+//! place.
 template <class T>
 ERGO_HD void sine_cosine(const T& angle, T& sine, T& cosine) {
   using S = ScalarOf<T>;
-  // Cody and Waite: the angle less the nearest multiple of π/2, π/2 in three parts.
+  // Cody and Waite: the angle minus the nearest multiple of π/2, with π/2 in three parts.
   const T quadrant = round_to_nearest(angle * S(0.63661977236758134308));
   T rest = angle;
   if constexpr (sizeof(S) == 4) {
@@ -209,7 +211,7 @@ ERGO_HD void sine_cosine(const T& angle, T& sine, T& cosine) {
   T s;
   T c;
   detail::sine_cosine_octant(rest, s, c);
-  // quadrant mod 4 in {0, 1, 2, 3} without integers: works alike for numbers and packs.
+  // quadrant mod 4 in {0, 1, 2, 3} without integers, for numbers and packs.
   const T turn = quadrant - S(4) * round_to_nearest(quadrant * S(0.25) - S(0.375));
   const auto odd = absolute(turn - S(2) * round_to_nearest(turn * S(0.5) - S(0.25))) > S(0.5);
   const auto sine_negative = turn > S(1.5);

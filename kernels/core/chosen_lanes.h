@@ -8,11 +8,11 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Some lanes of registers, to be put together.
+//! A selection of lanes of a register, which can be stored contiguously.
 template <class T>
 class ChosenLanes {
  public:
-  //! Those whose bits are set.
+  //! Selects the lanes whose bits are set.
   ERGO_HD explicit ChosenLanes(unsigned bits) : bits_(bits) {
 #if !defined(__AVX512F__)
     for (unsigned left = bits; left != 0; left &= left - 1) {
@@ -26,7 +26,8 @@ class ChosenLanes {
 
   [[nodiscard]] ERGO_HD int count() const { return count_; }
 
-  //! Writes them one after another. A whole register is written: what lies behind them means nothing.
+  //! Writes the selected lanes contiguously. A whole register is written; elements after them are
+  //! undefined.
   ERGO_HD void store(float* to, const T& value) const {
     if constexpr (RealTraits<T>::lane_count == 1) {
       *to = value;

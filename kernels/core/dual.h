@@ -6,10 +6,11 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! A number with its derivatives along two directions: exact first derivatives by forward-mode differentiation.
+//! A number with its derivatives along two directions: exact first derivatives by forward-mode
+//! differentiation.
 //!
-//! Comparisons and steps look at the value alone, so a computation on dual numbers takes the very path that it takes on
-//! plain ones. Arithmetic rules: f(a + ε b) = f(a) + ε f'(a) b.
+//! Comparisons and step control use the value only, so a computation on dual numbers takes the same
+//! path as on plain numbers. Arithmetic rule: f(a + ε b) = f(a) + ε f'(a) b.
 template <class T>
 struct Dual {
   T value;
@@ -30,7 +31,8 @@ struct RealTraits<Dual<T>> {
   static constexpr int lane_count = RealTraits<T>::lane_count;
 };
 
-//! An operand without derivatives, taken as it is: T, or whatever converts to it.
+//! An operand without derivatives, excluded from template deduction: T, or a type that converts to
+//! it.
 template <class T>
 using Plain = std::type_identity_t<T>;
 

@@ -6,13 +6,13 @@
 
 namespace ergodome {
 
-//! The one error of the project: where it happened, what is wrong, and what the person can do about it.
+//! The exception of the project: where the error occurred, what is wrong, and what the user can do.
 //!
-//! It stands in the lowest folder so that every folder can throw it; the kernels themselves never do.
+//! It is in the lowest folder so that every folder can throw it; the kernels themselves never do.
 class Error : public std::runtime_error {
  public:
-  //! `place` is a file with line or key ("show.toml:12", "rays.csv: row 7"), or the command at hand; empty when there
-  //! is none. `remedy` is a sentence in the imperative; empty when there is nothing sensible to advise.
+  //! `place` is a file with line or key ("show.toml:12", "rays.csv: row 7"), or the current
+  //! command; may be empty. `remedy` is a sentence in the imperative; empty if no advice applies.
   Error(std::string place, std::string problem, std::string remedy = {})
       : std::runtime_error(compose(place, problem, remedy)),
         place_(std::move(place)),

@@ -6,9 +6,11 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Where an increasing continuous function crosses zero in [low, high], to rounding; the end that is nearer where it does not.
+//! Returns where an increasing continuous function crosses zero in [low, high], to rounding.
+//! Returns the nearer end if it does not cross zero.
 //!
-//! Inverse quadratic interpolation where that is safe, else bisection: T. R. Chandrupatla, Advances in Engineering Software 28 (1997) 145.
+//! Inverse quadratic interpolation where safe, otherwise bisection: T. R. Chandrupatla, Advances in
+//! Engineering Software 28 (1997) 145.
 template <class Function>
 ERGO_HD double find_root(double low, double high, const Function& function) {
   constexpr int most_rounds = 120;

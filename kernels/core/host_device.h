@@ -1,14 +1,17 @@
 #pragma once
 
-//! Marks functions that run on the host and on the device, and names the instruction set that this file is compiled for.
+//! Marks functions that run on the host and on the device, and names the instruction set that this
+//! file is compiled for.
 //!
-//! ERGO_HD_RARE functions hold what few pictures need: on the host they stay functions, so that the others' loops stay short. On a device
-//! a call would take registers from all.
-//! ERGO_HD_CALLED functions stay functions: large ones that are read from several places and are not worth a copy for each.
+//! ERGO_HD_RARE functions contain code that few pictures need. On the host they are not inlined, so
+//! that the loops of other pictures remain short. On a device, a call would cost all pictures
+//! registers.
+//! ERGO_HD_CALLED functions are never inlined: they are large, and have several callers.
 //!
-//! Inline code of `kernels/` lives in `ergodome::ERGO_TARGET`, an inline namespace: the same header compiled for AVX-512 and
-//! for plain x86-64 in one program gives two functions with two names, so the linker can never hand AVX-512 code to a
-//! processor without it. Plain data that crosses that border lives in `ergodome` itself.
+//! Inline code of `kernels/` is in `ergodome::ERGO_TARGET`, an inline namespace. The same header
+//! compiled for AVX-512 and for plain x86-64 in one program gives two functions with two names, so
+//! the linker can never give AVX-512 code to a processor without it. Plain data that is shared
+//! between the two is in `ergodome` itself.
 #if defined(__CUDACC__)
 #define ERGO_HD __host__ __device__ __forceinline__
 #define ERGO_HD_RARE ERGO_HD
@@ -19,8 +22,9 @@
 #define ERGO_HD_CALLED [[gnu::noinline]] inline
 #endif
 
-//! Asks the compiler to unroll the loop that follows: the order of a series and the stages of a method are constants.
-//! Not under the sanitizers, whose checks in unrolled code take the compiler many minutes.
+//! Makes the compiler unroll the next loop; the order of a series and the stages of a method are
+//! constants. Disabled for sanitizers, whose checks in unrolled code take the compiler many
+//! minutes.
 #if defined(ERGODOME_SANITIZED)
 #define ERGO_UNROLL
 #elif defined(__CUDA_ARCH__) || defined(__clang__)

@@ -4,10 +4,12 @@
 
 #include "kernels/core/arithmetic.h"
 
-// How kernels read and write arrays: one index of a kernel stands for as many neighbouring elements as a real number has lanes.
+// How kernels read and write arrays: one index of a kernel covers as many adjacent elements as a
+// real number has lanes.
 namespace ergodome::inline ERGO_TARGET {
 
-//! Elements first, first + 1, ... of an array of `count`; lanes past the end repeat the last element.
+//! Reads elements first, first + 1, ... of an array of `count`; lanes past the end repeat the last
+//! element.
 template <class T>
 ERGO_HD T load_lanes(const ScalarOf<T>* from, int first, int count) {
   if constexpr (RealTraits<T>::lane_count == 1) {
@@ -25,7 +27,8 @@ ERGO_HD T load_lanes(const ScalarOf<T>* from, int first, int count) {
   }
 }
 
-//! Writes the lanes that lie inside the array; a null pointer is a channel that nobody asked for.
+//! Writes the lanes that lie inside the array. Does nothing for a null pointer, a channel that is
+//! not wanted.
 template <class T>
 ERGO_HD void store_lanes(ScalarOf<T>* to, int first, int count, const T& value) {
   if (to == nullptr) {
@@ -42,7 +45,7 @@ ERGO_HD void store_lanes(ScalarOf<T>* to, int first, int count, const T& value) 
   }
 }
 
-//! 0, 1, 2, ... in the lanes.
+//! Returns 0, 1, 2, ... in the lanes.
 template <class T>
 ERGO_HD T lane_numbers() {
   T value(ScalarOf<T>(0));
@@ -52,7 +55,7 @@ ERGO_HD T lane_numbers() {
   return value;
 }
 
-//! The mask whose lane i is bit i.
+//! Returns the mask whose lane i is bit i.
 template <class T>
 ERGO_HD MaskOf<T> mask_from_bits(unsigned bits) {
   T flags(ScalarOf<T>(0));
@@ -62,7 +65,7 @@ ERGO_HD MaskOf<T> mask_from_bits(unsigned bits) {
   return flags > T(ScalarOf<T>(0));
 }
 
-//! Bits of the lanes of a register that begins at element `first` of `count`.
+//! Returns bits for the valid lanes of a register that begins at element `first` of `count`.
 template <class T>
 ERGO_HD unsigned bits_within(int first, int count) {
   constexpr int lanes = RealTraits<T>::lane_count;

@@ -4,10 +4,12 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! A number with its derivatives along two directions and the mixed second derivative: what a corner of a bicubic patch needs.
+//! A number with its derivatives along two directions and the mixed second derivative, as the
+//! corners of bicubic patches need.
 //!
-//! Forward-mode differentiation of second order without the pure second derivatives (Fike & Alonso, AIAA 2011-886, "hyper-dual
-//! numbers"): f(a) = f + f' (a_x, a_y), and f'' a_x a_y + f' a_xy in the mixed part. Comparisons look at the value alone.
+//! Forward-mode differentiation of second order without the pure second derivatives (Fike & Alonso,
+//! AIAA 2011-886, "hyper-dual numbers"): f(a) = f + f' (a_x, a_y), with f'' a_x a_y + f' a_xy in
+//! the mixed part. Comparisons use the value only.
 template <class T>
 struct MixedDual {
   T value;

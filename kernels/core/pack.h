@@ -9,7 +9,7 @@
 #include <immintrin.h>
 #endif
 
-// SIMD packs for the CPU. Device code never includes this header: there a thread is a lane.
+// SIMD packs for the CPU. Device code never includes this header: there each lane is a thread.
 namespace ergodome::inline ERGO_TARGET {
 
 //! Bytes of one SIMD register of the instruction set that this file is compiled for.
@@ -21,7 +21,7 @@ inline constexpr int register_bytes = 32;
 inline constexpr int register_bytes = 16;
 #endif
 
-//! Truth value of each lane: all bits set, or none, in an integer as wide as the number it speaks of.
+//! Mask of a pack: all bits of a lane set, or none, in integers as wide as the numbers.
 template <class T, int N>
 struct PackMask {
   using Integer = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
@@ -40,7 +40,7 @@ struct Pack {
   explicit Pack(const Register& value) : lanes(value) {}
 };
 
-//! The widest pack of the instruction set this file is compiled for.
+//! The widest pack of the instruction set that this file is compiled for.
 template <class T>
 using WidePack = Pack<T, register_bytes / static_cast<int>(sizeof(T))>;
 
@@ -72,18 +72,18 @@ template <class T, int N> inline PackMask<T, N> operator|(const PackMask<T, N>& 
 template <class T, int N> inline PackMask<T, N> operator!(const PackMask<T, N>& a) { return {~a.bits}; }
 // clang-format on
 
-//! `yes` where the mask holds, `no` elsewhere.
+//! Returns `yes` in lanes where the mask is set, `no` in the others.
 template <class T, int N>
 inline Pack<T, N> select(const PackMask<T, N>& mask, const Pack<T, N>& yes, const Pack<T, N>& no) {
   return Pack<T, N>(mask.bits ? yes.lanes : no.lanes);
 }
 
-//! Bit i is lane i's.
+//! Returns an integer whose bit i is lane i of the mask.
 template <class T, int N>
 inline unsigned mask_bits(const PackMask<T, N>& mask) {
   unsigned bits = 0;
 #if defined(__x86_64__)
-  // Compilers do not find these instructions by themselves.
+  // Compilers do not generate these instructions from the loop below.
   if constexpr (N * sizeof(T) == register_bytes) {
 #if defined(__AVX512DQ__)
     const auto whole = reinterpret_cast<__m512i>(mask.bits);
@@ -124,14 +124,15 @@ inline Pack<T, N> sqrt(const Pack<T, N>& a) {
 
 template <class T, int N>
 inline Pack<T, N> round_to_nearest(const Pack<T, N>& a) {
-  // Adding and taking away 1.5 * 2^mantissa leaves the nearest integer, for |a| far below 2^(mantissa - 1).
+  // Adding and subtracting 1.5 * 2^mantissa leaves the nearest integer, for |a| far below
+  // 2^(mantissa - 1).
   const T magic = sizeof(T) == 4 ? T(12582912.0F) : T(6755399441055744.0);
   const Pack<T, N> shifted = a + Pack<T, N>(magic);
 #if defined(__clang__)
   return shifted - Pack<T, N>(magic);
 #else
   Pack<T, N> held = shifted;
-  asm("" : "+v"(held.lanes));  // keeps the compiler from folding the pair away
+  asm("" : "+v"(held.lanes));  // prevents the compiler from folding the pair
   return held - Pack<T, N>(magic);
 #endif
 }

@@ -7,7 +7,7 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Counts one more, whatever other threads do meanwhile; returns how many there were.
+//! Increments a counter atomically and returns its previous value.
 ERGO_HD std::int32_t count_up(std::int32_t* count) {
 #if defined(__CUDA_ARCH__)
   return atomicAdd(count, 1);

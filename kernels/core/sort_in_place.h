@@ -4,7 +4,8 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Sorts a short list by one thread (Shell's method): long ones by steps of their span first, as insertion alone takes the square of their length.
+//! Sorts a short list in one thread by Shell's method; plain insertion sort would take quadratic
+//! time.
 template <class T, class Before>
 ERGO_HD void sort_in_place(T* list, int count, const Before& is_before) {
   int gap = 1;

@@ -2,8 +2,9 @@
 
 #include "kernels/core/arithmetic.h"
 
-// Exponential, logarithm and arc tangent of a real number: the library's for plain numbers and for doubles, polynomials for packs
-// of floats (coefficients of the Cephes library, S. Moshier; a few units in the last place).
+// Exponential, logarithm and arctangent of a real number: library functions for plain numbers and
+// doubles, polynomials for packs of floats (coefficients of the Cephes library, S. Moshier; a few
+// units in the last place).
 namespace ergodome::inline ERGO_TARGET {
 
 // clang-format off
@@ -26,7 +27,7 @@ inline Pack<T, N> lane_by_lane(const Pack<T, N>& a, const Function& function) {
   return result;
 }
 
-//! arctan on [0, 1].
+//! Returns arctan on [0, 1].
 template <int N>
 inline Pack<float, N> arc_tangent_unit(const Pack<float, N>& a) {
   const auto steep = a > 0.4142135623730950F;
@@ -38,7 +39,7 @@ inline Pack<float, N> arc_tangent_unit(const Pack<float, N>& a) {
 }
 }  // namespace detail
 
-//! ln a for a > 0, normal.
+//! Returns ln a for a > 0, not subnormal.
 template <class T, int N>
 inline Pack<T, N> natural_logarithm(const Pack<T, N>& a) {
   if constexpr (sizeof(T) == 8) {
@@ -63,7 +64,7 @@ inline Pack<T, N> natural_logarithm(const Pack<T, N>& a) {
   }
 }
 
-//! e^a for |a| < 87.
+//! Returns e^a for |a| < 87.
 template <class T, int N>
 inline Pack<T, N> exponential(const Pack<T, N>& a) {
   if constexpr (sizeof(T) == 8) {
@@ -84,7 +85,7 @@ inline Pack<T, N> exponential(const Pack<T, N>& a) {
   }
 }
 
-//! The angle of the point (x, y), from -π to π; 0 at the origin.
+//! Returns the angle of the point (x, y), from -π to π; 0 at the origin.
 template <class T, int N>
 inline Pack<T, N> arc_tangent(const Pack<T, N>& y, const Pack<T, N>& x) {
   if constexpr (sizeof(T) == 8) {

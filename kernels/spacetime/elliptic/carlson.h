@@ -7,11 +7,11 @@
 namespace ergodome::inline ERGO_TARGET {
 
 namespace detail {
-//! Rounds of duplication: each divides the spread of the arguments by four; the series then needs no more.
+//! Maximum number of duplications. Each divides the spread of the arguments by four.
 inline constexpr int duplication_limit = 40;
 }  // namespace detail
 
-//! R_F(x, y, z) = ½ ∫_0^∞ dt / √((t + x)(t + y)(t + z)).
+//! Computes R_F(x, y, z) = ½ ∫_0^∞ dt / √((t + x)(t + y)(t + z)).
 ERGO_HD Complex carlson_rf(Complex x, Complex y, Complex z) {
   for (int round = 0; round < detail::duplication_limit; ++round) {
     const Complex mean = (x + y + z) * Complex(1.0 / 3.0);
@@ -38,10 +38,10 @@ ERGO_HD Complex carlson_rf(Complex x, Complex y, Complex z) {
   return series / sqrt(mean);
 }
 
-//! R_C(x, y) = R_F(x, y, y).
+//! Computes R_C(x, y) = R_F(x, y, y).
 ERGO_HD Complex carlson_rc(const Complex& x, const Complex& y) { return carlson_rf(x, y, y); }
 
-//! R_J(x, y, z, p) = 3/2 ∫_0^∞ dt / ((t + p) √((t + x)(t + y)(t + z))).
+//! Computes R_J(x, y, z, p) = 3/2 ∫_0^∞ dt / ((t + p) √((t + x)(t + y)(t + z))).
 ERGO_HD Complex carlson_rj(Complex x, Complex y, Complex z, Complex p) {
   Complex sum(0.0);
   double power = 1.0;

@@ -6,8 +6,9 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! R_F(x, y, z) = ½ ∫_0^∞ dt / √((t + x)(t + y)(t + z)) of real arguments, none negative and at most one of them zero. By duplication,
-//! as for complex ones (carlson.h), in a fraction of the time. B. C. Carlson, Numerical Algorithms 10 (1995) 13; DLMF 19.36.
+//! Computes R_F(x, y, z) = ½ ∫_0^∞ dt / √((t + x)(t + y)(t + z)) of real arguments that are not
+//! negative, at most one of them zero. Uses duplication like the complex version (carlson.h) in a
+//! fraction of the time. B. C. Carlson, Numerical Algorithms 10 (1995) 13; DLMF 19.36.
 ERGO_HD double carlson_rf_real(double x, double y, double z) {
   constexpr int duplication_limit = 700;  // arguments that are 1e400 apart
   double mean = (x + y + z) / 3.0;

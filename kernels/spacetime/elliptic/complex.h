@@ -6,7 +6,7 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! A complex number for device code, where std::complex does not go.
+//! A complex number for device code, which cannot use std::complex.
 struct Complex {
   double re;
   double im;
@@ -27,7 +27,7 @@ ERGO_HD Complex operator/(const Complex& a, const Complex& b) {
   return {(a.re * b.re + a.im * b.im) * scale, (a.im * b.re - a.re * b.im) * scale};
 }
 
-//! Principal square root: the real part is not negative.
+//! Returns the principal square root, whose real part is not negative.
 ERGO_HD Complex sqrt(const Complex& a) {
   if (a.im == 0.0) {
     return a.re >= 0.0 ? Complex(::sqrt(a.re), 0.0) : Complex(0.0, ::sqrt(-a.re));

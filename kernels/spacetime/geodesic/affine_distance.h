@@ -5,17 +5,17 @@
 #include "kernels/spacetime/geodesic/taylor.h"
 #include "kernels/spacetime/kerr/camera_station.h"
 
-// How far away light was when it left, as the observer would measure it if space were flat: the affine parameter along the ray, of which the
-// observer's own photon energy makes the unit,
+// Distance of light sources, as the observer would measure it in flat space when the light left. It
+// is the affine parameter along the ray, in units in which the observer sees a photon energy of 1:
 //   d = ∫ Σ dλ ,   Σ = r² + a² cos²θ ,
-// over the Mino time λ of a photon whose energy the observer sees as 1. Nothing is divided by the energy at infinity, which may be 0 or
-// less inside the ergosphere.
+// with the Mino time λ of that photon. Nothing is divided by the energy at infinity, which may be 0
+// or negative inside the ergosphere.
 namespace ergodome::inline ERGO_TARGET {
 
 namespace detail {
 
 inline constexpr int affine_order = 14;
-//! Of the radius in which the series converge; 0.2^14 is what is left.
+//! Step length as a fraction of the radius of convergence; the truncation error is about 0.2^14.
 inline constexpr double affine_step = 0.2;
 inline constexpr int affine_step_limit = 2000;
 
@@ -27,7 +27,7 @@ struct AffineSeries {
   double distance[affine_order + 1];
 };
 
-//! Fills the series from coefficients 0 and 1 of u and z, and 0 of the distance:
+//! Fills the series from coefficients 0 and 1 of u and z, and coefficient 0 of the distance:
 //!   u'' = (a² E² - C) u + 3 K u² - 2 a² Q u³ ,   z'' = -(C - a² E²) z - 2 a² E² z³ .
 ERGO_HD void expand_affine(double carter_c, double a2e2, double three_k, double a2q, double a2, AffineSeries& s) {
   double u2[affine_order + 1];
@@ -54,7 +54,8 @@ ERGO_HD void expand_affine(double carter_c, double a2e2, double three_k, double 
   s.r[affine_order] = 0.0;
 }
 
-//! A step within which all series converge fast, by the size of their last terms (Jorba & Zou).
+//! Returns a step in which all series converge fast, from the size of their last terms (Jorba &
+//! Zou).
 ERGO_HD double affine_step_of(const AffineSeries& s) {
   double shortest = std::numeric_limits<double>::max();
   const auto limit = [&](double term, double size, int order) {
@@ -72,9 +73,10 @@ ERGO_HD double affine_step_of(const AffineSeries& s) {
 
 }  // namespace detail
 
-//! Affine distance [M] from a camera, looking in direction `n` (unit vector in the observer's frame), to the radius `r_end` [M], backwards
-//! along the light: to a shell, or to the horizon, as far as the observer's past reaches. The first time the ray comes there counts. Infinity
-//! where it does not.
+//! Returns the affine distance [M] from a camera to the radius `r_end` [M] in direction `n` (unit
+//! vector in the observer's frame), backwards along the light. `r_end` is the radius of a shell, or
+//! of the horizon, where the observer's past ends. The first crossing counts. Returns infinity if
+//! the ray does not reach `r_end`.
 ERGO_HD double affine_distance(const CameraStation& camera, const Vector3<double>& n, double r_end) {
   const double energy = detail::evaluate(camera.energy, n);
   const double momentum = detail::evaluate(camera.axial_momentum, n);
@@ -96,7 +98,7 @@ ERGO_HD double affine_distance(const CameraStation& camera, const Vector3<double
     detail::expand_affine(c, a2e2, 3.0 * k, a2q, a2, s);
     double h = detail::affine_step_of(s);
     if (side * (series_value(s.u, h) - u_end) >= 0.0) {
-      // The radius is passed within this step: halve the step, and let Newton's method finish.
+      // u passes u_end within this step: refine h by Newton's method, safeguarded by bisection.
       double low = 0.0;
       for (int round = 0; round < 60 && h - low > 1e-15 * h; ++round) {
         const double newton = h - (series_value(s.u, h) - u_end) / series_rate(s.u, h);
@@ -111,7 +113,7 @@ ERGO_HD double affine_distance(const CameraStation& camera, const Vector3<double
     }
     const double u = series_value(s.u, h);
     const double rate = series_rate(s.u, h);
-    // Outwards, far out and without a barrier before it: such light comes from the sky.
+    // The ray moves outwards, far away, with no barrier ahead: its light comes from the sky.
     if (u <= 0.0 || (rate < 0.0 && u < 1e-9 * camera.u)) {
       return std::numeric_limits<double>::infinity();
     }

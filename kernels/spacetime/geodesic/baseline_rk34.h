@@ -2,9 +2,10 @@
 
 #include "kernels/spacetime/geodesic/integration.h"
 
-// The published tracer's way, for comparison alone: polar angles θ and φ with sinθ in a denominator, its own pair of Runge-Kutta
-// weights and its own step control. Generalized from Schwarzschild to Kerr, in Mino time, so that everything but the coordinates of
-// the polar motion, the pair and the control is the same as in the other integrators.
+// The method of the published tracer, for comparison only: polar angles θ and φ with sinθ in a
+// denominator, its own pair of Runge-Kutta weights and its own step control. Generalized from
+// Schwarzschild to Kerr, in Mino time, so that only the coordinates of the polar motion, the pair
+// and the step control differ from the other integrators.
 namespace ergodome::inline ERGO_TARGET {
 
 template <class T>
@@ -45,7 +46,7 @@ ERGO_HD AngularState<T> angular_choice(const MaskOf<T>& mask, const AngularState
           select(mask, yes.theta_rate, no.theta_rate), select(mask, yes.phi, no.phi)};
 }
 
-//! Where a ray begins, in angles.
+//! Returns the initial state of a ray, in angles.
 template <class T>
 ERGO_HD AngularState<T> baseline_start(const RayStart<T>& start) {
   using S = ScalarOf<T>;
@@ -64,7 +65,7 @@ struct BaselineTrial {
   T estimate;
 };
 
-//! One step of the published pair.
+//! Takes one step of the published pair.
 template <class T>
 ERGO_HD BaselineTrial<T> try_baseline_step(ScalarOf<T> spin, const RayStart<T>& start, const AngularState<T>& y,
                                            const T& h) {
@@ -86,8 +87,9 @@ ERGO_HD BaselineTrial<T> try_baseline_step(ScalarOf<T> spin, const RayStart<T>& 
 
 }  // namespace detail
 
-//! Follows a ray by the baseline method. Arguments as trace_taylor; the camera must not be on the axis, where its angles do not exist:
-//! such rays end as not converged or wrong, which is what the comparison shows.
+//! Follows a ray by the baseline method. Arguments as for trace_taylor(). The camera must not be on
+//! the axis, where its angles do not exist: such rays do not converge or are wrong, which the
+//! comparison is meant to show.
 template <class T>
 ERGO_HD RayEnd<T> trace_baseline_rk34(ScalarOf<T> spin, const RayStart<T>& start, const MaskOf<T>& active_at_start,
                                       const IntegrationSettings& settings, T& steps, MaskOf<T>& reached) {
@@ -103,7 +105,8 @@ ERGO_HD RayEnd<T> trace_baseline_rk34(ScalarOf<T> spin, const RayStart<T>& start
   T time = zero;
   T error = zero;
   steps = zero;
-  // Boyer-Lindquist's azimuth ends at the horizon: of light that came in through it the angles tell nothing.
+  // Boyer-Lindquist's azimuth diverges at the horizon, so the angles of light that came in through
+  // it are meaningless.
   const S horizon_r = S(1) + safe_sqrt((S(1) - spin) * (S(1) + spin));
   const MaskOf<T> begun = active_at_start & (horizon_r * start.u < T(S(1)));
   auto active = begun;
@@ -121,7 +124,7 @@ ERGO_HD RayEnd<T> trace_baseline_rk34(ScalarOf<T> spin, const RayStart<T>& start
     active = active & (!(accepted & (y.u <= zero)));
   }
   reached = begun & (!active);
-  // The last step went past infinity; straight back to u = 0.
+  // The last step went past infinity: go back to u = 0 along a straight line.
   const T rest = -(y.u / y.u_rate);
   y = angular_sum(y, rest, angular_rate(spin, start, y));
   T sine;

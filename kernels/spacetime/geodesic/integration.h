@@ -3,9 +3,10 @@
 #include "kernels/spacetime/geodesic/integration_settings.h"
 #include "kernels/spacetime/geodesic/radial_potential.h"
 
+// What all integrators of null geodesics share: state, sky direction and local tolerance.
 namespace ergodome::inline ERGO_TARGET {
 
-//! A ray on its way: position and rate in Mino time, and the frame dragging ψ gathered so far.
+//! A ray on its way: position and rate in Mino time, and the frame dragging ψ accumulated so far.
 template <class T>
 struct RayState {
   T u;
@@ -15,7 +16,7 @@ struct RayState {
   T drag;  //!< ψ, backwards [rad]
 };
 
-//! Which lanes have light that only comes in to the camera.
+//! Returns the lanes whose light moves only inwards on its way to the camera.
 template <class T>
 ERGO_HD MaskOf<RealOf<T>> only_comes_in(const RayStart<T>& start) {
   return value_of(start.u_rate) < RealOf<T>(ScalarOf<T>(0));
@@ -28,7 +29,8 @@ ERGO_HD RayState<T> initial_state(const RayStart<T>& start) {
   return {start.u, start.u_rate, start.m, start.m_rate, drag};
 }
 
-//! Where on the sky a ray at u = 0 points: its polar position, turned about the axis by the frame dragging.
+//! Returns the sky direction of a ray at u = 0: its polar position, rotated about the axis by the
+//! frame dragging.
 template <class T>
 ERGO_HD Vector3<T> sky_direction(const RayState<T>& end) {
   T sine;
@@ -37,7 +39,7 @@ ERGO_HD Vector3<T> sky_direction(const RayState<T>& end) {
   return {cosine * end.m.x - sine * end.m.y, sine * end.m.x + cosine * end.m.y, end.m.z};
 }
 
-//! A ray without its derivatives.
+//! Returns a ray without its derivatives.
 template <class T>
 ERGO_HD RayStart<RealOf<T>> plain_start(const RayStart<T>& start) {
   return {value_of(start.axial_angular_momentum),
@@ -52,15 +54,17 @@ ERGO_HD RayStart<RealOf<T>> plain_start(const RayStart<T>& start) {
           start.turn};
 }
 
-//! How much smaller than the tolerance local errors must stay: near the critical curve an error grows by 1 / distance.
+//! Returns the tolerance of local errors. Near the critical curve an error grows by 1 / distance,
+//! so the tolerance shrinks with it.
 //!
-//! The distance is proportional to the clearance at the barrier, which is known before the first step.
+//! The distance is proportional to the clearance at the barrier, which is known before the first
+//! step.
 template <class T>
 ERGO_HD RealOf<T> local_tolerance(ScalarOf<T> spin, const RayStart<T>& start, const IntegrationSettings& settings) {
   using Real = RealOf<T>;
   using S = ScalarOf<T>;
   const S tolerance = static_cast<S>(settings.tolerance);
-  // Nothing is gained by asking for less than rounding leaves.
+  // A tolerance below rounding gains nothing.
   const Real least(S(0.25) * std::numeric_limits<S>::epsilon());
   if (settings.on_screen) {
     return maximum(Real(tolerance), least);

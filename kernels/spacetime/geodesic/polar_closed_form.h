@@ -4,43 +4,46 @@
 #include "kernels/spacetime/elliptic/carlson.h"
 #include "kernels/spacetime/geodesic/ray.h"
 
-// Polar motion in closed form: x = cosθ obeys x'² = Q + (a² - C) x² - a² x⁴, so it is an elliptic function of Mino time, and the
-// azimuth is -L ∫ dλ / (1 - x²), a Legendre integral of the third kind. (Gralla & Lupsasca 2020, section IV; here in forms without
-// cancellation: 1 - x² is written through L², so that rays beside the axis keep their digits.)
+// Polar motion in closed form. x = cosθ obeys x'² = Q + (a² - C) x² - a² x⁴, so it is an elliptic
+// function of Mino time, and the azimuth is -L ∫ dλ / (1 - x²), a Legendre integral of the third
+// kind. (Gralla & Lupsasca 2020, section IV; here in forms without cancellation: 1 - x² is
+// expressed by L², so that rays beside the axis are accurate.)
 namespace ergodome::inline ERGO_TARGET {
 
-//! The angle η that parametrizes the polar motion: dη/dλ = √(A + B sin²η), and 1 / (1 - x²) = constant + factor / (cos²η + ℓ² sin²η).
+//! The angle η that parametrizes the polar motion: dη/dλ = √(A + B sin²η), and 1 / (1 - x²) =
+//! constant + factor / (cos²η + ℓ² sin²η).
 struct PolarForm {
   double a;   //!< A [M²]
   double b;   //!< B [M²]; A + B >= 0
   double l2;  //!< ℓ², in [0, 1]
-  double w;   //!< greatest x², of motion through the equator
+  double w;   //!< largest x² of motion through the equator
   double constant;
   double factor;
-  double
-      start_sine;  //!< η at the camera; its sine and cosine, because next to the axis the cosine is small and known well
+  //! η at the camera, as sine and cosine: next to the axis the cosine is small and accurately
+  //! known.
+  double start_sine;
   double start_cosine;
 };
 
 namespace detail {
 
-//! ∫_0^η dη / √(A + B sin²η) for |η| <= π/2, from the sine and cosine of η.
+//! Computes ∫_0^η dη / √(A + B sin²η) for |η| <= π/2, from the sine and cosine of η.
 ERGO_HD double first_kind(const PolarForm& p, double s, double c) {
   return s * carlson_rf(Complex(p.a * c * c), Complex(p.a + p.b * s * s), Complex(p.a)).re;
 }
 
-//! ∫_0^η dη / ((cos²η + ℓ² sin²η) √(A + B sin²η)) for |η| <= π/2.
+//! Computes ∫_0^η dη / ((cos²η + ℓ² sin²η) √(A + B sin²η)) for |η| <= π/2.
 ERGO_HD double third_kind(const PolarForm& p, double s, double c) {
   const double pole = c * c + p.l2 * s * s;
   const double rj = carlson_rj(Complex(p.a * c * c), Complex(p.a + p.b * s * s), Complex(p.a), Complex(p.a * pole)).re;
   return first_kind(p, s, c) + (1.0 - p.l2) / 3.0 * s * s * s * p.a * rj;
 }
 
-//! η as a number of half turns and a rest in [-π/2, π/2].
+//! η as a number of half turns and a remainder in [-π/2, π/2].
 struct HalfTurns {
   double count;
-  double sine;    //!< of the rest
-  double cosine;  //!< of the rest, >= 0
+  double sine;    //!< of the remainder
+  double cosine;  //!< of the remainder, >= 0
 };
 
 ERGO_HD HalfTurns half_turns(double eta) {
@@ -56,11 +59,13 @@ ERGO_HD HalfTurns start_of(const PolarForm& p) {
   return {p.start_sine >= 0.0 ? 1.0 : -1.0, -p.start_sine, -p.start_cosine};
 }
 
-//! The η at which the integral of the first kind from 0 is `target`: the amplitude, by Newton's method on the angle.
+//! Returns the η at which the integral of the first kind from 0 is `target` (the amplitude), by
+//! Newton's method on the angle.
 //!
-//! The integral bends one way from 0 to π/2 (down where B > 0, up where B < 0), so that the method goes steadily upwards from 0 or
-//! downwards from the other end; where rounding or a vanishing slope throws it out of what is known to hold η, that is halved. (From
-//! any other start it leaps to and fro where A is tiny: light that hardly leaves the equator.)
+//! From 0 to π/2 the integral is concave where B > 0 and convex where B < 0, so the method
+//! converges monotonically from 0 or from above. If rounding or a vanishing slope throws it out of
+//! the interval that contains η, that is bisected. (Other starting points oscillate where A is
+//! tiny, for light that hardly leaves the equator.)
 ERGO_HD double amplitude(const PolarForm& p, double target) {
   const double half_period = 2.0 * first_kind(p, 1.0, 0.0);
   const double turns = ::rint(target / half_period);
@@ -83,12 +88,13 @@ ERGO_HD double amplitude(const PolarForm& p, double target) {
   return turns * pi + (signed_rest < 0.0 ? -eta : eta);
 }
 
-//! Integral of the first kind from 0 to any η.
+//! Computes the integral of the first kind from 0 to any η.
 ERGO_HD double first_kind_anywhere(const PolarForm& p, const HalfTurns& eta) {
   return (eta.count != 0.0 ? 2.0 * eta.count * first_kind(p, 1.0, 0.0) : 0.0) + first_kind(p, eta.sine, eta.cosine);
 }
 
-//! L times the integral of the third kind from 0 to any η. On the axis itself (L = 0) only the jumps by π remain.
+//! Computes L times the integral of the third kind from 0 to any η. On the axis (L = 0) only the
+//! jumps by π remain.
 ERGO_HD double azimuth(const PolarForm& p, double l, const HalfTurns& eta) {
   if (l == 0.0) {
     return eta.count * 3.14159265358979323846;
@@ -98,11 +104,13 @@ ERGO_HD double azimuth(const PolarForm& p, double l, const HalfTurns& eta) {
   return l * (around + p.factor * (whole + third_kind(p, eta.sine, eta.cosine)));
 }
 
-//! L, from the rate of the polar position itself: of light that moves hardly at all but in r, L as the sum of an observer's terms agrees
-//! with that rate only to rounding of those.
+//! Returns L, computed from the rate of the polar position. For light that moves almost only in r,
+//! the L that is summed from an observer's terms agrees with that rate only to the rounding of
+//! those terms.
 ERGO_HD double polar_angular_momentum(const RayStart<double>& ray) { return -(ray.m.x * ray.m_rate.y); }
 
-//! Q, from C - L² or from x'² = Q + (a² - C) x² - a² x⁴ at the camera, whichever cancels less: next to the equator the second.
+//! Returns Q, from C - L² or from x'² = Q + (a² - C) x² - a² x⁴ at the camera, whichever cancels
+//! less; next to the equator that is the second.
 ERGO_HD double polar_carter(double a2, const RayStart<double>& ray) {
   const double l = polar_angular_momentum(ray);
   const double l2 = l * l;
@@ -113,12 +121,13 @@ ERGO_HD double polar_carter(double a2, const RayStart<double>& ray) {
   return by_place ? rate2 + x2 * (c + a2 * x2) : ray.polar_constant - l2;
 }
 
-//! Motion through the equator, Q >= 0: x = √w sinη with w the positive root of a² w² + (C - a²) w - Q.
+//! Describes motion through the equator, Q >= 0: x = √w sinη with w the positive root of a² w² + (C
+//! - a²) w - Q.
 ERGO_HD PolarForm ordinary_form(double a2, const RayStart<double>& ray, double carter) {
   const double c = ray.polar_constant - a2;
   const double root = ::sqrt(c * c + 4.0 * a2 * carter);
   PolarForm p{};
-  // Above 0 also for light that nears the equator without end (Q = 0, C < a²).
+  // Keeps A above 0 for light that approaches the equator forever (Q = 0, C < a²).
   p.a = ::fmax(c >= 0.0 ? 0.5 * (c + root) : 2.0 * a2 * carter / (root - c), 1e-200);
   p.w = c >= 0.0 ? 2.0 * carter / (c + root) : 0.5 * (root - c) / a2;
   p.b = a2 * p.w;
@@ -135,7 +144,8 @@ ERGO_HD PolarForm ordinary_form(double a2, const RayStart<double>& ray, double c
   return p;
 }
 
-//! Motion on one side of the equator, Q < 0: x² = w1 / (1 - k² sin²η) between the roots w1 and w2.
+//! Describes motion on one side of the equator, Q < 0: x² = w1 / (1 - k² sin²η) between the roots
+//! w1 and w2.
 ERGO_HD PolarForm vortical_form(double a2, const RayStart<double>& ray, double carter, double& w1, double& k2) {
   const double c = a2 - ray.polar_constant;
   const double root = ::sqrt(::fmax(0.0, c * c + 4.0 * a2 * carter));
@@ -146,7 +156,7 @@ ERGO_HD PolarForm vortical_form(double a2, const RayStart<double>& ray, double c
   p.a = a2 * w2;
   p.b = -p.a * k2;
   const double l = polar_angular_momentum(ray);
-  // (1 - w2)(1 - w1) = L² / a² tells 1 - w2 without cancellation; ℓ² = (1 - w2)(1 - k²) / (1 - w1).
+  // (1 - w2)(1 - w1) = L² / a² gives 1 - w2 without cancellation; ℓ² = (1 - w2)(1 - k²) / (1 - w1).
   p.l2 = l * l / (a2 * (1.0 - w1)) * (1.0 - k2) / (1.0 - w1);
   p.constant = 1.0;
   p.factor = w1 / (1.0 - w1);
@@ -163,7 +173,8 @@ ERGO_HD PolarForm vortical_form(double a2, const RayStart<double>& ray, double c
   const double sine = ::sqrt(::fmax(0.0, below));
   const double cosine = ::sqrt(::fmax(0.0, (1.0 - k2) * above));
   const double length = ::hypot(sine, cosine);
-  // Where both roots meet, as of a principal ray, the factors may be nothing but rounding, and η means nothing.
+  // Where both roots coincide, as for a principal ray, the factors may be pure rounding, and η is
+  // arbitrary.
   const bool known = length > 0.0 && length < 2.0;
   p.start_sine = known ? (x * rate < 0.0 ? -sine : sine) / length : 0.0;
   p.start_cosine = known ? cosine / length : 1.0;
@@ -201,17 +212,19 @@ ERGO_HD Vector3<double> polar_position_off_axis(double spin, const RayStart<doub
 
 }  // namespace detail
 
-//! Polar position of a ray after a Mino time, without frame dragging: unit vector, φ = 0 at the camera.
+//! Returns the polar position of a ray after a Mino time, without frame dragging: unit vector, φ =
+//! 0 at the camera.
 ERGO_HD Vector3<double> polar_position(double spin, const RayStart<double>& ray, double time) {
   const double l = ray.axial_angular_momentum;
   if (spin == 0.0 && ray.polar_constant == 0.0) {
-    return ray.m;  // straight in or out: not even a plane to turn in
+    return ray.m;  // purely radial: its plane is undefined
   }
   if (ray.m.z == 0.0 && ray.m_rate.z == 0.0) {
     return {::cos(l * time), -::sin(l * time), 0.0};  // stays in the equatorial plane
   }
   if (ray.m.x == 0.0) {
-    // On the axis every ray has L = 0 and stays in the plane of its first direction, as one that starts just beside the axis.
+    // On the axis every ray has L = 0 and stays in the plane of its first direction, like a ray
+    // that starts just beside the axis.
     const double speed = ::hypot(ray.m_rate.x, ray.m_rate.y);
     RayStart<double> beside = ray;
     beside.m_rate = {speed * ray.m.z, 0.0, -1e-300 * ray.m.z};  // already past the axis

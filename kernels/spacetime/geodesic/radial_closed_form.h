@@ -4,13 +4,15 @@
 #include "kernels/spacetime/geodesic/radial_potential.h"
 #include "kernels/spacetime/kerr/kerr.h"
 
+// Radial motion in closed form: roots of the radial potential, Mino time and frame dragging.
 namespace ergodome::inline ERGO_TARGET {
 
 //! The four roots r_i of R(r) = r⁴ + (a² - C) r² + 2 K r - a² Q: U(u) = Π (1 - r_i u).
 //!
 //! R = (r² + 2 z r + A1)(r² - 2 z r + A2), where y = z² is the largest root of Ferrari's resolvent
-//! 16 y³ + 8 (a² - C) y² + ((a² - C)² + 4 a² Q) y - K² = 0. It stays simple when two roots of R meet (the critical curve). The last two
-//! roots are those of the second factor: the turning point 1 / r_4 and its companion. (Gralla & Lupsasca 2020, appendix B.)
+//! 16 y³ + 8 (a² - C) y² + ((a² - C)² + 4 a² Q) y - K² = 0. It remains simple when two roots of R
+//! coincide (the critical curve). The last two roots are those of the second factor: the turning
+//! point 1 / r_4 and its companion. (Gralla & Lupsasca 2020, appendix B.)
 struct RadialRoots {
   Complex r[4];
 };
@@ -22,8 +24,9 @@ ERGO_HD RadialRoots radial_roots(double spin, const RayStart<double>& ray) {
   const double k = ray.shear_constant;
   const double linear = alpha * alpha + 4.0 * a2 * carter;
   const auto resolvent = [&](double y) { return ((16.0 * y + 8.0 * alpha) * y + linear) * y - k * k; };
-  // From above all roots (Lagrange's bound) Newton's method falls monotonically onto the largest, and from 0 it rises monotonically onto
-  // the only one where that lies to the left of both extrema, or of the inflection: from above it would leap about there.
+  // From above all roots (Lagrange's bound) Newton's method falls monotonically to the largest
+  // root. Where that is the only one and lies left of both extrema, or of the inflection, the
+  // method rises monotonically from 0 instead; from above it would jump about there.
   const double lowest = (safe_sqrt(alpha * alpha - 0.75 * linear) - alpha) / 6.0;
   const double rounding = 1e-12 * (k * k + ::fabs(linear) * lowest);
   const bool from_below = lowest > 0.0 && linear > 0.0 && resolvent(lowest) > rounding;
@@ -40,8 +43,9 @@ ERGO_HD RadialRoots radial_roots(double spin, const RayStart<double>& ray) {
   const double ratio = z > 0.0 ? 0.5 * k / z : 0.0;
   const Complex first = sqrt(Complex(ratio - half_sum));
   double discriminant = -ratio - half_sum;
-  // For a camera near the photon orbits this is the square of a small number, lost in rounding; the ray's own u'² = U, which is
-  // known well, tells the second factor at the camera, and through it the discriminant.
+  // For a camera near the photon orbits the discriminant is the square of a small number, lost in
+  // rounding. The ray's u'² = U, which is known accurately, gives the second factor at the camera,
+  // and from it the discriminant.
   const double r = 1.0 / ray.u;
   if (::fabs(r - z) < 0.5 * z) {
     const double rate = r * r * ray.u_rate;
@@ -51,17 +55,19 @@ ERGO_HD RadialRoots radial_roots(double spin, const RayStart<double>& ray) {
   return {{Complex(-z) - first, Complex(-z) + first, Complex(z) - second, Complex(z) + second}};
 }
 
-//! ∫_0^x du / √U and ∫_0^x du / ((1 - ρ u) √U) for two poles ρ, x not beyond the first root; where x is beyond a pole, Cauchy's principal
-//! value: the real part of what Carlson's forms are above their cut, where R_C(s², q²) is odd in s.
+//! ∫_0^x du / √U and ∫_0^x du / ((1 - ρ u) √U) for two poles ρ, with x at most the first root. If x
+//! is beyond a pole, this is Cauchy's principal value: the real part of Carlson's forms above their
+//! cut, where R_C(s², q²) is odd in s.
 struct RadialIntegrals {
   double time;
   double pole[2];
 };
 
-//! Carlson's forms for a quartic that is a product of linear factors, DLMF 19.29.4 and 19.29.8 with y = 0.
+//! Computes the integrals by Carlson's forms for a quartic that is a product of linear factors,
+//! DLMF 19.29.4 and 19.29.8 with y = 0.
 //!
-//! `rate` is √U at x, known better than the roots tell it: next to a turning point 1 / r_4, and at it (0), 1 - r_4 x follows from it and
-//! is not the rounding of a difference.
+//! `rate` is √U at x, which is more accurate than the roots. Next to a turning point 1 / r_4, and
+//! at it (where the rate is 0), 1 - r_4 x is computed from it, not from a difference with rounding.
 ERGO_HD RadialIntegrals radial_integrals(const RadialRoots& roots, double x, double rate, const double (&rho)[2]) {
   if (!(x > 0.0)) {
     return {0.0, {0.0, 0.0}};
@@ -70,7 +76,7 @@ ERGO_HD RadialIntegrals radial_integrals(const RadialRoots& roots, double x, dou
   Complex square[4];
   for (int i = 0; i < 4; ++i) {
     square[i] = one - roots.r[i] * Complex(x);
-    // Next to a turning point rounding may leave a small negative number.
+    // Next to a turning point, rounding may leave a small negative number.
     if (square[i].im == 0.0 && square[i].re < 0.0) {
       square[i].re = 0.0;
     }
@@ -112,12 +118,12 @@ ERGO_HD RadialIntegrals radial_integrals(const RadialRoots& roots, double x, dou
 struct RadialMotion {
   double time;
   double drag;        //!< ψ, backwards [rad]
-  double drag_error;  //!< what ψ may be off by: its two parts nearly cancel where the horizons are close [rad]
+  double drag_error;  //!< error of ψ, whose parts nearly cancel for close horizons [rad]
 };
 
 namespace detail {
 
-//! Horizons for the partial fractions of the frame dragging, and the weight of what they give.
+//! Radii of horizons for the partial fractions of the frame dragging, and the weight of their drag.
 struct HorizonPair {
   double outer;
   double inner;
@@ -125,16 +131,17 @@ struct HorizonPair {
   double weight;
 };
 
-//! Pairs of horizons whose weighted drags are the hole's.
+//! Pairs of horizons whose weighted drags add up to the hole's drag.
 struct HorizonPairs {
   HorizonPair pair[4];
   int count;
 };
 
-//! Returns the hole's own horizons, or four pairs that stand for them. Partial fractions over the own horizons lose as many
-//! digits as the gap between these is smaller than the ray's distance from them. Where the gap is too small, the drag is
-//! extrapolated: a (2u - a L u²) / ((1 - u)² - x u²) is an analytic function of x, the square of half the gap, and Lagrange's
-//! polynomial through four larger x gives its value at the hole's own x to 1e-14.
+//! Returns the hole's horizons, or four pairs that replace them. Partial fractions lose digits in
+//! the ratio of the ray's distance from the horizons to the gap between them. Where the gap is too
+//! small, the drag is extrapolated: a (2u - a L u²) / ((1 - u)² - x u²) is an analytic function of
+//! x, the square of half the gap, and Lagrange's polynomial through four larger x gives its value
+//! at the hole's x to 1e-14.
 ERGO_HD HorizonPairs horizon_pairs(double spin, double largest_u) {
   const double a2 = spin * spin;
   const double half_gap = ::sqrt(::fmax(0.0, (1.0 - spin) * (1.0 + spin)));
@@ -153,7 +160,7 @@ ERGO_HD HorizonPairs horizon_pairs(double spin, double largest_u) {
     }
     return pairs;
   }
-  // At the horizon and within it those of an extremal hole are held apart.
+  // For rays at or inside the horizon of an extremal hole, the two horizons are kept apart.
   const double held = ::fmax(half_gap, 3e-6);
   const bool apart = held > half_gap;
   const double outer = 1.0 + held;
@@ -161,13 +168,14 @@ ERGO_HD HorizonPairs horizon_pairs(double spin, double largest_u) {
   return {{{outer, inner, apart ? outer * inner : a2, 1.0}}, 1};
 }
 
-//! A drag, and what rounding of its parts may have done to it [rad].
+//! A drag angle and the rounding error of its parts [rad].
 struct Drag {
   double angle;
   double error;
 };
 
-//! ∫_0^x a (2u - a L u²) / Δu² du / √U in partial fractions over the horizons, and the Mino time on the way.
+//! Computes ∫_0^x a (2u - a L u²) / Δu² du / √U in partial fractions over the horizons. `time`
+//! receives the Mino time.
 ERGO_HD Drag drag_to(double spin, double l, const HorizonPairs& pairs, const RadialRoots& roots, double x, double rate,
                      double& time) {
   Drag drag{0.0, 0.0};
@@ -177,7 +185,7 @@ ERGO_HD Drag drag_to(double spin, double l, const HorizonPairs& pairs, const Rad
     const RadialIntegrals integrals = radial_integrals(roots, x, rate, rho);
     time = integrals.time;
     if (spin == 0.0) {
-      break;  // none, and the inner pole of a ray straight out is where its roots are
+      break;  // no drag, and the inner pole of a radial ray coincides with its roots
     }
     // With inner = a²/outer: a (2 inner - a L) / (inner (inner - outer)) = (2 a - L outer) / (inner - outer), good at a = 0.
     const double share = pairs.count > 1 || p.spin2 != spin * spin ? spin * spin / p.spin2 : 1.0;
@@ -185,15 +193,16 @@ ERGO_HD Drag drag_to(double spin, double l, const HorizonPairs& pairs, const Rad
     const double at_outer = spin * (2.0 * p.outer - spin * l) / (p.outer * gap) * integrals.pole[0];
     const double at_inner = -(2.0 * spin - share * l * p.outer) / gap * integrals.pole[1];
     drag.angle += p.weight * (at_outer + at_inner - l * share * integrals.time);
-    // Some ten operations each.
+    // About ten operations in each.
     drag.error += 2e-15 * ::fabs(p.weight) * (::fabs(at_outer) + ::fabs(at_inner));
   }
   return drag;
 }
 
-//! Estimates the error of a drag up to u that is not the rounding of its parts [rad]: the camera's position is rounded, which
-//! matters beside a horizon; so are the ray's constants, and where the horizons are close the drag amplifies that by the third
-//! power of 1 / (1 - u); and horizons may be held apart.
+//! Estimates the errors of a drag up to u other than the rounding of its parts [rad]. The camera's
+//! position is rounded, which matters beside a horizon. The ray's constants are rounded, which the
+//! drag amplifies by the third power of 1 / (1 - u) where the horizons are close. Horizons may be
+//! kept apart.
 ERGO_HD double drag_error_at(double spin, const HorizonPairs& pairs, double u) {
   if (spin == 0.0) {
     return 0.0;
@@ -220,7 +229,8 @@ ERGO_HD RadialMotion radial_motion(double spin, const RayStart<double>& ray) {
   const detail::Drag to_camera = detail::drag_to(spin, l, pairs, roots, ray.u, ray.u_rate, motion.time);
   motion.drag_error = to_camera.error + detail::drag_error_at(spin, pairs, ray.u);
   if (!turns) {
-    // Within, principal values of both: what diverges at the horizon on the way is the same in the azimuth of ingoing Kerr coordinates.
+    // Inside the horizon both terms are principal values; their divergence at the horizon cancels
+    // in the azimuth of ingoing Kerr coordinates.
     motion.drag = -(to_camera.angle + (within ? ingoing_turn(spin, r) : 0.0));
     return motion;
   }

@@ -3,20 +3,24 @@
 #include "kernels/core/arithmetic.h"
 #include "kernels/spacetime/geodesic/ray.h"
 
+// The radial potential of null geodesics: which rays come from the sky.
 namespace ergodome::inline ERGO_TARGET {
 
-//! Where the potential barrier of a ray stands, and whether light gets past it.
+//! Position of the potential barrier of a ray, and whether light passes it.
 //!
-//! Outside the horizon U is positive at both ends and has at most two roots: a barrier that turns light back. Its extrema are
-//! u = 0 and the roots of a quadratic, so the barrier's top has a closed form, and whether light gets past it is the sign of one
-//! number. No quartic is solved and no step is counted.
+//! Outside the horizon U is positive at both ends and has at most two roots: a barrier that turns
+//! light back. Its extrema are u = 0 and the roots of a quadratic. So the top of the barrier has a
+//! closed form, and the sign of one number decides whether light passes, without solving a quartic
+//! or integrating.
 template <class T>
 struct RadialBarrier {
-  T u;          //!< where U is lowest between infinity and the horizon [1/M]; 0 when U has no minimum there
-  T clearance;  //!< X - √(K Δ) there, over r²; negative: light turns back. 1 when U has no minimum outside the horizon
+  T u;  //!< where U is lowest between infinity and horizon [1/M]; 0 without a minimum
+  //! X - √(K Δ) at that u, divided by r². Negative if light turns back; 1 if U has no minimum
+  //! outside the horizon.
+  T clearance;
 };
 
-//! U(u) = 1 + (a² - C) u² + 2 K u³ - a² Q u⁴ = (du/dλ)².
+//! Returns U(u) = 1 + (a² - C) u² + 2 K u³ - a² Q u⁴ = (du/dλ)².
 template <class T>
 ERGO_HD T radial_potential(ScalarOf<T> spin, const RayStart<T>& ray, const T& u) {
   using S = ScalarOf<T>;
@@ -25,11 +29,11 @@ ERGO_HD T radial_potential(ScalarOf<T> spin, const RayStart<T>& ray, const T& u)
   return S(1) + u * u * ((a2 - ray.polar_constant) + u * (S(2) * ray.shear_constant - a2 * carter * u));
 }
 
-//! Finds the barrier from U' / 2u = (a² - C) + 3 K u - 2 a² Q u² = 0.
+//! Finds the barrier from U' / 2u = (a² - C) + 3 K u - 2 a² Q u² = 0. `horizon_r` is r_+.
 //!
-//! U = (X u²)² - K u² (Δ u²) with X = r² + a² - a L is a difference of squares. Its factor X u² - u √(K Δ u²) passes through zero
-//! linearly where U does, and keeps its sign where U only touches zero: at the horizon of an extremal hole, whose shadow has a
-//! straight side there. `horizon_r` is r_+.
+//! U = (X u²)² - K u² (Δ u²) with X = r² + a² - a L is a difference of squares. Its factor X u² - u
+//! √(K Δ u²) passes through zero linearly where U does. It keeps its sign where U only touches
+//! zero: at the horizon of an extremal hole, whose shadow has a straight side there.
 template <class T>
 ERGO_HD RadialBarrier<T> radial_barrier(ScalarOf<T> spin, ScalarOf<T> horizon_r, const RayStart<T>& ray) {
   using S = ScalarOf<T>;
@@ -40,7 +44,7 @@ ERGO_HD RadialBarrier<T> radial_barrier(ScalarOf<T> spin, ScalarOf<T> horizon_r,
   const T b = S(3) * ray.shear_constant;
   const T discriminant = b * b - (S(8) * a2) * (carter * c);
   const auto has_minimum = (c > zero) & (discriminant > zero);
-  // The smaller positive root, in the form without cancellation (and without dividing by the spin).
+  // The smaller positive root, in the form without cancellation and without division by the spin.
   const T denominator = select(has_minimum, b + safe_sqrt(discriminant), T(S(1)));
   const T u = select(has_minimum, S(2) * c / denominator, zero);
   const T lapse = (S(1) - horizon_r * u) * (S(1) - (a2 / horizon_r) * u);
@@ -50,14 +54,17 @@ ERGO_HD RadialBarrier<T> radial_barrier(ScalarOf<T> spin, ScalarOf<T> horizon_r,
   return {select(outside_horizon, u, zero), select(outside_horizon, clearance, T(S(1)))};
 }
 
-//! How dark a ray is: negative for light that comes from the sky, positive for light that would come from the hole; on the
-//! camera's sky it passes through zero linearly at the shadow's edge.
+//! Returns a signed darkness of a ray: negative if its light comes from the sky, positive if it
+//! would come from the hole. On the camera's sky it passes through zero linearly at the shadow's
+//! edge.
 //!
-//! Outside the barrier all light that meets it turns back to infinity; inside it none gets out; without a barrier the first
-//! direction decides. Light with E <= 0 does not come from infinity. With u_b the top of the barrier,
+//! Outside the barrier all light that meets it turns back to infinity; inside the barrier no light
+//! escapes; without a barrier the initial direction decides. Light with E <= 0 does not come from
+//! infinity. With u_b the top of the barrier,
 //!   U(u) = U(u_b) + (u - u_b)² q,   so   U(u_b) = (u' - (u_b - u) √q) (u' + (u_b - u) √q)
-//! and the first factor alone is zero on the edge, on either side of the barrier. It stays linear for a camera at a photon orbit
-//! (u = u_b), where the clearance only touches zero; far from the barrier the clearance has the better precision.
+//! and only the first factor is zero on the edge, on either side of the barrier. It remains linear
+//! for a camera at a photon orbit (u = u_b), where the clearance only touches zero; far from the
+//! barrier the clearance is more precise.
 template <class T>
 ERGO_HD T darkness(ScalarOf<T> spin, ScalarOf<T> horizon_r, const RayStart<T>& ray) {
   using S = ScalarOf<T>;
@@ -79,7 +86,7 @@ ERGO_HD T darkness(ScalarOf<T> spin, ScalarOf<T> horizon_r, const RayStart<T>& r
   return select(ray.energy > zero, value, one);
 }
 
-//! Whether a ray comes from the sky: decided before anything is traced.
+//! Returns whether a ray comes from the sky, without tracing it.
 template <class T>
 ERGO_HD MaskOf<T> comes_from_sky(ScalarOf<T> spin, ScalarOf<T> horizon_r, const RayStart<T>& ray) {
   return darkness(spin, horizon_r, ray) < T(ScalarOf<T>(0));

@@ -3,9 +3,10 @@
 #include "kernels/spacetime/geodesic/timelike_orbit.h"
 #include "kernels/spacetime/kerr/observer.h"
 
+// Freely falling bodies in ingoing Kerr coordinates, which may cross the horizon.
 namespace ergodome {
 
-//! A body that falls freely, in ingoing Kerr coordinates, with what stays the same on its way.
+//! A freely falling body in ingoing Kerr coordinates, with its constants of motion.
 struct RainOrbit {
   OrbitConstants constants;
   OrbitState state;
@@ -13,8 +14,9 @@ struct RainOrbit {
 
 inline namespace ERGO_TARGET {
 
-//! The body that passes (r, θ) at an azimuth of ingoing Kerr coordinates, at a velocity (|v| < 1) in the rain's frame: outside the horizon and
-//! within it, the axis too. The inverse of orbit_rain_velocity(), by the same sums.
+//! Returns the body that passes (r, θ) at azimuth `phi` of ingoing Kerr coordinates, with the given
+//! velocity (|v| < 1) in the rain frame. Valid outside the horizon and inside it, also on the axis.
+//! The inverse of orbit_rain_velocity(), by the same sums.
 ERGO_HD RainOrbit make_rain_orbit(double spin, double r, double theta, double phi, const Vector3<double>& velocity) {
   const KerrFunctions f = kerr_functions(spin, r, theta);
   const double gamma = 1.0 / ::sqrt(1.0 - dot(velocity, velocity));
@@ -33,9 +35,11 @@ ERGO_HD RainOrbit make_rain_orbit(double spin, double r, double theta, double ph
   return orbit;
 }
 
-//! Whether a body outside the horizon falls into it: there is no turning point of its radius below it, and it goes inwards or is bound.
+//! Returns whether a body outside the horizon falls in: no turning point of its radius lies below
+//! it, and it moves inwards or is bound.
 //!
-//! U(u) of orbit_rate() is sampled, so that an orbit which just grazes a turning point may be taken for one that falls in.
+//! U(u) of orbit_rate() is only sampled, so an orbit that just grazes a turning point may be taken
+//! for one that falls in.
 ERGO_HD bool falls_in(double spin, const OrbitConstants& c, const OrbitState& s) {
   constexpr int samples = 400;
   if (!(s.u_rate >= 0.0) && !(c.energy < 1.0)) {

@@ -5,19 +5,21 @@
 #include "kernels/core/arithmetic.h"
 #include "kernels/core/vector3.h"
 
+// Null geodesics: how they start at the camera, and how they end.
 namespace ergodome {
 
-//! What became of a ray that was followed from the camera backwards in time.
+//! Result of following a ray from the camera backwards in time.
 enum class RayStatus : std::int32_t {
-  escaped = 0,       //!< it comes from the celestial sphere
-  captured = 1,      //!< it comes from the hole: dark
-  not_converged = 2  //!< the integrator ran out of steps before it could tell where on the sky
+  escaped = 0,       //!< comes from the celestial sphere
+  captured = 1,      //!< comes from the hole: dark
+  not_converged = 2  //!< the step limit was reached before the sky direction was known
 };
 
-//! A null geodesic at the camera, in Mino time that runs backwards: away from the camera, into the past.
+//! A null geodesic at the camera, in Mino time that runs backwards: away from the camera, into the
+//! past.
 //!
-//! E = 1; lengths in M. The polar position is the unit vector `m` = (sinθ cosφ, sinθ sinφ, cosθ) with φ = 0 at the camera and
-//! without frame dragging, which is the separate angle ψ.
+//! E = 1; lengths in M. The polar position is the unit vector `m` = (sinθ cosφ, sinθ sinφ, cosθ)
+//! with φ = 0 at the camera and without frame dragging, which is the separate angle ψ.
 template <class T>
 struct RayStart {
   T axial_angular_momentum;  //!< L = L_z / E of the photon [M]
@@ -27,20 +29,22 @@ struct RayStart {
   T u_rate;                  //!< du / dλ, backwards; u_rate² = 1 + (a² - C) u² + 2 K u³ - a² Q u⁴
   Vector3<T> m;              //!< polar position, |m| = 1
   Vector3<T> m_rate;         //!< dm / dλ, backwards [M]
-  T energy;                  //!< energy at infinity over energy seen by the observer: g = 1 / energy
-  //! The camera is within the horizon or near to it: azimuths of light that only comes in, whose u_rate is negative, are counted in ingoing Kerr
-  //! coordinates on the way, where nothing is singular.
+  T energy;                  //!< energy at infinity / energy seen by the observer: g = 1 / energy
+  //! The camera is inside the horizon or near it. Azimuths of light that moves only inwards
+  //! (negative u_rate) are then in ingoing Kerr coordinates along the way, where nothing is
+  //! singular.
   bool ingoing = false;
-  ScalarOf<T> turn =
-      ScalarOf<T>(0);  //!< the camera's azimuth in those [rad]; 0 within the horizon, whose cameras have it already
+  //! The camera's azimuth in ingoing Kerr coordinates [rad]; 0 inside the horizon, where camera
+  //! azimuths are already in these.
+  ScalarOf<T> turn = ScalarOf<T>(0);
 };
 
-//! Where a ray ends.
+//! The end of a ray.
 template <class T>
 struct RayEnd {
-  Vector3<T> sky;    //!< unit vector to the source on the celestial sphere (camera at φ = 0); valid for escaped rays
+  Vector3<T> sky;    //!< unit vector to the source (camera at φ = 0); valid for escaped rays
   T mino_time;       //!< Mino time from the camera to infinity for E = 1 [1/M]
-  T error_estimate;  //!< the integrator's own estimate of the error of `sky` [rad]
+  T error_estimate;  //!< the integrator's estimate of the error of `sky` [rad]
 };
 
 }  // namespace ergodome

@@ -3,14 +3,17 @@
 #include "kernels/spacetime/geodesic/integration.h"
 #include "kernels/spacetime/geodesic/tableau.h"
 
+// Null geodesics by embedded Runge-Kutta pairs.
 namespace ergodome::inline ERGO_TARGET {
 
-//! Rate of frame dragging, backwards: ψ' = -(2 a u - a² L u²) / (1 - 2u + a² u²) in Boyer-Lindquist's azimuth.
+//! Returns the rate of frame dragging, backwards: ψ' = -(2 a u - a² L u²) / (1 - 2u + a² u²) in
+//! Boyer-Lindquist's azimuth.
 //!
-//! Where light only comes in (RayStart::ingoing) it is counted in that of ingoing Kerr coordinates, dφ + (a/Δ) dr. Such light has dr/dλ = -√R,
-//! and with X = r² + a² - a L
-//!   ψ' = -a [(X - √R) / Δ - 1] = a - a K / (X + √R):
-//! nothing is singular at the horizon, where X = √R > 0 for all light that comes through it. √R u² = -u', as u falls all the way.
+//! For light that moves only inwards (RayStart::ingoing) the azimuth is that of ingoing Kerr
+//! coordinates, dφ + (a/Δ) dr. Such light has dr/dλ = -√R, and with X = r² + a² - a L
+//!   ψ' = -a [(X - √R) / Δ - 1] = a - a K / (X + √R).
+//! Nothing is singular at the horizon, where X = √R > 0 for all light that comes through it. √R u²
+//! = -u', as u falls all the way.
 template <class T>
 ERGO_HD T drag_rate(ScalarOf<T> spin, const RayStart<T>& ray, const RayState<T>& s) {
   using S = ScalarOf<T>;
@@ -27,10 +30,12 @@ ERGO_HD T drag_rate(ScalarOf<T> spin, const RayStart<T>& ray, const RayState<T>&
   return select(only_comes_in(ray), spin - (spin * ray.shear_constant) * u2 / sum, outer);
 }
 
-//! The equations of motion in Mino time as a first-order system: rate of every component of the state.
+//! Returns the rate of every component of the state: the equations of motion in Mino time as a
+//! first-order system.
 //!
-//! From Carter's potentials R(r) and Θ(θ), differentiated once. The radius obeys u'' = u [(a² - C) + 3 K u - 2 a² Q u²], the polar
-//! position m'' = -(C + 2 a² m_z²) m with a² m_z more in its z component.
+//! They are Carter's potentials R(r) and Θ(θ), differentiated once. The radius obeys u'' = u [(a² -
+//! C) + 3 K u - 2 a² Q u²]. The polar position obeys m'' = -(C + 2 a² m_z²) m, with a² m_z added to
+//! the z component.
 template <class T>
 ERGO_HD RayState<T> rate_of(ScalarOf<T> spin, const RayStart<T>& ray, const RayState<T>& s) {
   using S = ScalarOf<T>;
@@ -58,7 +63,8 @@ ERGO_HD RayState<T> chosen(const MaskOf<T>& mask, const RayState<T>& yes, const 
           pick(yes.m_rate, no.m_rate), select(mask, yes.drag, no.drag)};
 }
 
-//! An error of the state as an error of the sky direction; `polar_speed` turns Mino time into angle.
+//! Converts an error of the state to an error of the sky direction; `polar_speed` converts Mino
+//! time to angle.
 template <class T>
 ERGO_HD T state_size(const RayState<T>& e, const T& polar_speed) {
   const auto sum = [](const Vector3<T>& v) { return absolute(v.x) + absolute(v.y) + absolute(v.z); };
@@ -71,7 +77,7 @@ struct Trial {
   T error;
 };
 
-//! One step of a pair from the state whose rate is stage[0].
+//! Takes one step of a pair from the state whose rate is stage[0].
 template <class Tableau, class T>
 ERGO_HD Trial<T> try_step(ScalarOf<T> spin, const RayStart<T>& ray, const RayState<T>& state, const T& h,
                           const T& polar_speed, RayState<T> (&stage)[Tableau::stages]) {
@@ -100,9 +106,11 @@ ERGO_HD Trial<T> try_step(ScalarOf<T> spin, const RayStart<T>& ray, const RaySta
 
 }  // namespace detail
 
-//! Follows a ray that is known to come from the sky to its end with an embedded Runge-Kutta pair. Arguments as trace_taylor.
+//! Follows a ray that is known to come from the sky to its end, with an embedded Runge-Kutta pair.
+//! Arguments as for trace_taylor().
 //!
-//! The estimate is that of the lower order, and the higher order goes on: the errors of all steps together stay near the tolerance.
+//! The error estimate is that of the lower order, but the solution of the higher order is
+//! continued. So the errors of all steps together remain near the tolerance.
 template <class Tableau, class T>
 ERGO_HD RayEnd<T> trace_runge_kutta(ScalarOf<T> spin, const RayStart<T>& start, const MaskOf<T>& active_at_start,
                                     const IntegrationSettings& settings, T& steps, MaskOf<T>& reached) {
@@ -125,15 +133,16 @@ ERGO_HD RayEnd<T> trace_runge_kutta(ScalarOf<T> spin, const RayStart<T>& start, 
   steps = zero;
   auto active = active_at_start;
   for (int step = 0; step < settings.step_limit && any(active); ++step) {
-    // Frame dragging diverges at the horizon. An estimate that leaves out the first stage (the third-order pair's) does not see how fast
-    // it changes for light that starts there, so that a step covers half of the way from the horizon at the most.
+    // Frame dragging diverges at the horizon. An estimate that leaves out the first stage (as the
+    // third-order pair's does) misses how fast the drag changes for light that starts there. So a
+    // step covers at most half of the distance to the horizon.
     const T way = maximum(S(1) - horizon_r * state.u, least_way) / (absolute(state.u_rate) + least_way);
     const T near = minimum(h, S(0.5) * way);
     h = start.ingoing ? select(only_comes_in(start), h, near) : near;
     const detail::Trial<T> trial = detail::try_step<Tableau>(spin, start, state, h, polar_speed, stage);
     const T allowed = maximum(tolerance, rounding);
     const auto accurate = trial.error <= allowed;
-    // Beyond infinity: go back to where u is 0, by Newton's method on the length of the step.
+    // The step went past infinity: go back to u = 0 by Newton's method on the step length.
     const auto beyond = trial.end.u < zero;
     const T miss = trial.end.u / trial.end.u_rate;
     const T miss_angle = miss * polar_speed;
@@ -158,13 +167,14 @@ ERGO_HD RayEnd<T> trace_runge_kutta(ScalarOf<T> spin, const RayStart<T>& start, 
     active = active & (!finished);
   }
   reached = active_at_start & (!active);
-  // What is left to u = 0 is so short that straight on is exact.
+  // The remainder up to u = 0 is so short that a straight line is exact.
   const T rest = -(state.u / state.u_rate);
   state = detail::added(state, rest, rate_of(spin, start, state));
   const Vector3<T> sky = sky_direction(state);
   const T square = dot(sky, sky);
   reached = reached & (square < T(S(2)));
-  // In float, errors of many steps about the hole leave the vector some 1e-5 too long or too short.
+  // In float, the errors of many steps around the hole change the length of the vector by about
+  // 1e-5.
   return {(S(1) / sqrt(select(reached, square, one))) * sky, time + rest, error};
 }
 

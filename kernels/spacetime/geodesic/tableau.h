@@ -2,14 +2,15 @@
 
 #include "kernels/core/host_device.h"
 
-// Coefficients are functions with a local table, because device code cannot read static arrays of the host.
+// Coefficients of Runge-Kutta pairs. They are functions with a local table, because device code
+// cannot read static arrays of the host.
 namespace ergodome::inline ERGO_TARGET {
 
-//! The RK 3(4) pair: the classical fourth-order method, and a third-order solution from its first three stages and the derivative at
-//! the new point (which is the first stage of the next step).
+//! The RK 3(4) pair: the classical fourth-order method, and a third-order solution from its first
+//! three stages and the derivative at the new point (which is the first stage of the next step).
 //!
-//! The third-order weights (1, 2, 3) / 6 of the published tracer do not fulfil the order conditions (their first moment is 5/12,
-//! not 1/2); that pair is kept in the baseline alone.
+//! The third-order weights (1, 2, 3) / 6 of the published tracer do not satisfy the order
+//! conditions (their first moment is 5/12, not 1/2); only the baseline uses them.
 struct RungeKutta34 {
   static constexpr int stages = 5;
   static constexpr int error_order = 3;

@@ -2,14 +2,16 @@
 
 #include "kernels/spacetime/geodesic/integration.h"
 
-// Taylor series of Kerr's null geodesics in Mino time. The equations are polynomial (and one division for the frame dragging), so
-// the coefficients follow from convolutions of lower ones (Jorba & Zou, Experimental Mathematics 14 (2005) 99).
+// Taylor series of Kerr's null geodesics in Mino time. The equations are polynomial, except for one
+// division for the frame dragging, so the coefficients follow from convolutions of lower ones
+// (Jorba & Zou, Experimental Mathematics 14 (2005) 99).
 namespace ergodome::inline ERGO_TARGET {
 
-//! Constants of one ray, as the recurrences use them.
+//! Constants of one ray, in the form that the recurrences use.
 //!
-//! Time runs in units of 1 / √C (s below), so that the series stays near 1 in size and float does not overflow, however far the
-//! camera is: at r = 10⁶ the tenth derivative in plain Mino time would be 10⁶⁰.
+//! Time is in units of 1 / √C (s below), so that the series remains near 1 in size and does not
+//! overflow in float, however far the camera is: at r = 10⁶ the tenth derivative in plain Mino time
+//! would be 10⁶⁰.
 template <class T>
 struct TaylorCoefficients {
   T u_linear;                 //!< (a² - C) / s²
@@ -20,15 +22,16 @@ struct TaylorCoefficients {
   T drag_u2;                  //!< a² L / s, backwards
   RealOf<T> spin2;            //!< a² / s²
   ScalarOf<T> outer_horizon;  //!< r_+
-  //! Of RayStart; for lanes of light that only comes in the next ones are others, with X + √R in place of Δ (drag_rate() in runge_kutta.h).
+  //! As in RayStart. For lanes whose light moves only inwards, the members below have the second
+  //! value, with X + √R in place of Δ (drag_rate() in runge_kutta.h).
   bool ingoing;
-  RealOf<T> lapse_u;     //!< -2; there 0
-  T lapse_u2;            //!< a²; there a² - a L
-  RealOf<T> lapse_rate;  //!< 0; there -s
-  RealOf<T> drag_lapse;  //!< 0; there a / s, and drag_u 0, drag_u2 -a K / s
+  RealOf<T> lapse_u;     //!< -2, or 0
+  T lapse_u2;            //!< a², or a² - a L
+  RealOf<T> lapse_rate;  //!< 0, or -s
+  RealOf<T> drag_lapse;  //!< 0, or a / s; then drag_u is 0 and drag_u2 is -a K / s
 };
 
-//! `inverse_scale` is 1 / s.
+//! Computes the constants of a ray. `inverse_scale` is 1 / s.
 template <class T>
 ERGO_HD TaylorCoefficients<T> taylor_coefficients(ScalarOf<T> spin, const RayStart<T>& ray,
                                                   const RealOf<T>& inverse_scale) {
@@ -73,7 +76,7 @@ struct TaylorSeries {
 };
 
 namespace detail {
-//! Coefficient k of f g.
+//! Returns coefficient k of f g.
 template <class T>
 ERGO_HD T product_coefficient(const T* f, const T* g, int k) {
   T sum = f[0] * g[k];
@@ -84,7 +87,7 @@ ERGO_HD T product_coefficient(const T* f, const T* g, int k) {
   return sum;
 }
 
-//! Coefficient k of f², each product once.
+//! Returns coefficient k of f², with each product computed once.
 template <class T>
 ERGO_HD T square_coefficient(const T* f, int k) {
   using S = ScalarOf<T>;
@@ -101,9 +104,11 @@ ERGO_HD T square_coefficient(const T* f, int k) {
 }
 }  // namespace detail
 
-//! Fills the series from the state at h = 0; rates and h are in the scaled time of the coefficients.
+//! Fills the series from the state at h = 0. Rates and h are in the scaled time of the
+//! coefficients.
 //!
-//! The equations are those of rate_of() and of drag_rate() in runge_kutta.h, with B short for -(C + 2 a² m_z²).
+//! The equations are those of rate_of() and drag_rate() in runge_kutta.h, with B for -(C + 2 a²
+//! m_z²).
 template <int Order, class T>
 ERGO_HD void expand(ScalarOf<T> spin, const TaylorCoefficients<T>& c, const RayState<T>& state,
                     TaylorSeries<Order, T>& s) {
@@ -113,7 +118,7 @@ ERGO_HD void expand(ScalarOf<T> spin, const TaylorCoefficients<T>& c, const RayS
   T square[Order + 1];  // u²
   T force[Order + 1];   // u'' / u
   T bend[Order + 1];    // B
-  T lapse[Order + 1];   // Δ u²; where `ingoing` (X + √R) u²
+  T lapse[Order + 1];   // Δ u²; if `ingoing`, (X + √R) u²
   T drag_rate[Order + 1];
   s.u[0] = state.u;
   s.u[1] = state.u_rate;
@@ -168,7 +173,7 @@ ERGO_HD void expand(ScalarOf<T> spin, const TaylorCoefficients<T>& c, const RayS
   }
 }
 
-//! Value of a series at h.
+//! Returns the value of a series at h.
 template <int Order, class T, class Step>
 ERGO_HD T series_value(const T (&c)[Order], const Step& h) {
   T sum = c[Order - 1];
@@ -179,7 +184,7 @@ ERGO_HD T series_value(const T (&c)[Order], const Step& h) {
   return sum;
 }
 
-//! Derivative of a series at h.
+//! Returns the derivative of a series at h.
 template <int Order, class T, class Step>
 ERGO_HD T series_rate(const T (&c)[Order], const Step& h) {
   using S = ScalarOf<T>;
@@ -191,7 +196,7 @@ ERGO_HD T series_rate(const T (&c)[Order], const Step& h) {
   return sum;
 }
 
-//! The state at h.
+//! Returns the state at h.
 template <int Order, class T, class Step>
 ERGO_HD RayState<T> evaluate(const TaylorSeries<Order, T>& s, const Step& h) {
   return {series_value(s.u, h),
@@ -202,7 +207,8 @@ ERGO_HD RayState<T> evaluate(const TaylorSeries<Order, T>& s, const Step& h) {
 }
 
 namespace detail {
-//! Size of the terms of power k, as an error of the sky direction: u counts through the Mino time that it shifts.
+//! Returns the size of the terms of power k as an error of the sky direction; u counts through the
+//! shift of Mino time that it causes.
 template <int Order, class T>
 ERGO_HD RealOf<T> term_size(const TaylorSeries<Order, T>& s, int k, const RealOf<T>& polar_speed) {
   return absolute(value_of(s.x[k])) + absolute(value_of(s.y[k])) + absolute(value_of(s.z[k])) +
@@ -219,9 +225,11 @@ ERGO_HD void assign_where(const MaskOf<Real>& mask, RayState<T>& to, const RaySt
   to.drag = select(mask, from.drag, to.drag);
 }
 
-//! How long a step may be: its last two terms stay within the tolerance. Where a ray is symmetric in time about the step's beginning,
-//! terms may be missing, and the last two at once (about the turning point at r = 6 of a hole without spin u has every fourth alone);
-//! high orders, which take few and long steps, look at the two before as well, as the convergence radius that they tell.
+//! Returns the step length at which the last two terms stay within the tolerance. Where a ray is
+//! symmetric in time about the start of the step, terms may vanish, even the last two at once:
+//! about the turning point at r = 6 of a hole without spin, u has only every fourth term. High
+//! orders, which take few long steps, also use the two terms before, as an estimate of the radius
+//! of convergence.
 template <int Order, class T>
 ERGO_HD RealOf<T> step_length(const TaylorSeries<Order, T>& series, const RealOf<T>& tolerance,
                               const RealOf<T>& polar_speed) {
@@ -239,7 +247,8 @@ ERGO_HD RealOf<T> step_length(const TaylorSeries<Order, T>& series, const RealOf
   return length;
 }
 
-//! The h in (0, within] at which a ray reaches infinity, u(h) = 0; exact in the dual parts too.
+//! Returns the h in (0, within] at which a ray reaches infinity, u(h) = 0; its dual parts are exact
+//! too.
 template <int Order, class T>
 ERGO_HD T time_to_infinity(const TaylorSeries<Order, T>& s, const RealOf<T>& within) {
   using Real = RealOf<T>;
@@ -249,8 +258,8 @@ ERGO_HD T time_to_infinity(const TaylorSeries<Order, T>& s, const RealOf<T>& wit
   for (int k = 0; k <= Order; ++k) {
     u[k] = value_of(s.u[k]);
   }
-  // Outgoing light is nearly straight in (λ, u), so the tangent at the start is a good first guess; where the ray still goes
-  // inwards at the start of its last step, the end of the step is one.
+  // Outgoing light is nearly straight in (λ, u), so the tangent at the start is a good first guess.
+  // If the ray still moves inwards at the start of its last step, the end of the step is the guess.
   const Real tangent = -(u[0] / select(u[1] < Real(S(0)), u[1], Real(S(-1))));
   Real h = select(u[1] < Real(S(0)), minimum(tangent, within), within);
   constexpr int rounds = sizeof(S) == 4 ? 4 : 5;
@@ -258,7 +267,8 @@ ERGO_HD T time_to_infinity(const TaylorSeries<Order, T>& s, const RealOf<T>& wit
     const Real next = h - series_value(u, h) / series_rate(u, h);
     h = select((next > Real(S(0))) & (next < within), next, h);
   }
-  // One round of Newton's method on the dual number makes its first derivatives exact, a second round the mixed one.
+  // One round of Newton's method on the dual number makes its first derivatives exact; a second
+  // round makes the mixed derivative exact.
   T exact = T(h) - series_value(s.u, T(h)) / series_rate(s.u, T(h));
   if constexpr (has_mixed_part<T>) {
     exact = exact - series_value(s.u, exact) / series_rate(s.u, exact);
@@ -267,10 +277,12 @@ ERGO_HD T time_to_infinity(const TaylorSeries<Order, T>& s, const RealOf<T>& wit
 }
 }  // namespace detail
 
-//! Follows a ray that is known to come from the sky to its end, by Taylor series of the given order.
+//! Follows a ray that is known to come from the sky to its end, by Taylor series of the given
+//! order.
 //!
-//! `active` says which lanes to trace. `steps` receives the number of steps of each lane, `reached` which lanes arrived within
-//! the step limit. With dual numbers all derivatives are exact derivatives of the computed map, the last step included.
+//! `active_at_start` selects the lanes to trace. `steps` receives the number of steps of each lane,
+//! `reached` the lanes that arrived within the step limit. With dual numbers all derivatives are
+//! exact derivatives of the computed map, including the last step.
 template <int Order, class T>
 ERGO_HD RayEnd<T> trace_taylor(ScalarOf<T> spin, const RayStart<T>& start, const MaskOf<RealOf<T>>& active_at_start,
                                const IntegrationSettings& settings, RealOf<T>& steps, MaskOf<RealOf<T>>& reached) {
@@ -278,7 +290,7 @@ ERGO_HD RayEnd<T> trace_taylor(ScalarOf<T> spin, const RayStart<T>& start, const
   using Real = RealOf<T>;
   const Real tolerance = local_tolerance(spin, start, settings);
   const Real polar_speed = safe_sqrt(maximum(value_of(start.polar_constant), Real(S(0)))) + S(1);
-  // A straight ray has no terms to judge a step by: never more than some radians at a time.
+  // A straight ray has no higher terms that limit the step, so a step covers at most a few radians.
   const Real longest(S(3));
   const Real inverse_scale = S(1) / polar_speed;
   const TaylorCoefficients<T> coefficients = taylor_coefficients(spin, start, inverse_scale);
@@ -311,7 +323,7 @@ ERGO_HD RayEnd<T> trace_taylor(ScalarOf<T> spin, const RayStart<T>& start, const
     active = active & (u_at_end > Real(S(0)));
   }
   const Vector3<T> sky = sky_direction(state);
-  // A number that is not one is no result.
+  // Rejects NaN.
   reached = active_at_start & (!active) & (value_of(dot(sky, sky)) < Real(S(2)));
   return {sky, time * inverse_scale, T(error)};
 }

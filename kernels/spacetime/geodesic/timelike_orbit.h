@@ -5,31 +5,35 @@
 #include "kernels/spacetime/geodesic/tableau.h"
 #include "kernels/spacetime/kerr/kerr.h"
 
+// Freely falling bodies: timelike geodesics of Kerr spacetime.
 namespace ergodome {
 
-//! What stays the same on the way of a body of mass 1 that falls freely.
+//! Constants of motion of a freely falling body of mass 1.
 struct OrbitConstants {
-  double energy;                  //!< E, at infinity; 1 at rest there
+  double energy;                  //!< E at infinity; 1 for a body at rest there
   double axial_angular_momentum;  //!< L_z [M]
   double polar_constant;          //!< Q + L_z² [M²], with Carter's Q
-  //! Azimuth and time are those of ingoing Kerr coordinates, in which bodies go in through the horizon: dφ + (a/Δ) dr, dt + ((r² + a²)/Δ) dr.
+  //! Azimuth and time are those of ingoing Kerr coordinates, in which bodies cross the horizon: dφ
+  //! + (a/Δ) dr, dt + ((r² + a²)/Δ) dr.
   bool ingoing = false;
 };
 
-//! A freely falling body at one instant, without a pole or a turning point that were singular: u = 1 / r, and the polar angle as a point
-//! on the unit sphere whose azimuth knows nothing of frame dragging. Rates are in Mino time λ, dτ = Σ dλ.
+//! A freely falling body at one instant, without singularities at poles and turning points: u = 1 /
+//! r, and the polar position as a point on the unit sphere whose azimuth excludes frame dragging.
+//! Rates are in Mino time λ, dτ = Σ dλ.
 struct OrbitState {
   double u;                //!< 1 / r [1/M]
   double u_rate;           //!< du/dλ
   Vector3<double> m;       //!< (sinθ cosψ, sinθ sinψ, cosθ)
   Vector3<double> m_rate;  //!< dm/dλ [M]
   double drag;             //!< φ - ψ [rad]
-  double time;             //!< t since the start [M]; as φ Boyer-Lindquist's, but where OrbitConstants says otherwise
+  double time;             //!< t since the start [M], Boyer-Lindquist unless `ingoing`
 };
 
 inline namespace ERGO_TARGET {
 
-//! The body that passes (r, θ, φ) at a velocity (|v| < 1) in the ZAMO frame; r outside the horizon, the axis too.
+//! Returns the body that passes (r, θ, φ) with the given velocity (|v| < 1) in the ZAMO frame; r
+//! outside the horizon, also on the axis.
 ERGO_HD OrbitState make_orbit(double spin, double r, double theta, double phi, const Vector3<double>& velocity) {
   const KerrFunctions f = kerr_functions(spin, r, theta);
   const double gamma = 1.0 / ::sqrt(1.0 - dot(velocity, velocity));
@@ -46,7 +50,7 @@ ERGO_HD OrbitState make_orbit(double spin, double r, double theta, double phi, c
 
 namespace detail {
 
-//! p_θ̂ and p_φ̂ in the ZAMO frame, and what they were made of.
+//! Momentum in the ZAMO frame, with L_z and the metric functions that it is computed from.
 struct OrbitMomentum {
   KerrFunctions f;
   double radial;     //!< γ v_r
@@ -61,7 +65,7 @@ ERGO_HD OrbitMomentum momentum_of(double spin, const OrbitState& s) {
   p.radial = -s.u_rate / (s.u * s.u * ::sqrt(p.f.sigma * p.f.delta));
   const double sine = ::sqrt(s.m.x * s.m.x + s.m.y * s.m.y);
   p.axial = s.m.x * s.m_rate.y - s.m.y * s.m_rate.x;
-  // On the axis every direction is as good as another, and both lengths are the same.
+  // On the axis every direction is equivalent, and both lengths are the same.
   const double around = sine > 1e-150 ? p.axial / sine : ::sqrt(dot(s.m_rate, s.m_rate));
   const double south =
       sine > 1e-150 ? (s.m.z * (s.m.x * s.m_rate.x + s.m.y * s.m_rate.y) - sine * sine * s.m_rate.z) / sine : 0.0;
@@ -72,15 +76,15 @@ ERGO_HD OrbitMomentum momentum_of(double spin, const OrbitState& s) {
 
 }  // namespace detail
 
-//! Velocity in the ZAMO frame (e_r, e_θ, e_φ).
+//! Returns the velocity in the ZAMO frame (e_r, e_θ, e_φ).
 ERGO_HD Vector3<double> orbit_velocity(double spin, const OrbitState& s) {
   const detail::OrbitMomentum p = detail::momentum_of(spin, s);
   const double gamma = ::sqrt(1.0 + p.radial * p.radial + p.polar * p.polar + p.azimuthal * p.azimuthal);
   return {p.radial / gamma, p.polar / gamma, p.azimuthal / gamma};
 }
 
-//! The same in the frame whose e_θ and e_φ are those at the azimuth ψ, which is the body's own, but any on the axis: there directions
-//! are as good as each other, and the caller says by which one he goes.
+//! Returns the velocity in the ZAMO frame with e_θ and e_φ taken at the azimuth `psi`. That is the
+//! body's ψ, except on the axis, where all directions are equivalent and the caller chooses one.
 ERGO_HD Vector3<double> orbit_velocity(double spin, const OrbitState& s, double psi) {
   const double sine = ::sqrt(s.m.x * s.m.x + s.m.y * s.m.y);
   const Vector3<double> south = {s.m.z * ::cos(psi), s.m.z * ::sin(psi), -sine};
@@ -92,7 +96,7 @@ ERGO_HD Vector3<double> orbit_velocity(double spin, const OrbitState& s, double 
   return {p.radial / gamma, polar / gamma, azimuthal / gamma};
 }
 
-//! The constants of motion, from nothing but the place and the motion there.
+//! Returns the constants of motion, from position and velocity only.
 ERGO_HD OrbitConstants orbit_constants(double spin, const OrbitState& s) {
   const detail::OrbitMomentum p = detail::momentum_of(spin, s);
   const double gamma = ::sqrt(1.0 + p.radial * p.radial + p.polar * p.polar + p.azimuthal * p.azimuthal);
@@ -102,11 +106,13 @@ ERGO_HD OrbitConstants orbit_constants(double spin, const OrbitState& s) {
   return {energy, p.axial, dot(s.m_rate, s.m_rate) + a_cosine * a_cosine * (1.0 - energy * energy)};
 }
 
-//! The velocity in the rain's frame (e_r, e_θ, e_φ), at the horizon and within it, too; `psi` as in orbit_velocity.
+//! Returns the velocity in the rain frame (e_r, e_θ, e_φ), also at the horizon and inside it; `psi`
+//! as in orbit_velocity().
 //!
-//! With the body's momentum (ε, p) there, v the rain's speed and ω the dragging (see make_camera_station),
-//!   E - ω L = ε - v p_r,   (dr/dλ) / √A = p_r - v ε,   (ε - p_r)(ε + p_r) = 1 + p_θ² + p_φ²:
-//! both first sums give ε - p_r over 1 + v, and for what goes in they do not cancel.
+//! With the body's momentum (ε, p) in the rain frame, v the rain's speed and ω the frame dragging
+//! (see make_camera_station()),
+//!   E - ω L = ε - v p_r,   (dr/dλ) / √A = p_r - v ε,   (ε - p_r)(ε + p_r) = 1 + p_θ² + p_φ².
+//! The first two give (ε - p_r)(1 + v), a sum that does not cancel for bodies that fall inwards.
 ERGO_HD Vector3<double> orbit_rain_velocity(double spin, const OrbitConstants& c, const OrbitState& s, double psi) {
   const double sine = ::sqrt(s.m.x * s.m.x + s.m.y * s.m.y);
   const Vector3<double> south = {s.m.z * ::cos(psi), s.m.z * ::sin(psi), -sine};
@@ -123,14 +129,15 @@ ERGO_HD Vector3<double> orbit_rain_velocity(double spin, const OrbitConstants& c
 
 namespace detail {
 
-//! Rates of frame dragging and of time with λ.
+//! Rates of frame dragging and of time with respect to λ.
 struct OrbitDrag {
   double drag;
   double time;
 };
 
-//! With P = E (r² + a²) - a L and R = (dr/dλ)² = P² - Δ (r² + K): what P and dr/dλ have over Δ together, for bodies that go in, is
-//! (r² + K) / (P + √R). `moment` is P u², `mass` 1 + K u².
+//! Computes the rates. With P = E (r² + a²) - a L and R = (dr/dλ)² = P² - Δ (r² + K), the sum of
+//! the terms of P and dr/dλ over Δ is (r² + K) / (P + √R) for bodies that fall inwards. `moment` is
+//! P u², `mass` is 1 + K u².
 ERGO_HD OrbitDrag orbit_drag(double spin, const OrbitConstants& c, const OrbitState& s, double moment, double mass,
                              double lapse) {
   const double a2 = spin * spin;
@@ -147,11 +154,12 @@ ERGO_HD OrbitDrag orbit_drag(double spin, const OrbitConstants& c, const OrbitSt
 
 }  // namespace detail
 
-//! Rate of every component of the state with the body's own time τ.
+//! Returns the rate of every component of the state with respect to the body's proper time τ.
 //!
-//! Carter's potentials for mass 1 (Bardeen, Press & Teukolsky 1972, eq. 2.9), differentiated once: with K = Q + (L - aE)²,
+//! Carter's potentials for mass 1 (Bardeen, Press & Teukolsky 1972, eq. 2.9), differentiated once:
+//! with K = Q + (L - aE)²,
 //!   (du/dλ)² = U(u) = [E + a (aE - L) u²]² - (1 - 2u + a² u²)(1 + K u²),      u'' = U'(u) / 2,
-//!   |m'|² + a² (1 - E²) m_z² = Q + L²,                  m'' = -|m'|² m - a² (1 - E²) m_z (e_z - m_z m).
+//!   |m'|² + a² (1 - E²) m_z² = Q + L²,      m'' = -|m'|² m - a² (1 - E²) m_z (e_z - m_z m).
 ERGO_HD OrbitState orbit_rate(double spin, const OrbitConstants& c, const OrbitState& s) {
   const double a2 = spin * spin;
   const double u2 = s.u * s.u;
@@ -181,7 +189,7 @@ ERGO_HD OrbitState moved(const OrbitState& s, double factor, const OrbitState& d
           s.m_rate + factor * d.m_rate, s.drag + factor * d.drag,     s.time + factor * d.time};
 }
 
-//! Error of a state as an angle, beside its size.
+//! Returns the error of a state, relative to the state's size, as an angle [rad].
 ERGO_HD double orbit_error(const OrbitConstants& c, const OrbitState& s, const OrbitState& e) {
   const auto sum = [](const Vector3<double>& v) { return ::fabs(v.x) + ::fabs(v.y) + ::fabs(v.z); };
   const double pace = ::sqrt(::fabs(c.polar_constant)) + 1.0;
@@ -190,13 +198,14 @@ ERGO_HD double orbit_error(const OrbitConstants& c, const OrbitState& s, const O
 
 }  // namespace detail
 
-//! A step along an orbit, and the error that its two orders tell [rad].
+//! A step along an orbit, and the difference between its two orders [rad].
 struct OrbitStep {
   OrbitState end;
   double error;
 };
 
-//! One step of Cash & Karp's pair over `h` of the body's own time [M]. The error is not a number too near to the horizon.
+//! Takes one step of Cash & Karp's pair over a proper time `h` [M]. The error is NaN too close to
+//! the horizon.
 ERGO_HD OrbitStep orbit_step(double spin, const OrbitConstants& constants, double h, const OrbitState& state) {
   OrbitState stage[CashKarp::stages];
   OrbitState end = state;
@@ -213,23 +222,24 @@ ERGO_HD OrbitStep orbit_step(double spin, const OrbitConstants& constants, doubl
   return {end, detail::orbit_error(constants, state, difference)};
 }
 
-//! How much longer the next step may be than one with this error, which is refused where it is above the tolerance.
+//! Returns the factor for the length of the next step after a step with this error. A step whose
+//! error exceeds the tolerance is repeated.
 ERGO_HD double orbit_step_growth(double error, double tolerance) {
   constexpr double exponent = 1.0 / (CashKarp::error_order + 1);
   const double growth = 0.85 * ::pow(tolerance / (error + 1e-300), exponent);
   return growth > 0.2 ? ::fmin(growth, 4.0) : 0.2;
 }
 
-//! Follows a body for `duration` of its own time [M], backwards where negative, in steps of Cash & Karp's pair whose errors stay below
-//! `tolerance` [rad]. False, with the body where it came to, when it gets too near to the horizon (but OrbitConstants::ingoing) or `step_limit`
-//! is reached.
+//! Follows a body for the proper time `duration` [M], backwards if negative, by Cash & Karp's pair
+//! with errors below `tolerance` [rad] per step. Returns false, with the body at the last position,
+//! if it gets too close to the horizon (unless OrbitConstants::ingoing) or `step_limit` is reached.
 ERGO_HD bool advance_orbit(double spin, const OrbitConstants& constants, double duration, double tolerance,
                            int step_limit, OrbitState& state) {
   double done = 0.0;
   double h = duration;
   for (int step = 0; step < step_limit && done != duration; ++step) {
     const OrbitStep next = orbit_step(spin, constants, h, state);
-    if (next.error <= tolerance) {  // not so where it is not a number
+    if (next.error <= tolerance) {  // false for NaN
       state = next.end;
       done = h == duration - done ? duration : done + h;
     }

@@ -5,26 +5,29 @@
 #include "kernels/spacetime/geodesic/ray.h"
 #include "kernels/spacetime/kerr/observer.h"
 
+// Cameras in Kerr spacetime: what all rays of one camera share, and the rays that it sees.
 namespace ergodome {
 
-//! An affine function of the camera direction: value = constant + along · n.
+//! An affine function of the viewing direction: value = constant + along · n.
 template <class S>
 struct DirectionForm {
   S constant;
   Vector3<S> along;
 };
 
-//! Everything about a camera's place and motion that its rays need: made once, in double, and used by every ray.
+//! Position and motion of a camera, in the form that its rays need. It is computed once, in double,
+//! and shared by all rays.
 //!
-//! The conserved quantities of a light ray, and its first derivatives, are affine in the direction in which the observer sees
-//! it. Their coefficients hold the observer's velocity (aberration, one Lorentz transform) and all that is large or cancels
-//! near the horizon, so that a ray can be set up in float.
+//! The conserved quantities of a light ray, and its first derivatives, are affine in the direction
+//! in which the observer sees it. Their coefficients contain the observer's velocity (aberration,
+//! one Lorentz transform) and all terms that are large or cancel near the horizon. So each ray can
+//! be set up in float.
 template <class S>
 struct CameraStationOf {
   S spin;       //!< a [M]
   S horizon_r;  //!< radius of the outer horizon [M]
   S u;          //!< 1 / r [1/M]
-  S sine_phi;   //!< azimuth of the camera: a plain rotation of the sky
+  S sine_phi;   //!< azimuth of the camera: only rotates the sky
   S cosine_phi;
   S sine_theta;  //!< polar angle of the camera
   S cosine_theta;
@@ -33,9 +36,10 @@ struct CameraStationOf {
   DirectionForm<S> outward_rate;    //!< -du/dλ, backwards
   DirectionForm<S> polar_rate;      //!< e_θ · dm/dλ, backwards [M]
   DirectionForm<S> azimuthal_rate;  //!< e_φ · dm/dλ, backwards [M]
-  bool ingoing = false;             //!< as RayStart's
-  S turn = S(0);  //!< as RayStart's; within the horizon φ itself is the azimuth of ingoing Kerr coordinates
-  S lag = S(0);   //!< where it is `ingoing`: outer_lag() [M]
+  bool ingoing = false;             //!< see RayStart
+  //! See RayStart; inside the horizon, φ itself is the azimuth of ingoing Kerr coordinates.
+  S turn = S(0);
+  S lag = S(0);  //!< outer_lag() if `ingoing` [M], otherwise 0
 };
 
 using CameraStation = CameraStationOf<double>;
@@ -43,10 +47,11 @@ using CameraStation = CameraStationOf<double>;
 inline namespace ERGO_TARGET {
 
 namespace detail {
-//! Sum of 4-momentum components with the given weights, as a form of the observer's direction n.
+//! Returns the sum of 4-momentum components with the given weights, as a form of the observer's
+//! direction n.
 //!
-//! The photon's momentum is (1, -n) in the observer's frame. `weight` acts on (ε, q_r, q_θ, q_φ): its energy and its
-//! *reversed* momentum in the frame that `boost` leads to.
+//! The photon's momentum is (1, -n) in the observer's frame. `weight` applies to (ε, q_r, q_θ,
+//! q_φ): the energy and the *reversed* momentum in the target frame of `boost`.
 ERGO_HD DirectionForm<double> direction_form(const LorentzTransform& boost, const double (&weight)[4]) {
   double form[4] = {0.0, 0.0, 0.0, 0.0};
   for (int i = 0; i < 4; ++i) {
@@ -70,13 +75,16 @@ ERGO_HD DirectionForm<S> converted(const DirectionForm<double>& f) {
 }
 }  // namespace detail
 
-//! Prepares a camera at Boyer-Lindquist (r, θ, φ) [M, rad] whose observer moves as told.
+//! Prepares the camera of an observer at Boyer-Lindquist (r, θ, φ) [M, rad] with the given motion.
 //!
-//! `given` is the velocity in the ZAMO frame for ObserverMotion::velocity, and in the rain's for rain_boost. Outside the horizon every
-//! observer works; the rain (Doran's free fall from rest at infinity), and what is boosted from it, work at the horizon and within it down
-//! to the inner one as well, because they never pass through the ZAMO frame: with the rain's speed v and the ZAMO's lapse α = √(1 - v²),
+//! `given` is the velocity in the ZAMO frame for ObserverMotion::velocity, and in the rain frame
+//! for rain_boost. Outside the horizon all motions are valid. `rain` (Doran's free fall from rest
+//! at infinity) and `rain_boost` are also valid at the horizon and inside it, down to the inner
+//! horizon, because they never use the ZAMO frame. With the rain's speed v and the ZAMO's lapse α =
+//! √(1 - v²),
 //!   E = ε + v q_r + ω L,      dr/dλ = √A (q_r + v ε)       in the rain frame,
-//!   E = α ε + ω L,            dr/dλ = √A α q_r             in the ZAMO frame (the same, without the cancellation).
+//!   E = α ε + ω L,            dr/dλ = √A α q_r             in the ZAMO frame,
+//! which are equal; the rain form has no cancellation.
 ERGO_HD CameraStation make_camera_station(double spin, double r, double theta, double phi, ObserverMotion motion,
                                           const Vector3<double>& given = {0.0, 0.0, 0.0}) {
   const KerrFunctions f = kerr_functions(spin, r, theta);
@@ -110,7 +118,7 @@ ERGO_HD CameraStation make_camera_station(double spin, double r, double theta, d
   return station;
 }
 
-//! The same camera for kernels that work in another precision.
+//! Converts a camera to the precision of a kernel.
 template <class S>
 ERGO_HD CameraStationOf<S> converted_station(const CameraStation& c) {
   return {static_cast<S>(c.spin),
@@ -130,10 +138,12 @@ ERGO_HD CameraStationOf<S> converted_station(const CameraStation& c) {
           static_cast<S>(c.lag)};
 }
 
-//! The light ray that the observer sees in direction `n` (unit vector in the observer's frame: e_r, e_θ, e_φ).
+//! Returns the light ray that the observer sees in direction `n` (unit vector in the observer's
+//! frame: e_r, e_θ, e_φ).
 //!
-//! T is any real type (a dual number gives the exact derivatives of the whole ray). `energy` <= 0 means that such light cannot
-//! come from infinity (inside the ergosphere); the other members are then meaningless.
+//! T is any real type; a dual number gives exact derivatives of the whole ray. If `energy` <= 0,
+//! such light cannot come from infinity (inside the ergosphere), and the other members are
+//! meaningless.
 template <class T>
 ERGO_HD RayStart<T> start_ray(const CameraStationOf<ScalarOf<T>>& camera, const Vector3<T>& n) {
   using S = ScalarOf<T>;
@@ -156,13 +166,13 @@ ERGO_HD RayStart<T> start_ray(const CameraStationOf<ScalarOf<T>>& camera, const 
   return ray;
 }
 
-//! Whether a camera is within the horizon.
+//! Returns whether a camera is inside the horizon.
 template <class S>
 ERGO_HD bool is_within_horizon(const CameraStationOf<S>& camera) {
   return camera.u * camera.horizon_r > S(1);
 }
 
-//! A direction on the sky of a camera at φ = 0, turned to the camera's true azimuth.
+//! Rotates a sky direction of a camera at φ = 0 to the camera's true azimuth.
 template <class T>
 ERGO_HD Vector3<T> turned_to_camera(const CameraStationOf<ScalarOf<T>>& camera, const Vector3<T>& v) {
   return {camera.cosine_phi * v.x - camera.sine_phi * v.y, camera.sine_phi * v.x + camera.cosine_phi * v.y, v.z};

@@ -3,21 +3,24 @@
 #include "kernels/core/arithmetic.h"
 #include "kernels/spacetime/kerr/observer.h"
 
+// Aberration as a conformal map of the sky, between the frames of observer, ZAMO and rain.
 namespace ergodome {
 
-//! Aberration between two frames, one of which moves along `axis`: a stretch of the sky about that axis.
+//! Aberration between two frames, one of which moves along `axis`: a stretch of the sky about it.
 //!
-//! In stereographic coordinates about the direction of motion, aberration multiplies by the Doppler factor k = γ (1 + β). This form
-//! keeps its digits at any speed, where the components of a boosted vector cancel.
+//! In stereographic coordinates about the direction of motion, aberration multiplies by the Doppler
+//! factor k = γ (1 + β). This form is accurate at any speed, whereas the components of a boosted
+//! vector cancel.
 template <class S>
 struct FrameBoostOf {
-  Vector3<S> axis = {S(1), S(0), S(0)};  //!< unit vector along the motion of the frame that directions come from
-  S stretch = S(1);                      //!< k; 1 leaves directions as they are
+  Vector3<S> axis = {S(1), S(0), S(0)};  //!< unit vector along the motion of the source frame
+  S stretch = S(1);                      //!< k; 1 leaves directions unchanged
 };
 
 using FrameBoost = FrameBoostOf<double>;
 
-//! From an observer's frame to the rain frame at the same place: first to the ZAMO, then to the rain.
+//! Aberration from an observer's frame to the rain frame at the same position, through the ZAMO
+//! frame.
 template <class S>
 struct AberrationOf {
   FrameBoostOf<S> zamo_from_observer;
@@ -28,8 +31,10 @@ using Aberration = AberrationOf<double>;
 
 inline namespace ERGO_TARGET {
 
-//! A unit direction of view, seen in a frame relative to which its own frame moves as told. `energy` receives the photon's energy
-//! there over its energy here; angles about the direction shrink by just that factor, because aberration is conformal.
+//! Transforms a unit viewing direction to a frame relative to which its source frame moves as in
+//! `boost`. `energy` receives the photon's energy in the new frame divided by that in the source
+//! frame. Small angles about the direction shrink by the same factor, because aberration is
+//! conformal.
 template <class T>
 ERGO_HD Vector3<T> aberrated(const FrameBoostOf<ScalarOf<T>>& boost, const Vector3<T>& n, T& energy) {
   using S = ScalarOf<T>;
@@ -50,7 +55,7 @@ ERGO_HD Vector3<T> aberrated(const FrameBoostOf<ScalarOf<T>>& boost, const Vecto
           across.z * inverse + new_along * boost.axis.z};
 }
 
-//! The boost for a frame that moves at velocity β relative to the other, |β| < 1.
+//! Returns the boost for a frame that moves at velocity β relative to the other, |β| < 1.
 ERGO_HD FrameBoost frame_boost(const Vector3<double>& beta) {
   const double speed = ::sqrt(dot(beta, beta));
   if (!(speed > 0.0)) {
@@ -59,7 +64,8 @@ ERGO_HD FrameBoost frame_boost(const Vector3<double>& beta) {
   return {(1.0 / speed) * beta, ::sqrt((1.0 + speed) / (1.0 - speed))};
 }
 
-//! Aberration for an observer at (r, θ); see make_camera_station for the arguments, and for who may be within the horizon.
+//! Returns the aberration for an observer at (r, θ). See make_camera_station() for the arguments
+//! and for the motions that are valid inside the horizon.
 ERGO_HD Aberration aberration_to_rain(double spin, double r, double theta, ObserverMotion motion,
                                       const Vector3<double>& given) {
   if (motion == ObserverMotion::rain) {
@@ -75,7 +81,7 @@ ERGO_HD Aberration aberration_to_rain(double spin, double r, double theta, Obser
           {{1.0, 0.0, 0.0}, (1.0 + f.rain_speed) / lapse}};
 }
 
-//! Aberration of an observer whose frame is the one that directions are in: none.
+//! Returns the identity, for directions that are already in the observer's frame.
 ERGO_HD Aberration no_aberration() { return {{{1.0, 0.0, 0.0}, 1.0}, {{1.0, 0.0, 0.0}, 1.0}}; }
 
 template <class S>
@@ -88,7 +94,8 @@ ERGO_HD AberrationOf<S> converted_aberration(const Aberration& a) {
   return {converted_boost<S>(a.zamo_from_observer), converted_boost<S>(a.rain_from_zamo)};
 }
 
-//! A direction in the observer's frame, seen in the rain frame. `energy` receives the photon's energy there over what the observer measures.
+//! Transforms a direction from the observer's frame to the rain frame. `energy` receives the
+//! photon's energy in the rain frame divided by the energy that the observer measures.
 template <class T>
 ERGO_HD Vector3<T> rain_direction(const AberrationOf<ScalarOf<T>>& aberration, const Vector3<T>& n, T& energy) {
   T to_zamo;
@@ -105,7 +112,7 @@ ERGO_HD Vector3<T> rain_direction(const AberrationOf<ScalarOf<T>>& aberration, c
   return rain_direction(aberration, n, energy);
 }
 
-//! And back: a direction in the rain frame, seen in the observer's.
+//! Transforms a direction from the rain frame back to the observer's frame.
 template <class T>
 ERGO_HD Vector3<T> observed_direction(const AberrationOf<ScalarOf<T>>& aberration, const Vector3<T>& n) {
   using S = ScalarOf<T>;
@@ -115,7 +122,8 @@ ERGO_HD Vector3<T> observed_direction(const AberrationOf<ScalarOf<T>>& aberratio
                    energy);
 }
 
-//! How much larger a small angle about the rain-frame direction n looks to the observer.
+//! Returns the factor by which the observer sees small angles about the rain-frame direction n
+//! enlarged.
 template <class T>
 ERGO_HD T observed_scale(const AberrationOf<ScalarOf<T>>& aberration, const Vector3<T>& n) {
   using S = ScalarOf<T>;

@@ -9,21 +9,23 @@
 // Radii of Bardeen, Press & Teukolsky, ApJ 178 (1972) 347; the spin a is in [-1, 1] and positive along +z.
 namespace ergodome::inline ERGO_TARGET {
 
-//! Radius of the outer event horizon [M]: 1 + √(1 - a²).
+//! Returns the radius of the outer event horizon [M]: 1 + √(1 - a²).
 ERGO_HD double horizon_radius(double spin) { return 1.0 + ::sqrt(::fmax(0.0, (1.0 - spin) * (1.0 + spin))); }
 
-//! Radius of the inner horizon [M]: 1 - √(1 - a²), 0 without spin.
+//! Returns the radius of the inner horizon [M]: 1 - √(1 - a²); 0 without spin.
 ERGO_HD double inner_horizon_radius(double spin) { return spin * spin / horizon_radius(spin); }
 
-//! How deep cameras may be within the horizon [M]: at the inner one all light of the outside's future comes at once, and without spin there
-//! is the singularity in its place. The horizon itself where the spin is 1.
+//! Returns the smallest radius that cameras may have inside the horizon [M]: 2 % of the gap above
+//! the inner horizon. At the inner horizon all light of the exterior's future arrives at once;
+//! without spin the singularity is there instead. At spin 1 this is the horizon radius.
 ERGO_HD double least_interior_radius(double spin) {
   const double inner = inner_horizon_radius(spin);
   return inner + 0.02 * (horizon_radius(spin) - inner);
 }
 
-//! What is between the azimuth of ingoing Kerr coordinates and Boyer-Lindquist's, which are one far away: ∫ a dr / Δ from infinity to r [rad].
-//! On both sides of the horizon, at which it has no end; without end at the horizon of an extremal hole as well.
+//! Returns the azimuth of ingoing Kerr coordinates minus the Boyer-Lindquist azimuth [rad]: ∫ a dr
+//! / Δ from infinity to r. The two agree far away. Finite on both sides of the horizon, infinite at
+//! it; the same holds for an extremal hole.
 ERGO_HD double ingoing_turn(double spin, double r) {
   const double outer = horizon_radius(spin);
   const double inner = inner_horizon_radius(spin);
@@ -34,41 +36,46 @@ ERGO_HD double ingoing_turn(double spin, double r) {
   if (!(gap > 0.0)) {
     return -spin / (r - outer);
   }
-  // ln|(r - r_+) / (r - r_-)|: far away, or where the horizons are close, without the cancellation of its fraction from 1.
+  // ln|(r - r_+) / (r - r_-)|; log1p avoids cancellation far away and for close horizons.
   const double ratio = gap / (r - inner);
   return spin / gap * (ratio < 0.5 ? ::log1p(-ratio) : ::log(::fabs((r - outer) / (r - inner))));
 }
 
-//! By how much Boyer-Lindquist's time is ahead, at r > r_+, of that of who falls in, which is one with it far away and goes on through the horizon
-//! [M]: 2 r_+ W, W = ln((r - r_-) / (r - r_+)) / (r_+ - r_-). Without end at the horizon itself.
+//! Returns Boyer-Lindquist time minus infalling time at r > r_+ [M]: 2 r_+ W with W = ln((r - r_-)
+//! / (r - r_+)) / (r_+ - r_-). Infalling time agrees with Boyer-Lindquist time far away and is
+//! regular at the horizon. The difference is infinite at the horizon itself.
 ERGO_HD double ingoing_lag(double spin, double r) {
   const double outer = horizon_radius(spin);
   const double inner = inner_horizon_radius(spin);
   const double gap = outer - inner;
-  // Where the horizons are close, without the cancellation of the fraction from 1.
+  // log1p avoids cancellation where the horizons are close.
   const double part = gap / (r - outer);
   return 2.0 * outer * (part > 1e-12 ? ::log1p(part) / gap : 1.0 / (r - outer));
 }
 
-//! The same, and 0 within the horizon, from where light is late by the time of who falls in.
+//! Returns ingoing_lag() outside the horizon, and 0 inside, where light delays are in infalling
+//! time.
 ERGO_HD double outer_lag(double spin, double r) { return r > horizon_radius(spin) ? ingoing_lag(spin, r) : 0.0; }
 
-//! Radius below which nothing can stand still against the stars [M]: the outer edge of the ergosphere at polar angle θ.
+//! Returns the outer radius of the ergosphere at polar angle θ [M]. Below it, nothing can be at
+//! rest relative to the stars.
 ERGO_HD double static_limit_radius(double spin, double theta) {
   const double a_cosine = spin * ::cos(theta);
   return 1.0 + ::sqrt(::fmax(0.0, 1.0 - a_cosine * a_cosine));
 }
 
-//! Radius of the circular equatorial photon orbit [M] that runs in the sense of `orbit_sign` (+1: along +φ; -1: against it).
-//! Bardeen, Press & Teukolsky (1972), eq. 2.18.
+//! Returns the radius of the circular equatorial photon orbit [M] in the sense of `orbit_sign` (+1:
+//! along +φ; -1: against it). Bardeen, Press & Teukolsky (1972), eq. 2.18.
 ERGO_HD double photon_orbit_radius(double spin, double orbit_sign) {
   return 2.0 * (1.0 + ::cos(2.0 / 3.0 * ::acos(-orbit_sign * spin)));
 }
 
-//! Whether a camera is within the horizon or so near to it that 1 / Δ, in float, would be felt in Boyer-Lindquist's azimuth.
+//! Returns whether a camera is inside the horizon or so close to it that, in float, 1 / Δ would
+//! spoil the Boyer-Lindquist azimuth.
 ERGO_HD bool is_near_horizon(double spin, double r) { return r <= 1.2 * horizon_radius(spin); }
 
-//! Radius of the innermost stable circular orbit [M] in the sense of `orbit_sign`. Bardeen, Press & Teukolsky (1972), eq. 2.21.
+//! Returns the radius of the innermost stable circular orbit [M] in the sense of `orbit_sign`.
+//! Bardeen, Press & Teukolsky (1972), eq. 2.21.
 ERGO_HD double innermost_stable_radius(double spin, double orbit_sign) {
   const double a = orbit_sign * spin;
   const double z1 = 1.0 + ::cbrt((1.0 - a) * (1.0 + a)) * (::cbrt(1.0 + a) + ::cbrt(1.0 - a));
@@ -77,29 +84,30 @@ ERGO_HD double innermost_stable_radius(double spin, double orbit_sign) {
   return 3.0 + z2 - sign * ::sqrt((3.0 - z1) * (3.0 + z1 + 2.0 * z2));
 }
 
-//! The metric functions at one place.
+//! The metric functions at one position.
 struct KerrFunctions {
   double sigma;                 //!< Σ [M²]
   double delta;                 //!< Δ [M²]
   double area;                  //!< A [M⁴]
   double frame_dragging;        //!< ω = 2 a r / A, angular velocity of the zero-angular-momentum observer [1/M]
   double rain_speed;            //!< speed of free fall from rest at infinity in the ZAMO frame; 1 at the horizon
-  double circumference_factor;  //!< √(A / Σ) [M]: the proper radius of the circle of latitude over sinθ
+  double circumference_factor;  //!< √(A / Σ) [M]: proper radius of the circle of latitude / sinθ
 };
 
-//! Evaluates the metric functions at (r, θ) [M, rad]; r > 0. Good on the axis, at the horizon and inside.
+//! Evaluates the metric functions at (r, θ) [M, rad], r > 0. Also accurate on the axis, at the
+//! horizon and inside it.
 ERGO_HD KerrFunctions kerr_functions(double spin, double r, double theta) {
   const double a2 = spin * spin;
   const double cosine = ::cos(theta);
   const double sine = ::sin(theta);
   KerrFunctions f{};
   f.sigma = r * r + a2 * cosine * cosine;
-  // By its roots: above the horizon of an extremal hole the sum of its terms has no digits left.
+  // As a product of its roots: near an extremal horizon the sum of its terms loses all digits.
   const double horizon = horizon_radius(spin);
   f.delta = (r - horizon) * (r - a2 / horizon);
   f.area = (r * r + a2) * (r * r + a2) - a2 * f.delta * sine * sine;
   f.frame_dragging = 2.0 * spin * r / f.area;
-  // 1 - ΣΔ/A without its cancellation: A - ΣΔ = 2r (r² + a²).
+  // 1 - ΣΔ/A without cancellation: A - ΣΔ = 2r (r² + a²).
   f.rain_speed = ::sqrt(2.0 * r * (r * r + a2) / f.area);
   f.circumference_factor = ::sqrt(f.area / f.sigma);
   return f;

@@ -3,31 +3,36 @@
 #include "kernels/core/vector3.h"
 #include "kernels/spacetime/kerr/kerr.h"
 
+// Motions of observers, and Lorentz transforms between their frames.
 namespace ergodome {
 
-//! Who looks. Every observer's frame is the frame of the zero-angular-momentum observer (ZAMO: e_r, e_θ, e_φ), boosted by the
-//! observer's velocity, without rotation.
+//! How the observer moves. Every observer's frame is the frame of the zero-angular-momentum
+//! observer (ZAMO: e_r, e_θ, e_φ), boosted by the observer's velocity without rotation, unless
+//! noted below.
 enum class ObserverMotion {
-  zamo,        //!< zero angular momentum: turns with the dragged space
-  fixed,       //!< at rest against the stars; outside the ergosphere only
+  zamo,        //!< zero angular momentum: rotates with the dragged space
+  fixed,       //!< at rest relative to the stars; outside the ergosphere only
   geodesic,    //!< circular equatorial orbit along +φ at the coordinate radius r
   retrograde,  //!< circular equatorial orbit along -φ
   rain,        //!< free fall from rest at infinity, without angular momentum
   velocity,    //!< any velocity in the ZAMO frame
-  rain_boost  //!< any velocity in the rain's frame, which this observer's frame is a boost of: at the horizon and within it, too
+  //! Any velocity in the rain frame, which is boosted to the observer's frame. Also valid at the
+  //! horizon and inside it.
+  rain_boost
 };
 
-//! A linear map of 4-vectors (energy first, then r, θ, φ components), row by row.
+//! A linear map of 4-vectors (energy first, then r, θ, φ components), stored by rows.
 struct LorentzTransform {
   double row[4][4];
 };
 
 inline namespace ERGO_TARGET {
 
-//! Velocity of an observer in the ZAMO frame, in units of c.
+//! Returns the velocity of an observer in the ZAMO frame, in units of c.
 //!
-//! `given` is used for ObserverMotion::velocity and rain_boost alone. The speed is 1 or more, or not a number, where such an observer cannot
-//! exist (static in the ergosphere, circular inside the photon orbit), and within the horizon, where no ZAMO does: the caller checks.
+//! `given` is used for ObserverMotion::velocity and rain_boost only. The speed is at least 1 or NaN
+//! where such an observer cannot exist (at rest in the ergosphere, circular inside the photon
+//! orbit) and inside the horizon, where no ZAMO exists; callers must check.
 ERGO_HD Vector3<double> observer_velocity(ObserverMotion motion, double spin, double r, double theta,
                                           const Vector3<double>& given) {
   const KerrFunctions f = kerr_functions(spin, r, theta);
@@ -58,12 +63,13 @@ ERGO_HD Vector3<double> observer_velocity(ObserverMotion motion, double spin, do
   return given;
 }
 
-//! Components of a 4-vector in a frame, from its components in a frame that moves at velocity β (|β| < 1) relative to it.
+//! Returns the map from components of a 4-vector in a frame that moves at velocity β (|β| < 1) to
+//! its components in the frame at rest.
 ERGO_HD LorentzTransform boost_from_moving_frame(const Vector3<double>& beta) {
   const double b[3] = {beta.x, beta.y, beta.z};
   const double b2 = dot(beta, beta);
   const double gamma = 1.0 / ::sqrt(1.0 - b2);
-  // (γ - 1) / β² without its cancellation at small β.
+  // (γ - 1) / β² without cancellation at small β.
   const double stretch = gamma * gamma / (gamma + 1.0);
   LorentzTransform boost{};
   boost.row[0][0] = gamma;
@@ -89,8 +95,9 @@ ERGO_HD LorentzTransform operator*(const LorentzTransform& a, const LorentzTrans
   return product;
 }
 
-//! The rotation from the axes of an observer who is boosted from the ZAMO to those of one who moves alike, but is boosted from the rain
-//! (Wigner's rotation): row by row, and outside the horizon. `in_zamo` and `in_rain` are the velocities of either, of one motion.
+//! Returns the Wigner rotation from the axes of an observer that is boosted from the ZAMO frame to
+//! the axes of one with the same motion that is boosted from the rain frame. `in_zamo` and
+//! `in_rain` are the velocity of this motion in the two frames. Valid outside the horizon.
 ERGO_HD LorentzTransform rain_axes_from_zamo_axes(double spin, double r, double theta, const Vector3<double>& in_zamo,
                                                   const Vector3<double>& in_rain) {
   const Vector3<double> falls = observer_velocity(ObserverMotion::rain, spin, r, theta, {0.0, 0.0, 0.0});

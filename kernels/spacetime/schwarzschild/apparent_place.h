@@ -3,12 +3,13 @@
 #include "kernels/core/vector3.h"
 #include "kernels/spacetime/schwarzschild/connecting_ray.h"
 
-// Where points near a hole seem to be: Müller, Schulz & Weiskopf (2021), sections 2.4, 3.2 and 3.3. Points are given in pseudo-Cartesian
-// coordinates (the usual ones of r, θ, φ), directions of static observers by parts along the same axes: what is along the point's own radius is
-// measured radially, the rest across.
+// Apparent positions of points near a hole: Müller, Schulz & Weiskopf (2021), sections 2.4, 3.2 and
+// 3.3. Points are in pseudo-Cartesian coordinates (the usual ones of r, θ, φ). Directions of static
+// observers have components along the same axes: the component along the point's radius is measured
+// radially, the others tangentially.
 namespace ergodome::inline ERGO_TARGET {
 
-//! The plane through an observer, a point and the hole's middle.
+//! The plane through an observer, a point and the center of the hole.
 struct ConnectionPlane {
   Vector3<double> outward;  //!< e_1: from the hole to the observer
   Vector3<double> across;   //!< e_2: towards the point
@@ -19,13 +20,13 @@ struct ConnectionPlane {
 
 //! How a static observer sees a point.
 struct ApparentPlace {
-  Vector3<double> direction;           //!< at the observer, towards where the light seems to come from
+  Vector3<double> direction;           //!< at the observer, towards the apparent position
   double travel_time;                  //!< the depth [M]
-  Vector3<double> emission_direction;  //!< at a static emitter at the point: where the light leaves to
+  Vector3<double> emission_direction;  //!< at a static emitter at the point: where its light leaves to
 };
 
-//! The plane of an observer and a point, neither at r = 0; eq. 15. Where they are in line with the hole every plane is right, and one is
-//! taken: the image is a ring.
+//! Returns the plane of an observer and a point, neither at r = 0; eq. 15. If they are in line with
+//! the hole, every such plane is valid and one is chosen: the image is a ring.
 ERGO_HD ConnectionPlane connection_plane(const Vector3<double>& observer, const Vector3<double>& point) {
   ConnectionPlane plane{};
   plane.r_observer = ::sqrt(dot(observer, observer));
@@ -47,8 +48,9 @@ ERGO_HD ConnectionPlane connection_plane(const Vector3<double>& observer, const 
   return plane;
 }
 
-//! Places the ends of the ray of an image, 1 and up, in space. `xi`, `travel_time` and `emission_angle` are the ray's that sweeps
-//! image_angle(plane.phi, order), from connecting_ray or a table.
+//! Computes the ends in space of the ray of image `order` >= 1. `xi`, `travel_time` and
+//! `emission_angle` are those of the ray that sweeps image_angle(plane.phi, order), from
+//! connecting_ray() or a table.
 ERGO_HD ApparentPlace apparent_place(const ConnectionPlane& plane, int order, double xi, double travel_time,
                                      double emission_angle) {
   // Rays of odd order leave the observer on the point's side, those of even order on the other.
@@ -64,27 +66,29 @@ ERGO_HD ApparentPlace apparent_place(const ConnectionPlane& plane, int order, do
   return place;
 }
 
-//! How a point is seen, exactly.
+//! Computes how a point is seen, without a table.
 ERGO_HD ApparentPlace apparent_place(const Vector3<double>& observer, const Vector3<double>& point, int order) {
   const ConnectionPlane plane = connection_plane(observer, point);
   const ConnectingRay ray = connecting_ray(plane.r_observer, plane.r, image_angle(plane.phi, order));
   return apparent_place(plane, order, ray.xi, ray.travel_time, ray.emission_angle);
 }
 
-//! ν_observed / ν_emitted between a static emitter and a static observer.
+//! Returns ν_observed / ν_emitted between a static emitter and a static observer.
 ERGO_HD double static_frequency_ratio(double r_emitter, double r_observer) {
   return detail::lapse(r_emitter) / detail::lapse(r_observer);
 }
 
-//! Illuminance of a surface at rest by a point of light at rest, through one ray (order 1 or 2; add both): eqs. 20 and 21, with the angle as a
-//! static observer at the surface measures it. `normal` is the surface's unit normal in pseudo-Cartesian coordinates; a source of strength
+//! Returns the illuminance of a surface at rest by a point light at rest, through one ray (order 1
+//! or 2; add both): eqs. 20 and 21, with the angle that a static observer at the surface measures.
+//! `normal` is the surface's unit normal in pseudo-Cartesian coordinates. A source of strength
 //! `strength` gives strength / d² at a distance d far from the hole.
 ERGO_HD double illuminance(const Vector3<double>& light, const Vector3<double>& point, const Vector3<double>& normal,
                            int order, double strength) {
   const ApparentPlace place = apparent_place(light, point, order);
   const double r = ::sqrt(dot(point, point));
   const Vector3<double> radial = (1.0 / r) * point;
-  // A surface stays the same where lengths along the radius grow by 1/√(1 - 2/r); its normal shrinks there.
+  // Measured lengths along the radius are longer by 1/√(1 - 2/r). The surface remains the same, so
+  // that component of its normal shrinks.
   const Vector3<double> measured = normal + (detail::lapse(r) - 1.0) * dot(normal, radial) * radial;
   const double cosine = dot(measured, place.emission_direction) / ::sqrt(dot(measured, measured));
   return strength * ::fmax(0.0, cosine) / (place.travel_time * place.travel_time);

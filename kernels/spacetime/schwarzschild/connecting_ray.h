@@ -4,26 +4,31 @@
 #include "kernels/core/find_root.h"
 #include "kernels/spacetime/schwarzschild/null_orbit.h"
 
-// The light ray between two places in Schwarzschild spacetime. Outside the horizon the optical metric (light's paths are its straightest
-// lines, travel time is its length) is complete and negatively curved outside r = 3/2, so of every winding number there is one ray between
-// two places, and only one (Cartan and Hadamard): azimuth 0 to π is order 1, π to 2π, round the other side, order 2, and so on.
+// The light ray between two points in Schwarzschild spacetime. Outside the horizon, light paths are
+// geodesics of the optical metric, and travel time is their length. This metric is complete, and
+// negatively curved outside r = 3/2. So for each winding number there is exactly one ray between
+// two points (Cartan and Hadamard): azimuth 0 to π is order 1, π to 2π, around the other side,
+// order 2, and so on.
 namespace ergodome::inline ERGO_TARGET {
 
-//! A light ray in the plane of a Schwarzschild hole from a point to an observer; M = 1.
+//! A light ray from a point to an observer, in the plane of a Schwarzschild hole; M = 1.
 struct ConnectingRay {
-  double xi;           //!< at a static observer, between where the light seems to come from and outward [rad]
+  //! Angle at a static observer between the apparent direction of the point and outward [rad].
+  double xi;
   double travel_time;  //!< coordinate time [M]
-  //! For a photon of energy 1 at infinity [M]; over √(1 - 2/r_obs) for one that is seen with energy 1 at rest.
+  //! For a photon of energy 1 at infinity [M]. Divide by √(1 - 2/r_obs) for a photon that an
+  //! observer at rest sees with energy 1.
   double affine_distance;
   double impact_parameter;  //!< [M]
-  double emission_angle;    //!< at a static emitter at the point, between where the light leaves to and outward [rad]
-  double rate_at_observer;  //!< du/dφ there, φ counted from the observer to the point [1/M]
-  double rate_at_point;     //!< du/dφ at the point, φ counted in the same sense [1/M]
+  //! Angle at a static emitter at the point between the direction of emission and outward [rad].
+  double emission_angle;
+  double rate_at_observer;  //!< du/dφ at the observer, φ from observer to point [1/M]
+  double rate_at_point;     //!< du/dφ at the point, in the same sense of φ [1/M]
 };
 
 namespace detail {
 
-//! The two places, by what the orbits need of them.
+//! The two points, in the quantities that the orbits need.
 struct Endpoints {
   double r_far, r_near;  //!< [M]
   double u_far, u_near;  //!< 1/r
@@ -50,19 +55,21 @@ ERGO_HD Endpoints make_endpoints(double r_observer, double r) {
   return ends;
 }
 
-//! √(1 - 2/r)
+//! Returns √(1 - 2/r).
 ERGO_HD double lapse(double r) { return ::sqrt((r - 2.0) / r); }
 
-//! The orbits that turn beyond two places on the same side of the photon sphere, by one number z that grows with the azimuth: below 0 the
-//! places are on one leg, at 0 the orbit turns at the place that is nearer to the photon sphere, above 0 the turn is between them.
+//! Orbits that turn beyond two points on the same side of the photon sphere, with one parameter z
+//! that grows with the azimuth. Below 0 the points are on one leg. At 0 the orbit turns at the
+//! point that is nearer to the photon sphere, the pivot. Above 0 the turn is between the points.
 struct TurningFamily {
-  double u_pivot;             //!< the place that is nearer to the photon sphere
-  double from_photon_sphere;  //!< of that place: |u - 1/3|
-  double from_half;           //!< of that place: 1/2 - u
-  double side;                //!< as TurningOrbit has it
+  double u_pivot;             //!< u of the pivot
+  double from_photon_sphere;  //!< |u - 1/3| of the pivot
+  double from_half;           //!< 1/2 - u of the pivot
+  double side;                //!< as in TurningOrbit
   double gap;
 
-  //! Distance of the pivot from the turn: |u - 1/3| of the turn is that of the pivot times e^(-z²).
+  //! Returns the distance of the pivot from the turn: |u - 1/3| of the turn is that of the pivot
+  //! times e^(-z²).
   ERGO_HD double pivot_distance(double z) const { return -from_photon_sphere * ::expm1(-z * z); }
 
   ERGO_HD TurningOrbit orbit(double z) const {
@@ -84,7 +91,7 @@ struct TurningMismatch {
   ERGO_HD double operator()(double z) const { return family.swept(z) - angle; }
 };
 
-//! By y = ln(g - 1/6): the azimuth falls with it.
+//! Mismatch as a function of y = ln(g - 1/6), with which the azimuth decreases.
 struct PlungingMismatch {
   Endpoints ends;
   double angle;
@@ -94,16 +101,16 @@ struct PlungingMismatch {
   }
 };
 
-//! How long a ray is.
+//! Travel time and affine distance of a ray [M].
 struct RayLength {
   double time;
   double affine_distance;
 };
 
-//! Rates at both ends, their signs and the length, put in terms of observer and point.
+//! Builds the ray in terms of observer and point, from the rates at both ends and the length.
 ERGO_HD ConnectingRay ray_of(const Endpoints& ends, double inverse_b, double rate_far, double rate_near, bool turns,
                              double turn_side, const RayLength& length) {
-  // du/dφ on the way from far to near: inward all the way, or away from the turn at the end.
+  // du/dφ from far to near: inwards all the way, or away from the turn at the end.
   const double start = turns ? turn_side * rate_far : rate_far;
   const double end = turns ? -turn_side * rate_near : rate_near;
   ConnectingRay ray{};
@@ -119,7 +126,7 @@ ERGO_HD ConnectingRay ray_of(const Endpoints& ends, double inverse_b, double rat
   return ray;
 }
 
-//! A ray so near to the radial one that its bending is below rounding: u is linear in φ.
+//! Returns a ray so close to radial that its bending is below rounding: u is linear in φ.
 ERGO_HD ConnectingRay radial_ray(const Endpoints& ends, double angle) {
   const double b = angle / ends.gap;
   ConnectingRay ray{};
@@ -136,7 +143,8 @@ ERGO_HD ConnectingRay radial_ray(const Endpoints& ends, double angle) {
 }
 
 ERGO_HD ConnectingRay plunging_ray(const Endpoints& ends, double angle) {
-  // P >= 1/b² - 1/27 bounds b from below. Towards the critical orbit the azimuth grows at least as -½ ln(g - 1/6).
+  // P >= 1/b² - 1/27 bounds b from below. Towards the critical orbit the azimuth grows at least as
+  // -½ ln(g - 1/6).
   const double rate = ends.gap / angle;
   const PlungingMismatch mismatch{ends, angle};
   double high = ::log(::cbrt(0.5 * (rate * rate + 1.0 / 27.0)) + 1e-3);
@@ -170,7 +178,8 @@ ERGO_HD ConnectingRay turning_ray(const Endpoints& ends, const TurningFamily& fa
   const double rate_other = radial_rate(orbit, distance + family.gap);
   RayLength length{ends.log_gap + whole.delay - rest.delay, ends.r_gap + whole.stretch - rest.stretch};
   if (z > 0.0) {
-    // Both legs, the shorter one twice: once in log_gap's stead, once for the way back.
+    // Both legs: log_gap covers the part beyond the pivot; the part from pivot to turn counts
+    // twice.
     const double r_pivot = 1.0 / family.u_pivot;
     const double r_turn = 1.0 / orbit.turn;
     const double above = 2.0 * family.from_half * r_pivot;  // r - 2
@@ -185,7 +194,8 @@ ERGO_HD ConnectingRay turning_ray(const Endpoints& ends, const TurningFamily& fa
                 pivot_is_near ? rate_pivot : rate_other, z > 0.0, family.side, length);
 }
 
-//! Azimuth between two places on one side of the photon sphere along the critical orbit: with f² = 2u + 1/3, dφ = 2 df / (1 - f²).
+//! Returns the azimuth between two points on one side of the photon sphere along the critical
+//! orbit: with f² = 2u + 1/3, dφ = 2 df / (1 - f²).
 ERGO_HD double critical_angle(const Endpoints& ends) {
   const double near = 1.0 + ::sqrt(2.0 * ends.u_near + 1.0 / 3.0);
   const double far = 1.0 + ::sqrt(2.0 * ends.u_far + 1.0 / 3.0);
@@ -194,7 +204,8 @@ ERGO_HD double critical_angle(const Endpoints& ends) {
 
 }  // namespace detail
 
-//! Why there is no such ray, or nothing (nullptr): radii not above 2 M or above 1e12 M, angles below 0 or above 600 rad, the same place.
+//! Returns why no such ray exists, or nullptr if it does: radii not above 2 M or above 1e12 M,
+//! angles below 0 or above 600 rad, or equal positions.
 inline const char* why_not_connected(double r_observer, double r, double angle) {
   if (!(r_observer > 2.0 && r > 2.0)) {
     return "no light escapes from the horizon or from inside it";
@@ -208,11 +219,13 @@ inline const char* why_not_connected(double r_observer, double r, double angle) 
   return r_observer == r && angle == 0.0 ? "the point is at the observer's position" : nullptr;
 }
 
-//! The ray from (r, φ = angle) to an observer at (r_observer, 0) that sweeps the azimuth `angle` about the hole [M, rad]; see
-//! why_not_connected for what is allowed. Orders of images are turns: order n sweeps from (n - 1) π to n π (see image_angle).
+//! Computes the ray from (r, φ = angle) to an observer at (r_observer, 0) that sweeps the azimuth
+//! `angle` about the hole [M, rad]. See why_not_connected() for valid arguments. Image orders are
+//! half turns: order n sweeps from (n - 1) π to n π (see image_angle()).
 //!
-//! The impact parameter is a bracketed root of the azimuth in closed form; relative precision is kept for radial rays, at the turn, at the
-//! photon sphere, near the critical orbit, near the horizon and far away.
+//! The impact parameter is a bracketed root of the azimuth in closed form. It is accurate to
+//! relative precision for radial rays, at the turn, at the photon sphere, near the critical orbit,
+//! near the horizon and far away.
 ERGO_HD_CALLED ConnectingRay connecting_ray(double r_observer, double r, double angle) {
   const detail::Endpoints ends = detail::make_endpoints(r_observer, r);
   if (angle <= 1e-9 * ends.gap / ends.u_near) {
@@ -221,7 +234,7 @@ ERGO_HD_CALLED ConnectingRay connecting_ray(double r_observer, double r, double 
   const bool outside = ends.r_near > 3.0;
   const double r_pivot = outside ? ends.r_near : ends.r_far;
   if (ends.gap == 0.0 && r == 3.0) {
-    // Light runs round the photon sphere.
+    // Light circles on the photon sphere.
     const double b = ::sqrt(27.0);
     return detail::ray_of(ends, 1.0 / b, 0.0, 0.0, false, 0.0, {b * angle, 9.0 / b * angle});
   }
@@ -235,7 +248,8 @@ ERGO_HD_CALLED ConnectingRay connecting_ray(double r_observer, double r, double 
   return detail::turning_ray(ends, family, angle);
 }
 
-//! Azimuth that the ray of the n-th image sweeps to a point at azimuth φ in [0, 2π]; n >= 1. A φ that is one already stays.
+//! Returns the azimuth that the ray of the n-th image (n >= 1) sweeps to a point at azimuth φ in
+//! [0, 2π]. A φ that already is such an azimuth is returned unchanged.
 ERGO_HD double image_angle(double phi, int order) {
   if (phi >= (order - 1) * pi && phi <= order * pi) {
     return phi;

@@ -4,27 +4,30 @@
 #include "kernels/core/host_device.h"
 #include "kernels/spacetime/schwarzschild/connecting_ray.h"
 
-// A table of connecting rays, after Müller, Schulz & Weiskopf (2021), section 3.1: over u = 1/r and the azimuth φ that the ray sweeps, for
-// one observer or for several radii. Orders are one axis, two of them or more: nothing happens to the rays at φ = π.
+// A table of connecting rays, after Müller, Schulz & Weiskopf (2021), section 3.1: over u = 1/r and
+// the azimuth φ that the ray sweeps, for one observer or for several radii. The axis of φ covers
+// two or more image orders, because the rays are smooth at φ = π.
 //
-// It holds where a point seems to be: x = t cos ξ, y = t sin ξ, and z = t cos ζ with the emission angle ζ, all divided by r and the
-// observer's radius. These are normal coordinates of light's geometry, smooth wherever there is light, the observer's own place included,
-// where ξ itself takes every value; and in flat space x = u_obs cos φ - u, y = u_obs sin φ, z = u cos φ - u_obs, which interpolation
-// reproduces. x and z are even in φ, y is odd. Beside them is the affine distance over t: smooth and even, too, and 1 - 2u at the observer's own place.
+// It stores apparent positions: x = t cos ξ, y = t sin ξ, and z = t cos ζ with the emission angle
+// ζ, all divided by r and by the observer's radius. These are normal coordinates of light's
+// geometry, smooth wherever there is light. This includes the observer's position, where ξ itself
+// takes every value. In flat space x = u_obs cos φ - u, y = u_obs sin φ, z = u cos φ - u_obs, which
+// interpolation reproduces. x and z are even in φ, y is odd. The table also stores the affine
+// distance over t, which is smooth and even too, and 1 - 2u at the observer's position.
 //
-// The rays of a fan are solved at few u (Chebyshev's points) and few φ, evenly spaced; high-order interpolation carries them to the nodes.
-// A node is a float: its rounding moves ξ by some 1e-7 rad.
+// The rays of a fan are solved at few u (Chebyshev's points) and few φ, evenly spaced; high-order
+// interpolation yields the nodes. A node is in float: its rounding moves ξ by about 1e-7 rad.
 namespace ergodome {
 
-//! Where the nodes of a table are. Ends of the axes are nodes.
+//! Nodes of a table. The ends of the axes are nodes.
 struct ConnectionGrid {
   double u_low, u_high;                    //!< [1/M]
   double u_observer_low, u_observer_high;  //!< [1/M]; equal for one observer
   int rows;                                //!< nodes in u, 4 or more
   int columns;                             //!< steps in φ from 0 to its end, 4 or more
   int layers;                              //!< observers: 1, or 4 or more
-  int fan_rows;                            //!< places in u where rays are solved
-  int orders;                              //!< half turns that φ goes through
+  int fan_rows;                            //!< values of u at which rays are solved
+  int orders;                              //!< number of half turns that φ covers
 };
 
 struct ConnectionNode {
@@ -32,7 +35,7 @@ struct ConnectionNode {
   float distance;
 };
 
-//! The same before it is rounded.
+//! A node before rounding.
 struct ConnectionPlace {
   double x, y, z;
   double distance;
@@ -45,7 +48,7 @@ struct ConnectionPlace {
   }
 };
 
-//! A table that is being made.
+//! A table under construction.
 struct ConnectionBatch {
   ConnectionGrid grid;
   ConnectionPlace* fan;     //!< [layer][fan row][fan column]
@@ -53,27 +56,29 @@ struct ConnectionBatch {
   ConnectionNode* nodes;    //!< [layer][row][column], columns + 1 of them
 };
 
-//! A table that is read.
+//! A table for reading.
 struct ConnectionView {
   ConnectionGrid grid;
   const ConnectionNode* nodes;
 };
 
-//! Spacing of a fan's rays in φ: an interpolation of ten points errs by less than a float's rounding.
+//! Spacing of a fan's rays in φ: ten-point interpolation then errs by less than the rounding of
+//! float.
 inline constexpr int fan_steps_to_pi = 20;
 inline constexpr int fan_stencil = 10;
 
-//! What a table says of a point.
+//! A point as read from a table.
 struct SeenPoint {
-  double xi;               //!< as ConnectingRay has it [rad]
+  double xi;               //!< as in ConnectingRay [rad]
   double travel_time;      //!< [M]
-  double emission_angle;   //!< as ConnectingRay has it [rad]
-  double affine_distance;  //!< as ConnectingRay has it [M]
+  double emission_angle;   //!< as in ConnectingRay [rad]
+  double affine_distance;  //!< as in ConnectingRay [M]
 };
 
 inline namespace ERGO_TARGET {
 
-//! Rays of a row of the fan: from φ = 0 to its end, and what the stencil needs beyond.
+//! Returns the number of rays in a row of the fan: from φ = 0 to its end, and the ones beyond that
+//! the stencil needs.
 ERGO_HD int fan_columns(const ConnectionGrid& grid) { return grid.orders * fan_steps_to_pi + fan_stencil / 2 + 1; }
 
 ERGO_HD double observer_u(const ConnectionGrid& grid, int layer) {
@@ -81,13 +86,13 @@ ERGO_HD double observer_u(const ConnectionGrid& grid, int layer) {
   return grid.u_observer_low + share * (grid.u_observer_high - grid.u_observer_low);
 }
 
-//! Chebyshev's points of the second kind: the ends are among them.
+//! Returns u of a fan row: Chebyshev's points of the second kind, which include the ends.
 ERGO_HD double fan_u(const ConnectionGrid& grid, int fan_row) {
   const double sine = ::sin(0.5 * pi * fan_row / (grid.fan_rows - 1));
   return grid.u_low + (grid.u_high - grid.u_low) * sine * sine;
 }
 
-//! Whether a table knows a point; a table for one observer knows that one alone.
+//! Returns whether a table contains a point; a table for one observer contains that one only.
 ERGO_HD bool covers(const ConnectionGrid& grid, double r_observer, double r, double angle) {
   constexpr double slack = 1.0 + 1e-12;
   const double u = 1.0 / r;
@@ -98,7 +103,7 @@ ERGO_HD bool covers(const ConnectionGrid& grid, double r_observer, double r, dou
 
 namespace detail {
 
-//! Four neighbours on an axis and Lagrange's cubic weights.
+//! Four neighbors on an axis and Lagrange's cubic weights.
 struct CubicStencil {
   int first;
   double weight[4];
@@ -136,7 +141,8 @@ ERGO_HD ConnectionPlace read_layer(const ConnectionView& view, int layer, const 
 
 }  // namespace detail
 
-//! Reads a point that the table `covers` by cubic interpolation in u, φ and, between observers, their u.
+//! Reads a point that the table `covers`, by cubic interpolation in u, φ and, with several
+//! observers, the observer's u.
 ERGO_HD SeenPoint look_up_connection(const ConnectionView& view, double r_observer, double r, double angle) {
   const ConnectionGrid& grid = view.grid;
   const double u = 1.0 / r;
@@ -153,7 +159,7 @@ ERGO_HD SeenPoint look_up_connection(const ConnectionView& view, double r_observ
       place.add(layer.weight[i], detail::read_layer(view, layer.first + i, row, column));
     }
   }
-  // b is one: sin ζ √(1 - 2/r)^-1 r = sin ξ √(1 - 2/r_obs)^-1 r_obs.
+  // Both ends have the same b: sin ζ √(1 - 2/r)^-1 r = sin ξ √(1 - 2/r_obs)^-1 r_obs.
   const double emitted_y = place.y * detail::lapse(r) * r_observer / (detail::lapse(r_observer) * r);
   const double time = r * r_observer * ::hypot(place.x, place.y);
   return {::atan2(place.y, place.x), time, ::atan2(emitted_y, place.z), place.distance * time};

@@ -3,10 +3,10 @@
 #include "kernels/core/angles.h"
 #include "kernels/spacetime/schwarzschild/connection_table.h"
 
-// The three steps that make a table; each waits for the one before it.
+// The three steps that fill a table; each needs the results of the one before.
 namespace ergodome::inline ERGO_TARGET {
 
-//! Solves the rays of a fan, one an index.
+//! Solves the rays of a fan, one per index.
 struct SolveConnectionFan {
   ConnectionBatch batch;
 
@@ -28,8 +28,9 @@ struct SolveConnectionFan {
   }
 };
 
-//! Carries a fan to the rows of its table, one row and fan column an index: the polynomial through all Chebyshev points, by the barycentric
-//! formula. J.-P. Berrut & L. N. Trefethen, SIAM Review 46 (2004) 501, eq. 5.4.
+//! Interpolates a fan to the rows of its table, one row and fan column per index: the polynomial
+//! through all Chebyshev points, by the barycentric formula. J.-P. Berrut & L. N. Trefethen, SIAM
+//! Review 46 (2004) 501, eq. 5.4.
 struct SpreadConnectionRows {
   ConnectionBatch batch;
 
@@ -60,7 +61,8 @@ struct SpreadConnectionRows {
   }
 };
 
-//! Carries rows to the nodes of a table, one an index, through ten rays of the row; by the same formula.
+//! Interpolates rows to the nodes of a table, one per index, through ten rays of the row, by the
+//! same formula.
 struct FillConnectionNodes {
   ConnectionBatch batch;
 
@@ -73,7 +75,7 @@ struct FillConnectionNodes {
     ConnectionPlace sum{0.0, 0.0, 0.0, 0.0};
     double weights = 0.0;
     for (int i = 0; i < fan_stencil; ++i) {
-      // Evenly spaced points weigh as binomial coefficients, with alternating signs.
+      // The weights of evenly spaced points are binomial coefficients with alternating signs.
       constexpr double binomial[fan_stencil] = {1.0, -9.0, 36.0, -84.0, 126.0, -126.0, 84.0, -36.0, 9.0, -1.0};
       const int from = first + i;
       const double apart = at - from;

@@ -3,22 +3,27 @@
 #include "kernels/spacetime/elliptic/carlson.h"
 #include "kernels/spacetime/elliptic/carlson_real.h"
 
-// Orbits of light in the plane of a Schwarzschild hole, M = 1: with u = 1/r, azimuth φ and impact parameter b,
+// Orbits of light in the plane of a Schwarzschild hole, M = 1: with u = 1/r, azimuth φ and impact
+// parameter b,
 //   u'² = (du/dφ)² = P(u) = 1/b² - u² + 2u³.
 //
-// P always has a root -g <= 0. For b > √27 the other two are real: light that comes from far turns at the smaller one, below 1/3, light
-// from near the hole at the larger one. For b < √27 they are a complex pair and light never turns. Both families are parametrized by how
-// far they are from the critical orbit (u = 1/3 twice), because 1/b² alone does not tell rays near it apart; every root and every
-// difference of roots that the integrals need follows without cancellation.
+// P always has a root -g <= 0. For b > √27 the other two are real. Light from far away turns at the
+// smaller one, below 1/3; light from near the hole turns at the larger one. For b < √27 they are a
+// complex pair and light never turns. Both families are parametrized by their distance from the
+// critical orbit (u = 1/3 twice), because 1/b² alone does not resolve rays near it. All roots and
+// all differences of roots that the integrals need follow without cancellation.
 //
-// Coordinate time along an orbit, dt = b^-1 dφ / (u² (1 - 2u)), is taken apart: with 1/b² - P = u² (1 - 2u),
+// Coordinate time along an orbit, dt = b^-1 dφ / (u² (1 - 2u)), is split: with 1/b² - P = u² (1 -
+// 2u),
 //   t = |Δr*| + ∫ dφ / (1/b + √P),
-// where r* = r + 2 ln(r/2 - 1) holds all that diverges at the horizon and at infinity, and the integral is small and smooth. Affine distance for energy 1
-// at infinity, dλ = b^-1 dφ / u², likewise:
+// where r* = r + 2 ln(r/2 - 1) contains all that diverges at the horizon and at infinity, and the
+// integral is small and smooth. Affine distance for energy 1 at infinity, dλ = b^-1 dφ / u², is
+// split in the same way:
 //   λ = |Δr| + ∫ (1 - 2u) dφ / (1/b + √P).
 namespace ergodome::inline ERGO_TARGET {
 
-//! What is between an orbit's two places: the azimuth that it sweeps, its coordinate time beyond |Δr*|, and its affine distance beyond |Δr|.
+//! The part of an orbit between two points: its azimuth, its coordinate time beyond |Δr*|, and its
+//! affine distance beyond |Δr|.
 struct OrbitLeg {
   double angle;    //!< [rad]
   double delay;    //!< [M]
@@ -28,13 +33,16 @@ struct OrbitLeg {
 //! An orbit that turns, b >= √27.
 struct TurningOrbit {
   double inverse_b_squared;  //!< 1/b²
-  double turn;               //!< u where it turns
-  double side;    //!< +1: it turns below u = 1/3 and comes from farther out; -1: above, and comes from farther in
+  double turn;               //!< u of the turn
+  //! +1: turns below u = 1/3 and comes from farther out; -1: turns above it and comes from farther
+  //! in.
+  double side;
   double lowest;  //!< g: P(-g) = 0
   double width;   //!< from the turn to the third root
 };
 
-//! An orbit that never turns, b <= √27: the complex pair of roots is 1/3 + middle ± i spread. Its places are told by v = u - 1/3.
+//! An orbit that never turns, b <= √27. The complex pair of roots is 1/3 + middle ± i spread.
+//! Positions on it are given by v = u - 1/3.
 struct PlungingOrbit {
   double inverse_b_squared;  //!< 1/b²
   double lowest;             //!< 1/3 + g: P(-g) = 0
@@ -42,8 +50,8 @@ struct PlungingOrbit {
   double spread;
 };
 
-//! The orbit that turns at u = `turn`, which is `from_photon_sphere` = |u - 1/3| from the photon sphere on the given side (> 0) and
-//! `from_half` = ½ - u from the horizon: each to its own precision.
+//! Returns the orbit that turns at u = `turn`. `from_photon_sphere` = |u - 1/3| > 0 on the given
+//! side and `from_half` = ½ - u are passed separately, each to its full precision.
 ERGO_HD TurningOrbit turning_orbit(double turn, double from_photon_sphere, double from_half, double side) {
   TurningOrbit orbit{};
   orbit.inverse_b_squared = 2.0 * from_half * turn * turn;
@@ -56,7 +64,7 @@ ERGO_HD TurningOrbit turning_orbit(double turn, double from_photon_sphere, doubl
   return orbit;
 }
 
-//! The orbit with g = 1/6 + excess, excess > 0.
+//! Returns the orbit with g = 1/6 + excess, excess > 0.
 ERGO_HD PlungingOrbit plunging_orbit(double excess) {
   PlungingOrbit orbit{};
   const double g = 1.0 / 6.0 + excess;
@@ -67,13 +75,13 @@ ERGO_HD PlungingOrbit plunging_orbit(double excess) {
   return orbit;
 }
 
-//! √P at a place that is `distance` = |u - turn| from where the orbit turns.
+//! Returns √P at `distance` = |u - turn| from the turn.
 ERGO_HD double radial_rate(const TurningOrbit& orbit, double distance) {
   const double above = orbit.turn + orbit.lowest - orbit.side * distance;
   return ::sqrt(2.0 * above * distance * (distance + orbit.width));
 }
 
-//! √P at v.
+//! Returns √P at v.
 ERGO_HD double radial_rate(const PlungingOrbit& orbit, double v) {
   return ::sqrt(2.0 * (v + orbit.lowest)) * ::hypot(v - orbit.middle, orbit.spread);
 }
@@ -91,7 +99,7 @@ struct TwoIntegrals {
   }
 };
 
-//! Integrals over [low, high] by Gauss's rule of 16 points on panels no longer than `longest`.
+//! Integrates over [low, high] by Gauss's rule of 16 points on panels no longer than `longest`.
 template <class Integrand>
 ERGO_HD TwoIntegrals gauss_16(double low, double high, double longest, const Integrand& integrand) {
   constexpr double place[8] = {0.0950125098376374402, 0.281603550779258913, 0.458016777657227386, 0.617876244402643748,
@@ -112,8 +120,9 @@ ERGO_HD TwoIntegrals gauss_16(double low, double high, double longest, const Int
   return sum;
 }
 
-//! dφ / (1/b + √P) over dy, and the same times 1 - 2u, where |u - turn| = width sinh² y. The nearest singularity, -g, stays 0.2 away from all that is outside the
-//! horizon, so half a unit of y is a panel's length.
+//! dφ / (1/b + √P) over dy, and the same times 1 - 2u, where |u - turn| = width sinh² y. Outside
+//! the horizon the nearest singularity, -g, is at least 0.2 away, so panels are half a unit of y
+//! long.
 struct TurningDelay {
   TurningOrbit orbit;
   double inverse_b;
@@ -129,7 +138,8 @@ struct TurningDelay {
   }
 };
 
-//! The same over dx, where v = middle + spread sinh x. Here the singularity stays 0.4 away.
+//! The same integrands over dx, where v = middle + spread sinh x. The singularity is at least 0.4
+//! away.
 struct PlungingDelay {
   PlungingOrbit orbit;
   double inverse_b;
@@ -147,15 +157,16 @@ struct PlungingDelay {
 
 }  // namespace detail
 
-//! Azimuth from the turn to a place `distance` = |u - turn| from it: an elliptic integral of the first kind, DLMF 19.29.4 with its lower
-//! limit at a root.
+//! Returns the azimuth from the turn to `distance` = |u - turn| from it: an elliptic integral of
+//! the first kind, DLMF 19.29.4 with its lower limit at a root.
 ERGO_HD double swept_angle(const TurningOrbit& orbit, double distance) {
   const double at_turn = orbit.turn + orbit.lowest;
   return ::sqrt(2.0 * distance) * carlson_rf_real((at_turn - orbit.side * distance) * orbit.width,
                                                   at_turn * orbit.width, (distance + orbit.width) * at_turn);
 }
 
-//! The same with delay and stretch, by Gauss's rule in a variable that makes it smooth at the turn and near the critical orbit.
+//! Computes azimuth, delay and stretch of that leg. Gauss's rule is applied in a variable that
+//! makes the integrands smooth at the turn and near the critical orbit.
 ERGO_HD_CALLED OrbitLeg leg_from_turn(const TurningOrbit& orbit, double distance) {
   const double end = ::asinh(::sqrt(distance / orbit.width));
   const detail::TurningDelay integrand{orbit, ::sqrt(orbit.inverse_b_squared)};
@@ -163,7 +174,8 @@ ERGO_HD_CALLED OrbitLeg leg_from_turn(const TurningOrbit& orbit, double distance
   return {swept_angle(orbit, distance), integrals.delay, integrals.stretch};
 }
 
-//! Azimuth from v = `far` to v = `near`, which is `gap` = near - far > 0 farther in; DLMF 19.29.4 with a complex pair of roots.
+//! Returns the azimuth from v = `far` to v = `near`, with `gap` = near - far > 0; DLMF 19.29.4 with
+//! a complex pair of roots.
 ERGO_HD_CALLED double swept_angle(const PlungingOrbit& orbit, double far, double near, double gap) {
   const Complex near_1(::sqrt(near + orbit.lowest));
   const Complex far_1(::sqrt(far + orbit.lowest));
@@ -177,7 +189,7 @@ ERGO_HD_CALLED double swept_angle(const PlungingOrbit& orbit, double far, double
   return ::sqrt(2.0) * gap * carlson_rf(u12 * u12, u13 * u13, u23 * u23).re;
 }
 
-//! The same with delay and stretch.
+//! Computes azimuth, delay and stretch between two positions.
 ERGO_HD_CALLED OrbitLeg plunging_leg(const PlungingOrbit& orbit, double far, double near, double gap) {
   const double low = ::asinh((far - orbit.middle) / orbit.spread);
   const double high = ::asinh((near - orbit.middle) / orbit.spread);

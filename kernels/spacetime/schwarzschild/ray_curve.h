@@ -2,22 +2,24 @@
 
 #include "kernels/spacetime/schwarzschild/connecting_ray.h"
 
-// The way of a light ray between its two places. Its orbit is followed from both ends by
-//   u'' = 3 u² - u  (that of u'² = 1/b² - u² + 2u³),
-// which knows no turning point, with the rates that connecting_ray has: these keep their digits near the critical orbit, where 1/b² alone does
-// not tell rays apart, and half the way of a ray lets an error grow by no more than the root of what the whole way would.
+// Points on a light ray between its two ends. The orbit is followed from both ends by
+//   u'' = 3 u² - u  (from u'² = 1/b² - u² + 2u³),
+// which is regular at turning points, with the rates of connecting_ray(). These are accurate near
+// the critical orbit, where 1/b² alone does not resolve rays. Over half of a ray, an error grows by
+// only the square root of its growth over the whole ray.
 namespace ergodome::inline ERGO_TARGET {
 
-//! A place on a ray's way. The way is counted by `share` of the azimuth that it sweeps, so that radial rays, which sweep none, have one too.
+//! A point on a ray. Its coordinate is the `share` of the azimuth that the ray sweeps, which is
+//! also defined for radial rays, which sweep none.
 struct RayPlace {
   double share;   //!< 0 at the observer, 1 at the point
   double u;       //!< 1/r [1/M]
-  double u_rate;  //!< du over dshare: that over dφ, times the azimuth swept [1/M]
+  double u_rate;  //!< du / dshare = du/dφ times the azimuth that is swept [1/M]
 };
 
 namespace detail {
 
-//! A radial ray's rate over φ is infinite, and its u runs evenly.
+//! Converts a rate. That of a radial ray over φ is infinite; its u is linear in the share.
 ERGO_HD double rate_over_share(double rate, double angle, double gap) {
   const double over_share = rate * angle;
   return ::fabs(over_share) <= 1e300 ? over_share : gap;
@@ -25,22 +27,25 @@ ERGO_HD double rate_over_share(double rate, double angle, double gap) {
 
 }  // namespace detail
 
-//! The end of a ray at the observer; `angle` is the azimuth it sweeps, radii as for connecting_ray.
+//! Returns the end of a ray at the observer. `angle` is the azimuth that it sweeps, radii as for
+//! connecting_ray().
 ERGO_HD RayPlace place_at_observer(const ConnectingRay& ray, double r_observer, double r, double angle) {
   const double gap = 1.0 / r - 1.0 / r_observer;
   return {0.0, 1.0 / r_observer, detail::rate_over_share(ray.rate_at_observer, angle, gap)};
 }
 
-//! The end at the point.
+//! Returns the end of a ray at the point.
 ERGO_HD RayPlace place_at_point(const ConnectingRay& ray, double r_observer, double r, double angle) {
   const double gap = 1.0 / r - 1.0 / r_observer;
   return {1.0, 1.0 / r, detail::rate_over_share(ray.rate_at_point, angle, gap)};
 }
 
-//! Steps this long lose nothing that doubles hold: the nearest pole of u, where the orbit would end in r = 0, is some ten times as far.
+//! Returns a step length that is exact in double: the nearest pole of u, where the orbit would end
+//! at r = 0, is about ten times as far away.
 ERGO_HD double longest_ray_step(double angle) { return ::fmin(1.0 / 16.0, 0.1 / ::fmax(angle, 1e-9)); }
 
-//! Goes on along the way by `step` in share, forwards or backwards, no longer than longest_ray_step: Taylor's series of order 16.
+//! Moves along a ray by `step` in share, forwards or backwards, at most longest_ray_step(): Taylor
+//! series of order 16.
 ERGO_HD RayPlace moved_on(const RayPlace& from, double angle, double step) {
   constexpr int order = 16;
   double u[order + 1] = {from.u, from.u_rate};

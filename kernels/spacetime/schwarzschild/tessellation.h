@@ -4,8 +4,8 @@
 
 #include "kernels/core/host_device.h"
 
-// How finely triangles are divided, and which of them cannot be drawn: Müller, Schulz & Weiskopf (2021), section 3.2. Points are on the
-// screen, in any unit.
+// Tessellation levels of triangles, and triangles that cannot be drawn: Müller, Schulz & Weiskopf
+// (2021), section 3.2. Points are on the screen, in any unit.
 namespace ergodome::inline ERGO_TARGET {
 
 //! A point on the screen.
@@ -13,7 +13,7 @@ struct ScreenPoint {
   double x, y;
 };
 
-//! What the level of tessellation depends on; the defaults are those of the sphere's pictures.
+//! Parameters of the tessellation level; the defaults are those of the pictures of the sphere.
 struct TessellationSettings {
   double most = 64.0;   //!< MaxTessLevel
   double factor = 5.0;  //!< a
@@ -22,21 +22,24 @@ struct TessellationSettings {
 
 ERGO_HD double screen_distance(const ScreenPoint& p, const ScreenPoint& q) { return ::hypot(p.x - q.x, p.y - q.y); }
 
-//! How far an edge's middle lies from the middle of its ends, over the edge's length: eq. 18. Edges without length have none.
+//! Returns the distance between an edge's middle and the midpoint of its ends, relative to the
+//! edge's length: eq. 18. Returns 0 for edges without length.
 ERGO_HD double apparent_curvature(const ScreenPoint& first, const ScreenPoint& middle, const ScreenPoint& last) {
   const double length = screen_distance(first, last);
   const double bow = screen_distance(middle, {0.5 * (first.x + last.x), 0.5 * (first.y + last.y)});
   return length > 0.0 ? bow / length : 0.0;
 }
 
-//! The number of parts that an edge is divided into: eq. 19, but 1 at least. Grows with curvature.
+//! Returns the number of parts that an edge is divided into: eq. 19, but at least 1. Grows with
+//! curvature.
 ERGO_HD double tessellation_level(double curvature, const TessellationSettings& settings) {
   const double share = settings.factor * ::pow(curvature, settings.power);
   return ::fmax(1.0, settings.most * ::fmin(1.0, ::fmax(0.0, share)));
 }
 
-//! Whether a triangle is torn apart by the hole: its circumference is more than `limit` times that of the undistorted one. Such a triangle
-//! contains a point straight behind the hole, which is seen as a ring.
+//! Returns whether a triangle is torn apart by the hole: its circumference is more than `limit`
+//! times that of the undistorted one. Such a triangle contains a point exactly behind the hole,
+//! which is seen as a ring.
 ERGO_HD bool is_torn(const ScreenPoint (&seen)[3], const ScreenPoint (&undistorted)[3], double limit) {
   double around = 0.0;
   double around_undistorted = 0.0;

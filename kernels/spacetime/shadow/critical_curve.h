@@ -5,12 +5,15 @@
 #include "kernels/spacetime/geodesic/radial_potential.h"
 #include "kernels/spacetime/shadow/shadow_chart.h"
 
+// The edge of the shadow on a camera's sky, solved in double.
 namespace ergodome::inline ERGO_TARGET {
 
-//! The angle at which the sky turns bright along a great circle that is dark at 0 and bright at `bright_limit` [rad].
+//! Returns the angle at which the sky turns bright along a great circle that is dark at 0 and
+//! bright at `bright_limit` [rad].
 //!
-//! `chart` and `gamma` give the circle. The ray's darkness passes through zero linearly there. Newton's method on it (the
-//! derivative is exact, by dual numbers) inside a shrinking bracket finds the place to rounding.
+//! `chart` and `gamma` give the circle. The ray's darkness passes through zero linearly at the
+//! edge. Newton's method (with an exact derivative, by dual numbers) inside a shrinking bracket
+//! finds the root to rounding.
 ERGO_HD double edge_along_circle(const CameraStation& camera, const ShadowChart& chart, double gamma,
                                  double bright_limit) {
   double dark = 0.0;
@@ -29,14 +32,14 @@ ERGO_HD double edge_along_circle(const CameraStation& camera, const ShadowChart&
     if (inside && ::fabs(newton - alpha) <= 1e-15 * alpha) {
       return newton;
     }
-    // Every third round bisects, so the bracket shrinks whatever the curve looks like.
+    // Every third round bisects, so the bracket shrinks for any curve.
     alpha = inside && round % 3 != 2 ? newton : 0.5 * (dark + bright);
   }
   return alpha;
 }
 
 namespace detail {
-//! Chart about `centre` whose position angle 0 points along +φ.
+//! Returns a chart about `centre` whose position angle 0 points along +φ.
 ERGO_HD ShadowChart chart_about(const Vector3<double>& centre) {
   const Vector3<double> e_phi = {0.0, 0.0, 1.0};
   const Vector3<double> e_theta = {0.0, 1.0, 0.0};
@@ -51,12 +54,15 @@ ERGO_HD Vector3<double> onto_equator(const Vector3<double>& n) {
 }
 }  // namespace detail
 
-//! Chooses the chart of a camera's shadow: about the middle of the dark arc that runs through the shadow along ±φ.
+//! Chooses the chart of a camera's shadow: about the middle of the dark arc that runs through the
+//! shadow along ±φ.
 //!
-//! The ingoing principal null ray always meets the hole and the outgoing one always comes from the sky (for both K = 0, so there is
-//! no barrier): the arc starts at the first, and where the opposite of that is dark too - close to the horizon, where the bright
-//! sky is a small disk - the second says how far to look. The arc lies in the plane of e_r and e_φ wherever that meets the
-//! shadow. The far pole of the chart is the middle of the bright arc, so every great circle from the centre meets the edge.
+//! The ingoing principal null ray always meets the hole and the outgoing one always comes from the
+//! sky (K = 0 for both, so there is no barrier). So the arc starts at the ingoing ray. If the
+//! opposite direction is dark too (close to the horizon, where the bright sky is a small disk), the
+//! outgoing ray limits the search. The arc lies in the plane of e_r and e_φ wherever that meets the
+//! shadow. The far pole of the chart is the middle of the bright arc, so every great circle from
+//! the center meets the edge.
 ERGO_HD ShadowChart make_shadow_chart(const CameraStation& camera) {
   const Vector3<double> in = detail::principal_direction(camera, -1.0);
   const Vector3<double> flat = detail::onto_equator(in);
@@ -78,14 +84,17 @@ ERGO_HD ShadowChart make_shadow_chart(const CameraStation& camera) {
   return detail::chart_about(normalized(chart_direction<double>(arc, ::cos(middle), ::sin(middle), 0.0)));
 }
 
-//! Polar angle of the shadow's edge about the chart's centre at a position angle [rad]: the critical curve.
+//! Returns the polar angle of the shadow's edge about the chart's center at a position angle [rad]:
+//! the critical curve.
 //!
-//! Good for all |a| <= 1, a = 0 included (nothing divides by the spin), between the photon orbits and in the ergosphere.
+//! Accurate for all |a| <= 1, including a = 0 (nothing divides by the spin), between the photon
+//! orbits and in the ergosphere.
 ERGO_HD double edge_polar_angle(const CameraStation& camera, const ShadowChart& chart, double gamma) {
   return edge_along_circle(camera, chart, gamma, 3.14159265358979323846);
 }
 
-//! Signed angle of a direction from the shadow's edge [rad]: positive outside, along the great circle through the centre.
+//! Returns the signed angle of a direction from the shadow's edge [rad]: positive outside, along
+//! the great circle through the center.
 ERGO_HD double edge_distance(const CameraStation& camera, const ShadowChart& chart, const Vector3<double>& n) {
   return chart_polar_angle(chart, n) - edge_polar_angle(camera, chart, chart_position_angle(chart, n));
 }

@@ -6,22 +6,24 @@
 
 namespace ergodome {
 
-//! The shadow's edge on a camera's sky as a table: polar angle α about the chart's centre at equal steps of the position angle γ.
+//! The shadow's edge on a camera's sky as a table: polar angle α about the chart's center at equal
+//! steps of the position angle γ.
 //!
-//! The curve is smooth and periodic, so a cubic through four neighbours is good to rounding of float with some hundred points.
+//! The curve is smooth and periodic, so a cubic through four neighbors is accurate to the rounding
+//! of float with a few hundred points.
 struct EdgeCurve {
   Vector3<float> centre;  //!< axes of the chart, see ShadowChart
   Vector3<float> first;
   Vector3<float> second;
   const float* polar_angle;  //!< α at γ = 2π i / count [rad]
   int count;
-  float smallest;  //!< least α [rad]
-  float largest;   //!< greatest α [rad]
+  float smallest;  //!< smallest α [rad]
+  float largest;   //!< largest α [rad]
 };
 
 inline namespace ERGO_TARGET {
 
-//! α and dα/dγ at a position angle.
+//! Computes α and dα/dγ at a position angle.
 ERGO_HD void edge_at(const EdgeCurve& edge, float gamma, float& alpha, float& slope) {
   const float steps_per_radian = static_cast<float>(edge.count) * 0.159154943F;
   const float place = gamma * steps_per_radian;
@@ -29,16 +31,16 @@ ERGO_HD void edge_at(const EdgeCurve& edge, float gamma, float& alpha, float& sl
   const float t = place - whole;
   const int count = edge.count;
   const auto wrapped = [count](int i) { return i < 0 ? i + count : (i >= count ? i - count : i); };
-  // An angle that is no number has no place, and gives an α that is none.
+  // A NaN angle has no index; t makes α NaN then.
   const float known = ::fabsf(whole) < 1e7F ? whole : 0.0F;
-  // Without divisions of whole numbers, which would take longer than all the rest.
+  // Without integer division, which would take longer than everything else.
   const int turns = static_cast<int>(known / static_cast<float>(count));
   const int i = wrapped(static_cast<int>(known) - turns * count);
   const float p0 = edge.polar_angle[wrapped(i - 1)];
   const float p1 = edge.polar_angle[i];
   const float p2 = edge.polar_angle[wrapped(i + 1)];
   const float p3 = edge.polar_angle[wrapped(i + 2)];
-  // Catmull and Rom: value p1, slope (p2 - p0) / 2 at t = 0, and their like at t = 1.
+  // Catmull and Rom: value p1 and slope (p2 - p0) / 2 at t = 0, likewise at t = 1.
   const float b = 0.5F * (p2 - p0);
   const float c = p0 - 2.5F * p1 + 2.0F * p2 - 0.5F * p3;
   const float d = 0.5F * (p3 - p0) + 1.5F * (p1 - p2);

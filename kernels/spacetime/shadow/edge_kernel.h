@@ -4,7 +4,8 @@
 
 namespace ergodome {
 
-//! The shadow's edge at `count` equal steps of the position angle about a chart's centre.
+//! A batch that computes the shadow's edge at `count` equal steps of the position angle about a
+//! chart's center.
 struct EdgeBatch {
   CameraStation camera;
   ShadowChart chart;
@@ -14,7 +15,7 @@ struct EdgeBatch {
 
 inline namespace ERGO_TARGET {
 
-//! Solves one point, in double.
+//! Solves one point of the edge, in double.
 struct SolveEdge {
   EdgeBatch batch;
 

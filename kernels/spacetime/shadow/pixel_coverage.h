@@ -5,15 +5,16 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! How much of a pixel the sky lights, and where in the pixel to look.
+//! The fraction of a pixel that the sky lights, and the point in the pixel to trace.
 struct PixelCoverage {
   float lit;      //!< 0 dark, 1 bright
-  float shift_x;  //!< from the middle of the pixel to the middle of its lit part [px]
+  float shift_x;  //!< from the center of the pixel to that of its lit part [px]
   float shift_y;
 };
 
 namespace detail {
-//! A shadow of less than a pixel or two takes its area from the pixels around its centre, spread like a cone of radius 1 px.
+//! Computes the coverage for a shadow of less than one or two pixels: it takes its area from the
+//! pixels around its center, spread like a cone of radius 1 px.
 ERGO_HD PixelCoverage cover_by_speck(const EdgeCurve& edge, float alpha, float pixel_angle) {
   const float half_turn = 3.14159265F;
   const float radius_px = 0.5F * (edge.smallest + edge.largest) / pixel_angle;
@@ -23,11 +24,13 @@ ERGO_HD PixelCoverage cover_by_speck(const EdgeCurve& edge, float alpha, float p
 }
 }  // namespace detail
 
-//! Coverage of the pixel whose middle looks along `n` (observer's frame), with n's derivatives per pixel.
+//! Computes the coverage of the pixel whose center has direction `n` (observer's frame), with the
+//! derivatives of n per pixel.
 //!
-//! The edge is straight across a pixel, so the signed distance in pixels - the angle from the edge over the length of its
-//! gradient - gives the lit fraction. The ray of a half-lit pixel goes through the middle of its lit part: it never meets the
-//! shadow, and the colour at the edge is the sky's, not a blend of lit and lost rays.
+//! The edge is taken as straight across a pixel, so the signed distance in pixels (the angle from
+//! the edge divided by the length of its gradient) gives the lit fraction. The ray of a partly lit
+//! pixel goes through the center of its lit part. So it never meets the shadow, and the color at
+//! the edge is the sky's, not a blend of lit and lost rays.
 ERGO_HD PixelCoverage cover_pixel(const EdgeCurve& edge, const Vector3<float>& n, const Vector3<float>& n_along_x,
                                   const Vector3<float>& n_along_y) {
   const float cosine = dot(n, edge.centre);

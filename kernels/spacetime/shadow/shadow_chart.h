@@ -18,7 +18,7 @@ inline namespace ERGO_TARGET {
 
 ERGO_HD Vector3<double> normalized(const Vector3<double>& v) { return (1.0 / ::sqrt(dot(v, v))) * v; }
 
-//! The direction at (α, γ), for any real type.
+//! Returns the direction at (α, γ), for any real type.
 template <class T>
 ERGO_HD Vector3<T> chart_direction(const ShadowChart& chart, const T& cosine_alpha, const T& sine_alpha, double gamma) {
   using S = ScalarOf<T>;
@@ -28,26 +28,27 @@ ERGO_HD Vector3<T> chart_direction(const ShadowChart& chart, const T& cosine_alp
           cosine_alpha * S(chart.centre.z) + sine_alpha * S(across.z)};
 }
 
-//! Polar angle α of a unit direction, good near both poles [rad].
+//! Returns the polar angle α of a unit direction [rad], accurate near both poles.
 ERGO_HD double chart_polar_angle(const ShadowChart& chart, const Vector3<double>& n) {
   const double x = dot(n, chart.first);
   const double y = dot(n, chart.second);
   return ::atan2(::sqrt(x * x + y * y), dot(n, chart.centre));
 }
 
-//! Position angle γ of a unit direction [rad, -π to π].
+//! Returns the position angle γ of a unit direction [rad, -π to π].
 ERGO_HD double chart_position_angle(const ShadowChart& chart, const Vector3<double>& n) {
   return ::atan2(dot(n, chart.second), dot(n, chart.first));
 }
 
-//! Whether light that the observer sees in direction n comes from the sky.
+//! Returns whether light that the observer sees in direction n comes from the sky.
 ERGO_HD bool direction_is_bright(const CameraStation& camera, const Vector3<double>& n) {
   return comes_from_sky(camera.spin, camera.horizon_r, start_ray(camera, n));
 }
 
 namespace detail {
-//! The observer's direction of a principal null ray: the two conditions e_θ · m' = 0 and L = a sin²θ E are planes in the
-//! direction n, and their line meets the unit sphere in the ingoing and the outgoing ray.
+//! Returns the direction of a principal null ray in the observer's frame; `side` is +1 for the
+//! outgoing ray and -1 for the ingoing one. The two conditions e_θ · m' = 0 and L = a sin²θ E are
+//! planes in the direction n, and their line meets the unit sphere at these two rays.
 ERGO_HD Vector3<double> principal_direction(const CameraStation& camera, double side) {
   const Vector3<double> p = camera.polar_rate.along;
   const double p0 = camera.polar_rate.constant;

@@ -3,19 +3,20 @@
 #include "kernels/spacetime/trace/trace_pixels.h"
 #include "kernels/spacetime/trace/trace_rays.h"
 
+// Measures what following rays costs: steps and errors of any integrator.
 namespace ergodome {
 
-//! A shell that rays are followed to.
+//! A shell up to which rays are followed.
 struct WatchedShell {
   float u;      //!< 1 / r [1/M]
-  bool opaque;  //!< nothing is seen behind it
+  bool opaque;  //!< hides everything behind it
 };
 
-//! A block of rows of one image, whose rays are followed to what they see by any integrator, to tell what that takes: past the last shell that
-//! they meet, or where they meet none, to the sky.
+//! A block of rows of one image whose rays are followed by any integrator, to measure its steps and
+//! errors. Rays end behind the last shell that they meet, or at the sky if they meet none.
 struct FollowBatch {
-  PixelBatch pixels;           //!< out: coverage (of the image, where a ray sees any of that), error_estimate and steps
-  TraceMethod method;          //!< one that takes steps
+  PixelBatch pixels;           //!< out: coverage (0 if a ray sees nothing), error_estimate, steps
+  TraceMethod method;          //!< must take steps
   const WatchedShell* shells;  //!< the outermost first; outside the horizon
   int shell_count;
 };

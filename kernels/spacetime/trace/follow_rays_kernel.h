@@ -5,7 +5,7 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Integrators as FollowRays calls them: to a radius, and to the sky.
+//! Integrators in the form that FollowRays calls: to a radius, and to the sky.
 struct FollowByTaylor {
   template <class T>
   ERGO_HD FollowedRay<T> to_radius(ScalarOf<T> spin, const RayStart<T>& start, const WayEnd<T>& end,
@@ -46,10 +46,11 @@ struct FollowByBaseline {
   }
 };
 
-//! What a ray that did not end within the step limit counts as being off by [rad].
+//! Error that is counted for a ray that did not end within the step limit [rad].
 inline constexpr float lost_ray_error = 1.0F;
 
-//! Follows the rays of pixels to what they see; index i stands for the pixels i * lanes, i * lanes + 1, ... of the block.
+//! Follows the rays of pixels to what they see. Index i covers the pixels i * lanes, i * lanes + 1,
+//! ... of the block.
 template <class Follower, class T>
 struct FollowRays {
   FollowBatch batch;
@@ -89,7 +90,7 @@ struct FollowRays {
   }
 };
 
-//! Calls action(follower) with that of a method; with none for one that takes no steps.
+//! Calls action(follower) with the follower of a method; does nothing for a method without steps.
 template <class Action>
 inline void dispatch_follower(TraceMethod method, const Action& action) {
   switch (method) {

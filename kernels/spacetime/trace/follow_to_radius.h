@@ -5,18 +5,19 @@
 #include "kernels/spacetime/geodesic/taylor.h"
 #include "kernels/spacetime/trace/way_through_shells.h"
 
-// The integrators of kernels/geodesic, each with its own steps, but to the radius where a ray's way ends in place of the sky.
+// The integrators of spacetime/geodesic, each with its own steps, but up to the radius where a ray
+// ends instead of the sky.
 namespace ergodome::inline ERGO_TARGET {
 
-//! What following a ray took.
+//! Cost and accuracy of following a ray.
 template <class T>
 struct FollowedRay {
   T steps;
-  T error;            //!< the integrator's own estimate [rad]
-  MaskOf<T> arrived;  //!< within the step limit
+  T error;            //!< the integrator's estimate [rad]
+  MaskOf<T> arrived;  //!< lanes that ended within the step limit
 };
 
-//! By Taylor series, as trace_taylor.
+//! Follows rays by Taylor series, like trace_taylor().
 template <int Order, class T>
 ERGO_HD FollowedRay<T> follow_taylor(ScalarOf<T> spin, const RayStart<T>& start, const WayEnd<T>& end,
                                      const MaskOf<T>& wanted, const IntegrationSettings& settings) {
@@ -45,7 +46,7 @@ ERGO_HD FollowedRay<T> follow_taylor(ScalarOf<T> spin, const RayStart<T>& start,
   return {steps, error, arrived};
 }
 
-//! By an embedded Runge-Kutta pair, as trace_runge_kutta.
+//! Follows rays by an embedded Runge-Kutta pair, like trace_runge_kutta().
 template <class Tableau, class T>
 ERGO_HD FollowedRay<T> follow_runge_kutta(ScalarOf<T> spin, const RayStart<T>& start, const WayEnd<T>& end,
                                           const MaskOf<T>& wanted, const IntegrationSettings& settings) {
@@ -76,7 +77,7 @@ ERGO_HD FollowedRay<T> follow_runge_kutta(ScalarOf<T> spin, const RayStart<T>& s
   return {steps, error, arrived};
 }
 
-//! By the published tracer's way, as trace_baseline_rk34.
+//! Follows rays by the published tracer's method, like trace_baseline_rk34().
 template <class T>
 ERGO_HD FollowedRay<T> follow_baseline(ScalarOf<T> spin, const RayStart<T>& start, const WayEnd<T>& end,
                                        const MaskOf<T>& wanted, const IntegrationSettings& settings) {

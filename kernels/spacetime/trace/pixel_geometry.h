@@ -8,19 +8,20 @@
 #include "kernels/spacetime/shadow/pixel_coverage.h"
 #include "kernels/spacetime/trace/trace_pixels.h"
 
-// What the kernels that fill LensPixels share, be their light traced or read from a grid.
+// Shared by all kernels that fill LensPixels, whether light is traced or read from a grid.
 namespace ergodome::inline ERGO_TARGET {
 
-//! Number of pixels in a block.
+//! Returns the number of pixels in a block.
 ERGO_HD int pixel_count(const PixelBatch& batch) { return batch.row_count * batch.projection.width_px; }
 
-//! Image coordinates of the middles of the pixels first, first + 1, ... of a block [px].
+//! Computes image coordinates of the centers of the pixels first, first + 1, ... of a block [px].
 template <class T>
 ERGO_HD void pixel_middles(const PixelBatch& batch, int first, T& x_px, T& y_px) {
   pixel_middles(batch.projection.width_px, batch.first_row, pixel_count(batch), first, x_px, y_px);
 }
 
-//! The direction of a place in the image in the view's own axes, with its derivatives per pixel.
+//! Returns the direction of an image position in the axes of the view, with its derivatives per
+//! pixel.
 template <class T>
 ERGO_HD Vector3<Dual<T>> view_direction(const PixelBatch& batch, const T& x_px, const T& y_px) {
   using D = Dual<T>;
@@ -30,7 +31,7 @@ ERGO_HD Vector3<Dual<T>> view_direction(const PixelBatch& batch, const T& x_px, 
   return direction_from_pixel(batch.projection, D(x_px, one, zero), D(y_px, zero, one));
 }
 
-//! A direction of the view in the observer's frame.
+//! Rotates a direction from the view's axes to the observer's frame.
 template <class D>
 ERGO_HD Vector3<D> turned_from_view(const PixelBatch& batch, const Vector3<D>& view) {
   const auto row = [&](int i) {
@@ -40,19 +41,20 @@ ERGO_HD Vector3<D> turned_from_view(const PixelBatch& batch, const Vector3<D>& v
   return {row(0), row(1), row(2)};
 }
 
-//! The observer's direction of a place in the image, with its derivatives per pixel.
+//! Returns the direction of an image position in the observer's frame, with its derivatives per
+//! pixel.
 template <class T>
 ERGO_HD Vector3<Dual<T>> observed_direction(const PixelBatch& batch, const T& x_px, const T& y_px) {
   return turned_from_view(batch, view_direction(batch, x_px, y_px));
 }
 
-//! A register of pixels, whoever looks through it.
+//! One register of pixels with their viewing directions, the same for all eyes and observers.
 template <class T>
 struct ViewedPixels {
-  int first;  //!< of the block
+  int first;  //!< first pixel in the block
   T x_px;
   T y_px;
-  T inside;  //!< part of each that the image covers
+  T inside;  //!< fraction of each pixel that the image covers
   Vector3<Dual<T>> view;
 
   ERGO_HD ViewedPixels(const PixelBatch& batch, int index) : first(index * RealTraits<T>::lane_count) {
@@ -62,8 +64,8 @@ struct ViewedPixels {
   }
 };
 
-//! Gives the lanes of `near_edge` their coverage, and moves their place into the lit part of the pixel. `n` is the direction in the
-//! frame of the edge. Tells whether any place moved.
+//! Computes the coverage of the lanes in `near_edge`, and moves their positions into the lit part
+//! of the pixel. `n` is the direction in the frame of the edge. Returns whether any position moved.
 template <class T>
 ERGO_HD bool cover_lanes(const EdgeCurve& edge, const Vector3<Dual<T>>& n, const MaskOf<T>& near_edge, T& x_px, T& y_px,
                          T& lit) {
@@ -87,7 +89,7 @@ ERGO_HD bool cover_lanes(const EdgeCurve& edge, const Vector3<Dual<T>>& n, const
   return shifted;
 }
 
-//! A vector with its derivatives (R a Dual), or without (R its real number).
+//! Returns a vector with its derivatives (R a Dual) or without (R its real number).
 template <class R, class T>
 ERGO_HD Vector3<R> part_of(const Vector3<Dual<T>>& v) {
   if constexpr (std::is_same_v<R, T>) {
@@ -97,8 +99,9 @@ ERGO_HD Vector3<R> part_of(const Vector3<Dual<T>>& v) {
   }
 }
 
-//! Writes the sky channels of pixels; where `valid` does not hold, a footprint as wide as the sky, or where nobody asked for footprints,
-//! a direction of no length. Without derivatives, without footprints.
+//! Writes the sky channels of pixels. Where `valid` is false, writes a footprint as wide as the
+//! sky, or a zero direction if the batch has no footprints. Writes no footprints if R has no
+//! derivatives.
 template <class R>
 ERGO_HD void store_sky(const PixelBatch& batch, int first, const Vector3<R>& sky, const MaskOf<RealOf<R>>& valid) {
   using T = RealOf<R>;

@@ -8,7 +8,7 @@
 
 namespace ergodome {
 
-//! A block of rows of one image, a light ray a pixel.
+//! A block of rows of one image, one light ray per pixel.
 struct PixelBatch {
   CameraStationOf<float> camera;
   ProjectionOf<float> projection;
@@ -16,12 +16,13 @@ struct PixelBatch {
       frame_from_view[3]
                      [3];  //!< columns: the view's x (right), y (up), z (back) in the observer's frame (e_r, e_θ, e_φ)
   EdgeCurve edge;
-  float edge_cosine_lowest;  //!< pixels whose cosine to the chart's centre lies between these may touch the edge
+  //! Only pixels whose cosine to the chart's center is in this range may touch the edge.
+  float edge_cosine_lowest;
   float edge_cosine_highest;
   IntegrationSettings settings;
   int first_row;  //!< first row of the image in this block
   int row_count;
-  LensPixels out;  //!< row_count * width elements a channel
+  LensPixels out;  //!< row_count * width elements per channel
 };
 
 }  // namespace ergodome

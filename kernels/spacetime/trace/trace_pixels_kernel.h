@@ -10,7 +10,7 @@ namespace ergodome::inline ERGO_TARGET {
 //! Order of the Taylor series of pictures: the cheapest at their tolerances.
 inline constexpr int picture_order = 10;
 
-//! Lanes whose direction, in the frame of the edge, may touch it.
+//! Returns the lanes whose direction, in the frame of the edge, may touch it.
 template <class T>
 ERGO_HD MaskOf<T> touches_edge(const PixelBatch& batch, const Vector3<Dual<T>>& n) {
   const Vector3<float>& centre = batch.edge.centre;
@@ -18,7 +18,7 @@ ERGO_HD MaskOf<T> touches_edge(const PixelBatch& batch, const Vector3<Dual<T>>& 
   return (cosine <= T(batch.edge_cosine_highest)) & (cosine >= T(batch.edge_cosine_lowest));
 }
 
-//! Writes what traced pixels have found.
+//! Writes the results of traced pixels.
 template <class T, class Ray>
 ERGO_HD void store_traced(const PixelBatch& batch, int first, const RayStart<Ray>& start, const RayEnd<Ray>& end,
                           const T& steps, const MaskOf<T>& reached, const T& lit, const MaskOf<T>& wanted) {
@@ -40,8 +40,8 @@ ERGO_HD void store_traced(const PixelBatch& batch, int first, const RayStart<Ray
   store_lanes(out.half_orbits, first, count, select(reached, sweep * S(0.31830988618), zero));
 }
 
-//! Traces the pixels of a batch; index i stands for the pixels i * lanes, i * lanes + 1, ... of the block. `Footprints` compiles their
-//! derivatives in: a picture without pays nothing.
+//! Traces the pixels of a batch. Index i covers the pixels i * lanes, i * lanes + 1, ... of the
+//! block. `Footprints` enables their derivatives at compile time; without, they cost nothing.
 template <class T, bool Footprints>
 struct TracePixels {
   using D = Dual<T>;
@@ -66,8 +66,8 @@ struct TracePixels {
 
     const RayStart<Ray> start = start_ray(batch.camera, part_of<Ray>(n));
     const auto bright = comes_from_sky(batch.camera.spin, batch.camera.horizon_r, plain_start(start));
-    // In the shadow's very edge the decision in float may differ from the curve's: such a pixel keeps its coverage and looks at
-    // the whole sky, which is what the edge shows.
+    // At the very edge of the shadow the decision in float may differ from the curve's. Such a
+    // pixel keeps its coverage and averages the whole sky, which is what the edge shows.
     const auto dark = (!bright) & (sky_lit >= one);
     const T lit = select(dark, zero, sky_lit * inside);
     const auto wanted = bright & (lit > zero);

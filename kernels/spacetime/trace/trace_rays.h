@@ -7,10 +7,10 @@
 
 namespace ergodome {
 
-//! How a ray is followed.
+//! Integration methods.
 enum class TraceMethod : std::int32_t { taylor, rk34, cash_karp, closed_form, baseline_rk34 };
 
-//! Many rays of one camera. Arrays hold `count` elements; a null output is not written.
+//! Many rays of one camera. Arrays have `count` elements; null outputs are not written.
 template <class Scalar>
 struct RayBatch {
   CameraStationOf<Scalar> camera;
@@ -18,11 +18,11 @@ struct RayBatch {
   TraceMethod method;
   int count;
   const Scalar* direction[3];  //!< unit vectors in the observer's frame (e_r, e_θ, e_φ)
-  Scalar* sky[3];              //!< unit vectors to the sources, turned by the camera's φ; 0 where there is none
-  Scalar* frequency_ratio;     //!< g = ν_observed / ν_emitted; formal 1 / E for captured rays
+  Scalar* sky[3];              //!< unit vectors to the sources, rotated by camera φ, or 0
+  Scalar* frequency_ratio;     //!< g = ν_observed / ν_emitted; formally 1 / E for captured rays
   Scalar* status;              //!< RayStatus as a number
   Scalar* steps;               //!< integration steps
-  Scalar* error_estimate;      //!< the integrator's own [rad]
+  Scalar* error_estimate;      //!< the integrator's estimate [rad]
   Scalar* mino_time;           //!< [1/M]
 };
 

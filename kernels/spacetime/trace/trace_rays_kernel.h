@@ -9,7 +9,8 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Taylor series whose order suits the tolerance: about -ln(tolerance) / 2 is cheapest (Jorba & Zou 2005), and few orders do.
+//! Taylor series whose order suits the tolerance. The cheapest order is about -ln(tolerance) / 2
+//! (Jorba & Zou 2005), and a few orders suffice.
 struct TraceByTaylor {
   template <class T>
   ERGO_HD RayEnd<T> operator()(ScalarOf<T> spin, const RayStart<T>& start, const MaskOf<RealOf<T>>& active,
@@ -41,7 +42,8 @@ struct TraceByBaseline {
   }
 };
 
-//! Elliptic functions take their own path for every ray, so the lanes go one by one, in double.
+//! Closed form. Elliptic functions branch differently for each ray, so lanes are computed one by
+//! one, in double.
 struct TraceByClosedForm {
   template <class T>
   ERGO_HD RayEnd<T> operator()(ScalarOf<T> spin, const RayStart<T>& start, const MaskOf<T>& active,
@@ -77,7 +79,8 @@ struct TraceByClosedForm {
   }
 };
 
-//! Traces the rays of a batch that one camera sees, or with `camera` what an eye sees whose every direction has its own.
+//! Traces the rays of a batch. `camera` is the batch's camera, or that of an omnidirectional eye,
+//! which differs for each direction.
 template <class Tracer, class T, class Camera>
 ERGO_HD void trace_rays_at(const RayBatch<ScalarOf<T>>& batch, const Camera& camera, int first) {
   using S = ScalarOf<T>;
@@ -105,7 +108,7 @@ ERGO_HD void trace_rays_at(const RayBatch<ScalarOf<T>>& batch, const Camera& cam
   store_lanes(batch.mino_time, first, count, select(reached, end.mino_time, zero));
 }
 
-//! The rays of one camera; index i stands for the rays i * lanes, i * lanes + 1, ...
+//! Traces the rays of one camera. Index i covers the rays i * lanes, i * lanes + 1, ...
 template <class Tracer, class T>
 struct TraceRays {
   RayBatch<ScalarOf<T>> batch;
@@ -115,7 +118,7 @@ struct TraceRays {
   }
 };
 
-//! The same of an eye that turns with the direction.
+//! Traces the rays of an omnidirectional eye, whose position depends on the direction.
 template <class T>
 struct TraceOmniRays {
   OmniRayBatch batch;

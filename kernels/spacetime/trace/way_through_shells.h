@@ -5,18 +5,20 @@
 #include "kernels/near_rays/radial_fate.h"
 #include "kernels/spacetime/trace/follow_rays.h"
 
+// Where the path of a ray through shells ends.
 namespace ergodome::inline ERGO_TARGET {
 
-//! Where a ray has seen the last of the shells.
+//! The last shell that a ray meets, which may be the first opaque one.
 template <class T>
 struct WayEnd {
   T u;              //!< 1 / r of the shell [1/M]
-  T side;           //!< 1 where the ray crosses it inwards, -1 outwards
-  T first_side;     //!< the same of the ray's beginning
-  MaskOf<T> meets;  //!< whether there is such a shell
+  T side;           //!< 1 if the ray crosses it inwards, -1 outwards
+  T first_side;     //!< 1 if the ray starts inwards, -1 outwards
+  MaskOf<T> meets;  //!< lanes that meet a shell
 };
 
-//! Whether a ray has come to the end of its way. Where it should end before it turns, it has ended if it has turned.
+//! Returns whether a ray has reached its end. A ray that should end before its turning point has
+//! also ended once it has turned.
 template <class T>
 ERGO_HD MaskOf<T> has_passed(const WayEnd<T>& end, const T& u, const T& u_rate) {
   const T zero(ScalarOf<T>(0));
@@ -24,8 +26,9 @@ ERGO_HD MaskOf<T> has_passed(const WayEnd<T>& end, const T& u, const T& u_rate) 
   return beyond | ((end.side * end.first_side > zero) & (u_rate * end.first_side < zero));
 }
 
-//! Finds it from the radial potential, before anything is traced: outside the horizon light turns at most once, and it comes to a radius before
-//! or behind its barrier where the potential is positive there.
+//! Finds the last shell from the radial potential, without tracing. Outside the horizon light turns
+//! at most once, and it reaches a radius on its side of the barrier if the potential is positive
+//! there.
 template <class T>
 ERGO_HD WayEnd<T> way_through_shells(ScalarOf<T> spin, const RayStart<T>& ray, const WatchedShell* shells, int count) {
   using S = ScalarOf<T>;
