@@ -28,7 +28,8 @@ ERGO_HD AngularState<T> angular_rate(ScalarOf<T> spin, const RayStart<T>& ray, c
   const T force = (a2 - ray.polar_constant) + S(3) * ray.shear_constant * s.u - S(2) * a2 * carter * u2;
   const T lapse = S(1) - S(2) * s.u + a2 * u2;
   const T tangent = sine / cosine;
-  // θ'' = cosθ (L² / sin³θ - a² sinθ);  φ' = -(L / sin²θ + 2 a u - a² L u² over the lapse), backwards.
+  // Backwards: θ'' = cosθ (L² / sin³θ - a² sinθ),
+  // φ' = -(L / sin²θ + (2 a u - a² L u²) / (1 - 2u + a² u²)).
   const T theta_force = l * l / (sine * sine * tangent) - a2 * sine * cosine;
   const T phi_rate = -(l / (sine * sine)) + (a2 * l * u2 - S(2) * spin * s.u) / lapse;
   return {s.u_rate, force * s.u, s.theta_rate, theta_force, phi_rate};

@@ -3,7 +3,7 @@
 #include "kernels/spacetime/geodesic/integration_settings.h"
 #include "kernels/spacetime/geodesic/radial_potential.h"
 
-// What all integrators of null geodesics share: state, sky direction and local tolerance.
+// Shared by all integrators of null geodesics: state, sky direction and local tolerance.
 namespace ergodome::inline ERGO_TARGET {
 
 //! A ray on its way: position and rate in Mino time, and the frame dragging ψ accumulated so far.

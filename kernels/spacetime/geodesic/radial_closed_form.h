@@ -187,7 +187,8 @@ ERGO_HD Drag drag_to(double spin, double l, const HorizonPairs& pairs, const Rad
     if (spin == 0.0) {
       break;  // no drag, and the inner pole of a radial ray coincides with its roots
     }
-    // With inner = a²/outer: a (2 inner - a L) / (inner (inner - outer)) = (2 a - L outer) / (inner - outer), good at a = 0.
+    // With inner = a²/outer, a (2 inner - a L) / (inner (inner - outer)) =
+    // (2 a - L outer) / (inner - outer), which is accurate at a = 0.
     const double share = pairs.count > 1 || p.spin2 != spin * spin ? spin * spin / p.spin2 : 1.0;
     const double gap = p.outer - p.inner;
     const double at_outer = spin * (2.0 * p.outer - spin * l) / (p.outer * gap) * integrals.pole[0];

@@ -6,7 +6,8 @@
 
 // Kerr spacetime in Boyer-Lindquist coordinates, G = c = M = 1, signature (-,+,+,+):
 //   Σ = r² + a² cos²θ,  Δ = r² - 2r + a²,  A = (r² + a²)² - a² Δ sin²θ.
-// Radii of Bardeen, Press & Teukolsky, ApJ 178 (1972) 347; the spin a is in [-1, 1] and positive along +z.
+// Radii of Bardeen, Press & Teukolsky, ApJ 178 (1972) 347. The spin a is in [-1, 1] and positive
+// along +z.
 namespace ergodome::inline ERGO_TARGET {
 
 //! Returns the radius of the outer event horizon [M]: 1 + √(1 - a²).
@@ -89,8 +90,8 @@ struct KerrFunctions {
   double sigma;                 //!< Σ [M²]
   double delta;                 //!< Δ [M²]
   double area;                  //!< A [M⁴]
-  double frame_dragging;        //!< ω = 2 a r / A, angular velocity of the zero-angular-momentum observer [1/M]
-  double rain_speed;            //!< speed of free fall from rest at infinity in the ZAMO frame; 1 at the horizon
+  double frame_dragging;        //!< ω = 2 a r / A, angular velocity of the ZAMO [1/M]
+  double rain_speed;            //!< of free fall from rest at infinity, in the ZAMO frame
   double circumference_factor;  //!< √(A / Σ) [M]: proper radius of the circle of latitude / sinθ
 };
 
