@@ -2,8 +2,9 @@
 
 #include "kernels/spacetime/elliptic/complex.h"
 
-// Carlson's symmetric elliptic integrals by duplication: B. C. Carlson, Numerical Algorithms 10 (1995) 13; DLMF 19.36. Arguments are
-// complex, with at most one of x, y, z zero; none on the negative real axis.
+// Carlson's symmetric elliptic integrals by duplication: B. C. Carlson, Numerical Algorithms 10
+// (1995) 13; DLMF 19.36. Arguments are complex, with at most one of x, y, z zero; none on the
+// negative real axis.
 namespace ergodome::inline ERGO_TARGET {
 
 namespace detail {

@@ -22,7 +22,7 @@ struct ConnectionPlane {
 struct ApparentPlace {
   Vector3<double> direction;           //!< at the observer, towards the apparent position
   double travel_time;                  //!< the depth [M]
-  Vector3<double> emission_direction;  //!< at a static emitter at the point: where its light leaves to
+  Vector3<double> emission_direction;  //!< where light leaves a static emitter at the point
 };
 
 //! Returns the plane of an observer and a point, neither at r = 0; eq. 15. If they are in line with

@@ -7,7 +7,8 @@ namespace ergodome {
 
 //! Polar coordinates on the camera's sky about a point inside the shadow.
 //!
-//! Direction = cosα centre + sinα (cosγ first + sinγ second): α is the polar angle, γ the position angle.
+//! Direction = cosα `centre` + sinα (cosγ `first` + sinγ `second`) with the polar angle α and the
+//! position angle γ.
 struct ShadowChart {
   Vector3<double> centre;
   Vector3<double> first;
