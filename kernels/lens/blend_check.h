@@ -7,15 +7,15 @@ namespace ergodome {
 
 //! Points of a camera's sky at which a lens is compared with traced rays, in double.
 struct BlendCheckBatch {
-  GridCamera<double> camera;  //!< at the place; its chart is the lens's
+  GridCamera<double> camera;  //!< at the camera position; its chart is that of the lens
   LensBlend lens;
-  Aberration observer;  //!< whose screen counts
+  Aberration observer;  //!< observer for whose screen errors are measured
   double pixel;         //!< angle of a pixel on that screen [rad]
   int count;
   const double* gamma_turns;
   const double* s;
-  double* error_px;  //!< displacement on the screen that a viewer sees; 0 where the lens leaves the pixel to rays
-  double* area_px;   //!< area on the screen of a turn times a unit of s, by the stretch there [px²]
+  double* error_px;  //!< displacement on the screen; 0 for pixels that the lens leaves to rays
+  double* area_px;   //!< screen area of one turn times one unit of s [px²]
 };
 
 }  // namespace ergodome

@@ -6,7 +6,8 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Compares a lens with traced rays; index i stands for the points i * lanes, i * lanes + 1, ... CheckCells says what is measured.
+//! Compares a lens with traced rays. Index i covers the points i * lanes, i * lanes + 1, ... See
+//! CheckCells for the definition of the error.
 template <class T>
 struct CheckBlend {
   using S = ScalarOf<T>;

@@ -7,7 +7,7 @@
 namespace ergodome::inline ERGO_TARGET {
 
 namespace detail {
-//! Order of the Taylor series: double is chosen for fine budgets, float for live grids.
+//! Order of the Taylor series: double is used for fine budgets, float for live grids.
 template <class T>
 inline constexpr int grid_order = sizeof(ScalarOf<T>) == 4 ? 10 : 16;
 
@@ -23,16 +23,17 @@ ERGO_HD Vector3<T> grid_sky(const GridCamera<ScalarOf<T>, Camera>& camera, const
   return trace_taylor<grid_order<T>>(rays.spin, start, bright, camera.settings, steps, reached).sky;
 }
 
-//! How far a camera direction is displaced.
+//! Displacement of a camera direction.
 template <class T>
 struct Displacement {
   T length;       //!< [rad]
-  T gamma_turns;  //!< and in the chart
+  T gamma_turns;  //!< in the chart
   T s;
 };
 
-//! The least displacement δ of a camera direction with J δ = `miss`, by the normal equations. J, from the derivatives of what is read
-//! along γ [turns] and s, has a column along α and one across it.
+//! Returns the smallest displacement δ of a camera direction with J δ = `miss`, by the normal
+//! equations. J has a column along α and one perpendicular to it, from the derivatives of the patch
+//! along γ [turns] and s.
 template <class T>
 ERGO_HD Displacement<T> screen_displacement(const Vector3<T>& along_gamma, const Vector3<T>& along_s,
                                             const MixedDual<T>& alpha, const T& sine, const Vector3<T>& miss) {
@@ -46,7 +47,7 @@ ERGO_HD Displacement<T> screen_displacement(const Vector3<T>& along_gamma, const
   const T c = dot(j2, j2);
   const T p = dot(j1, miss);
   const T q = dot(j2, miss);
-  // |j1 x j2|² keeps the digits that a c - b² loses when J is long and thin.
+  // |j1 x j2|² is accurate where a c - b² cancels, when J is long and thin.
   const Vector3<T> normal = cross(j1, j2);
   const T inverse = S(1) / (dot(normal, normal) + T(S(1e-30)));
   const T x = (c * p - b * q) * inverse;
@@ -56,7 +57,8 @@ ERGO_HD Displacement<T> screen_displacement(const Vector3<T>& along_gamma, const
 }
 }  // namespace detail
 
-//! Traces the nodes of a batch with their derivatives; index i stands for the nodes i * lanes, i * lanes + 1, ...
+//! Traces the nodes of a batch with their derivatives. Index i covers the nodes i * lanes, i *
+//! lanes + 1, ...
 template <class T, class Camera = CameraStationOf<ScalarOf<T>>>
 struct TraceNodes {
   using S = ScalarOf<T>;
@@ -77,7 +79,7 @@ struct TraceNodes {
     MaskOf<T> reached;
     const Vector3<M> sky =
         detail::grid_sky(batch.camera, chart_direction_at(batch.camera.chart, gamma_turns, stretch.alpha), reached);
-    // Light that hardly left the horizon of an extremal hole may have no derivatives that are numbers.
+    // Light that barely left the horizon of an extremal hole may have non-finite derivatives.
     reached = reached & (size(sky.x) + size(sky.y) + size(sky.z) < T(S(1e30)));
     for (int i = 0; i < lanes && first + i < batch.count; ++i) {
       float* node = batch.nodes + floats_a_node * (first + i);
@@ -105,8 +107,9 @@ struct TraceNodes {
 
 //! Compares cells with traced rays.
 //!
-//! The error is what a viewer sees: with the patch's Jacobian J [per radian on the screen], the least displacement δ of the camera
-//! direction for which J δ = read sky - traced sky.
+//! The error is the displacement that a viewer sees. With the patch's Jacobian J [per radian on the
+//! screen], it is the smallest displacement δ of the camera direction for which J δ = sky of the
+//! patch - traced sky.
 template <class T, class Camera = CameraStationOf<ScalarOf<T>>>
 struct CheckCells {
   using S = ScalarOf<T>;
@@ -154,12 +157,12 @@ struct CheckCells {
   }
 
  private:
-  //! What the patches of the lanes' cells say at the checks.
+  //! Values of the patches of the lanes' cells at the checks.
   struct Patch {
     Vector3<T> sky;  //!< unit vector
     Vector3<T> along_gamma;
     Vector3<T> along_s;
-    T good;  //!< the weights of the corners sum to 1: less means that one of them has no sky
+    T good;  //!< sum of the corners' weights; below 1 if one of them has no sky
     T width_turns;
     T height;
   };
@@ -190,9 +193,10 @@ struct CheckCells {
     set_lane(patch.height, i, S(cell.height));
   }
 
-  //! What is left of a miss without what the tracing itself may be wrong, as a part of it: smaller cells would not mend that.
+  //! Returns the fraction of a miss that exceeds the noise of the tracing itself, which smaller
+  //! cells would not reduce.
   ERGO_HD T part_without_noise(const Vector3<T>& miss) const {
-    // Nodes are stored in float, whatever they are traced in.
+    // Nodes are stored in float, even if traced in double.
     constexpr S rounding = S(sizeof(S) == 4 ? 4 : 2) * S(std::numeric_limits<float>::epsilon());
     const S noise = S(2) * static_cast<S>(batch.camera.settings.tolerance) + rounding;
     const T size = sqrt(dot(miss, miss) + T(S(1e-30)));

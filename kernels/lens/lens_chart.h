@@ -7,26 +7,30 @@
 
 namespace ergodome {
 
-//! The conforming chart of a camera's sky, in the rain frame: position angle γ about the shadow's centre, and s in [0, 1].
+//! The chart of a camera's sky, in the rain frame: position angle γ about the shadow's center, in
+//! turns, and s in [0, 1].
 //!
-//! With x the fraction of the way from the shadow's edge to the far pole of the chart, s = 1 + ln x / range: the edge is the line
-//! s -> -infinity, the sky winds uniformly in s near it, s = 1 is the far pole, and s = 0 the cut-off. γ is counted in turns.
+//! With x the fraction of the way from the shadow's edge to the far pole of the chart, s = 1 + ln x
+//! / range. The edge is the line s -> -infinity, the sky winds uniformly in s near it, s = 1 is the
+//! far pole, and s = 0 the cut-off.
 struct LensChart {
   EdgeCurve edge;
-  float range;  //!< ln of x between the cut-off and the far pole
+  float range;  //!< ln x at the far pole minus ln x at the cut-off
 };
 
-//! Where a direction lies in the chart.
+//! Position of a direction in the chart.
 template <class T>
 struct ChartPlace {
   T gamma_turns;  //!< in [0, 1)
   T s;            //!< at most 1; below 0 beyond the cut-off
-  T edge_distance;  //!< angle from the shadow's edge along the circle through the chart's centre; negative in the shadow [rad]
+  //! Angle from the shadow's edge along the circle through the chart's center; negative in the
+  //! shadow [rad].
+  T edge_distance;
 };
 
 inline namespace ERGO_TARGET {
 
-//! edge_at() for any real type and its lanes: α and dα/dγ at a position angle.
+//! Computes α and dα/dγ at a position angle, like edge_at() but for any real type, lane by lane.
 template <class T>
 ERGO_HD void edge_lanes(const EdgeCurve& edge, const T& gamma, T& alpha, T& slope) {
   using S = ScalarOf<T>;
@@ -39,7 +43,7 @@ ERGO_HD void edge_lanes(const EdgeCurve& edge, const T& gamma, T& alpha, T& slop
   }
 }
 
-//! Place of a unit direction of the rain frame.
+//! Returns the position in the chart of a unit direction in the rain frame.
 template <class T>
 ERGO_HD ChartPlace<Dual<T>> chart_place(const LensChart& chart, const Vector3<Dual<T>>& n) {
   using S = ScalarOf<T>;
@@ -49,7 +53,8 @@ ERGO_HD ChartPlace<Dual<T>> chart_place(const LensChart& chart, const Vector3<Du
   const D c = along(edge.centre);
   const D p = along(edge.first);
   const D q = along(edge.second);
-  // At the chart's poles γ means nothing; a square of the sine that is not quite 0 keeps its derivative a number.
+  // At the chart's poles γ is undefined; a small term in the square of the sine keeps its
+  // derivative finite.
   const D square = p * p + q * q + D(T(S(1e-30)));
   const D sine = sqrt(square);
   const T inverse_square = S(1) / square.value;
@@ -73,7 +78,7 @@ ERGO_HD ChartPlace<Dual<T>> chart_place(const LensChart& chart, const Vector3<Du
   return {select(negative, turns + one, turns), s, distance};
 }
 
-//! The chart's stretch at a place: α with its derivatives along γ [turns] and s.
+//! The chart's stretch at a position: α with its derivatives along γ [turns] and s.
 template <class T>
 struct ChartStretch {
   MixedDual<T> alpha;
@@ -95,7 +100,8 @@ ERGO_HD ChartStretch<T> chart_stretch(const LensChart& chart, const T& gamma_tur
   return {{edge_alpha + rest * x, slope * (S(1) - x), rest * x * range, -(slope * x * range)}, x, edge_alpha};
 }
 
-//! The rain-frame direction at (γ, s) [turns, -], with its derivatives along both: unit length.
+//! Returns the rain-frame direction at (γ, s) [turns, -], of unit length, with its derivatives
+//! along both.
 template <class T>
 ERGO_HD Vector3<MixedDual<T>> chart_direction_at(const LensChart& chart, const T& gamma_turns,
                                                  const MixedDual<T>& alpha) {

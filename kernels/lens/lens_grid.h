@@ -6,32 +6,36 @@
 
 namespace ergodome {
 
-//! Floats a node takes: the sky direction, its derivatives along γ [turns] and s, and the mixed one; each x, y, z and a pad, so that
-//! a node is a cache line.
+//! Floats per node: the sky direction, its derivatives along γ [turns] and s, and the mixed
+//! derivative. Each has x, y, z and a padding float, so that a node fills a cache line.
 inline constexpr int floats_a_node = 16;
 
-//! Deepest descent from a root cell to a leaf.
+//! Maximum depth from a root cell to a leaf.
 inline constexpr int deepest_cell = 24;
 
-//! A lens grid as kernels read it: a binary hierarchy of cells over the conforming chart, with a bicubic Hermite patch a leaf.
+//! A lens grid as kernels read it: a binary hierarchy of cells over the chart, with a bicubic
+//! Hermite patch per leaf.
 //!
-//! `tree` starts with columns x rows root cells (γ fastest). An entry e >= 0 is split along axis e & 1 (0: γ, 1: s) into the cells
-//! tree[e >> 1] and tree[(e >> 1) + 1]; an entry e < 0 is a leaf: number (-1 - e) >> 1, and (-1 - e) & 1 says that the leaf could
-//! not be made good and its pixels are to be traced.
+//! `tree` starts with columns x rows root cells (γ fastest). An entry e >= 0 is split along axis e
+//! & 1 (0: γ, 1: s) into the cells tree[e >> 1] and tree[(e >> 1) + 1]. An entry e < 0 is a leaf
+//! with number (-1 - e) >> 1. If (-1 - e) & 1 is set, the leaf did not become accurate and its
+//! pixels must be traced.
 struct LensGrid {
   LensChart chart;
-  int mirrored;  //!< 1: the sky at -γ is the sky at γ, mirrored in the equator; the grid holds the first half turn alone
+  //! 1 if the sky at -γ is the sky at γ, mirrored in the equator; the grid then contains only the
+  //! first half turn.
+  int mirrored;
   int columns;
   int rows;
   const int* tree;
-  const int* leaves;  //!< four nodes a leaf: (γ0, s0), (γ1, s0), (γ0, s1), (γ1, s1)
+  const int* leaves;  //!< four nodes per leaf: (γ0, s0), (γ1, s0), (γ0, s1), (γ1, s1)
   const float* nodes;
 };
 
-//! A leaf, and where it lies in the chart.
+//! A leaf and its rectangle in the chart.
 struct Leaf {
   int number;
-  bool flagged;       //!< trace the ray instead
+  bool flagged;       //!< the leaf is not accurate: trace the ray instead
   float gamma_turns;  //!< its lower end along γ
   float s;            //!< its lower end along s
   float width_turns;
@@ -40,7 +44,7 @@ struct Leaf {
 
 inline namespace ERGO_TARGET {
 
-//! Finds the leaf at (γ, s); both are clamped to the grid. γ of a mirrored grid is at most half a turn.
+//! Finds the leaf at (γ, s), both clamped to the grid. γ of a mirrored grid is at most half a turn.
 ERGO_HD Leaf find_leaf(const LensGrid& grid, float gamma_turns, float s) {
   Leaf at{};
   at.width_turns = (grid.mirrored != 0 ? 0.5F : 1.0F) / static_cast<float>(grid.columns);
@@ -69,7 +73,7 @@ ERGO_HD Leaf find_leaf(const LensGrid& grid, float gamma_turns, float s) {
   return at;
 }
 
-//! A place within a leaf: in [0, 1] along γ and s.
+//! A position in a leaf: in [0, 1] along γ and s.
 struct LeafPlace {
   float u;
   float v;
@@ -82,14 +86,15 @@ ERGO_HD LeafPlace place_in(const Leaf& leaf, float gamma_turns, float s) {
   return {part(gamma_turns, leaf.gamma_turns, leaf.width_turns), part(s, leaf.s, leaf.height)};
 }
 
-//! Whether a place is strictly inside a leaf, where no other can be meant.
+//! Returns whether a position is strictly inside a leaf, where no other leaf qualifies.
 ERGO_HD bool holds(const Leaf& leaf, float gamma_turns, float s) {
   const float across = gamma_turns - leaf.gamma_turns;
   const float up = s - leaf.s;
   return across > 0.0F && across < leaf.width_turns && up > 0.0F && up < leaf.height;
 }
 
-//! Cubic Hermite basis at t: value at 0, slope at 0, value at 1, slope at 1; and its derivative.
+//! Computes the cubic Hermite basis at t (value at 0, slope at 0, value at 1, slope at 1) and its
+//! derivative.
 ERGO_HD void hermite_basis(float t, float (&basis)[4], float (&slope)[4]) {
   const float t2 = t * t;
   const float t3 = t2 * t;
@@ -103,9 +108,10 @@ ERGO_HD void hermite_basis(float t, float (&basis)[4], float (&slope)[4]) {
   slope[3] = 3.0F * t2 - 2.0F * t;
 }
 
-//! A bicubic patch's sum: the sky direction before it is normalized, and its derivatives along γ [turns] and s.
+//! The sum of a bicubic patch: the sky direction before normalization, and its derivatives along γ
+//! [turns] and s.
 struct PatchValue {
-  Quad sky;  //!< x, y, z, and the sum of the corners' weights of those that have a sky: 1 when all have
+  Quad sky;  //!< x, y, z, and the summed weights of the corners that have a sky: 1 for all
   Quad along_gamma;
   Quad along_s;
 };
@@ -149,13 +155,14 @@ ERGO_HD PatchValue patch_value(const float* nodes, const int* corners, float u, 
 //! A sky direction read from a grid.
 template <class T>
 struct GridSky {
-  Vector3<Dual<T>> sky;  //!< unit vector, with derivatives along the same directions as the place asked for
-  MaskOf<T> flagged;     //!< the leaf could not be made good
+  Vector3<Dual<T>> sky;  //!< unit vector, with derivatives along the directions of the position
+  MaskOf<T> flagged;     //!< the leaf is not accurate
 };
 
 namespace detail {
 
-//! Patch sums of all lanes, a component after the other: x, y, z of the sky, of its rates along γ, and along s; then the flags.
+//! Patch sums of all lanes, component by component: x, y, z of the sky, of its rates along γ, and
+//! along s; then the flags.
 template <class T>
 struct PatchLanes {
   ScalarOf<T> of[10][RealTraits<T>::lane_count];
@@ -170,7 +177,7 @@ struct PatchLanes {
     of[9][lane] = ScalarOf<T>(flagged ? 1 : 0);
   }
 
-  //! Points the lane up, so that what is made of it stays a number.
+  //! Sets a lane to an upward direction, so that results computed from it are finite.
   ERGO_HD void clear(int lane) {
     ERGO_UNROLL
     for (int i = 0; i < 10; ++i) {
@@ -181,7 +188,8 @@ struct PatchLanes {
   ERGO_HD T component(int i) const { return load_lanes<T>(of[i], 0, RealTraits<T>::lane_count); }
 };
 
-//! Reads the patches of the lanes that are wanted. Neighbours mostly share a leaf: the last one found is tried first.
+//! Reads the patches of the wanted lanes. Neighbors mostly share a leaf, so the last one found is
+//! tried first.
 template <class T>
 ERGO_HD void read_patches(const LensGrid& grid, const T& gamma_turns, const T& s, const MaskOf<T>& wanted,
                           PatchLanes<T>& into) {
@@ -209,12 +217,13 @@ ERGO_HD void read_patches(const LensGrid& grid, const T& gamma_turns, const T& s
 
 }  // namespace detail
 
-//! Reads the grid at a place of its chart (camera at φ = 0), for the lanes that are wanted; the others point anywhere.
+//! Reads the grid at a position of its chart (camera at φ = 0), for the wanted lanes; the others
+//! are undefined.
 template <class T>
 ERGO_HD GridSky<T> read_grid(const LensGrid& grid, const ChartPlace<Dual<T>>& place, const MaskOf<T>& wanted) {
   using S = ScalarOf<T>;
   using D = Dual<T>;
-  // A mirrored grid is read at -γ, backwards in γ, and its sky turned over.
+  // A mirrored grid is read at -γ, backwards in γ, and its sky is mirrored.
   const T one(S(1));
   const T whole = place.gamma_turns.value;
   const auto over = (whole > T(S(0.5))) & (T(S(grid.mirrored)) > T(S(0)));
@@ -228,12 +237,12 @@ ERGO_HD GridSky<T> read_grid(const LensGrid& grid, const ChartPlace<Dual<T>>& pl
              turned * place.gamma_turns.along_y + upward * place.s.along_y);
   };
   const Vector3<D> v = {chained(0, one), chained(1, one), chained(2, mirror)};
-  // Where no corner has a sky there is none: 0, and not 0 / 0.
+  // The small term prevents 0 / 0 where no corner has a sky.
   const D inverse = D(T(S(1))) / sqrt(dot(v, v) + D(T(S(1e-30))));
   return {{v.x * inverse, v.y * inverse, v.z * inverse}, patches.component(9) > T(S(0.5))};
 }
 
-//! The same for all lanes.
+//! Reads the grid for all lanes.
 template <class T>
 ERGO_HD GridSky<T> read_grid(const LensGrid& grid, const ChartPlace<Dual<T>>& place) {
   return read_grid(grid, place, T(ScalarOf<T>(0)) < T(ScalarOf<T>(1)));

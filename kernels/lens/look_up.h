@@ -6,20 +6,23 @@
 #include "kernels/spacetime/trace/trace_pixels.h"
 #include "kernels/spacetime/trace/trace_rays.h"
 
+// Batches of pixels and rays that are read from lens grids instead of traced.
 namespace ergodome {
 
-//! A lens for one place of the camera: the grid of a station there, or two of stations to both sides.
+//! A lens for one camera position: the grid of a station there, or two grids of adjacent stations.
 struct LensBlend {
-  LensChart chart;  //!< of the place itself
+  LensChart chart;  //!< of the camera position itself
   LensGrid grids[2];
-  float turn[2][3][3];  //!< from each station's sky to that of the place: what moving there turns of itself
-  float second_weight;  //!< 0: the first grid alone, and the second is not looked at
+  //! Rotations from each station's sky to that of the camera position: the part of the motion that
+  //! only rotates.
+  float turn[2][3][3];
+  float second_weight;  //!< 0: only the first grid is used
 };
 
 inline namespace ERGO_TARGET {
 
-//! Reads the lens at a place of its chart, for the lanes that are wanted: both grids at the same (γ, s), turned, and mixed by the
-//! weight of the second. Flagged where either is.
+//! Reads the lens at a position of its chart, for the wanted lanes: both grids at the same (γ, s),
+//! rotated and mixed by the weight of the second. Flagged where either grid is.
 template <class T>
 ERGO_HD GridSky<T> read_blended(const LensBlend& lens, const ChartPlace<Dual<T>>& place, const MaskOf<T>& wanted) {
   using S = ScalarOf<T>;
@@ -38,27 +41,28 @@ ERGO_HD GridSky<T> read_blended(const LensBlend& lens, const ChartPlace<Dual<T>>
     return a * (S(1) - w) + b * w;
   };
   const Vector3<D> v = {component(0), component(1), component(2)};
-  // Next to the edge the two may point anywhere, even away from each other.
+  // Next to the edge the two directions may be arbitrary, even opposite.
   const D inverse = D(T(S(1))) / sqrt(dot(v, v) + D(T(S(1e-12))));
   return {{v.x * inverse, v.y * inverse, v.z * inverse}, MaskOf<T>(first.flagged | second.flagged)};
 }
 
 }  // namespace ERGO_TARGET
 
-//! A block of rows of one image, read from lens grids. They serve any motion of the observer: `aberration` leads to their rain frame.
-//! Pixels of leaves that could not be made good are traced.
+//! A block of rows of one image, read from lens grids. These serve any motion of the observer:
+//! `aberration` converts to their rain frame. Pixels of leaves that are not accurate are traced.
 struct LookUpBatch {
-  PixelBatch pixels;  //!< its edge is not used: the chart has the edge
+  PixelBatch pixels;  //!< its edge is unused: the chart has the edge
   LensBlend lens;
   AberrationOf<float> aberration;
 };
 
-//! The same block of two eyes' images, which have one projection.
+//! The same block of both eyes' images, which share one projection.
 struct LookUpPairBatch {
   LookUpBatch eyes[2];
 };
 
-//! The same for an eye that turns with the direction: its grid lies in the view's axes, and `aberration` changes nothing.
+//! A block of rows for an omnidirectional eye. Its grid is in the view's axes, and `aberration` is
+//! the identity.
 struct OmniLookUpBatch {
   PixelBatch pixels;
   LensBlend lens;
@@ -68,11 +72,12 @@ struct OmniLookUpBatch {
 
 inline namespace ERGO_TARGET {
 
-//! What pixels of a batch are traced by, where they are.
+//! Returns the camera by which pixels of a batch are traced.
 ERGO_HD const CameraStationOf<float>& camera_of(const LookUpBatch& batch) { return batch.pixels.camera; }
 ERGO_HD const OmniCameraOf<float>& camera_of(const OmniLookUpBatch& batch) { return batch.camera; }
 
-//! The energy at infinity of light that is seen in a direction, for an observed energy of 1.
+//! Returns the energy at infinity of light that is seen in a direction, for an observed energy of
+//! 1.
 template <class T>
 ERGO_HD T energy_of(const CameraStationOf<ScalarOf<T>>& camera, const Vector3<T>& n) {
   return detail::evaluate(camera.energy, n);
@@ -80,8 +85,9 @@ ERGO_HD T energy_of(const CameraStationOf<ScalarOf<T>>& camera, const Vector3<T>
 
 }  // namespace ERGO_TARGET
 
-//! Rays of one camera, read from lens grids; `rays.method` and the channels `steps`, `error_estimate` and `mino_time` speak of the
-//! rays that are traced (steps 0: read from the grid).
+//! Rays of one camera, read from lens grids. `rays.method` and the channels `steps`,
+//! `error_estimate` and `mino_time` apply to the rays that are traced (steps 0: read from the
+//! grid).
 template <class S>
 struct LookUpRaysBatch {
   RayBatch<S> rays;

@@ -7,8 +7,9 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Reads the pixels of a batch from a lens grid; index i stands for the pixels i * lanes, i * lanes + 1, ... of the block. `Footprints`
-//! compiles their derivatives in: a picture without pays nothing.
+//! Reads the pixels of a batch from a lens grid. Index i covers the pixels i * lanes, i * lanes +
+//! 1, ... of the block. `Footprints` enables their derivatives at compile time; without, they cost
+//! nothing.
 template <class T, bool Footprints, class Batch = LookUpBatch>
 struct LookUpPixels {
   using D = Dual<T>;
@@ -19,7 +20,7 @@ struct LookUpPixels {
 
   ERGO_HD void operator()(int index) const { look_up(ViewedPixels<T>(batch.pixels, index)); }
 
-  //! The same for pixels of which the way into the view is known.
+  //! Reads pixels whose viewing directions are known.
   ERGO_HD void look_up(const ViewedPixels<T>& viewed) const {
     const Looked at(batch, viewed);
     Vector3<Ray> sky = part_of<Ray>(at.read.sky);
@@ -32,7 +33,8 @@ struct LookUpPixels {
     store(at, sky, steps, estimate);
   }
 
-  //! The same without rays, for a device, which traces them apart; tells whether there are any.
+  //! Reads pixels without tracing, for a device, which traces rays separately. Returns whether
+  //! there are rays to trace.
   ERGO_HD bool look_up_alone(int index) const {
     const Looked at(batch, ViewedPixels<T>(batch.pixels, index));
     store(at, part_of<Ray>(at.read.sky), T(S(0)), T(S(0)));
@@ -40,7 +42,7 @@ struct LookUpPixels {
   }
 
  private:
-  //! What the grid has for the pixels of an index.
+  //! Values of the grid for the pixels of an index.
   struct Looked {
     int first;
     Vector3<D> n;
@@ -69,7 +71,7 @@ struct LookUpPixels {
     }
   };
 
-  //! Lanes within three pixels of the edge, or of a shadow smaller than that.
+  //! Returns the lanes within three pixels of the edge, or of a shadow smaller than that.
   static ERGO_HD MaskOf<T> near_edge(const Vector3<D>& n, const ChartPlace<D>& place) {
     const T square = maximum(n.x.along_x * n.x.along_x + n.y.along_x * n.y.along_x + n.z.along_x * n.z.along_x,
                              n.x.along_y * n.x.along_y + n.y.along_y * n.y.along_y + n.z.along_y * n.z.along_y);
@@ -77,7 +79,8 @@ struct LookUpPixels {
     return d * d < square * S(9);
   }
 
-  //! Lanes that did not come to an end keep what the grid has, which is all that float can tell.
+  //! Traces lanes. Lanes that do not converge keep the value of the grid, which is the best
+  //! available in float.
   ERGO_HD void trace(const Vector3<Ray>& n, const MaskOf<T>& traced, Vector3<Ray>& sky, T& steps, T& estimate) const {
     const PixelBatch& pixels = batch.pixels;
     const RayStart<Ray> start = start_ray(camera_of(batch), n);
@@ -104,7 +107,7 @@ struct LookUpPixels {
   }
 };
 
-//! Reads the same pixels for both eyes: what the projection does to each is done once.
+//! Reads the same pixels for both eyes and evaluates their projection once.
 template <class T, bool Footprints>
 struct LookUpPixelPairs {
   LookUpPixels<T, Footprints> eyes[2];
@@ -119,7 +122,7 @@ struct LookUpPixelPairs {
   }
 };
 
-//! Reads rays from a lens grid; index i stands for the rays i * lanes, i * lanes + 1, ...
+//! Reads rays from a lens grid. Index i covers the rays i * lanes, i * lanes + 1, ...
 template <class T>
 struct LookUpRays {
   using D = Dual<T>;
@@ -150,7 +153,7 @@ struct LookUpRays {
     const Vector3<T> sky = turned_to_camera(rays.camera, Vector3<T>{select(reached, end.sky.x, read.sky.x.value),
                                                                     select(reached, end.sky.y, read.sky.y.value),
                                                                     select(reached, end.sky.z, read.sky.z.value)});
-    // A ray that ran out of steps has what the grid has, if that has anything.
+    // A ray that ran out of steps keeps the value of the grid, if there is one.
     const auto seen = bright & (dot(sky, sky) > T(S(0.5)));
     store_lanes(rays.sky[0], first, count, select(seen, sky.x, zero));
     store_lanes(rays.sky[1], first, count, select(seen, sky.y, zero));

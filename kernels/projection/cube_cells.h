@@ -2,6 +2,7 @@
 
 #include "kernels/projection/make_projection.h"
 
+// Faces of a picture of a whole cube.
 namespace ergodome {
 
 //! A rectangle of pixels.
@@ -14,7 +15,7 @@ struct PixelCell {
 
 inline namespace ERGO_TARGET {
 
-//! Where a face lies in the picture of a whole cube.
+//! Returns the rectangle of a face in the picture of a whole cube.
 ERGO_HD PixelCell cube_face_cell(const Projection& projection, CubeFace face) {
   const CubeLayout layout = projection.cube.layout;
   const int columns = cube_columns(layout);
@@ -24,7 +25,7 @@ ERGO_HD PixelCell cube_face_cell(const Projection& projection, CubeFace face) {
   return {column * side_px, cell.row * side_px, side_px, side_px};
 }
 
-//! A face of the picture of a whole cube as a picture of its own.
+//! Returns a projection of one face of the picture of a whole cube.
 ERGO_HD Projection cube_face_of(const Projection& projection, CubeFace face) {
   Projection alone = make_cube_face_projection(projection.width_px / cube_columns(projection.cube.layout), face);
   alone.left = projection.left;

@@ -7,9 +7,10 @@
 
 // The cube about the viewer: six flat pictures of 90° each, as seen from inside.
 //
-// Names, order and orientation are OpenGL's (OpenGL 4.6 core, 8.13, table 8.19) with X to the right, Y up and Z forward: px right, nx left,
-// py top, ny bottom, pz front, nz back. The walls stand upright; the top has the front at its lower side, the bottom at its upper one. Row
-// 0 is the top row. The strip holds them side by side in that order; the cross is 4 wide and 3 high:
+// Names, order and orientation are those of OpenGL (OpenGL 4.6 core, 8.13, table 8.19) with X to
+// the right, Y up and Z forward: px right, nx left, py top, ny bottom, pz front, nz back. The walls
+// are upright; the top has the front at its lower side, the bottom at its upper side. Row 0 is the
+// top row. The strip has the faces side by side in that order; the cross is 4 wide and 3 high:
 //     .  py .  .
 //     nx pz px nz
 //     .  ny .  .
@@ -23,10 +24,10 @@ enum class CubeLayout : std::int32_t { cross, strip, face };
 //! Parameters of a picture of a cube.
 struct CubePicture {
   CubeLayout layout;
-  CubeFace face;  //!< the only one, where the layout is that
+  CubeFace face;  //!< the only face in CubeLayout::face
 };
 
-//! A face's place among the cells of a layout, counted from the left and from the top.
+//! Column and row of a face in a layout, counted from the left and from the top.
 struct CubeCell {
   int column;
   int row;
@@ -63,14 +64,16 @@ ERGO_HD CubeCell cube_cell(CubeLayout layout, CubeFace face) {
   return {3, 1};
 }
 
-//! Whole part of a number within [0, cells - 1]; where one cell ends and the next begins, either.
+//! Returns the integer part of a number, within [0, cells - 1]; at a border between cells, either
+//! one.
 template <class R>
 ERGO_HD R cell_of(const R& place, int cells) {
   using S = ScalarOf<R>;
   return minimum(maximum(round_to_nearest(place - S(0.5)), R(S(0))), R(static_cast<S>(cells - 1)));
 }
 
-//! Number of the face whose cell of a layout is this; the empty cells of the cross count to the top and bottom faces.
+//! Returns the number of the face in a cell of a layout; the empty cells of the cross count as top
+//! and bottom faces.
 template <class R>
 ERGO_HD R face_number(const CubePicture& cube, const R& column, const R& row) {
   using S = ScalarOf<R>;
@@ -85,8 +88,9 @@ ERGO_HD R face_number(const CubePicture& cube, const R& column, const R& row) {
   return select(row < R(S(0.5)), R(S(2)), select(row > R(S(1.5)), R(S(3)), wall));
 }
 
-//! View direction (x right, y up, z back) at a place of the faces of the given numbers: a to the right, b up, -1 to 1 across each; unit
-//! length. Beyond that it goes on across the plane of the face.
+//! Returns the view direction (x right, y up, z back; unit length) at a position on the faces of
+//! the given numbers: a to the right, b up, -1 to 1 across each. Beyond that range, positions
+//! continue on the plane of the face.
 template <class T>
 ERGO_HD Vector3<T> direction_from_face(const RealOf<T>& number, const T& a, const T& b) {
   using R = RealOf<T>;
@@ -96,7 +100,7 @@ ERGO_HD Vector3<T> direction_from_face(const RealOf<T>& number, const T& a, cons
   const auto is_side = number < R(S(1.5));
   const auto is_turned = ((number > R(S(0.5))) & is_side) | (number > R(S(4.5)));
   const auto is_far = is_right | ((number > R(S(1.5))) & (number < R(S(2.5)))) | (number > R(S(4.5)));
-  // Right, top and back lie on the positive sides of the axes.
+  // Right, top and back are on the positive sides of the axes.
   const T one = select(is_far, T(S(1)), T(S(-1)));
   const T turned = select(is_turned, -a, a);
   const T x = select(is_side, one, turned);
@@ -107,7 +111,8 @@ ERGO_HD Vector3<T> direction_from_face(const RealOf<T>& number, const T& a, cons
   return {x * inverse_length, y * inverse_length, z * inverse_length};
 }
 
-//! View direction at image position (x, y), -1 to 1 across width and height, y up; unit length.
+//! Returns the view direction (unit length) at image position (x, y), -1 to 1 across width and
+//! height, y up.
 template <class T>
 ERGO_HD Vector3<T> direction_from_cube(const CubePicture& cube, const T& x, const T& y) {
   using R = RealOf<T>;
@@ -122,7 +127,7 @@ ERGO_HD Vector3<T> direction_from_cube(const CubePicture& cube, const T& x, cons
                              S(1) - (down - row) * S(2));
 }
 
-//! The face that a direction goes through.
+//! Returns the face that a direction passes through.
 ERGO_HD CubeFace face_of(const Vector3<double>& view) {
   const double x = ::fabs(view.x);
   const double y = ::fabs(view.y);
@@ -136,7 +141,8 @@ ERGO_HD CubeFace face_of(const Vector3<double>& view) {
   return view.z < 0.0 ? CubeFace::front : CubeFace::back;
 }
 
-//! Place of a direction on the plane of a face: the inverse of direction_from_face. False beside and behind the plane.
+//! Computes the position of a direction on the plane of a face: the inverse of
+//! direction_from_face(). Returns false for directions beside or behind the plane.
 ERGO_HD bool face_from_direction(CubeFace face, const Vector3<double>& view, double& a, double& b) {
   double ahead = 0.0;
   switch (face) {
@@ -167,7 +173,8 @@ ERGO_HD bool face_from_direction(CubeFace face, const Vector3<double>& view, dou
   return true;
 }
 
-//! Image position of a view direction: the inverse. False beside and behind a single face.
+//! Computes the image position of a view direction: the inverse of direction_from_cube(). Returns
+//! false for directions beside or behind a single face.
 ERGO_HD bool cube_from_direction(const CubePicture& cube, const Vector3<double>& view, double& x, double& y) {
   const CubeFace face = cube.layout == CubeLayout::face ? cube.face : face_of(view);
   double a = 0.0;
@@ -177,7 +184,8 @@ ERGO_HD bool cube_from_direction(const CubePicture& cube, const Vector3<double>&
   }
   const CubeCell cell = cube_cell(cube.layout, face);
   if (cube.layout != CubeLayout::face) {
-    // Where another face begins in the picture, a direction stays on the one that it was counted to.
+    // Keeps a direction on the face that it was assigned to; another face may begin there in the
+    // picture.
     constexpr double inside = 1.0 - 1e-9;
     a = minimum(maximum(a, -inside), inside);
     b = minimum(maximum(b, -inside), inside);
@@ -187,7 +195,7 @@ ERGO_HD bool cube_from_direction(const CubePicture& cube, const Vector3<double>&
   return true;
 }
 
-//! 1 where a face is, 0 in the empty cells of the cross.
+//! Returns 1 on faces and 0 in the empty cells of the cross.
 template <class T>
 ERGO_HD T cube_coverage(const CubePicture& cube, const T& x, const T& y) {
   using S = ScalarOf<T>;

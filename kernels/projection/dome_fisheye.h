@@ -3,19 +3,21 @@
 #include "kernels/core/vector3.h"
 #include "kernels/projection/lens_law.h"
 
-// The dome's fisheye (domemaster, AFDI/IMERSA: there equidistant): the circle is inscribed in the square and touches its sides; as seen
-// from inside, looking up; the front of the dome is at the bottom of the image, right is right.
+// The dome's fisheye (domemaster, AFDI/IMERSA: there equidistant). The circle is inscribed in the
+// square, as seen from inside, looking up. The front of the dome is at the bottom of the image,
+// right is right.
 namespace ergodome {
 
-//! Parameters of a fisheye image. Each of its places is one of the dome, a sphere of radius 1 about the middle of the view's axes.
+//! Parameters of a fisheye image. Its points are points of the dome, a sphere of radius 1 about the
+//! origin of the view's axes.
 template <class S>
 struct DomeFisheye {
   FisheyeLens<S> lens;
-  S tilt_sine;  //!< how far the dome's top leans to the front
+  S tilt_sine;  //!< tilt of the dome's top to the front
   S tilt_cosine;
-  Vector3<S> viewer;        //!< where the dome is seen from, inside it
-  std::int32_t off_centre;  //!< 1 where that is not its middle
-  std::int32_t truncated;   //!< 1 where parts of the square are cut off:
+  Vector3<S> viewer;        //!< position inside the dome from which it is seen
+  std::int32_t off_centre;  //!< 1 if that is not the center
+  std::int32_t truncated;   //!< 1 if parts of the square are cut off:
   S lowest;                 //!< y below which it is black
   S highest;                //!< y above which it is black
 };
@@ -23,20 +25,22 @@ struct DomeFisheye {
 inline namespace ERGO_TARGET {
 
 namespace detail {
-//! The place of the dome at image position (x, y), in view axes; its part across the zenith is `outwards` times (x, y).
+//! Returns the point of the dome at image position (x, y), in view axes; its component across the
+//! zenith is `outwards` times (x, y).
 template <class T>
 ERGO_HD Vector3<T> tilted_down(const DomeFisheye<ScalarOf<T>>& dome, const T& outwards, const T& cosine, const T& x,
                                const T& y) {
   const T right = outwards * x;
   const T front = -(outwards * y);
-  // The zenith leans to the front, the front goes down.
+  // The zenith tilts to the front, the front goes down.
   const T up = dome.tilt_cosine * cosine - dome.tilt_sine * front;
   const T forward = dome.tilt_sine * cosine + dome.tilt_cosine * front;
   return {right, up, -forward};
 }
 }  // namespace detail
 
-//! View direction (x right, y up, z back) at image position (x, y), -1 to 1 across the square, y up; unit length.
+//! Returns the view direction (x right, y up, z back; unit length) at image position (x, y), -1 to
+//! 1 across the square, y up.
 //!
 //! Positions outside the circle continue the same map.
 template <class T>
@@ -53,13 +57,13 @@ ERGO_HD Vector3<T> direction_from_fisheye(const DomeFisheye<ScalarOf<T>>& dome, 
   return (S(1) / sqrt(dot(way, way))) * way;
 }
 
-//! Whether the dome is what nearly all are: equidistant, seen from its middle.
+//! Returns whether the dome is equidistant and seen from its center, as nearly all domes are.
 template <class S>
 ERGO_HD bool is_plain(const DomeFisheye<S>& dome) {
   return dome.lens.law == LensLaw::equidistant && dome.off_centre == 0;
 }
 
-//! The same for a plain dome.
+//! Returns the view direction at image position (x, y) for a plain dome.
 template <class T>
 ERGO_HD Vector3<T> direction_from_plain_fisheye(const DomeFisheye<ScalarOf<T>>& dome, const T& x, const T& y) {
   T outwards;
@@ -68,7 +72,8 @@ ERGO_HD Vector3<T> direction_from_plain_fisheye(const DomeFisheye<ScalarOf<T>>& 
   return detail::tilted_down(dome, outwards, cosine, x, y);
 }
 
-//! The place of the dome that a viewer sees in a direction: where the ray meets the sphere. Both of unit length.
+//! Returns the point of the dome that a viewer sees in a direction: where the ray meets the sphere.
+//! Both have unit length.
 ERGO_HD Vector3<double> place_on_dome(const DomeFisheye<double>& dome, const Vector3<double>& view) {
   if (dome.off_centre == 0) {
     return view;
@@ -78,8 +83,9 @@ ERGO_HD Vector3<double> place_on_dome(const DomeFisheye<double>& dome, const Vec
   return dome.viewer + distance * view;
 }
 
-//! Image position of a view direction: the inverse. The antipode of the zenith has no single position, and gets one at the front. False
-//! where the lens has no image of it.
+//! Computes the image position of a view direction: the inverse. The point opposite to the zenith
+//! has no single position and is put at the front. Returns false where the lens has no image of the
+//! direction.
 ERGO_HD bool fisheye_from_direction(const DomeFisheye<double>& dome, const Vector3<double>& view, double& x,
                                     double& y) {
   const Vector3<double> place = place_on_dome(dome, view);
@@ -96,8 +102,9 @@ ERGO_HD bool fisheye_from_direction(const DomeFisheye<double>& dome, const Vecto
   return true;
 }
 
-//! Fraction of a pixel that the image covers: 1, falling to 0 across the rim of the circle and along a cut. In pixels from the middle of the
-//! square, y down, which is `half_width` pixels wide each way.
+//! Returns the fraction of a pixel that the image covers: 1, falling to 0 across the rim of the
+//! circle and along a cut. (x, y) is in pixels from the center of the square, y down; `half_width`
+//! is half the width of the square in pixels.
 template <class T>
 ERGO_HD T fisheye_coverage(const DomeFisheye<ScalarOf<T>>& dome, ScalarOf<T> half_width, const T& x, const T& y) {
   using S = ScalarOf<T>;

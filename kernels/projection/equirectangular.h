@@ -6,7 +6,8 @@
 // The whole sphere on a 2:1 image: azimuth to the right, elevation upwards, forward in the middle.
 namespace ergodome::inline ERGO_TARGET {
 
-//! View direction (x right, y up, z back) at image position (x, y), -1 to 1 across width and height, y up; unit length.
+//! Returns the view direction (x right, y up, z back; unit length) at image position (x, y), -1 to
+//! 1 across width and height, y up.
 template <class T>
 ERGO_HD Vector3<T> direction_from_equirectangular(const T& x, const T& y) {
   using S = ScalarOf<T>;
@@ -19,7 +20,7 @@ ERGO_HD Vector3<T> direction_from_equirectangular(const T& x, const T& y) {
   return {elevation_cosine * azimuth_sine, elevation_sine, -(elevation_cosine * azimuth_cosine)};
 }
 
-//! Image position of a view direction: the inverse; at the poles x is 0.
+//! Computes the image position of a view direction: the inverse; at the poles x is 0.
 ERGO_HD void equirectangular_from_direction(const Vector3<double>& view, double& x, double& y) {
   x = ::atan2(view.x, -view.z) / 3.14159265358979323846;
   y = ::atan2(view.y, ::sqrt(view.x * view.x + view.z * view.z)) / 1.57079632679489661923;

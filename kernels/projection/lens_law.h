@@ -5,27 +5,28 @@
 #include "kernels/core/angles.h"
 #include "kernels/core/arithmetic.h"
 
-// How a fisheye lens takes the angle t from its axis to a radius r of the image, in half widths of it. But for the polynomial the
-// radius is 1 at the rim, whose angle is h:
-//   equidistant r = t / h,  equisolid r = sin(t/2) / sin(h/2),  stereographic r = tan(t/2) / tan(h/2),  orthographic r = sin t / sin h,
-//   polynomial r = f1 t + f3 t³ + f5 t⁵ + f7 t⁷ (the `fisheye` element of Christie's extension of MPCDI).
+// Laws of fisheye lenses: from the angle t from the axis to the radius r in the image, in half
+// widths of the image. Except for the polynomial, the radius is 1 at the rim, whose angle is h:
+//   equidistant r = t / h,  equisolid r = sin(t/2) / sin(h/2),
+//   stereographic r = tan(t/2) / tan(h/2),  orthographic r = sin t / sin h,
+//   polynomial r = f1 t + f3 t³ + f5 t⁵ + f7 t⁷ (element `fisheye` of Christie's MPCDI extension).
 namespace ergodome {
 
 enum class LensLaw : std::int32_t { equidistant, equisolid, stereographic, orthographic, polynomial };
 
-//! A law with the field of view that it is used for.
+//! A law and its field of view.
 template <class S>
 struct FisheyeLens {
   LensLaw law;
   S half_angle;      //!< angle at the rim [rad]
   S rim;             //!< radius of the rim
-  S scale;           //!< sin h, sin(h/2) or tan(h/2), whichever the law has
+  S scale;           //!< sin h, sin(h/2) or tan(h/2), depending on the law
   S coefficient[4];  //!< of t, t³, t⁵, t⁷
 };
 
 inline namespace ERGO_TARGET {
 
-//! Radius of the polynomial law at an angle, and its slope there.
+//! Computes the radius of the polynomial law at an angle, and its slope there.
 template <class T>
 ERGO_HD T polynomial_radius(const FisheyeLens<ScalarOf<T>>& lens, const T& angle, T& slope) {
   using S = ScalarOf<T>;
@@ -35,10 +36,11 @@ ERGO_HD T polynomial_radius(const FisheyeLens<ScalarOf<T>>& lens, const T& angle
   return (((f[3] * square + f[2]) * square + f[1]) * square + f[0]) * angle;
 }
 
-//! Angle of the polynomial law at a radius; beyond the rim it goes on in a straight line.
+//! Returns the angle of the polynomial law at a radius. Beyond the rim the law continues as a
+//! straight line.
 //!
-//! Newton's method between bounds, which halves them where it would leave them. The last step carries derivatives: those of the inverse
-//! function.
+//! Uses Newton's method, with bisection where it would leave its bounds. The last step carries the
+//! derivatives of the inverse function.
 template <class T>
 ERGO_HD T polynomial_angle(const FisheyeLens<ScalarOf<T>>& lens, const T& radius) {
   using R = RealOf<T>;
@@ -67,22 +69,24 @@ ERGO_HD T polynomial_angle(const FisheyeLens<ScalarOf<T>>& lens, const T& radius
   return (radius - reached) * (S(1) / slope) + angle;
 }
 
-//! The sine of the angle over the radius, and the cosine of the angle, at a place of the image: of the equidistant law.
+//! Computes the sine of the angle over the radius, and the cosine of the angle, at an image
+//! position, for the equidistant law.
 template <class T>
 ERGO_HD void look_through_plain_lens(const FisheyeLens<ScalarOf<T>>& lens, const T& x, const T& y, T& sine_over_radius,
                                      T& cosine) {
-  // Far below the resolution of any image, and keeps 0 / 0 away from the centre.
+  // The term is far below the resolution of any image and prevents 0 / 0 at the center.
   const T radius = sqrt(x * x + y * y + ScalarOf<T>(1e-20));
   T sine;
   sine_cosine(lens.half_angle * radius, sine, cosine);
   sine_over_radius = sine / radius;
 }
 
-//! The same of any law.
+//! Computes the same for any law.
 //!
-//! Nothing divides by the radius but where the angle is needed itself, and there the square of the radius is kept from 0 far below the
-//! resolution of any image. The equisolid and the orthographic law end where the angle is π and π/2: the image of the last ray is drawn
-//! on from 5e-8 of the radius before, so that derivatives stay finite.
+//! Only the laws that need the angle itself divide by the radius; there its square is kept above 0,
+//! far below the resolution of any image. The equisolid and the orthographic law end where the
+//! angle is π and π/2. From 5e-8 of the radius before the end, the last ray is extended outwards,
+//! so that derivatives remain finite.
 template <class T>
 ERGO_HD void look_through_lens(const FisheyeLens<ScalarOf<T>>& lens, const T& x, const T& y, T& sine_over_radius,
                                T& cosine) {
@@ -112,8 +116,9 @@ ERGO_HD void look_through_lens(const FisheyeLens<ScalarOf<T>>& lens, const T& x,
   }
 }
 
-//! Radius in the image of a ray, by the cosine of its angle from the axis and the sine, which is not negative: the inverse. False where a
-//! law has no image of it: from π/2 on for the orthographic law, at π for the stereographic one.
+//! Computes the image radius of a ray from the cosine and the non-negative sine of its angle from
+//! the axis: the inverse. Returns false where the law has no image: from π/2 for the orthographic
+//! law, at π for the stereographic one.
 ERGO_HD bool lens_radius(const FisheyeLens<double>& lens, double cosine, double sine, double& radius) {
   switch (lens.law) {
     case LensLaw::equisolid:
@@ -139,8 +144,9 @@ ERGO_HD bool lens_radius(const FisheyeLens<double>& lens, double cosine, double 
   return true;
 }
 
-//! The largest angle from the axis that a law can have at the rim [rad]. A polynomial must rise all the way, nowhere by less than a
-//! hundredth of its slope at the axis; 0 where it does not rise there.
+//! Returns the largest angle from the axis that a law can have at the rim [rad]. A polynomial must
+//! rise all the way, with at least a hundredth of its slope at the axis. Returns 0 if it does not
+//! rise at the axis.
 ERGO_HD double largest_half_angle(LensLaw law, const double (&coefficient)[4]) {
   constexpr int samples = 4096;
   switch (law) {
@@ -164,7 +170,8 @@ ERGO_HD double largest_half_angle(LensLaw law, const double (&coefficient)[4]) {
   return pi;
 }
 
-//! A lens of a full field of view [rad], twice largest_half_angle at the most. `coefficient` is for the polynomial.
+//! Makes a lens with the given full field of view [rad], at most twice largest_half_angle().
+//! `coefficient` is for the polynomial law.
 ERGO_HD FisheyeLens<double> make_fisheye_lens(LensLaw law, double field_of_view, const double (&coefficient)[4]) {
   const double h = 0.5 * field_of_view;
   FisheyeLens<double> lens{law, h, 1.0, 1.0, {coefficient[0], coefficient[1], coefficient[2], coefficient[3]}};

@@ -2,21 +2,23 @@
 
 #include "kernels/projection/projection.h"
 
+// Makes projections of all kinds.
 namespace ergodome {
 
-//! How a dome is put on a domemaster.
+//! Parameters of a dome on a domemaster.
 struct DomeView {
-  double field_of_view = 3.14159265358979323846;  //!< full angle [rad], twice largest_half_angle at the most
-  double tilt = 0.0;                              //!< how far the dome's top leans to the front [rad]
+  double field_of_view = 3.14159265358979323846;  //!< full angle [rad], see largest_half_angle()
+  double tilt = 0.0;                              //!< tilt of the dome's top to the front [rad]
   LensLaw law = LensLaw::equidistant;
   double coefficient[4] = {0.0, 0.0, 0.0, 0.0};  //!< of LensLaw::polynomial
-  //! Where the picture is right, in view axes (x right, y up, z back) and radii of the dome, from its middle; shorter than 1.
+  //! Position for which the picture is right, from the dome's center in view axes (x right, y up, z
+  //! back), in radii of the dome; shorter than 1.
   Vector3<double> viewer = {0.0, 0.0, 0.0};
-  double cut_below = 0.0;  //!< part of the image's height that is black, from the bottom
-  double cut_above = 0.0;  //!< and from the top
+  double cut_below = 0.0;  //!< black part of the image's height, from the bottom
+  double cut_above = 0.0;  //!< black part of the image's height, from the top
 };
 
-//! Sides of a frustum on a screen at distance 1: left below right, down below up.
+//! Sides of a frustum on a screen at distance 1, with left < right and down < up.
 struct FrustumSides {
   double left;
   double right;
@@ -47,13 +49,14 @@ ERGO_HD Projection make_dome_projection(int size_px, const DomeView& view) {
   p.dome.viewer = view.viewer;
   p.dome.off_centre = dot(view.viewer, view.viewer) > 0.0 ? 1 : 0;
   p.dome.truncated = view.cut_below > 0.0 || view.cut_above > 0.0 ? 1 : 0;
-  // A side that is not cut lies beyond the square's.
+  // A side that is not cut is outside the square.
   p.dome.lowest = view.cut_below > 0.0 ? 2.0 * view.cut_below - 1.0 : -2.0;
   p.dome.highest = view.cut_above > 0.0 ? 1.0 - 2.0 * view.cut_above : 2.0;
   return p;
 }
 
-//! An equidistant domemaster of the given full field of view, its top leaning to the front by `tilt` [rad].
+//! Makes an equidistant domemaster of the given full field of view, with the top tilted to the
+//! front by `tilt` [rad].
 ERGO_HD Projection make_dome_projection(int size_px, double field_of_view, double tilt) {
   DomeView view;
   view.field_of_view = field_of_view;
@@ -65,7 +68,7 @@ ERGO_HD Projection make_equirectangular_projection(int width_px, int height_px) 
   return detail::plain_projection(ProjectionKind::equirectangular, width_px, height_px);
 }
 
-//! All faces of a cube, each `face_px` wide.
+//! Makes a picture of all faces of a cube, each `face_px` wide.
 ERGO_HD Projection make_cube_projection(int face_px, CubeLayout layout) {
   Projection p =
       detail::plain_projection(ProjectionKind::cube, cube_columns(layout) * face_px, cube_rows(layout) * face_px);
@@ -73,14 +76,15 @@ ERGO_HD Projection make_cube_projection(int face_px, CubeLayout layout) {
   return p;
 }
 
-//! One face of a cube.
+//! Makes a picture of one face of a cube.
 ERGO_HD Projection make_cube_face_projection(int face_px, CubeFace face) {
   Projection p = make_cube_projection(face_px, CubeLayout::face);
   p.cube.face = face;
   return p;
 }
 
-//! A cylinder of the given full azimuth [rad], up to 2π, between two elevations given by their tangents.
+//! Makes a cylinder of the given full azimuth [rad], up to 2π, between the tangents of two
+//! elevations.
 ERGO_HD Projection make_cylinder_projection(int width_px, int height_px, double azimuth, double lowest,
                                             double highest) {
   Projection p = detail::plain_projection(ProjectionKind::cylinder, width_px, height_px);
@@ -88,7 +92,7 @@ ERGO_HD Projection make_cylinder_projection(int width_px, int height_px, double 
   return p;
 }
 
-//! A flat screen of the given horizontal field of view [rad], below π, with square pixels.
+//! Makes a flat screen of the given horizontal field of view [rad], below π, with square pixels.
 ERGO_HD Projection make_pinhole_projection(int width_px, int height_px, double field_of_view) {
   const double half_width = ::tan(0.5 * field_of_view);
   Projection p = detail::plain_projection(ProjectionKind::pinhole, width_px, height_px);
@@ -96,7 +100,7 @@ ERGO_HD Projection make_pinhole_projection(int width_px, int height_px, double f
   return p;
 }
 
-//! A flat screen off the axis.
+//! Makes a flat screen off the axis.
 ERGO_HD Projection make_frustum_projection(int width_px, int height_px, const FrustumSides& sides) {
   Projection p = detail::plain_projection(ProjectionKind::pinhole, width_px, height_px);
   p.pinhole = {0.5 * (sides.right - sides.left), 0.5 * (sides.up - sides.down), 0.5 * (sides.right + sides.left),
@@ -104,7 +108,7 @@ ERGO_HD Projection make_frustum_projection(int width_px, int height_px, const Fr
   return p;
 }
 
-//! The mirror image of a picture: as it is seen from outside the dome.
+//! Returns the mirror image of a picture, as seen from outside the dome.
 ERGO_HD Projection seen_from_outside(Projection projection) {
   projection.left = -projection.left;
   return projection;

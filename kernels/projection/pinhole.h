@@ -3,21 +3,22 @@
 #include "kernels/core/arithmetic.h"
 #include "kernels/core/vector3.h"
 
-// The flat screen: a frustum, symmetric or not, whose screen is square to the view's axis.
+// The flat screen: a frustum, symmetric or not, with the screen perpendicular to the view's axis.
 namespace ergodome {
 
 //! Parameters of a pinhole image.
 template <class S>
 struct Pinhole {
-  S half_width;   //!< half the way on a screen at distance 1, from the left side to the right one
-  S half_height;  //!< half that from the bottom to the top
-  S middle_x;     //!< where the middle of the image lies on that screen, to the right of the axis
+  S half_width;   //!< half the width on a screen at distance 1
+  S half_height;  //!< half the height on that screen
+  S middle_x;     //!< center of the image on that screen, to the right of the axis
   S middle_y;     //!< and upwards
 };
 
 inline namespace ERGO_TARGET {
 
-//! View direction (x right, y up, z back) at image position (x, y), -1 to 1 across width and height, y up; unit length.
+//! Returns the view direction (x right, y up, z back; unit length) at image position (x, y), -1 to
+//! 1 across width and height, y up.
 template <class T>
 ERGO_HD Vector3<T> direction_from_pinhole(const Pinhole<ScalarOf<T>>& pinhole, const T& x, const T& y) {
   using S = ScalarOf<T>;
@@ -27,7 +28,8 @@ ERGO_HD Vector3<T> direction_from_pinhole(const Pinhole<ScalarOf<T>>& pinhole, c
   return {right * inverse_length, up * inverse_length, -inverse_length};
 }
 
-//! Image position of a view direction in front of the camera; false for one beside or behind it.
+//! Computes the image position of a view direction: the inverse. Returns false for directions
+//! beside or behind the camera.
 ERGO_HD bool pinhole_from_direction(const Pinhole<double>& pinhole, const Vector3<double>& view, double& x, double& y) {
   if (!(view.z < 0.0)) {
     return false;

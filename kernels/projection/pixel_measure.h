@@ -4,10 +4,11 @@
 #include "kernels/core/lanes.h"
 #include "kernels/projection/projection.h"
 
+// Sizes of pixels and of images.
 namespace ergodome::inline ERGO_TARGET {
 
-//! Image coordinates [px] of the middles of the pixels first, first + 1, ... of a block of `count`: whole rows of `width_px` pixels, the
-//! first of which is row `first_row` of the image.
+//! Computes the image coordinates [px] of the centers of the pixels first, first + 1, ... of a
+//! block of `count`: whole rows of `width_px` pixels, starting at row `first_row` of the image.
 template <class T>
 ERGO_HD void pixel_middles(int width_px, int first_row, int count, int first, T& x_px, T& y_px) {
   using S = ScalarOf<T>;
@@ -15,7 +16,7 @@ ERGO_HD void pixel_middles(int width_px, int first_row, int count, int first, T&
   const int begin = first < count ? first : count - 1;
   int row = begin / width_px;
   int column = begin - row * width_px;
-  // Divisions, and registers put together number by number, take longer than most of what is done with a pixel's place.
+  // Divisions, and registers that are filled lane by lane, take longer than most work on a pixel.
   if (first + lanes <= count && column + lanes <= width_px) {
     x_px = lane_numbers<T>() + T(static_cast<S>(column) + S(0.5));
     y_px = T(static_cast<S>(row + first_row) + S(0.5));
@@ -32,7 +33,7 @@ ERGO_HD void pixel_middles(int width_px, int first_row, int count, int first, T&
   }
 }
 
-//! How the view direction changes per pixel, to the right and downwards.
+//! Change of the view direction per pixel, to the right and downwards.
 template <class T>
 struct PixelSteps {
   Vector3<T> across;
@@ -49,7 +50,8 @@ ERGO_HD PixelSteps<T> pixel_steps(const ProjectionOf<ScalarOf<T>>& projection, c
   return {{view.x.along_x, view.y.along_x, view.z.along_x}, {view.x.along_y, view.y.along_y, view.z.along_y}};
 }
 
-//! Solid angle that a pixel spans before the camera [sr]: the area of the two steps to its neighbours.
+//! Returns the solid angle of a pixel as seen from the camera [sr]: the area of the two steps to
+//! its neighbors.
 template <class T>
 ERGO_HD T pixel_solid_angle(const ProjectionOf<ScalarOf<T>>& projection, const T& x_px, const T& y_px) {
   const PixelSteps<T> steps = pixel_steps(projection, x_px, y_px);
@@ -57,14 +59,15 @@ ERGO_HD T pixel_solid_angle(const ProjectionOf<ScalarOf<T>>& projection, const T
   return safe_sqrt(dot(area, area));
 }
 
-//! The longer side of a pixel [rad].
+//! Returns the longer side of a pixel [rad].
 ERGO_HD double pixel_side(const Projection& projection, double x_px, double y_px) {
   const PixelSteps<double> steps = pixel_steps(projection, x_px, y_px);
   return ::sqrt(maximum(dot(steps.across, steps.across), dot(steps.down, steps.down)));
 }
 
-//! The angle of a pixel that errors are counted in [rad]: on the axis of a lens, on the horizon of a map, in the middle of a face or a
-//! screen. Of the pixels of most projections it is the largest, too.
+//! Returns the reference angle of a pixel, in which errors are counted [rad]: on the axis of a
+//! lens, on the horizon of a map, at the center of a face or a screen. For most projections this is
+//! also the largest.
 ERGO_HD double pixel_angle(const Projection& projection) {
   const double width_px = projection.width_px;
   const FisheyeLens<double>& lens = projection.dome.lens;
@@ -86,8 +89,8 @@ ERGO_HD double pixel_angle(const Projection& projection) {
   return 2.0 * projection.pinhole.half_width / width_px;
 }
 
-//! The largest angle that a pixel of the image spans along a side [rad]. Lenses are asked along sixteen lines to their rims, where those that
-//! crowd them have it.
+//! Returns the largest angle that a pixel of the image spans along a side [rad]. Lenses are sampled
+//! along sixteen lines to the rim, where lenses that compress the rim have the maximum.
 ERGO_HD double largest_pixel_angle(const Projection& projection) {
   constexpr int lines = 16;
   constexpr int places = 32;
@@ -103,7 +106,7 @@ ERGO_HD double largest_pixel_angle(const Projection& projection) {
     return largest;
   }
   const double middle = 0.5 * projection.width_px;
-  // The middles of the outermost pixels lie half a pixel within the rim.
+  // The centers of the outermost pixels are half a pixel inside the rim.
   const double rim = maximum(projection.dome.lens.rim * middle - 0.5, 0.0);
   for (int line = 0; line < lines; ++line) {
     const double turn = 6.28318530717958647692 * line / lines;
@@ -115,7 +118,8 @@ ERGO_HD double largest_pixel_angle(const Projection& projection) {
   return largest;
 }
 
-//! The part of all directions that an image shows, 0 to 1: of some thousand that are spread evenly, by the golden angle.
+//! Returns the fraction of all directions that an image shows, 0 to 1, from a few thousand
+//! directions spread evenly by the golden angle.
 ERGO_HD double sky_share(const Projection& projection) {
   constexpr int directions = 4096;
   constexpr double golden_angle = 2.39996322972865332;

@@ -10,16 +10,16 @@
 
 namespace ergodome {
 
-//! The ways to put the sky on an image.
+//! Kinds of map from the sky to an image.
 enum class ProjectionKind : std::int32_t { dome_fisheye, equirectangular, cube, cylinder, pinhole };
 
-//! A projection with its image size; of the kinds' own parameters those of `kind` count.
+//! A projection with its image size; only the parameters of its `kind` are used.
 template <class S>
 struct ProjectionOf {
   ProjectionKind kind;
   int width_px;
   int height_px;
-  S left;  //!< x of the left side: -1, and 1 in a picture as seen from outside, which is the mirror image
+  S left;  //!< x of the left side: -1, or 1 for a mirror image (as seen from outside)
   DomeFisheye<S> dome;
   CubePicture cube;
   Cylinder<S> cylinder;
@@ -30,7 +30,7 @@ using Projection = ProjectionOf<double>;
 
 inline namespace ERGO_TARGET {
 
-//! The same projection for kernels that work in another precision.
+//! Converts a projection to the precision of a kernel.
 template <class S>
 ERGO_HD ProjectionOf<S> converted_projection(const Projection& p) {
   return {p.kind,
@@ -45,7 +45,8 @@ ERGO_HD ProjectionOf<S> converted_projection(const Projection& p) {
            static_cast<S>(p.pinhole.middle_x), static_cast<S>(p.pinhole.middle_y)}};
 }
 
-//! Position (x, y) in the image of a pixel position: -1 to 1 across width and height, y up, x to the right for a viewer inside.
+//! Converts a pixel position to an image position (x, y): -1 to 1 across width and height, y up, x
+//! to the right for a viewer inside.
 template <class T>
 ERGO_HD void image_position(const ProjectionOf<ScalarOf<T>>& projection, const T& x_px, const T& y_px, T& x, T& y) {
   using S = ScalarOf<T>;
@@ -54,7 +55,7 @@ ERGO_HD void image_position(const ProjectionOf<ScalarOf<T>>& projection, const T
 }
 
 namespace detail {
-//! View direction at a position in the image, for every projection.
+//! Returns the view direction at an image position, for any projection.
 template <class T>
 ERGO_HD_RARE Vector3<T> direction_from_position(const ProjectionOf<ScalarOf<T>>& projection, const T& x, const T& y) {
   switch (projection.kind) {
@@ -73,9 +74,11 @@ ERGO_HD_RARE Vector3<T> direction_from_position(const ProjectionOf<ScalarOf<T>>&
 }
 }  // namespace detail
 
-//! View direction (x right, y up, z back; unit length) at a pixel position: (0.5, 0.5) is the middle of the top left pixel.
+//! Returns the view direction (x right, y up, z back; unit length) at a pixel position: (0.5, 0.5)
+//! is the center of the top left pixel.
 //!
-//! With dual numbers that carry d/dx_px and d/dy_px (y downwards), the result carries the exact derivatives per pixel.
+//! With dual numbers that carry d/dx_px and d/dy_px (y downwards), the result carries the exact
+//! derivatives per pixel.
 template <class T>
 ERGO_HD Vector3<T> direction_from_pixel(const ProjectionOf<ScalarOf<T>>& projection, const T& x_px, const T& y_px) {
   T x;
@@ -87,8 +90,9 @@ ERGO_HD Vector3<T> direction_from_pixel(const ProjectionOf<ScalarOf<T>>& project
   return detail::direction_from_position(projection, x, y);
 }
 
-//! Pixel position of a view direction: the inverse. False where the projection has none: beside and behind a flat screen, straight up from
-//! a cylinder, beyond the end of a lens' law.
+//! Computes the pixel position of a view direction: the inverse. Returns false if there is none:
+//! beside and behind a flat screen, straight up and down for a cylinder, beyond the end of a lens
+//! law.
 ERGO_HD bool pixel_from_direction(const Projection& projection, const Vector3<double>& view, double& x_px,
                                   double& y_px) {
   double x = 0.0;
@@ -116,8 +120,9 @@ ERGO_HD bool pixel_from_direction(const Projection& projection, const Vector3<do
   return exists;
 }
 
-//! Fraction of a pixel that the image covers: 1, but for a fisheye falling to 0 across the rim of its circle, and 0 beside a cube's faces.
-//! Pixels without are black and are not traced.
+//! Returns the fraction of a pixel that the image covers: 1, except that it falls to 0 across the
+//! rim of a fisheye's circle and is 0 beside a cube's faces. Pixels with coverage 0 are black and
+//! are not traced.
 template <class T>
 ERGO_HD T image_coverage(const ProjectionOf<ScalarOf<T>>& projection, const T& x_px, const T& y_px) {
   using S = ScalarOf<T>;
@@ -135,7 +140,7 @@ ERGO_HD T image_coverage(const ProjectionOf<ScalarOf<T>>& projection, const T& x
   return T(S(1));
 }
 
-//! Whether the right side of the image meets the left one: what goes out on one side comes in on the other.
+//! Returns whether the right side of the image is adjacent to the left side on the sky.
 template <class S>
 ERGO_HD bool wraps_around(const ProjectionOf<S>& projection) {
   return projection.kind == ProjectionKind::equirectangular ||
