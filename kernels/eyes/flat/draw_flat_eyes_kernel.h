@@ -6,8 +6,8 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Draws disk and shells, with objects between them, as one eye of the stereo model `flat` sees them; an index stands for a register of pixels. Edges, and
-//! how finely a pixel is looked at, are as in DrawNearField.
+//! Draws disk and shells, with objects between them, as one eye of the stereo model `flat` sees
+//! them. An index is a register of pixels. Edges and supersampling are as in DrawNearField.
 template <class T, bool HasDisk, bool HasShells>
 struct DrawFlatEyes {
   using S = ScalarOf<T>;
@@ -77,7 +77,7 @@ struct DrawFlatEyes {
   }
 };
 
-//! Calls action(functor) with the variant for a batch; with neither disk nor shells, does nothing.
+//! Calls action(functor) with the variant for a batch; does nothing without disk and shells.
 template <class T, class Action>
 inline void dispatch_flat_eyes(const FlatEyeBatch& batch, const Action& action) {
   const bool shells = batch.near_field.shells.count > 0;

@@ -3,29 +3,35 @@
 #include "kernels/core/dual.h"
 #include "kernels/core/vector3.h"
 
-// What an eye beside the head meets along its line of sight in the head's flat tangent space (kernels/projection/flat_parallax.h).
+// The sheets that an eye beside the head sees along its line of sight, in the head's flat tangent
+// space (kernels/projection/flat_parallax.h).
 //
-// A sheet of images - one order of the disk's, one side of a shell - has an affine distance d in each direction n of the head's, and stands at d n.
-// An eye at e looks along e + s m. With the nearness w = 1/s that is the head's direction m + w e, of length l(w) once it is not made a unit, at the
-// distance l / w: the line meets the sheet where
+// A sheet of images (one order of the disk, or one side of a shell) has an affine distance d in
+// each direction n of the head, and is at d n. An eye at e sees points e + s m. With the nearness w
+// = 1/s, such a point is in the head's direction m + w e, a vector of length l(w) before
+// normalization, at the distance l / w. So the line meets the sheet where
 //   w = l(w) q(n(w)) ,   q = 1/d ,
-// from w = 0, where everything is infinitely far and n = m, up to the nearness of the eye itself. q is continuous, so such a w lies between.
+// between w = 0, where everything is infinitely far and n = m, and the nearness of the eye itself.
+// q is continuous, so such a w exists in between.
 namespace ergodome::inline ERGO_TARGET {
 
-//! A place on an eye's line of sight, with derivatives along the image's rows and columns at a fixed w.
+//! A point on an eye's line of sight, with derivatives along the image's rows and columns at a
+//! fixed w.
 template <class T>
 struct EyePoint {
-  Vector3<Dual<T>> n;  //!< the head's direction
+  Vector3<Dual<T>> n;  //!< direction from the head
   Dual<T> length;      //!< l
   T closing;           //!< dl/dw = n · e
-  T along_x;           //!< dn/dw by the derivatives of n: dn/dw = along_x ∂n/∂x + along_y ∂n/∂y
+  //! dn/dw in terms of the derivatives of n: dn/dw = along_x ∂n/∂x + along_y ∂n/∂y.
+  T along_x;
   T along_y;
 
-  //! How something that depends on the direction alone changes with w.
+  //! Returns the derivative with respect to w of a function of the direction.
   [[nodiscard]] ERGO_HD T by_nearness(const Dual<T>& f) const { return along_x * f.along_x + along_y * f.along_y; }
 };
 
-//! The line of sight of an eye in direction m (unit vectors of the observer's frame, with their derivatives per pixel).
+//! The line of sight of an eye in direction m (unit vectors of the observer's frame, with
+//! derivatives per pixel).
 template <class T>
 struct EyeLine {
   using D = Dual<T>;
@@ -34,7 +40,7 @@ struct EyeLine {
   Vector3<D> m;
   Vector3<S> eye;  //!< e [M]
 
-  //! m of a lane.
+  //! Returns m of a lane.
   [[nodiscard]] ERGO_HD Vector3<S> direction(int i) const {
     return {lane(m.x.value, i), lane(m.y.value, i), lane(m.z.value, i)};
   }
@@ -56,7 +62,7 @@ struct EyeLine {
     const T yy = dot(y, y);
     const T gx = dot(go, x);
     const T gy = dot(go, y);
-    // At a panorama's poles a row is one direction: what is left is found without slopes.
+    // At a panorama's poles a row is a single direction: the derivatives are then taken as 0.
     const T determinant = xx * yy - xy * xy;
     const auto known = determinant > xx * yy * S(1e-6);
     const T reciprocal = select(known, S(1) / select(known, determinant, T(S(1))), T(S(0)));
@@ -66,32 +72,32 @@ struct EyeLine {
   }
 };
 
-//! Where an eye's line meets a sheet: at w + step, of which the step is so small that what depends on the place may be carried there along its
-//! derivatives.
+//! The point where an eye's line meets a sheet: at w + step. The step is so small that functions of
+//! the position may be extrapolated over it by their derivatives.
 template <class T>
 struct MetSheet {
   EyePoint<T> point;  //!< at w
   T w;
   T step;
-  T step_along_x;  //!< how w + step changes along the image's rows and columns
+  T step_along_x;  //!< change of w + step along the image's rows and columns
   T step_along_y;
-  MaskOf<T> met;  //!< lanes that have come so near
+  MaskOf<T> met;  //!< lanes that meet the sheet
 
   [[nodiscard]] ERGO_HD T nearness() const { return w + step; }
 
-  //! Carries what was found at w to where the sheet is, as the eye sees it pixel by pixel.
+  //! Extrapolates a function from w to the sheet, with derivatives per pixel of the eye.
   [[nodiscard]] ERGO_HD Dual<T> carried(const Dual<T>& f) const {
     const T rate = point.by_nearness(f);
     return {f.value + rate * step, f.along_x + rate * step_along_x, f.along_y + rate * step_along_y};
   }
 
-  //! The head's direction there.
+  //! Returns the direction from the head to that point.
   [[nodiscard]] ERGO_HD Vector3<Dual<T>> direction() const {
     return {carried(point.n.x), carried(point.n.y), carried(point.n.z)};
   }
 };
 
-//! One or the other, lane by lane.
+//! Selects between two results, lane by lane.
 template <class T, class Mask>
 ERGO_HD MetSheet<T> chosen(const Mask& mask, const MetSheet<T>& yes, const MetSheet<T>& no) {
   const auto pick = [&](const auto& a, const auto& b) { return select(mask, a, b); };
@@ -108,18 +114,19 @@ ERGO_HD MetSheet<T> chosen(const Mask& mask, const MetSheet<T>& yes, const MetSh
           met};
 }
 
-//! How a sheet is looked for.
+//! Limits of the search for a sheet.
 template <class S>
 struct SheetSearch {
-  S most_w;     //!< nearer than that nothing is looked for [1/M]
-  S precision;  //!< the last step in w may be as long [1/M]
+  S most_w;     //!< nothing nearer than this is searched for [1/M]
+  S precision;  //!< maximum length of the last step in w [1/M]
 };
 
-//! Rounds in which a sheet is looked for: few do, but where its distance leaps.
+//! Maximum number of rounds of the search. A few suffice, except where the distance jumps.
 inline constexpr int sheet_rounds = 10;
 
-//! Finds where a line meets a sheet, from a first w. nearness(point, lanes) tells q in a direction, and keeps for its caller whatever else is seen
-//! there: the last that it is asked for is the place of MetSheet. By Newton's method between bounds.
+//! Finds where a line meets a sheet, from a first guess of w, by Newton's method between bounds.
+//! nearness(point, lanes) returns q in a direction, and may keep other values for its caller: its
+//! last call is for the point of the result.
 template <class T, class Nearness>
 ERGO_HD MetSheet<T> meet_sheet(const EyeLine<T>& line, const T& first, const SheetSearch<ScalarOf<T>>& search,
                                const MaskOf<T>& lanes, const Nearness& nearness) {
@@ -144,7 +151,7 @@ ERGO_HD MetSheet<T> meet_sheet(const EyeLine<T>& line, const T& first, const She
     met.step = next - met.w;
     met.step_along_x = -(miss.along_x * inverse);
     met.step_along_y = -(miss.along_y * inverse);
-    // Where bounds close on a leap, or on the nearest that is looked for, nothing is met.
+    // If the bounds close on a jump, or on the nearest allowed point, no sheet is met.
     const auto before_all = before & (met.w >= T(search.most_w));
     const auto exact = (absolute(met.step) < T(search.precision)) & (absolute(miss.value) < T(S(4) * search.precision));
     met.met = lanes & exact & (!before_all);

@@ -6,7 +6,8 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! The disk as a register of an eye's lines of sight meets it, sheet by sheet, from one of their sources.
+//! The disk as a register of an eye's lines of sight meets it, sheet by sheet, from one of their
+//! sources.
 template <class T, class Sheets>
 class FlatDisk {
  public:
@@ -14,16 +15,16 @@ class FlatDisk {
   using S = ScalarOf<T>;
   using Mask = MaskOf<T>;
 
-  //! `pixel` is the width of what each line stands for, as a part of a pixel's.
+  //! `pixel` is the width that each line covers, as a fraction of a pixel.
   ERGO_HD FlatDisk(const FlatEyeBatch& batch, Sheets& sheets, const EyeLine<T>& line, const SheetSearch<S>& search,
                    S pixel)
       : batch_(batch), sheets_(sheets), line_(line), search_(search), pixel_(pixel) {}
 
-  //! Finds what the lanes of a mask see. Tells which of them the source does not know.
+  //! Finds the images that the given lanes see. Returns the lanes that the source leaves to rays.
   ERGO_HD Mask meet(const Mask& lanes) {
     const EyePoint<T> start = line_.at(T(S(0)));
     sheets_.look(start.n, crossing_orders, lanes);
-    // Of what is not known here all may be seen.
+    // Lanes that the source leaves to rays may see every order.
     const Mask unknown = sheets_.left(lanes);
     for (int order = 0; order < crossing_orders; ++order) {
       const D q = sheets_.nearness(order);
@@ -34,7 +35,7 @@ class FlatDisk {
     return meet_near_guesses(lanes);
   }
 
-  //! The same near to where another source has found the sheets.
+  //! Does the same, starting from the sheets that another source has found.
   template <class OtherSheets>
   ERGO_HD Mask meet_near(const FlatDisk<T, OtherSheets>& other, const Mask& lanes) {
     return meet_near(other.guess_, lanes);
@@ -46,13 +47,13 @@ class FlatDisk {
     return meet_near_guesses(lanes);
   }
 
-  //! Where an order's sheet is; negative where its image is not seen anywhere near.
+  //! Returns the nearness of an order's sheet; negative if its image is not visible anywhere near.
   [[nodiscard]] ERGO_HD const T& guess(int order) const { return guess_[order]; }
 
-  //! The nearness at which lane `i` sees an order's image; negative where it sees none.
+  //! Returns the nearness of an order's image in lane `i`; negative if it is not visible.
   [[nodiscard]] ERGO_HD S nearness(int order, int i) const { return lane(nearness_[order], i); }
 
-  //! Puts an order's image behind what lane `i` has seen.
+  //! Composes an order's image behind everything that lane `i` has seen.
   ERGO_HD void compose(int order, int i, SeenLanes<T>& seen) const {
     const CrossingLayer<T>& carried = carried_[order];
     const SeenLayer at = {lane(u_[order].value, i), pixel_ * change(order, i), lane(carried.cosine, i),
@@ -66,7 +67,8 @@ class FlatDisk {
     }
   }
 
-  //! Puts all that are nearer than `nearness`, from number `next` on, behind what lane `i` has seen.
+  //! Composes all images nearer than `nearness`, from order `next` on, behind everything that lane
+  //! `i` has seen.
   ERGO_HD void compose_before(S nearness, int i, int& next, SeenLanes<T>& seen) const {
     for (; next < crossing_orders; ++next) {
       const S own = this->nearness(next, i);
@@ -79,7 +81,7 @@ class FlatDisk {
     }
   }
 
-  //! Whether images may be finer than what a line stands for.
+  //! Returns whether images may contain detail finer than a line.
   [[nodiscard]] ERGO_HD bool is_fine(int i) const {
     bool fine = false;
     for (int order = 0; order < crossing_orders; ++order) {
@@ -92,13 +94,14 @@ class FlatDisk {
   template <class, class>
   friend class FlatDisk;
 
-  //! Lanes whose line may meet the disk, by what the head sees in the direction of m and how that changes on the way to where the sheet is.
+  //! Returns the lanes whose line may meet the disk, from the view of the head in direction m and
+  //! its change on the way to the sheet.
   ERGO_HD Mask may_show(const EyePoint<T>& start, const T& nearness, const D& u) const {
     const DiskLook& disk = batch_.near_field.disk;
     const T way = nearness * absolute(start.by_nearness(u));
     const T width = absolute(u.along_x) + absolute(u.along_y);
     const T margin = S(2) * (way + width) + T(S(0.2) / disk.inner_r);
-    // What is so near may be anywhere by the time that the line is there.
+    // Sheets this near may be anywhere when the line reaches them.
     const auto near = nearness * sqrt(dot(line_.eye, line_.eye)) > T(S(0.1));
     return near | ((u.value < T(S(1) / disk.inner_r) + margin) & (u.value > T(S(1) / disk.outer_r) - margin));
   }
@@ -136,7 +139,7 @@ class FlatDisk {
     return left;
   }
 
-  //! What the horizon hides in the eye's crescent is not seen.
+  //! Removes images that the horizon hides in the eye's crescent.
   ERGO_HD void hide(int order, const Mask& lanes) {
     for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
       if (mask_lane(lanes, i) && nearness(order, i) > S(0) &&
@@ -146,7 +149,7 @@ class FlatDisk {
     }
   }
 
-  //! Lanes that see the disk at all.
+  //! Returns the lanes that see the disk at all.
   [[nodiscard]] ERGO_HD Mask sees_disk(int order) const {
     const DiskLook& disk = batch_.near_field.disk;
     T covered(S(0));
@@ -160,7 +163,7 @@ class FlatDisk {
     return covered > T(S(0));
   }
 
-  //! How far 1/r changes across a pixel.
+  //! Returns the change of 1/r across a pixel.
   [[nodiscard]] ERGO_HD float change(int order, int i) const {
     const float along_x = lane(u_[order].along_x, i);
     const float along_y = lane(u_[order].along_y, i);

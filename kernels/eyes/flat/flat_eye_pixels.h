@@ -9,9 +9,10 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! What a register of pixels does, whatever it draws by: Derived has look_near(line, search, pixel, lanes, objects, seen), which tells the lanes that hold
-//! more than their middle does, average(pixels, place, lanes, sum), the sum of what all their samples see, and leaves_objects: whether pixels that show
-//! objects are another's.
+//! Draws a register of pixels, for different sources of the near field. `Derived` provides:
+//! look_near(line, search, pixel, lanes, objects, seen), which returns the lanes with detail finer
+//! than a pixel; average(pixels, place, lanes, sum), which sums all samples of these lanes; and
+//! leaves_objects, whether pixels that show objects are skipped.
 template <class T, class Derived>
 struct FlatEyePixels {
   using D = Dual<T>;
@@ -57,7 +58,7 @@ struct FlatEyePixels {
     lay(at, seen);
   }
 
-  //! The same in two steps, as DrawNearField has them.
+  //! Draws in two steps, like DrawNearField.
   ERGO_HD bool draw_middle(int index) const {
     const Place at(batch, index);
     Mask fine = drawn(at);
@@ -85,8 +86,9 @@ struct FlatEyePixels {
     lay(at, mean);
   }
 
-  //! What is seen at places of the image, by pixels of a part of the image's own. `lanes` says which to look at, and then where images may
-  //! be finer than that. `more` are what look_near is to be told.
+  //! Returns what is seen at image positions, each the center of a square of side `pixel` (a
+  //! fraction of a pixel). `lanes` selects the lanes, and receives those with finer detail. `more`
+  //! is passed to look_near().
   template <class... More>
   ERGO_HD SeenLanes<T> look(const T& x_px, const T& y_px, S pixel, Objects objects, Mask& lanes, More&... more) const {
     const EyeLine<T> line = line_at(x_px, y_px);
@@ -126,7 +128,7 @@ struct FlatEyePixels {
   }
 
  private:
-  //! The pixels that are drawn here.
+  //! Returns the pixels that are drawn here.
   [[nodiscard]] ERGO_HD Mask drawn(const Place& at) const {
     const Mask inside = at.inside > T(S(0));
     if constexpr (Derived::leaves_objects) {
@@ -139,10 +141,11 @@ struct FlatEyePixels {
     lay_over(seen, at.inside, at.first, pixel_count(batch.near_field.pixels), batch.near_field.rgba);
   }
 
-  //! The last step to a sheet is no longer, as it is seen [px].
+  //! Maximum length of the last step to a sheet, as seen in the image [px].
   static constexpr S precision_px = S(0.1);
 
-  //! Lanes that may see anything: of any place on their lines, in steps that are small beside what is there.
+  //! Returns the lanes that may see anything, from samples along their lines in steps that are
+  //! small relative to the scene.
   ERGO_HD Mask may_see(const EyeLine<T>& line, S most_w) const {
     const CameraStationOf<S>& camera = batch.near_field.pixels.camera;
     constexpr S most_places = S(32);
@@ -160,7 +163,7 @@ struct FlatEyePixels {
     return may;
   }
 
-  //! The radius within which everything is [M].
+  //! Returns the radius that contains the whole scene [M].
   [[nodiscard]] ERGO_HD S farthest_r() const {
     const NearFieldBatch& scene = batch.near_field;
     const S disk = scene.drawing == DiskDrawing::none ? S(0) : scene.disk.outer_r;

@@ -5,12 +5,13 @@
 
 namespace ergodome {
 
-//! What an eye of the stereo model `flat` sees of the horizon: its nearness along the eye's lines of sight, by position angles about the shadow's chart,
-//! and by depths from the edge that the eye sees inwards, ln(α_edge / (α_edge - α)) at equal steps.
+//! The horizon as an eye of the stereo model `flat` sees it: its nearness along the eye's lines of
+//! sight, over position angles in the shadow's chart and over depths inwards from the edge,
+//! ln(α_edge / (α_edge - α)), in equal steps.
 struct FlatHorizon {
   EdgeCurve edge;         //!< of the eye's shadow, in the observer's frame
-  float cosine_largest;   //!< of its greatest polar angle
-  const float* nearness;  //!< [1/M]; spokes rows of `depths`
+  float cosine_largest;   //!< cosine of the largest polar angle of the edge
+  const float* nearness;  //!< [1/M]; `spokes` rows of `depths`
   int spokes;
   int depths;
   float depth_step;
@@ -18,11 +19,12 @@ struct FlatHorizon {
 
 inline namespace ERGO_TARGET {
 
-//! Whether an eye that looks in direction `m` sees the horizon before what is at the nearness w on its line of sight (kernels/flat_eyes/eye_line.h).
+//! Returns whether the horizon hides the point at nearness w on an eye's line of sight in direction
+//! `m` (kernels/eyes/flat/eye_line.h).
 ERGO_HD bool is_behind_horizon(const FlatHorizon& horizon, const Vector3<float>& m, float w) {
   const EdgeCurve& edge = horizon.edge;
   const float ahead = dot(m, edge.centre);
-  // Most directions are beside the shadow, and need no angles to know it.
+  // Most directions are beside the shadow, which the cosine alone shows.
   if (ahead < horizon.cosine_largest) {
     return false;
   }

@@ -6,13 +6,14 @@
 #include "kernels/shells/shell_crossings.h"
 #include "kernels/shells/shell_sight.h"
 
-// Shells as an eye's lines of sight meet them. Each shell is two sheets: where light comes to it on its way in, and on its way out. Where light turns
-// before it comes there both go on at the place where it turns, which makes their distances continuous; no shell is seen there.
+// Shells as an eye's lines of sight meet them. Each shell has two sheets: where light crosses it on
+// its way in, and on its way out. If light turns before it reaches the shell, both sheets continue
+// at the turning point, which makes their distances continuous; no shell is visible there.
 namespace ergodome::inline ERGO_TARGET {
 
 namespace detail {
 
-//! A visitor of trace_shells that keeps what a ray meets of one shell on one side.
+//! A visitor of trace_shells() that keeps the crossing of one shell on one side.
 template <class T>
 class SheetOfShell {
  public:
@@ -37,23 +38,23 @@ class SheetOfShell {
 
   [[nodiscard]] ERGO_HD Mask done() const { return found_ > T(S(0)); }
 
-  //! Lanes whose light neither comes to the shell on this side nor turns.
+  //! Returns the lanes whose light neither crosses the shell on this side nor turns.
   [[nodiscard]] ERGO_HD Mask fallen() const { return (!(found_ > T(S(0)))) & !(turned_ > T(S(0))); }
 
-  //! Takes another's lanes where a mask does not hold.
+  //! Takes the lanes outside the mask from another visitor.
   ERGO_HD void keep_others(const Mask& own, const SheetOfShell& other) {
     keep(!own, other.place_);
     found_ = select(own, found_, other.found_);
     turned_ = select(own, turned_, other.turned_);
   }
 
-  //! Lanes that meet the shell on this side.
+  //! Returns the lanes that meet the shell on this side.
   [[nodiscard]] ERGO_HD Mask found() const { return found_ > T(S(0)); }
 
   [[nodiscard]] ERGO_HD const NearPlace<D>& place() const { return place_; }
 
-  //! q of the sheet. Light that neither comes to the shell nor turns has gone away from it: it was there on its way in before all, and will be
-  //! there on its way out at no time.
+  //! Returns q of the sheet. Light that neither crosses the shell nor turns moves away from it: the
+  //! inward sheet is then nearer than everything, and the outward sheet infinitely far.
   [[nodiscard]] ERGO_HD D nearness(S most_w) const {
     const Mask there = (found_ > T(S(0))) | (turned_ > T(S(0)));
     const D none(T(inwards_ ? S(2) * most_w : S(0)));
@@ -80,8 +81,8 @@ class SheetOfShell {
 
 }  // namespace detail
 
-//! Draws shells behind what a register of an eye's lines of sight has seen. `before(lane, time)` is called before each, with minus its nearness for the
-//! time, to put there what lies nearer.
+//! Draws shells behind everything that a register of an eye's lines of sight has seen. Before each
+//! shell, before(lane, time) is called to compose nearer things; the time is minus the nearness.
 template <class T, class Before>
 class FlatShells {
  public:
@@ -93,7 +94,8 @@ class FlatShells {
                      const Before& before, SeenLanes<T>& seen)
       : batch_(batch), line_(line), search_(search), pixel_(pixel), before_(before), seen_(seen) {}
 
-  //! The outermost comes first on the way in, and last on the way out. Tells which lanes hold more than their middle does.
+  //! Draws all shells: outermost first on the way in, last on the way out. Returns the lanes with
+  //! detail finer than a pixel.
   ERGO_HD Mask draw(const Mask& lanes) const {
     const int count = batch_.near_field.shells.count;
     Mask fine = lanes & !lanes;
@@ -109,7 +111,7 @@ class FlatShells {
     const NearFieldBatch& scene = batch_.near_field;
     const CameraStationOf<S>& camera = scene.pixels.camera;
     const S u = scene.shells.u[shell];
-    // Inside a shell there is no way in to it.
+    // From inside a shell, light does not cross it inwards.
     if (inwards && !(camera.u < u)) {
       return lanes & !lanes;
     }
@@ -125,7 +127,8 @@ class FlatShells {
     MetSheet<T> met = meet_sheet(line_, T(S(0)), search_, lanes, trace);
     const Mask fallen = lanes & sheet.fallen();
     if (any(fallen)) {
-      // Light from the far side may pass the shadow's edge nearer to the eye: the line is looked along from there, too.
+      // Light from the far side may pass the shadow's edge nearer to the eye, so search from the
+      // near end, too.
       const detail::SheetOfShell<T> far_sheet = sheet;
       const MetSheet<T> again = meet_sheet(line_, T(search_.most_w), search_, fallen, trace);
       const Mask other = again.met & sheet.found();
@@ -142,7 +145,7 @@ class FlatShells {
     return compose(shell, met, sheet, seen);
   }
 
-  //! Takes what was met at last in the lanes of a mask, and what was met before in the others.
+  //! Takes the last result in the lanes of the mask, and the one before in the others.
   ERGO_HD static void keep_sheet(const Mask& last, const detail::SheetOfShell<T>& before, MetSheet<T>& met,
                                  detail::SheetOfShell<T>& sheet, const MetSheet<T>& again) {
     sheet.keep_others(last, before);
@@ -160,7 +163,7 @@ class FlatShells {
     const NearRay<D> ray = start_near_ray(scene.pixels.camera, met.direction());
     ShellSight<T, Before> sight(scene.pixels.camera, scene.shells, ray, pixel_, before_, seen_);
     sight.cross(shell, seen & !sight.done(), place);
-    // What has no shell there turns before it: its edge may be in the pixel.
+    // Lanes without a shell turn before it: the shell's edge may be in the pixel.
     sight.turn(met.met & !sheet.found(), place);
     return sight.fine();
   }

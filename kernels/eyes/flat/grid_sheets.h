@@ -5,7 +5,7 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Sheets of the disk from a grid of the head's, a patch a leaf.
+//! Sheets of the disk from a grid of the head's camera, with one patch per leaf.
 template <class T, bool WithPattern>
 class GridSheets {
  public:
@@ -14,7 +14,7 @@ class GridSheets {
 
   ERGO_HD explicit GridSheets(const FlatEyeLookUpBatch& batch) : batch_(batch), lanes_(0.0F), left_(0.0F) {}
 
-  //! Looks in direction n; where the grid leaves the disk to rays nothing is shown.
+  //! Evaluates the sheets in direction n; where the grid leaves the disk to rays, none is shown.
   ERGO_HD void look(const Vector3<D>& n, int, const Mask& lanes) {
     const DiskPlace<T> place = disk_place(batch_.grid.cells.chart.edge, rain_direction(batch_.aberration, n, energy_));
     lanes_ = select(lanes, T(1.0F), T(0.0F));
@@ -74,7 +74,8 @@ class GridSheets {
     return point;
   }
 
-  //! Azimuth and delay of an order where it was looked last: a step on from there is less than clouds show.
+  //! Returns azimuth and delay of an order in the last direction that was evaluated. The remaining
+  //! step to the sheet is too small to be visible in clouds.
   [[nodiscard]] ERGO_HD CrossingLayer<T> carry(const Vector3<D>&, int order, const Mask& lanes) {
     CrossingLayer<T> layer = detail::empty_layer(T(0.0F));
     for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
@@ -88,11 +89,11 @@ class GridSheets {
     return layer;
   }
 
-  //! Lanes whose last look was where the grid leaves the disk to rays.
+  //! Returns the lanes whose last direction the grid leaves to rays.
   [[nodiscard]] ERGO_HD Mask left(const Mask& lanes) const { return lanes & (left_ > T(0.0F)); }
 
  private:
-  //! A set of nodes at a lane's place.
+  //! Evaluates a set of nodes at a lane's position.
   [[nodiscard]] ERGO_HD PatchValue patch(const float* nodes, int i) const {
     const Leaf& leaf = leaves_[i];
     const LeafPlace within = place_in(leaf, places_[i].gamma_turns, places_[i].s);
@@ -113,7 +114,7 @@ class GridSheets {
   T left_;
   D energy_;
   D nearness_[crossing_orders];
-  D u_[WithPattern ? 1 : crossing_orders];  //!< of a plain disk
+  D u_[WithPattern ? 1 : crossing_orders];  //!< for a plain disk
   DiskLanePlace places_[RealTraits<T>::lane_count];
   unsigned orders_[RealTraits<T>::lane_count];
   Leaf leaves_[RealTraits<T>::lane_count];

@@ -6,7 +6,8 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Samples of a register's pixels that a grid leaves to rays: they are put off until there are as many as a register has lanes.
+//! Samples of a register's pixels that a grid leaves to rays. They are collected until they fill a
+//! register.
 template <class T>
 struct LeftSamples {
   static constexpr int most = RealTraits<T>::lane_count * near_samples * near_samples;
@@ -14,7 +15,7 @@ struct LeftSamples {
   struct Sample {
     float x_px;
     float y_px;
-    float guess[crossing_orders];  //!< of the sheets' nearness
+    float guess[crossing_orders];  //!< nearness of the sheets
     int lane;
   };
 
@@ -22,7 +23,8 @@ struct LeftSamples {
   int count = 0;
 };
 
-//! Draws a disk that is read from a grid as one eye of the stereo model `flat` sees it; what the grid leaves to rays has them.
+//! Draws a disk that is read from a grid as one eye of the stereo model `flat` sees it. Rays are
+//! traced where the grid leaves the disk to them.
 template <class T, bool WithPattern>
 struct LookUpFlatEyes {
   using Mask = MaskOf<T>;
@@ -37,7 +39,7 @@ struct LookUpFlatEyes {
 
   ERGO_HD void operator()(int index) const { Pixels{batch.eye, *this}.draw(index); }
 
-  //! Few lanes at a time are left to rays, but many of all samples.
+  //! Collects the lanes that are left to rays, which are few at a time but many over all samples.
   ERGO_HD void average(const Pixels& pixels, const typename Pixels::Place& place, const Mask& lanes,
                        SeenLanes<T>& sum) const {
     LeftSamples<T> left;
@@ -70,14 +72,15 @@ struct LookUpFlatEyes {
     return fine > T(0.0F);
   }
 
-  //! Where samples wait, and where in the image they are.
+  //! The collection of samples, and the image positions of the current ones.
   struct Waiting {
     LeftSamples<T>& left;
     const T& x_px;
     const T& y_px;
   };
 
-  //! The same, but that what the grid leaves to rays waits, as if nothing were seen there: not even through.
+  //! Does the same, but collects the lanes that the grid leaves to rays. Until they are traced they
+  //! count as seeing nothing, and as opaque.
   ERGO_HD Mask look_near(const EyeLine<T>& line, const SheetSearch<float>& search, float pixel, const Mask& wanted,
                          const Objects&, SeenLanes<T>& seen, Waiting& waiting) const {
     GridSheets<T, WithPattern> sheets(batch);
@@ -101,7 +104,7 @@ struct LookUpFlatEyes {
   }
 
  private:
-  //! Traces samples that have waited, a register of them, and adds what they see to their lanes.
+  //! Traces a register of collected samples, and adds the results to their lanes.
   ERGO_HD void trace(const Pixels& pixels, const LeftSamples<T>& left, int first, SeenLanes<T>& sum) const {
     constexpr int lanes = RealTraits<T>::lane_count;
     const auto sample = [&](int i) -> const auto& {

@@ -4,19 +4,20 @@
 #include "kernels/eyes/flat/draw_flat_eyes.h"
 #include "kernels/near_rays/near_pixels.h"
 
-// What a head sees of the disk in a direction, order by order: a sheet each. By rays, or from a grid (grid_sheets.h). Both look in one direction, and
-// then tell of what they have seen there.
+// Sheets of the disk, one per order, in the directions of a head: from rays, or from a grid
+// (grid_sheets.h). Both sources evaluate one direction in look() and then return the results for
+// it.
 namespace ergodome::inline ERGO_TARGET {
 
-//! One order's sheet in a direction of the head's.
+//! One order's sheet in a direction of the head.
 template <class T>
 struct SheetPoint {
   Dual<T> u;        //!< 1/r [1/M]
   T u_rate;         //!< positive for light that was emitted outwards
-  MaskOf<T> shown;  //!< an image may be seen there
+  MaskOf<T> shown;  //!< lanes in which an image may be visible
 };
 
-//! By the layers of crossings, which are smooth beyond the disk's edges, too.
+//! Sheets from rays: the layers of crossings, which are smooth even beyond the disk's edges.
 template <class T>
 class RaySheets {
  public:
@@ -26,7 +27,7 @@ class RaySheets {
 
   ERGO_HD explicit RaySheets(const FlatEyeBatch& batch) : batch_(batch), lanes_(S(0)) {}
 
-  //! Looks in direction n, for the first `orders` sheets.
+  //! Evaluates the first `orders` sheets in direction n.
   ERGO_HD void look(const Vector3<D>& n, int orders, const Mask& lanes) {
     const CameraStationOf<S>& camera = batch_.near_field.pixels.camera;
     trace_layers<near_order, NearParts::distance>(camera.spin, start_near_ray(camera, n), batch_.limits, layers_,
@@ -34,7 +35,7 @@ class RaySheets {
     lanes_ = select(lanes, T(S(1)), T(S(0)));
   }
 
-  //! 1 / affine distance of a sheet there [1/M]; 0 where that is no place.
+  //! Returns 1 / affine distance of a sheet [1/M]; 0 where it does not exist.
   [[nodiscard]] ERGO_HD D nearness(int order) const {
     const D& distance = layers_[order].distance;
     const auto far = distance.value > T(S(0));
@@ -42,12 +43,12 @@ class RaySheets {
     return select(far, one / select(far, distance, one), D(T(S(0))));
   }
 
-  //! What else of it is seen there.
+  //! Returns the other properties of a sheet.
   [[nodiscard]] ERGO_HD SheetPoint<T> point(int order) const {
     return {layers_[order].u, layers_[order].u_rate, lanes_ > T(S(0))};
   }
 
-  //! Azimuth and delay of an order in direction n, for clouds.
+  //! Returns azimuth and delay of an order in direction n, for clouds.
   ERGO_HD CrossingLayer<T> carry(const Vector3<D>& n, int order, const Mask&) const {
     const CameraStationOf<S>& camera = batch_.near_field.pixels.camera;
     CrossingLayer<T> layers[crossing_orders];
@@ -57,7 +58,7 @@ class RaySheets {
     return layers[order];
   }
 
-  //! Lanes of which nothing is known.
+  //! Returns the lanes that this source leaves to rays: none.
   [[nodiscard]] ERGO_HD Mask left(const Mask& lanes) const { return lanes & !lanes; }
 
  private:

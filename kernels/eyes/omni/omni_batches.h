@@ -7,7 +7,8 @@
 
 namespace ergodome {
 
-//! Batches of eyes that turn with the direction one looks at: the kernels are those of a single camera, directions are in the view's axes.
+//! Batches of omnidirectional eyes. The kernels are those of a single camera; directions are in the
+//! view's axes.
 using OmniNodeBatch = NodeBatch<float, OmniCameraOf<float>>;
 using OmniCheckBatch = CheckBatch<float, OmniCameraOf<float>>;
 template <class S>

@@ -6,11 +6,12 @@
 
 namespace ergodome {
 
-//! Numbers that set up the rays of a camera, all smooth where it moves, across the spin axis too: u, m, and six forms of the view's
-//! direction - energy, axial momentum, outward rate, dm/dλ along x, y, z - each a constant and three weights. They are those of CameraStation,
-//! in the view's axes, and with m in axes that turn with the head's azimuth alone.
+//! Number of values that set up the rays of a camera, all smooth functions of its position, also
+//! across the spin axis: u, m, and six forms of the view's direction (energy, axial momentum,
+//! outward rate, and dm/dλ along x, y, z), each with a constant and three weights. They are those
+//! of CameraStation, in the view's axes. The axes of m rotate with the head's azimuth only.
 inline constexpr int omni_numbers = 28;
-//! Where among them the form of the energy begins.
+//! Index of the first value of the energy's form.
 inline constexpr int omni_energy = 4;
 
 //! Highest degree of the polynomials.
@@ -18,36 +19,40 @@ inline constexpr int omni_most_degree = 10;
 
 constexpr int omni_terms(int degree) { return (degree + 1) * (degree + 2) / 2; }
 
-//! An eye that turns with the azimuth one looks at: for each direction of the view it sits to the right of where that direction goes, in the
-//! view's horizontal plane, and every direction has a camera of its own.
+//! An omnidirectional eye, which turns with the azimuth of the viewing direction. For each
+//! direction it is to the right of that direction, in the view's horizontal plane, so every
+//! direction has its own camera.
 //!
-//! What a camera's rays need are polynomials of its place in that plane, fitted to exact cameras (render/lens/omni_camera.h).
+//! The values that rays need are polynomials of the eye's position in that plane, fitted to exact
+//! cameras (render/lens/omni_camera.h).
 template <class S>
 struct OmniCameraOf {
   S spin;
   S horizon_r;
   S offset;  //!< of the eye, to the right [M]
   S inverse_convergence;
-  S fade_begin;           //!< cosine of the elevation at which the offset is gone
-  S fade_scale;           //!< one over the way from there to where it is whole
-  S inverse_reach;        //!< one over the radius within which the polynomials hold [1/M]
-  int degree;             //!< of the polynomials
-  const S* coefficients;  //!< omni_numbers polynomials of omni_terms(degree) coefficients: 1, p, q, p², p q, q², ...
-  //! The head falls through the horizon and is near to it: m has azimuths of ingoing Kerr coordinates, in which eyes on both sides are side by side.
+  S fade_begin;     //!< cosine of the elevation at which the offset is 0
+  S fade_scale;     //!< 1 / (cosine at which the offset is full - fade_begin)
+  S inverse_reach;  //!< 1 / radius within which the polynomials are valid [1/M]
+  int degree;       //!< of the polynomials
+  //! omni_numbers polynomials of omni_terms(degree) coefficients: 1, p, q, p², p q, q², ...
+  const S* coefficients;
+  //! The head is falling through the horizon, or is near it: azimuths of m are in ingoing Kerr
+  //! coordinates, in which the eyes on both sides of the horizon are continuous.
   bool ingoing = false;
-  S turn = S(0);  //!< the head's, as CameraStation's
+  S turn = S(0);  //!< of the head, as in CameraStation
   S lag = S(0);
 };
 
-//! A block of rows of one image through such an eye. The edge of `pixels` is that of the whole image, in the view's axes; `camera` there is the
-//! head's, for its spin and azimuth.
+//! A block of rows of one image of an omnidirectional eye. The edge in `pixels` is that of the
+//! whole image, in the view's axes; the camera in `pixels` is the head's, for its spin and azimuth.
 struct OmniBatch {
   PixelBatch pixels;
   OmniCameraOf<float> camera;
 };
 
-//! Many rays through such an eye, followed by Taylor series whatever `rays.method` says. Directions are in the view's axes; `camera` of `rays`
-//! is the head's, for its azimuth.
+//! Many rays of an omnidirectional eye, traced by Taylor series; `rays.method` is ignored.
+//! Directions are in the view's axes; the camera in `rays` is the head's, for its azimuth.
 struct OmniRayBatch {
   RayBatch<double> rays;
   OmniCameraOf<double> camera;
@@ -55,7 +60,8 @@ struct OmniRayBatch {
 
 inline namespace ERGO_TARGET {
 
-//! Where an eye is when it looks in a direction of the view (unit vector: x right, y up, z back): to the right and to the back [M].
+//! Computes the position of the eye for a direction of the view (unit vector: x right, y up, z
+//! back): to the right and to the back [M].
 template <class T>
 ERGO_HD void omni_offset(const OmniCameraOf<ScalarOf<T>>& camera, const Vector3<T>& view, T& right, T& back) {
   using S = ScalarOf<T>;
@@ -71,7 +77,8 @@ ERGO_HD void omni_offset(const OmniCameraOf<ScalarOf<T>>& camera, const Vector3<
   back = view.x * share;
 }
 
-//! What an eye has for a direction of the view: its camera there, and the six forms in that direction (see omni_numbers).
+//! The camera of an eye for one direction of the view, as its six forms in that direction (see
+//! omni_numbers).
 template <class T>
 struct OmniSight {
   T u;
@@ -82,8 +89,9 @@ struct OmniSight {
   Vector3<T> m_rate;
 };
 
-//! How far m and what moves it are to be turned about the spin axis, to have the head's own azimuth: all of light that only comes in (and is counted on in
-//! ingoing Kerr coordinates), the rest from the eye's usual azimuth.
+//! Returns the angle by which m and its rate must be rotated about the spin axis to have the head's
+//! azimuth. Light that moves only inwards (and is followed in ingoing Kerr coordinates) needs the
+//! head's full turn; other light starts from the eye's Boyer-Lindquist azimuth.
 template <class T>
 ERGO_HD T omni_turn(const OmniCameraOf<ScalarOf<T>>& camera, const OmniSight<T>& sight) {
   const RealOf<T> zero(ScalarOf<T>(0));
@@ -93,7 +101,8 @@ ERGO_HD T omni_turn(const OmniCameraOf<ScalarOf<T>>& camera, const OmniSight<T>&
   return select(comes_in, head, head - winding_turn(horizon) * winding(horizon, sight.u));
 }
 
-//! What an eye of a head that is `ingoing` has, with m in axes that are turned to the head's own azimuth.
+//! Converts the values of an eye whose head is `ingoing` to axes of m that are rotated to the
+//! head's azimuth.
 template <class T>
 ERGO_HD OmniSight<T> in_heads_azimuth(const OmniCameraOf<ScalarOf<T>>& camera, const OmniSight<T>& sight) {
   T sine;
@@ -114,7 +123,7 @@ ERGO_HD OmniSight<T> omni_sight(const OmniCameraOf<ScalarOf<T>>& camera, const V
   T right;
   T back;
   omni_offset(camera, view, right, back);
-  // Onto a sphere about the head, where both eyes look at one place.
+  // Converges on a sphere about the head, where both eyes see the same point.
   Vector3<T> n = {view.x - camera.inverse_convergence * right, view.y, view.z - camera.inverse_convergence * back};
   const T inverse_length = S(1) / sqrt(dot(n, n));
   n = {n.x * inverse_length, n.y * inverse_length, n.z * inverse_length};
@@ -125,7 +134,7 @@ ERGO_HD OmniSight<T> omni_sight(const OmniCameraOf<ScalarOf<T>>& camera, const V
   term[0] = T(S(1));
   int count = 1;
   for (int degree = 1; degree <= camera.degree; ++degree) {
-    // p times all terms of one degree less, and q times the last.
+    // The terms of this degree: p times all terms of one degree less, and q times the last.
     const int before = count - degree;
     for (int i = 0; i < degree; ++i) {
       term[count + i] = p * term[before + i];
@@ -151,7 +160,8 @@ ERGO_HD OmniSight<T> omni_sight(const OmniCameraOf<ScalarOf<T>>& camera, const V
   return camera.ingoing ? in_heads_azimuth(camera, sight) : sight;
 }
 
-//! The ray that an eye sees in a direction of the view; in axes that are turned to the head's azimuth, for turned_to_camera.
+//! Returns the ray that an eye sees in a direction of the view, in axes that are rotated to the
+//! head's azimuth, as turned_to_camera() expects.
 template <class T>
 ERGO_HD RayStart<T> start_omni_ray(const OmniCameraOf<ScalarOf<T>>& camera, const Vector3<T>& view) {
   using S = ScalarOf<T>;
@@ -171,13 +181,14 @@ ERGO_HD RayStart<T> start_omni_ray(const OmniCameraOf<ScalarOf<T>>& camera, cons
   return ray;
 }
 
-//! The same by the name that it has for a single camera: kernels are written for both.
+//! Returns the same ray, under the name that kernels use for single cameras.
 template <class T>
 ERGO_HD RayStart<T> start_ray(const OmniCameraOf<ScalarOf<T>>& camera, const Vector3<T>& view) {
   return start_omni_ray(camera, view);
 }
 
-//! The energy at infinity of light that an eye sees in a direction, for an observed energy of 1.
+//! Returns the energy at infinity of light that an eye sees in a direction, for an observed energy
+//! of 1.
 template <class T>
 ERGO_HD T energy_of(const OmniCameraOf<ScalarOf<T>>& camera, const Vector3<T>& view) {
   return start_omni_ray(camera, view).energy;

@@ -5,7 +5,8 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Traces the pixels of a batch whose every pixel has its own camera; otherwise as TracePixels.
+//! Traces the pixels of a batch in which every pixel has its own camera; otherwise like
+//! TracePixels.
 template <class T, bool Footprints>
 struct TraceOmniPixels {
   using D = Dual<T>;
