@@ -5,10 +5,12 @@
 #include "kernels/core/host_device.h"
 #include "kernels/core/vector3.h"
 
+// Color maps of heat maps, and the transfer curve of sRGB.
 namespace ergodome::inline ERGO_TARGET {
 
-//! A perceptual colour for a value in [0, 1], dark blue over teal and green to yellow: piecewise linear in display values between nine
-//! stops whose CIE lightness rises evenly. Returns display-referred sRGB, 0 to 1; values outside are clamped, NaN is magenta.
+//! Returns a perceptual color for a value in [0, 1], from dark blue over teal and green to yellow:
+//! piecewise linear in display values between nine stops whose CIE lightness rises evenly. The
+//! result is display-referred sRGB, 0 to 1. Values outside are clamped; NaN is magenta.
 ERGO_HD Vector3<float> heat_color(float value) {
   constexpr float stops[9][3] = {{0.07F, 0.03F, 0.20F}, {0.16F, 0.14F, 0.42F}, {0.15F, 0.29F, 0.55F},
                                  {0.12F, 0.43F, 0.56F}, {0.11F, 0.56F, 0.52F}, {0.25F, 0.69F, 0.42F},
@@ -24,7 +26,8 @@ ERGO_HD Vector3<float> heat_color(float value) {
   return {low[0] + part * (high[0] - low[0]), low[1] + part * (high[1] - low[1]), low[2] + part * (high[2] - low[2])};
 }
 
-//! Red for values below 0.5 (redshift), blue above, white between: for the frequency ratio. Display-referred sRGB, 0 to 1.
+//! Returns a color for the frequency ratio: red below 0.5 (redshift), blue above, white between.
+//! Display-referred sRGB, 0 to 1.
 ERGO_HD Vector3<float> shift_color(float value) {
   if (!(value == value)) {
     return {1.0F, 0.0F, 1.0F};
@@ -37,7 +40,7 @@ ERGO_HD Vector3<float> shift_color(float value) {
   return white + fade * (end - white);
 }
 
-//! sRGB's transfer curve (IEC 61966-2-1), for values 0 to 1.
+//! Applies the transfer curve of sRGB (IEC 61966-2-1), for values 0 to 1.
 ERGO_HD float srgb_encoded(float linear) {
   return linear <= 0.0031308F ? 12.92F * linear : 1.055F * ::powf(linear, 1.0F / 2.4F) - 0.055F;
 }

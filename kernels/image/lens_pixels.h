@@ -2,22 +2,23 @@
 
 namespace ergodome {
 
-//! What the lens does to each pixel of an image, row by row from the top: where its light comes from, and how.
+//! Effect of the lens on each pixel of an image, row by row from the top: the source of its light,
+//! and what happened to the light on the way.
 //!
-//! One array a channel, an element a pixel. A null pointer is a channel that the scene does not call for.
+//! One array per channel, one element per pixel. A channel that the scene does not need is null.
 struct LensPixels {
   float* sky
-      [3];  //!< unit vector to the source on the celestial sphere; 0 where light is lost and nobody asked for derivatives
+      [3];  //!< unit vector to the source on the celestial sphere; 0 where light is lost in scenes that have no footprints
   float* sky_along_x[3];   //!< its derivative per pixel to the right
   float* sky_along_y[3];   //!< its derivative per pixel downwards
-  float* coverage;         //!< fraction of the pixel that the sky lights: 0 in the shadow and outside the image
+  float* coverage;         //!< fraction of the pixel that the sky lights
   float* frequency_ratio;  //!< g = ν_observed / ν_emitted
   float* steps;            //!< integration steps
-  float* error_estimate;   //!< the integrator's own [rad]; negative: the ray did not converge
+  float* error_estimate;   //!< the integrator's estimate [rad]; negative: not converged
   float* half_orbits;      //!< angle swept about the hole, in units of π: the order of the image
 };
 
-//! Whether the scene calls for footprints: kernels have a variant without.
+//! Returns whether footprints are wanted; kernels have a variant without.
 constexpr bool has_footprints(const LensPixels& pixels) { return pixels.sky_along_x[0] != nullptr; }
 
 }  // namespace ergodome

@@ -4,40 +4,43 @@
 
 #include "kernels/image/tone_curve.h"
 
+// The light of a picture for projectors, in mip levels that are computed tile by tile.
 namespace ergodome {
 
-//! Averages over more than 2^5 pixels are not wanted by any warp that makes a picture.
+//! Maximum number of levels. No usable warp averages over more than 2^5 pixels.
 inline constexpr int most_light_levels = 6;
 
-//! Side of the tiles [texels] in which light is made where it is wanted.
+//! Side of the tiles in which light is computed on demand [texels].
 inline constexpr int light_tile_px = 64;
 inline constexpr int light_tile_texels = light_tile_px * light_tile_px;
 
-//! A picture's light for projectors, or its averages: linear, 0 to 1, four floats a texel, the top row first. One texel more than the
-//! picture has can be read behind its end.
+//! A picture's light for projectors, or its averages: linear, 0 to 1, four floats per texel, top
+//! row first. One texel beyond the end can be read.
 struct LightLevel {
   float* rgba;
   std::int32_t width;
   std::int32_t height;
 };
 
-//! Light and its averages: each level is half as wide and high as the one before, rounded down.
+//! Light and its averages: each level has half the width and height of the one before, rounded
+//! down.
 struct LightLevels {
   LightLevel level[most_light_levels];
   std::int32_t count;
 };
 
-//! Makes light of tiles of a picture (of `to`'s size, four floats a pixel) by its tone. Tiles are numbered row after row.
+//! Applies the tone curve to tiles of a picture (of `to`'s size, four floats per pixel). Tiles are
+//! numbered row by row.
 struct ToneBatch {
   const float* from;
   LightLevel to;
   Tone tone;
-  bool as_it_is;  //!< the picture is display light already
+  bool as_it_is;  //!< the picture is already display light
   const std::int32_t* tiles;
   int count;
 };
 
-//! Makes tiles of a level from the one before.
+//! Computes tiles of a level from the one before.
 struct AverageBatch {
   LightLevel from;
   LightLevel to;
@@ -46,7 +49,7 @@ struct AverageBatch {
 };
 
 inline namespace ERGO_TARGET {
-//! How many tiles lie side by side in a picture.
+//! Returns the number of tiles along one side of a picture.
 constexpr int light_tiles(int size) { return (size + light_tile_px - 1) / light_tile_px; }
 }  // namespace ERGO_TARGET
 

@@ -6,14 +6,15 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! a^p for a >= 0 and p > 0, to a few units in the last place times the exponent's size; below 1e-34 it stays there.
+//! Returns a^p for a >= 0 and p > 0, to a few units in the last place times the size of the
+//! exponent; at least 1e-34.
 template <int N>
 inline Pack<float, N> power(const Pack<float, N>& a, float p) {
   const Pack<float, N> logarithm = natural_logarithm(maximum(a, Pack<float, N>(1e-37F)));
   return exponential(maximum(logarithm * p, Pack<float, N>(-80.0F)));
 }
 
-//! kernels/image/tone_curve.h's formulas for each lane; what is no number is black.
+//! Applies the formulas of kernels/image/tone_curve.h to each lane; NaN becomes black.
 template <int N>
 inline Pack<float, N> toned(const Tone& tone, const Pack<float, N>& light) {
   using T = Pack<float, N>;
@@ -55,7 +56,7 @@ ERGO_HD TileBounds tile_bounds(const LightLevel& level, std::int32_t tile) {
 }
 }  // namespace detail
 
-//! Index i stands for a tile.
+//! Applies the tone curve; index i is a tile.
 template <class T>
 struct ToneTiles {
   ToneBatch batch;
@@ -74,8 +75,9 @@ struct ToneTiles {
   }
 };
 
-//! Index i stands for a tile. A texel is what lies at its middle in the finer level, between the four texels next to it: their mean where
-//! the finer level's sides are even.
+//! Averages a level; index i is a tile. A texel is the finer level interpolated at its center,
+//! between the four nearest texels. Where the sides of the finer level are even, that is their
+//! mean.
 struct AverageTiles {
   AverageBatch batch;
 

@@ -4,18 +4,19 @@
 #include "kernels/core/quad.h"
 #include "kernels/image/light_levels.h"
 
-// A texel at a time: for devices, whose threads are many. kernels/image/light_levels_kernel.h does the same for whole tiles at a time.
+// Light levels one texel at a time, for devices with their many threads.
+// kernels/image/light_levels_kernel.h does the same by whole tiles.
 namespace ergodome::inline ERGO_TARGET {
 
 namespace detail {
-//! Two neighbouring texels of a finer level, and how far between them.
+//! Two adjacent texels of a finer level, and the position between them.
 struct FinerPlace {
   int first;
   int second;
   float part;
 };
 
-//! Where the middle of texel `at` of `size` lies.
+//! Returns the position of the center of texel `at` of `size` in the finer level.
 ERGO_HD FinerPlace finer_place(int at, int size, int finer_size) {
   const float exact =
       (static_cast<float>(at) + 0.5F) * (static_cast<float>(finer_size) / static_cast<float>(size)) - 0.5F;
@@ -24,18 +25,19 @@ ERGO_HD FinerPlace finer_place(int at, int size, int finer_size) {
   return {first, second, exact - static_cast<float>(first)};
 }
 
-//! Light between two texels of a row.
+//! Interpolates between two texels of a row.
 ERGO_HD Quad between(const float* row, const FinerPlace& x) {
   return (1.0F - x.part) * load_quad(row + 4 * x.first) + x.part * load_quad(row + 4 * x.second);
 }
 
-//! A texel of a level.
+//! Position of a texel in a level.
 struct LevelPlace {
   int column;
   int row;
 };
 
-//! The texel that an index stands for, light_tile_texels of them to each listed tile: beside the level where a tile goes beyond it.
+//! Returns the texel of an index, with light_tile_texels for each listed tile. It is outside the
+//! level where a tile extends beyond it.
 ERGO_HD LevelPlace place_in_tiles(const LightLevel& level, const std::int32_t* tiles, int index) {
   const int tile = tiles[index / light_tile_texels];
   const int texel = index % light_tile_texels;
@@ -53,7 +55,8 @@ ERGO_HD long first_float(const LightLevel& level, const LevelPlace& at) {
 }
 }  // namespace detail
 
-//! Index i stands for a texel: light_tile_texels for each tile. Coverage is not toned, as nobody reads it.
+//! Applies the tone curve; index i is a texel, with light_tile_texels for each tile. Coverage is
+//! not toned, as it is not used.
 struct ToneTexels {
   ToneBatch batch;
 
@@ -75,7 +78,7 @@ struct ToneTexels {
   }
 };
 
-//! Index i stands for a texel: light_tile_texels for each tile.
+//! Averages a level; index i is a texel, with light_tile_texels for each tile.
 struct AverageTexels {
   AverageBatch batch;
 

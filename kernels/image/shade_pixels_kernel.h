@@ -9,7 +9,7 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Brightening goes no further: at caustics a footprint has no area.
+//! Limit of brightening: at caustics a footprint has no area.
 inline constexpr float brightening_limit = 1000.0F;
 
 namespace detail {
@@ -26,11 +26,13 @@ ERGO_HD void store_rgba(const ShadeBatch& batch, int index, const Vector3<float>
 }
 }  // namespace detail
 
-//! Light of the sky behind the pixels; index i stands for the pixels i * lanes, i * lanes + 1, ... Each way to look at the map is compiled
-//! apart: a scene pays for none but its own.
+//! Computes the light of the sky behind the pixels. Index i covers the pixels i * lanes, i * lanes
+//! + 1, ... Each combination of options is compiled separately, so that a scene pays only for those
+//! it uses.
 //!
-//! A map has no spectrum to shift. SkyShift::luminance acts on its brightness alone: intensity over the cube of the frequency is the same
-//! everywhere along a ray, and over all frequencies intensity goes with g⁴. SkyShift::blackbody_fit: see shifted_light.
+//! A map has no spectrum to shift. SkyShift::luminance changes only its brightness: intensity over
+//! the cube of the frequency is constant along a ray, so over all frequencies intensity scales with
+//! g⁴. For SkyShift::blackbody_fit see shifted_light().
 template <class T, SkyFilter Filter, SkyShift Shift, bool Brightened>
 struct ShadeSky {
   ShadeBatch batch;
@@ -46,7 +48,7 @@ struct ShadeSky {
     }
     if constexpr (Shift == SkyShift::luminance) {
       const T g2 = g * g;
-      // The ratio is not written where no light comes from.
+      // The ratio is undefined where no light arrives.
       scale = select(coverage > T(0.0F), scale * (g2 * g2), T(0.0F));
     }
     if constexpr (Brightened) {
@@ -70,7 +72,7 @@ struct ShadeSky {
             load_lanes<T>(from[2], first, batch.count)};
   }
 
-  //! The map's light over the pixels, times a factor.
+  //! Returns the map's light over the pixels, times a factor.
   ERGO_HD SkyLight<T> look(int first, const T& factor) const {
     if constexpr (Filter == SkyFilter::ewa) {
       return filter_sky(batch.sky, vectors(batch.lens.sky, first), vectors(batch.lens.sky_along_x, first),
@@ -86,12 +88,13 @@ struct ShadeSky {
     }
   }
 
-  //! Solid angle of the pixels before the camera, over that of their footprints on the sky; at caustics no more than the limit.
+  //! Returns the solid angle of the pixels at the camera over that of their footprints on the sky;
+  //! limited at caustics.
   ERGO_HD T magnification(int first) const {
     const Vector3<T> along_x = vectors(batch.lens.sky_along_x, first);
     const Vector3<T> area = cross(along_x, vectors(batch.lens.sky_along_y, first));
     const T whole_sky(12.566371F);
-    // Lost light has derivatives that are too large to be true.
+    // Lost light has derivatives that are too large to be real.
     const auto lost = dot(along_x, along_x) > T(1e6F);
     const T on_sky = select(lost, whole_sky, minimum(safe_sqrt(dot(area, area)), whole_sky));
     T x_px(0.0F);
@@ -101,12 +104,12 @@ struct ShadeSky {
     return on_screen / maximum(on_sky, on_screen * (1.0F / brightening_limit));
   }
 
-  //! Writes light shifted by g. The fourth part of light is that of cube maps' texels.
+  //! Writes light shifted by g. The fourth component of light is that of cube map texels.
   ERGO_HD void store_shifted(const Quad& light, float g, float* to) const {
     const Vector3<float> rgb = {quad_part(light, 0), quad_part(light, 1), quad_part(light, 2)};
     const float luminance = luminance_of(rgb);
     Vector3<float> seen = {0.0F, 0.0F, 0.0F};
-    // Where no light comes from, the ratio is not written.
+    // The ratio is undefined where no light arrives.
     if (luminance > 1e-37F) {
       seen = shifted_light(batch.colours, rgb, quad_part(light, 3) / luminance, g);
     }
@@ -139,7 +142,7 @@ inline void dispatch_shift(const ShadeBatch& batch, const Action& action) {
 }
 }  // namespace detail
 
-//! Calls action(functor) with the functor that shades a batch as it asks.
+//! Calls action(functor) with the functor for the options of a batch.
 template <class T, class Action>
 inline void dispatch_shading(const ShadeBatch& batch, const Action& action) {
   switch (batch.filter) {
@@ -152,11 +155,11 @@ inline void dispatch_shading(const ShadeBatch& batch, const Action& action) {
   }
 }
 
-//! A heat map of one channel of the lens, dark where no light comes from.
+//! Draws a heat map of one channel of the lens, dark where no light arrives.
 struct ShadeHeatMap {
   ShadeBatch batch;
 
-  //! The channel's value as the colour bar has it.
+  //! Returns the channel's value in the units of the color bar.
   ERGO_HD float value(int index) const {
     switch (batch.mode) {
       case ViewMode::steps:
@@ -183,7 +186,7 @@ struct ShadeHeatMap {
     const float coverage = batch.lens.coverage[index];
     const float place = (value(index) - batch.range_low) / (batch.range_high - batch.range_low);
     const Vector3<float> shown = batch.mode == ViewMode::frequency_ratio ? shift_color(place) : heat_color(place);
-    // The renderer's output is linear; the colour map speaks in display values.
+    // The renderer's output is linear, but the color map is in display values.
     const Vector3<float> linear = {srgb_decoded(shown.x), srgb_decoded(shown.y), srgb_decoded(shown.z)};
     detail::store_rgba(batch, index, coverage * linear, coverage);
   }

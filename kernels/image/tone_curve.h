@@ -7,10 +7,10 @@
 
 namespace ergodome {
 
-//! How light becomes what a display shows.
+//! Tone curves, from a picture's light to display light.
 enum class ToneCurve : std::int32_t { shoulder, reinhard, filmic, gamma };
 
-//! How a picture's light becomes what a display shows.
+//! The conversion of a picture's light to display light.
 struct Tone {
   ToneCurve curve = ToneCurve::shoulder;
   float gain = 1.0F;  //!< exposure, as a factor
@@ -18,19 +18,21 @@ struct Tone {
   float gamma = 2.2F;
 };
 
-//! What `shoulder` keeps as it is [display light].
+//! Light up to which `shoulder` is linear [display light].
 inline constexpr float tone_knee = 0.8F;
-//! Display light that light_for_display is made for at the most: `shoulder` comes nearer and nearer to 1, and never there. The 255th byte begins
-//! below it.
+//! Maximum display light that light_for_display() inverts: `shoulder` approaches 1 but never
+//! reaches it. The byte 255 starts below this value.
 inline constexpr float brightest_display_light = 0.999F;
 
 inline namespace ERGO_TARGET {
 
-//! Linear display light, mostly in [0, 1], of a channel's light. The presenter's shader says the same.
+//! Returns the linear display light, mostly in [0, 1], of a channel's light. The shader of the
+//! player implements the same.
 //!
-//! `shoulder` keeps light up to 0.8 as it is and bends what is above towards 1: dome projectors are dark, and skies there should be
-//! as dark as they are. `reinhard`: Reinhard et al. (SIGGRAPH 2002), eq. 4. `filmic`: Narkowicz's fit (2015) of the ACES reference
-//! curve. `gamma`: a power that lifts what is dark, by which Verbraeck & Eisemann set the number of stars to be seen.
+//! `shoulder` keeps light up to 0.8 and compresses what is above towards 1: dome projectors are
+//! dark, and dark skies must remain dark. `reinhard`: Reinhard et al. (SIGGRAPH 2002), eq. 4.
+//! `filmic`: Narkowicz's fit (2015) of the ACES reference curve. `gamma`: a power that brightens
+//! dark parts, with which Verbraeck & Eisemann control the number of visible stars.
 ERGO_HD float toned(const Tone& tone, float light) {
   const float x = ::fmaxf(tone.gain * light, 0.0F);
   switch (tone.curve) {
@@ -46,13 +48,14 @@ ERGO_HD float toned(const Tone& tone, float light) {
   return x <= tone_knee ? x : 1.0F - (1.0F - tone_knee) * ::expf(-(x - tone_knee) / (1.0F - tone_knee));
 }
 
-//! The light that `toned` makes a display's light of: its inverse, for 0 to brightest_display_light; what is beyond is taken as that.
+//! Returns the light that toned() converts to the given display light: its inverse, for 0 to
+//! brightest_display_light; larger values are clamped.
 ERGO_HD float light_for_display(const Tone& tone, float display) {
   const float d = ::fminf(::fmaxf(display, 0.0F), brightest_display_light);
   float x = d;
   switch (tone.curve) {
     case ToneCurve::reinhard: {
-      // x² / w² + (1 - d) x - d = 0, in the form that has no difference of near numbers.
+      // x² / w² + (1 - d) x - d = 0, in the form without cancellation.
       const float rest = 1.0F - d;
       x = 2.0F * d / (rest + ::sqrtf(rest * rest + 4.0F * d / (tone.white * tone.white)));
       break;

@@ -4,10 +4,11 @@
 #include "kernels/image/byte_power.h"
 #include "kernels/image/warp_pixels.h"
 
-// A pixel at a time: for devices, whose threads are many. WarpPixels does the same for a group of pixels at a time.
+// Warps one pixel at a time, for devices with their many threads. WarpPixels does the same by
+// groups of pixels.
 namespace ergodome::inline ERGO_TARGET {
 
-//! Index i stands for a pixel of the raster, row after row.
+//! Index i is a pixel of the raster, row by row.
 template <bool Coloured>
 struct WarpPixel {
   WarpBatch batch;
@@ -17,7 +18,7 @@ struct WarpPixel {
     store(index, sent(index - y * batch.width_px, y));
   }
 
-  //! What a pixel is sent: red in the lowest byte, then green and blue.
+  //! Returns the value that is sent for a pixel: red in the lowest byte, then green and blue.
   ERGO_HD std::uint32_t sent(int x, int y) const {
     const int group = y * warp_groups(batch.width_px) + x / warp_group_px;
     const int place = x % warp_group_px;
@@ -30,7 +31,7 @@ struct WarpPixel {
     return rgb;
   }
 
-  //! Writes it.
+  //! Writes the value of a pixel.
   ERGO_HD void store(long pixel, std::uint32_t rgb) const {
     std::uint8_t* const to = batch.rgb + 3 * pixel;
     to[0] = static_cast<std::uint8_t>(rgb);
@@ -39,7 +40,8 @@ struct WarpPixel {
   }
 
  private:
-  //! Between two of `size` texels: the first one's number, and how far from it.
+  //! Returns the first of the two of `size` texels around a position; `part` receives the fraction
+  //! between them.
   ERGO_HD static int first_of_two(float place, int size, float& part) {
     const float within = ::fminf(::fmaxf(place, 0.0F), static_cast<float>(size - 1));
     const int last_pair = size > 1 ? size - 2 : 0;
@@ -49,7 +51,7 @@ struct WarpPixel {
     return first;
   }
 
-  //! Light of a level at a place of the finest.
+  //! Returns the light of a level at a position of the finest level.
   ERGO_HD Quad light_at(const LightLevel& level, float x, float y) const {
     const LightLevel& finest = batch.light.level[0];
     const float scale_x = static_cast<float>(level.width) / static_cast<float>(finest.width);
@@ -88,7 +90,7 @@ struct WarpPixel {
 
   ERGO_HD static float square_of(std::uint16_t root) { return static_cast<float>(root) * static_cast<float>(root); }
 
-  //! Blends and lifts light.
+  //! Applies blending and lift to light.
   ERGO_HD std::uint32_t value_of(int group, int place, int channel, float light) const {
     constexpr int kinds = Coloured ? 6 : 1;
     const std::uint16_t* const factor = batch.factor + static_cast<long>(warp_group_px * kinds) * group + place;

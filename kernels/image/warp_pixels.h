@@ -4,49 +4,57 @@
 
 #include "kernels/image/light_levels.h"
 
+// Warping of a master's light to a projector's raster.
 namespace ergodome {
 
-//! Neighbouring pixels of a projector's row that are kept together.
+//! Number of adjacent pixels in a projector's row that are processed together.
 inline constexpr int warp_group_px = 16;
 
-//! Steps between two levels of light in which pixels choose.
+//! Steps between two levels of light, from which pixels choose.
 inline constexpr int warp_level_steps = 32;
 
-//! Where a group's pixels look: pixel i at x + step_x * WarpBatch::x[i], in texels of the finest level, the first texel's middle at 0.
+//! Positions that a group's pixels sample: pixel i at x + step_x * WarpBatch::x[i], in texels of
+//! the finest level, with the center of the first texel at 0.
 struct WarpGroup {
   float x;
   float y;
   float step_x;
   float step_y;
-  std::uint16_t levels;   //!< bit l: pixels that look at level l and, where they are larger, at the next
-  std::uint16_t blended;  //!< those of them where some are larger; no levels: the group shows nothing of the master
+  //! Bit l: some pixels sample level l and, if they are larger, the next one. 0 if the group shows
+  //! nothing of the master.
+  std::uint16_t levels;
+  std::uint16_t blended;  //!< bit l: some of these pixels also sample the next level
 };
 
-//! A projector's raster, to be filled with what it is sent of a master's light: projector_light.h's formula for each pixel.
+//! A projector's raster, filled with the values that it is sent for a master's light: the formula
+//! of projector_light.h for each pixel.
 //!
-//! What a pixel takes is kept as small as eight bits allow, because memory is what a warp waits for: 8 bytes a pixel where masks are grey.
-//! Factors of the light (blend, warp's intensity, gain and what the lift leaves) and what the lift adds are the squares of these numbers,
-//! times a scale: fine next to black, where the projector's curve is steep.
+//! Memory limits the speed of a warp, so the data of a pixel is as small as eight bits of output
+//! allow: 8 bytes per pixel if masks are gray. Factors of the light (blend, the warp's intensity,
+//! gain, and the rest that the lift leaves) and the lift itself are stored as square roots times a
+//! scale. This is fine near black, where the projector's curve is steep.
 struct WarpBatch {
   LightLevels light;
   std::int32_t width_px;
   std::int32_t height_px;
-  const WarpGroup* groups;  //!< row after row, the last of each row partly beyond it
+  const WarpGroup* groups;  //!< row by row, the last of each row partly beyond it
   const std::uint16_t* x;   //!< warp_group_px for each group, like the following
   const std::uint16_t* y;
-  const std::uint8_t* level;  //!< in warp_level_steps from one to the next
-  const std::uint16_t*
-      factor;  //!< one a pixel; where `coloured` is set red, green, blue of a group, then its red, green, blue lifts
+  const std::uint8_t* level;  //!< in warp_level_steps from one level to the next
+  //! One per pixel. If `coloured`, a group's red, green and blue factors, then its red, green and
+  //! blue lifts.
+  const std::uint16_t* factor;
   bool coloured;
-  float factor_scale[3];  //!< of a channel, times the square of the number
-  float lift_scale[3];    //!< the same of the lift; where `coloured` is not set the lift itself
+  float factor_scale[3];  //!< factor of the square of the number, per channel
+  float lift_scale[3];    //!< the same for the lift; if not `coloured`, the lift itself
   float exponent;         //!< of the projector's curve: value = light ^ exponent
-  float least;  //!< light below this is black: 2^-100, or the root of it that `exponent` is, where that is more than 1
-  std::uint8_t* rgb;  //!< three bytes a pixel, the top row first
+  //! Light below this is black: 2^-100, or its root of degree `exponent` if that is above 1.
+  float least;
+  std::uint8_t* rgb;  //!< three bytes per pixel, top row first
 };
 
 inline namespace ERGO_TARGET {
-//! Groups of a row of pixels.
+//! Returns the number of groups in a row of pixels.
 constexpr int warp_groups(int width_px) { return (width_px + warp_group_px - 1) / warp_group_px; }
 }  // namespace ERGO_TARGET
 

@@ -7,12 +7,13 @@
 #include "kernels/image/byte_power.h"
 #include "kernels/image/warp_pixels.h"
 
-// On the processor alone, a group of pixels at a time: devices take one at a time (kernels/image/warp_pixel_kernel.h), and OpenGL warps with
-// texture units (render/present/projector_drawing.h).
+// Warps groups of pixels on the CPU. Devices warp one pixel at a time
+// (kernels/image/warp_pixel_kernel.h), and OpenGL uses texture units
+// (render/present/projector_drawing.h).
 namespace ergodome::inline ERGO_TARGET {
 
 namespace detail {
-//! Two neighbouring texels.
+//! Two adjacent texels.
 struct QuadPair {
   using Register __attribute__((vector_size(32))) = float;
   Register part;
@@ -24,7 +25,7 @@ inline QuadPair::Register load_quad_pair(const float* from) {
   return pair;
 }
 
-//! Whole numbers of an array as numbers, one in each lane.
+//! Loads integers of an array as numbers, one in each lane.
 template <class T, class Whole>
 inline T load_whole(const Whole* from) {
   constexpr int lanes = RealTraits<T>::lane_count;
@@ -34,7 +35,8 @@ inline T load_whole(const Whole* from) {
   return real_of<T>(__builtin_convertvector(narrow, IntegerOf<T>));
 }
 
-//! round(255 a^p) in the lowest byte of each lane, the other bytes undefined, for the same a and p as a number's.
+//! Returns round(255 a^p) in the lowest byte of each lane, the other bytes undefined, for the same
+//! a and p as the scalar version.
 template <int N>
 inline typename PackMask<float, N>::Register eight_bit_power(const Pack<float, N>& a, float p) {
   using T = Pack<float, N>;
@@ -44,7 +46,8 @@ inline typename PackMask<float, N>::Register eight_bit_power(const Pack<float, N
   const T e(__builtin_convertvector(bits >> 23, Register));
   const T t = T((Register)((bits & mantissa_bits) + root_of_half_bits)) - 1.0F;
   const T power = binary_logarithm(t, e) * p;
-  // The nearest whole number is in the lowest bits of what is added to 1.5 * 2^23, and goes to the exponent.
+  // After adding 1.5 * 2^23, the lowest bits contain the nearest integer, which goes to the
+  // exponent.
   constexpr float magic = 12582912.0F;
   const T whole = round_to_nearest(power);
   const Integer exponent = (Integer)(whole + magic).lanes << 23;
@@ -52,10 +55,11 @@ inline typename PackMask<float, N>::Register eight_bit_power(const Pack<float, N
   return (Integer)(value + magic).lanes;
 }
 
-//! Bytes of three channels of 16 pixels, one pixel after the other.
+//! Bytes of three channels of 16 pixels, interleaved pixel by pixel.
 using Bytes16 __attribute__((vector_size(16))) = std::uint8_t;
 inline void interleave(const Bytes16& r, const Bytes16& g, const Bytes16& b, std::uint8_t* to) {
-  // Two of three at a time: from 16 on numbers are the second operand's, and zeros stand where the third goes.
+  // Two operands at a time: indices from 16 on select from the second, and zeros are placeholders
+  // for the third.
   const Bytes16 rg0 = __builtin_shufflevector(r, g, 0, 16, 0, 1, 17, 0, 2, 18, 0, 3, 19, 0, 4, 20, 0, 5);
   const Bytes16 rg1 = __builtin_shufflevector(r, g, 21, 0, 6, 22, 0, 7, 23, 0, 8, 24, 0, 9, 25, 0, 10, 26);
   const Bytes16 rg2 = __builtin_shufflevector(r, g, 0, 11, 27, 0, 12, 28, 0, 13, 29, 0, 14, 30, 0, 15, 31, 0);
@@ -68,7 +72,7 @@ inline void interleave(const Bytes16& r, const Bytes16& g, const Bytes16& b, std
 }
 }  // namespace detail
 
-//! Index i stands for a group of pixels. `T` is a pack of floats.
+//! Index i is a group of pixels. `T` is a pack of floats.
 template <class T, bool Coloured>
 struct WarpPixels {
   WarpBatch batch;
@@ -94,7 +98,8 @@ struct WarpPixels {
   static constexpr int lanes = RealTraits<T>::lane_count;
   static_assert(warp_group_px % lanes == 0);
 
-  //! Of a group's pixels: the upper left of the four texels around each, and how far between them.
+  //! For each pixel of a group: the upper left of the four texels around its position, and the
+  //! fractions between.
   struct Places {
     alignas(64) std::int32_t texel[warp_group_px];
     alignas(64) float across[warp_group_px];
@@ -106,7 +111,8 @@ struct WarpPixels {
     alignas(64) float part[3][warp_group_px];
   };
 
-  //! Between two of `size` texels: the first one's number, and how far from it.
+  //! Returns the first of the two of `size` texels around a position; `part` receives the fraction
+  //! between them.
   static T first_of_two(const T& place, int size, T& part) {
     const T within = minimum(maximum(place, T(0.0F)), T(static_cast<float>(size - 1)));
     const T first = real_of<T>(truncated(minimum(within, T(static_cast<float>(size > 1 ? size - 2 : 0)))));
@@ -134,7 +140,7 @@ struct WarpPixels {
     }
   }
 
-  //! Light between four texels.
+  //! Interpolates light between four texels.
   static Quad light_at(const LightLevel& level, const Places& places, int i) {
     const float* const upper = level.rgba + 4 * static_cast<long>(places.texel[i]);
     const float* const lower = level.height > 1 ? upper + 4 * static_cast<long>(level.width) : upper;
@@ -147,7 +153,7 @@ struct WarpPixels {
     return {left.part + places.across[i] * (right.part - left.part)};
   }
 
-  //! Light of the pixels that look at a level and the next.
+  //! Computes the light of the pixels that sample a level and the next.
   void look(int index, int finer, Quad* light) const {
     const LightLevel& level = batch.light.level[finer];
     const bool alone = (batch.groups[index].levels & (batch.groups[index].levels - 1)) == 0;
@@ -195,7 +201,7 @@ struct WarpPixels {
     return number * number;
   }
 
-  //! Blends and lifts light, and writes the values that are sent.
+  //! Applies blending and lift to light, and writes the values that are sent.
   void send(int index, const Channels& light, std::uint8_t* rgb, int count) const {
     using Bytes __attribute__((vector_size(lanes))) = std::uint8_t;
     const std::uint16_t* const factor = batch.factor + (Coloured ? 6 : 1) * warp_group_px * static_cast<long>(index);

@@ -6,38 +6,41 @@
 #include "kernels/core/vector3.h"
 #include "kernels/spacetime/kerr/camera_station.h"
 
-// The adaptive grid of Verbraeck & Eisemann (IEEE TVCG 27, 2021; "VE"), section 4.3: the baseline of every comparison.
+// The adaptive grid of Verbraeck & Eisemann (IEEE TVCG 27, 2021; "VE"), section 4.3: the baseline
+// of every comparison.
 namespace ergodome {
 
-//! A place on the celestial sky, or on the camera's, as VE keep it: two angles [rad]. A negative theta is the shadow.
+//! A position on the celestial sky or on the camera's, in VE's form: two angles [rad]. A negative
+//! theta is the shadow.
 struct SkyAngles {
   float theta;
   float phi;
 };
 
-//! A vertex in the hash: where it lies on the camera's sky, and where its light comes from.
+//! A vertex in the hash: its position on the camera's sky, and the source of its light.
 struct QuadtreeVertex {
   std::int32_t row;  //!< -1: the slot is free
   std::int32_t column;
   SkyAngles sky;
 };
 
-//! How a quadtree grid is read between its vertices.
+//! Interpolation of a quadtree grid between its vertices.
 enum class QuadtreeInterpolation : std::int32_t { linear, spline };
 
-//! VE's grid as kernels read it: an equirectangular camera sky, two square root cells of half the sky each, and an implicit quadtree:
-//! a cell is split when its middle is a vertex.
+//! VE's grid as kernels read it: an equirectangular camera sky, two square root cells of half the
+//! sky each, and an implicit quadtree: a cell is split if its center is a vertex.
 //!
-//! Row i is the polar angle π i / 2^level from -e_θ ("up"), column j the azimuth 2π j / 2^(level + 1) from +e_φ towards +e_r, of the
-//! finest possible grid (VE, eq. 1). Vertices are found through a hash whose slots hold their key.
+//! Row i is the polar angle π i / 2^level from -e_θ ("up"), column j the azimuth 2π j / 2^(level +
+//! 1) from +e_φ towards +e_r, of the finest possible grid (VE, eq. 1). Vertices are found through a
+//! hash whose slots contain their key.
 struct QuadtreeGrid {
   const QuadtreeVertex* slots;
-  std::uint32_t mask;  //!< number of slots - 1; a power of two less one
+  std::uint32_t mask;  //!< number of slots - 1; the number of slots is a power of two
   int level;           //!< finest level, L_max
-  int mirrored;        //!< 1: rows beyond the equator are those before it, mirrored
+  int mirrored;        //!< 1: rows beyond the equator mirror those before it
 };
 
-//! A cell: its first row and column, and its width, all in finest cells.
+//! A cell: its first row and column, and its width, in units of the finest cells.
 struct QuadtreeCell {
   int row;
   int column;
@@ -50,14 +53,14 @@ ERGO_HD bool in_shadow(const SkyAngles& s) { return s.theta < 0.0F; }
 
 ERGO_HD SkyAngles shadow_angles() { return {-1.0F, -1.0F}; }
 
-//! First slot to look at for a vertex; the next ones follow in turn.
+//! Returns the first slot to check for a vertex; the next ones follow in turn.
 ERGO_HD std::uint32_t quadtree_hash(int row, int column) {
   std::uint32_t h = static_cast<std::uint32_t>(row) * 0x9e3779b1U ^ static_cast<std::uint32_t>(column) * 0x85ebca77U;
   h ^= h >> 15U;
   return h * 0x2c1b3c6dU;
 }
 
-//! Looks a vertex up; row and column must be in range. False when there is none.
+//! Looks up a vertex; row and column must be in range. Returns false if there is none.
 ERGO_HD bool find_vertex(const QuadtreeGrid& grid, int row, int column, SkyAngles& sky) {
   std::uint32_t slot = quadtree_hash(row, column) & grid.mask;
   while (grid.slots[slot].row >= 0) {
@@ -73,7 +76,8 @@ ERGO_HD bool find_vertex(const QuadtreeGrid& grid, int row, int column, SkyAngle
 namespace detail {
 constexpr float sky_pi = 3.14159265358979F;
 
-//! A vertex anywhere: columns run round, rows go on behind the poles, and a mirrored grid's lower half is its upper one.
+//! Looks up a vertex at any row and column: columns wrap around, rows continue behind the poles,
+//! and the lower half of a mirrored grid is read from its upper half.
 ERGO_HD bool find_any_vertex(const QuadtreeGrid& grid, int row, int column, SkyAngles& sky) {
   const int rows = 1 << grid.level;
   const int columns = 2 * rows;
@@ -92,7 +96,7 @@ ERGO_HD bool find_any_vertex(const QuadtreeGrid& grid, int row, int column, SkyA
   return true;
 }
 
-//! b with its azimuth on the same turn as a's.
+//! Returns b with its azimuth on the same turn as that of a.
 ERGO_HD SkyAngles beside(const SkyAngles& a, SkyAngles b) {
   b.phi += b.phi - a.phi > sky_pi ? -2.0F * sky_pi : (a.phi - b.phi > sky_pi ? 2.0F * sky_pi : 0.0F);
   return b;
@@ -106,7 +110,8 @@ ERGO_HD SkyAngles mixed(const SkyAngles& a, const SkyAngles& b, float t) {
   return {a.theta + t * (c.theta - a.theta), a.phi + t * (c.phi - a.phi)};
 }
 
-//! Cubic Hermite spline from q1 to q2, with tangents from the ends q0 and q3 (VE, eq. 2); linear where an end is in the shadow.
+//! Interpolates by a cubic Hermite spline from q1 to q2, with tangents from the ends q0 and q3 (VE,
+//! eq. 2); linear where an end is in the shadow.
 ERGO_HD SkyAngles spline(const SkyAngles& q0, const SkyAngles& q1, const SkyAngles& q2, const SkyAngles& q3, float t) {
   if (in_shadow(q0) || in_shadow(q3)) {
     return mixed(q1, q2, t);
@@ -126,7 +131,7 @@ ERGO_HD SkyAngles spline(const SkyAngles& q0, const SkyAngles& q1, const SkyAngl
           (1.0F - h01) * q1.phi + h01 * c.phi + 0.5F * (h10 * (c.phi - a.phi) + h11 * (d.phi - q1.phi))};
 }
 
-//! A leaf's corners: upper left and right, lower left and right.
+//! Corners of a leaf: upper left and right, lower left and right.
 struct QuadtreeCorners {
   SkyAngles upper_left;
   SkyAngles upper_right;
@@ -135,7 +140,7 @@ struct QuadtreeCorners {
 };
 
 ERGO_HD QuadtreeCorners corners_of(const QuadtreeGrid& grid, const QuadtreeCell& c) {
-  // A corner that is not there belongs to a cell that lies in the shadow.
+  // A missing corner belongs to a cell in the shadow.
   const auto vertex = [&](int row, int column) {
     SkyAngles sky{};
     return find_any_vertex(grid, row, column, sky) ? sky : shadow_angles();
@@ -145,7 +150,7 @@ ERGO_HD QuadtreeCorners corners_of(const QuadtreeGrid& grid, const QuadtreeCell&
 }
 }  // namespace detail
 
-//! The leaf that holds a place (row, column) in finest cells, within the sky.
+//! Returns the leaf that contains a position (row, column), in finest cells and within the sky.
 ERGO_HD QuadtreeCell find_quadtree_leaf(const QuadtreeGrid& grid, float row, float column) {
   const int rows = 1 << grid.level;
   QuadtreeCell cell = {0, column < static_cast<float>(rows) ? 0 : rows, rows};
@@ -159,7 +164,8 @@ ERGO_HD QuadtreeCell find_quadtree_leaf(const QuadtreeGrid& grid, float row, flo
   return cell;
 }
 
-//! Bilinear look-up (VE, eq. 3) at a place in finest cells; the shadow where a corner lies in it.
+//! Interpolates bilinearly (VE, eq. 3) at a position in finest cells. Returns the shadow if a
+//! corner is in it.
 ERGO_HD SkyAngles read_quadtree_linear(const QuadtreeGrid& grid, float row, float column) {
   const QuadtreeCell cell = find_quadtree_leaf(grid, row, column);
   const float across = (column - static_cast<float>(cell.column)) / static_cast<float>(cell.width);
@@ -170,7 +176,7 @@ ERGO_HD SkyAngles read_quadtree_linear(const QuadtreeGrid& grid, float row, floa
 }
 
 namespace detail {
-//! A grid place brought into the sky: what find_any_vertex() does to vertices, for places that are none.
+//! Wraps a grid position into the sky, as find_any_vertex() does for vertices.
 ERGO_HD void into_sky(const QuadtreeGrid& grid, int& row, int& column) {
   const int rows = 1 << grid.level;
   if (row < 0 || row > rows) {
@@ -180,7 +186,7 @@ ERGO_HD void into_sky(const QuadtreeGrid& grid, int& row, int& column) {
   column = ((column % (2 * rows)) + 2 * rows) % (2 * rows);
 }
 
-//! Splines in a leaf; `end` gives the sky at grid places outside it.
+//! Interpolates by splines in a leaf; `end` returns the sky at grid positions outside it.
 template <class End>
 ERGO_HD SkyAngles spline_in_leaf(const QuadtreeGrid& grid, const QuadtreeCell& cell, float across, float down,
                                  const End& end) {
@@ -196,7 +202,7 @@ ERGO_HD SkyAngles spline_in_leaf(const QuadtreeGrid& grid, const QuadtreeCell& c
   return spline(above, upper, lower, below, down);
 }
 
-//! The sky at a grid place: its vertex, or what bilinear look-up says there.
+//! The sky at a grid position: its vertex, or the bilinear interpolation there.
 struct LinearEnd {
   const QuadtreeGrid& grid;
 
@@ -210,7 +216,8 @@ struct LinearEnd {
   }
 };
 
-//! The sky at a grid place: its vertex, or splines whose own missing ends are linear ("to avoid a long chain of recursive calls").
+//! The sky at a grid position: its vertex, or splines whose missing ends are linear ("to avoid a
+//! long chain of recursive calls").
 struct SplineEnd {
   const QuadtreeGrid& grid;
 
@@ -228,7 +235,7 @@ struct SplineEnd {
 };
 }  // namespace detail
 
-//! Look-up by Hermite splines (VE, section 4.3.2) at a place in finest cells.
+//! Interpolates by Hermite splines (VE, section 4.3.2) at a position in finest cells.
 ERGO_HD SkyAngles read_quadtree_spline(const QuadtreeGrid& grid, float row, float column) {
   const QuadtreeCell cell = find_quadtree_leaf(grid, row, column);
   const auto width = static_cast<float>(cell.width);
@@ -236,7 +243,8 @@ ERGO_HD SkyAngles read_quadtree_spline(const QuadtreeGrid& grid, float row, floa
                                 (row - static_cast<float>(cell.row)) / width, detail::SplineEnd{grid});
 }
 
-//! The camera direction of a grid place, and back. Rows and columns in finest cells.
+//! Returns the camera direction of a grid position (row and column in finest cells). The inverse is
+//! quadtree_place().
 ERGO_HD Vector3<double> quadtree_direction(int level, double row, double column) {
   const double step = 3.14159265358979323846 / static_cast<double>(1 << level);
   const double sine = ::sin(row * step);

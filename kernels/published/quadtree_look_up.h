@@ -4,9 +4,11 @@
 #include "kernels/spacetime/trace/trace_pixels.h"
 #include "kernels/spacetime/trace/trace_rays.h"
 
+// Rays and pixels that are read from quadtree grids.
 namespace ergodome {
 
-//! Where the shadow lies in a quadtree grid, in its rows and columns: a centre, and the distance of the edge from it.
+//! The shadow in a quadtree grid, in its rows and columns: a center, and the distance of the edge
+//! from it.
 struct QuadtreeShadow {
   float row;
   float column;
@@ -18,11 +20,12 @@ struct QuadtreeShadow {
 struct QuadtreeLookUp {
   QuadtreeGrid grids[2];
   QuadtreeShadow shadows[2];
-  float second_weight;  //!< 0: the first grid alone, and nothing else is looked at
+  float second_weight;  //!< 0: only the first grid is used
   QuadtreeInterpolation interpolation;
 };
 
-//! Rays of one camera, read from quadtree grids in the frame of its observer; `steps` and the like receive 0.
+//! Rays of one camera, read from quadtree grids in the frame of its observer. Outputs of
+//! integration, such as `steps`, receive 0.
 struct QuadtreeRaysBatch {
   RayBatch<double> rays;
   QuadtreeLookUp look_up;
@@ -30,7 +33,7 @@ struct QuadtreeRaysBatch {
 
 //! A block of rows of one image, read from quadtree grids in the frame of its observer.
 struct QuadtreePixelBatch {
-  PixelBatch pixels;  //!< its edge is not used
+  PixelBatch pixels;  //!< its edge is unused
   QuadtreeLookUp look_up;
 };
 
@@ -44,7 +47,8 @@ ERGO_HD float shadow_radius(const QuadtreeShadow& shadow, float angle) {
   return (1.0F - t) * shadow.radius[whole % shadow.count] + t * shadow.radius[(whole + 1) % shadow.count];
 }
 
-//! Reads a grid of the pair after the warp that takes its shadow to that of the blend, fading to none at 1.5 times its radius.
+//! Reads one grid of the pair after the warp that moves its shadow to that of the blend. The warp
+//! fades out at 1.5 times the radius of the shadow.
 ERGO_HD SkyAngles read_warped(const QuadtreeLookUp& look_up, int which, const QuadtreeShadow& middle, float radius,
                               float distance, float angle) {
   const QuadtreeShadow& own = look_up.shadows[which];
@@ -54,7 +58,7 @@ ERGO_HD SkyAngles read_warped(const QuadtreeLookUp& look_up, int which, const Qu
   float row = w * middle.row + (1.0F - w) * own.row + warped * ::sinf(angle);
   float column = w * middle.column + (1.0F - w) * own.column + warped * ::cosf(angle);
   const float rows = static_cast<float>(1 << grid.level);
-  // Past a pole the sky goes on half a turn further round.
+  // Beyond a pole the sky continues half a turn around.
   const bool beyond = row < 0.0F || row > rows;
   row = row < 0.0F ? -row : (row > rows ? 2.0F * rows - row : row);
   column += beyond ? rows : 0.0F;
@@ -63,7 +67,7 @@ ERGO_HD SkyAngles read_warped(const QuadtreeLookUp& look_up, int which, const Qu
 }
 }  // namespace detail
 
-//! The sky at a place in finest cells, from one grid or from the blend of two.
+//! Returns the sky at a position in finest cells, from one grid or from the blend of two.
 ERGO_HD SkyAngles read_quadtree(const QuadtreeLookUp& look_up, float row, float column) {
   const float t = look_up.second_weight;
   if (!(t > 0.0F)) {

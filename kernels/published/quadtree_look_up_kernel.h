@@ -6,7 +6,8 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Reads rays from quadtree grids, one an index: each takes its own way down the tree.
+//! Reads rays from quadtree grids, one per index, because each takes a different path through the
+//! tree.
 struct ReadQuadtreeRays {
   QuadtreeRaysBatch batch;
 
@@ -15,7 +16,7 @@ struct ReadQuadtreeRays {
     const Vector3<double> n = {rays.direction[0][index], rays.direction[1][index], rays.direction[2][index]};
     float row = 0.0F;
     float column = 0.0F;
-    // What is no direction has no place in the tree.
+    // Vectors that are not unit vectors have no position in the tree.
     const double square = dot(n, n);
     const bool proper = square > 0.5 && square < 2.0;
     quadtree_place(batch.look_up.grids[0].level, proper ? n : Vector3<double>{1.0, 0.0, 0.0}, row, column);
@@ -37,8 +38,9 @@ struct ReadQuadtreeRays {
   }
 };
 
-//! Reads the pixels of a batch from quadtree grids, one an index. A pixel's footprint is spanned by the middles of its sides, and it is
-//! dark when its middle is: the grids know the shadow by their vertices alone.
+//! Reads the pixels of a batch from quadtree grids, one per index. The footprint of a pixel is
+//! spanned by the middles of its sides. A pixel is dark if its center is, because the grids know
+//! the shadow only by vertices.
 struct ReadQuadtreePixels {
   using D = Dual<float>;
 
@@ -70,7 +72,7 @@ struct ReadQuadtreePixels {
   }
 
  private:
-  //! The sky of a direction of any length; false in the shadow.
+  //! Reads the sky in a direction of any length. Returns false in the shadow.
   ERGO_HD bool look(const Vector3<float>& n, Vector3<float>& sky) const {
     float row = 0.0F;
     float column = 0.0F;
@@ -82,7 +84,8 @@ struct ReadQuadtreePixels {
     return !in_shadow(angles);
   }
 
-  //! How the sky changes over a pixel whose half is `half`; from one side alone where the other is dark.
+  //! Returns the change of the sky over a pixel with half side `half`; from one side only if the
+  //! other is dark.
   ERGO_HD Vector3<float> change(const Vector3<float>& n, const Vector3<float>& sky, const Vector3<float>& half) const {
     Vector3<float> after{};
     Vector3<float> before{};

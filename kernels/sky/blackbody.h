@@ -7,8 +7,8 @@
 
 namespace ergodome {
 
-//! The colours of blackbodies as kernels read them: entries at equal steps of ln T, four floats each: ln Y, X / Y, Z / Y, and a pad.
-//! Y is the luminance in cd/m².
+//! The colors of blackbodies as kernels read them: entries at equal steps of ln T, four floats
+//! each: ln Y, X / Y, Z / Y, and padding. Y is the luminance in cd/m².
 struct BlackbodyTable {
   const float* entries;
   int count;
@@ -19,14 +19,15 @@ struct BlackbodyTable {
 inline namespace ERGO_TARGET {
 
 namespace detail {
-//! A lobe of Wyman, Sloan & Shirley's fit: a Gaussian with two widths.
+//! Evaluates a lobe of Wyman, Sloan & Shirley's fit: a Gaussian with two widths.
 ERGO_HD double cie_lobe(double wavelength_nm, double middle, double left, double right) {
   const double t = (wavelength_nm - middle) / (wavelength_nm < middle ? left : right);
   return ::exp(-0.5 * t * t);
 }
 }  // namespace detail
 
-//! CIE 1931 2° colour matching functions (analytic fit: Wyman, Sloan & Shirley, JCGT 2013, eq. 4).
+//! Returns the CIE 1931 2° color matching functions (analytic fit: Wyman, Sloan & Shirley, JCGT
+//! 2013, eq. 4).
 ERGO_HD Vector3<double> cie_matching(double wavelength_nm) {
   using detail::cie_lobe;
   const double l = wavelength_nm;
@@ -36,7 +37,8 @@ ERGO_HD Vector3<double> cie_matching(double wavelength_nm) {
           1.217 * cie_lobe(l, 437.0, 11.8, 36.0) + 0.681 * cie_lobe(l, 459.0, 26.0, 13.8)};
 }
 
-//! Spectral radiance of a blackbody [W / (m² sr m)], by Planck's law (CODATA 2018 constants).
+//! Returns the spectral radiance of a blackbody [W / (m² sr m)], by Planck's law (CODATA 2018
+//! constants).
 ERGO_HD double planck_radiance(double wavelength_m, double temperature_k) {
   constexpr double first = 1.191042972397188e-16;  // 2 h c² [W m²]
   constexpr double second = 1.438776877503934e-2;  // h c / k [m K]
@@ -45,7 +47,8 @@ ERGO_HD double planck_radiance(double wavelength_m, double temperature_k) {
   return first / (l2 * l2 * wavelength_m * ::expm1(x));
 }
 
-//! Tristimulus values of a blackbody; Y in cd/m². The integrand is smooth: a sum over nanometres is good to 1e-6 above 300 K.
+//! Returns the tristimulus values of a blackbody; Y in cd/m². The integrand is smooth, so a sum
+//! over nanometers is accurate to 1e-6 above 300 K.
 ERGO_HD Vector3<double> blackbody_tristimulus(double temperature_k) {
   Vector3<double> sum = {0.0, 0.0, 0.0};
   for (int l = 360; l <= 830; ++l) {
@@ -54,13 +57,14 @@ ERGO_HD Vector3<double> blackbody_tristimulus(double temperature_k) {
   return sum;
 }
 
-//! Effective temperature of a star [K] by its colour (Ballesteros, EPL 97, 2012, eq. 14).
+//! Returns the effective temperature of a star [K] from its color (Ballesteros, EPL 97, 2012, eq.
+//! 14).
 ERGO_HD double star_temperature(double b_v) { return 4600.0 * (1.0 / (0.92 * b_v + 1.7) + 1.0 / (0.92 * b_v + 0.62)); }
 
 //! Illuminance of a star of magnitude 0 in V [lx].
 inline constexpr double illuminance_of_magnitude_0 = 2.54e-6;
 
-//! Linear sRGB (D65) of tristimulus values (IEC 61966-2-1).
+//! Converts tristimulus values to linear sRGB (D65; IEC 61966-2-1).
 template <class T>
 ERGO_HD Vector3<T> linear_srgb(const Vector3<T>& xyz) {
   return {T(3.2404542F) * xyz.x - T(1.5371385F) * xyz.y - T(0.4985314F) * xyz.z,
@@ -68,8 +72,8 @@ ERGO_HD Vector3<T> linear_srgb(const Vector3<T>& xyz) {
           T(0.0556434F) * xyz.x - T(0.2040259F) * xyz.y + T(1.0572252F) * xyz.z};
 }
 
-//! An entry of the table at ln T: ln Y, X / Y and Z / Y. Beyond its ends ln Y goes on straight, which is Rayleigh and Jeans' law for the
-//! hottest, and darkness for the coldest.
+//! Interpolates the table at ln T: ln Y, X / Y and Z / Y. Beyond the ends, ln Y is extrapolated
+//! linearly, which is the Rayleigh-Jeans law for the hottest and darkness for the coldest bodies.
 ERGO_HD Vector3<float> read_blackbody(const BlackbodyTable& table, float log_temperature) {
   const float place = (log_temperature - table.first) / table.step;
   const float clamped = minimum(maximum(place, 0.0F), static_cast<float>(table.count - 1));
@@ -82,19 +86,22 @@ ERGO_HD Vector3<float> read_blackbody(const BlackbodyTable& table, float log_tem
   return {low[0] + straight * (high[0] - low[0]), low[1] + t * (high[1] - low[1]), low[2] + t * (high[2] - low[2])};
 }
 
-//! Light of a luminance whose colour has the luminance 1: linear sRGB.
+//! Returns light of the given luminance and color in linear sRGB; `rgb` is the color at luminance
+//! 1.
 //!
-//! Colours redder than the display can show (blackbodies below some 1,900 K) are moved towards grey at the same luminance until they fit.
+//! Colors redder than the display can show (blackbodies below about 1,900 K) are mixed with gray of
+//! the same luminance until they fit.
 ERGO_HD Vector3<float> displayable(const Vector3<float>& rgb, float luminance) {
   const float least = minimum(rgb.x, minimum(rgb.y, rgb.z));
-  // 1 is grey of the same luminance: mix so much of it in that the least part is 0.
+  // Gray of the same luminance is 1: mix in as much as makes the smallest component 0.
   const float grey = least < 0.0F ? -least / (1.0F - least) : 0.0F;
   const float own = luminance * (1.0F - grey);
   return {own * rgb.x + luminance * grey, own * rgb.y + luminance * grey, own * rgb.z + luminance * grey};
 }
 
-//! Light of a star as it arrives, in linear sRGB, times its luminance factor: a blackbody of temperature T and flux F in the V band, seen
-//! with the frequency ratio g and magnified μ times, has the tristimulus values μ F XYZ(gT) / Y(T). Shift, beaming and lensing in one.
+//! Returns the light of a star as it arrives, in linear sRGB times its luminance. A blackbody of
+//! temperature T and flux F in the V band, seen with the frequency ratio g and magnified μ times,
+//! has the tristimulus values μ F XYZ(gT) / Y(T). This includes Doppler shift, beaming and lensing.
 ERGO_HD Vector3<float> star_light(const BlackbodyTable& table, float log_temperature, float flux, float g,
                                   float magnification) {
   const float at_rest = read_blackbody(table, log_temperature).x;

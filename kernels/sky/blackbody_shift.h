@@ -2,27 +2,31 @@
 
 #include "kernels/sky/blackbody.h"
 
+// Frequency shift of colors that resemble blackbodies.
 namespace ergodome::inline ERGO_TARGET {
 
-//! Luminance of light in linear sRGB (the middle row of its matrix to tristimulus values, IEC 61966-2-1).
+//! Returns the luminance of light in linear sRGB (the middle row of its matrix to tristimulus
+//! values, IEC 61966-2-1).
 template <class T>
 ERGO_HD T luminance_of(const Vector3<T>& rgb) {
   return T(0.2126729F) * rgb.x + T(0.7151522F) * rgb.y + T(0.0721750F) * rgb.z;
 }
 
-//! Tristimulus values of linear sRGB: the inverse of `linear_srgb`.
+//! Converts linear sRGB to tristimulus values: the inverse of linear_srgb().
 template <class T>
 ERGO_HD Vector3<T> tristimulus_of(const Vector3<T>& rgb) {
   return {T(0.4124564F) * rgb.x + T(0.3575761F) * rgb.y + T(0.1804375F) * rgb.z, luminance_of(rgb),
           T(0.0193339F) * rgb.x + T(0.1191920F) * rgb.y + T(0.9503041F) * rgb.z};
 }
 
-//! Light in linear sRGB whose colour is about that of a blackbody of temperature T, as it is seen with the frequency ratio g: each of its
-//! tristimulus values goes with the blackbody's, from T to gT.
+//! Shifts light in linear sRGB by the frequency ratio g. Its color is close to that of a blackbody
+//! of temperature T; each of its tristimulus values changes by the factor of the blackbody's, from
+//! T to gT.
 //!
-//! Intensity over the cube of the frequency is the same all along a ray, so a blackbody stays one, of temperature gT; what is not one keeps
-//! how far it is off, as a ratio. Tristimulus values, not red, green and blue: they are positive at every temperature, and luminance goes
-//! exactly as the blackbody's.
+//! Intensity over the cube of the frequency is constant along a ray, so a blackbody remains one, of
+//! temperature gT. Other light keeps its ratio to the blackbody. Tristimulus values are used
+//! instead of red, green and blue because they are positive at every temperature; luminance then
+//! changes exactly like the blackbody's.
 ERGO_HD Vector3<float> shifted_light(const BlackbodyTable& table, const Vector3<float>& light, float log_temperature,
                                      float g) {
   const Vector3<float> xyz = tristimulus_of(light);

@@ -6,36 +6,39 @@
 #include "kernels/core/quad.h"
 #include "kernels/core/vector3.h"
 
-// The sky as a cube map: no poles and no seam. Each face carries a border of one texel taken from its neighbours, so a bilinear look-up
-// never leaves its face; a mip pyramid goes down to one texel a face. Faces are warped so that their texels subtend nearly equal
-// solid angles.
+// The sky as a cube map, without poles and seams. Each face has a border of one texel from its
+// neighbors, so a bilinear look-up never leaves its face. A mip pyramid goes down to one texel per
+// face. Faces are warped so that their texels subtend nearly equal solid angles.
 namespace ergodome {
 
 inline constexpr int cube_level_limit = 16;
 
 //! A cube map as kernels read it. Face order: +x, -x, +y, -y, +z, -z.
 //!
-//! For SkyShift::blackbody_fit the fourth float of a texel is its luminance times ln T, T being the temperature of the blackbody [K] that
-//! its colour is nearest to; else it is without meaning. So filtered, it is over the filtered luminance the mean of ln T by light: dark texels
-//! do not decide.
+//! For SkyShift::blackbody_fit the fourth float of a texel is its luminance times ln T, where T [K]
+//! is the temperature of the blackbody nearest in color; otherwise it is undefined. After
+//! filtering, dividing it by the filtered luminance yields the luminance-weighted mean of ln T, so
+//! dark texels have no influence.
 struct CubeMap {
-  const float* texels;                  //!< four floats a texel, 16-byte aligned: red, green, blue, and see below
-  long level_offset[cube_level_limit];  //!< in texels; a level holds 6 faces of (size + 2)² texels, border included
+  //! Four floats per texel, 16-byte aligned: red, green, blue, and the fourth as above.
+  const float* texels;
+  long level_offset[cube_level_limit];  //!< in texels; a level has 6 (size + 2)² texels
   int face_size;                        //!< of level 0; a power of two; level k has face_size >> k
   int level_count;
 };
 
 inline namespace ERGO_TARGET {
 
-//! The warp of a face coordinate in [-1, 1]: close to 4/π atan(s), which makes texels equal in angle, without the arctangent.
-//! f(s) = s (1.27 - 0.27 s²) would miss the slope at the edge; the quintic below is within 0.4 % of the arctangent.
+//! Warps a face coordinate in [-1, 1]: close to 4/π atan(s), which makes texels equal in angle,
+//! without the arctangent. f(s) = s (1.27 - 0.27 s²) would miss the slope at the edge; the quintic
+//! below is within 0.4 % of the arctangent.
 template <class T>
 ERGO_HD T warped(const T& s) {
   const T s2 = s * s;
   return s * (s2 * (s2 * 0.1099F - 0.38095F) + 1.27105F);
 }
 
-//! The inverse of `warped`, by Newton's method.
+//! Returns the inverse of warped(), by Newton's method.
 ERGO_HD double unwarped(double w) {
   double s = w;
   for (int round = 0; round < 8; ++round) {
@@ -47,7 +50,7 @@ ERGO_HD double unwarped(double w) {
   return s;
 }
 
-//! A place on the cube: face (a whole number) and warped coordinates in [-1, 1].
+//! A position on the cube: face (an integer) and warped coordinates in [-1, 1].
 template <class T>
 struct CubePlace {
   T face;
@@ -69,7 +72,7 @@ ERGO_HD CubePlace<T> cube_place(const Vector3<T>& d) {
   return {face, warped(select(on_x, d.y, d.x) * per_main), warped(select(on_x | on_y, d.z, d.y) * per_main)};
 }
 
-//! The direction (not of unit length) of a point of a face, whose sides are at -1 and 1.
+//! Returns the direction (not of unit length) of a point of a face, whose sides are at -1 and 1.
 ERGO_HD Vector3<double> cube_point(int face, double s, double t) {
   const double side = face % 2 == 0 ? 1.0 : -1.0;
   switch (face / 2) {
@@ -82,30 +85,32 @@ ERGO_HD Vector3<double> cube_point(int face, double s, double t) {
   }
 }
 
-//! The same of a place on a face; x and y may lie a little outside [-1, 1].
+//! Returns the direction of a position on a face in warped coordinates; x and y may be slightly
+//! outside [-1, 1].
 ERGO_HD Vector3<double> cube_direction(int face, double x, double y) {
   return cube_point(face, unwarped(x), unwarped(y));
 }
 
-//! Index of a texel of a face at a level; x and y from -1 (the border) to size.
+//! Returns the index of a texel of a face at a level; x and y from -1 (the border) to size.
 ERGO_HD long texel_index(const CubeMap& map, int level, int face, int x, int y) {
   const long stride = (map.face_size >> level) + 2;
   return map.level_offset[level] + (static_cast<long>(face) * stride + (y + 1)) * stride + (x + 1);
 }
 
-//! What a bilinear look-up reads of a level: a texel, its right, lower and lower right neighbours.
+//! The texels of a bilinear look-up at one level: a texel, its right, lower and lower right
+//! neighbors.
 template <class T>
 struct BilinearPlace {
-  IntegerOf<T> texel;  //!< number in its level of the upper left one
+  IntegerOf<T> texel;  //!< number of the upper left texel in its level
   T right;             //!< weight of the right pair, in [0, 1]
   T lower;
 };
 
-//! `size` is that of the level's faces in texels.
+//! Finds the texels of a look-up. `size` is that of the level's faces in texels.
 template <class T>
 ERGO_HD BilinearPlace<T> bilinear_place(const CubePlace<T>& place, const T& size) {
-  // Counted from the border, so that numbers are positive. Rounding can put a place on the rim a hair outside; the border has one
-  // texel to give.
+  // Counted from the border, so that numbers are positive. Rounding can put a position slightly
+  // outside the face, where only one border texel exists.
   const T half(0.5F);
   const T x = minimum(maximum((place.x + 1.0F) * 0.5F * size + half, half), size + half);
   const T y = minimum(maximum((place.y + 1.0F) * 0.5F * size + half, half), size + half);
@@ -115,7 +120,8 @@ ERGO_HD BilinearPlace<T> bilinear_place(const CubePlace<T>& place, const T& size
   return {(truncated(place.face) * stride + row) * stride + column, x - real_of<T>(column), y - real_of<T>(row)};
 }
 
-//! The mean over the whole sky, from the coarsest level (one texel a face; by symmetry the faces are equal in solid angle).
+//! Returns the mean over the whole sky, from the coarsest level (one texel per face; by symmetry
+//! all faces have equal solid angles).
 ERGO_HD Quad cube_mean_texel(const CubeMap& map) {
   Quad sum = quad_of(0.0F);
   for (int face = 0; face < 6; ++face) {
@@ -129,7 +135,7 @@ ERGO_HD Vector3<float> cube_mean(const CubeMap& map) {
   return {quad_part(mean, 0), quad_part(mean, 1), quad_part(mean, 2)};
 }
 
-//! Angle that a texel of level 0 subtends [rad]: a quarter turn is a face.
+//! Returns the angle that a texel of level 0 subtends [rad]; a face is a quarter turn.
 ERGO_HD float cube_texel_angle(const CubeMap& map) { return 1.57079633F / static_cast<float>(map.face_size); }
 
 }  // namespace ERGO_TARGET

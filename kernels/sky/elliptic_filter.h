@@ -3,12 +3,13 @@
 #include "kernels/core/lanes.h"
 #include "kernels/sky/cube_map.h"
 
+// Anisotropic filtering of the sky's cube map.
 namespace ergodome::inline ERGO_TARGET {
 
-//! Probes along the major axis at the most; longer ellipses are widened instead.
+//! Maximum number of probes along the major axis; longer ellipses are widened instead.
 inline constexpr int probe_limit = 16;
 
-//! Light of as many pixels as a real number has lanes, in the parts that texels have.
+//! Light of as many pixels as a real number has lanes, with the components of texels.
 template <class T>
 struct SkyLight {
   Quad pixel[RealTraits<T>::lane_count];
@@ -25,7 +26,7 @@ ERGO_HD SkyLight<T> no_light() {
   return light;
 }
 
-//! Adds the mean of the sky to the lanes that have a share.
+//! Adds the mean of the sky to the lanes with a positive share.
 template <class T>
 ERGO_HD void add_mean(const CubeMap& map, const T& share, SkyLight<T>& light) {
   if (any(share > T(0.0F))) {
@@ -36,7 +37,8 @@ ERGO_HD void add_mean(const CubeMap& map, const T& share, SkyLight<T>& light) {
   }
 }
 
-//! Half axes of the ellipse onto which a circle falls: the direction of the major one, and both lengths.
+//! Half axes of the ellipse that is the image of a circle: the direction of the major one, and both
+//! lengths.
 template <class T>
 struct Ellipse {
   Vector3<T> major;
@@ -44,7 +46,8 @@ struct Ellipse {
   T minor_length;
 };
 
-//! The ellipse of the map (cos t, sin t) -> cos t a + sin t b, from the eigenvalues of its 2 x 2 Gram matrix.
+//! Returns the ellipse of the map (cos t, sin t) -> cos t a + sin t b, from the eigenvalues of its
+//! 2 x 2 Gram matrix.
 template <class T>
 ERGO_HD Ellipse<T> ellipse_of(const Vector3<T>& a, const Vector3<T>& b) {
   const T zero(0.0F);
@@ -64,11 +67,11 @@ ERGO_HD Ellipse<T> ellipse_of(const Vector3<T>& a, const Vector3<T>& b) {
   const T of_b = select(along_a, ab, root - half_difference);
   const Vector3<T> axis = of_a * a + of_b * b;
   const T length2 = dot(axis, axis);
-  // A circle has no major axis; any will do, as its probes coincide.
+  // A circle has no major axis; any direction works, because its probes coincide.
   return {(T(1.0F) / sqrt(maximum(length2, tiny))) * axis, sqrt(largest), sqrt(smallest)};
 }
 
-//! A line of round probes that stands for an ellipse.
+//! A line of round probes that approximates an ellipse.
 template <class T>
 struct ProbeLine {
   T count;
@@ -76,9 +79,11 @@ struct ProbeLine {
   T level;    //!< of the mip pyramid
 };
 
-//! A mip level that is read bilinearly is a round Gaussian with a standard deviation of half a texel, near enough; the line adds the
-//! variance that the major axis has beyond it. With weights exp(-3.12 x²), x running to 1 half a spacing past the last probe, probes
-//! 5.2 standard deviations over their number apart have the variance asked for (two probes: 4).
+//! Computes the probes of an ellipse. A mip level that is read bilinearly is approximately a round
+//! Gaussian with a standard deviation of half a texel; the line adds the additional variance of the
+//! major axis. With weights exp(-3.12 x²), where x is 1 half a spacing past the last probe, a
+//! spacing of 5.2 standard deviations divided by the number of probes yields that variance (for two
+//! probes: 4).
 template <class T>
 ERGO_HD ProbeLine<T> probe_line(const CubeMap& map, const Ellipse<T>& ellipse) {
   const T one(1.0F);
@@ -86,7 +91,8 @@ ERGO_HD ProbeLine<T> probe_line(const CubeMap& map, const Ellipse<T>& ellipse) {
   const T radius = maximum(ellipse.minor_length, texel * 0.5F);
   const T line = safe_sqrt(ellipse.major_length * ellipse.major_length - radius * radius);
   const T part = line / radius;
-  // Probes are at most a texel of their level apart: bilinear look-ups of equal weight then add up evenly.
+  // Probes are at most a texel of their level apart, so that bilinear look-ups of equal weight add
+  // up evenly.
   const T wanted = real_of<T>(truncated(minimum(part, T(1e3F)) * 2.6F)) + one;
   const T several = minimum(wanted, T(static_cast<float>(probe_limit)));
   const T count = select(part <= T(0.45F), one, select(part <= one, T(2.0F), several));
@@ -96,7 +102,7 @@ ERGO_HD ProbeLine<T> probe_line(const CubeMap& map, const Ellipse<T>& ellipse) {
   return {count, spacing, minimum(maximum(level, T(0.0F)), T(static_cast<float>(map.level_count - 1)))};
 }
 
-//! exp(-3.12 x²) for x in [-1, 1]: the eighth power of a quartic.
+//! Approximates exp(-3.12 x²) for x in [-1, 1] by the eighth power of a quartic.
 template <class T>
 ERGO_HD T probe_weight(const T& x) {
   const T y = x * x * -0.39F;
@@ -132,7 +138,7 @@ ERGO_HD LevelLanes<T> level_lanes(const CubeMap& map, const IntegerOf<T>& level)
   return of;
 }
 
-//! Adds a bilinear look-up of each lane whose weight is positive.
+//! Adds a bilinear look-up for each lane whose weight is positive.
 template <class T>
 ERGO_HD void add_probe(const LevelLanes<T>& level, const CubePlace<T>& place, const T& weight, SkyLight<T>& sum) {
   constexpr int lanes = RealTraits<T>::lane_count;
@@ -158,7 +164,7 @@ ERGO_HD void add_probe(const LevelLanes<T>& level, const CubePlace<T>& place, co
   }
 }
 
-//! The sum of a line's probes, their weights adding up to `factor`; a lane without a factor takes no probe.
+//! Adds the probes of a line, with weights that sum to `factor`. Lanes with factor 0 use no probes.
 template <class T>
 ERGO_HD void add_line(const CubeMap& map, const ProbeLine<T>& line, const Vector3<T>& direction,
                       const Vector3<T>& along, const T& factor, SkyLight<T>& sum) {
@@ -194,17 +200,20 @@ ERGO_HD void add_line(const CubeMap& map, const ProbeLine<T>& line, const Vector
 
 }  // namespace detail
 
-//! Light of the sky over the footprint of each pixel, times a factor: an elliptic Gaussian, as round probes along its major axis.
+//! Returns the light of the sky over the footprint of each pixel, times a factor: an elliptic
+//! Gaussian, as round probes along its major axis.
 //!
-//! `direction` is a unit vector, `along_x` and `along_y` its derivatives per pixel; where `factor` is 0 they are not looked at, and
-//! the light is 0. The probes are as wide as the minor axis and lie on a great circle, so they cross faces and poles like any other
-//! place (after Feline: McCormack, Perry, Farkas & Jouppi, SIGGRAPH 1999; EWA: Heckbert 1989). A footprint as wide as the sky, or one
-//! that is not a number, sees the mean of the sky. Weights add up to 1: a constant sky stays constant.
+//! `direction` is a unit vector, `along_x` and `along_y` are its derivatives per pixel. Where
+//! `factor` is 0 they are ignored and the light is 0. The probes are as wide as the minor axis and
+//! lie on a great circle, so they cross faces and poles like any other position (after Feline:
+//! McCormack, Perry, Farkas & Jouppi, SIGGRAPH 1999; EWA: Heckbert 1989). A footprint that is as
+//! wide as the sky, or NaN, sees the mean of the sky. Weights sum to 1, so a constant sky stays
+//! constant.
 template <class T>
 ERGO_HD SkyLight<T> filter_sky(const CubeMap& map, const Vector3<T>& direction, const Vector3<T>& along_x,
                                const Vector3<T>& along_y, const T& factor) {
   const T zero(0.0F);
-  // A pixel as a Gaussian of standard deviation 0.5 px.
+  // A pixel is a Gaussian with a standard deviation of 0.5 px.
   const detail::Ellipse<T> ellipse = detail::ellipse_of(0.5F * along_x, 0.5F * along_y);
   const auto resolved = ellipse.major_length < T(1.0F);
   SkyLight<T> light = detail::no_light<T>();

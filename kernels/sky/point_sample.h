@@ -4,10 +4,11 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Light of the sky in one direction a pixel, times a factor: bilinear between the finest texels, whatever the pixel covers. Fine stars and
-//! lines flicker where the lens makes the sky smaller.
+//! Returns the light of the sky in one direction per pixel, times a factor: bilinear between the
+//! finest texels, regardless of the pixel's footprint. Fine stars and lines flicker where the lens
+//! shrinks the sky.
 //!
-//! `direction` is a unit vector; one of no length sees the mean of the sky.
+//! `direction` is a unit vector; a zero vector sees the mean of the sky.
 template <class T>
 ERGO_HD SkyLight<T> sample_sky(const CubeMap& map, const Vector3<T>& direction, const T& factor) {
   const T zero(0.0F);

@@ -4,18 +4,18 @@
 
 namespace ergodome {
 
-//! How a pixel takes its light from the sky's map.
+//! How a pixel samples the sky map.
 enum class SkyFilter : std::int32_t {
   ewa,     //!< over its elliptic footprint (kernels/sky/elliptic_filter.h)
-  point,   //!< in its middle alone (kernels/sky/point_sample.h)
-  polygon  //!< over its outline on the map, as Verbraeck & Eisemann do (render/sky/polygon_filter.h), for comparison
+  point,   //!< only at its center (kernels/sky/point_sample.h)
+  polygon  //!< over its outline on the map, like Verbraeck & Eisemann, for comparison
 };
 
-//! What the frequency ratio does to the light of the sky's map.
+//! Effect of the frequency ratio on the light of the sky map.
 enum class SkyShift : std::int32_t {
   none,
-  luminance,     //!< brightness goes with g⁴; colours stay
-  blackbody_fit  //!< each texel shines as the blackbody does whose colour is nearest
+  luminance,     //!< brightness scales with g⁴; colors are unchanged
+  blackbody_fit  //!< each texel is shifted like the blackbody nearest in color
 };
 
 }  // namespace ergodome
