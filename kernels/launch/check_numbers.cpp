@@ -22,7 +22,7 @@ std::atomic<bool>& flag() {
   return checked;
 }
 
-//! As many numbers at a time come from a device.
+//! Maximum number of values that are copied from a device at a time.
 constexpr long block = 1 << 16;
 
 template <class S>
@@ -48,7 +48,7 @@ void require(const std::string& kernel, Backend backend, const char* channel, co
   }
 }
 
-//! What comparing a grid with rays writes.
+//! Checks the outputs of comparisons between a grid and traced rays.
 template <class Batch>
 void require_checks(const std::string& kernel, Backend backend, const Batch& batch) {
   require_finite(kernel, backend, "error_px", batch.error_px, batch.count);

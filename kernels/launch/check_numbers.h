@@ -7,17 +7,17 @@
 
 namespace ergodome {
 
-//! Whether every buffer is scanned for NaN and infinity as it leaves a kernel's launch, to find where one comes from: the environment
-//! variable ERGODOME_CHECK_NUMBERS=1, or set_numbers_checked(). Off, it costs a launch a look at a flag; on, one at each number, and on a
-//! GPU its way to the host.
+//! Returns whether the outputs of every kernel launch are scanned for NaN and infinity. Enabled by
+//! the environment variable ERGODOME_CHECK_NUMBERS=1 or set_numbers_checked(). A launch then reads
+//! all its outputs, which a GPU first copies to the host; if disabled, the cost is one flag.
 bool numbers_are_checked();
 void set_numbers_checked(bool on);
 
-//! Throws Error, naming kernel, channel and index, for the first number that is not finite; a null buffer has none.
+//! Throws Error with kernel, channel and index of the first non-finite value. Accepts null buffers.
 void require_finite(const std::string& kernel, Backend backend, const char* channel, const float* values, long count);
 void require_finite(const std::string& kernel, Backend backend, const char* channel, const double* values, long count);
 
-//! The same for all that a kernel has written.
+//! Checks all outputs of a kernel, as require_finite() does.
 void check_outputs(const std::string& kernel, Backend backend, const RayBatch<float>& batch);
 void check_outputs(const std::string& kernel, Backend backend, const RayBatch<double>& batch);
 void check_outputs(const std::string& kernel, Backend backend, const PixelBatch& batch);

@@ -10,13 +10,13 @@
 #include "kernels/launch/launch_cuda.h"
 #include "kernels/launch/parallel_for.h"
 
-// Memory of the device, and what goes there and comes back.
+// Device memory, and copies between device and host.
 namespace ergodome {
 
 namespace {
 
-//! Memory that is given back stays with the process: to ask the driver anew, for each picture, takes longer than many kernels. None where the
-//! device has no pools.
+//! Returns the pool that keeps released memory in the process, because allocating from the driver
+//! for each picture takes longer than many kernels. Returns null if the device has no pools.
 cudaMemPool_t kept_pool() {
   static const cudaMemPool_t pool = [] {
     int device = 0;
@@ -28,7 +28,7 @@ cudaMemPool_t kept_pool() {
       return found;
     }
     check_cuda(cudaDeviceGetDefaultMemPool(&found, device), "finding the GPU memory pool");
-    // Not for ever: other programs, and OpenGL, want some too.
+    // Limited, because other programs and OpenGL need device memory, too.
     std::uint64_t most_bytes = std::uint64_t{1} << 30;
     check_cuda(cudaMemPoolSetAttribute(found, cudaMemPoolAttrReleaseThreshold, &most_bytes),
                "setting up the GPU memory pool");
@@ -46,7 +46,7 @@ void* allocate_cuda(std::size_t bytes) {
     return memory;
   }
   check_cuda(cudaMallocFromPoolAsync(&memory, bytes, kept_pool(), current_stream()), "allocating GPU memory");
-  // Other streams copy into it, but for those of threads that work in order.
+  // Other streams copy into it, except in threads that work in order.
   if (!works_in_order()) {
     check_cuda(cudaStreamSynchronize(current_stream()), "allocating GPU memory");
   }
@@ -64,7 +64,7 @@ void release_cuda(void* memory) noexcept {
 
 namespace {
 
-//! A stream of its own: a reader's copies and the pictures in flight do not wait for each other.
+//! A separate stream, so that copies and the pictures in flight do not wait for each other.
 class CopyStream {
  public:
   CopyStream() { check_cuda(cudaStreamCreateWithFlags(&handle_, cudaStreamNonBlocking), "creating a CUDA stream"); }
@@ -78,8 +78,8 @@ class CopyStream {
   cudaStream_t handle_ = nullptr;
 };
 
-//! Memory that a device reaches by itself, by which pictures come to where any memory is, a part at a time: while one part is under way, the
-//! threads copy the one before. The driver's own way takes one thread.
+//! Pinned memory through which pictures are copied to ordinary memory in parts: while the device
+//! writes one part, the threads copy the one before. The driver's own method uses one thread.
 class HostStage {
  public:
   static constexpr std::size_t bytes = std::size_t{4} << 20;
@@ -121,12 +121,12 @@ class HostStage {
   Half halves_[2];
 };
 
-//! Things that wait to be used again, as making them takes longer than most uses. They are never unmade: at the end of the process the driver may be gone
-//! before them.
+//! Objects kept for reuse, because making them takes longer than most uses. They are never
+//! destroyed: when the process ends, the driver may be gone before them.
 template <class T>
 class Idle {
  public:
-  //! One that nobody else uses, until this goes.
+  //! Exclusive use of one object during its lifetime.
   class Taken {
    public:
     Taken() : thing_(idle().take()) {}
@@ -171,7 +171,7 @@ void clear_cuda(void* memory, std::size_t bytes) {
 
 void copy_to_cuda(void* to, const void* from, std::size_t bytes) {
   if (works_in_order()) {
-    // Drivers may read on after the call returns, and what is copied from may be gone then.
+    // The driver may read the source after the call returns, when it may already be freed.
     check_cuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyHostToDevice, current_stream()), "copying to the GPU");
     return finish_launch("copying to the GPU");
   }

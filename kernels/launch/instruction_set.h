@@ -9,16 +9,17 @@ namespace ergodome {
 //! The instruction sets that CPU kernels are compiled for.
 enum class InstructionSet { portable, avx2, avx512 };
 
-//! The best set that both this program and this processor have; asked once.
+//! Returns the best instruction set that both this program and this CPU support; determined once.
 //!
-//! The environment variable ERGODOME_INSTRUCTION_SET (portable, avx2, avx512) lowers the choice, for tests and comparisons; a
-//! set that is not there, or another word, is ignored. Throws Error if the program has no kernels for this processor.
+//! The environment variable ERGODOME_INSTRUCTION_SET (portable, avx2, avx512) selects a lower one,
+//! for tests and comparisons; unsupported or unknown values are ignored. Throws Error if the
+//! program has no kernels for this CPU.
 InstructionSet active_instruction_set();
 
-//! Whether this program holds kernels for the set and this processor can run them.
+//! Returns whether this program contains kernels for the set and this CPU can run them.
 bool has_instruction_set(InstructionSet set);
 
-//! Returns the error for a processor that the program has no kernels for.
+//! Returns the error for a CPU that the program has no kernels for.
 Error missing_instruction_set();
 
 std::string_view name_of(InstructionSet set);

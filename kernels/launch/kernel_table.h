@@ -25,7 +25,8 @@
 
 namespace ergodome {
 
-//! The CPU kernels of one instruction set. Each runs the indices [begin, end); an index stands for `lanes` elements.
+//! The CPU kernels of one instruction set. Each runs the indices [begin, end); an index covers
+//! `lanes` elements.
 struct KernelTable {
   int lanes_float;
   int lanes_double;
@@ -45,22 +46,23 @@ struct KernelTable {
   void (*look_up_pixel_pairs)(const LookUpPairBatch& batch, int begin, int end);
   void (*look_up_omni_pixels)(const OmniLookUpBatch& batch, int begin, int end);
   void (*look_up_rays)(const LookUpRaysBatch<double>& batch, int begin, int end);
-  void (*read_quadtree_rays)(const QuadtreeRaysBatch& batch, int begin, int end);  //!< one element an index
+  //! One element per index.
+  void (*read_quadtree_rays)(const QuadtreeRaysBatch& batch, int begin, int end);
   void (*read_quadtree_pixels)(const QuadtreePixelBatch& batch, int begin, int end);
   void (*find_star_images_float)(const StarImageBatch<float>& batch, int begin, int end);
   void (*find_star_images_double)(const StarImageBatch<double>& batch, int begin, int end);
   void (*find_omni_star_images_float)(const OmniStarBatch<float>& batch, int begin, int end);
   void (*find_omni_star_images_double)(const OmniStarBatch<double>& batch, int begin, int end);
-  void (*measure_patch)(const PatchMeasureBatch& batch, int begin, int end);  //!< the one index 0
+  void (*measure_patch)(const PatchMeasureBatch& batch, int begin, int end);  //!< only index 0
   void (*observe_places)(const ObservedPlaceBatch& batch, int begin, int end);
-  void (*search_stars)(const StarSearchBatch& batch, int begin, int end);  //!< the one index 0
+  void (*search_stars)(const StarSearchBatch& batch, int begin, int end);  //!< only index 0
   void (*find_patch_sides)(const PatchSideBatch& batch, int begin, int end);
   void (*invert_patches)(const PatchNewtonBatch& batch, int begin, int end);
   void (*see_patches)(const SeePatchesBatch& batch, int begin, int end);
   void (*halve_parts)(const HalvePartsBatch& batch, int begin, int end);
   void (*solve_parts)(const SolvePartsBatch& batch, int begin, int end);
   void (*shade_sky)(const ShadeBatch& batch, int begin, int end);
-  void (*shade_heat_map)(const ShadeBatch& batch, int begin, int end);  //!< one element an index
+  void (*shade_heat_map)(const ShadeBatch& batch, int begin, int end);  //!< one element per index
   void (*draw_near_field)(const NearFieldBatch& batch, int begin, int end);
   void (*draw_flat_eyes)(const FlatEyeBatch& batch, int begin, int end);
   void (*look_up_flat_eyes)(const FlatEyeLookUpBatch& batch, int begin, int end);
@@ -73,12 +75,13 @@ struct KernelTable {
   void (*mark_flat_object_tiles)(const FlatObjectTileBatch& batch, int begin, int end);
   void (*look_at_flat_objects)(const FlatObjectPixelBatch& batch, int begin, int end);
   void (*draw_overlay)(const OverlayBatch& batch, int begin, int end);
-  void (*tone_tiles)(const ToneBatch& batch, int begin, int end);        //!< a tile an index
-  void (*average_tiles)(const AverageBatch& batch, int begin, int end);  //!< the same
-  void (*warp_pixels)(const WarpBatch& batch, int begin, int end);       //!< a group an index
+  void (*tone_tiles)(const ToneBatch& batch, int begin, int end);        //!< one tile per index
+  void (*average_tiles)(const AverageBatch& batch, int begin, int end);  //!< one tile per index
+  void (*warp_pixels)(const WarpBatch& batch, int begin, int end);       //!< one group per index
 };
 
-//! The kernels compiled for an instruction set that `has_instruction_set` affirms.
+//! Returns the kernels compiled for an instruction set, for which has_instruction_set() must be
+//! true.
 const KernelTable& kernel_table(InstructionSet set);
 
 }  // namespace ergodome

@@ -148,7 +148,7 @@ void look_up_pixels(const LookUpPairBatch& batch) {
   const PixelBatch& first = batch.eyes[0].pixels;
   const int pixels = first.row_count * first.projection.width_px;
   WorkCounter& counter = look_up_counter(batch.eyes[0]);
-  // A picture of each eye, as a launch of its own would count it.
+  // Count one picture per eye, like two separate launches.
   counter.count(pixels);
   const WorkScope work(counter, pixels);
   run_on_cpu(active_table().look_up_pixel_pairs, batch, pixels, active_table().lanes_float);

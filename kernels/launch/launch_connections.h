@@ -4,7 +4,8 @@
 
 namespace ergodome {
 
-//! Makes a table of connecting rays on all threads of the processor: solves its fans and carries them to the nodes. See ConnectionBatch.
+//! Makes a table of connecting rays on all CPU threads: solves its fans and interpolates them to
+//! the nodes. See ConnectionBatch.
 void make_connection_table(const ConnectionBatch& batch);
 
 }  // namespace ergodome

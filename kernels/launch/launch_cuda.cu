@@ -7,7 +7,7 @@
 namespace ergodome {
 
 const char* find_cuda_unavailable_reason() {
-  // Without a driver the runtime would call the driver insufficient; its version is then 0.
+  // Without a driver the runtime would report an insufficient driver; the driver version is then 0.
   int driver_version = 0;
   if (cudaDriverGetVersion(&driver_version) == cudaSuccess && driver_version == 0) {
     return "no NVIDIA driver is installed";

@@ -7,12 +7,13 @@
 #include "kernels/core/error.h"
 #include "kernels/launch/launch_cuda.h"
 
+// Helpers that launch functors on the GPU.
 namespace ergodome {
 
-//! Throws with CUDA's own name of a failure.
+//! Throws Error with CUDA's description of a failure.
 inline void check_cuda(cudaError_t code, const char* doing) {
   if (code != cudaSuccess) {
-    // Else the next launch would fail by what this one could not do.
+    // Clears the error; otherwise the next launch would fail with it.
     cudaGetLastError();
     throw Error("CUDA", std::string(doing) + " failed: " + cudaGetErrorString(code), "run with --backend cpu");
   }
@@ -26,26 +27,27 @@ __global__ void run_functor(Functor functor, int count) {
   }
 }
 
-//! Where the calling thread's work goes: the default stream, or another while UrgentDeviceWork lasts.
+//! Returns the stream for the calling thread's work: the default stream, or another during
+//! UrgentDeviceWork.
 inline cudaStream_t& current_stream() {
   thread_local cudaStream_t stream = nullptr;
   return stream;
 }
 
-//! Whether the calling thread's launches go on without waiting: while DeviceWorkInOrder lasts.
+//! Returns whether launches of the calling thread do not wait: during DeviceWorkInOrder.
 inline bool& works_in_order() {
   thread_local bool in_order = false;
   return in_order;
 }
 
-//! Waits for the end of what was launched.
+//! Waits for the end of all launches of the calling thread.
 inline void finish_launch(const char* name) {
   const cudaError_t launched = cudaGetLastError();
   check_cuda(cudaStreamSynchronize(current_stream()), name);
   check_cuda(launched, name);
 }
 
-//! The end of a launch: waits for it, or goes on where works_in_order().
+//! Ends a launch: waits for it, unless works_in_order().
 inline void end_launch(const char* name) {
   if (works_in_order()) {
     check_cuda(cudaGetLastError(), name);
@@ -54,8 +56,8 @@ inline void end_launch(const char* name) {
   }
 }
 
-//! Calls functor(i) for i in [0, count) on the device after what was launched before, and does not wait: finish_launch() does. The name goes into
-//! error messages.
+//! Calls functor(i) for i in [0, count) on the device, after earlier launches, and does not wait
+//! (finish_launch() does). The name is used in error messages.
 template <class Functor>
 void enqueue_cuda(const char* name, int count, const Functor& functor) {
   constexpr int block = 128;
@@ -66,7 +68,7 @@ void enqueue_cuda(const char* name, int count, const Functor& functor) {
   check_cuda(cudaGetLastError(), name);
 }
 
-//! The same, and waits, unless works_in_order().
+//! Calls functor(i) for i in [0, count) on the device, and waits unless works_in_order().
 template <class Functor>
 void launch_cuda(const char* name, int count, const Functor& functor) {
   if (count > 0) {
@@ -75,7 +77,7 @@ void launch_cuda(const char* name, int count, const Functor& functor) {
   }
 }
 
-//! Copies from the device what its current stream has made.
+//! Copies a value from the device after the work in the current stream.
 template <class T>
 T read_cuda(const T* from, const char* name) {
   T value{};
@@ -84,15 +86,15 @@ T read_cuda(const T* from, const char* name) {
   return value;
 }
 
-//! Threads of a block of pixels: 16 x 8, and 8 x 4 a warp. Threads that go together have pixels that lie together, whose rays take about as
-//! many steps.
+//! Threads of a block of pixels: 16 x 8, and 8 x 4 per warp. Threads of a warp have adjacent
+//! pixels, whose rays take about the same number of steps.
 inline constexpr int pixel_block = 128;
 
 inline dim3 blocks_of_pixels(int width, int rows) {
   return {static_cast<unsigned>((width - 1) / 16 + 1), static_cast<unsigned>((rows - 1) / 8 + 1)};
 }
 
-//! The pixel of a thread of such blocks; it may lie beside the picture.
+//! The pixel of a thread in such blocks; it may be outside the picture.
 struct PixelOfThread {
   int x;
   int y;
@@ -120,7 +122,7 @@ void launch_cuda_on_pixels(const char* name, int width, int rows, const Functor&
   end_launch(name);
 }
 
-//! Device memory for a launch.
+//! Device memory for the duration of a launch.
 template <class T>
 class DeviceScratch {
  public:

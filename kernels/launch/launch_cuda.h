@@ -22,7 +22,8 @@
 
 namespace ergodome {
 
-// The device side of kernels/launch/launch.h: launch_cuda.cu, and launch_without_cuda.cpp where there is no toolkit.
+// The device side of kernels/launch/launch.h: defined in launch_cuda.cu and others, or in
+// launch_without_cuda.cpp if there is no CUDA toolkit.
 
 const char* find_cuda_unavailable_reason();
 void trace_rays_cuda(const RayBatch<float>& batch);

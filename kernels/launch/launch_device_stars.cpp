@@ -8,7 +8,8 @@
 #include "kernels/stars/search/star_twins_kernel.h"
 #include "kernels/stars/star_points_kernel.h"
 
-// What devices do with stars; on the processor it is there for tests, and for pictures that are made in one piece.
+// Launches of stars for devices. The CPU versions are for tests, and for pictures that are made in
+// one piece.
 namespace ergodome {
 
 namespace {

@@ -4,7 +4,7 @@
 #include "kernels/lens/look_up_kernel.h"
 #include "kernels/published/quadtree_look_up_kernel.h"
 
-// The kernels of lens grids, in a file of their own: the compiler takes minutes for each.
+// The kernels of lens grids, in a separate file because the compiler takes minutes for each.
 namespace ergodome {
 
 void trace_nodes_cuda(const NodeBatch<float>& batch) {
@@ -27,7 +27,8 @@ template <class Functor>
 void look_up(const PixelBatch& pixels, const Functor& functor) {
   launch_cuda_in_steps("look_up_pixels", pixels.projection.width_px, pixels.row_count, LookUpAlone<Functor>{functor},
                        [&](const int* listed, const int* count) {
-                         // Two blocks of so many registers are on each of a large device's processors at a time.
+                         // With this many registers, two blocks fit on each multiprocessor of a
+                         // large device.
                          constexpr int blocks = 264;
                          run_functor_on_listed<<<blocks, pixel_block, 0, current_stream()>>>(functor, listed, count);
                        });

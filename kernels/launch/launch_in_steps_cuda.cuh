@@ -3,9 +3,10 @@
 #include "kernels/launch/launch_cuda.cuh"
 #include "kernels/near_rays/pixel_samples.h"
 
+// Launches in two steps, for pixels of which only a few are expensive.
 namespace ergodome {
 
-//! Does the first step of pixels, and lists those of which it says that there is more to do.
+//! Runs the first step of pixels, and lists those for which it returns that there is more to do.
 template <class Step>
 __global__ void list_unfinished(Step step, int width, int rows, int* listed, int* count) {
   const PixelOfThread at(blockIdx, threadIdx);
@@ -14,7 +15,8 @@ __global__ void list_unfinished(Step step, int width, int rows, int* listed, int
   }
 }
 
-//! The threads take what is listed by turns: how much that is the device alone knows.
+//! Runs a functor on the listed pixels. Threads take them in turns, because only the device knows
+//! their number.
 template <class Functor>
 __global__ void run_functor_on_listed(Functor functor, const int* listed, const int* count) {
   const int threads = static_cast<int>(gridDim.x * blockDim.x);
@@ -23,7 +25,8 @@ __global__ void run_functor_on_listed(Functor functor, const int* listed, const 
   }
 }
 
-//! A sample a thread, the samples of a pixel side by side: their rays are neighbours.
+//! Draws one sample per thread. The samples of a pixel are on adjacent threads, because their rays
+//! are similar.
 template <class Functor>
 __global__ void draw_samples(Functor functor, const int* fine, int count) {
   constexpr int samples = near_samples * near_samples;
@@ -46,8 +49,9 @@ __global__ void draw_samples(Functor functor, const int* fine, int count) {
   }
 }
 
-//! Pixels of which few are dear: the threads of the others do not wait for them. step(index) does what all pixels need and tells whether there is more to
-//! do; rest(list, count), both in device memory, does it in launches of its own.
+//! Draws pixels of which few are expensive, so that the threads of the others do not wait for them.
+//! step(index) does the work that all pixels need and returns whether there is more to do;
+//! rest(list, count), both in device memory, does this in separate launches.
 template <class Step, class Rest>
 void launch_cuda_in_steps(const char* name, int width, int rows, const Step& step, const Rest& rest) {
   if (width <= 0 || rows <= 0) {
@@ -63,14 +67,14 @@ void launch_cuda_in_steps(const char* name, int width, int rows, const Step& ste
   end_launch(name);
 }
 
-//! DrawNearField's first step, and DrawFlatEyes'.
+//! First step of DrawNearField and DrawFlatEyes.
 template <class Functor>
 struct DrawMiddle {
   Functor functor;
   __device__ bool operator()(int index) const { return functor.draw_middle(index); }
 };
 
-//! Draws pixels of which few need many looks.
+//! Draws pixels of which few need many samples.
 template <class Functor>
 void launch_cuda_on_sampled_pixels(const char* name, int width, int rows, const Functor& functor) {
   launch_cuda_in_steps(

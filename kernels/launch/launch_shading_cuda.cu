@@ -3,14 +3,14 @@
 #include "kernels/launch/launch_cuda.h"
 #include "kernels/overlay/draw_overlay_kernel.h"
 
-// The ways to shade pixels, in a file of their own: they are many.
+// All variants of shading, in a separate file because there are many.
 namespace ergodome {
 
 void shade_pixels_cuda(const ShadeBatch& batch) {
   if (batch.mode != ViewMode::sky) {
     return launch_cuda("shade_pixels", batch.count, ShadeHeatMap{batch});
   }
-  // Pixels side by side, and one above the other, look at the same texels.
+  // Adjacent pixels read the same texels.
   const int width = batch.projection.width_px;
   dispatch_shading<float>(
       batch, [&](const auto& functor) { launch_cuda_on_pixels("shade_pixels", width, batch.count / width, functor); });

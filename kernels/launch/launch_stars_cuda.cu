@@ -11,12 +11,13 @@ namespace ergodome {
 
 namespace {
 
-//! Points of a tile that a block holds at a time.
+//! Number of points of a tile that a block holds at a time.
 constexpr int held_points = 64;
-//! Numbers that a block sorts by itself.
+//! Number of values that a block sorts in shared memory.
 constexpr int held_numbers = 2048;
 
-//! Puts the points of a tile in order, a block a tile: each thread finds the places of some, by how many are before them.
+//! Sorts the points of a tile, one block per tile: each thread finds the ranks of some points by
+//! counting smaller ones.
 __global__ void sort_tiles(const __grid_constant__ SortTile functor) {
   __shared__ std::int32_t held[held_numbers];
   const StarTileBatch& batch = functor.batch;
@@ -50,7 +51,7 @@ struct TileOfBlock {
   int x;
   int y;
   bool inside;
-  int first;  //!< of its members
+  int first;  //!< first of its members
   int last;
 
   __device__ explicit TileOfBlock(const StarLightBatch& batch) {
@@ -65,7 +66,8 @@ struct TileOfBlock {
   }
 };
 
-//! Draws a tile's spots, a block a tile, a thread a pixel. What of each falls on each column and row is worked out once: a pixel has the product.
+//! Draws the spots of a tile, one block per tile, one thread per pixel. The parts of each spot on
+//! each column and row are computed once; a pixel uses their product.
 __global__ void draw_spots(const __grid_constant__ DrawStars functor) {
   __shared__ float light_of[held_points][3];
   __shared__ float columns[held_points][star_tile_px];
@@ -106,7 +108,7 @@ __global__ void draw_spots(const __grid_constant__ DrawStars functor) {
   }
 }
 
-//! Draws a tile's spikes, a block a tile, a thread a pixel.
+//! Draws the spikes of a tile, one block per tile, one thread per pixel.
 __global__ void draw_spikes(const __grid_constant__ DrawStars functor) {
   const StarLightBatch& batch = functor.batch;
   const TileOfBlock tile(batch);

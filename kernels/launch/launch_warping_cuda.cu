@@ -9,15 +9,17 @@ namespace ergodome {
 
 namespace {
 
-//! Neighbours in a row are a warp's, whose bytes are then written as whole words; rows of a block read the same texels.
+//! A warp covers adjacent pixels of a row, so their bytes can be written as words; rows of a block
+//! read the same texels.
 constexpr int columns_of_a_block = 32;
 constexpr int rows_of_a_block = 8;
 
-//! Writes what a warp's threads have made of 32 neighbouring pixels, red in the lowest byte, as words. `count`: bytes that lie inside the row, a multiple of 4.
+//! Writes 32 adjacent pixels of a warp's threads as words, red in the lowest byte. `count` is the
+//! number of bytes inside the row, a multiple of 4.
 __device__ void store_words(std::uint8_t* to, std::uint32_t rgb, int count) {
   constexpr unsigned all = 0xffffffffU;
   const int first_byte = 4 * static_cast<int>(threadIdx.x);
-  // A word's bytes are of two pixels.
+  // The bytes of a word are from two pixels.
   const std::uint32_t one = __shfl_sync(all, rgb, first_byte / 3 % columns_of_a_block);
   const std::uint32_t next = __shfl_sync(all, rgb, (first_byte / 3 + 1) % columns_of_a_block);
   if (first_byte < count) {

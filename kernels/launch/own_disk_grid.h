@@ -3,7 +3,7 @@
 #include "kernels/core/host_device.h"
 #include "kernels/disk/disk_grid.h"
 
-// Grids of a disk's images, compiled once per instruction set.
+// Kernels for grids of a disk's images, compiled once per instruction set.
 namespace ergodome::inline ERGO_TARGET {
 
 void trace_disk_nodes(const DiskNodeBatch& batch, int begin, int end);

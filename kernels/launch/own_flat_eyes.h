@@ -5,8 +5,8 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Draws what stands near the hole as an eye of the stereo model `flat` sees it. In a source of its own, so that it changes nothing in how other
-//! kernels are compiled.
+//! Draws the near field as an eye of the stereo model `flat` sees it, compiled once per instruction
+//! set. In a separate source, so that it does not affect how other kernels are compiled.
 void draw_flat_eyes(const FlatEyeBatch& batch, int begin, int end);
 void look_up_flat_eyes(const FlatEyeLookUpBatch& batch, int begin, int end);
 

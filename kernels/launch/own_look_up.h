@@ -5,7 +5,8 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Pixels that are read from lens grids, of one eye or of two. In a source of their own, so that nothing else changes how they are compiled.
+//! Reads pixels from lens grids, for one eye or two, compiled once per instruction set. In a
+//! separate source, so that other kernels do not affect how these are compiled.
 void look_up_pixels(const LookUpBatch& batch, int begin, int end);
 void look_up_pixel_pairs(const LookUpPairBatch& batch, int begin, int end);
 

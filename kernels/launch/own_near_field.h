@@ -5,8 +5,8 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Draws what stands near the hole over pixels [begin, end); see NearFieldBatch. In a source of its own, so that it changes nothing in how other
-//! kernels are compiled.
+//! Draws the near field over pixels [begin, end), compiled once per instruction set; see
+//! NearFieldBatch. In a separate source, so that it does not affect how other kernels are compiled.
 void draw_near_field(const NearFieldBatch& batch, int begin, int end);
 
 }  // namespace ergodome::inline ERGO_TARGET

@@ -3,7 +3,7 @@
 #include "kernels/core/host_device.h"
 #include "kernels/objects/draw_objects.h"
 
-// The drawing of objects, compiled once per instruction set.
+// Kernels for objects, compiled once per instruction set.
 namespace ergodome::inline ERGO_TARGET {
 
 void mark_object_tiles(const ObjectTileBatch& batch, int begin, int end);

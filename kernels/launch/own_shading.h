@@ -5,8 +5,8 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! The sky's light for pixels [begin, end), counted in registers of this instruction set; KernelTable::shade_sky. In a source of its own:
-//! its variants are many.
+//! Computes the sky's light for registers [begin, end) of pixels, compiled once per instruction
+//! set; see KernelTable::shade_sky. In a separate source because it has many variants.
 void shade_sky(const ShadeBatch& batch, int begin, int end);
 
 }  // namespace ergodome::inline ERGO_TARGET

@@ -5,8 +5,9 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Of eyes that turn with the direction: rays, nodes and cells of their grids, pixels that are read from these, and images of stars. In a source of
-//! its own, so that it changes nothing in how other kernels are compiled.
+//! Kernels for omnidirectional eyes, compiled once per instruction set: rays, nodes and cells of
+//! grids, pixels that are read from grids, and lensed images of stars. In a separate source, so
+//! that they do not affect how other kernels are compiled.
 void trace_omni_rays(const OmniRayBatch& batch, int begin, int end);
 void trace_omni_nodes(const OmniNodeBatch& batch, int begin, int end);
 void check_omni_cells(const OmniCheckBatch& batch, int begin, int end);

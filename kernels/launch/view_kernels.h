@@ -5,16 +5,18 @@
 
 namespace ergodome {
 
-//! The CPU kernels of what few pictures call for, as those of KernelTable: compiled apart, so that they change nothing in how the others are.
+//! CPU kernels that few pictures need, otherwise like KernelTable. They are compiled separately, so
+//! that they do not affect how other kernels are compiled.
 struct ViewKernels {
   int lanes_float;
   void (*follow_rays)(const FollowBatch& batch, int begin, int end);
 };
 
-//! Those compiled for an instruction set that `has_instruction_set` affirms.
+//! Returns the kernels compiled for an instruction set, for which has_instruction_set() must be
+//! true.
 const ViewKernels& view_kernels(InstructionSet set);
 
-//! Follows the rays of an image on all threads of the processor; see FollowBatch.
+//! Follows the rays of an image on all CPU threads; see FollowBatch.
 void follow_rays(const FollowBatch& batch);
 
 }  // namespace ergodome

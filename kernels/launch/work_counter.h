@@ -7,17 +7,17 @@
 
 namespace ergodome {
 
-//! What a piece of work has done since the program began.
+//! Totals of one kind of work since the program began.
 struct WorkCount {
   long runs = 0;
-  long elements = 0;  //!< rays, pixels, stars, bytes: what the work is told by
-  long time_ns = 0;   //!< by the clock, work within it included
+  long elements = 0;  //!< rays, pixels, stars or bytes, depending on the work
+  long time_ns = 0;   //!< wall-clock time, including nested work
 };
 
-//! Counts one kind of work: a kernel's launches, a pass over a picture, bytes of a buffer. Make it a static variable where the work is
-//! done; any thread may count.
+//! Counts one kind of work: launches of a kernel, passes over a picture, bytes of a buffer. Make it
+//! a static variable where the work is done; any thread may count.
 //!
-//! Counters of one name add up. Names are those that a frame plan has (render/plan/frame_plan.h).
+//! Counters of the same name add up. Names are those of a frame plan (render/plan/frame_plan.h).
 class WorkCounter {
  public:
   explicit WorkCounter(std::string name);
@@ -42,7 +42,7 @@ class WorkCounter {
   std::atomic<long> time_ns_{0};
 };
 
-//! Counts a piece of work and its time, from here to the end of the scope.
+//! Counts a piece of work and its time, until the end of the scope.
 class WorkScope {
  public:
   WorkScope(WorkCounter& counter, long elements) : counter_(counter), begin_(std::chrono::steady_clock::now()) {
@@ -60,14 +60,14 @@ class WorkScope {
   std::chrono::steady_clock::time_point begin_;
 };
 
-//! The counter of a name that is known when the work is done; slower than a static one.
+//! Returns the counter of a name that is only known at run time; slower than a static one.
 WorkCounter& work_counter(const std::string& name);
 void count_work(const std::string& name, long elements);
 
-//! All that has been done so far.
+//! Returns all work so far.
 std::map<std::string, WorkCount> work_done();
 
-//! What was done between two calls of work_done.
+//! Returns the work between two calls of work_done().
 std::map<std::string, WorkCount> work_between(const std::map<std::string, WorkCount>& before,
                                               const std::map<std::string, WorkCount>& after);
 

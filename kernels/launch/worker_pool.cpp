@@ -10,13 +10,15 @@ namespace ergodome {
 
 namespace {
 
-//! Falling asleep and being woken takes some tens of microseconds. What comes next mostly comes within this.
+//! How long threads spin before they sleep. Falling asleep and waking up takes tens of
+//! microseconds, and the next work mostly comes within this time.
 constexpr std::chrono::microseconds patience{60};
 
-//! A process that was forked has none of its parent's helpers.
+//! A forked process has none of its parent's helpers.
 std::atomic<bool> forked{false};
 
-//! Looks for something again and again, for a while, and lets others run. False where it did not happen.
+//! Polls a condition for a while and yields to other threads. Returns false if it did not become
+//! true.
 template <class Happened>
 bool happens_soon(const Happened& happened) {
   const auto end = std::chrono::steady_clock::now() + patience;
@@ -66,7 +68,7 @@ void WorkerPool::help() {
   while (true) {
     Job* const job = wait_for_job();
     (*job->work)();
-    // From then on the job may be gone.
+    // After this decrement the job may be gone.
     --job->helpers;
     const std::lock_guard lock(mutex_);
     done_.notify_all();

@@ -8,29 +8,32 @@
 
 namespace ergodome {
 
-//! Threads that wait for work: starting one for each piece would cost more than many pieces do.
+//! Threads that wait for work, because starting a thread for each piece would cost more than many
+//! pieces do.
 //!
-//! Any number of threads may ask at once, a helper in the midst of its work too: who asks works as well, and so never waits for helpers
-//! that are busy elsewhere.
+//! Any number of threads may call run() at once, even a helper during its work. The calling thread
+//! works as well, so it never waits for helpers that are busy elsewhere.
 class WorkerPool {
  public:
-  //! The helpers live as long as the process, and so does the pool: make it by new, and never delete it. Joining them at the end of a
-  //! process that was forked would wait for threads that it does not have.
+  //! Starts the helpers, which live as long as the process. The pool must, too: make it by new, and
+  //! never delete it. Joining at the end of a forked process would wait for threads that it does
+  //! not have.
   explicit WorkerPool(int helpers);
 
   WorkerPool(const WorkerPool&) = delete;
   WorkerPool& operator=(const WorkerPool&) = delete;
 
-  //! Calls `work` on the calling thread, and meanwhile on up to `most_helpers` of those that are free; returns when all have returned.
-  //! `work` must not throw, and ends at once where nothing is left to do.
+  //! Calls `work` on the calling thread and on up to `most_helpers` free helpers at the same time;
+  //! returns when all calls have returned. `work` must not throw, and must return at once if
+  //! nothing is left to do.
   void run(int most_helpers, const std::function<void()>& work);
 
  private:
-  //! What is asked for.
+  //! A call of run() that is in progress.
   struct Job {
     const std::function<void()>* work;
-    int wanted;                   //!< helpers that may still come
-    std::atomic<int> helpers{0};  //!< that are at it
+    int wanted;                   //!< helpers that may still join
+    std::atomic<int> helpers{0};  //!< helpers that are working
   };
 
   void help();
@@ -40,8 +43,8 @@ class WorkerPool {
   std::mutex mutex_;
   std::condition_variable asked_;
   std::condition_variable done_;
-  std::list<Job*> jobs_;         //!< that want helpers
-  std::atomic<int> waiting_{0};  //!< how many these are
+  std::list<Job*> jobs_;         //!< jobs that want helpers
+  std::atomic<int> waiting_{0};  //!< number of these jobs
 };
 
 }  // namespace ergodome
