@@ -4,6 +4,7 @@
 #include "kernels/core/transcendental.h"
 #include "kernels/image/light_texels_kernel.h"
 
+// Computes the light levels of a picture, one tile per index.
 namespace ergodome::inline ERGO_TARGET {
 
 //! Returns a^p for a >= 0 and p > 0, to a few units in the last place times the size of the

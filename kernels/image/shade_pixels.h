@@ -8,6 +8,7 @@
 #include "kernels/sky/cube_map.h"
 #include "kernels/sky/sky_look.h"
 
+// Batches of pixels to shade.
 namespace ergodome {
 
 //! Content of a picture: the sky itself, or a heat map of one channel of the lens.

@@ -7,6 +7,7 @@
 #include "kernels/sky/elliptic_filter.h"
 #include "kernels/sky/point_sample.h"
 
+// Shades pixels: from lens channels to light or a heat map.
 namespace ergodome::inline ERGO_TARGET {
 
 //! Limit of brightening: at caustics a footprint has no area.

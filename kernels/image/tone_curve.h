@@ -5,6 +5,7 @@
 
 #include "kernels/core/host_device.h"
 
+// Tone curves, and their inverses.
 namespace ergodome {
 
 //! Tone curves, from a picture's light to display light.

@@ -5,6 +5,7 @@
 #include "kernels/launch/kernel_table.h"
 #include "kernels/launch/launch.h"
 
+// Checks the outputs of kernels for NaN and infinity.
 namespace ergodome {
 
 //! Returns whether the outputs of every kernel launch are scanned for NaN and infinity. Enabled by

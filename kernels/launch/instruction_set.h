@@ -4,6 +4,7 @@
 
 #include "kernels/core/error.h"
 
+// Selects the instruction set of CPU kernels.
 namespace ergodome {
 
 //! The instruction sets that CPU kernels are compiled for.

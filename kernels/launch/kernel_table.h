@@ -23,6 +23,7 @@
 #include "kernels/stars/star_bands.h"
 #include "kernels/stars/star_images.h"
 
+// Tables of CPU kernels, one for each instruction set.
 namespace ergodome {
 
 //! The CPU kernels of one instruction set. Each runs the indices [begin, end); an index covers

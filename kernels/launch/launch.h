@@ -85,9 +85,10 @@ void find_star_images(const OmniStarBatch<float>& batch);
 void find_star_images(const OmniStarBatch<double>& batch);
 
 //! Steps of the search for lensed images of stars, on the calling thread; see the batches. They
-//! measure what patches do to light, search the stars of a region of the sky, find the side of
-//! patches' borders on which stars are, invert the patches that are one to one, halve the others
-//! and solve their parts. Last, they compute what an observer sees there.
+//! measure what patches do to light, search the stars of a region of the sky, and find the side of
+//! patches' borders on which stars are. They invert the patches that are one to one, express the
+//! others relative to their stars, halve these and solve their parts. Last, they compute what an
+//! observer sees there.
 void measure_patch(const PatchMeasureBatch& batch);
 void search_stars(const StarSearchBatch& batch);
 void find_patch_sides(const PatchSideBatch& batch);
@@ -142,7 +143,7 @@ void look_at_objects(Backend backend, const FlatObjectPixelBatch& batch);
 //! Composes objects over a picture that has neither disk nor shells.
 void lay_objects(Backend backend, const LayObjectsBatch& batch);
 
-//! Runs a step of merging images that were found; see StarTwinBatch.
+//! Runs a step of grouping found images by star, without duplicates; see StarTwinBatch.
 void join_star_images(Backend backend, const StarTwinBatch& batch, StarTwinStep step);
 
 //! Makes points of `count` images; see StarPointBatch.

@@ -2,6 +2,7 @@
 
 #include <functional>
 
+// Parallel loops on the CPU.
 namespace ergodome {
 
 //! Returns the number of CPU threads that launches use: that of the hardware, or ERGODOME_THREADS.

@@ -3,6 +3,7 @@
 #include "kernels/launch/instruction_set.h"
 #include "kernels/spacetime/trace/follow_rays.h"
 
+// CPU kernels that few pictures need.
 namespace ergodome {
 
 //! CPU kernels that few pictures need, otherwise like KernelTable. They are compiled separately, so

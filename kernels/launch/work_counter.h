@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+// Counts work and its time.
 namespace ergodome {
 
 //! Totals of one kind of work since the program began.

@@ -4,6 +4,7 @@
 #include "kernels/lens/grid_build.h"
 #include "kernels/spacetime/geodesic/taylor.h"
 
+// Traces the nodes of a lens grid and checks its cells.
 namespace ergodome::inline ERGO_TARGET {
 
 namespace detail {

@@ -4,6 +4,7 @@
 #include "kernels/core/quad.h"
 #include "kernels/lens/lens_chart.h"
 
+// Lens grids, and how they are read.
 namespace ergodome {
 
 //! Floats per node: the sky direction, its derivatives along γ [turns] and s, and the mixed

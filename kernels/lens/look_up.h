@@ -13,8 +13,8 @@ namespace ergodome {
 struct LensBlend {
   LensChart chart;  //!< of the camera position itself
   LensGrid grids[2];
-  //! Rotations from each station's sky to that of the camera position: the part of the motion that
-  //! only rotates.
+  //! Rotations from each station's sky to that of the camera position, as motion in r and θ causes
+  //! them (render/lens/stations/place_turn.h).
   float turn[2][3][3];
   float second_weight;  //!< 0: only the first grid is used
 };

@@ -5,6 +5,7 @@
 #include "kernels/spacetime/trace/pixel_geometry.h"
 #include "kernels/spacetime/trace/trace_pixels_kernel.h"
 
+// Reads pixels and rays from lens grids.
 namespace ergodome::inline ERGO_TARGET {
 
 //! Reads the pixels of a batch from a lens grid. Index i covers the pixels i * lanes, i * lanes +

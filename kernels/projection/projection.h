@@ -8,6 +8,7 @@
 #include "kernels/projection/equirectangular.h"
 #include "kernels/projection/pinhole.h"
 
+// Projections of all kinds: from pixel to view direction and back.
 namespace ergodome {
 
 //! Kinds of map from the sky to an image.

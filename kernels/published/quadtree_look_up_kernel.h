@@ -4,6 +4,7 @@
 #include "kernels/spacetime/trace/pixel_geometry.h"
 #include "kernels/spacetime/trace/trace_rays_kernel.h"
 
+// Reads rays and pixels from quadtree grids.
 namespace ergodome::inline ERGO_TARGET {
 
 //! Reads rays from quadtree grids, one per index, because each takes a different path through the

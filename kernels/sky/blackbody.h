@@ -5,6 +5,7 @@
 #include "kernels/core/arithmetic.h"
 #include "kernels/core/vector3.h"
 
+// Colors and luminances of blackbodies and stars.
 namespace ergodome {
 
 //! The colors of blackbodies as kernels read them: entries at equal steps of ln T, four floats

@@ -4,6 +4,7 @@
 #include "kernels/eyes/flat/flat_eye_pixels.h"
 #include "kernels/eyes/flat/grid_sheets.h"
 
+// Draws the disk for one eye of the stereo model `flat` from a grid.
 namespace ergodome::inline ERGO_TARGET {
 
 //! Samples of a register's pixels that a grid leaves to rays. They are collected until they fill a

@@ -4,6 +4,7 @@
 #include "kernels/spacetime/trace/trace_pixels.h"
 #include "kernels/spacetime/trace/trace_rays.h"
 
+// Cameras of omnidirectional eyes.
 namespace ergodome {
 
 //! Number of values that set up the rays of a camera, all smooth functions of its position, also

@@ -112,7 +112,8 @@ ERGO_HD OrbitConstants orbit_constants(double spin, const OrbitState& s) {
 //! With the body's momentum (ε, p) in the rain frame, v the rain's speed and ω the frame dragging
 //! (see make_camera_station()),
 //!   E - ω L = ε - v p_r,   (dr/dλ) / √A = p_r - v ε,   (ε - p_r)(ε + p_r) = 1 + p_θ² + p_φ².
-//! The first two give (ε - p_r)(1 + v), a sum that does not cancel for bodies that fall inwards.
+//! The difference of the first two is (ε - p_r)(1 + v), which does not cancel for bodies that fall
+//! inwards.
 ERGO_HD Vector3<double> orbit_rain_velocity(double spin, const OrbitConstants& c, const OrbitState& s, double psi) {
   const double sine = ::sqrt(s.m.x * s.m.x + s.m.y * s.m.y);
   const Vector3<double> south = {s.m.z * ::cos(psi), s.m.z * ::sin(psi), -sine};

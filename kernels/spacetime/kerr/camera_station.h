@@ -78,10 +78,10 @@ ERGO_HD DirectionForm<S> converted(const DirectionForm<double>& f) {
 //! Prepares the camera of an observer at Boyer-Lindquist (r, θ, φ) [M, rad] with the given motion.
 //!
 //! `given` is the velocity in the ZAMO frame for ObserverMotion::velocity, and in the rain frame
-//! for rain_boost. Outside the horizon all motions are valid. `rain` (Doran's free fall from rest
-//! at infinity) and `rain_boost` are also valid at the horizon and inside it, down to the inner
-//! horizon, because they never use the ZAMO frame. With the rain's speed v and the ZAMO's lapse α =
-//! √(1 - v²),
+//! for rain_boost. Outside the horizon all motions are supported. `rain` (Doran's free fall from
+//! rest at infinity) and `rain_boost` are also valid at the horizon and inside it, down to the
+//! inner horizon, because they never use the ZAMO frame. With the rain's speed v and the ZAMO's
+//! lapse α = √(1 - v²),
 //!   E = ε + v q_r + ω L,      dr/dλ = √A (q_r + v ε)       in the rain frame,
 //!   E = α ε + ω L,            dr/dλ = √A α q_r             in the ZAMO frame,
 //! which are equal; the rain form has no cancellation.

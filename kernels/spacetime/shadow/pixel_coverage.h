@@ -3,6 +3,7 @@
 #include "kernels/core/arithmetic.h"
 #include "kernels/spacetime/shadow/edge_curve.h"
 
+// Antialiasing of the shadow's edge.
 namespace ergodome::inline ERGO_TARGET {
 
 //! The fraction of a pixel that the sky lights, and the point in the pixel to trace.

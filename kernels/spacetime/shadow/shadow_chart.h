@@ -3,6 +3,7 @@
 #include "kernels/spacetime/geodesic/radial_potential.h"
 #include "kernels/spacetime/kerr/camera_station.h"
 
+// Polar coordinates about the shadow on a camera's sky.
 namespace ergodome {
 
 //! Polar coordinates on the camera's sky about a point inside the shadow.

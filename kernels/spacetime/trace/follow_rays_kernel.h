@@ -3,6 +3,7 @@
 #include "kernels/spacetime/trace/follow_to_radius.h"
 #include "kernels/spacetime/trace/trace_pixels_kernel.h"
 
+// Follows the rays of pixels by any integrator, to measure its steps and errors.
 namespace ergodome::inline ERGO_TARGET {
 
 //! Integrators in the form that FollowRays calls: to a radius, and to the sky.

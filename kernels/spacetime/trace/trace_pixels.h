@@ -6,6 +6,7 @@
 #include "kernels/spacetime/kerr/camera_station.h"
 #include "kernels/spacetime/shadow/edge_curve.h"
 
+// Batches of pixels, one ray each.
 namespace ergodome {
 
 //! A block of rows of one image, one light ray per pixel.

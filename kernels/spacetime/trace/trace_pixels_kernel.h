@@ -5,6 +5,7 @@
 #include "kernels/spacetime/geodesic/taylor.h"
 #include "kernels/spacetime/trace/pixel_geometry.h"
 
+// Traces the pixels of images.
 namespace ergodome::inline ERGO_TARGET {
 
 //! Order of the Taylor series of pictures: the cheapest at their tolerances.

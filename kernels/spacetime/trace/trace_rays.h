@@ -5,6 +5,7 @@
 #include "kernels/spacetime/geodesic/integration_settings.h"
 #include "kernels/spacetime/kerr/camera_station.h"
 
+// Batches of single rays.
 namespace ergodome {
 
 //! Integration methods.

@@ -7,6 +7,7 @@
 #include "kernels/spacetime/geodesic/runge_kutta.h"
 #include "kernels/spacetime/geodesic/taylor.h"
 
+// Traces batches of single rays by any method.
 namespace ergodome::inline ERGO_TARGET {
 
 //! Taylor series whose order suits the tolerance. The cheapest order is about -ln(tolerance) / 2
