@@ -32,7 +32,7 @@ struct WarpGroup {
 //! Memory limits the speed of a warp, so the data of a pixel is as small as eight bits of output
 //! allow: 8 bytes per pixel if masks are gray. Factors of the light (blend, the warp's intensity,
 //! gain, and the rest that the lift leaves) and the lift itself are stored as square roots times a
-//! scale. This is fine near black, where the projector's curve is steep.
+//! scale. Their steps are then fine near black, where the projector's curve is steep.
 struct WarpBatch {
   LightLevels light;
   std::int32_t width_px;

@@ -39,7 +39,7 @@ struct OmniCameraOf {
   //! omni_numbers polynomials of omni_terms(degree) coefficients: 1, p, q, p², p q, q², ...
   const S* coefficients;
   //! The head is falling through the horizon, or is near it: azimuths of m are in ingoing Kerr
-  //! coordinates, in which the eyes on both sides of the horizon are continuous.
+  //! coordinates, which are continuous for eyes on both sides of the horizon.
   bool ingoing = false;
   S turn = S(0);  //!< of the head, as in CameraStation
   S lag = S(0);

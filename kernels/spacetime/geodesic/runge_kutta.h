@@ -12,8 +12,8 @@ namespace ergodome::inline ERGO_TARGET {
 //! For light that moves only inwards (RayStart::ingoing) the azimuth is that of ingoing Kerr
 //! coordinates, dφ + (a/Δ) dr. Such light has dr/dλ = -√R, and with X = r² + a² - a L
 //!   ψ' = -a [(X - √R) / Δ - 1] = a - a K / (X + √R).
-//! Nothing is singular at the horizon, where X = √R > 0 for all light that comes through it. √R u²
-//! = -u', as u falls all the way.
+//! Nothing is singular at the horizon, where X = √R > 0 for all light that comes through it. As u
+//! falls all the way, √R u² = -u'.
 template <class T>
 ERGO_HD T drag_rate(ScalarOf<T> spin, const RayStart<T>& ray, const RayState<T>& s) {
   using S = ScalarOf<T>;
