@@ -8,48 +8,51 @@
 
 namespace ergodome {
 
-//! Side of the squares by which pixels find what shines on them [px].
+//! Side of the square tiles by which pixels find the points that shine on them [px].
 inline constexpr int star_tile_px = 16;
 
-//! Which points of light may shine on which squares. Arrays lie in the backend's memory.
+//! Finds the points of light that may shine on each tile. Arrays lie in the backend's memory.
 struct StarTileBatch {
   const StarPoint* points;
   int point_count;
-  int point_threads;  //!< that a point's tiles are shared by: those with spikes have many
-  bool spikes_alone;  //!< points without spikes are left out
-  double reach_px;    //!< how far light goes along x and along y
-  int width_px;       //!< of the picture
+  //! Number of threads that share a point's tiles (points with spikes cover many).
+  int point_threads;
+  bool spikes_alone;  //!< skips points without spikes
+  double reach_px;    //!< how far light reaches along x and y
+  int width_px;       //!< width of the picture
   int height_px;
-  bool wraps;   //!< it goes on round the sky
-  int columns;  //!< of tiles
+  bool wraps;   //!< the picture's left and right edges meet
+  int columns;  //!< tiles per row
   int tile_count;
-  std::int32_t* counts;  //!< of the tiles' points: zero before they are counted, and before they are listed
-  //! Of a tile's points in `members`, and one more, where the last one's end.
+  std::int32_t* counts;  //!< points per tile; must be zero before the steps `count` and `list`
+  //! Index in `members` of each tile's first point; has tile_count + 1 elements.
   std::int32_t* first;
   std::int32_t* members;
 };
 
-//! What is done one after another: points are counted and, by what `first` has then, listed; what is listed is put into the points' order.
+//! Steps, run in this order: count each tile's points, list them at the offsets in `first`, and
+//! sort each tile's list by point number.
 enum class StarTileStep { count, list, sort };
 
-//! Points of light to add to rows of a picture, each pixel for itself: so many threads as one likes make the same picture. Arrays lie in
-//! the backend's memory.
+//! Adds the light of points to rows of a picture. Each pixel is computed on its own, so the result
+//! does not depend on the number of threads. Arrays lie in the backend's memory.
 struct StarLightBatch {
-  float* rgba;                     //!< of the rows, four floats a pixel
-  ProjectionOf<float> projection;  //!< of the whole picture
+  float* rgba;                     //!< the rows, four floats a pixel
+  ProjectionOf<float> projection;  //!< projection of the whole picture
   int first_row;
   int row_count;
-  PixelCell cells[cube_faces];  //!< where sheets lie in the picture
+  PixelCell cells[cube_faces];  //!< part of the picture that each sheet covers
   const StarPoint* points;
   const std::int32_t* first;  //!< see StarTileBatch
-  const std::int32_t*
-      members;  //!< numbers of points, in the order in which their light is added; the same twice counts once
+  //! Numbers of points in the order in which their light is added; a repeated number counts once.
+  const std::int32_t* members;
   int tile_columns;
-  float narrower;  //!< 1 / (√2 σ) of the Gaussian; 0: light falls on the pixel that holds its point
-  float reach_px;  //!< where the Gaussian ends
-  float share;     //!< half of one over the part of it that lies within
-  const float*
-      pattern;  //!< three floats a pixel: spikes of so many pixels across are added, and not the points; or nullptr
+  //! 1 / (√2 σ) of the Gaussian; 0: all light falls on the pixel that contains the point.
+  float narrower;
+  float reach_px;  //!< radius at which the Gaussian is cut off
+  float share;     //!< 0.5 / (fraction of the Gaussian within reach_px)
+  //! Spike pattern, three floats a pixel: spikes are drawn instead of points; or nullptr.
+  const float* pattern;
   int pattern_px;
 };
 

@@ -8,10 +8,12 @@
 #include "kernels/core/sort_in_place.h"
 #include "kernels/stars/draw_stars.h"
 
+// Assigns points of light to tiles, and adds their light to pixels.
 namespace ergodome::inline ERGO_TARGET {
 
-//! Calls body(tile) for each tile of a picture that pixels within reach of a point lie in, once for each turn of a picture that goes on
-//! round the sky; of their rows, those that are thread `thread`'s.
+//! Calls body(tile) for each tile that a point's light may reach. In a picture that wraps round the
+//! sky, the point is also treated one width to the left and right. Visits only the tile rows of
+//! thread `thread`.
 template <class Body>
 ERGO_HD void for_tiles_about(const StarTileBatch& batch, const StarPoint& point, int thread, const Body& body) {
   const auto between = [](double place, double low, double high) {
@@ -35,7 +37,7 @@ ERGO_HD void for_tiles_about(const StarTileBatch& batch, const StarPoint& point,
   }
 }
 
-//! Counts a point where it may shine, or lists it there.
+//! Counts a point in the tiles that it may reach, or lists it there.
 template <bool Lists>
 struct PlaceStar {
   StarTileBatch batch;
@@ -54,7 +56,7 @@ struct PlaceStar {
   }
 };
 
-//! Puts a tile's points, which threads have listed as they came, in order: few at most places.
+//! Sorts a tile's points, which threads have listed in nondeterministic order. Most tiles have few.
 struct SortTile {
   StarTileBatch batch;
 
@@ -89,7 +91,7 @@ struct DrawStars {
     lay(light, x, y);
   }
 
-  //! Whether a tile, whose members begin at `first`, has the one before for a second time.
+  //! Returns whether `member` repeats the previous point of the tile whose list begins at `first`.
   [[nodiscard]] ERGO_HD bool counts_again(int first, int member) const {
     return member > first && batch.members[member] == batch.members[member - 1];
   }
@@ -97,7 +99,7 @@ struct DrawStars {
   //! Adds light to the picture.
   ERGO_HD void lay(const float (&light)[3], int x, int y) const {
     const float covered = image_coverage(batch.projection, static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
-    // Spikes do not know where the image ends.
+    // Spikes are cut off at the image's edge; points fade with the pixel's coverage.
     const float inside = batch.pattern == nullptr ? covered : covered > 0.0F ? 1.0F : 0.0F;
     float* const to = batch.rgba + 4 * (static_cast<long>(y - batch.first_row) * batch.projection.width_px + x);
     for (int channel = 0; channel < 3; ++channel) {
@@ -105,7 +107,8 @@ struct DrawStars {
     }
   }
 
-  //! The part of a spot's light that falls on a column, or on a row, of pixels: none beside the sheet that it is drawn on. Of both, multiplied, a pixel has.
+  //! Returns the fraction of a point's light that falls on pixel column x; 0 outside the point's
+  //! sheet. A pixel receives the product of its column's and its row's fractions.
   [[nodiscard]] ERGO_HD float part_of_column(const StarPoint& point, int x) const {
     const PixelCell& cell = batch.cells[point.sheet];
     if (x < cell.left_px || x >= cell.left_px + cell.width_px) {
@@ -124,7 +127,7 @@ struct DrawStars {
     return y < cell.top_px || y >= cell.top_px + cell.height_px ? 0.0F : part_of(y, point.y_px);
   }
 
-  //! Adds what of a point falls on a pixel.
+  //! Adds the light of a point that falls on a pixel.
   ERGO_HD void add(const StarPoint& point, int x, int y, float (&light)[3]) const {
     if (batch.pattern == nullptr) {
       const float part = part_of_column(point, x) * part_of_row(point, y);
@@ -150,7 +153,7 @@ struct DrawStars {
   }
 
  private:
-  //! The part of light about `middle` that falls on the pixel [at, at + 1].
+  //! Returns the fraction of light centered at `middle` that falls on the pixel [at, at + 1].
   [[nodiscard]] ERGO_HD float part_of(int at, double middle) const {
     if (!(batch.narrower > 0.0F)) {
       return ::floor(middle) == at ? 1.0F : 0.0F;
@@ -161,7 +164,8 @@ struct DrawStars {
     return from < to ? batch.share * (erff(to * batch.narrower) - erff(from * batch.narrower)) : 0.0F;
   }
 
-  //! What of a pattern, placed bilinearly between pixels, falls on the one that lies so far from its first.
+  //! Returns the light of the spike pattern at offset (x, y) from its first pixel, interpolated
+  //! bilinearly.
   [[nodiscard]] ERGO_HD Vector3<float> pattern_at(float x, float y) const {
     const float left = floorf(x);
     const float top = floorf(y);

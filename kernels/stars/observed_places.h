@@ -6,16 +6,17 @@
 
 namespace ergodome {
 
-//! What an observer sees at places of the chart.
+//! Computes what an observer sees at positions of the chart.
 struct ObservedPlaceBatch {
   LensChart chart;
-  DirectionForm<float> energy;   //!< at infinity, of light that comes from a rain-frame direction with an energy of 1
-  AberrationOf<float> observer;  //!< to the rain frame
+  //! Energy at infinity of light that arrives from a rain-frame direction with energy 1.
+  DirectionForm<float> energy;
+  AberrationOf<float> observer;  //!< between the observer's frame and the rain frame
   int count;
   const float* gamma_turns;
   const float* s;
   float* direction[3];     //!< out: unit vectors in the observer's frame
-  float* area;             //!< out: his solid angle per area of the chart [sr/turn]
+  float* area;             //!< out: the observer's solid angle per area of the chart [sr/turn]
   float* frequency_ratio;  //!< out: g
 };
 

@@ -5,11 +5,11 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! What an observer sees along a rain-frame direction.
+//! Light from a rain-frame direction as an observer sees it.
 template <class T>
 struct ObservedLight {
   Vector3<T> direction;
-  T brightening;  //!< the observer's solid angles over the rain frame's
+  T brightening;  //!< the observer's solid angle over the rain frame's
   T frequency_ratio;
 };
 
@@ -26,7 +26,7 @@ ERGO_HD ObservedLight<T> observed_light(const AberrationOf<ScalarOf<T>>& observe
   return {seen, scale * scale, T(S(1)) / maximum(detail::evaluate(energy, rain) * scale, T(S(1e-6)))};
 }
 
-//! Tells what an observer sees; index i stands for the places i * lanes, i * lanes + 1, ...
+//! Computes what an observer sees; index i stands for the positions i * lanes, i * lanes + 1, ...
 template <class T>
 struct ObservePlaces {
   const ObservedPlaceBatch& batch;

@@ -11,29 +11,31 @@ namespace ergodome {
 
 //! An image of a star on a camera's sky.
 struct StarImage {
-  int star;  //!< in the field
-  Vector3<float>
-      direction;  //!< unit vector in the observer's frame (e_r, e_θ, e_φ); of an eye that turns, in the view's axes
-  float magnification;         //!< of the solid angle; negative where the image is turned over
+  int star;  //!< number in the field
+  //! Unit vector in the observer's frame (e_r, e_θ, e_φ); for omnidirectional stereo, in the view's
+  //! axes.
+  Vector3<float> direction;
+  float magnification;         //!< of the solid angle; negative for inverted parity
   float frequency_ratio;       //!< g = ν_observed / ν_emitted
-  Vector3<float> illuminance;  //!< linear sRGB whose luminance part is in lx
+  Vector3<float> illuminance;  //!< linear sRGB whose luminance is in lx
 };
 
-//! An image with what tells it from another.
+//! An image with what distinguishes it from other images of its star.
 struct SeenImage {
   StarImage image;
-  float arc;    //!< how far it stretches because its star is a disk [rad]
-  bool capped;  //!< by its star's disk: which side it turns to means nothing
+  float arc;    //!< length of the arc, due to the size of the star's disk [rad]
+  bool capped;  //!< limited by the size of the star's disk: its parity means nothing
 };
 
-//! The longest arc that an image is taken for [rad].
+//! Maximum length of an arc [rad].
 inline constexpr float longest_arc = 1.5F;
 
-//! How images shine.
+//! How images of stars shine.
 struct StarLook {
-  float faintest;      //!< illuminance of an image, below which it is left out [lx]
-  bool redshift;       //!< light is shifted and beamed
-  bool magnification;  //!< images are as bright as the lens makes them; else as bright as the star
+  float faintest;  //!< images of lower illuminance are left out [lx]
+  bool redshift;   //!< light is shifted in frequency and beamed
+  //! Images are as bright as the lens makes them; otherwise as bright as the star.
+  bool magnification;
 };
 
 inline namespace ERGO_TARGET {
@@ -42,8 +44,9 @@ ERGO_HD float luminance_of(const Vector3<float>& light) {
   return 0.2126729F * light.x + 0.7151522F * light.y + 0.0721750F * light.z;
 }
 
-//! The image of star `number` where the sky's solid angle over the observer's is `solid_angle`, signed by parity, and as it is capped by the star's
-//! disk. False where it is too faint.
+//! Computes the image of star `number`. Returns false if it is too faint. `solid_angle`: the sky's
+//! solid angle over the observer's, signed by parity; `capped`: its size, limited by the star's
+//! disk.
 ERGO_HD bool shining_image(const BlackbodyTable& colours, const StarLook& look, int number, const FieldStar& star,
                            const Vector3<float>& direction, float frequency_ratio, float solid_angle, float capped,
                            StarImage& image) {
@@ -57,7 +60,8 @@ ERGO_HD bool shining_image(const BlackbodyTable& colours, const StarLook& look, 
   return true;
 }
 
-//! An image that needs no rays: away from folds no star's disk shows, and both singular values of the map count as one. False where it is too faint.
+//! Computes an image that needs no rays. Returns false if it is too faint. Away from folds, disks
+//! of stars are not resolved, and both singular values of the map are taken as equal.
 ERGO_HD bool exact_image(const BlackbodyTable& colours, const StarLook& look, int number, const FieldStar& star,
                          const Vector3<float>& direction, float frequency_ratio, float solid_angle, SeenImage& found) {
   const float size = ::fabsf(solid_angle);

@@ -2,11 +2,12 @@
 
 namespace ergodome {
 
-//! Lanes read so many elements past the end of the arrays of stars.
+//! SIMD packs read up to this many elements past the end of the arrays of stars.
 inline constexpr int star_padding = 16;
 
-//! Stars by their place on the sky: in bands of equal height in z from the south pole up, in each by their azimuth. Cell `cell` of a band,
-//! of `cells` that are equally wide, has the stars first[band * cells + cell] to first[band * cells + cell + 1] - 1.
+//! Stars sorted by their position on the sky: in bands of equal height in z from the south pole up,
+//! and in each band by azimuth. A band has `cells` equally wide cells; cell c of band b has the
+//! stars first[b * cells + c] to first[b * cells + c + 1] - 1.
 struct StarBands {
   int bands;
   int cells;
@@ -15,17 +16,19 @@ struct StarBands {
   const float* illuminance;   //!< [lx]
 };
 
-//! Stars of at least `faintest` lx in some cells of some bands, and within planes through the sky's middle.
+//! Finds stars of at least `faintest` lx in some cells of some bands, and on the inner side of
+//! planes through the sky's center.
 struct StarSearchBatch {
   StarBands stars;
   int first_band;
   int last_band;       //!< the band after the last
   int first_cell;      //!< in 0 to cells - 1
-  int cell_count;      //!< `cells` at the most; they go on round the sky
-  float inward[4][3];  //!< unit vectors: stars have no negative part along any
+  int cell_count;      //!< at most `cells`; they wrap round the sky
+  float inward[4][3];  //!< unit normals of the planes: no star found is on the negative side of one
   float faintest;      //!< not negative
-  int* found;          //!< room for all stars: their numbers in the bands' order
-  int* count;          //!< of those found
+  //! Out: numbers of stars in the order of the bands; needs room for all stars.
+  int* found;
+  int* count;  //!< out: number of stars found
 };
 
 }  // namespace ergodome

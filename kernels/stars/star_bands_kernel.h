@@ -8,7 +8,7 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Finds the stars of cells within planes; there is one index, whose lanes are stars.
+//! Finds the stars of cells that lie within planes. Runs once, with stars as lanes.
 template <class T>
 struct SearchStars {
   using Mask = MaskOf<T>;
@@ -34,7 +34,7 @@ struct SearchStars {
   }
 
  private:
-  //! Adds what is found among some stars to the `count` that are found; returns how many these are then.
+  //! Appends the stars found in [first, last) to the `count` found before. Returns the new count.
   ERGO_HD int search(int first, int last, int count) const {
     const StarBands& stars = batch.stars;
     for (int at = first; at < last; at += lanes) {
@@ -54,7 +54,7 @@ struct SearchStars {
     return count;
   }
 
-  //! Arrays have room behind their last element for what lanes read there.
+  //! The arrays are padded for packs that read past their last element.
   ERGO_HD static T load(const float* from, int at) { return load_lanes<T>(from, at, at + lanes); }
 };
 

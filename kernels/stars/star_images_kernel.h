@@ -6,12 +6,14 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Finds images of stars by Newton's method on traced rays; index i stands for the images i * lanes, i * lanes + 1, ...
+//! Refines images of stars by Newton's method on traced rays; index i stands for the images i *
+//! lanes, i * lanes + 1, ...
 //!
-//! A ray with its derivatives along two directions across it tells where the image is to first order; a few of them tell it to the
-//! precision of the rays, and the last one's Jacobian is that of the image. Mostly one is enough: what a step leaves is told from how
-//! the map changes on the way, which is on the scale of the distance to the shadow's edge. Steps that are not short on that scale are
-//! made in the chart, where the lens is nearly linear.
+//! A ray with its derivatives along two perpendicular directions gives the image to first order. A
+//! few iterations reach the precision of the rays; the last ray's Jacobian is that of the image.
+//! Usually one iteration is enough: the error that a step leaves is estimated from the change of
+//! the map along it, which varies on the scale of the distance to the shadow's edge. Steps that are
+//! not short on that scale are made in the chart, where the lens is nearly linear.
 template <class T, class Camera = CameraStationOf<ScalarOf<T>>>
 struct FindStarImages {
   using D = Dual<T>;
@@ -35,7 +37,7 @@ struct FindStarImages {
             select(open, next.frequency_ratio, at.frequency_ratio),
             select(open, next.miss, at.miss),
             select(open, next.change, at.change)};
-      // A ray that did not come from the sky will not the next time either.
+      // A ray that does not come from the sky will not do so in the next round either.
       open = open & ((at.miss > T(S(batch.tolerance))) | (at.change > T(S(most_magnification_change)))) &
              (at.miss < T(S(1e29)));
     }
@@ -51,14 +53,16 @@ struct FindStarImages {
   }
 
  private:
-  //! What a step leaves of itself, over its length in distances to the edge and the ratio of the map's singular values: next to the
-  //! edge, 0.04 at the most of 6,000 images about a hole of spin 0.999, and elsewhere, next to caustics, one over the larger value.
-  //! And what it changes the magnification by, over that length and the smaller value, where it is below 1: for 99 % of them less, and
-  //! at the most 3.
+  //! Error that a step leaves, over the step's length in distances to the edge and over the ratio
+  //! of the map's singular values. Next to the edge it is at most 0.04 for 6,000 images about a
+  //! hole of spin 0.999; elsewhere, next to caustics, it is 1 over the larger value. `most_changed`
+  //! is the relative change of the magnification by a step, over that length and the smaller
+  //! singular value where that is below 1. For 99 % of the images it is less; it is at most 3.
   static constexpr double most_bent = 0.04;
   static constexpr double most_changed = 1.5;
-  //! How much less steps go along what hardly changes the sky, by the square of the way to the star: next to the shadow's edge what first
-  //! order leaves of the way across it is taken for much more along it. Values of 4 to 256 find the same images.
+  //! Damping of steps along directions that hardly change the sky, times the square of the distance
+  //! to the star. Next to the shadow's edge, the first-order error across it would otherwise cause
+  //! a much larger step along it. Values of 4 to 256 find the same images.
   static constexpr double far_damping = 32.0;
 
   struct State {
@@ -67,7 +71,7 @@ struct FindStarImages {
     T stretch;
     T frequency_ratio;
     T miss;
-    T change;  //!< of the magnification over the last step, as a part of it
+    T change;  //!< relative change of the magnification over the last step
   };
 
   template <class Part>
@@ -76,10 +80,11 @@ struct FindStarImages {
             load_lanes<T>(from[2], first, batch.count)};
   }
 
-  //! The direction n, a step along e1 and e2 on.
+  //! Returns the direction n moved by x along e1 and y along e2.
   ERGO_HD Vector3<T> moved(const Vector3<T>& n, const Vector3<T>& e1, const Vector3<T>& e2, const T& x, const T& y,
                            const T& scale) const {
-    // Shorter ones would but gain the rounding of the edge's table; and far from the edge there is nothing to gain.
+    // Shorter steps would only add the rounding of the edge's table, and far from the edge the
+    // chart brings no benefit.
     constexpr double short_step = 0.05;
     constexpr double far_from_edge = 0.3;
     const Vector3<T> straight = n + x * e1 + y * e2;
@@ -90,12 +95,13 @@ struct FindStarImages {
       return there;
     }
     const Vector3<T> in_chart = moved_in_chart({{n.x, e1.x, e2.x}, {n.y, e1.y, e2.y}, {n.z, e1.z, e2.z}}, x, y);
-    // Beside the chart's poles γ may be no number.
+    // Next to the chart's poles γ may be NaN.
     const MaskOf<T> known = bent & (dot(in_chart, in_chart) < T(S(2)));
     return {select(known, in_chart.x, there.x), select(known, in_chart.y, there.y), select(known, in_chart.z, there.z)};
   }
 
-  //! The same by the chart's coordinates, of which one is the logarithm of the distance to the edge: no step leads over it.
+  //! Makes the same step in the chart's coordinates. One of them is the logarithm of the distance
+  //! to the edge, so no step crosses the edge.
   ERGO_HD Vector3<T> moved_in_chart(const Vector3<D>& n, const T& x, const T& y) const {
     constexpr double most_e_folds = 1.0;
     const LensChart& chart = batch.chart.chart;
@@ -113,7 +119,7 @@ struct FindStarImages {
     const T zero(S(0));
     const T one(S(1));
     const Vector3<T>& n = at.n;
-    // Two directions across n.
+    // Two directions perpendicular to n.
     const auto steep = absolute(n.z) < T(S(0.9));
     const Vector3<T> axis = {select(steep, zero, one), zero, select(steep, one, zero)};
     const Vector3<T> across = cross(axis, n);
@@ -134,7 +140,8 @@ struct FindStarImages {
     const T square = dot(normal, normal);
     const T p = dot(j1, missing);
     const T q = dot(j2, missing);
-    // Levenberg and Marquardt's step: Newton's, but not where rounding would lead, along what hardly changes the sky.
+    // Levenberg-Marquardt step: Newton's step, but damped where rounding would dominate, along
+    // directions that hardly change the sky.
     const T damping =
         T(S(batch.settings.tolerance * batch.settings.tolerance)) + T(S(far_damping)) * dot(missing, missing);
     const T a = dot(j1, j1) + damping;
@@ -143,14 +150,14 @@ struct FindStarImages {
     const T inverse = one / maximum(square + damping * (a + c), T(S(1e-30)));
     T x = (c * p - b * q) * inverse;
     T y = (a * q - b * p) * inverse;
-    // Well within the star's disk: next to a caustic its middle may be far away.
+    // Well within the star's disk; next to a caustic the disk's center may be far away.
     const auto hit = dot(missing, missing) < hit_square;
     x = select(hit, zero, x);
     y = select(hit, zero, y);
     const T length = sqrt(x * x + y * y);
-    // Farther than this the first order means nothing.
+    // First order is meaningless beyond this distance.
     const T part = minimum(T(S(0.1)) / maximum(length, T(S(1e-30))), one);
-    // Light that hardly left the horizon of an extremal hole may have no derivatives that are numbers.
+    // Light that hardly escapes the horizon of an extremal hole may have non-finite derivatives.
     const MaskOf<T> usable = reached & (length < T(S(1e20)));
     x = select(usable, x * part, zero);
     y = select(usable, y * part, zero);
@@ -163,7 +170,7 @@ struct FindStarImages {
     const T left =
         minimum(part_of_way * (T(S(most_bent)) * larger + one) / smaller + damping / (smaller * smaller), one);
     const T change = minimum(T(S(most_changed)) * part_of_way / minimum(smaller, one), one);
-    // Below the tolerance itself there is nothing to gain.
+    // Below the tolerance there is nothing to improve.
     const auto close = length <= T(S(batch.tolerance));
     return {moved(n, e1, e2, x, y, scale),
             select(side < zero, -area, area),

@@ -4,13 +4,14 @@
 
 namespace ergodome {
 
-//! Light on the screen, at a point.
+//! A point of light on the screen.
 struct StarPoint {
   double x_px;
   double y_px;
   Vector3<float> light;   //!< picture value times pixels
-  Vector3<float> spikes;  //!< light of the spikes, of the same measure
-  int sheet = 0;          //!< of the picture, on which it is drawn: the only one, or a cube's face
+  Vector3<float> spikes;  //!< light of the spikes, in the same unit
+  //! Part of the picture on which it is drawn: 0, or the number of a cube's face.
+  int sheet = 0;
 };
 
 }  // namespace ergodome

@@ -5,7 +5,7 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Makes a point of image i.
+//! Converts image i to a point.
 struct PlaceImage {
   StarPointBatch batch;
 

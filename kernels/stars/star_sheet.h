@@ -9,30 +9,32 @@
 
 namespace ergodome {
 
-//! A part of a picture on which images of stars become points (render/stars/picture_sheets.h), and how these shine.
+//! A part of a picture on which images of stars become points
+//! (render/passes/stars/drawing/picture_sheets.h), and how they shine there.
 struct StarSheet {
   Projection projection;
   PixelCell cell;
   int number;
   float scale;             //!< picture value of a luminance of 1 cd/m²
-  float spikes_from;       //!< illuminance of the images that have spikes [lx]
-  float spike_strength;    //!< part of their light that is in these
-  double reach_px;         //!< how far light of a point goes
-  double spiked_reach_px;  //!< and of one that has spikes
+  float spikes_from;       //!< minimum illuminance of images with spikes [lx]
+  float spike_strength;    //!< fraction of their light that goes into the spikes
+  double reach_px;         //!< how far the light of a point reaches
+  double spiked_reach_px;  //!< how far that of a point with spikes reaches
 };
 
-//! Images of stars that become points on a sheet, image i point i. Arrays lie in the backend's memory.
+//! Converts images of stars to points on a sheet, image i to point i. Arrays lie in the backend's
+//! memory.
 struct StarPointBatch {
   StarSheet sheet;
   double frame_from_view[3][3];
-  const StarImage* images;  //!< a star of -1: none
-  StarPoint* points;        //!< those that are none lie beside all pictures
-  std::int32_t* spiked;     //!< counts those with spikes
+  const StarImage* images;  //!< entries with a star of -1 are unused
+  StarPoint* points;        //!< unused points lie outside all pictures
+  std::int32_t* spiked;     //!< number of points with spikes
 };
 
 inline namespace ERGO_TARGET {
 
-//! Where an observer's direction is on the screen; false where it is nowhere there.
+//! Computes the screen position [px] of a direction of the observer. Returns false if it has none.
 ERGO_HD bool place_on_screen(const Vector3<float>& n, const double (&frame_from_view)[3][3],
                              const Projection& projection, double& x, double& y) {
   const auto along = [&](int axis) {
@@ -42,7 +44,8 @@ ERGO_HD bool place_on_screen(const Vector3<float>& n, const double (&frame_from_
   return pixel_from_direction(projection, {along(0), along(1), along(2)}, x, y);
 }
 
-//! The point that light of an illuminance makes at a place of a sheet [px]; false where none of it may reach the picture.
+//! Computes the point for light of the given illuminance at position (x, y) of a sheet [px].
+//! Returns false if none of the light may reach the picture.
 ERGO_HD bool point_on_sheet(const StarSheet& sheet, double x, double y, const Vector3<float>& illuminance,
                             bool has_spikes, StarPoint& point) {
   const Projection& projection = sheet.projection;
@@ -61,7 +64,7 @@ ERGO_HD bool point_on_sheet(const StarSheet& sheet, double x, double y, const Ve
   return true;
 }
 
-//! Whether an image has spikes.
+//! Returns whether an image is bright enough for spikes.
 ERGO_HD bool has_spikes(const StarSheet& sheet, const Vector3<float>& illuminance) {
   return luminance_of(illuminance) >= sheet.spikes_from;
 }

@@ -5,7 +5,8 @@
 
 namespace ergodome {
 
-//! A bicubic patch by its control points, row after row along v: what it is within [0, 1]² lies in their convex hull, cones included.
+//! A bicubic patch, given by its control points, row after row along v. For (u, v) in [0, 1]² it
+//! lies in their convex hull, and in the convex cone that they span.
 struct BezierPatch {
   float x[16];
   float y[16];
@@ -14,12 +15,13 @@ struct BezierPatch {
 
 //! How a patch of a lens maps the chart to the sky.
 enum class PatchShape {
-  regular,  //!< nearly affine: Newton's method finds the only image of a star from anywhere
-  bent,     //!< one to one, but its middle does not speak for all of it
-  folded    //!< a critical curve may run through it: there may be several images, however bright
+  regular,  //!< nearly affine: Newton's method finds the only image of a star from any start
+  bent,     //!< one to one, but the Jacobian at its middle does not represent all of it
+  //! a critical curve may run through it: a star may have several images of any brightness.
+  folded
 };
 
-//! How far the Jacobian of a regular patch may be from its middle's, as a part of it.
+//! Upper limit of the relative deviation of a regular patch's Jacobian from that at its middle.
 inline constexpr float most_regular_change = 0.6F;
 
 inline namespace ERGO_TARGET {
@@ -29,7 +31,8 @@ ERGO_HD Vector3<double> control_point(const BezierPatch& patch, int i) {
 }
 
 namespace detail {
-//! Halves each of the four rows (axis 0) or columns (axis 1) of control points by de Casteljau's construction.
+//! Halves each of the four rows (axis 0) or columns (axis 1) of control points by de Casteljau's
+//! construction.
 template <class T>
 ERGO_HD void split_points(const T (&from)[16], int axis, T (&first)[16], T (&second)[16]) {
   const int along = axis == 0 ? 1 : 4;
@@ -57,7 +60,7 @@ ERGO_HD void split_points(const T (&from)[16], int axis, T (&first)[16], T (&sec
   }
 }
 
-//! Bernstein's cubics at t, and their derivatives.
+//! Computes the cubic Bernstein polynomials at t and their derivatives.
 template <class T>
 ERGO_HD void bernstein(const T& t, T (&basis)[4], T (&slope)[4]) {
   const T r = T(1.0F) - t;
@@ -79,7 +82,8 @@ struct FormValue {
   T value, by_u, by_v;
 };
 
-//! A coordinate of a patch; rows first, whose sums go through four columns at a time.
+//! Evaluates one coordinate of a patch with its derivatives. Sums along v first, so that four
+//! columns are summed at a time.
 template <class T, class Point>
 ERGO_HD FormValue<T> form_at(const Point (&points)[16], const T (&along_u)[4], const T (&slope_u)[4],
                              const T (&along_v)[4], const T (&slope_v)[4]) {
@@ -105,14 +109,15 @@ ERGO_HD FormValue<T> form_at(const Point (&points)[16], const T (&along_u)[4], c
 }
 }  // namespace detail
 
-//! The parts of a patch below and above the middle of u (axis 0) or v (axis 1).
+//! Splits a patch into its parts below and above the middle of u (axis 0) or v (axis 1).
 ERGO_HD void split(const BezierPatch& patch, int axis, BezierPatch& first, BezierPatch& second) {
   detail::split_points(patch.x, axis, first.x, second.x);
   detail::split_points(patch.y, axis, first.y, second.y);
   detail::split_points(patch.z, axis, first.z, second.z);
 }
 
-//! Where a patch has a star: p = q = 0 there. With derivatives along u and v.
+//! Offset (p, q) of a point of a patch from a star, with derivatives along u and v; p = q = 0 at an
+//! image of the star.
 template <class T>
 struct PlaneValue {
   T p, q;
@@ -125,7 +130,8 @@ ERGO_HD T determinant(const PlaneValue<T>& f) {
   return f.p_u * f.q_v - f.p_v * f.q_u;
 }
 
-//! A patch at (u, v), which may lie outside [0, 1]², as seen from a star at (a, b) in the plane z = 1: p = x - a z, q = y - b z.
+//! Evaluates a patch at (u, v), which may lie outside [0, 1]², as seen from a star at (a, b) in the
+//! plane z = 1: p = x - a z, q = y - b z.
 template <class T>
 ERGO_HD PlaneValue<T> seen_from(const BezierPatch& patch, const T& a, const T& b, const T& u, const T& v) {
   T along_u[4];
@@ -142,8 +148,9 @@ ERGO_HD PlaneValue<T> seen_from(const BezierPatch& patch, const T& a, const T& b
 }
 
 namespace detail {
-//! The greatest part by which derivatives of a patch along one axis are another than in its middle: the neighbours of control points are
-//! `step` farther, and those of `last` have none. T: a register whose lanes are control points.
+//! Returns the largest relative deviation of a patch's derivatives along one axis from those at its
+//! middle. `step`: index distance of neighboring control points along the axis; `last`: bit mask of
+//! control points without a next neighbor; T: a SIMD pack whose lanes are control points.
 template <class T>
 ERGO_HD float derivative_change(const BezierPatch& patch, const PlaneValue<float>& middle, int step, unsigned last) {
   constexpr int lanes = RealTraits<T>::lane_count;
@@ -161,7 +168,8 @@ ERGO_HD float derivative_change(const BezierPatch& patch, const PlaneValue<float
     };
     const T dp = difference(patch.x);
     const T dq = difference(patch.y);
-    // J⁻¹ times the control points of a derivative, less the unit vector that it should be.
+    // J⁻¹ times the control points of a derivative, minus the unit vector that it equals in an
+    // affine map.
     const T change = maximum(absolute((middle.q_v * dp - middle.p_v * dq) * scale - unit_u),
                              absolute((middle.p_u * dq - middle.q_u * dp) * scale - unit_v));
     greatest = maximum(greatest, select(mask_from_bits<T>(~last >> static_cast<unsigned>(i)), change, T(0.0F)));
@@ -174,8 +182,9 @@ ERGO_HD float derivative_change(const BezierPatch& patch, const PlaneValue<float
 }
 }  // namespace detail
 
-//! Whether the Jacobian of a patch, seen from its axis, is nearly the same all over: then it is one to one, and Newton's method from the
-//! middle ends at a star's place. T: a number, or a register of them.
+//! Returns whether the Jacobian of a patch, seen from its axis, is nearly constant. Such a patch is
+//! one to one, and Newton's method from its middle converges to a star's image. T: a number or a
+//! SIMD pack.
 template <class T>
 ERGO_HD bool is_regular(const BezierPatch& patch) {
   constexpr unsigned last_column = 0x8888U;

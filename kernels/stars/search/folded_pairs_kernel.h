@@ -6,8 +6,8 @@
 #include "kernels/stars/search/part_halving_kernel.h"
 #include "kernels/stars/search/part_solving_kernel.h"
 
-// The search for all places at which patches that may be folded hold stars, a part a thread: on the processor FoldedSearch (render/stars/folded_search.h)
-// works on registers of parts.
+// Finds all images of stars in patches that may be folded, one part per thread, on the GPU. On the
+// CPU, FoldedSearch (render/passes/stars/search/folded_search.h) works on packs of parts.
 namespace ergodome::inline ERGO_TARGET {
 
 namespace detail {
@@ -15,7 +15,7 @@ ERGO_HD const SearchedPair& folded_pair(const PatchSearchBatch& batch, int index
   return batch.pairs[static_cast<int>(PatchShape::folded)].at[batch.first_folded + index];
 }
 
-//! Whether the slice has so many pairs.
+//! Returns whether the slice has a pair with this index.
 ERGO_HD bool is_in_slice(const PatchSearchBatch& batch, int index) {
   const SharedList<SearchedPair>& pairs = batch.pairs[static_cast<int>(PatchShape::folded)];
   const int at = batch.first_folded + index;
@@ -23,7 +23,8 @@ ERGO_HD bool is_in_slice(const PatchSearchBatch& batch, int index) {
 }
 }  // namespace detail
 
-//! Shows the patch of a pair of the slice, which may be folded, as its star sees it: part i of the first list, and counts it there.
+//! Writes the patch of a folded pair, as its star sees it, to the first list of parts, and counts
+//! it there. `index`: the pair within the slice.
 struct SeeFoldedPair {
   PatchSearchBatch batch;
 
@@ -39,13 +40,14 @@ struct SeeFoldedPair {
     const SharedParts& to = batch.halved[0];
     const SeePatchesBatch see = {one, &patch.error, &halvings, {to.at + index, to.room, 0}};
     SeePatches<float>{see}(0);
-    // Numbers in a slice are exact in float.
+    // Indices within a slice are small enough to be exact in float.
     to.at[static_cast<long>(part_pair) * to.room + index] = static_cast<float>(index);
     count_up(to.count);
   }
 };
 
-//! Halves a part of those that have been halved `depth` times where its control points leave room for the star.
+//! Halves a part that has been halved `depth` times, and drops halves whose control points exclude
+//! the star.
 struct HalveSeenPart {
   PatchSearchBatch batch;
   int depth;
@@ -86,7 +88,7 @@ struct HalveSeenPart {
   }
 };
 
-//! Whether a part has told a root, and not that it has none.
+//! Returns whether an entry holds a root. Entries without one have an area of NaN.
 ERGO_HD bool is_root(const FoldedRoot& root) { return root.area == root.area; }
 
 //! Finds the roots of a part that is not to be halved, and counts them.
@@ -117,7 +119,7 @@ struct SolveSeenPart {
   }
 };
 
-//! Tells a pair the roots of a part.
+//! Lists the roots of a part for its pair.
 template <bool Folded>
 struct TellRoots {
   PatchSearchBatch batch;
@@ -139,7 +141,8 @@ struct TellRoots {
   }
 };
 
-//! Keeps the roots of pair i, each once; what is nearly affine first, as FoldedSearch does, since room for roots is short.
+//! Keeps each distinct root of pair `index`. Roots of nearly affine parts come first, as in
+//! FoldedSearch, since room for roots is limited.
 struct TakeRoots {
   PatchSearchBatch batch;
 
@@ -165,8 +168,9 @@ struct TakeRoots {
     return a.u < b.u || (a.u == b.u && (a.v < b.v || (a.v == b.v && a.area < b.area)));
   }
 
-  //! In the order of their places, as chance told them in another each time. Few are taken of what may be hundreds: what is refused once is refused for
-  //! good, so that the next one is the first that may be added.
+  //! Takes roots in the order of their positions, since threads list them in nondeterministic
+  //! order. Few of possibly hundreds are taken. A rejected root stays rejected, so each pass takes
+  //! the next root that is accepted.
   ERGO_HD static void take(const FoldedRoot* told, int told_count, int wanted, FoldedRoot (&taken)[most_roots],
                            int& count) {
     const int before = count;

@@ -7,7 +7,7 @@
 #include "kernels/stars/search/patch_search.h"
 #include "kernels/stars/search/search_rules.h"
 
-// What becomes of a root that a device's search has found.
+// Keeps the roots that the search on the GPU finds.
 namespace ergodome::inline ERGO_TARGET {
 
 namespace detail {
@@ -19,12 +19,14 @@ ERGO_HD void append(const SharedList<T>& list, const T& value) {
   }
 }
 
-//! A star as patches see it, which belong to a camera at φ = 0, and to one half of a mirrored sky.
+//! Rotates a star's direction to the frame of the patches, which belong to a camera at φ = 0, and
+//! mirrors it if they cover the other half of a mirrored sky.
 ERGO_HD Vector3<double> as_patches_see(const PatchSearchBatch& batch, const Vector3<double>& d, bool mirrored) {
   return {batch.cosine_phi * d.x + batch.sine_phi * d.y, batch.cosine_phi * d.y - batch.sine_phi * d.x,
           mirrored ? -d.z : d.z};
 }
-//! Sees an image that needs no rays as its observer does.
+//! Computes how the observer sees an image that needs no rays. Keeps it if it is in view and bright
+//! enough.
 ERGO_HD void judge(const PatchSearchBatch& batch, int number, const FieldStar& star, const ChartImage& image) {
   Vector3<float> direction{};
   float area = 0.0F;
@@ -49,7 +51,7 @@ ERGO_HD void judge(const PatchSearchBatch& batch, int number, const FieldStar& s
 }
 }  // namespace detail
 
-//! Keeps the image that a root of a pair's patch is, if it may be bright enough.
+//! Keeps the image at a root of a pair's patch if it may be bright enough.
 ERGO_HD void keep_root(const PatchSearchBatch& batch, const SearchedPair& pair, const FoldedRoot& root) {
   const StarPatch& patch = batch.patches[pair.patch];
   const FieldStar& star = batch.field.stars[pair.star];

@@ -6,24 +6,30 @@
 #include "kernels/core/vector3.h"
 #include "kernels/lens/grid_build.h"
 
+// Corrects images of stars in leaves of a lens grid by the displacements that traced rays have
+// measured there.
 namespace ergodome {
 
 //! An image of a star in a lens chart.
 struct ChartImage {
   float gamma_turns;
   float s;
-  float sky;  //!< solid angle of the stars' sky per area of the chart; negative where turned over [sr/turn]
+  //! Solid angle of the sky per area of the chart; negative for inverted parity [sr/turn].
+  float sky;
 };
 
-//! Leaves of a lens grid with what the checks of each found; see MendedGrid (render/stars/mended_grid.h).
+//! Leaves of a lens grid with the results of their checks; see MendedGrid
+//! (render/passes/stars/search/mended_grid.h).
 struct MendedLeaves {
-  const float* boxes;   //!< four a leaf: where in the chart it begins, γ [turns] and s, and its sides
-  const int* leaves;    //!< as LensGrid has them
-  const float* nodes;   //!< the same, as rays have them
-  const float* checks;  //!< displacements along γ at the checks of a leaf, then along s; nullptr: not known
+  //! Four a leaf: its corner in the chart, γ [turns] and s, its width and its height.
+  const float* boxes;
+  const int* leaves;   //!< corners, as in LensGrid
+  const float* nodes;  //!< nodes as in LensGrid, with the values of traced rays
+  //! Displacements along γ at the checks of a leaf, then along s; nullptr: unknown.
+  const float* checks;
 };
 
-//! In parts of a leaf's sides.
+//! A displacement within a leaf, in fractions of its sides.
 struct LeafDisplacement {
   float along_gamma;
   float along_s;
@@ -35,7 +41,7 @@ inline namespace ERGO_TARGET {
 namespace detail {
 inline constexpr int floats_of_checks = 2 * checks_a_cell;
 
-//! (t (1 - t))², 1 in the middle, and its derivative.
+//! (t (1 - t))², scaled to 1 in the middle, and its derivative.
 struct Quartic {
   float value, slope;
 };
@@ -47,7 +53,8 @@ ERGO_HD Quartic quartic(float t) {
 
 ERGO_HD float mixed(float a, float b, float t) { return a + t * (b - a); }
 
-//! A displacement along one axis: checks 1 and 2 are the middles of the sides at s0 and s1, 3 and 4 of those at γ0 and γ1.
+//! Interpolates a displacement along one axis. Checks 1 and 2 are the middles of the sides at s0
+//! and s1, 3 and 4 those at γ0 and γ1.
 ERGO_HD float blended(const float* c, const Quartic& along, const Quartic& across, float u, float v) {
   return along.value * mixed(c[1], c[2], v) + across.value * mixed(c[3], c[4], u);
 }
@@ -68,13 +75,15 @@ ERGO_HD LeafDisplacement leaf_displacement(const MendedLeaves& grid, int leaf, f
               along.value * (s[2] - s[1]) + across.slope * mixed(s[3], s[4], u)};
 }
 
-//! Moves an image of the star at the unit vector `star` from where a leaf's patch has it, about, to where its rays have it. False where it
-//! is farther off than first order reaches; then nothing is changed.
+//! Moves an image of the star at the unit vector `star` from its approximate position in a leaf's
+//! patch to where traced rays have it. Returns false, and changes nothing, if it is too far away
+//! for a first-order correction.
 ERGO_HD bool mend_image(const MendedLeaves& grid, int leaf, const Vector3<float>& star, ChartImage& image) {
-  // Steps that change the Jacobian [parts of a leaf], and how many of them are made.
+  // Newton steps below this length [fractions of a leaf] hardly change the Jacobian; and the
+  // maximum number of steps.
   constexpr float short_step = 2e-4F;
   constexpr int most_steps = 3;
-  // An image moves no farther.
+  // Maximum displacement of an image [fractions of a leaf].
   constexpr float longest_way = 0.1F;
   const float* const box = grid.boxes + 4 * static_cast<long>(leaf);
   const float width = box[2];
@@ -83,7 +92,7 @@ ERGO_HD bool mend_image(const MendedLeaves& grid, int leaf, const Vector3<float>
   float u = start[0];
   float v = start[1];
   float area = 0.0F;
-  // The patch of the search agrees with its neighbours; this one is that of the rays.
+  // The search uses a patch that agrees with its neighbors; this patch is that of the traced rays.
   for (int step = 0; step < most_steps; ++step) {
     const PatchValue patch = patch_value(grid.nodes, grid.leaves + 4 * static_cast<long>(leaf), u, v, width, height);
     const Vector3<float> sum = detail::scaled_xyz(patch.sky, 1.0F);
@@ -104,7 +113,7 @@ ERGO_HD bool mend_image(const MendedLeaves& grid, int leaf, const Vector3<float>
   const LeafDisplacement by = leaf_displacement(grid, leaf, u, v);
   u += by.along_gamma;
   v += by.along_s;
-  // False for what is not a number.
+  // Also false for NaN.
   if (!(::fabsf(u - start[0]) + ::fabsf(v - start[1]) < longest_way)) {
     return false;
   }

@@ -3,9 +3,11 @@
 #include "kernels/core/chosen_lanes.h"
 #include "kernels/stars/search/patch_pairs_kernel.h"
 
+// Halves parts of patches until Newton's method is safe in each; see seen_parts.h.
 namespace ergodome::inline ERGO_TARGET {
 
-//! Shows whole patches as their stars see them; index i stands for the pairs i * lanes, i * lanes + 1, ...
+//! Writes whole patches as their stars see them; index i stands for the pairs i * lanes, i * lanes
+//! + 1, ...
 template <class T>
 struct SeePatches {
   const SeePatchesBatch& batch;
@@ -29,7 +31,7 @@ struct SeePatches {
   }
 };
 
-//! Halves parts; there is one index, whose lanes are parts, as lists grow one register after another.
+//! Halves parts. Runs once, for all packs of parts in turn, because each pack appends to the lists.
 template <class T>
 struct HalveParts {
   using Mask = MaskOf<T>;
@@ -49,13 +51,13 @@ struct HalveParts {
   }
 
  private:
-  //! What is the same for both halves of parts.
+  //! Values that both halves inherit from their part.
   struct Whose {
     T pair, error, halvings;
-    unsigned open;  //!< lanes that hold parts
+    unsigned open;  //!< bit mask of the lanes that hold parts
   };
 
-  //! Parts are halved each way in turn.
+  //! Returns the axis of this halving; u and v alternate.
   [[nodiscard]] ERGO_HD int axis() const { return batch.depth % 2; }
 
   [[nodiscard]] ERGO_HD T load(int channel, int first) const {
@@ -77,12 +79,13 @@ struct HalveParts {
     sort(half[1], Axis == 0 ? u + T(size) : u, Axis == 1 ? v + T(size) : v, whose);
   }
 
-  //! Of a patch, along u (axis 0) or v (axis 1).
+  //! Returns the size of a part along u (axis 0) or v (axis 1) after `depth` halvings, as a
+  //! fraction of the patch.
   ERGO_HD static float part_size(int axis, int depth) {
     return 1.0F / static_cast<float>(1U << static_cast<unsigned>((depth + 1 - axis) / 2));
   }
 
-  //! Puts halves where they belong.
+  //! Appends halves to the lists that they belong to. Drops halves that cannot hold their star.
   ERGO_HD void sort(const SeenPatch<T>& half, const T& u, const T& v, const Whose& whose) const {
     const unsigned held = whose.open & mask_bits(may_hold_star(half, whose.error));
     if (held == 0) {
@@ -90,7 +93,7 @@ struct HalveParts {
     }
     const int depth = batch.depth + 1;
     const unsigned last = held & mask_bits(whose.halvings <= T(static_cast<float>(depth)));
-    // Asked every other time: the answer costs more than a halving.
+    // Tested every other time, as the test costs more than a halving.
     const unsigned asked = depth % 2 == 0 ? held : last;
     const unsigned regular = asked == 0 ? 0U : asked & mask_bits(is_regular(half));
     append(*batch.regular, half, u, v, whose, regular);
@@ -120,13 +123,13 @@ struct HalveParts {
     to.count += chosen.count();
   }
 
-  //! Lanes whose star lies within the box of the control points: a box along the part, as parts of a bent patch are slivers that point all
-  //! ways.
+  //! Returns the lanes whose star lies within a bounding box of the control points. The box is
+  //! aligned with the part, since parts of a bent patch are slivers in any direction.
   ERGO_HD static Mask may_hold_star(const SeenPatch<T>& part, const T& error) {
     T x;
     T y;
     const T length = long_way(part, x, y);
-    // Roots on a border belong to both sides, whatever rounding says.
+    // Roots on a border belong to both sides, in spite of rounding.
     const T slack = T(1e-3F) * length + error;
     const auto has_both_signs = [&](const T& of_p, const T& of_q) {
       T low = of_p * part.p[0] + of_q * part.q[0];
@@ -140,11 +143,12 @@ struct HalveParts {
       return (low <= slack) & (high >= -slack);
     };
     const Mask across = has_both_signs(-y, x);
-    // The narrow side sorts most out.
+    // The narrow direction excludes most parts.
     return any(across) ? across & has_both_signs(x, y) : across;
   }
 
-  //! The way in the plane along which parts are longer, about: unit vectors. Returns how long.
+  //! Computes the direction (x, y) in the plane along which each part is longest, approximately, as
+  //! unit vectors. Returns the lengths.
   ERGO_HD static T long_way(const SeenPatch<T>& part, T& x, T& y) {
     const auto from_to = [](const T(&at)[16], int a, int b, int c, int d) {
       return T(0.5F) * (at[b] + at[d] - at[a] - at[c]);

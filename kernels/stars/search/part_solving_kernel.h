@@ -5,7 +5,8 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Finds where parts of patches hold their stars; index i stands for the parts i * lanes, i * lanes + 1, ...
+//! Finds the images of stars in parts of patches; index i stands for the parts i * lanes, i * lanes
+//! + 1, ...
 template <class T>
 struct SolveParts {
   using Mask = MaskOf<T>;
@@ -18,7 +19,7 @@ struct SolveParts {
     const Place middle = {T(0.5F), T(0.5F)};
     const Mask all = T(0.0F) < T(1.0F);
     PatchRoot<T> root = newton_on_patch(patch, all, middle, batch.folded ? 1e6F : farthest_regular, rounds);
-    // Where a part is not regular, roots are found from beside it, too.
+    // Folded parts also accept roots outside of them.
     root.found = root.found & within_patch(root.at, batch.folded ? 1.0F : beyond_patch);
     if (batch.folded) {
       look_across_fold(first, patch, root);
@@ -36,7 +37,7 @@ struct SolveParts {
     return load_lanes<T>(batch.parts.at + channel * batch.parts.room, first, batch.parts.count);
   }
 
-  //! Tells the k-th root of parts.
+  //! Stores the k-th root of parts.
   ERGO_HD void store(int first, int k, const PatchRoot<T>& root) const {
     const T size_u = load(part_size_u, first);
     const T size_v = load(part_size_v, first);
@@ -50,8 +51,9 @@ struct SolveParts {
     put(batch.area, root.area / (size_u * size_v));
   }
 
-  //! Where the map is folded, images are born in pairs: one that is found has a twin across the fold, and where the fold passes a star
-  //! within the patch's error, there may be two.
+  //! Finds the second root of folded parts. At a fold, images appear in pairs, so a root has a twin
+  //! across the fold. If no root is found but the fold passes the star within the patch's error,
+  //! both are guessed.
   ERGO_HD void look_across_fold(int first, const SeenPatch<T>& patch, const PatchRoot<T>& root) const {
     const T zero(0.0F);
     const T error = load(part_error, first);
@@ -64,7 +66,7 @@ struct SolveParts {
     const Mask paired = may_be_off & root.found & (absolute(to_fold) < T(0.5F));
     const PatchRoot<T> twin = newton_on_patch(patch, paired, beside(T(2.0F) * to_fold), 1e6F, rounds);
     const Mask guessed = may_be_off & !root.found & (maximum(absolute(f.p), absolute(f.q)) < error);
-    // So far from the fold as the error may have moved it.
+    // The distance from the fold at which the error may place the two images.
     const T way = minimum(sqrt(T(2.0F) * error * fold.stretch / absolute(fold.slope)), T(0.25F));
     const auto or_guess = [&](const PatchRoot<T>& found, const Place& guess) {
       return PatchRoot<T>{{select(guessed, guess.u, found.at.u), select(guessed, guess.v, found.at.v)},
@@ -75,7 +77,8 @@ struct SolveParts {
     store(first, 1, or_guess(twin, beside(to_fold - way)));
   }
 
-  //! Where a part comes nearest to a star, by damped least squares; a root is that itself.
+  //! Returns the point of a part that is nearest to its star, by damped least squares; a root found
+  //! before is returned as it is.
   ERGO_HD static Place nearest(const SeenPatch<T>& patch, const PatchRoot<T>& root) {
     constexpr int steps = 10;
     constexpr float damping = 1e-4F;
@@ -102,11 +105,11 @@ struct SolveParts {
     return at;
   }
 
-  //! How a part is folded about a place.
+  //! The geometry of a fold near a point of a part.
   struct Fold {
-    T u, v;     //!< the direction that the map shrinks most
-    T slope;    //!< of the determinant along it
-    T stretch;  //!< of the map across it
+    T u, v;     //!< direction that the map shrinks most
+    T slope;    //!< derivative of the determinant along (u, v)
+    T stretch;  //!< stretch of the map across (u, v)
   };
 
   ERGO_HD static Fold fold_at(const SeenPatch<T>& patch, const Place& at, const PlaneValue<T>& f) {
@@ -114,7 +117,8 @@ struct SolveParts {
     const T square_u = f.p_u * f.p_u + f.q_u * f.q_u;
     const T square_v = f.p_v * f.p_v + f.q_v * f.q_v;
     const T both = f.p_u * f.p_v + f.q_u * f.q_v;
-    // Twice the angle of the direction that the map stretches most, by its cosine.
+    // Half-angle formulas: half / length is the cosine of twice the angle of the direction that the
+    // map stretches most.
     const T half = T(0.5F) * (square_u - square_v);
     const T length = maximum(sqrt(half * half + both * both), T(1e-30F));
     const T cosine = sqrt(maximum(T(0.5F) + T(0.5F) * half / length, T(0.0F)));

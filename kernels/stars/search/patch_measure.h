@@ -7,20 +7,21 @@
 
 namespace ergodome {
 
-//! What a patch does to solid angles and to light, from samples all over it.
+//! How a patch changes solid angles and light, from samples all over it.
 struct PatchMeasures {
-  float lowest_sky;       //!< least of the sky's signed area per chart area [1/turn]
-  float highest_sky;      //!< and greatest
-  float greatest_camera;  //!< most of the solid angle of the rain frame's camera per chart area [sr/turn]
-  float greatest_ratio;   //!< of the camera's to the sky's
-  float brightening;      //!< most of the observer's solid angles over the rain frame's
-  float frequency_ratio;  //!< greatest g, to the observer
-  Vector3<float> seen;    //!< the way to its middle in the observer's frame
-  float seen_radius;      //!< greatest distance from there, as a chord between unit vectors
-  bool regular;           //!< as in PatchShape, if it is not folded
+  float lowest_sky;   //!< minimum signed area of the sky per area of the chart [1/turn]
+  float highest_sky;  //!< and its maximum
+  //! Maximum solid angle of the rain frame's camera per area of the chart [sr/turn].
+  float greatest_camera;
+  float greatest_ratio;   //!< maximum ratio of the camera's solid angle to the sky's
+  float brightening;      //!< maximum ratio of the observer's solid angles to the rain frame's
+  float frequency_ratio;  //!< maximum g for the observer
+  Vector3<float> seen;    //!< direction to its middle in the observer's frame
+  float seen_radius;      //!< maximum distance from that direction, as a chord between unit vectors
+  bool regular;           //!< the patch is regular as in PatchShape, provided it is not folded
 };
 
-//! A patch in its own frame (PatchFrame), and its place in the chart.
+//! A patch to be measured, in its own frame (PatchFrame), and its rectangle in the chart.
 struct PatchMeasureBatch {
   const BezierPatch* patch;
   LensChart chart;
@@ -28,8 +29,9 @@ struct PatchMeasureBatch {
   float s;
   float width_turns;
   float height;
-  DirectionForm<float> energy;   //!< at infinity, of light that comes from a rain-frame direction with an energy of 1
-  AberrationOf<float> observer;  //!< to the rain frame
+  //! Energy at infinity of light that arrives from a rain-frame direction with energy 1.
+  DirectionForm<float> energy;
+  AberrationOf<float> observer;  //!< between the observer's frame and the rain frame
   PatchMeasures* out;
 };
 

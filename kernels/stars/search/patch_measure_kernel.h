@@ -6,14 +6,14 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Measures a patch; there is one index, whose lanes are samples.
+//! Measures a patch. Runs once, with samples as lanes.
 template <class T>
 struct MeasurePatch {
   const PatchMeasureBatch& batch;
 
   ERGO_HD void operator()(int /*index*/) const {
     Sums sums{T(infinite), T(-infinite), T(0.0F), T(0.0F), T(0.0F), T(0.0F), T(0.0F)};
-    // The middle's lot first: all others are seen from it.
+    // The pack with the middle comes first, since distances are measured from the middle.
     constexpr int middle_lot = middle_sample / lanes;
     const Vector3<T> beside = measure_lot(middle_lot, sums);
     const auto in_middle = [](const T& value) { return T(lane(value, middle_sample - lanes * middle_lot)); };
@@ -60,7 +60,7 @@ struct MeasurePatch {
     return most;
   }
 
-  //! Takes as many samples as there are lanes; returns the ways to them in the observer's frame.
+  //! Evaluates one pack of samples. Returns their directions in the observer's frame.
   ERGO_HD Vector3<T> measure_lot(int lot, Sums& sums) const {
     T u;
     T v;
@@ -78,7 +78,7 @@ struct MeasurePatch {
     sums.chord_square = maximum(sums.chord_square, dot(apart, apart));
   }
 
-  //! Takes samples; returns the way to them in the observer's frame.
+  //! Evaluates samples at (u, v). Returns their directions in the observer's frame.
   ERGO_HD Vector3<T> measure(const T& u, const T& v, Sums& sums) const {
     const T gamma_turns = u * batch.width_turns + T(batch.gamma_turns);
     const ChartStretch<T> stretch = chart_stretch(batch.chart, gamma_turns, v * batch.height + T(batch.s));
@@ -97,7 +97,8 @@ struct MeasurePatch {
     return look(rain, sums);
   }
 
-  //! What the observer sees in rain-frame directions, and where.
+  //! Updates the extremes by what the observer sees in rain-frame directions. Returns these
+  //! directions in the observer's frame.
   ERGO_HD Vector3<T> look(const Vector3<T>& rain, Sums& sums) const {
     const ObservedLight<T> light = observed_light(batch.observer, batch.energy, rain);
     sums.brightening = maximum(sums.brightening, light.brightening);

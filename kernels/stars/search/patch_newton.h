@@ -2,37 +2,41 @@
 
 #include "kernels/stars/search/seen_patch.h"
 
+// Newton's method for images of stars in patches.
 namespace ergodome::inline ERGO_TARGET {
 
-//! A place in a patch.
+//! A position in a patch.
 template <class T>
 struct PatchPlace {
   T u, v;
 };
 
-//! Where in a patch Newton's method ended.
+//! The point of a patch at which Newton's method ended.
 template <class T>
 struct PatchRoot {
   PatchPlace<T> at;
-  T area;  //!< of the plane over that of the unit square, there
+  T area;  //!< Jacobian determinant there: area in the plane per area of the unit square
   MaskOf<T> found;
 };
 
-//! In parts of what is searched: Newton's last step, which leaves no more than its square.
+//! Newton's method ends at a step shorter than this [fractions of the patch or part]; the remaining
+//! error is about its square.
 inline constexpr float settled_step = 1e-3F;
-//! Of Newton's method to a root inside a regular patch: half the patch, and as much of that as the Jacobian may change.
+//! Maximum first step of Newton's method in a regular patch: half the patch, plus the change that
+//! the Jacobian may have.
 inline constexpr float farthest_regular = 0.51F * (1.3F + most_regular_change);
-//! Images are sought so far beyond a patch, in parts of it: on borders, neither side may lose one.
+//! Images are also accepted this far outside a patch, as a fraction of it, so that none is lost on
+//! a border between two patches.
 inline constexpr float beyond_patch = 2e-3F;
 
-//! Lanes whose place lies within a patch, and `margin` beyond.
+//! Returns the lanes whose position lies within a patch enlarged by `margin`.
 template <class T>
 ERGO_HD MaskOf<T> within_patch(const PatchPlace<T>& at, float margin) {
   return (at.u > T(-margin)) & (at.u < T(1.0F + margin)) & (at.v > T(-margin)) & (at.v < T(1.0F + margin));
 }
 
-//! Seeks stars by Newton's method from a place in their patches. A first step longer than `farthest` ends it, and so does leaving the
-//! patch by more than its size.
+//! Seeks stars by Newton's method from a position in their patches. A lane ends without a root if
+//! its first step exceeds `farthest` or if it leaves the patch by more than the patch's size.
 template <class T>
 ERGO_HD PatchRoot<T> newton_on_patch(const SeenPatch<T>& patch, const MaskOf<T>& wanted, const PatchPlace<T>& from,
                                      float farthest, int rounds) {
@@ -47,9 +51,9 @@ ERGO_HD PatchRoot<T> newton_on_patch(const SeenPatch<T>& patch, const MaskOf<T>&
     const T du = (f.p * f.q_v - f.p_v * f.q) * inverse;
     const T dv = (f.p_u * f.q - f.p * f.q_u) * inverse;
     const T length = maximum(absolute(du), absolute(dv));
-    // The comparison is false for what is not a number.
+    // Also false for NaN.
     active = active & (length < T(round == 0 ? farthest : 1e6F));
-    // A step of nothing may be less than nothing by its sign.
+    // A length of zero may have a minus sign, and 0.5 / -0 is -∞.
     const T part = minimum(T(1.0F), T(0.5F) / maximum(length, T(1e-30F)));
     at.u = select(active, at.u - part * du, at.u);
     at.v = select(active, at.v - part * dv, at.v);

@@ -2,34 +2,38 @@
 
 #include "kernels/stars/search/bezier_patch.h"
 
+// Batches of pairs of a patch and a star, to find where in the patch the star is.
 namespace ergodome {
 
-//! Patches that map the chart one to one, each with a star that it may hold. Arrays hold `count` elements.
+//! Pairs of a patch and a star that it may hold. Arrays have `count` elements.
 struct PatchPairBatch {
   int count;
   const BezierPatch* const* patch;
-  const float* a;  //!< where the star is in the plane z = 1 of the patch
+  const float* a;  //!< position of the star in the plane z = 1 of the patch
   const float* b;
 };
 
-//! What a patch's border says about a star.
+//! Position of a star relative to the border of a patch.
 enum class PatchSide { outside, inside, beside };
 
-//! Tells for each pair whether the star is within the border of the patch's image: a patch that is one to one holds it, then.
+//! Finds for each pair whether the star is within the border of the patch's image on the sky. If
+//! so, a patch that is one to one holds the star.
 struct PatchSideBatch {
   PatchPairBatch pairs;
-  float* side;  //!< a PatchSide; `beside`: too near to the border to tell
+  float* side;  //!< a PatchSide; `beside`: too near to the border to decide
 };
 
 //! Seeks each star by Newton's method from the middle of its patch.
 struct PatchNewtonBatch {
   PatchPairBatch pairs;
-  float farthest;  //!< in parts of the patch: a first step longer than this ends it
+  float farthest;  //!< maximum first step, as a fraction of the patch
   int rounds;
-  float* found;  //!< 1 where it ended at a star, 0 elsewhere
-  float* u;      //!< where, though it be outside of [0, 1]²
+  float* found;  //!< 1 where the method has found the star, 0 elsewhere
+  float* u;      //!< position found, which may lie outside [0, 1]²
   float* v;
-  float* area;  //!< of the plane over that of the unit square, there; negative where the patch is turned over
+  //! Jacobian determinant there: area in the plane per area of the unit square; negative for
+  //! inverted parity.
+  float* area;
 };
 
 }  // namespace ergodome

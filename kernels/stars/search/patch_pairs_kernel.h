@@ -7,7 +7,8 @@
 namespace ergodome::inline ERGO_TARGET {
 
 namespace detail {
-//! One coordinate of the control points of the patches first, first + 1, ... of pairs, a patch in each lane.
+//! Gathers one coordinate of the control points `which` of the patches of pairs first, first + 1,
+//! ..., one patch per lane.
 template <class T, int Count>
 ERGO_HD void gather_points(const PatchPairBatch& pairs, int first, const float (BezierPatch::*points)[16],
                            const int (&which)[Count], T (&to)[Count]) {
@@ -21,7 +22,7 @@ ERGO_HD void gather_points(const PatchPairBatch& pairs, int first, const float (
   }
 }
 
-//! The patches of the pairs first, first + 1, ... as their stars see them.
+//! Returns the patches of the pairs first, first + 1, ... as their stars see them.
 template <class T>
 ERGO_HD SeenPatch<T> see_patches(const PatchPairBatch& pairs, int first) {
   constexpr int all[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
@@ -41,7 +42,8 @@ ERGO_HD SeenPatch<T> see_patches(const PatchPairBatch& pairs, int first) {
 }
 }  // namespace detail
 
-//! Seeks stars in patches by Newton's method; index i stands for the pairs i * lanes, i * lanes + 1, ...
+//! Seeks stars in patches by Newton's method; index i stands for the pairs i * lanes, i * lanes +
+//! 1, ...
 template <class T>
 struct InvertPatches {
   const PatchNewtonBatch& batch;
@@ -58,10 +60,11 @@ struct InvertPatches {
   }
 };
 
-//! Tells on which side of patches' borders stars are, by how often the border goes round the star; index i stands for the pairs
-//! i * lanes, i * lanes + 1, ...
+//! Finds on which side of patches' borders stars are, by the winding number of the border about the
+//! star; index i stands for the pairs i * lanes, i * lanes + 1, ...
 //!
-//! Each side is a cubic curve, taken for a chain of chords. What is nearer to a chord than the curve may be is beside the border.
+//! Each side is a cubic curve, approximated by chords. A star that is nearer to a chord than the
+//! curve may be counts as `beside`.
 template <class T>
 struct FindPatchSides {
   using Mask = MaskOf<T>;
@@ -69,7 +72,8 @@ struct FindPatchSides {
   const PatchSideBatch& batch;
 
   ERGO_HD void operator()(int index) const {
-    // Round the patch: along its first row, up the last column, back along the last row, down the first column.
+    // Round the patch: along its first row, up the last column, back along the last row, down the
+    // first column.
     constexpr int border[12] = {0, 1, 2, 3, 7, 11, 15, 14, 13, 12, 8, 4};
     const PatchPairBatch& pairs = batch.pairs;
     const int first = index * RealTraits<T>::lane_count;
@@ -82,7 +86,7 @@ struct FindPatchSides {
       length[side] = absolute(p[3 * side + 3] - p[3 * side]) + absolute(q[3 * side + 3] - q[3 * side]);
     }
     for (int side = 0; side < 4; ++side) {
-      // Images are sought beyond a side by parts of the patch across it.
+      // Images are accepted outside a side by a fraction of the patch's extent across that side.
       const T across = maximum(length[(side + 1) % 4], length[(side + 3) % 4]);
       go_along(p + 3 * side, q + 3 * side, across * (2.0F * beyond_patch) + T(rounding), round);
     }
@@ -92,16 +96,16 @@ struct FindPatchSides {
 
  private:
   static constexpr int chords = 8;
-  //! Of places on the sky, in float.
+  //! Rounding error of positions on the sky in float.
   static constexpr float rounding = 2e-7F;
 
-  //! What has been seen of a border on the way round it.
+  //! State of a walk round the border.
   struct Round {
-    T turns;  //!< about the star
+    T turns;  //!< winding number about the star
     Mask beside;
   };
 
-  //! Control points of a border as seen from the stars, the first once more at the end.
+  //! Loads the control points of a border as seen from the stars; the first is repeated at the end.
   ERGO_HD static void load_border(const PatchPairBatch& pairs, int first, const int (&border)[12], T (&p)[13],
                                   T (&q)[13]) {
     T x[12];
@@ -136,17 +140,18 @@ struct FindPatchSides {
     }
   }
 
-  //! How far a side may be from its chords at the most.
+  //! Returns an upper limit of the distance between a side and its chords.
   ERGO_HD static T chord_error(const T* p, const T* q) {
     const auto bend = [](const T* at) {
       return maximum(absolute(at[0] - T(2.0F) * at[1] + at[2]), absolute(at[1] - T(2.0F) * at[2] + at[3]));
     };
-    // A cubic's second derivative is at most 6 times these differences; a chord is off by an eighth of it times its square.
+    // A cubic's second derivative is at most 6 times these differences. A chord differs from it by
+    // at most an eighth of that times the square of the parameter's step.
     constexpr float chord_part = 6.0F / (8.0F * chords * chords);
     return (bend(p) + bend(q)) * chord_part;
   }
 
-  //! Goes along a chord.
+  //! Updates winding number and nearness for one chord.
   ERGO_HD static void pass(const T& from_p, const T& from_q, const T& to_p, const T& to_q, const T& slack,
                            Round& round) {
     const T zero(0.0F);

@@ -13,98 +13,106 @@
 
 namespace ergodome {
 
-//! Levels that a field of stars has at the most: each a quarter of the one before.
+//! Maximum number of levels of a star field; each has a quarter of the previous one's stars.
 inline constexpr int most_star_levels = 16;
 
-//! The brightest stars, by their place on the sky.
+//! The brightest stars, sorted by their position on the sky.
 struct StarLevel {
   StarBands stars;
-  const std::int32_t* number;  //!< in the field
-  const std::uint8_t* colour;  //!< class
-  float left_out;              //!< illuminance of the brightest that is not among them
+  const std::int32_t* number;  //!< number of each star in the field
+  const std::uint8_t* colour;  //!< class of each star
+  float left_out;              //!< illuminance of the brightest star that is not in this level
 };
 
-//! A field of stars as the search reads it (render/stars/star_field.h).
+//! A field of stars as the search reads it (render/passes/stars/star_field.h).
 struct SearchedField {
-  StarLevel levels[most_star_levels];  //!< all stars, and then fewer and fewer
+  StarLevel levels[most_star_levels];  //!< all stars first, then ever fewer
   int level_count;
   const FieldStar* stars;
-  const ShiftGain* gains;      //!< row by row
-  const float* greatest_gain;  //!< of the stars that there are, row by row
+  const ShiftGain* gains;      //!< one per row of shifts
+  const float* greatest_gain;  //!< maximum gain of the stars in the field, for each row
 };
 
 //! A star that a patch may hold.
 struct SearchedPair {
   std::int32_t patch;
-  std::int32_t star;  //!< in the field
+  std::int32_t star;  //!< number in the field
   float depth;        //!< cosine of the angle to the patch's axis
-  float a;            //!< where the star is in the plane z = 1 of the patch
+  float a;            //!< position of the star in the plane z = 1 of the patch
   float b;
   bool mirrored;
 };
 
-//! A list that many threads write at once; in which order, chance decides.
+//! A list to which many threads append in nondeterministic order.
 template <class T>
 struct SharedList {
   T* at;
   int room;
-  std::int32_t* count;  //!< of all that was to be written, also where there was no room for it
+  std::int32_t* count;  //!< elements appended, including those dropped for lack of room
 };
 
-//! Parts of patches as their stars see them (SeenParts), a list as above.
+//! Parts of patches as their stars see them (SeenParts), in a list like SharedList.
 struct SharedParts {
   float* at;
   int room;
   std::int32_t* count;
-  std::int32_t* lost;  //!< counts those of all lists for which there was no room
+  std::int32_t* lost;  //!< number of parts that any list has dropped for lack of room
 };
 
-//! Pairs of folded patches whose parts are searched together: so many as fill a device, so few that their parts do not fill its memory.
+//! Maximum number of pairs of folded patches that are searched together: enough to occupy a GPU,
+//! few enough for their parts to fit into its memory.
 inline constexpr int most_searched_together = 1 << 15;
 
-//! The search for images of stars in the patches of a lens, some threads a patch and then one a pair: for devices. On the processor
-//! RoughImageFinder works on registers of pairs.
+//! The search for images of stars in the patches of a lens, on the GPU: several threads per patch,
+//! then one per pair. On the CPU, RoughImageFinder works on packs of pairs.
 struct PatchSearchBatch {
   const StarPatch* patches;
   int patch_count;
-  int sides;                  //!< 2: the grid is half of a sky that is its own mirror image
-  int patch_threads;          //!< that look for a patch's stars, side by side: some patches hold thousands
-  Vector3<double> view_axis;  //!< the cone in which images are sought, in the observer's frame
-  double view_half_angle;     //!< [rad]
+  int sides;          //!< 2 if the grid covers half of a sky that is its own mirror image, else 1
+  int patch_threads;  //!< threads that share the stars of a patch, as some patches hold thousands
+  //! Axis of the cone in which images are sought, in the observer's frame.
+  Vector3<double> view_axis;
+  double view_half_angle;  //!< half angle of that cone [rad]
   double view_cosine;
   SkyTurn turn;  //!< to the camera's azimuth
   double sine_phi;
   double cosine_phi;
-  float faintest;  //!< illuminance below which images are left out [lx]
+  float faintest;  //!< images of lower illuminance are left out [lx]
   SearchedField field;
   MendedLeaves mended;
-  SharedList<SearchedPair> pairs[3];  //!< by the shape of the patch
-  //! What a device says of images that need no rays, where `judges`: these are found then, and not among the rough ones.
+  SharedList<SearchedPair> pairs[3];  //!< one list for each shape of patch
+  //! Images that need no rays are completed here and stored in `exact` instead of `images`. The
+  //! members from `chart` to `exact` serve this.
   bool judges;
   LensChart chart;
-  DirectionForm<float> energy;   //!< at infinity, of light that comes from a rain-frame direction with an energy of 1
-  AberrationOf<float> observer;  //!< to the rain frame
+  //! Energy at infinity of light that arrives from a rain-frame direction with energy 1.
+  DirectionForm<float> energy;
+  AberrationOf<float> observer;  //!< between the observer's frame and the rain frame
   BlackbodyTable colours;
   StarLook look;
   SharedList<SeenImage> exact;
   SharedList<RoughImage> images;
-  int deepest;       //!< halvings of a patch at the most
-  int first_folded;  //!< pairs of folded patches are searched a slice after another, of most_searched_together at the most
-  SharedParts halved[2];     //!< by turns: parts to be halved, and their halves
-  SharedParts plain_parts;   //!< nearly affine
+  int deepest;  //!< maximum number of halvings of a patch
+  //! First pair of the slice; a slice has at most most_searched_together pairs of folded patches.
+  int first_folded;
+  SharedParts halved[2];     //!< used alternately: parts to be halved, and their halves
+  SharedParts plain_parts;   //!< nearly affine parts
   SharedParts folded_parts;  //!< all others that are not to be halved
-  FoldedRoot* plain_roots;   //!< one of each of the plain parts; those that are none have an area that is not a number
-  FoldedRoot* folded_roots;  //!< two of each of the folded ones
-  //! How many roots each pair of a folded patch is told by plain parts and by folded ones, two numbers a pair; where they begin in `told`; and so
-  //! many as are there already.
+  FoldedRoot* plain_roots;   //!< one for each plain part; without a root its area is NaN
+  FoldedRoot* folded_roots;  //!< two for each folded part
+  //! Roots of each pair of a folded patch, in two lists: from plain parts, then from folded parts.
+  //! Each list has told_counts roots, which begin at told_first in `told`. While the lists are
+  //! filled, told_counts is the number of roots stored so far.
   std::int32_t* told_counts;
   std::int32_t* told_first;
   FoldedRoot* told;
 };
 
-//! The steps of the search, one after another: pairs of all patches, the roots of pairs by their patches' shapes; bent patches add to the pairs of folded
-//! ones. Those are halved again and again, side by side: a pair next to a fold has hundreds of parts, most have one. How many there are of most things the
-//! device alone knows: a step may be run for more, up to the room of their list.
+//! Steps of the search, in this order: pairs of all patches, then their roots by the shapes of the
+//! patches. Undecided pairs of bent patches are added to those of folded ones. Parts of folded
+//! pairs are halved repeatedly, in parallel: a pair next to a fold has hundreds of parts, most
+//! pairs have one. Most counts are only known on the GPU, so a step may be launched for as many
+//! elements as its list has room for.
 enum class PatchSearchStep {
   find_pairs,
   regular,

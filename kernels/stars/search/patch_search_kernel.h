@@ -4,10 +4,11 @@
 #include "kernels/stars/search/keep_root.h"
 #include "kernels/stars/search/patch_pairs_kernel.h"
 
+// The steps of the search for images of stars on the GPU.
 namespace ergodome::inline ERGO_TARGET {
 
-//! Finds the stars that a patch may hold, and that are bright enough: index i is thread i % patch_threads of side i / patch_threads, and side j is side
-//! j % sides of patch j / sides.
+//! Finds the stars that a patch may hold and that are bright enough. Index i is thread i %
+//! patch_threads of side i / patch_threads; side j is side j % sides of patch j / sides.
 struct FindPatchPairs {
   PatchSearchBatch batch;
 
@@ -56,7 +57,7 @@ struct FindPatchPairs {
                           static_cast<double>(patch.seen_radius));
   }
 
-  //! The fewest stars among which all are that have so much light.
+  //! Returns the smallest level that contains all stars of at least this illuminance.
   [[nodiscard]] ERGO_HD const StarLevel& level_for(float faintest) const {
     for (int i = batch.field.level_count - 1; i > 0; --i) {
       if (batch.field.levels[i].left_out < faintest) {
@@ -85,7 +86,8 @@ struct FindPatchPairs {
   }
 };
 
-//! Seeks the star of pair i in its patch, by Newton's method from the middle; bent patches that do not tell are left to the search of folded ones.
+//! Seeks the star of pair i in its patch by Newton's method from the middle. Undecided pairs of
+//! bent patches are left to the search of folded ones.
 template <PatchShape Shape>
 struct InvertPair {
   PatchSearchBatch batch;
@@ -127,7 +129,8 @@ struct InvertPair {
   }
 };
 
-//! Calls action(functor) with what a step does; `depth`: of the parts to be halved.
+//! Calls action(functor) with the functor of a step. `depth`: how often the parts to be halved have
+//! been halved before.
 template <class Action>
 inline void with_search_step(const PatchSearchBatch& batch, PatchSearchStep step, int depth, const Action& action) {
   switch (step) {

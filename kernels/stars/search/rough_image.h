@@ -2,30 +2,37 @@
 
 namespace ergodome {
 
-//! An image of a star, roughly: where the grid has it.
+//! An approximate image of a star, as read from the grid.
 struct RoughImage {
-  int star;           //!< in the field
+  int star;           //!< number in the field
   float gamma_turns;  //!< in [0, 1)
   float s;
-  float
-      sky;  //!< solid angle of the stars' sky per area of the chart there, about; negative where turned over [sr/turn]
-  float brighter;  //!< what it may be brighter by than that makes it out to be, as a factor
-  bool exact;      //!< it needs no rays
-  bool guessed;    //!< the star is so near to a caustic that the grid cannot tell whether there is one
+  //! Approximate solid angle of the sky per area of the chart; negative for inverted parity
+  //! [sr/turn].
+  float sky;
+  float brighter;  //!< factor by which it may be brighter than the grid indicates
+  bool exact;      //!< needs no refinement by rays
+  bool guessed;    //!< so near to a caustic that the grid cannot decide whether the image exists
 };
 
-//! Images of one star that a patch may hold at the most: two next to a fold, three next to a cusp, four about a small caustic.
+//! Maximum number of images of one star in a patch: two next to a fold, three next to a cusp, four
+//! around a small caustic.
 inline constexpr int most_roots = 6;
 
-//! Where a patch holds a star. No area: it is folded and so near to the star that it does not know, next to a caustic, whether it does.
+//! A root of a patch: a position whose light comes from the star. An area of 0 marks a guess: the
+//! patch is folded, and it passes the star so closely that its error leaves open whether the image
+//! exists.
 struct FoldedRoot {
-  float u, v;  //!< within [0, 1]² and a hair beyond, so that on a border neither side loses one
-  float area;  //!< of the patch's plane over that of the unit square, there; negative where the patch is turned over
+  float u, v;  //!< in [0, 1]² and slightly beyond, so that no root on a border is lost
+  //! Jacobian determinant: area in the plane per area of the unit square; negative for inverted
+  //! parity.
+  float area;
 };
 
-//! Roots that may be guesses; the rest of the room is for what Newton's method finds.
+//! Guesses are only added below this number of roots; the remaining room is for roots that Newton's
+//! method finds.
 inline constexpr int most_guesses = 4;
-//! Roots of a patch that are nearer to each other are one.
+//! Roots of a patch that are nearer to each other than this are the same root.
 inline constexpr float same_root = 2e-3F;
 
 }  // namespace ergodome

@@ -2,20 +2,23 @@
 
 #include "kernels/stars/search/patch_pairs.h"
 
+// Batches of the search in folded patches: parts of patches as stars see them, halved until
+// Newton's method is safe in each.
 namespace ergodome {
 
-//! Numbers that a part of a patch is to a star: its control points as seen from there, and whose it is. Arrays of all parts, one after
-//! another.
+//! The channels of a part of a patch: its control points as seen from the star, its position, and
+//! the pair that it belongs to. Each channel is an array over all parts.
 enum PartChannel : int {
   part_p = 0,   //!< 16 control points, row after row along v: p = x - a z
-  part_q = 16,  //!< and q = y - b z, which are both 0 where the star is
-  part_u = 32,  //!< where in the patch it begins
+  part_q = 16,  //!< and q = y - b z; both are 0 at the star
+  part_u = 32,  //!< where the part begins in the patch
   part_v = 33,
-  part_size_u = 34,  //!< how much of the patch it is; told of those that are not to be halved
+  part_size_u = 34,  //!< size as a fraction of the patch; not set for whole patches
   part_size_v = 35,
-  part_pair = 36,      //!< whose it is
-  part_error = 37,     //!< how far the patch may be from the sky, in its plane
-  part_halvings = 38,  //!< at most, until Newton's method is trusted though the part is not regular
+  part_pair = 36,   //!< index of the pair
+  part_error = 37,  //!< distance by which the patch may miss the sky, in its plane
+  //! Number of halvings after which Newton's method is used even if the part is not regular.
+  part_halvings = 38,
   part_channels = 39
 };
 
@@ -26,41 +29,44 @@ struct SeenParts {
   int count;
 };
 
-//! Whole patches as their stars see them. Halvings and error are told beside.
+//! Converts whole patches to what their stars see. Arrays have one element for each pair.
 struct SeePatchesBatch {
   PatchPairBatch pairs;
   const float* error;  //!< see PartChannel
   const float* halvings;
-  SeenParts whole;  //!< room for `pairs.count`
+  SeenParts whole;  //!< needs room for `pairs.count` parts
 };
 
-//! Room that a list of parts has to have behind its last one: registers are written whole.
+//! Extra room that a list of parts needs behind its last element, since packs are written whole.
 inline constexpr int part_padding = 16;
 
-//! Halves parts where their control points leave room for the star, down to those for which Newton's method is safe. All have been halved
-//! `depth` times.
+//! Halves parts that have been halved `depth` times, and sorts the halves whose control points may
+//! enclose the star into lists.
 struct HalvePartsBatch {
   SeenParts parts;
-  int first;  //!< of the parts taken
-  int last;   //!< behind them
+  int first;  //!< first part to be halved
+  int last;   //!< one past the last
   int depth;
-  // Lists have room for two of each part, and part_padding more.
+  // Each list needs room for two halves per part, plus part_padding.
   SeenParts* halves;   //!< to be halved again
   SeenParts* regular;  //!< nearly affine: Newton's method finds the only root
   SeenParts* folded;   //!< all others that are not to be halved
 };
 
-//! Roots that a part may give: next to a fold, one and its twin, or two that are guessed.
+//! Maximum number of roots of a part: a root and its twin across a fold, or two guesses.
 inline constexpr int most_part_roots = 2;
 
-//! Seeks stars in parts. Root k of part i is told at [k * count + i], of parts that are not folded the first alone.
+//! Seeks stars in parts. Root k of part i is stored at [k * count + i]; parts that are not folded
+//! have only root 0.
 struct SolvePartsBatch {
   SeenParts parts;
-  bool folded;   //!< they may be: roots are sought beside them, too, and across the fold
+  bool folded;   //!< parts may be folded: roots are also sought outside of them and across the fold
   float* found;  //!< 1 for a root, 0 for none
-  float* u;      //!< in the patch
+  float* u;      //!< position in the patch
   float* v;
-  float* area;  //!< of the plane over that of the patch's unit square; negative where it is turned over, 0 for a guess
+  //! Area in the plane per area of the patch's unit square; negative for inverted parity, 0 for a
+  //! guess.
+  float* area;
 };
 
 }  // namespace ergodome

@@ -6,14 +6,14 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Patches as stars see them, one in each lane: p = q = 0 where the star is.
+//! Patches as stars see them, one in each lane: p = q = 0 at the star.
 template <class T>
 struct SeenPatch {
   T p[16];
   T q[16];
 };
 
-//! Control points of the parts first, first + 1, ...
+//! Loads the control points of the parts first, first + 1, ...
 template <class T>
 ERGO_HD SeenPatch<T> load_patch(const SeenParts& parts, int first) {
   SeenPatch<T> patch;
@@ -25,7 +25,8 @@ ERGO_HD SeenPatch<T> load_patch(const SeenParts& parts, int first) {
   return patch;
 }
 
-//! A patch at (u, v), which may lie outside [0, 1]². The star is where it is seen from already.
+//! Evaluates patches at (u, v), which may lie outside [0, 1]². The patches are already relative to
+//! their stars.
 template <class T>
 ERGO_HD PlaneValue<T> seen_at(const SeenPatch<T>& patch, const T& u, const T& v) {
   T along_u[4];
@@ -39,14 +40,15 @@ ERGO_HD PlaneValue<T> seen_at(const SeenPatch<T>& patch, const T& u, const T& v)
   return {p.value, q.value, p.by_u, q.by_u, p.by_v, q.by_v};
 }
 
-//! Lanes in whose patch the Jacobian is nearly the same all over: then it is one to one, and Newton's method from the middle ends at the
-//! star's place.
+//! Returns the lanes whose patch has a nearly constant Jacobian. Such a patch is one to one, and
+//! Newton's method from its middle converges to the star's image.
 template <class T>
 ERGO_HD MaskOf<T> is_regular(const SeenPatch<T>& patch) {
   const T half(0.5F);
   const PlaneValue<T> middle = seen_at(patch, half, half);
   const T scale = T(3.0F) / determinant(middle);
-  // J⁻¹ times the control points of a derivative, less the unit vector that it should be.
+  // J⁻¹ times the control points of a derivative, minus the unit vector that it equals in an affine
+  // map.
   const auto change = [&](int from, int to, float unit_u, float unit_v) {
     const T dp = patch.p[to] - patch.p[from];
     const T dq = patch.q[to] - patch.q[from];

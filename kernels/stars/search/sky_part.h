@@ -3,30 +3,31 @@
 #include "kernels/core/host_device.h"
 #include "kernels/core/vector3.h"
 
+// Parts of the sky in which the search seeks the stars of a patch.
 namespace ergodome {
 
-//! Axes of the sky by which a patch is narrow: unit vectors across each other.
+//! Orthonormal axes of the sky, aligned with a patch.
 struct PatchFrame {
-  Vector3<double> first;   //!< the way the patch is long
-  Vector3<double> second;  //!< the way it is narrow
+  Vector3<double> first;   //!< along the patch's long side
+  Vector3<double> second;  //!< along its narrow side
   Vector3<double> axis;    //!< to its middle
 };
 
-//! What a part of the sky has of heights and azimuths.
+//! Range of heights and azimuths of a part of the sky.
 struct SkyBounds {
-  float low;          //!< least height z
-  float high;         //!< greatest
+  float low;          //!< minimum height z
+  float high;         //!< maximum height z
   float turns;        //!< where its azimuths begin, in [0, 1)
-  float width_turns;  //!< and how far they go on; 1 about a pole
+  float width_turns;  //!< range of azimuths; 1 about a pole
 };
 
-//! A frustum as stars are sought in it.
+//! A frustum in which stars are sought.
 struct SkyPart {
-  float inward[4][3];  //!< its four sides
+  float inward[4][3];  //!< inward normals of its four sides
   SkyBounds bounds;
 };
 
-//! A turn by φ about z.
+//! A rotation by φ about z.
 struct SkyTurn {
   float turns;  //!< in [0, 1)
   float sine;
@@ -35,7 +36,7 @@ struct SkyTurn {
 
 inline namespace ERGO_TARGET {
 
-//! The part after the sky's mirror image across the equator, if `mirrored`, and then a turn.
+//! Returns the part after mirroring it at the equator, if `mirrored`, and then rotating it.
 ERGO_HD SkyPart turned(const SkyPart& part, const SkyTurn& turn, bool mirrored) {
   SkyPart other;
   for (int side = 0; side < 4; ++side) {

@@ -6,20 +6,22 @@
 
 namespace ergodome {
 
-//! Images that were found, an image on a border from both sides, to be put together star by star, each once. Arrays lie in the backend's memory.
+//! Collects images star by star. An image on a border may have been found from both sides, and is
+//! kept once. Arrays lie in the backend's memory.
 struct StarTwinBatch {
-  const SeenImage* found[2];  //!< in two pieces; those whose star is -1 are none
+  const SeenImage* found[2];  //!< in two arrays; entries with a star of -1 are unused
   int found_count[2];
   int star_count;
-  double pixel;  //!< its angle [rad]
-  std::int32_t*
-      counts;  //!< of each star's images: zero before they are counted, and before their numbers are put in order
-  const std::int32_t* first;  //!< of a star's numbers, and one more, where the last one's end
+  double pixel;  //!< angle of a pixel [rad]
+  //! Images of each star; must be zero before the steps `count` and `number`.
+  std::int32_t* counts;
+  const std::int32_t* first;  //!< index of each star's first number; has star_count + 1 elements
   std::int32_t* numbers;
-  StarImage* images;  //!< as many as numbers, star by star; those that another has found as well have a star of -1
+  StarImage* images;  //!< as many as numbers, star by star; duplicates have a star of -1
 };
 
-//! What is done one after another: images are counted by their stars, their numbers put into the stars' order by what `first` has then, and taken.
+//! Steps, run in this order: count the images of each star, list their numbers at the offsets in
+//! `first`, and take each image once.
 enum class StarTwinStep { count, number, take };
 
 }  // namespace ergodome

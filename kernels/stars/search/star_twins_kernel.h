@@ -13,7 +13,7 @@ ERGO_HD const SeenImage& found_image(const StarTwinBatch& batch, int number) {
 }
 }  // namespace detail
 
-//! Counts an image among its star's, or numbers it there.
+//! Counts an image for its star, or lists its number there.
 template <bool Numbers>
 struct CountImage {
   StarTwinBatch batch;
@@ -30,7 +30,8 @@ struct CountImage {
   }
 };
 
-//! Takes the images of a star, in the order of their places, as chance numbered them; of those that are one the first.
+//! Takes the images of a star, sorted by position since they are numbered in nondeterministic
+//! order. Marks all but the first of equal images as duplicates.
 struct TakeImages {
   StarTwinBatch batch;
 
