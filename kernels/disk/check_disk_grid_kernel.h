@@ -4,7 +4,7 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Compares a disk's grid with traced rays at places of its chart.
+//! Compares a disk's grid with traced rays at positions of its chart.
 template <class T, bool WithPattern>
 struct CheckDiskGrid {
   DiskGridCheckBatch batch;
@@ -23,7 +23,8 @@ struct CheckDiskGrid {
   }
 
  private:
-  //! Takes the greatest displacement of all orders; false where none of the disk's images is near.
+  //! Finds the largest displacement of all orders at a position. Returns false if none of the
+  //! disk's images is near.
   ERGO_HD bool compare(const RaysOfDiskChart<T, WithPattern>& rays, int i, float gamma_turns, float s,
                        float& error_px) const {
     const LensGrid& cells = batch.grid.cells;
@@ -42,7 +43,7 @@ struct CheckDiskGrid {
       if (told && !leaf.flagged) {
         PatchValue value = patch_value(batch.grid.nodes[WithPattern ? order : 0], cells.leaves + 4 * leaf.number, at.u,
                                        at.v, leaf.width_turns, leaf.height);
-        // On the other side of the equator the way along γ is the opposite one.
+        // In the mirrored half, γ increases in the opposite direction.
         value.along_gamma = (over ? -1.0F : 1.0F) * value.along_gamma;
         error_px = maximum(error_px, miss.of(value, order, rays.layers[order], i, rays.screen(i)));
       } else if (seen && !told) {

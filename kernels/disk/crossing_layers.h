@@ -5,28 +5,37 @@
 #include "kernels/disk/layer_limits.h"
 #include "kernels/disk/lost_winding.h"
 
-// Where light crosses the equatorial plane, as functions of its direction that are smooth wherever the disk may be seen.
+// Where light crosses the equatorial plane, as functions of its direction that are smooth wherever
+// the disk may be seen.
 //
-// When light crosses the plane depends on its polar motion alone, and comes at a finite Mino time. So 1/r at the n-th crossing is smooth in the
-// direction, also from light that the hole takes to light that gets away, if it is followed past what counts: inwards from where no light turns any
-// more, and outwards from beyond the disk, it goes on straight, as if it had no force there, and azimuth and time with it. That keeps value and first
-// derivatives where it begins, and nothing becomes infinite at the horizon or far out.
+// When light crosses the plane depends only on its polar motion, and it does so at a finite Mino
+// time. So 1/r at the n-th crossing is a smooth function of the direction, even from light that the
+// hole captures to light that escapes, if 1/r is continued beyond the range that matters. Inwards
+// from where no light turns, and outwards from beyond the disk, 1/r, azimuth and time are continued
+// straight, as if no force acted. Values and first derivatives are continuous where that begins,
+// and nothing diverges at the horizon or far out.
 namespace ergodome::inline ERGO_TARGET {
 
-//! The crossing of one order; outside the bounds of LayerLimits what they say, without derivatives.
+//! The crossing of one order. Outside the bounds of LayerLimits, u is the bound, without
+//! derivatives.
 template <class T>
 struct CrossingLayer {
   T u;  //!< 1 / r [1/M]
-  T cosine;  //!< of the Boyer-Lindquist azimuth from the camera's, less the winding at u (horizon_winding.h); with the pattern alone
+  //! Of the Boyer-Lindquist azimuth relative to the camera's, minus the winding at u
+  //! (horizon_winding.h); only with the pattern.
+  T cosine;
   T sine;
-  T delay;           //!< coordinate time from emission to the camera, less the winding's [M]; with the pattern alone
-  T distance;        //!< affine distance from the camera [M]; where it is asked for
-  RealOf<T> u_rate;  //!< du/dλ, backwards: positive for light that was emitted outwards; with the distance alone
+  //! Coordinate time from emission to the camera, minus that of the winding [M]; only with the
+  //! pattern.
+  T delay;
+  T distance;  //!< affine distance from the camera [M]; only if Parts include it
+  //! Du/dλ, backwards: positive for light emitted outwards; only with the distance.
+  RealOf<T> u_rate;
 };
 
 namespace detail {
 
-//! Rates at which azimuth and time go on straight.
+//! Constant rates on the straight continuation of a ray.
 template <class T>
 struct StraightRates {
   T drag;
@@ -34,7 +43,7 @@ struct StraightRates {
   T distance;
 };
 
-//! Takes the force out of the series of the lanes that go on straight.
+//! Removes the force from the series of the lanes that are continued straight.
 template <int Order, class T, NearParts Parts>
 ERGO_HD void straighten(const MaskOf<RealOf<T>>& straight, const StraightRates<T>& rates,
                         NearSeries<Order, T, Parts>& s) {
@@ -58,7 +67,8 @@ ERGO_HD void straighten(const MaskOf<RealOf<T>>& straight, const StraightRates<T
   }
 }
 
-//! The h at which a series is zero, exact in the mixed part too: a second step of Newton's brings that.
+//! Returns the h at which a series is zero. It is exact in the mixed derivative, too, due to a
+//! second Newton step.
 template <int Order, class T>
 ERGO_HD T exact_time_to_zero(const T (&c)[Order], const RealOf<T>& side, const RealOf<T>& to) {
   const RealOf<T> start(ScalarOf<T>(0));
@@ -70,7 +80,7 @@ ERGO_HD T exact_time_to_zero(const T (&c)[Order], const RealOf<T>& side, const R
   }
 }
 
-//! Coefficients 0 and 1 of the series about an h with derivatives.
+//! Replaces coefficients 0 and 1 of the series by those about an h that has derivatives.
 template <int Order, class T, NearParts Parts>
 ERGO_HD void move_series_exactly(NearSeries<Order, T, Parts>& s, const T& h) {
   const auto move = [&h](auto& c) {
@@ -93,7 +103,7 @@ ERGO_HD void move_series_exactly(NearSeries<Order, T, Parts>& s, const T& h) {
   }
 }
 
-//! A layer of a 1/r alone.
+//! Returns a layer of which only u = 1/r is known.
 template <class T>
 ERGO_HD CrossingLayer<T> empty_layer(const T& u) {
   const RealOf<T> zero(ScalarOf<T>(0));
@@ -101,7 +111,8 @@ ERGO_HD CrossingLayer<T> empty_layer(const T& u) {
   return {u, none, none, none, none, zero};
 }
 
-//! Reads a layer from the series where the light is in the plane. What goes on straight has lost its winding where it began to.
+//! Reads a layer from the series at the h where the light is in the plane. Lanes that are continued
+//! straight have lost their winding where that began.
 template <int Order, class T, NearParts Parts>
 ERGO_HD CrossingLayer<T> layer_at(const LostWinding<T>& lost, const MaskOf<RealOf<T>>& straight,
                                   const NearSeries<Order, T, Parts>& s, const T& h) {
@@ -135,7 +146,8 @@ ERGO_HD void keep_layer(const Mask& mask, const CrossingLayer<T>& from, Crossing
         select(mask, from.u_rate, to.u_rate)};
 }
 
-//! Light in the plane of a camera that is in it crosses it where its neighbours do: its height has a size that does not matter, and a sign.
+//! Makes light that starts in the equatorial plane cross it where neighboring light does: its
+//! vertical rate gets a minimum size, which does not matter, and keeps its sign.
 template <class T>
 ERGO_HD NearRay<T> off_the_plane(const NearRay<T>& ray) {
   using S = ScalarOf<T>;
@@ -150,7 +162,7 @@ ERGO_HD NearRay<T> off_the_plane(const NearRay<T>& ray) {
   return lifted;
 }
 
-//! How the lanes of a register of rays stand.
+//! State of a pack of rays.
 template <class T>
 struct LayerState {
   using Real = RealOf<T>;
@@ -163,7 +175,8 @@ struct LayerState {
   StraightRates<T> rates;
 };
 
-//! Where a step ends: before its length, where 1/r leaves what counts. `leaves` receives the lanes that go on straight from there.
+//! Returns where a step ends: at `length`, or earlier where 1/r leaves the range that matters.
+//! `leaves` receives the lanes that are continued straight from there.
 template <int Order, class T, NearParts Parts>
 ERGO_HD T end_of_step(const NearSeries<Order, T, Parts>& s, const LayerLimits<ScalarOf<T>>& limits,
                       const RealOf<T>& length, const LayerState<T>& state, MaskOf<RealOf<T>>& leaves) {
@@ -176,7 +189,7 @@ ERGO_HD T end_of_step(const NearSeries<Order, T, Parts>& s, const LayerLimits<Sc
   const auto inwards = (end > Real(limits.near_u)) & (rate > zero);
   const auto outwards = (end < Real(limits.far_u)) & (rate < zero);
   leaves = (inwards | outwards) & (!state.straight) & state.active;
-  // Where it has been beyond already, it turned there, and the disk is far.
+  // A lane that began beyond the bound has turned there, and is far from the disk.
   const Real bound = select(inwards, Real(limits.near_u), Real(limits.far_u));
   const auto passes = leaves & ((inwards & (begin < bound)) | (outwards & (begin > bound)));
   if (!any(passes)) {
@@ -192,7 +205,8 @@ ERGO_HD T end_of_step(const NearSeries<Order, T, Parts>& s, const LayerLimits<Sc
   return select(passes, exit, T(length));
 }
 
-//! Takes the winding out of azimuth and time of lanes that go on straight from the state at h = 0 of a series that has been moved there by `h`.
+//! Removes the winding from azimuth and time of lanes that are continued straight from h = 0 of the
+//! series. `kept` receives their straight rates.
 template <int Order, class T, NearParts Parts>
 ERGO_HD void unwind(const LostWinding<T>& lost, const MaskOf<RealOf<T>>& leaves, const StraightRates<T>& rates,
                     NearSeries<Order, T, Parts>& s, StraightRates<T>& kept) {
@@ -204,7 +218,7 @@ ERGO_HD void unwind(const LostWinding<T>& lost, const MaskOf<RealOf<T>>& leaves,
   kept.delay = select(leaves, rates.delay - lost.delay * rate, kept.delay);
 }
 
-//! Looks for a crossing in a step, and counts it.
+//! Detects a crossing in a step, keeps its layer, and counts it.
 template <int Order, class T, NearParts Parts>
 ERGO_HD void meet_plane(const LostWinding<T>& lost, const NearSeries<Order, T, Parts>& s, const RealOf<T>& length,
                         LayerState<T>& state, CrossingLayer<T> (&layers)[crossing_orders]) {
@@ -223,7 +237,8 @@ ERGO_HD void meet_plane(const LostWinding<T>& lost, const NearSeries<Order, T, P
   state.side = side;
 }
 
-//! Ends lanes that have `orders` crossings, or are so far off the disk that the rest do not matter.
+//! Ends lanes that have `orders` crossings, or whose remaining crossings are so far from the disk
+//! that they do not matter.
 template <class T>
 ERGO_HD void end_layers(const T& u, const T& distance, const LayerLimits<ScalarOf<T>>& limits, int orders,
                         LayerState<T>& state, CrossingLayer<T> (&layers)[crossing_orders]) {
@@ -244,9 +259,11 @@ ERGO_HD void end_layers(const T& u, const T& distance, const LayerLimits<ScalarO
 
 }  // namespace detail
 
-//! Follows a ray to its first `orders` crossings of the equatorial plane, wherever they are; Parts says with what beside their places.
+//! Follows rays to their first `orders` crossings of the equatorial plane, wherever these are.
+//! `Parts`: what is computed beside their positions.
 //!
-//! False where a ray met the step limit. With MixedDual numbers all derivatives are exact ones.
+//! Returns false in lanes that reached the step limit. With MixedDual numbers all derivatives are
+//! exact.
 template <int Order, NearParts Parts, class T>
 ERGO_HD MaskOf<RealOf<T>> trace_layers(ScalarOf<T> spin, const NearRay<T>& start,
                                        const LayerLimits<ScalarOf<T>>& limits,
@@ -259,7 +276,8 @@ ERGO_HD MaskOf<RealOf<T>> trace_layers(ScalarOf<T> spin, const NearRay<T>& start
   const auto sees = has_been_outside(spin, ray);
   const auto within = begins_within(spin, ray);
   for (CrossingLayer<T>& layer : layers) {
-    // From within the horizon, where no light has been outside no other is near that has been far.
+    // Light within the horizon that has never been outside has no neighbors that come from far
+    // away.
     layer = detail::empty_layer(T(select(sees, Real(limits.lowest_u), Real(limits.highest_u))));
   }
   const Real scale =

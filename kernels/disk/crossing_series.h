@@ -2,18 +2,20 @@
 
 #include "kernels/near_rays/series_search.h"
 
-// What is read from a ray's series where it crosses the equatorial plane.
+// Reads the crossings of the equatorial plane from a ray's series.
 namespace ergodome::inline ERGO_TARGET {
 
-//! A place in the equatorial plane where light comes from.
+//! A position in the equatorial plane from which light comes.
 template <class T>
 struct EquatorialCrossing {
-  T u;       //!< 1 / r [1/M]; 0 where there is none. Without WithDelay also past infinity, u < 0, and past the horizon
-  T u_rate;  //!< du/dλ, backwards: positive for light that was emitted outwards
-  T x, y;    //!< (cosφ, sinφ) without frame dragging; with WithDelay alone
-  T drag;    //!< φ is the angle of (x, y) and this [rad]; with WithDelay alone
-  T delay;   //!< coordinate time from emission to the camera [M]; with WithDelay alone
-  RealOf<T> time;  //!< Mino time from there to the camera, for a photon that is seen with energy 1 [1/M]
+  //! 1 / r [1/M]; 0 if there is no crossing. Without WithDelay also past infinity, u < 0, and past
+  //! the horizon.
+  T u;
+  T u_rate;        //!< du/dλ, backwards: positive for light emitted outwards
+  T x, y;          //!< (cosφ, sinφ) without frame dragging; only with WithDelay
+  T drag;          //!< φ is the angle of (x, y) plus this [rad]; only with WithDelay
+  T delay;         //!< coordinate time from emission to the camera [M]; only with WithDelay
+  RealOf<T> time;  //!< Mino time from there to the camera, for a photon seen with energy 1 [1/M]
 };
 
 namespace detail {
@@ -22,7 +24,7 @@ constexpr NearParts disk_parts(bool with_delay) {
   return with_delay ? NearParts::azimuth_and_delay : NearParts::place_alone;
 }
 
-//! Writes a crossing where the mask holds.
+//! Stores a crossing in the lanes of a mask.
 template <class Mask, class T>
 ERGO_HD void keep_crossing(const Mask& mask, const EquatorialCrossing<T>& from, EquatorialCrossing<T>& to) {
   to = {select(mask, from.u, to.u),      select(mask, from.u_rate, to.u_rate), select(mask, from.x, to.x),
@@ -51,14 +53,15 @@ ERGO_HD EquatorialCrossing<T> crossing_at(const SeriesReading<T>& reading, const
   return crossing;
 }
 
-//! The sign of z, or another where it is 0.
+//! Returns the sign of z, or `otherwise` if z is 0.
 template <class Real>
 ERGO_HD Real side_of(const Real& z, const Real& otherwise) {
   using S = ScalarOf<Real>;
   return select(z > Real(S(0)), Real(S(1)), select(z < Real(S(0)), Real(S(-1)), otherwise));
 }
 
-//! Lanes whose light passes the horizon on the way to the end of a step, even if it turns behind it: what comes back is another universe's.
+//! Returns the lanes whose light passes the horizon before the end of a step, even if it turns
+//! behind it. Light that comes back is from another universe.
 template <int Order, class T, NearParts Parts>
 ERGO_HD MaskOf<RealOf<T>> falls_within(const NearSeries<Order, T, Parts>& s, const RealOf<T>& length,
                                        ScalarOf<T> horizon_r) {

@@ -2,22 +2,26 @@
 
 #include "kernels/lens/lens_chart.h"
 
-// A chart of a camera's whole sky, the shadow and all that is outside it: position angle γ about the shadow's centre [turns], and s in [0, 1].
+// A chart of a camera's whole sky, within the shadow and outside: position angle γ about the
+// shadow's center [turns], and s in [0, 1].
 //
-// With α the polar angle from that centre and α_e(γ) the shadow's edge, s = α (π - α_e) / (α (π - α_e) + α_e (π - α)): the centre is s = 0, the
-// edge s = 1/2, the direction opposite to the centre s = 1. Where light crosses the equatorial plane is smooth at the edge (it crosses at a finite
-// Mino time, whatever becomes of it after that), but changes across it faster and faster from order to order: so the edge is a line of the chart,
-// and cells there may be thin. Inverse: α = π α_e s / (π (1 - s) - α_e (1 - 2 s)).
+// With α the polar angle from that center and α_e(γ) the shadow's edge,
+//   s = α (π - α_e) / (α (π - α_e) + α_e (π - α)):
+// the center is s = 0, the edge s = 1/2, the direction opposite to the center s = 1. Where light
+// crosses the equatorial plane is a smooth function at the edge, since light crosses at a finite
+// Mino time, whatever becomes of it later. But across the edge that function changes faster from
+// order to order. So the edge is a line of the chart, and cells there may be thin. Inverse: α = π
+// α_e s / (π (1 - s) - α_e (1 - 2 s)).
 namespace ergodome::inline ERGO_TARGET {
 
-//! Where a direction lies in the chart, with its derivatives.
+//! Position of a direction in the chart, with its derivatives.
 template <class T>
 struct DiskPlace {
   Dual<T> gamma_turns;  //!< in [0, 1)
   Dual<T> s;
 };
 
-//! Place of a unit direction of the rain frame.
+//! Returns the position of a unit direction of the rain frame.
 template <class T>
 ERGO_HD DiskPlace<T> disk_place(const EdgeCurve& edge, const Vector3<Dual<T>>& n) {
   using S = ScalarOf<T>;
@@ -26,7 +30,8 @@ ERGO_HD DiskPlace<T> disk_place(const EdgeCurve& edge, const Vector3<Dual<T>>& n
   const D c = along(edge.centre);
   const D p = along(edge.first);
   const D q = along(edge.second);
-  // At the chart's poles γ means nothing; a square of the sine that is not quite 0 keeps its derivative a number.
+  // At the chart's poles γ is meaningless. The small addition keeps the derivative of the sine
+  // finite.
   const D square = p * p + q * q + D(T(S(1e-30)));
   const D sine = sqrt(square);
   const T inverse_square = S(1) / square.value;
@@ -46,7 +51,7 @@ ERGO_HD DiskPlace<T> disk_place(const EdgeCurve& edge, const Vector3<Dual<T>>& n
   return {select(negative, turns + T(S(1)), turns), s};
 }
 
-//! α at a place, with its derivatives along γ [turns] and s.
+//! Returns α at a position, with its derivatives along γ [turns] and s.
 template <class T>
 ERGO_HD MixedDual<T> disk_polar_angle(const EdgeCurve& edge, const T& gamma_turns, const T& s) {
   using S = ScalarOf<T>;

@@ -3,22 +3,26 @@
 #include "kernels/core/arithmetic.h"
 #include "kernels/spacetime/kerr/kerr.h"
 
-// Matter of a thin equatorial disk that runs along +φ, on circular geodesics; against the hole's spin where that is negative. (Bardeen, Press &
-// Teukolsky 1972, section II; inside the last stable orbit Cunningham 1975.)
+// Matter of a thin equatorial disk on circular geodesics along +φ; a negative spin means that it
+// orbits against the hole's rotation. (Bardeen, Press & Teukolsky 1972, section II; inside the
+// innermost stable orbit Cunningham 1975.)
 namespace ergodome {
 
 //! How matter moves in the equatorial plane.
 template <class S>
 struct DiskFlow {
   S spin;
-  S stable_r;  //!< innermost stable orbit [M]; inside it matter falls with that orbit's energy and angular momentum
-  S energy;    //!< of that orbit, for mass 1
+  //! Innermost stable orbit [M]; inside it matter falls with that orbit's energy and angular
+  //! momentum.
+  S stable_r;
+  S energy;                  //!< of that orbit, for mass 1
   S axial_angular_momentum;  //!< of that orbit [M]
 };
 
 inline namespace ERGO_TARGET {
 
-//! E and L_z of a circular orbit along +φ at radius r, for mass 1. Bardeen, Press & Teukolsky (1972), eqs. 2.12 and 2.13.
+//! Energy and L_z of a circular orbit along +φ at radius r, for mass 1. Bardeen, Press & Teukolsky
+//! (1972), eqs. 2.12 and 2.13.
 struct CircularOrbit {
   double energy;
   double axial_angular_momentum;
@@ -31,7 +35,8 @@ ERGO_HD CircularOrbit circular_orbit(double spin, double r) {
   return {(1.0 - 2.0 / r + swirl) / norm, root * (1.0 - 2.0 * swirl + spin * spin / (r * r)) / norm};
 }
 
-//! The disk's flow about a hole. With |a| = 1 along +φ the last stable orbit is the horizon, and nothing falls from it.
+//! Returns the flow of the disk about a hole. For spin 1 the innermost stable orbit is the horizon,
+//! and no matter falls from it.
 ERGO_HD DiskFlow<double> make_disk_flow(double spin) {
   const double r = innermost_stable_radius(spin, 1.0);
   // The limits of 0 / 0 as a goes to 1.
@@ -47,17 +52,18 @@ ERGO_HD DiskFlow<S> converted_flow(const DiskFlow<double>& f) {
           static_cast<S>(f.axial_angular_momentum)};
 }
 
-//! Light at the disk, with the energy at infinity that goes with an observed energy of 1.
+//! Light at the disk, scaled to an observed energy of 1.
 template <class S>
 struct DiskLight {
-  S r;                       //!< where it left [M]
-  S energy;                  //!< E
+  S r;                       //!< radius of emission [M]
+  S energy;                  //!< E at infinity
   S axial_angular_momentum;  //!< L_z [M]
   S shear_constant;          //!< K = Q + (L - a E)² [M²]
-  bool outwards;             //!< it left with r growing
+  bool outwards;             //!< emitted with growing r
 };
 
-//! ν_emitted / ν_observed for matter on a circular geodesic along +φ: u^t (E - Ω L). Infinite at and inside the photon orbit, where there is none.
+//! Returns ν_emitted / ν_observed = u^t (E - Ω L) for matter on a circular geodesic along +φ;
+//! infinite at and inside the photon orbit, where there is no such geodesic.
 template <class S>
 ERGO_HD S circular_frequency(S spin, const DiskLight<S>& light) {
   const S swirl = light.r * sqrt(light.r);  // r^(3/2)
@@ -69,14 +75,14 @@ ERGO_HD S circular_frequency(S spin, const DiskLight<S>& light) {
 
 namespace detail {
 
-//! Δ, from its factors: next to the horizon of a fast hole the sum has few digits.
+//! Returns Δ from its factors, since the sum loses digits next to the horizon of a fast hole.
 template <class S>
 ERGO_HD S lapse_at(S spin, S r) {
   const S half_gap = safe_sqrt((S(1) - spin) * (S(1) + spin));
   return (r - S(1) - half_gap) * (r - S(1) + half_gap);
 }
 
-//! X = (r² + a²) E - a L, above 0 for all light outside the horizon.
+//! Returns X = (r² + a²) E - a L, which is above 0 for all light outside the horizon.
 template <class S>
 ERGO_HD S moment_of(S spin, const DiskLight<S>& light) {
   return light.r * light.r * light.energy - spin * (light.axial_angular_momentum - spin * light.energy);
@@ -84,19 +90,21 @@ ERGO_HD S moment_of(S spin, const DiskLight<S>& light) {
 
 }  // namespace detail
 
-//! Whether light with these constants can be at its radius at all: X > 0, and X² >= Δ K.
+//! Returns whether light with these constants can exist at its radius: X > 0, and X² >= Δ K.
 template <class S>
 ERGO_HD bool can_be_there(S spin, const DiskLight<S>& light) {
   const S x = detail::moment_of(spin, light);
   return x > S(0) && x * x >= detail::lapse_at(spin, light.r) * light.shear_constant;
 }
 
-//! The same for matter that falls from the innermost stable orbit r_s. With X, W the photon's r² + a² times E less a L, and dr/dλ, and P, V the
-//! matter's:
-//!   r² ν = (X P ± W V) / Δ - (L_m - a E_m)(L - a E),     W² = X² - Δ K,   V² = P² - Δ M = 2 r (r_s - r)³ / (3 r_s),   M = r² + (L_m - a E_m)²,
-//! with - for light that goes inwards, where W V all but cancels X P beside the horizon, and
+//! Returns ν_emitted / ν_observed for matter that falls from the innermost stable orbit r_s. With X
+//! = (r² + a²) E - a L and W = dr/dλ of the photon, and P and V the same of the matter:
+//!   r² ν = (X P ± W V) / Δ - (L_m - a E_m)(L - a E),     W² = X² - Δ K,
+//!   V² = P² - Δ M = 2 r (r_s - r)³ / (3 r_s),     M = r² + (L_m - a E_m)²,
+//! with - for light that goes inwards, where W V nearly cancels X P next to the horizon, and
 //!   (X P - W V) / Δ = (K V² + M X²) / (X P + W V).
-//! Light that cannot be there, to where a pixel's straight footprint has led it, is taken for light that turns there: its ν is above 0, too.
+//! A linear footprint may lead to a radius where the light cannot exist. The light is then taken to
+//! turn there, which keeps its ν above 0.
 template <class S>
 ERGO_HD S plunging_frequency(const DiskFlow<S>& flow, const DiskLight<S>& light) {
   const S a = flow.spin;
@@ -109,13 +117,14 @@ ERGO_HD S plunging_frequency(const DiskFlow<S>& flow, const DiskLight<S>& light)
   const S m = r2 + skew * skew;
   const S way = maximum(flow.stable_r - light.r, S(0));
   const S v2 = S(2) / S(3) * (light.r / flow.stable_r) * (way * way * way);
-  // P itself is a difference that is small about a fast hole.
+  // P itself is a difference that loses digits about a fast hole.
   const S both = x * sqrt(v2 + delta * m) + safe_sqrt(x * x - delta * k) * sqrt(v2);
   const S apart = light.outwards ? both / delta : (k * v2 + m * (x * x)) / both;
   return (apart - skew * light_skew) / r2;
 }
 
-//! ν_emitted / ν_observed anywhere outside the horizon: circular down to the innermost stable orbit, falling inside it.
+//! Returns ν_emitted / ν_observed anywhere outside the horizon: on circular orbits down to the
+//! innermost stable one, falling inside it.
 template <class S>
 ERGO_HD S disk_frequency(const DiskFlow<S>& flow, const DiskLight<S>& light) {
   return light.r >= flow.stable_r ? circular_frequency(flow.spin, light) : plunging_frequency(flow, light);

@@ -4,9 +4,11 @@
 #include "kernels/disk/disk_chart.h"
 #include "kernels/disk/disk_miss.h"
 
+// Traces and checks the nodes of a disk's grid.
 namespace ergodome::inline ERGO_TARGET {
 
-//! Traces the nodes of a disk's grid with their derivatives; index i stands for the nodes i * lanes, i * lanes + 1, ...
+//! Traces the nodes of a disk's grid with their derivatives; index i stands for the nodes i *
+//! lanes, i * lanes + 1, ...
 template <class T, bool WithPattern>
 struct TraceDiskNodes {
   using M = MixedDual<T>;
@@ -39,7 +41,7 @@ struct TraceDiskNodes {
   }
 
  private:
-  //! The nodes' second set, by a ray that carries the affine distance and no more.
+  //! Traces the affine distances of the nodes, by rays that carry only that.
   ERGO_HD void trace_nearness(const Vector3<M>& n, int first) const {
     CrossingLayer<M> layers[crossing_orders];
     detail::trace_grid_layers<NearParts::distance>(batch.camera, n, layers);
@@ -60,7 +62,7 @@ struct TraceDiskNodes {
     }
   }
 
-  //! A node of whose distance nothing is known says nothing of its place either: checks find that out.
+  //! Discards the crossing of a node whose distance is unknown; the checks then detect the error.
   ERGO_HD void forget(int node, int order) const {
     float* const place = batch.nodes[WithPattern ? order : 0] + floats_a_node * static_cast<long>(node);
     put(place + (WithPattern ? 0 : order), M(T(0.0F)), 0, batch.camera.limits.lowest_u);
@@ -72,7 +74,8 @@ struct TraceDiskNodes {
            1e30F;
   }
 
-  //! A number and its derivatives, or where it is none `otherwise`, if that is not 0.
+  //! Writes a number and its derivatives. If `otherwise` is not 0, writes that without derivatives
+  //! instead.
   ERGO_HD static void put(float* to, const M& a, int i, float otherwise) {
     const bool good = !(::fabsf(otherwise) > 0.0F);
     to[0] = good ? lane(a.value, i) : otherwise;
@@ -117,10 +120,10 @@ struct CheckDiskCells {
   }
 
  private:
-  //! What float leaves of a direction [rad]: errors of this size are not the grid's.
+  //! Rounding error of a direction in float [rad]: errors of this size are not the grid's.
   static constexpr float noise = 4e-7F;
 
-  //! Where a check lies in its cell, and in the chart.
+  //! Position of a check in its cell and in the chart.
   struct CellPlace {
     float u;
     float v;
@@ -138,7 +141,7 @@ struct CheckDiskCells {
     return {u, v, cell.gamma_turns + u * cell.width_turns, cell.s + v * cell.height};
   }
 
-  //! The greatest displacement of all orders at a check.
+  //! Returns the largest displacement of all orders at a check.
   ERGO_HD float compare(int check, int i, const RaysOfDiskChart<T, WithPattern>& rays) const {
     const GridCell& cell = batch.cells[check / checks_a_cell];
     const CellPlace at = place_of(check);

@@ -5,24 +5,25 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! One lane's place in the cells of a disk's grid, and how it changes along the image's rows and columns.
+//! Position of one lane in the cells of a disk's grid, with its derivatives along the image's rows
+//! and columns.
 struct DiskLanePlace {
   float gamma_turns;
   float s;
   float gamma_along_x, gamma_along_y;
   float s_along_x, s_along_y;
 
-  //! What changes so along γ and s, along the image's rows.
+  //! Converts derivatives along γ and s to the derivative along the image's rows.
   [[nodiscard]] ERGO_HD float along_x(float along_gamma, float along_s) const {
     return along_gamma * gamma_along_x + along_s * s_along_x;
   }
-  //! And along its columns.
+  //! Converts derivatives along γ and s to the derivative along the image's columns.
   [[nodiscard]] ERGO_HD float along_y(float along_gamma, float along_s) const {
     return along_gamma * gamma_along_y + along_s * s_along_y;
   }
 };
 
-//! A grid of half the sky is read at -γ for the other half.
+//! Returns the position of lane `i`. A grid of half the sky is read at -γ for the other half.
 template <class T>
 ERGO_HD DiskLanePlace disk_lane_place(const LensGrid& cells, const DiskPlace<T>& place, int i) {
   const float turns = lane(place.gamma_turns.value, i);

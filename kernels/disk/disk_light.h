@@ -3,11 +3,12 @@
 #include "kernels/disk/disk_look.h"
 #include "kernels/disk/equatorial_crossings.h"
 
+// Light of the disk as a pixel sees it.
 namespace ergodome::inline ERGO_TARGET {
 
 namespace detail {
 
-//! ln T at a radius.
+//! Returns ln T at a radius.
 ERGO_HD float log_temperature_at(const DiskProfileTable& table, float r) {
   const float place = sqrt(maximum(1.0F - table.first_r / r, 0.0F)) / table.step;
   const float clamped = minimum(place, static_cast<float>(table.count - 1));
@@ -17,14 +18,16 @@ ERGO_HD float log_temperature_at(const DiskProfileTable& table, float r) {
   return ::logf(maximum(temperature, 1e-3F));
 }
 
-//! The part of a disk that a pixel sees: how much of it the pixel is covered by, and the radius in its middle.
+//! The part of a disk that a pixel sees: the covered fraction of the pixel, and the radius in the
+//! middle of that part.
 struct DiskSpan {
   float coverage;
   float r;
 };
 
-//! `width` is how far u = 1/r changes across the pixel: edges cover it by the radii that lie between them. In u the map of pixels to the
-//! plane is smooth past infinity, so that images that are finer than a pixel have their share of it.
+//! Returns the part of the disk that a pixel sees at u = 1/r. `width`: change of u across the
+//! pixel. The coverage is that of the radii between the disk's edges. In u the map of pixels to the
+//! plane is smooth past infinity, so images finer than a pixel get their share of it.
 ERGO_HD DiskSpan disk_span(float inner_r, float outer_r, float u, float width) {
   const float w = maximum(width, 1e-6F / inner_r);
   const float low = maximum(u - 0.5F * w, 1.0F / outer_r);
@@ -35,24 +38,25 @@ ERGO_HD DiskSpan disk_span(float inner_r, float outer_r, float u, float width) {
 
 }  // namespace detail
 
-//! Whether a pixel across which 1/r at a crossing changes so much may hold images that are finer than itself: next to the critical curve image
-//! after image is thinner, e^π times about without spin.
+//! Returns whether a pixel may contain images that are finer than itself. `change`: of 1/r across
+//! the pixel. Next to the critical curve each image is thinner than the one before, by about e^π
+//! without spin.
 ERGO_HD bool holds_finer(const DiskLook& look, float change) {
-  constexpr float fine_change = 0.25F;  // of the whole disk's
+  constexpr float fine_change = 0.25F;  // fraction of the disk's whole range of 1/r
   return change > fine_change * (1.0F / look.inner_r - 1.0F / look.outer_r);
 }
 
 //! A crossing as one pixel sees it.
 struct SeenCrossing {
-  float coverage;  //!< of the pixel by the disk
-  float r;         //!< in the middle of what is covered [M]
-  float blur;      //!< how far r changes across the pixel, as a part of it
+  float coverage;  //!< fraction of the pixel that the disk covers
+  float r;         //!< in the middle of the covered part [M]
+  float blur;      //!< change of r across the pixel, relative to r
   bool outwards;
   float phi;    //!< Boyer-Lindquist azimuth [rad], for the pattern
   float delay;  //!< [M], for the pattern
 };
 
-//! What of a photon stays the same on its way; see NearRay.
+//! Constants of motion of a photon; see NearRay.
 struct PhotonConstants {
   float energy;
   float axial_angular_momentum;
@@ -60,20 +64,23 @@ struct PhotonConstants {
   float carter;
 };
 
-//! Light of the disk at a crossing, in linear sRGB.
+//! Returns the light of the disk at a crossing, in linear sRGB.
 //!
-//! Intensity over the cube of the frequency is the same all along a ray, so a blackbody of T is seen as one of g T: shift and beaming in one.
+//! Intensity over the cube of the frequency is constant along a ray, so a blackbody of T is seen as
+//! one of g T; this includes both shift and beaming.
 ERGO_HD Vector3<float> disk_light(const DiskLook& look, const PhotonConstants& photon, const SeenCrossing& at) {
   const float r = at.r;
   const float frequency =
       disk_frequency(look.flow, {r, photon.energy, photon.axial_angular_momentum, photon.shear_constant, at.outwards});
-  // What is not well above 0 is no light's: a straight footprint has led it there.
+  // A linear footprint may lead to a radius where the light cannot exist; its frequency is then not
+  // well above 0.
   const float g = frequency > 1e-30F ? 1.0F / frequency : 0.0F;
   const float shift = look.shifted ? ::logf(maximum(g, 1e-30F)) : 0.0F;
   const Vector3<float> seen = read_blackbody(look.colours, detail::log_temperature_at(look.profile, r) + shift);
   float luminance = look.exposure * ::expf(minimum(seen.x - look.log_unit, 80.0F));
   if (look.limb_darkened) {
-    // Cosine of the angle of emission: p_θ over the emitted energy. I = (1 + 2.06 μ) / 2.37 of the mean (Chandrasekhar 1950).
+    // Cosine of the emission angle: p_θ over the emitted energy. I = (1 + 2.06 μ) / 2.37 of the
+    // mean (Chandrasekhar 1950).
     const float cosine = minimum(g * safe_sqrt(photon.carter) / r, 1.0F);
     luminance *= (1.0F + 2.06F * cosine) / (1.0F + 2.06F * 2.0F / 3.0F);
   }

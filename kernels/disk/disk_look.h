@@ -6,8 +6,8 @@
 
 namespace ergodome {
 
-//! Temperature over radius, as kernels read it: T at equal steps of √(1 - r_0 / r), with which a disk's temperature rises
-//! from 0 at its last stable orbit r_0.
+//! Temperature as a function of radius, as kernels read it: T at equal steps of √(1 - r_0 / r),
+//! with which a disk's temperature rises from 0 at its innermost stable orbit r_0.
 struct DiskProfileTable {
   const float* temperature;  //!< [K]
   int count;
@@ -15,7 +15,7 @@ struct DiskProfileTable {
   float step;
 };
 
-//! What a disk looks like.
+//! How a disk looks.
 struct DiskLook {
   DiskFlow<float> flow;
   float inner_r;  //!< edges [M]
@@ -25,13 +25,14 @@ struct DiskLook {
   float log_unit;  //!< ln of the luminance [cd/m²] that is shown as `exposure`
   float exposure;
   float opacity;
-  bool shifted;        //!< frequencies are: light of a blackbody T is seen as that of one of g T
-  bool limb_darkened;  //!< as an atmosphere that scatters on electrons
-  float contrast;      //!< of the pattern; 0: none
+  //! Frequencies are shifted: light of a blackbody T is seen as that of one of g T.
+  bool shifted;
+  bool limb_darkened;  //!< as by an atmosphere that scatters on electrons
+  float contrast;      //!< of the pattern; 0: no pattern
   PatternTime pattern;
 };
 
-//! Whether azimuth and time are wanted: kernels have a variant without.
+//! Returns whether azimuth and time are needed; kernels have a variant without them.
 constexpr bool has_pattern(const DiskLook& look) { return look.contrast > 0.0F; }
 
 }  // namespace ergodome

@@ -7,7 +7,7 @@
 #include "kernels/lens/lens_grid.h"
 #include "kernels/near_rays/near_pixels.h"
 
-// What grids of a disk miss by on the screen, by traced rays.
+// Errors of a disk's grid on the screen, measured by traced rays.
 namespace ergodome::inline ERGO_TARGET {
 
 //! Bounds of 1/r.
@@ -16,19 +16,20 @@ struct CheckedBounds {
   float high;
 };
 
-//! Between these grids are held to be good: some way beyond the disk's edges, for the sake of cells of which little is within.
+//! Returns the bounds between which grids must be accurate: somewhat beyond the disk's edges, for
+//! cells of which only a small part is within.
 ERGO_HD CheckedBounds checked_bounds(const DiskSpanOnScreen& span, const LayerLimits<float>& limits) {
   return {0.6F * span.outer_u, span.inner_u + 0.25F * maximum(limits.near_u - span.inner_u, 0.0F)};
 }
 
-//! What leads from derivatives in a disk's chart to those on the screen.
+//! Converts derivatives in a disk's chart to derivatives on the screen.
 struct DiskScreen {
   float scale;            //!< [px/rad]
   float alpha_by_turn;    //!< dα/dγ
   float s_per_alpha;      //!< [1/rad]
   float turns_per_angle;  //!< across [1/rad]
 
-  //! The change across a pixel of what changes so along γ [turns] and s.
+  //! Returns the change across a pixel of a quantity with these derivatives along γ [turns] and s.
   [[nodiscard]] ERGO_HD float across_pixel(float along_gamma, float along_s) const {
     const float outwards = along_s * s_per_alpha;
     const float across = (along_gamma - alpha_by_turn * outwards) * turns_per_angle;
@@ -38,7 +39,7 @@ struct DiskScreen {
 
 namespace detail {
 
-//! Follows the ray of a direction of a grid's camera.
+//! Follows the rays of a grid's camera in the directions n.
 template <NearParts Parts, class T>
 ERGO_HD MaskOf<RealOf<T>> trace_grid_layers(const DiskGridCamera& camera, const Vector3<T>& n,
                                             CrossingLayer<T> (&layers)[crossing_orders]) {
@@ -48,11 +49,11 @@ ERGO_HD MaskOf<RealOf<T>> trace_grid_layers(const DiskGridCamera& camera, const 
 
 }  // namespace detail
 
-//! Rays at places of a disk's chart, and how large what is there looks to an observer.
+//! Rays at positions of a disk's chart, and the scale at which an observer sees them.
 template <class T, bool WithPattern>
 struct RaysOfDiskChart {
   CrossingLayer<T> layers[crossing_orders];
-  MaskOf<T> done;  //!< false where a ray met the step limit
+  MaskOf<T> done;  //!< false where a ray reached the step limit
   MixedDual<T> alpha;
   T scale;  //!< [px/rad]
   T sine;   //!< of α
@@ -66,7 +67,7 @@ struct RaysOfDiskChart {
     T cosine;
     sine_cosine(alpha.value, sine, cosine);
     done = detail::trace_grid_layers<detail::disk_parts(WithPattern)>(camera, direction, layers);
-    // At the chart's poles derivatives along γ are rounding, and mean nothing.
+    // At the chart's poles, derivatives along γ are only rounding errors.
     least_sine_ = 0.02F * camera.grid.chart.edge.smallest;
   }
 
@@ -75,7 +76,8 @@ struct RaysOfDiskChart {
             0.159154943F / maximum(::fabsf(lane(sine, i)), least_sine_)};
   }
 
-  //! Area on the screen of a turn times a unit of s, by the stretch at a lane's place [px²].
+  //! Returns the area on the screen of one turn times one unit of s, by the scale at a lane's
+  //! position [px²].
   [[nodiscard]] ERGO_HD float area_px(int i) const {
     return 6.28318531F * ::fabsf(lane(sine, i) * lane(alpha.along_y, i)) * lane(scale, i) * lane(scale, i);
   }
@@ -84,22 +86,23 @@ struct RaysOfDiskChart {
   float least_sine_;
 };
 
-//! Compares what a grid says of an order with what a ray does.
+//! Compares a grid's values of an order with those of a ray.
 template <bool WithPattern>
 struct DiskMiss {
   const DiskGridCamera& camera;
   const DiskSpanOnScreen& span;
 
-  //! The part of a patch that has an order's 1/r.
+  //! Returns the component of a patch that holds an order's 1/r.
   ERGO_HD static int part_of(int order) { return WithPattern ? 0 : order; }
 
-  //! How far 1/r of an order changes across a pixel.
+  //! Returns the change of an order's 1/r across a pixel.
   [[nodiscard]] ERGO_HD float width(const PatchValue& read, int order, const DiskScreen& screen) const {
     const int part = part_of(order);
     return screen.across_pixel(quad_part(read.along_gamma, part), quad_part(read.along_s, part));
   }
 
-  //! Displacement on the screen of lines of equal radius, and of the pattern's, at lane `i` [px]; 0 where neither is near the disk.
+  //! Returns the displacement on the screen of lines of equal radius, and of the pattern, at lane
+  //! `i` [px]; 0 where neither value is near the disk.
   template <class T>
   [[nodiscard]] ERGO_HD float of(const PatchValue& read, int order, const CrossingLayer<T>& layer, int i,
                                  const DiskScreen& screen) const {
@@ -116,12 +119,13 @@ struct DiskMiss {
     if constexpr (WithPattern) {
       error = maximum(error, pattern_error(read, layer, i, screen));
     }
-    // A number that is none is no less than any other.
+    // NaN counts as an unknown error.
     return error >= 0.0F ? error : unknown_disk_error;
   }
 
  private:
-  //! How far the pattern is displaced along its own gradient: it is turned with the flow by as much as its light is late.
+  //! Returns the displacement of the pattern along its gradient [px]. An error in the delay turns
+  //! the pattern with the flow.
   template <class T>
   [[nodiscard]] ERGO_HD float pattern_error(const PatchValue& read, const CrossingLayer<T>& layer, int i,
                                             const DiskScreen& screen) const {
@@ -132,7 +136,7 @@ struct DiskMiss {
     const float sine = quad_part(read.sky, 2);
     const float turned = ::atan2f(cosine * lane(layer.sine, i) - sine * lane(layer.cosine, i),
                                   cosine * lane(layer.cosine, i) + sine * lane(layer.sine, i));
-    // Where the radius is wrong, so is what the horizon winds there.
+    // Where the radius is wrong, so is the winding there.
     const HorizonWinding<float> horizon = horizon_winding(spin, is_within_horizon(camera.grid.rays));
     const float wound = winding_turn(horizon) + rotation * winding_delay(horizon);
     const float read_u = minimum(maximum(quad_part(read.sky, 0), span.outer_u), span.inner_u);

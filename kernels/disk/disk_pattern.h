@@ -4,36 +4,37 @@
 
 #include "kernels/core/arithmetic.h"
 
-// Brightness that clouds of a disk might have, carried round by the flow.
+// A pattern of clouds that changes the disk's brightness, carried round by the flow.
 namespace ergodome {
 
-//! When a pattern is seen. Inner matter overtakes outer matter, and would wind any pattern up for ever: clouds live for one period each, in two
-//! sets that come and go in turn.
+//! The time at which a pattern is seen. Inner matter overtakes outer matter and would wind up any
+//! pattern for ever. So clouds live for one period each, in two sets that alternate.
 struct PatternTime {
   float period;         //!< life of a cloud [M]
-  float age;            //!< of the first set's clouds, now at the camera, in [0, period) [M]
-  std::uint32_t cycle;  //!< how many periods have passed
+  float age;            //!< age of the first set's clouds at the camera's time, in [0, period) [M]
+  std::uint32_t cycle;  //!< number of periods that have passed
 };
 
 inline namespace ERGO_TARGET {
 
 namespace detail {
 
-//! Whole numbers that look like chance, after Wellons' lowbias32.
+//! Hashes an integer to a pseudorandom one (Wellons' lowbias32).
 ERGO_HD std::uint32_t scrambled(std::uint32_t x) {
   x = (x ^ (x >> 16U)) * 0x7feb352dU;
   x = (x ^ (x >> 15U)) * 0x846ca68bU;
   return x ^ (x >> 16U);
 }
 
-//! A value in [-1, 1] at a point of a lattice that closes after `around` points.
+//! Returns a pseudorandom value in [-1, 1] at a point of a lattice that repeats after `around`
+//! columns.
 ERGO_HD float lattice_value(std::uint32_t seed, int row, int column, int around) {
   const int wrapped = ((column % around) + around) % around;
   const std::uint32_t point = scrambled(static_cast<std::uint32_t>(row) * 0x9e3779b9U + seed);
   return static_cast<float>(scrambled(point + static_cast<std::uint32_t>(wrapped)) >> 8U) * (2.0F / 16777216.0F) - 1.0F;
 }
 
-//! The same between the points: smooth, and without a seam.
+//! Interpolates between lattice points, smoothly and without a seam.
 ERGO_HD float lattice_noise(std::uint32_t seed, float row, float turn, int around) {
   const float place = turn * static_cast<float>(around);
   const float row_floor = ::floorf(row);
@@ -48,7 +49,8 @@ ERGO_HD float lattice_noise(std::uint32_t seed, float row, float turn, int aroun
   return low * (1.0F - t) + high * t;
 }
 
-//! Clouds of one set, in about [-1, 1]. `blur` is a pixel's width as a part of r: clouds that are smaller are left out.
+//! Returns the clouds of one set, in about [-1, 1]. `blur`: width of a pixel relative to r; smaller
+//! clouds are left out.
 ERGO_HD float cloud_noise(std::uint32_t seed, float log_r, float turn, float blur) {
   float sum = 0.0F;
   float rows = 5.0F;
@@ -66,11 +68,11 @@ ERGO_HD float cloud_noise(std::uint32_t seed, float log_r, float turn, float blu
 
 }  // namespace detail
 
-//! The pattern, in about [-1, 1] and with the mean 0, of matter that passes (r, φ) at angular velocity `rotation`, `delay` [M] before the
-//! camera sees it.
+//! Returns the pattern, in about [-1, 1] and with mean 0, of matter that passes (r, φ) at angular
+//! velocity `rotation`, `delay` [M] before the camera sees it.
 ERGO_HD float disk_pattern(const PatternTime& time, float r, float phi, float rotation, float delay, float blur) {
   constexpr float per_turn = 0.15915494F;
-  // At the horizon time and azimuth have no end: whatever hovers there is dark.
+  // At the horizon time and azimuth diverge, but matter seen there is dark.
   constexpr float farthest = 1e6F;
   if (!(::fabsf(phi) < farthest && ::fabsf(delay) < farthest)) {
     return 0.0F;
@@ -82,7 +84,7 @@ ERGO_HD float disk_pattern(const PatternTime& time, float r, float phi, float ro
     const float shifted = (time.age - delay) / time.period + 0.5F * static_cast<float>(set);
     const float cycles = ::floorf(shifted);
     const float age = shifted - cycles;
-    // Half its life before and half after, so that clouds lead as much as they trail.
+    // From half a life before to half a life after, so that clouds lead as much as they trail.
     const float turn = per_turn * (phi - rotation * time.period * (age - 0.5F));
     const std::uint32_t born = time.cycle + static_cast<std::uint32_t>(static_cast<std::int32_t>(cycles));
     const float weight = 1.0F - ::fabsf(2.0F * age - 1.0F);

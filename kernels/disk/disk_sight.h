@@ -7,7 +7,8 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! The disk as a register of rays sees it. WithPattern compiles azimuth and time in: a plain disk pays for neither.
+//! The disk as a pack of rays sees it. WithPattern adds azimuth and time, so that a plain disk does
+//! not pay for them.
 template <class T, bool WithPattern>
 class DiskSight {
  public:
@@ -15,12 +16,12 @@ class DiskSight {
   using S = ScalarOf<T>;
   using Mask = MaskOf<T>;
 
-  //! `pixel` is the width of what each ray stands for, as a part of a pixel's.
+  //! `pixel`: width of what each ray represents, as a fraction of a pixel.
   ERGO_HD DiskSight(const CameraStationOf<S>& camera, const DiskLook& look, const NearLimits<S>& limits,
                     const NearRay<D>& ray, S pixel)
       : camera_(camera), look_(look), limits_(limits), ray_(ray), pixel_(pixel) {}
 
-  //! Finds what the lanes of a mask see.
+  //! Finds the crossings that the lanes of a mask see.
   ERGO_HD void trace(const Mask& lanes) {
     const Mask wanted = lanes & may_reach(camera_.spin, ray_, look_.outer_r);
     // No light turns back to the hole from beyond its photon orbits.
@@ -31,17 +32,17 @@ class DiskSight {
     }
   }
 
-  //! Mino time to a crossing that lane `i` has; past all times where there is none.
+  //! Returns the Mino time to a crossing of lane `i`; infinity if there is none.
   ERGO_HD S time(int order, int i) const {
     return order < crossing_orders && is_crossing(crossings_[order], i) ? lane(crossings_[order].time, i)
                                                                         : std::numeric_limits<S>::infinity();
   }
 
-  //! Puts a crossing behind what lane `i` has seen.
+  //! Adds a crossing behind what lane `i` has seen.
   ERGO_HD void compose(int order, int i, SeenLanes<T>& seen) const {
     SeenCrossing at = seen_at(crossings_[order], i);
     const float opacity = look_.opacity * at.coverage;
-    // A number that is not one covers nothing.
+    // NaN covers nothing.
     if (!(opacity > 0.0F)) {
       return;
     }
@@ -59,7 +60,7 @@ class DiskSight {
     put_behind(opacity * disk_light(look_, photon, at), opacity, i, seen);
   }
 
-  //! Whether images may be finer than what the ray stands for.
+  //! Returns whether images may be finer than what the ray of lane `i` represents.
   ERGO_HD bool is_fine(int i) const {
     bool fine = false;
     for (const EquatorialCrossing<D>& crossing : crossings_) {
@@ -74,28 +75,30 @@ class DiskSight {
     return u < S(0) || u > S(0);
   }
 
-  //! How far 1/r changes across a pixel.
+  //! Returns the change of 1/r across a pixel.
   ERGO_HD static float change(const EquatorialCrossing<D>& crossing, int i) {
     const float along_x = lane(crossing.u.along_x, i);
     const float along_y = lane(crossing.u.along_y, i);
     return sqrt(along_x * along_x + along_y * along_y);
   }
 
-  //! What of the disk a lane sees at a crossing.
+  //! Returns the part of the disk that lane `i` sees at a crossing.
   ERGO_HD SeenCrossing seen_at(const EquatorialCrossing<D>& crossing, int i) const {
     const float width = pixel_ * change(crossing, i);
     const detail::DiskSpan span = detail::disk_span(look_.inner_r, look_.outer_r, lane(crossing.u.value, i), width);
     return {span.coverage, span.r, width * span.r, lane(crossing.u_rate.value, i) > 0.0F, 0.0F, 0.0F};
   }
 
-  //! Whether lane `i` meets the plane of a disk that falls in behind the horizon, and its light cannot be where a straight footprint leads it.
+  //! Returns whether lane `i` meets the plane behind the horizon, and a linear footprint leads to a
+  //! radius where its light cannot exist. Only happens with disks that reach inside the innermost
+  //! stable orbit.
   ERGO_HD bool comes_from_behind(int order, int i, const PhotonConstants& photon, const SeenCrossing& at) const {
     return look_.inner_r < look_.flow.stable_r && lane(crossings_[order].u.value, i) * camera_.horizon_r > S(1) &&
            !can_be_there<float>(look_.flow.spin, {at.r, photon.energy, photon.axial_angular_momentum,
                                                   photon.shear_constant, at.outwards});
   }
 
-  //! Azimuth and time at the crossings, of the lanes that see the disk at all.
+  //! Traces azimuth and time at the crossings of those lanes that see the disk.
   ERGO_HD void trace_pattern(const CrossingLimits<S>& limits, const Mask& wanted) {
     T covered(S(0));
     for (const EquatorialCrossing<D>& crossing : crossings_) {

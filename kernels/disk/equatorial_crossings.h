@@ -2,34 +2,39 @@
 
 #include "kernels/disk/crossing_series.h"
 
-// Where light crosses the equatorial plane, followed backwards from the camera, also inside the shadow.
+// Where light crosses the equatorial plane, followed backwards from the camera, also inside the
+// shadow.
 namespace ergodome::inline ERGO_TARGET {
 
-//! Crossings that are kept: the direct image of the plane, the one that light makes on its way under the hole, and the next.
+//! Number of crossings that are kept: the direct image of the plane, that of light which passes
+//! under the hole, and the next.
 inline constexpr int crossing_orders = 3;
 
-//! How far rays are followed, and how exactly.
+//! How far rays are followed, and how precisely.
 template <class S>
 struct CrossingLimits {
-  S outermost_u;  //!< light on its way out past this 1/r is done; well below that of the photon orbits
-  S tolerance;    //!< local error
+  //! Outgoing light is done past this 1/r, which is well below that of the photon orbits.
+  S outermost_u;
+  S tolerance;  //!< local error
   int step_limit;
 };
 
 namespace detail {
 
-//! Where crossings are looked for, in u = 1/r.
+//! Range of u = 1/r in which crossings are sought.
 template <class S>
 struct CrossingBounds {
   S horizon_r;
   S least_u;  //!< crossings count between these
   S greatest_u;
-  S innermost_u;  //!< rays end here
-  S outermost_u;  //!< and here on their way out
+  S innermost_u;  //!< rays end at this u
+  S outermost_u;  //!< outgoing rays end at this u
 };
 
-//! Time and azimuth have no end before the horizon: what is seen of it there is frozen and dark. Without them rays go on a little past
-//! infinity and past the horizon, so that pixels there know how near they are to where light crosses the plane.
+//! Returns the bounds of a hole. With the delay, rays end before the horizon, where time and
+//! azimuth diverge and light is frozen and dark. Without it, rays go on a little past infinity and
+//! past the horizon, so that pixels there measure how near they are to where light crosses the
+//! plane.
 template <bool WithDelay, class S>
 ERGO_HD CrossingBounds<S> crossing_bounds(S spin, S outermost_u) {
   const S horizon_r = S(1) + safe_sqrt((S(1) - spin) * (S(1) + spin));
@@ -44,11 +49,12 @@ ERGO_HD CrossingBounds<S> crossing_bounds(S spin, S outermost_u) {
 
 }  // namespace detail
 
-//! Follows a ray to its first crossings of the equatorial plane outside the horizon, in order, also from a camera within it. Rays that stay in
-//! the plane have none.
+//! Follows rays to their first crossings of the equatorial plane outside the horizon, in order; the
+//! camera may be within it. Rays that stay in the plane have none.
 //!
-//! `active_at_start`: lanes to trace. WithDelay says whether the azimuth and the time are wanted: without them nothing is singular at the
-//! horizon or at infinity, and steps are longer. False where a ray met the step limit. With dual numbers all derivatives are exact ones.
+//! `active_at_start`: lanes to trace. `WithDelay`: computes azimuth and time; without them nothing
+//! is singular at the horizon or at infinity, and steps are longer. Returns false in lanes that
+//! reached the step limit. With dual numbers all derivatives are exact.
 template <int Order, bool WithDelay, class T>
 ERGO_HD MaskOf<RealOf<T>> trace_crossings(ScalarOf<T> spin, const NearRay<T>& ray,
                                           const CrossingLimits<ScalarOf<T>>& limits,
@@ -74,7 +80,8 @@ ERGO_HD MaskOf<RealOf<T>> trace_crossings(ScalarOf<T> spin, const NearRay<T>& ra
   Real time(S(0));
   auto fallen = zero > zero;
   auto active = active_at_start & ((side > zero) | (side < zero)) & has_been_outside(spin, ray);
-  // On its way out of the horizon nothing is seen of light that came in through it, and it is not done.
+  // Rays from a camera within the horizon start on their way out of it. Crossings before the
+  // horizon do not count, and do not end the ray.
   const Real out_of_horizon(minimum(bounds.innermost_u, S(1) / bounds.horizon_r));
   auto emerging = (value_of(s.u[0]) > out_of_horizon) & (value_of(s.u[1]) < zero);
   for (int step = 0; step < limits.step_limit && any(active); ++step) {
@@ -83,13 +90,14 @@ ERGO_HD MaskOf<RealOf<T>> trace_crossings(ScalarOf<T> spin, const NearRay<T>& ra
     const Real new_side = detail::side_of(value_of(series_value(s.z, length)), side);
     const auto crossed = active & (new_side * side < zero);
     const auto falls = detail::falls_within(s, length, bounds.horizon_r) & !emerging;
-    // Light that begins a step outwards meets the plane on its way out before it falls.
+    // A ray that begins a step outwards meets the plane on its way out, before it falls.
     const auto fell = fallen | (falls & (value_of(s.u[1]) > zero));
     fallen = fallen | falls;
     if (any(crossed)) {
       const auto crossing = detail::crossing_at(reading, s, detail::time_to_zero(s.z, side, zero, length), time);
       const Real u = value_of(crossing.u);
-      // Light does not come back from where it has left: what the smooth equations say after that is no crossing.
+      // Light does not come back from where it has left: later crossings of the smooth equations do
+      // not count.
       const auto leaving = (value_of(s.u[1]) < zero) & (value_of(s.u[0]) < Real(limits.outermost_u));
       const auto back = leaving & (value_of(crossing.u_rate) > zero);
       const auto out_of_hole = fell & (value_of(crossing.u_rate) < zero);
@@ -100,7 +108,8 @@ ERGO_HD MaskOf<RealOf<T>> trace_crossings(ScalarOf<T> spin, const NearRay<T>& ra
         detail::keep_crossing(outside & (absolute(beyond) < Real(S(0.5))), crossing, crossings[order]);
       }
       count = select(outside, count + S(1), count);
-      // Light that has met the plane behind the horizon tells by that how near it was to doing so before it; what it meets later tells nothing.
+      // A crossing behind the horizon shows how near the ray was to crossing before it; later ones
+      // are meaningless.
       active = active & !(outside & (u * bounds.horizon_r > Real(S(1))));
     }
     time = time + length * inverse_scale;

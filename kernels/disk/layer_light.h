@@ -9,21 +9,22 @@ namespace ergodome::inline ERGO_TARGET {
 
 //! A layer of crossings (kernels/disk/crossing_layers.h) as a part of one pixel sees it.
 struct SeenLayer {
-  float u;       //!< 1/r in its middle [1/M]
-  float width;   //!< how far that changes across it
-  float cosine;  //!< of the azimuth from the camera's, less the winding; with a pattern alone
+  float u;      //!< 1/r in its middle [1/M]
+  float width;  //!< change of u across it
+  //! Of the azimuth relative to the camera's, minus the winding; only with a pattern.
+  float cosine;
   float sine;
-  float delay;    //!< less the winding's [M]; with a pattern alone
-  bool outwards;  //!< the light was emitted so
+  float delay;    //!< minus that of the winding [M]; only with a pattern
+  bool outwards;  //!< the light was emitted outwards
 };
 
-//! Puts the disk's light at a crossing behind what lane `i` has seen.
+//! Adds the disk's light at a crossing behind what lane `i` has seen.
 template <bool WithPattern, class T>
 ERGO_HD void put_layer_behind(const CameraStationOf<float>& camera, const DiskLook& look, const SeenLayer& layer,
                               const PhotonConstants& photon, int i, SeenLanes<T>& seen) {
   const detail::DiskSpan span = detail::disk_span(look.inner_r, look.outer_r, layer.u, layer.width);
   const float opacity = look.opacity * span.coverage;
-  // A number that is not one covers nothing.
+  // NaN covers nothing.
   if (!(opacity > 0.0F)) {
     return;
   }
@@ -38,7 +39,7 @@ ERGO_HD void put_layer_behind(const CameraStationOf<float>& camera, const DiskLo
   put_behind(opacity * disk_light(look, photon, at), opacity, i, seen);
 }
 
-//! The constants of lane `i` of a register of rays.
+//! Returns the constants of motion of lane `i` of a pack of rays.
 template <class T>
 ERGO_HD PhotonConstants photon_constants(const NearRay<T>& ray, int i) {
   return {lane(value_of(ray.energy), i), lane(value_of(ray.axial_angular_momentum), i),

@@ -11,8 +11,9 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Draws the disk over pixels, from a grid; index i stands for the pixels i * lanes, i * lanes + 1, ... of the block. What a pixel sees at a
-//! crossing, its edges and how finely it looks are as in DrawNearField; rays are traced where the grid leaves them to be.
+//! Draws the disk over pixels from a grid; index i stands for the pixels i * lanes, i * lanes + 1,
+//! ... of the block. Crossings, edges and fine images are treated as in DrawNearField. Rays are
+//! traced where the grid has no accurate leaf.
 template <class T, bool WithPattern>
 struct LookUpDisk {
   using D = Dual<T>;
@@ -39,7 +40,7 @@ struct LookUpDisk {
   }
 
  private:
-  //! Looks at many places within the pixels of the mask.
+  //! Averages many samples within the pixels of the mask.
   ERGO_HD void average(const T& x_px, const T& y_px, const Mask& fine, SeenLanes<T>& seen) const {
     const T zero(0.0F);
     SeenLanes<T> sum = {zero, zero, zero, zero};
@@ -51,8 +52,9 @@ struct LookUpDisk {
     take_mean(fine, sum, seen);
   }
 
-  //! What is seen at places of the image, by pixels of a part of the image's own. `lanes` says which to look at, and then where images may be
-  //! finer than that.
+  //! Returns what is seen at positions of the image. `pixel`: width of a sample, as a fraction of a
+  //! pixel. `lanes`: lanes to evaluate; afterwards, those where images may be finer than the
+  //! sample.
   ERGO_HD SeenLanes<T> look(const T& x_px, const T& y_px, float pixel, Mask& lanes) const {
     const PixelBatch& pixels = batch.near_field.pixels;
     const Vector3<D> n = observed_direction(pixels, x_px, y_px);
@@ -91,13 +93,14 @@ struct LookUpDisk {
     return seen;
   }
 
-  //! A pixel, or a part of one: its width as a part of a pixel's, and its lane.
+  //! A pixel, or a part of one: its width as a fraction of a pixel's, and its lane.
   struct Look {
     float pixel;
     int lane;
   };
 
-  //! Composes what a lane sees by a leaf; tells whether there may be more than its middle tells.
+  //! Adds what a lane sees according to a leaf. Returns whether images may be finer than the
+  //! sample.
   ERGO_HD bool read(const Leaf& leaf, const DiskLanePlace& at, unsigned orders, const Look& look, const NearRay<T>& ray,
                     SeenLanes<T>& seen) const {
     const LeafPlace within = place_in(leaf, at.gamma_turns, at.s);
@@ -129,7 +132,7 @@ struct LookUpDisk {
     return fine;
   }
 
-  //! Puts a crossing behind what lane `i` has seen.
+  //! Adds a crossing behind what lane `i` has seen.
   ERGO_HD void compose(float u, float width, const PatchValue& value, int i, const NearRay<T>& ray,
                        SeenLanes<T>& seen) const {
     SeenLayer layer = {u, width, 1.0F, 0.0F, 0.0F, false};
@@ -142,7 +145,8 @@ struct LookUpDisk {
                                   photon_constants(ray, i), i, seen);
   }
 
-  //! Looks along rays for the lanes of a mask.
+  //! Traces rays for the lanes of a mask. Returns the lanes where images may be finer than the
+  //! sample.
   ERGO_HD Mask trace(const Vector3<D>& n, float pixel, const Mask& wanted, SeenLanes<T>& seen) const {
     const PixelBatch& pixels = batch.near_field.pixels;
     const NearRay<D> ray = start_near_ray(pixels.camera, n);

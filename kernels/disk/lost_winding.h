@@ -6,8 +6,10 @@ namespace ergodome::inline ERGO_TARGET {
 
 namespace detail {
 
-//! What azimuth and time lose of the winding: once, and what is counted in ingoing Kerr coordinates once more where the winding is that of light that
-//! goes on to the horizon, and not at all where it is its own.
+//! Factors of the winding that is subtracted from azimuth and time. It is subtracted once in
+//! Boyer-Lindquist coordinates. In ingoing Kerr coordinates it is subtracted twice if the winding
+//! is that of light that goes on to the horizon, and not at all if it is that of the ingoing light
+//! itself.
 template <class T>
 struct LostWinding {
   using Real = RealOf<T>;

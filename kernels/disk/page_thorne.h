@@ -2,13 +2,15 @@
 
 #include "kernels/disk/disk_emitter.h"
 
-// What a thin disk in a steady state radiates: Page & Thorne, ApJ 191 (1974) 499, with no torque at the innermost stable orbit.
+// Flux of a thin disk in a steady state: Page & Thorne, ApJ 191 (1974) 499, with no torque at the
+// innermost stable orbit.
 namespace ergodome::inline ERGO_TARGET {
 
 namespace detail {
 
-//! A term of eq. 15n: the integral of B / (x - root) from x0, B = 3 (root - a)² / (root (root - other)(root - another)), by its minus sign.
-//! Where a root is 0, or two of them meet (|a| = 1), it has the limit 0.
+//! Returns a term of eq. 15n, without its minus sign: the integral of B / (x - root) from x0, with
+//! B = 3 (root - a)² / (root (root - other)(root - another)). If the root is 0, or if two roots
+//! meet (a = ±1), the limit is 0.
 ERGO_HD double page_thorne_term(double spin, double root, double product, double x0, double x) {
   if (::fabs(root) < 1e-12 || ::fabs(product) < 1e-9) {
     return 0.0;
@@ -18,10 +20,12 @@ ERGO_HD double page_thorne_term(double spin, double root, double product, double
 
 }  // namespace detail
 
-//! The function f of eq. 15n at radius r, times M: 0 at the innermost stable orbit and inside it. Matter runs along +φ.
+//! Returns the function f of eq. 15n at radius r, times M: 0 at the innermost stable orbit and
+//! inside it. Matter orbits along +φ.
 //!
 //! With x = √r, and x1, x2, x3 the roots of x³ - 3x + 2a:
-//!   f = 3 / (2 x² (x³ - 3x + 2a)) [x - x0 - 3/2 a ln(x/x0) - Σ 3 (x_i - a)² / (x_i (x_i - x_j)(x_i - x_k)) ln((x - x_i) / (x0 - x_i))].
+//!   f = 3 / (2 x² (x³ - 3x + 2a)) [x - x0 - 3/2 a ln(x/x0)
+//!       - Σ 3 (x_i - a)² / (x_i (x_i - x_j)(x_i - x_k)) ln((x - x_i) / (x0 - x_i))].
 ERGO_HD double page_thorne_function(double spin, double r) {
   const double stable_r = innermost_stable_radius(spin, 1.0);
   if (!(r > stable_r)) {
@@ -30,7 +34,8 @@ ERGO_HD double page_thorne_function(double spin, double r) {
   const double x = ::sqrt(r);
   const double x0 = ::sqrt(stable_r);
   const double third = ::acos(::fmin(::fmax(spin, -1.0), 1.0)) / 3.0;
-  // 2 cos(third - π/3), 2 cos(third + π/3), -2 cos(third), and their differences without cancellation.
+  // 2 cos(third - π/3), 2 cos(third + π/3), -2 cos(third), and their differences without
+  // cancellation.
   const double cosine = ::cos(third);
   const double skew = 1.73205080756887729353 * ::sin(third);
   const double x1 = cosine + skew;
@@ -45,8 +50,8 @@ ERGO_HD double page_thorne_function(double spin, double r) {
   return 1.5 * bracket / (x * x * (x * x * x - 3.0 * x + 2.0 * spin));
 }
 
-//! What a face of the disk radiates at radius r, as its own matter measures it, in units of the rate of accretion over 4π M²: f / r, from
-//! eq. 11b at the equator.
+//! Returns the flux of one face of the disk at radius r, as measured by its own matter, in units of
+//! the accretion rate over 4π M²: f / r, from eq. 11b at the equator.
 ERGO_HD double page_thorne_flux(double spin, double r) { return page_thorne_function(spin, r) / r; }
 
 }  // namespace ergodome::inline ERGO_TARGET
