@@ -8,25 +8,27 @@
 
 namespace ergodome {
 
-//! What is drawn of the disk: each is compiled apart.
+//! How the disk is drawn. Kernels are compiled for each case.
 enum class DiskDrawing { none, plain, pattern };
 
-//! A block of rows of one image, with what stands near the hole to draw over what is there: linear light, four floats a pixel (the fourth is
-//! the coverage).
+//! A block of rows of one image over which disk, shells and objects are drawn: linear light, four
+//! floats a pixel (the fourth is the coverage).
 struct NearFieldBatch {
   PixelBatch pixels;  //!< without outputs or an edge
   DiskDrawing drawing;
-  DiskLook disk;      //!< where it is drawn
-  ShellTable shells;  //!< without any, none are looked for
+  DiskLook disk;      //!< used if it is drawn
+  ShellTable shells;  //!< none are drawn if it is empty
   float* rgba;
-  ObjectLayer objects;  //!< put between them, where there are any
-  bool objects_alone;   //!< only pixels that show objects are drawn: the others are by the disk's grid
-  //! What sees them in place of the pixels' camera, where it has coefficients: that is the head's then, for spin and azimuth, and the frame the
-  //! view's.
+  ObjectLayer objects;  //!< composed between disk and shells, if there are any
+  //! Only pixels that show objects are drawn; the disk's grid draws the others.
+  bool objects_alone;
+  //! Omnidirectional stereo, if it has coefficients: it then replaces the camera of `pixels`, which
+  //! is that of the head, for spin and azimuth. The frame is that of the view.
   OmniCameraOf<float> turning;
 };
 
-//! The same with objects between them. A disk is drawn as one with a pattern, whether it has one or not: few scenes have all this.
+//! Calls action(functor) for a batch with objects. A disk is always drawn by the variant with a
+//! pattern, since few scenes have all of these.
 template <template <class, DiskDrawing, bool, bool> class Functor, class T, class Action>
 inline void dispatch_near_field_with_objects(const NearFieldBatch& batch, const Action& action) {
   const bool shells = batch.shells.count > 0;
@@ -39,8 +41,8 @@ inline void dispatch_near_field_with_objects(const NearFieldBatch& batch, const 
   }
 }
 
-//! Calls action(functor) with Functor<T, DiskDrawing, whether there are shells, whether there are objects> for a batch; with neither disk nor shells, does
-//! nothing.
+//! Calls action(functor) with Functor<T, DiskDrawing, whether there are shells, whether there are
+//! objects> for a batch. Does nothing without disk and shells.
 template <template <class, DiskDrawing, bool, bool> class Functor, class T, class Action>
 inline void dispatch_near_field(const NearFieldBatch& batch, const Action& action) {
   if (batch.objects.rgba != nullptr) {

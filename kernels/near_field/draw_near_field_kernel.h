@@ -9,8 +9,9 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Draws disk and shells, with objects between them, over pixels; index i stands for the pixels i * lanes, i * lanes + 1, ... of the block. What is nearer along the ray lies
-//! before the rest, and the sky behind it all. A scene pays for what it has alone.
+//! Draws disk and shells, with objects between them, over pixels; index i stands for the pixels i *
+//! lanes, i * lanes + 1, ... of the block. Things nearer along the ray cover farther ones, and all
+//! cover the sky. Each variant computes only what its scene has.
 template <class T, DiskDrawing Disk, bool Shells, bool Objects>
 struct DrawNearField {
   using D = Dual<T>;
@@ -32,8 +33,8 @@ struct DrawNearField {
     lay(at, seen);
   }
 
-  //! The same in two steps, for a device, whose threads wait for one another: what the pixel's middle sees is laid over it, but where the pixel
-  //! holds more than that, which is told.
+  //! First of two steps for GPUs, whose threads wait for one another: draws what the pixel's middle
+  //! sees. If the pixel contains finer images, draws nothing and returns true.
   ERGO_HD bool draw_middle(int index) const {
     const Place at(batch, index);
     Mask fine = at.inside > T(S(0));
@@ -47,7 +48,7 @@ struct DrawNearField {
     return any(fine);
   }
 
-  //! What one of a pixel's samples sees.
+  //! Returns what one of a pixel's samples sees.
   [[nodiscard]] ERGO_HD SeenLanes<T> see_sample(int index, int sample) const {
     const Place at(batch, index);
     Mask wanted = at.inside > T(S(0));
@@ -55,7 +56,7 @@ struct DrawNearField {
     return look(at.x_px + part.along, at.y_px + part.down, part.width, at.objects, wanted);
   }
 
-  //! Lays their mean over it.
+  //! Second step: draws the mean of the samples over the pixel.
   ERGO_HD void lay_mean(int index, const SeenLanes<T>& sum) const {
     const Place at(batch, index);
     SeenLanes<T> mean = sum;
@@ -79,7 +80,7 @@ struct DrawNearField {
     }
   };
 
-  //! Whether nothing is to be drawn; else which lanes are to be, of those of a mask.
+  //! Returns true if nothing is to be drawn; otherwise reduces `wanted` to the lanes that are.
   ERGO_HD bool leaves(const Place& at, Mask& wanted) const {
     if constexpr (Objects) {
       if (batch.objects_alone) {
@@ -94,7 +95,7 @@ struct DrawNearField {
     lay_over(seen, at.inside, at.first, pixel_count(batch.pixels), batch.rgba);
   }
 
-  //! Looks at many places within the pixels of the mask.
+  //! Averages many samples within the pixels of the mask.
   ERGO_HD void average(const Place& place, const Mask& fine, SeenLanes<T>& seen) const {
     const T zero(S(0));
     SeenLanes<T> sum = {zero, zero, zero, zero};
@@ -106,8 +107,9 @@ struct DrawNearField {
     take_mean(fine, sum, seen);
   }
 
-  //! What is seen at places of the image, by pixels of a part of the image's own. `lanes` says which to look at, and then where images may
-  //! be finer than that.
+  //! Returns what is seen at positions of the image. `pixel`: width of a sample, as a fraction of a
+  //! pixel. `lanes`: lanes to evaluate; afterwards, those where images may be finer than the
+  //! sample.
   ERGO_HD SeenLanes<T> look(const T& x_px, const T& y_px, S pixel, LayerSight<T, Objects> objects, Mask& lanes) const {
     const PixelBatch& pixels = batch.pixels;
     const NearRay<D> ray = start_near_ray(pixels.camera, batch.turning, observed_direction(pixels, x_px, y_px));
@@ -130,7 +132,8 @@ struct DrawNearField {
     return seen;
   }
 
-  //! The same for lanes that may see disk or shells; tells which of them hold more than their middle does.
+  //! Evaluates lanes that may see disk or shells. Returns those where images may be finer than the
+  //! sample.
   ERGO_HD Mask look_near(const NearRay<D>& ray, S pixel, const Mask& wanted, LayerSight<T, Objects>& objects,
                          SeenLanes<T>& seen) const {
     const PixelBatch& pixels = batch.pixels;
@@ -169,7 +172,7 @@ struct DrawNearField {
     }
   }
 
-  //! Lanes that hold more than their middle tells.
+  //! Adds the shells. Returns the lanes where images may be finer than the sample.
   template <class Before>
   ERGO_HD Mask look_at_shells(const NearRay<D>& ray, const NearLimits<S>& limits, S pixel, const Mask& wanted,
                               const Before& before, SeenLanes<T>& seen) const {
@@ -181,7 +184,7 @@ struct DrawNearField {
     return sight.fine();
   }
 
-  //! Lanes that may see anything.
+  //! Returns the lanes that may see disk or shells.
   ERGO_HD Mask may_see(const NearRay<D>& ray) const {
     const S spin = batch.pixels.camera.spin;
     S r = S(0);

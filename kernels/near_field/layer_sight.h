@@ -6,25 +6,26 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Objects as a register of pixels sees them: looked at before (kernels/mesh), one light and one depth a pixel.
+//! Objects as a pack of pixels sees them. They were drawn before (kernels/objects), with one light
+//! and one depth a pixel.
 template <class T, bool Objects>
 class LayerSight {
  public:
   using S = ScalarOf<T>;
   using Mask = MaskOf<T>;
 
-  //! For pixels first, first + 1, ... of a block of `count`. Without a layer, none wait.
+  //! For pixels first, first + 1, ... of a block of `count`. Without a layer no object waits.
   ERGO_HD LayerSight(const ObjectLayer& layer, int first, int count) : layer_(layer), first_(first), waiting_(S(0)) {
     for (int i = 0; layer.rgba != nullptr && i < RealTraits<T>::lane_count && first + i < count; ++i) {
       set_lane(waiting_, i, layer.rgba[4 * static_cast<long>(first + i) + 3] > 0.0F ? S(1) : S(0));
     }
   }
 
-  //! Lanes whose object is not drawn yet.
+  //! Returns the lanes whose object has not been added yet.
   [[nodiscard]] ERGO_HD Mask waiting() const { return waiting_ > T(S(0)); }
 
-  //! Draws lane i's object if it is nearer than a Mino time (or what stands for it in the layer), and what is nearer than that before it:
-  //! nearer(lane, time).
+  //! Adds the object of lane i if it is nearer than a Mino time (or the layer's substitute for
+  //! that). Before that, nearer(lane, time) adds things that are nearer than the object.
   template <class Nearer>
   ERGO_HD void until(int i, S time, const Nearer& nearer, SeenLanes<T>& seen) {
     if (!(lane(waiting_, i) > S(0))) {
@@ -46,7 +47,7 @@ class LayerSight {
   T waiting_;
 };
 
-//! The same where there are none.
+//! A substitute for scenes without objects.
 template <class T>
 class LayerSight<T, false> {
  public:

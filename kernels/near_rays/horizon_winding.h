@@ -4,13 +4,17 @@
 #include "kernels/core/mixed_dual.h"
 #include "kernels/core/transcendental.h"
 
-// What all light that goes on to the horizon has in common: its time and its azimuth grow without end there, as W(u) does.
+// The winding W(u): the part of time and azimuth that all light has in common on its way to the
+// horizon, where both grow without limit.
 //
-// With Δ u² = (1 - r_+ u)(1 - r_- u), light that is followed inwards has dt/du -> 2 r_+ / (Δ u²) and dφ/du -> -a / (Δ u²) whatever its constants are.
-// So t - 2 r_+ W and φ + a W, with W = ∫ du / (Δ u²) = ln(1 + d q) / d, q = u / (1 - r_+ u), d = r_+ - r_-, stay smooth on the way; d -> 0 leaves q.
+// With Δ u² = (1 - r_+ u)(1 - r_- u), light that is followed inwards has dt/du -> 2 r_+ / (Δ u²)
+// and dφ/du -> -a / (Δ u²), whatever its constants are. So t - 2 r_+ W and φ + a W, with
+//   W = ∫ du / (Δ u²) = ln(1 + d q) / d, q = u / (1 - r_+ u), d = r_+ - r_-,
+// stay smooth on the way; for d -> 0, W = q.
 //
-// Light that came out through the horizon, on its way back from a camera within, has all this the other way: t + 2 r_+ W and φ - a W go on there,
-// ingoing Kerr coordinates with a time that far away is Boyer-Lindquist's.
+// For light that came out through the horizon, on its way back from a camera within, the signs are
+// opposite: t + 2 r_+ W and φ - a W stay smooth. These are ingoing Kerr coordinates, with a time
+// that equals Boyer-Lindquist's far away.
 namespace ergodome::inline ERGO_TARGET {
 
 template <class S>
@@ -21,14 +25,14 @@ struct HorizonWinding {
   S sense;      //!< 1: of light that goes on to the horizon; -1: of light that came out through it
 };
 
-//! `within`: what is seen is seen from within the horizon.
+//! Returns the winding about a hole. `within`: the camera is within the horizon.
 template <class S>
 ERGO_HD HorizonWinding<S> horizon_winding(S spin, bool within = false) {
   const S half = safe_sqrt((S(1) - spin) * (S(1) + spin));
   return {spin, S(1) + half, S(2) * half, within ? S(-1) : S(1)};
 }
 
-//! What time and azimuth are together with W: factors of W.
+//! Return the factors of W in time and azimuth.
 template <class S>
 ERGO_HD S winding_delay(const HorizonWinding<S>& w) {
   return S(2) * (w.sense * w.horizon_r);
@@ -59,7 +63,7 @@ ERGO_HD MixedDual<T> logarithm_of(const MixedDual<T>& a) {
   return {natural_logarithm(a.value), x, y, a.mixed * inverse - x * y};
 }
 
-//! 1 - r_+ u, as far as it is positive.
+//! Returns 1 - r_+ u, limited to positive values.
 template <class T>
 ERGO_HD T outer_part(const HorizonWinding<ScalarOf<T>>& w, const T& u) {
   using S = ScalarOf<T>;
@@ -70,12 +74,12 @@ ERGO_HD T outer_part(const HorizonWinding<ScalarOf<T>>& w, const T& u) {
 
 }  // namespace detail
 
-//! W(u).
+//! Returns W(u).
 template <class T>
 ERGO_HD T winding(const HorizonWinding<ScalarOf<T>>& w, const T& u) {
   using S = ScalarOf<T>;
   const T q = u / detail::outer_part(w, u);
-  // Far out, beyond infinity, it is nothing that matters: the logarithm's argument stays positive.
+  // Beyond infinity W does not matter, but the logarithm's argument has to stay positive.
   const T part = w.gap * q;
   const T argument = S(1) + part;
   const T least(RealOf<T>(S(1e-3)));
@@ -85,7 +89,8 @@ ERGO_HD T winding(const HorizonWinding<ScalarOf<T>>& w, const T& u) {
   if (w.gap > S(2e-3)) {
     return logarithm();
   }
-  // Where the horizons are close a logarithm next to 1 has no digits left, and its series has.
+  // If the horizons are close together, the logarithm next to 1 loses all digits, but its series
+  // does not.
   constexpr int terms = sizeof(S) == 4 ? 6 : 14;
   T series(RealOf<T>(S(1.0 / terms)));
   ERGO_UNROLL
@@ -96,7 +101,7 @@ ERGO_HD T winding(const HorizonWinding<ScalarOf<T>>& w, const T& u) {
   return any(far) ? select(far, logarithm(), q * series) : q * series;
 }
 
-//! dW/du.
+//! Returns dW/du.
 template <class T>
 ERGO_HD T winding_rate(const HorizonWinding<ScalarOf<T>>& w, const T& u) {
   using S = ScalarOf<T>;

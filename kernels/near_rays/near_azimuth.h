@@ -6,14 +6,15 @@
 // Azimuth and coordinate time along a ray's series.
 namespace ergodome::inline ERGO_TARGET {
 
-//! How places are read from a ray's series.
+//! How positions are read from a ray's series.
 template <class T>
 struct SeriesReading {
   ScalarOf<T> spin;
-  MaskOf<RealOf<T>> ingoing;  //!< lanes whose azimuth and time are counted in ingoing Kerr coordinates
+  MaskOf<RealOf<T>> ingoing;  //!< lanes whose azimuth and time are in ingoing Kerr coordinates
   RealOf<T> scale;            //!< of the series' time over Mino time
 
-  //! Makes azimuth and time at 1/r = u outside the horizon Boyer-Lindquist's in all lanes.
+  //! Converts azimuth and time at 1/r = u outside the horizon to Boyer-Lindquist coordinates in all
+  //! lanes.
   ERGO_HD void count_outside(const T& u, T& drag, T& delay) const {
     if (any(ingoing)) {
       const HorizonWinding<ScalarOf<T>> horizon = horizon_winding(spin, true);
@@ -26,8 +27,10 @@ struct SeriesReading {
 
 namespace detail {
 
-//! Frame dragging and, where it is carried, time, by division of series by Δ u² = (1 - r_+ u)(1 - (a²/r_+) u):
-//!   ψ' = a (2 E u - a L u²) / Δu²,   t' = (1 + a²u²)(E (1 + a²u²) - a L u²) / (u² Δu²) + a (L - a E (1 - z²)).
+//! Expands frame dragging and, if carried, time, by division of series:
+//!   Δ u² = (1 - r_+ u)(1 - (a²/r_+) u),
+//!   ψ' = a (2 E u - a L u²) / Δu²,
+//!   t' = (1 + a²u²)(E (1 + a²u²) - a L u²) / (u² Δu²) + a (L - a E (1 - z²)).
 template <int Order, NearParts Parts, class T>
 ERGO_HD void expand_drag(ScalarOf<T> spin, const NearRay<T>& ray, const RealOf<T>& inverse_scale, const T* square,
                          const T* z_square, NearSeries<Order, T, Parts>& s) {
@@ -38,12 +41,12 @@ ERGO_HD void expand_drag(ScalarOf<T> spin, const NearRay<T>& ray, const RealOf<T
   const T skew = a2 * ray.energy - spin * l;
   constexpr int time_terms = has_delay(Parts) ? Order : 1;
   T moment[time_terms];   // E (1 + a² u²) - a L u²
-  T product[time_terms];  // the same times 1 + a² u²
+  T product[time_terms];  // the line above times 1 + a² u²
   T radius[time_terms];   // r = 1/u
   T radius_square[time_terms];
   T lapse[Order];  // Δ u²
   T drag_rate[Order];
-  T time_rate[time_terms];  // of the part with Δ
+  T time_rate[time_terms];  // of the term with Δ
   const T inverse_u = S(1) / s.u[0];
   T inverse_lapse(S(1));
   ERGO_UNROLL
@@ -89,11 +92,14 @@ ERGO_HD void expand_drag(ScalarOf<T> spin, const NearRay<T>& ray, const RealOf<T
   }
 }
 
-//! The same for light that only comes in to the camera, in ingoing Kerr coordinates: the lanes of a mask.
+//! Expands the same in ingoing Kerr coordinates, in the lanes of a mask, for light that only comes
+//! in to the camera.
 //!
-//! With X = E (r² + a²) - a L, and √R = -u'/u² for such light, X - √R = Δ K / (X + √R) takes Δ out of the rates of φ + ∫ a dr/Δ and of
-//! t - 2 r_+ W (horizon_winding.h), counted backwards:
-//!   ψ' = a E - a K u²/P,   t' = (1 + a²u²) K/P - u' r² (1 + r_+ u) / (1 - r_- u) + a (L - a E (1 - z²)),   P = E + (a² E - a L) u² - u',
+//! With X = E (r² + a²) - a L, and √R = -u'/u² for such light, X - √R = Δ K / (X + √R) cancels Δ in
+//! the rates of φ + ∫ a dr/Δ and of t - 2 r_+ W (horizon_winding.h), counted backwards:
+//!   ψ' = a E - a K u²/P,
+//!   t' = (1 + a²u²) K/P - u' r² (1 + r_+ u) / (1 - r_- u) + a (L - a E (1 - z²)),
+//!   P = E + (a² E - a L) u² - u',
 //! and P > 0 all the way from within the horizon out to where light turns.
 template <int Order, NearParts Parts, class T>
 ERGO_HD void expand_ingoing(ScalarOf<T> spin, const NearRay<T>& ray, const RealOf<T>& inverse_scale,

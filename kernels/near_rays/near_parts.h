@@ -5,7 +5,7 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! What is carried along a ray beside 1/r and the height m_z.
+//! Quantities that are carried along a ray beside 1/r and the height m_z.
 enum class NearParts {
   place_alone,
   distance,
@@ -19,7 +19,7 @@ constexpr bool has_azimuth(NearParts parts) { return parts >= NearParts::azimuth
 constexpr bool has_delay(NearParts parts) {
   return parts == NearParts::azimuth_and_delay || parts == NearParts::azimuth_delay_and_distance;
 }
-//! The affine distance of kernels/geodesic/affine_distance.h.
+//! The affine distance of kernels/spacetime/geodesic/affine_distance.h.
 constexpr bool has_distance(NearParts parts) {
   return parts == NearParts::distance || parts == NearParts::azimuth_and_distance ||
          parts == NearParts::azimuth_delay_and_distance;
@@ -27,7 +27,7 @@ constexpr bool has_distance(NearParts parts) {
 
 namespace detail {
 
-//! The series of a ray in scaled time; which of them it carries is said by Parts.
+//! The series of a ray in scaled time; Parts selects which of them it carries.
 template <int Order, class T, NearParts Parts>
 struct NearSeries {
   T u[Order + 1];
@@ -48,8 +48,8 @@ struct NearCoefficients {
   T polar;        //!< C / s²
   T spring;       //!< a² E² / s²
   RealOf<T> inverse_scale;
-  MaskOf<RealOf<T>>
-      ingoing;  //!< lanes whose azimuth and time are counted in ingoing Kerr coordinates: counts_ingoing()
+  //! Lanes whose azimuth and time are in ingoing Kerr coordinates: counts_ingoing().
+  MaskOf<RealOf<T>> ingoing;
 };
 
 }  // namespace detail

@@ -3,18 +3,19 @@
 #include "kernels/core/dual.h"
 #include "kernels/near_rays/series_search.h"
 
-// What the rays of pictures of the near field share.
+// Definitions that all rays of near-field pictures share.
 namespace ergodome::inline ERGO_TARGET {
 
-//! Order of their Taylor series, as of the sky's.
+//! Order of their Taylor series, the same as for the sky.
 inline constexpr int near_order = 10;
 
-//! Whether light from inside a radius may come along a ray: from outside it must go inwards, and not turn before.
+//! Returns the lanes in which light from inside radius r may come along the ray. From outside, the
+//! ray has to go inwards and not turn before.
 template <class T>
 ERGO_HD MaskOf<RealOf<T>> may_reach(ScalarOf<T> spin, const NearRay<T>& ray, ScalarOf<T> r) {
   using S = ScalarOf<T>;
   using Real = RealOf<T>;
-  // A pixel's width beyond an edge is still the edge's.
+  // A pixel's width beyond an edge still belongs to the edge.
   const S u = S(0.9) / r;
   const S a2 = spin * spin;
   const Real e2 = value_of(ray.energy) * value_of(ray.energy);

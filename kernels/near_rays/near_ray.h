@@ -5,10 +5,11 @@
 
 namespace ergodome {
 
-//! A null geodesic at the camera, in Mino time that runs backwards, for a photon whose energy the *observer* sees as 1.
+//! A null geodesic at the camera, in Mino time that runs backwards, for a photon whose energy the
+//! *observer* sees as 1.
 //!
-//! RayStart has the energy at infinity as its unit; matter near a spinning hole also sends light whose energy there is 0 or less, to cameras
-//! inside the ergosphere.
+//! RayStart uses the energy at infinity as its unit. But matter near a spinning hole can also send
+//! light whose energy at infinity is 0 or less, to cameras inside the ergosphere.
 template <class T>
 struct NearRay {
   T energy;                  //!< E at infinity, over the energy seen
@@ -18,18 +19,24 @@ struct NearRay {
   T shear_constant;          //!< K = Q + (L - a E)² >= 0 [M²]
   T u;                       //!< 1 / r [1/M]
   T u_rate;                  //!< du/dλ; u_rate² = E² + (a² E² - C) u² + 2 K u³ - a² Q u⁴
-  Vector3<T> m;       //!< polar position without frame dragging, φ = 0 at the camera (or the head of eyes that turn)
+  //! Polar position without frame dragging, φ = 0 at the camera (for omnidirectional stereo, at the
+  //! head).
+  Vector3<T> m;
   Vector3<T> m_rate;  //!< dm/dλ [M]
-  bool ingoing = false;  //!< as RayStart's: azimuth and time of light that only comes in are counted so (near_series.h)
-  ScalarOf<T> turn = ScalarOf<T>(0);  //!< as CameraStation's
-  ScalarOf<T> lag = ScalarOf<T>(0);   //!< as CameraStation's [M]
+  //! As in RayStart: azimuth and time of light that only comes in are in ingoing Kerr coordinates
+  //! (near_series.h).
+  bool ingoing = false;
+  ScalarOf<T> turn = ScalarOf<T>(0);  //!< as in CameraStation
+  ScalarOf<T> lag = ScalarOf<T>(0);   //!< as in CameraStation [M]
 };
 
 inline namespace ERGO_TARGET {
 
-//! The ray that the observer sees in direction `n` (unit vector in the observer's frame: e_r, e_θ, e_φ).
+//! Returns the ray that the observer sees in direction `n` (unit vector in the observer's frame:
+//! e_r, e_θ, e_φ).
 //!
-//! A camera within rounding of the equator is on it: its rays do not cross the plane where they start.
+//! A camera within rounding of the equator is treated as on it: its rays do not cross the plane
+//! where they start.
 template <class T>
 ERGO_HD NearRay<T> start_near_ray(const CameraStationOf<ScalarOf<T>>& camera, const Vector3<T>& n) {
   using S = ScalarOf<T>;
@@ -48,7 +55,8 @@ ERGO_HD NearRay<T> start_near_ray(const CameraStationOf<ScalarOf<T>>& camera, co
   const T a2e2 = a2 * (ray.energy * ray.energy);
   const T l = ray.axial_angular_momentum;
   ray.polar_constant = polar * polar + azimuthal * azimuthal - (cosine * cosine) * a2e2;
-  // Q = p_θ² + cos²θ (L² / sin²θ - a² E²), and L = sinθ times the azimuthal rate: nothing cancels near the axis.
+  // Q = p_θ² + cos²θ (L² / sin²θ - a² E²), and L = sinθ times the azimuthal rate, so nothing
+  // cancels near the axis.
   ray.carter = polar * polar + (cosine * cosine) * (azimuthal * azimuthal - a2e2);
   const T skew = l - camera.spin * ray.energy;
   ray.shear_constant = ray.carter + skew * skew;
@@ -58,7 +66,8 @@ ERGO_HD NearRay<T> start_near_ray(const CameraStationOf<ScalarOf<T>>& camera, co
   return ray;
 }
 
-//! The ray that an eye which turns with the direction sees in a direction of the view; with m in axes that are turned to the head's azimuth.
+//! Returns the ray that an eye of omnidirectional stereo sees in a direction of the view. Its m is
+//! in axes that are turned to the head's azimuth.
 template <class T>
 ERGO_HD NearRay<T> start_near_ray(const OmniCameraOf<ScalarOf<T>>& camera, const Vector3<T>& view) {
   using S = ScalarOf<T>;
@@ -76,24 +85,28 @@ ERGO_HD NearRay<T> start_near_ray(const OmniCameraOf<ScalarOf<T>>& camera, const
   const S a = camera.spin;
   const T drag = (a * a) * (ray.energy * ray.energy) * (ray.m.z * ray.m.z);
   ray.polar_constant = dot(ray.m_rate, ray.m_rate) - drag;
-  // |m'|² is the square of m x m', whose part along the axis is L: without that nothing cancels.
+  // |m'|² is the square of m x m', whose component along the axis is L. Without that component
+  // nothing cancels.
   ray.carter = moment.x * moment.x + moment.y * moment.y - drag;
   const T skew = ray.axial_angular_momentum - a * ray.energy;
   ray.shear_constant = ray.carter + skew * skew;
-  // Eyes are where they are at one time of who falls in. (The few rays that go inwards do not heed how much the eye's usual time is ahead of the head's.)
+  // The eyes are at their positions at one time of infalling observers. (The few rays that go
+  // inwards ignore how far the eye's Boyer-Lindquist time is ahead of the head's.)
   ray.ingoing = camera.ingoing;
   ray.lag = camera.lag;
   return ray;
 }
 
-//! The ray of a picture whose directions are seen by one camera, or where `turning` has coefficients, each by its own.
+//! Returns the ray of a picture: all directions are seen by one camera or, if `turning` has
+//! coefficients, each by its own.
 template <class T>
 ERGO_HD NearRay<T> start_near_ray(const CameraStationOf<ScalarOf<T>>& camera, const OmniCameraOf<ScalarOf<T>>& turning,
                                   const Vector3<T>& n) {
   return turning.coefficients != nullptr ? start_near_ray(turning, n) : start_near_ray(camera, n);
 }
 
-//! Which lanes have light that only comes in to the camera, and is counted so.
+//! Returns the lanes with light that only comes in to the camera, whose azimuth and time are in
+//! ingoing Kerr coordinates.
 template <class T>
 ERGO_HD MaskOf<RealOf<T>> counts_ingoing(const NearRay<T>& ray) {
   using Real = RealOf<T>;
@@ -102,7 +115,7 @@ ERGO_HD MaskOf<RealOf<T>> counts_ingoing(const NearRay<T>& ray) {
   return ray.ingoing ? in : in & !in;
 }
 
-//! Lanes that begin within the horizon.
+//! Returns the lanes that begin within the horizon.
 template <class T>
 ERGO_HD MaskOf<RealOf<T>> begins_within(ScalarOf<T> spin, const NearRay<T>& ray) {
   using S = ScalarOf<T>;
@@ -110,8 +123,9 @@ ERGO_HD MaskOf<RealOf<T>> begins_within(ScalarOf<T> spin, const NearRay<T>& ray)
   return value_of(ray.u) * horizon_r > RealOf<T>(S(1));
 }
 
-//! Lanes whose light has been outside: all that begin there, and of those that begin within the horizon what came in through it, with
-//! E (r_+² + a²) - a L > 0. The rest is another universe's, and dark.
+//! Returns the lanes whose light has been outside the horizon: all that begin there, and of those
+//! that begin within it the light that came in through it, with E (r_+² + a²) - a L > 0. All other
+//! light is from another universe, and dark.
 template <class T>
 ERGO_HD MaskOf<RealOf<T>> has_been_outside(ScalarOf<T> spin, const NearRay<T>& ray) {
   using S = ScalarOf<T>;
@@ -122,7 +136,7 @@ ERGO_HD MaskOf<RealOf<T>> has_been_outside(ScalarOf<T> spin, const NearRay<T>& r
   return (!begins_within(spin, ray)) | ((moment > zero) & (value_of(ray.u_rate) < zero));
 }
 
-//! A ray without its derivatives.
+//! Returns a ray without its derivatives.
 template <class T>
 ERGO_HD NearRay<RealOf<T>> plain_ray(const NearRay<T>& ray) {
   return {value_of(ray.energy),

@@ -2,13 +2,14 @@
 
 #include "kernels/near_rays/near_azimuth.h"
 
-// Taylor series in Mino time of light that is followed to what stands near the hole, as in kernels/geodesic/taylor.h; here they carry the
-// coordinate time too, and no more than is asked for.
+// Taylor series in Mino time of light from the disk, shells and objects, as in
+// kernels/spacetime/geodesic/taylor.h. Here they also carry the coordinate time, and only what is
+// requested.
 namespace ergodome::inline ERGO_TARGET {
 
 namespace detail {
 
-//! The affine distance: its rate is r² + a² z².
+//! Expands the affine distance, whose rate is r² + a² z².
 template <int Order, NearParts Parts, class T>
 ERGO_HD void expand_distance(ScalarOf<T> spin, const RealOf<T>& inverse_scale, const T* z_square,
                              NearSeries<Order, T, Parts>& s) {
@@ -29,7 +30,7 @@ ERGO_HD void expand_distance(ScalarOf<T> spin, const RealOf<T>& inverse_scale, c
   }
 }
 
-//! Fills the series from their coefficients 0 and, of the places, 1.
+//! Expands the series from their coefficients 0 and, for positions, 1.
 template <int Order, class T, NearParts Parts>
 ERGO_HD void expand_near(ScalarOf<T> spin, const NearRay<T>& ray, const NearCoefficients<T>& c,
                          NearSeries<Order, T, Parts>& s) {
@@ -115,7 +116,7 @@ ERGO_HD void start_series(const NearRay<T>& ray, const RealOf<T>& inverse_scale,
   }
 }
 
-//! The affine distance that a series has come to, where it carries that; else 0.
+//! Returns the affine distance at the start of the series if they carry it, else 0.
 template <int Order, class T, NearParts Parts>
 ERGO_HD T distance_so_far(const NearSeries<Order, T, Parts>& s) {
   if constexpr (has_distance(Parts)) {
@@ -125,7 +126,7 @@ ERGO_HD T distance_so_far(const NearSeries<Order, T, Parts>& s) {
   }
 }
 
-//! Coefficients 0 and 1 of the series about h.
+//! Replaces coefficients 0 and 1 of the series by those about h.
 template <int Order, class T, NearParts Parts>
 ERGO_HD void move_series(NearSeries<Order, T, Parts>& s, const RealOf<T>& h) {
   const auto move = [&h](auto& c) {
@@ -148,7 +149,8 @@ ERGO_HD void move_series(NearSeries<Order, T, Parts>& s, const RealOf<T>& h) {
   }
 }
 
-//! Makes azimuth and time of a mask's lanes, which were counted in ingoing Kerr coordinates so far and are outside the horizon, Boyer-Lindquist's.
+//! Converts azimuth and time of the lanes of a mask from ingoing Kerr to Boyer-Lindquist
+//! coordinates. These lanes have to be outside the horizon.
 template <int Order, NearParts Parts, class T>
 ERGO_HD void count_on_outside(ScalarOf<T> spin, const MaskOf<RealOf<T>>& lanes, NearSeries<Order, T, Parts>& s) {
   const RealOf<T> unscaled(ScalarOf<T>(1));

@@ -2,13 +2,14 @@
 
 #include "kernels/near_rays/seen_light.h"
 
-// How pixels that see what stands near the hole look at more than their middle, and what is laid over the picture.
+// Samples within pixels that see the disk, shells or objects, and their composition with the
+// picture.
 namespace ergodome::inline ERGO_TARGET {
 
-//! Samples along each side of a pixel that holds images finer than itself.
+//! Samples along each side of a pixel that contains images finer than itself.
 inline constexpr int near_samples = 4;
 
-//! A part of a pixel: how far its middle is from the pixel's, and how wide it is [px].
+//! A part of a pixel: the offset of its middle from the pixel's, and its width [px].
 template <class S>
 struct NearSample {
   S along;
@@ -24,7 +25,7 @@ ERGO_HD NearSample<S> near_sample(int i) {
           (static_cast<S>(row) + S(0.5)) * step - S(0.5), step};
 }
 
-//! In the lanes of a mask the mean of what all samples see, whose sum is given.
+//! Replaces what the lanes of a mask see by the mean of all samples. `sum`: sum over the samples.
 template <class T>
 ERGO_HD void take_mean(const MaskOf<T>& lanes, const SeenLanes<T>& sum, SeenLanes<T>& seen) {
   using S = ScalarOf<T>;
@@ -33,7 +34,8 @@ ERGO_HD void take_mean(const MaskOf<T>& lanes, const SeenLanes<T>& sum, SeenLane
           select(lanes, sum.blue * share, seen.blue), select(lanes, sum.clear * share, seen.clear)};
 }
 
-//! Lays what is seen over the pixels first, first + 1, ... of a block of `count`, as far as they are `inside` the image.
+//! Composes what is seen with the pixels first, first + 1, ... of a block of `count`, weighted by
+//! how much of each is `inside` the image.
 template <class T>
 ERGO_HD void lay_over(const SeenLanes<T>& seen, const T& inside, int first, int count, float* pixels) {
   for (int i = 0; i < RealTraits<T>::lane_count && first + i < count; ++i) {

@@ -2,17 +2,20 @@
 
 #include "kernels/near_rays/near_ray.h"
 
+// Decides whether rays turn, fall into the hole or escape.
 namespace ergodome::inline ERGO_TARGET {
 
 //! Where a ray may turn between the horizon and infinity.
 template <class Real>
 struct RadialFate {
-  MaskOf<Real> turns;  //!< it turns, on its way to the barrier
+  MaskOf<Real> turns;  //!< the ray turns on its way to the barrier
   Real barrier_u;      //!< 1/r of the barrier's top [1/M]; light that is past it turns no more
 };
 
-//! Decides it from the barrier as radial_barrier() does (kernels/geodesic/radial_potential.h), for any sign of the energy: with U = u_rate²,
-//!   U' / 2u = (a² E² - C) + 3 K u - 2 a² Q u²,   U = (E + (a² E - a L) u²)² - K u² (1 - r_+ u)(1 - (a²/r_+) u).
+//! Finds the fate of a ray from the barrier as radial_barrier() does
+//! (kernels/spacetime/geodesic/radial_potential.h), for any sign of the energy. With U = u_rate²,
+//!   U' / 2u = (a² E² - C) + 3 K u - 2 a² Q u²,
+//!   U = (E + (a² E - a L) u²)² - K u² (1 - r_+ u)(1 - (a²/r_+) u).
 template <class T>
 ERGO_HD RadialFate<RealOf<T>> radial_fate(ScalarOf<T> spin, const NearRay<T>& ray) {
   using S = ScalarOf<T>;
@@ -34,19 +37,20 @@ ERGO_HD RadialFate<RealOf<T>> radial_fate(ScalarOf<T> spin, const NearRay<T>& ra
   return {turns, u};
 }
 
-//! Rays that go on inwards for good: nothing between here and the horizon turns them.
+//! Returns the rays that go inwards for good: nothing between here and the horizon turns them.
 template <class Real>
 ERGO_HD MaskOf<Real> keeps_inwards(const RadialFate<Real>& fate, const Real& u, const Real& u_rate) {
   return (u_rate > Real(ScalarOf<Real>(0))) & !(fate.turns & (u < fate.barrier_u));
 }
 
-//! Rays that go on outwards for good.
+//! Returns the rays that go outwards for good.
 template <class Real>
 ERGO_HD MaskOf<Real> keeps_outwards(const RadialFate<Real>& fate, const Real& u, const Real& u_rate) {
   return (!(u_rate > Real(ScalarOf<Real>(0)))) & !(fate.turns & (u > fate.barrier_u));
 }
 
-//! Rays that do not come from the sky: they end in the hole, at once or after a turn, or begin within it and never were outside.
+//! Returns the rays that do not come from the sky: those that end in the hole, at once or after a
+//! turn, and those that begin within it and have never been outside.
 template <class T>
 ERGO_HD MaskOf<RealOf<T>> comes_from_hole(ScalarOf<T> spin, const NearRay<T>& ray) {
   const RadialFate<RealOf<T>> fate = radial_fate(spin, ray);

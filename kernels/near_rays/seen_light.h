@@ -5,7 +5,8 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! What stands near the hole adds to pixels, and how much of what is behind it they still see.
+//! Light that disk, shells and objects add to pixels, and how much of the background the pixels
+//! still see (`clear`).
 template <class T>
 struct SeenLanes {
   T red, green, blue;
@@ -18,7 +19,8 @@ ERGO_HD SeenLanes<T> nothing_seen() {
   return {T(S(0)), T(S(0)), T(S(0)), T(S(1))};
 }
 
-//! Puts a surface behind all that lane `i` has seen so far; `light` holds its opacity already.
+//! Adds a surface behind all that lane `i` has seen so far. `light` is already multiplied by the
+//! opacity.
 template <class T>
 ERGO_HD void put_behind(const Vector3<float>& light, float opacity, int i, SeenLanes<T>& seen) {
   const float clear = lane(seen.clear, i);

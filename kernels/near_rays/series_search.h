@@ -2,10 +2,10 @@
 
 #include "kernels/near_rays/near_series.h"
 
-// Steps along a ray's series, and where something happens within them.
+// Steps along a ray's series, and the times of events within them.
 namespace ergodome::inline ERGO_TARGET {
 
-//! How far rays are followed, and how exactly.
+//! How far rays are followed, and how precisely.
 template <class S>
 struct NearLimits {
   S tolerance;  //!< local error
@@ -14,7 +14,8 @@ struct NearLimits {
 
 namespace detail {
 
-//! The h in [from, to] at which a series passes through zero, from the sign of `side`; exact in the dual parts too. It must pass once.
+//! Returns the h in [from, to] at which a series passes through zero, coming from the sign of
+//! `side`. It must do so exactly once. Dual parts are exact, too.
 template <int Order, class T>
 ERGO_HD T time_to_zero(const T (&c)[Order], const RealOf<T>& side, const RealOf<T>& from, const RealOf<T>& to) {
   using Real = RealOf<T>;
@@ -41,7 +42,8 @@ ERGO_HD T time_to_zero(const T (&c)[Order], const RealOf<T>& side, const RealOf<
   return T(h) - series_value(c, T(h)) / series_rate(c, T(h));
 }
 
-//! Size of the terms of power k; u and the delay count as angles and beside the radius.
+//! Returns the size of the terms of power k. Lengths are measured relative to the radius, so that
+//! they compare with angles.
 template <int Order, class T, NearParts Parts>
 ERGO_HD RealOf<T> near_term(const NearSeries<Order, T, Parts>& s, int k, const RealOf<T>& scale) {
   const auto size = [](const T& term) { return absolute(value_of(term)); };
@@ -58,8 +60,8 @@ ERGO_HD RealOf<T> near_term(const NearSeries<Order, T, Parts>& s, int k, const R
   return sum;
 }
 
-//! How long a step may be: neglected terms stay below the tolerance, and the polar motion, which takes π or more of scaled time from
-//! crossing to crossing, meets no two of them.
+//! Returns the length of a step. Neglected terms stay below the tolerance, and the step contains at
+//! most one crossing of the plane, since crossings are π or more of scaled time apart.
 template <int Order, class T, NearParts Parts>
 ERGO_HD RealOf<T> near_step(const NearSeries<Order, T, Parts>& s, const RealOf<T>& scale, ScalarOf<T> tolerance) {
   using S = ScalarOf<T>;

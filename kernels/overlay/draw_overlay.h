@@ -9,13 +9,15 @@
 
 namespace ergodome {
 
-//! Side of the squares that pictures are divided into where overlays are drawn [px].
+//! Side of the square tiles into which pictures are divided for drawing overlays [px].
 inline constexpr int overlay_tile_px = 32;
 
-//! An overlay to draw over a picture, on those of its tiles that it may touch. Arrays lie in the backend's memory.
+//! An overlay to draw over a picture, on those of its tiles that it may touch. Arrays lie in the
+//! backend's memory.
 //!
-//! What is shown is covered by it, not the light: the picture's light is brought to the display's by its tone, covered, and brought back. So an
-//! overlay's colours do not depend on the exposure. Where it is drawn, light has no more than what shows as white.
+//! The overlay covers displayed values, not light: the picture's light is converted to display
+//! values by its tone, covered, and converted back. So an overlay's colors do not depend on the
+//! exposure. Where it is drawn, light is limited to what shows as white.
 struct OverlayBatch {
   float* rgba;  //!< of the whole picture: light and coverage
   ProjectionOf<float> projection;
@@ -23,9 +25,9 @@ struct OverlayBatch {
   OverlaySheet sheet;
   float opacity;
   Tone tone;
-  bool display_colours;       //!< the picture's light is a display's: no tone comes on it
+  bool display_colours;       //!< the picture has a display's values already: no tone is applied
   const std::int32_t* tiles;  //!< numbers of tiles, row by row from the top left
-  int tile_columns;           //!< of the picture
+  int tile_columns;           //!< tiles per row of the picture
   int count;                  //!< pixels of the tiles
 };
 

@@ -5,7 +5,8 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Draws an overlay; index i stands for the pixels i * lanes, i * lanes + 1, ... of the tiles, each row by row.
+//! Draws an overlay; index i stands for the pixels i * lanes, i * lanes + 1, ... of the tiles, each
+//! row by row.
 template <class T>
 struct DrawOverlay {
   OverlayBatch batch;
@@ -46,7 +47,8 @@ struct DrawOverlay {
   }
 
  private:
-  //! How much of a pixel lies between 0 and 1 of a coordinate that changes by `per_px`.
+  //! Returns the fraction of a pixel that lies between 0 and 1 of a coordinate that changes by
+  //! `per_px`.
   static ERGO_HD float part_between(float coordinate, float per_px) {
     const float px = 1.0F / maximum(per_px, 1e-9F);
     const float from = minimum(maximum(coordinate * px + 0.5F, 0.0F), 1.0F);
@@ -54,7 +56,8 @@ struct DrawOverlay {
     return maximum(from + to - 1.0F, 0.0F);
   }
 
-  //! How much of a pixel the sheet covers. A fisheye's circle counts the pixels on its rim whole: the picture's own rim is softer.
+  //! Returns the fraction of a pixel that the sheet covers. A fisheye's circle covers pixels on its
+  //! rim completely, since the picture's own rim is softer.
   ERGO_HD float sheet_part(const OverlayFootprint& f) const {
     if (batch.sheet.shape == OverlayShape::fisheye) {
       const float x = f.s - 0.5F;

@@ -10,23 +10,25 @@ namespace ergodome {
 
 //! How an overlay lies on the sphere of directions.
 //!
-//! `bent`: along a circle of latitude, so that a wide line of text stays level: x is azimuth, y Mercator's latitude, both times the cosine of the
-//! middle's latitude. That is conformal, so letters keep their shape. `flat`: on the plane that touches the sphere in its middle. `fisheye`:
-//! an equidistant domemaster.
+//! `bent`: along a circle of latitude, so that a wide line of text stays level. x is the azimuth
+//! and y Mercator's latitude, both times the cosine of the middle's latitude. This is conformal, so
+//! letters keep their shape. `flat`: on the plane that touches the sphere in the overlay's middle.
+//! `fisheye`: an equidistant domemaster.
 enum class OverlayShape : std::int32_t { bent, flat, fisheye };
 
-//! Where an overlay lies. Its axes are of unit length, in those of the view (x right, y up, z back).
+//! Position of an overlay. Its axes are unit vectors in those of the view (x right, y up, z back).
 struct OverlaySheet {
   OverlayShape shape;
-  Vector3<float> across;  //!< to its right, in its middle
+  Vector3<float> across;  //!< direction to its right, in its middle
   Vector3<float> up;      //!< bent: the pole of its latitudes; flat: upwards; fisheye: the zenith
   Vector3<float> ahead;   //!< bent: azimuth 0 on the equator; flat: its middle; fisheye: the front
-  float scale;            //!< bent: cosine of the middle's latitude; fisheye: half the field of view [rad]
-  float middle;           //!< bent: Mercator's latitude of the middle
-  float width;            //!< bent [rad]; flat: on the plane at distance 1
+  //! Bent: cosine of the middle's latitude; fisheye: half the field of view [rad].
+  float scale;
+  float middle;  //!< bent: Mercator's latitude of the middle
+  float width;   //!< bent: [rad]; flat: on the plane at distance 1
   float height;
-  Vector3<float> bound_axis;  //!< all of it lies within a cone about this
-  float bound_cosine;         //!< of the cone's half angle
+  Vector3<float> bound_axis;  //!< axis of a cone that contains all of it
+  float bound_cosine;         //!< cosine of the cone's half angle
 };
 
 inline namespace ERGO_TARGET {
@@ -39,7 +41,7 @@ ERGO_HD Dual<T> arc_tangent_of(const Dual<T>& y, const Dual<T>& x) {
           (x.value * y.along_y - y.value * x.along_y) * inverse};
 }
 
-//! artanh, for |a| < 1.
+//! Returns artanh(a), for -1 < a < 1.
 template <class T>
 ERGO_HD Dual<T> area_tangent_of(const Dual<T>& a) {
   const T slope = T(1.0F) / (T(1.0F) - a.value * a.value);
@@ -47,7 +49,8 @@ ERGO_HD Dual<T> area_tangent_of(const Dual<T>& a) {
 }
 }  // namespace detail
 
-//! A direction on a sheet: (s, t), 0 to 1 from the left and from the top. Meaningful within the sheet's bound.
+//! Computes the position (s, t) of a direction on a sheet, 0 to 1 from the left and from the top.
+//! Only meaningful within the sheet's bound.
 template <class T>
 ERGO_HD void place_on_sheet(const OverlaySheet& sheet, const Vector3<Dual<T>>& view, Dual<T>& s, Dual<T>& t) {
   using D = Dual<T>;
@@ -59,14 +62,14 @@ ERGO_HD void place_on_sheet(const OverlaySheet& sheet, const Vector3<Dual<T>>& v
   const D z = along(sheet.ahead);
   switch (sheet.shape) {
     case OverlayShape::bent: {
-      // Beside the pole nothing is drawn.
+      // Next to the pole nothing is drawn.
       const D latitude = {minimum(maximum(y.value, T(-0.9999F)), T(0.9999F)), y.along_x, y.along_y};
       s = detail::arc_tangent_of(x, z) * T(sheet.scale / sheet.width) + T(0.5F);
       t = T(0.5F) - (detail::area_tangent_of(latitude) - T(sheet.middle)) * T(sheet.scale / sheet.height);
       break;
     }
     case OverlayShape::flat: {
-      // What is beside and behind goes far out.
+      // Directions to the side and behind are moved far out.
       const D ahead = {maximum(z.value, T(1e-3F)), z.along_x, z.along_y};
       s = x / ahead * T(1.0F / sheet.width) + T(0.5F);
       t = T(0.5F) - y / ahead * T(1.0F / sheet.height);
@@ -75,7 +78,7 @@ ERGO_HD void place_on_sheet(const OverlaySheet& sheet, const Vector3<Dual<T>>& v
     case OverlayShape::fisheye: {
       const D square = x * x + z * z;
       const auto near_zenith = (square.value < T(1e-6F)) & (y.value > T(0.0F));
-      // There the angle is its sine.
+      // Near the zenith the angle equals its sine.
       const D across = sqrt(D(maximum(square.value, T(1e-12F)), square.along_x, square.along_y));
       const D outwards = select(near_zenith, D(T(1.0F)), detail::arc_tangent_of(across, y) / across);
       const D radius = outwards * T(0.5F / sheet.scale);

@@ -5,13 +5,14 @@
 #include "kernels/core/arithmetic.h"
 #include "kernels/core/quad.h"
 
-// Images that are laid over a picture: light as a display shows it, linear, 1 being all it has, times alpha; with levels of halved size down to
-// one texel.
+// Images that are drawn over a picture: linear light of a display, where 1 is its maximum,
+// multiplied by alpha; with levels of halved size down to one texel.
 namespace ergodome {
 
 inline constexpr int overlay_level_limit = 15;
 
-//! A texture as kernels read it: four whole numbers a texel (red, green, blue, alpha), 65535 for 1. The first row is the top.
+//! A texture as kernels read it: four integers a texel (red, green, blue, alpha), 65535 for 1. The
+//! first row is the top.
 struct OverlayTexture {
   const std::uint16_t* texels;
   long level_offset[overlay_level_limit];  //!< in texels
@@ -20,7 +21,8 @@ struct OverlayTexture {
   int level_count;
 };
 
-//! How a pixel lies on a texture: its middle, 0 to 1 from the left and from the top, and how that changes per pixel.
+//! A pixel's footprint on a texture: its middle, 0 to 1 from the left and from the top, and the
+//! derivatives per pixel.
 struct OverlayFootprint {
   float s, t;
   float s_along_x, s_along_y;
@@ -39,7 +41,8 @@ ERGO_HD Quad overlay_texel(const std::uint16_t* texels, int width, int column, i
   return load_quad(part);
 }
 
-//! Between the four texels about a place of a level; beyond the sides as at them. In units of 1 / 65535.
+//! Interpolates the four texels about a position of a level; clamps at the sides. In units of 1 /
+//! 65535.
 ERGO_HD Quad overlay_between(const OverlayTexture& texture, int level, float s, float t) {
   const int width = texture.width >> level > 1 ? texture.width >> level : 1;
   const int height = texture.height >> level > 1 ? texture.height >> level : 1;
@@ -59,7 +62,7 @@ ERGO_HD Quad overlay_between(const OverlayTexture& texture, int level, float s, 
   return (1.0F - down) * top + down * bottom;
 }
 
-//! The same between two levels.
+//! Interpolates between two levels.
 ERGO_HD Quad overlay_look(const OverlayTexture& texture, float level, float s, float t) {
   const float coarsest = static_cast<float>(texture.level_count - 1);
   const float at = minimum(maximum(level, 0.0F), coarsest);
@@ -70,11 +73,13 @@ ERGO_HD Quad overlay_look(const OverlayTexture& texture, float level, float s, f
 }
 }  // namespace detail
 
-//! Light and alpha that a pixel sees of a texture: the mean over its footprint, an ellipse. Looks lie beside each other, up to eight along its
-//! longer axis and two along the shorter, in the level whose texels are as far apart. A footprint of a texel that lies on one gives that texel.
+//! Returns the light and alpha that a pixel sees of a texture: the mean over its footprint, an
+//! ellipse. Takes up to eight samples along its longer axis and two along the shorter, in the level
+//! whose texels have that spacing. A footprint of one texel's size, on that texel, yields exactly
+//! its value.
 ERGO_HD Quad filtered_overlay(const OverlayTexture& texture, const OverlayFootprint& footprint) {
   constexpr float most_looks = 8.0F;
-  // A footprint that is wider than a texel by no more than this is of one.
+  // A footprint wider than a texel by at most this still counts as one texel wide.
   constexpr float slack = 0.05F;
   const float width = static_cast<float>(texture.width);
   const float height = static_cast<float>(texture.height);
@@ -82,7 +87,7 @@ ERGO_HD Quad filtered_overlay(const OverlayTexture& texture, const OverlayFootpr
   const float uy = footprint.s_along_y * width;
   const float vx = footprint.t_along_x * height;
   const float vy = footprint.t_along_y * height;
-  // The ellipse: eigenvalues of J Jᵀ, and the larger one's vector.
+  // The ellipse: eigenvalues of J Jᵀ, and the eigenvector of the larger one.
   const float a = ux * ux + uy * uy;
   const float b = ux * vx + uy * vy;
   const float c = vx * vx + vy * vy;

@@ -3,7 +3,8 @@
 #include "kernels/near_rays/radial_fate.h"
 #include "kernels/near_rays/series_search.h"
 
-// Where light crosses spheres r = const, followed backwards from the camera, also inside the shadow.
+// Where light crosses spheres r = const, followed backwards from the camera, also inside the
+// shadow.
 namespace ergodome::inline ERGO_TARGET {
 
 //! Shells that are looked for, the outermost first.
@@ -13,16 +14,18 @@ struct ShellRadii {
   int count;   //!< at least one
 };
 
-//! A place on a ray.
+//! A position on a ray.
 template <class T>
 struct NearPlace {
   T u;           //!< 1 / r [1/M]
-  T u_rate;      //!< du/dλ, backwards: positive for light that was emitted outwards
+  T u_rate;      //!< du/dλ, backwards: positive for light emitted outwards
   Vector3<T> m;  //!< polar position without frame dragging
-  T drag;        //!< turn m about the spin axis by this [rad]: that is the place, with φ = 0 at the camera or the head
-  T delay;       //!< coordinate time from there to the camera [M]; with the delay alone
-  T distance;    //!< affine distance from the camera [M]; where it is asked for
-  RealOf<T> time;  //!< Mino time from there to the camera, for a photon that is seen with energy 1 [1/M]
+  //! Rotation of m about the spin axis that leads to the position, with φ = 0 at the camera or the
+  //! head [rad].
+  T drag;
+  T delay;         //!< coordinate time from there to the camera [M]; only with the delay
+  T distance;      //!< affine distance from the camera [M]; only if Parts include it
+  RealOf<T> time;  //!< Mino time from there to the camera, for a photon seen with energy 1 [1/M]
 };
 
 namespace detail {
@@ -57,7 +60,7 @@ struct RadialLeg {
   MaskOf<Real> lanes;
 };
 
-//! Reports the crossings of a leg, in order.
+//! Reports the crossings of a leg to the visitor, in order.
 template <int Order, NearParts Parts, class T, class Visitor>
 ERGO_HD void visit_leg(const NearSeries<Order, T, Parts>& s, const ShellRadii<ScalarOf<T>>& shells,
                        const RadialLeg<RealOf<T>>& leg, const SeriesReading<T>& reading, const RealOf<T>& start,
@@ -69,7 +72,7 @@ ERGO_HD void visit_leg(const NearSeries<Order, T, Parts>& s, const ShellRadii<Sc
     const int shell = inwards ? i : 2 * shells.count - 1 - i;
     const Real side(inwards ? S(-1) : S(1));
     const Real u(shells.u[shell]);
-    // Where a ray begins on a shell it does not cross it.
+    // A ray that begins on a shell does not cross it there.
     const auto crossed =
         leg.lanes & (inwards ? (leg.from_u < u) & !(leg.to_u < u) : (leg.from_u > u) & !(leg.to_u > u));
     if (any(crossed)) {
@@ -83,7 +86,7 @@ ERGO_HD void visit_leg(const NearSeries<Order, T, Parts>& s, const ShellRadii<Sc
   }
 }
 
-//! Where within a step r is least or greatest.
+//! Returns the time within a step at which r is least or greatest.
 template <int Order, class T>
 ERGO_HD T time_to_turn(const T (&u)[Order], const RealOf<T>& side, const RealOf<T>& length) {
   using S = ScalarOf<T>;
@@ -96,12 +99,15 @@ ERGO_HD T time_to_turn(const T (&u)[Order], const RealOf<T>& side, const RealOf<
 
 }  // namespace detail
 
-//! Follows a ray past all the shells that it crosses, in the order in which it does: backwards in time. Outside the horizon light turns at
-//! most once, so it crosses a shell twice at the most. Where a ray begins on a shell it does not cross it.
+//! Follows rays backwards in time past all the shells that they cross, in order. Outside the
+//! horizon light turns at most once, so it crosses a shell at most twice. A ray that begins on a
+//! shell does not cross it there.
 //!
-//! The visitor has cross(shell, lanes, place), turn(lanes, place) where r turns, and done(), the lanes that need no more. Nothing is singular
-//! on the way, in or out of the horizon, and rays end at the innermost shell at the latest, unless they turn. `active_at_start`: lanes to trace. False where a
-//! ray met the step limit. With dual numbers all derivatives are exact ones.
+//! The visitor has cross(shell, lanes, place), turn(lanes, place) where r turns, and done(), which
+//! returns the lanes that are finished. Nothing is singular on the way, into or out of the horizon,
+//! and rays end at the innermost shell at the latest, unless they turn. `active_at_start`: lanes to
+//! trace. Returns false in lanes that reached the step limit. With dual numbers all derivatives are
+//! exact.
 template <int Order, NearParts Parts, class T, class Visitor>
 ERGO_HD MaskOf<RealOf<T>> trace_shells(ScalarOf<T> spin, const NearRay<T>& ray, const ShellRadii<ScalarOf<T>>& shells,
                                        const NearLimits<ScalarOf<T>>& limits, const MaskOf<RealOf<T>>& active_at_start,

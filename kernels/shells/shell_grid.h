@@ -8,8 +8,9 @@ namespace ergodome::inline ERGO_TARGET {
 
 namespace detail {
 
-//! The part of a stretch [x - f/2, x + f/2] that is covered by lines of width w about the multiples of a spacing: exact for any of them, and
-//! w / spacing where the stretch holds many. What is not a number sees many.
+//! Returns the fraction of a stretch [x - f/2, x + f/2] that is covered by lines of width w about
+//! the multiples of a spacing. It is exact for few lines, and w / spacing for many. A NaN stretch
+//! counts as one with many.
 ERGO_HD float line_coverage(float x, float spacing, float width, float stretch) {
   constexpr float many = 16.0F;
   if (!(stretch < many * spacing)) {
@@ -17,7 +18,7 @@ ERGO_HD float line_coverage(float x, float spacing, float width, float stretch) 
   }
   const float w = minimum(width, spacing);
   const float f = maximum(stretch, 1e-6F);
-  // Counted from the nearest line, so that nothing of a narrow one is rounded off.
+  // Measured from the nearest line, so that narrow lines are not lost to rounding.
   const float from_line = x - spacing * ::floorf(x / spacing + 0.5F);
   const auto covered_before = [&](float t) {
     const float lines = ::floorf(t / spacing + 0.5F);
@@ -29,23 +30,24 @@ ERGO_HD float line_coverage(float x, float spacing, float width, float stretch) 
 
 }  // namespace detail
 
-//! A place on a shell as one pixel sees it.
+//! A position on a shell as one pixel sees it.
 struct ShellFootprint {
-  Vector3<float> direction;  //!< unit vector from the shell's middle
+  Vector3<float> direction;  //!< unit vector from the shell's center
   Vector3<float> along_x;    //!< its derivatives per pixel
   Vector3<float> along_y;
 };
 
-//! How wide a footprint is [rad].
+//! Returns the width of a footprint [rad].
 ERGO_HD float footprint_width(const ShellFootprint& at) {
   return sqrt(maximum(dot(at.along_x, at.along_x), dot(at.along_y, at.along_y)));
 }
 
-//! The part of a pixel that a grid covers. All lines are `width` wide [rad], so that meridians take more and more of a circle of latitude
-//! towards the poles, and all of it where they touch: a round spot of the radius width / spacing, and no moiré about it.
+//! Returns the fraction of a pixel that a grid covers. All lines are `width` wide [rad], so
+//! meridians cover ever more of a circle of latitude towards the poles, and all of it where they
+//! touch. The result is a round spot of radius width / spacing, without moiré.
 ERGO_HD float grid_coverage(const ShellFootprint& at, float spacing, float width) {
   const Vector3<float>& d = at.direction;
-  // No pixel sees a pole sharper than by a part of its own footprint.
+  // Limits the sharpness of a pole to a fraction of the pixel's footprint.
   const float sine = maximum(sqrt(d.x * d.x + d.y * d.y), maximum(0.25F * footprint_width(at), 1e-6F));
   const auto polar = [&](const Vector3<float>& v) { return (d.z * (d.x * v.x + d.y * v.y)) / sine - sine * v.z; };
   const auto azimuthal = [&](const Vector3<float>& v) { return (d.x * v.y - d.y * v.x) / (sine * sine); };

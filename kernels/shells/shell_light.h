@@ -7,14 +7,15 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Light of one surface, weighted with how much of the pixel it covers.
+//! Light of one surface, weighted by how much of the pixel it covers.
 struct CoveredLight {
   Vector3<float> light;
   float opacity;
 };
 
-//! What a pixel sees of a shell: lines over what is between them. `g` is ν_observed / ν_emitted; colours have no spectrum to shift, so
-//! brightness alone goes with g⁴, as that of the sky's map does.
+//! Returns what a pixel sees of a shell: lines over the fill between them. `g` is ν_observed /
+//! ν_emitted. Colors have no spectrum to shift, so only the brightness is multiplied by g⁴, as for
+//! the sky map.
 ERGO_HD CoveredLight shell_light(const ShellLook& look, const ShellFootprint& at, float g, bool shifted) {
   const float coverage =
       look.line_width > 0.0F && look.line_opacity > 0.0F ? grid_coverage(at, look.spacing, look.line_width) : 0.0F;

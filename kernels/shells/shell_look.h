@@ -5,7 +5,7 @@
 
 namespace ergodome {
 
-//! What a shell looks like.
+//! How a shell looks.
 struct ShellLook {
   float r;           //!< [M]
   float spacing;     //!< of the grid [rad]
@@ -14,7 +14,7 @@ struct ShellLook {
   float fill_opacity;
   bool textured;
   Vector3<float> line;  //!< linear light
-  Vector3<float> fill;  //!< the same; of a texture, a factor
+  Vector3<float> fill;  //!< linear light; with a texture, a factor on it
   CubeMap texture;
 };
 
@@ -22,8 +22,8 @@ struct ShellLook {
 struct ShellTable {
   const float* u;  //!< 1/r of each [1/M]
   const ShellLook* looks;
-  int count;     //!< 0: none
-  bool shifted;  //!< light goes with g⁴
+  int count;     //!< 0: no shells
+  bool shifted;  //!< light is multiplied by g⁴
 };
 
 }  // namespace ergodome

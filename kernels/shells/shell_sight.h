@@ -7,8 +7,8 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Shells as a register of rays sees them: a visitor of trace_shells. `before(lane, time)` is called before each crossing, to put there what lies
-//! nearer.
+//! Shells as a pack of rays sees them: a visitor of trace_shells. before(lane, time) is called
+//! before each crossing, to add things that are nearer.
 template <class T, class Before>
 class ShellSight {
  public:
@@ -16,7 +16,7 @@ class ShellSight {
   using S = ScalarOf<T>;
   using Mask = MaskOf<T>;
 
-  //! `pixel` is the width of what each ray stands for, as a part of a pixel's.
+  //! `pixel`: width of what each ray represents, as a fraction of a pixel.
   ERGO_HD ShellSight(const CameraStationOf<S>& camera, const ShellTable& shells, const NearRay<D>& ray, S pixel,
                      const Before& before, SeenLanes<T>& seen)
       : camera_(camera), shells_(shells), ray_(ray), pixel_(pixel), before_(before), seen_(seen), fine_(S(0)) {}
@@ -30,7 +30,8 @@ class ShellSight {
     }
   }
 
-  //! Next to the edge of a shell, and to the critical curve, a pixel holds more than its middle tells.
+  //! Marks pixels that need more samples than their middle, next to the edge of a shell and to the
+  //! critical curve.
   ERGO_HD void turn(const Mask& lanes, const NearPlace<D>& place) {
     for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
       if (!mask_lane(lanes, i)) {
@@ -48,19 +49,19 @@ class ShellSight {
     }
   }
 
-  //! Lanes that see nothing further.
+  //! Returns the lanes that see nothing farther away.
   ERGO_HD Mask done() const { return seen_.clear < T(opaque); }
 
-  //! Lanes that hold more than their middle tells.
+  //! Returns the lanes that need more samples than their middle.
   ERGO_HD Mask fine() const { return fine_ > T(S(0)); }
 
  private:
-  //! A footprint as wide as this [rad] holds more than one image, or soon will.
+  //! A footprint as wide as this [rad] contains more than one image, or nearly so.
   static constexpr float fine_width = 0.5F;
-  //! What is left of the light behind is less than a display shows.
+  //! Below this fraction of the light behind, a display shows none of it.
   static constexpr S opaque = S(1.0 / 4096.0);
 
-  //! With the camera's own azimuth, and for what the ray stands for.
+  //! Returns the footprint of what the ray of lane `i` represents, with the camera's azimuth added.
   ERGO_HD ShellFootprint footprint_of(const NearPlace<D>& place, int i) const {
     const float drag = lane(place.drag.value, i);
     const float c = ::cosf(drag);
@@ -95,7 +96,7 @@ class ShellSight {
       g = 1.0F / maximum(frequency, 1e-6F);
     }
     const CoveredLight light = shell_light(look, at, g, shells_.shifted);
-    // A number that is not one covers nothing.
+    // NaN covers nothing.
     if (light.opacity > 0.0F) {
       put_behind(light.light, light.opacity, i, seen_);
     }
