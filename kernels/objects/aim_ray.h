@@ -5,19 +5,21 @@
 #include "kernels/objects/ray_arrival.h"
 #include "kernels/spacetime/shadow/shadow_chart.h"
 
-// The direct ray from a place to one that is no nearer to the hole.
+// Finds the direct ray from a point to one that is no nearer to the hole.
 namespace ergodome::inline ERGO_TARGET {
 
 namespace detail {
 
-//! Where a ray starts, what it is to come to, and how near [rad about the hole] before the last step.
+//! Start and target of a ray. `near_enough`: miss [rad about the hole] below which the next step is
+//! the last.
 struct RayEnds {
   Vector3<double> from;   //!< pseudo-Cartesian [M]
-  Vector3<double> place;  //!< no nearer to the hole
+  Vector3<double> place;  //!< the target, which is no nearer to the hole
   double near_enough;
 };
 
-//! Turns a direction at `camera` until its ray comes to a place: Newton. False where it does not get there, or by another way.
+//! Turns a direction at `camera` by Newton's method until its ray comes to the target. Returns
+//! false if it does not, or goes another way round the hole.
 ERGO_HD bool aim_at(const CameraStation& camera, const RayTarget& target, Vector3<double>& direction, Miss& miss) {
   constexpr double longest_step = 0.3;
   for (int round = 0; round < most_aim_rounds; ++round) {
@@ -39,8 +41,9 @@ ERGO_HD bool aim_at(const CameraStation& camera, const RayTarget& target, Vector
   return false;
 }
 
-//! The same from the direction without spin: as it was near by, else with the spin raised to the frame's in steps. `correction`: what spin has added to the
-//! direction there, and then here.
+//! Finds the ray from the direction without spin. Tries the correction that was found nearby; if
+//! that fails, raises the spin to the frame's in steps. `correction`: what spin adds to the
+//! direction, first nearby, then here.
 ERGO_HD bool aim_with_spin(const LocalFrame& frame, const RayEnds& ends, Vector3<double>& direction,
                            RayCorrection& correction, Miss& miss) {
   constexpr int raises = 6;

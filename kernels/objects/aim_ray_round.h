@@ -4,32 +4,36 @@
 #include "kernels/spacetime/schwarzschild/apparent_place.h"
 #include "kernels/spacetime/shadow/critical_curve.h"
 
-// The ray that goes round the hole the other way, or passes next to it the first way, from a place to one that is no nearer to the hole.
+// Finds the ray from a point to one that is no nearer to the hole, either on the second way round
+// the hole, or on the first way where that passes close to the hole.
 //
-// Next to the shadow's edge a ray's end changes some hundred times as fast as its direction, and the edge moves with the spin. By its position angle
-// γ and the logarithm x of its distance from the edge, direction and end change alike, and about holes of any spin they are nearly the same: Newton's
-// method gets there in few steps from the ray without spin.
+// Next to the shadow's edge a ray's end moves about a hundred times as fast as its direction, and
+// the edge depends on the spin. In terms of the position angle γ and the logarithm x of the
+// distance from the edge, direction and end change at similar rates, which are nearly the same for
+// any spin. So Newton's method converges in few steps from the ray without spin.
 namespace ergodome::inline ERGO_TARGET {
 
 namespace detail {
 
-//! A direction of a camera by its place about the shadow: α = α_e + (π - α_e) / (1 + e^-x), where α_e(γ) is the edge [rad].
+//! A direction of a camera relative to the shadow: α = α_e + (π - α_e) / (1 + e^-x), where α_e(γ)
+//! is the edge [rad].
 struct EdgePlace {
   double gamma;
   double x;
 };
 
-//! The place of a direction about a hole without spin, in closed form: its chart is about the middle of the hole, and the edge has
-//! sinα = √27 u √(1 - 2u), cosα = (1 - 3u) √(1 + 6u), u = 1/r.
+//! Returns the position of a direction about a hole without spin, in closed form. Its chart is
+//! centered on the hole, and the edge has sinα = √27 u √(1 - 2u), cosα = (1 - 3u) √(1 + 6u), u =
+//! 1/r.
 ERGO_HD EdgePlace place_without_spin(double u, const Vector3<double>& direction) {
-  constexpr double least = 1e-15;  // of rounding: a ray that seems to be in the shadow
+  constexpr double least = 1e-15;  // for rays that rounding puts into the shadow
   const double aside = ::sqrt(direction.y * direction.y + direction.z * direction.z);
   const double alpha = ::atan2(aside, -direction.x);
   const double edge = ::atan2(::sqrt(27.0 * (1.0 - 2.0 * u)) * u, (1.0 - 3.0 * u) * ::sqrt(1.0 + 6.0 * u));
   return {::atan2(direction.y, direction.z), ::log(::fmax(alpha - edge, least) / ::fmax(pi - alpha, least))};
 }
 
-//! A direction of a chart, for duals of both angles.
+//! Returns a direction of a chart for dual angles.
 ERGO_HD Vector3<Dual<double>> dual_direction(const ShadowChart& chart, const Dual<double>& alpha,
                                              const Dual<double>& gamma) {
   Dual<double> sine;
@@ -48,10 +52,10 @@ ERGO_HD Vector3<Dual<double>> dual_direction(const ShadowChart& chart, const Dua
           part_of(chart.centre.z, chart.first.z, chart.second.z)};
 }
 
-//! The direction of a place, with its derivatives by γ and x.
+//! Returns the direction of a position, with its derivatives by γ and x.
 ERGO_HD Vector3<Dual<double>> direction_at(const CameraStation& camera, const ShadowChart& chart, const EdgePlace& at) {
   const double edge = edge_along_circle(camera, chart, at.gamma, pi);
-  // Along the edge the darkness stays 0.
+  // The darkness is 0 all along the edge.
   const RayStart<Dual<double>> on_edge =
       start_ray(camera, dual_direction(chart, Dual<double>(edge, 1.0, 0.0), Dual<double>(at.gamma, 0.0, 1.0)));
   const Dual<double> dark = darkness(camera.spin, camera.horizon_r, on_edge);
@@ -62,8 +66,9 @@ ERGO_HD Vector3<Dual<double>> direction_at(const CameraStation& camera, const Sh
   return dual_direction(chart, alpha, Dual<double>(at.gamma, 1.0, 0.0));
 }
 
-//! Moves a direction about the shadow until its ray comes to a place: Newton. False where it does not get there, or by another way than that of its order:
-//! images of the first way are upright, those of the second are mirrored.
+//! Moves a direction about the shadow by Newton's method until its ray comes to the target. Returns
+//! false if it does not, or by a way of another order: images of the first way are upright, those
+//! of the second are mirrored.
 ERGO_HD bool aim_round(const CameraStation& camera, const RayTarget& target, int order, EdgePlace& at,
                        Vector3<double>& direction, Miss& miss) {
   constexpr double longest_turn = 0.5;
@@ -94,8 +99,10 @@ ERGO_HD Vector3<double> turned_about_axis(const Vector3<double>& v, double angle
   return {cosine * v.x - sine * v.y, sine * v.x + cosine * v.y, v.z};
 }
 
-//! By how much a hole of spin 1 carries light round on its way, and so the places where it comes together again [rad]: at first straight behind the
-//! hole, where both ways meet, then where the second way has gone all round. As of most rays that get there in fewest steps.
+//! Returns the angle by which a hole of spin 1 drags light round on its way, and with it the points
+//! where light focuses [rad]. It grows from directly behind the hole, where both ways meet, to
+//! where the second way has gone all round. The values are those that find most rays in fewest
+//! steps.
 ERGO_HD double carried_round(const RayEnds& ends) {
   constexpr double behind = 0.2;
   constexpr double all_round = 1.3;
@@ -104,8 +111,9 @@ ERGO_HD double carried_round(const RayEnds& ends) {
   return behind + (all_round - behind) * from_behind / pi;
 }
 
-//! The same with the spin raised to the frame's in steps, the first of which tries all of it. The place is turned back, against the spin, by as much
-//! as light is carried round, which keeps it on its side of where light comes together.
+//! Finds the ray by raising the spin to the frame's in steps; the first step tries all of it. The
+//! target is turned back, against the spin, by the angle that light is dragged, so that it stays on
+//! its side of the focus.
 ERGO_HD bool raise_spin(const LocalFrame& frame, const RayEnds& ends, int order, EdgePlace& at,
                         Vector3<double>& direction, Miss& miss) {
   constexpr double smallest_part = 1.0 / 16.0;
@@ -123,7 +131,7 @@ ERGO_HD bool raise_spin(const LocalFrame& frame, const RayEnds& ends, int order,
     const CameraStation camera = next < 1.0 ? local_frame(next * spin, ends.from).camera : frame.camera;
     const RayTarget target =
         ray_target(ends.from, turned_about_axis(ends.place, (1.0 - next) * carried), ends.near_enough);
-    // Farther from where it should be is another image.
+    // A result far from the expected one is another image.
     if (aim_round(camera, target, order, aimed, direction, miss) && ::fabs(aimed.gamma - expected.gamma) < 1.0 &&
         ::fabs(aimed.x - expected.x) < 2.0) {
       const double by = 1.0 / (next - raised);
@@ -141,8 +149,10 @@ ERGO_HD bool raise_spin(const LocalFrame& frame, const RayEnds& ends, int order,
   return true;
 }
 
-//! Turns the direction without spin until its ray comes to the place, starting from what spin has added to γ and x near by, or from nothing where
-//! that is 0; then `correction` is what it has added here. False where no ray is found: next to caustics, where it may have merged with another.
+//! Finds the ray from the direction without spin and the correction that was found nearby. If that
+//! is 0 or fails, raises the spin in steps. `correction`: what spin adds to γ and x, first nearby,
+//! then here. Returns false if no ray is found: next to caustics, where it may have merged with
+//! another.
 ERGO_HD bool aim_round_with_spin(const LocalFrame& frame, const RayEnds& ends, int order, Vector3<double>& direction,
                                  RayCorrection& correction, Miss& miss) {
   const EdgePlace start = place_without_spin(frame.camera.u, direction);

@@ -9,34 +9,35 @@
 #include "kernels/objects/surface.h"
 #include "kernels/projection/projection.h"
 
+// Batches that draw objects: tiles are marked first, then their pixels are drawn.
 namespace ergodome {
 
 //! Objects as an eye sees them.
 struct ObjectScene {
   CameraStation camera;
   Projection projection;
-  double
-      frame_from_view[3]
-                     [3];  //!< columns: the view's x (right), y (up), z (back) in the observer's frame (e_r, e_θ, e_φ)
+  double frame_from_view[3]   //!< rows: the observer's frame (e_r, e_θ, e_φ)
+                        [3];  //!< columns: the view's x (right), y (up), z (back)
   MeshScene scene;
   const SurfaceLook* looks;        //!< one a mesh
-  LampPlace lamp;                  //!< strength 0: none
+  LampPlace lamp;                  //!< strength 0: no lamp
   const LampCorrections* guesses;  //!< one a mesh: what spin adds to the lamp's rays to its middle
   MeshLimits limits;
-  bool shifted;   //!< light goes with g⁴
-  bool retarded;  //!< some mesh is
-  //! What sees them in place of the camera, where it has coefficients: that is the head's then, for spin and azimuth, and the frame the view's.
+  bool shifted;   //!< light is multiplied by g⁴
+  bool retarded;  //!< at least one mesh is retarded
+  //! Omnidirectional stereo, if it has coefficients: it then replaces `camera`, which is that of
+  //! the head, for spin and azimuth. The frame is that of the view.
   OmniCameraOf<double> turning;
 };
 
-//! What pixels of a square tile may see of the objects.
+//! The objects that pixels of a square tile may see.
 enum class TileMark : std::uint8_t {
   nothing,
   objects,
-  stretched,  //!< of objects that are far narrower across the shadow's edge than along it
-  fine,       //!< of an object that is not much larger than a pixel there
-  thin,       //!< of one that is stretched, and not much wider than a pixel across
-  edge        //!< the shadow's edge is in it or beside it: of anything
+  stretched,  //!< objects that are far narrower across the shadow's edge than along it
+  fine,       //!< an object that is not much larger than a pixel there
+  thin,       //!< a stretched object that is not much wider than a pixel across
+  edge        //!< the shadow's edge is in the tile or next to it, so anything may be seen
 };
 
 //! Tiles of an image to be marked.
@@ -45,34 +46,38 @@ struct ObjectTileBatch {
   const std::int32_t* tiles;  //!< two numbers each: their first pixel, x and y
   int count;
   int side_px;
-  double turn_per_px;  //!< by so much the planes of neighbours' rays are turned beside the shadow [rad]
-  TileMark* marks;     //!< one a tile
+  //! Rotation of the planes of rays from pixel to pixel beside the shadow [rad].
+  double turn_per_px;
+  TileMark* marks;  //!< one a tile
 };
 
-//! What a pixel is full of, if not the number of a mesh.
+//! Values of `content` that are not the number of a mesh.
 inline constexpr std::int32_t pixel_of_nothing = -1;
 inline constexpr std::int32_t pixel_of_several = -2;
 
-//! Where in a pixel its rays are.
+//! Positions of the rays in a pixel.
 enum class PixelPattern : std::uint8_t {
   grid,
-  slices  //!< along the shadow's edge, the thinner the nearer to it
+  slices  //!< along the shadow's edge; thinner nearer to it
 };
 
-//! Pixels to be looked at.
+//! Pixels to be drawn.
 struct ObjectPixelBatch {
   ObjectScene objects;
   const std::int32_t* pixels;  //!< two numbers each: x and y
   int count;
   PixelPattern pattern;
-  int samples;  //!< along each side of a pixel, or the root of how many slices it has: even
-  float* rgba;  //!< four a pixel: linear light times the part of the pixel that objects cover, and that part
-  float* time;  //!< one a pixel: mean Mino time from the objects to the camera, where there are any
-  //! One a pixel: the mesh that all of it shows with little contrast, or one of the above. Of slices `several` is what may be thinner than they tell.
+  int samples;  //!< along each side of a pixel, or the square root of the number of slices; even
+  //! Four a pixel: linear light times the fraction of the pixel that objects cover, and that
+  //! fraction.
+  float* rgba;
+  float* time;  //!< one a pixel: mean Mino time from the objects to the camera, if there are any
+  //! One a pixel: the mesh that fills it with little contrast, or one of the values above. With
+  //! slices, pixel_of_several means that objects may be thinner than the slices resolve.
   std::int32_t* content;
 };
 
-//! Calls action(functor) with Functor<T, what rays carry> for a batch.
+//! Calls action(functor) with Functor<T, quantities that rays carry> for a batch.
 template <template <class, NearParts> class Functor, class T, class Batch, class Action>
 inline void dispatch_objects(const Batch& batch, const Action& action) {
   if (batch.objects.retarded) {
@@ -82,18 +87,20 @@ inline void dispatch_objects(const Batch& batch, const Action& action) {
   }
 }
 
-//! An eye of the stereo model `flat`, which sees what the head's rays meet where they are in the head's flat space (kernels/mesh/eye_path.h).
+//! An eye of the stereo model `flat`. It sees what the head's rays meet, at its position in the
+//! head's flat space (kernels/objects/eye_path.h).
 struct FlatEyeSight {
-  Vector3<double> eye;  //!< beside the head, in the observer's frame [M]; not 0
-  double most_w;        //!< nothing is nearer to the eye than 1 / most_w, or is not drawn there [1/M]
-  double
-      most_hole_w;  //!< light does not come from the hole's neighbourhood, where neighbouring rays part, before 1 / this
-  double pixel;     //!< of the picture, as an angle [rad]
-  double tolerance_px;  //!< what a ray says of its neighbours may be off by so much
+  Vector3<double> eye;  //!< relative to the head, in the observer's frame [M]; not 0
+  double most_w;        //!< nothing that is nearer to the eye than 1 / most_w is drawn [1/M]
+  //! Light of the hole's neighborhood, where neighboring rays separate, comes from beyond 1 / this.
+  double most_hole_w;
+  double pixel;         //!< angle of a pixel of the picture [rad]
+  double tolerance_px;  //!< maximum error of the positions of neighbors that a ray predicts
   FlatHorizon horizon;
 };
 
-//! Slices' lines of sight have rays of the head's own; they are cut into so many parts, and there are none where the eye's way is longer than this many pixels.
+//! Number of parts into which lines of sight of slices are cut, each with a head's ray of its own;
+//! and the maximum sweep of these lines, in pixels, for which slices are used.
 inline constexpr double parts_of_slices = 2.0;
 inline constexpr double most_way_of_slices = 4.0;
 
@@ -101,26 +108,26 @@ inline constexpr double most_way_of_slices = 4.0;
 struct FlatReach {
   float least_w;  //!< nearness [1/M]
   float most_w;
-  float width;  //!< a pixel is so wide there, over r
+  float width;  //!< width of a pixel there, over r
 };
 
-//! Tiles of such an eye's image.
+//! Tiles of the image of an eye of the stereo model `flat`.
 struct FlatObjectTileBatch {
   ObjectTileBatch tiles;
   FlatEyeSight sight;
-  double part;             //!< of a line that a ray stands for, as the head sees it [rad]
-  const FlatReach* along;  //!< one a tile: where to look
-  FlatReach* reach;        //!< one a tile: where something is, if anything
+  double part;             //!< length of line that one ray represents, as the head sees it [rad]
+  const FlatReach* along;  //!< one a tile: where to search
+  FlatReach* reach;        //!< one a tile: where objects may be, if any
 };
 
-//! Pixels of it.
+//! Pixels of the image of an eye of the stereo model `flat`.
 struct FlatObjectPixelBatch {
   ObjectPixelBatch pixels;  //!< `time`: minus the mean nearness
   FlatEyeSight sight;
   const FlatReach* reach;  //!< one a pixel
 };
 
-//! Calls action(functor) for a batch of such an eye.
+//! Calls action(functor) for a batch of an eye of the stereo model `flat`.
 template <template <class, NearParts> class Functor, class T, class Batch, class Action>
 inline void dispatch_flat_objects(bool retarded, const Batch& batch, const Action& action) {
   if (retarded) {

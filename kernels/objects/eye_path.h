@@ -4,40 +4,44 @@
 #include "kernels/objects/mesh_search.h"
 #include "kernels/objects/object_sight.h"
 
-// The way in space that an eye of the stereo model `flat` looks along.
+// The curve in space along which an eye of the stereo model `flat` looks.
 //
-// What the head sees in direction n at the affine distance d stands at d n in its flat space (kernels/flat_eyes/eye_line.h). A line of sight of an eye
-// at e, e + s m, is therefore a curve in space: at the nearness w = 1/s the head's ray in the direction of m + w e, followed to the distance |m + w e| / w.
-// The curve meets objects as a ray does, whatever their surface, and whichever way round the hole they are seen.
+// What the head sees in direction n at the affine distance d is at d n in its flat space
+// (kernels/eyes/flat/eye_line.h). So a line of sight e + s m of an eye at e is a curve in space: at
+// the nearness w = 1/s it is on the head's ray in the direction of m + w e, at the distance |m + w
+// e| / w. The curve meets objects as a ray does, whatever their surface, and whichever way round
+// the hole they are seen.
 //
-// While the directions change little, one ray with its derivatives tells where its neighbours are. Where light has gone round the hole so often that its
-// neighbours are somewhere else altogether, images are far thinner than a pixel, and the ray itself stands for all that is near to it.
+// While the directions change little, one ray with its derivatives predicts its neighbors. Where
+// light has gone round the hole so often that neighbors are in entirely different positions, images
+// are far thinner than a pixel, and the ray itself represents all that is near to it.
 namespace ergodome::inline ERGO_TARGET {
 
-//! One of the head's rays, for the part of an eye's line that is near to it.
+//! One of the head's rays, which represents the part of an eye's line near to it.
 struct EyeReference {
   Vector3<double> m;       //!< the eye's direction
   Vector3<double> eye;     //!< e [M]
   Vector3<double> n;       //!< the ray's direction
-  Vector3<double> across;  //!< unit vectors across it: the ray's derivatives are along these
+  Vector3<double> across;  //!< unit vectors perpendicular to n, along which the ray has derivatives
   Vector3<double> down;
 
-  //! The direction of the head's that belongs to a nearness, and its length before it is a unit vector.
+  //! Returns the head's direction at a nearness. `length`: its length before normalization.
   ERGO_HD Vector3<double> toward(double w, double& length) const {
     const Vector3<double> v = m + w * eye;
     length = ::sqrt(dot(v, v));
     return (1.0 / length) * v;
   }
 
-  //! The head's distance of the place at a nearness; infinite where that is 0.
+  //! Returns the distance from the head at a nearness; infinite at nearness 0.
   ERGO_HD double distance(double w) const {
     double length = 0.0;
     toward(w, length);
     return w > 0.0 ? length / w : std::numeric_limits<double>::infinity();
   }
 
-  //! The nearness of the place at a distance from the head: (d² - e²) w² - 2 w m·e = 1. A line that passes the head has two such places within |e|: the
-  //! farther one is told. Beyond all where there is none.
+  //! Returns the nearness at a distance from the head: (d² - e²) w² - 2 w m·e = 1. A line that
+  //! passes the head has two solutions for distances below |e|; the farther one is returned.
+  //! Returns a huge value if there is none.
   ERGO_HD double nearness(double distance) const {
     const double ahead = dot(m, eye);
     const double rest = distance * distance - dot(eye, eye);
@@ -55,7 +59,7 @@ struct DistanceSpan {
   double nearest, farthest;
 };
 
-//! The ray's direction with derivatives across it, for the middle of a part of an eye's line.
+//! Returns a ray through the middle of a part of an eye's line, with the axes of its derivatives.
 ERGO_HD EyeReference eye_reference(const Vector3<double>& m, const Vector3<double>& eye, double w) {
   EyeReference reference = {m, eye, {}, {}, {}};
   double length = 0.0;
@@ -68,27 +72,28 @@ ERGO_HD EyeReference eye_reference(const Vector3<double>& m, const Vector3<doubl
   return reference;
 }
 
-//! An eye's way, and its neighbours', beside a step of their reference ray.
+//! The curves of an eye and its neighbors along a step of their reference ray.
 template <int Order, NearParts Parts>
 class EyeStep {
  public:
   using D = Dual<double>;
 
-  //! `reach`: how far from the ray the directions go [rad].
+  //! `reach`: maximum angle between the directions and the ray [rad].
   ERGO_HD EyeStep(const PathStep<Order, Parts, D>& step, const EyeReference& reference, double reach)
       : step_(step), reference_(reference), reach_(reach) {
     first_ = step.series.distance[0];
     last_ = with_neighbours(step.series.distance, step.length);
     beside_ = reach * ::fmax(change_of(first_), change_of(last_));
-    // Where it would be a large part, the ray stands for its neighbours.
+    // If that would be a large fraction of the distance, the ray represents its neighbors.
     parts_ = !(beside_ < 0.1 * last_.value);
     beside_ = parts_ ? 0.0 : beside_;
   }
 
-  //! Whether all of it is farther from the head than that [M].
+  //! Returns whether all of the step is farther from the head than `farthest` [M].
   [[nodiscard]] ERGO_HD bool begins_beyond(double farthest) const { return !(first_.value - beside_ < farthest); }
 
-  //! Keeps what may be within a span of distances from the head. False where nothing is.
+  //! Restricts the step to what may be within a span of distances from the head. Returns false if
+  //! nothing is.
   ERGO_HD bool keep(const DistanceSpan& span) {
     if (length_ > 0.0 && span.nearest == kept_.nearest && span.farthest == kept_.farthest) {
       return true;
@@ -110,7 +115,8 @@ class EyeStep {
     return length_ > 0.0;
   }
 
-  //! Whether what is kept may come near any of the meshes. What else is to be known of a step is found out here, once.
+  //! Returns whether the kept part may come near any mesh. Also sets width_ and bends_, once for
+  //! each step.
   [[nodiscard]] ERGO_HD bool may_meet(const MeshScene& scene) {
     const Vector3<D> first_point = point_with_neighbours(0.0);
     const Vector3<D> last_point = point_with_neighbours(step_.length);
@@ -118,12 +124,12 @@ class EyeStep {
     bends_ = parts_ || bends(first_point, first_) || bends(last_point, last_);
     const double end = begin_ + length_;
     const auto point = [&](double h) { return point_of_ray(h); };
-    // Most steps are kept as a whole, and their ends are known.
+    // Most steps are kept as a whole, and their end points are known.
     const PathPiece piece = {0.0, length_, begin_ == 0.0 ? plain_vector(first_point) : point(begin_),
                              point(begin_ + 0.5 * length_),
                              end == step_.length ? plain_vector(last_point) : point(end)};
-    // Steps are long beside the parabolas that pieces are close to.
-    // Where the ray stands for its neighbours, these are where it is.
+    // Steps are longer than pieces and less similar to parabolas, so their reach is doubled. Where
+    // the ray represents its neighbors, these are at its position.
     const double beside = bends_ ? 0.0 : width_ * reach_;
     const double reach = 2.0 * piece.stray() + ::fabs(piece.unevenness()) * piece.chord() + beside;
     for (int i = 0; i < scene.count; ++i) {
@@ -137,10 +143,11 @@ class EyeStep {
     return false;
   }
 
-  //! Turns to a neighbour's direction: what follows is about that.
+  //! Selects a neighbor's direction for the calls that follow.
   ERGO_HD void turn_to(const Vector3<double>& m) { reference_.m = m; }
 
-  //! What is kept as a path of its own: how far the eye goes from the ray is a parabola in its time.
+  //! Returns the kept part as a path of its own. The eye's offset from the ray is a parabola in the
+  //! ray's time.
   [[nodiscard]] ERGO_HD PathStep<Order, Parts, double> along() {
     if (!moved_) {
       move_to_begin();
@@ -169,7 +176,8 @@ class EyeStep {
     return path;
   }
 
-  //! Gives a hit the light of the head's own ray there, and minus its nearness for a time: what is nearer comes first. `h`: on along().
+  //! Sets a hit's light to that of the head's ray there, and its time to minus its nearness, so
+  //! that nearer hits come first. `h`: time on along().
   ERGO_HD void see(double h, MeshHit& hit) const {
     const Place at = place(begin_ + h);
     const D time(begin_ + h);
@@ -180,9 +188,9 @@ class EyeStep {
   }
 
  private:
-  //! Where on its way the eye's line is at a time of the ray.
+  //! Position of the eye's line at a time of the ray.
   struct Place {
-    double across, down;  //!< of the ray [rad]
+    double across, down;  //!< offset from the ray [rad]
     double distance;      //!< from the head [M]
   };
 
@@ -196,7 +204,8 @@ class EyeStep {
   };
 
   ERGO_HD Place place(double h) const {
-    // How far the directions go on while the distance is made theirs is a small part of how far they are from the ray's.
+    // Converges fast: directions change by a small fraction of their offset while the distance is
+    // adjusted.
     constexpr int rounds = 4;
     const D ray = with_neighbours(step_.series.distance, h);
     Place at = {0.0, 0.0, ray.value};
@@ -210,8 +219,9 @@ class EyeStep {
     return at;
   }
 
-  //! A series at a time that is the same for the ray and its neighbours: with derivatives, and for the ray alone. Most steps are looked at just so, and no
-  //! more, and times with derivatives would take three times as long.
+  //! Evaluate a series at a time that is the same for the ray and its neighbors, with derivatives
+  //! or for the ray alone. Most steps need no more, and times with derivatives would take three
+  //! times as long.
   template <int Count>
   [[nodiscard]] ERGO_HD static D with_neighbours(const D (&c)[Count], double h) {
     D sum = c[Count - 1];
@@ -231,7 +241,7 @@ class EyeStep {
 
   [[nodiscard]] ERGO_HD double distance_of_ray(double h) const { return of_ray(step_.series.distance, h); }
 
-  //! PathStep::point() at such a time.
+  //! Return PathStep::point() at a time without derivatives.
   [[nodiscard]] ERGO_HD Vector3<D> point_with_neighbours(double h) const {
     const auto& s = step_.series;
     const D u = with_neighbours(s.u, h);
@@ -253,16 +263,17 @@ class EyeStep {
 
   ERGO_HD static double change_of(const D& distance) { return ::fabs(distance.along_x) + ::fabs(distance.along_y); }
 
-  //! How far neighbours of a place are away, for each radian [M].
+  //! Returns how far neighbors of a point are away, per radian [M].
   ERGO_HD static double width_of(const Vector3<D>& p) {
     return length_of({p.x.along_x, p.y.along_x, p.z.along_x}) + length_of({p.x.along_y, p.y.along_y, p.z.along_y});
   }
 
-  //! Whether they are so far away, or so much nearer or farther, that derivatives say little.
+  //! Returns whether neighbors are so far away, or so much nearer or farther, that derivatives do
+  //! not predict them.
   [[nodiscard]] ERGO_HD bool bends(const Vector3<D>& p, const D& distance) const {
     constexpr double widest = 0.5;
     constexpr double most_uneven = 0.3;
-    // What is not a number bends.
+    // Also true for NaN.
     return !(width_of(p) * reach_ <= widest * length_of(plain_vector(p))) ||
            !(change_of(distance) * length_of(reference_.eye) <= most_uneven * distance.value * distance.value);
   }
@@ -271,7 +282,7 @@ class EyeStep {
     return value.value + value.along_x * at.across + value.along_y * at.down;
   }
 
-  //! The step's series about where what is kept begins.
+  //! Moves the step's series to the beginning of the kept part.
   ERGO_HD void move_to_begin() {
     series_ = step_.series;
     moved_ = true;
@@ -297,7 +308,7 @@ class EyeStep {
     }
   }
 
-  //! The series of a number along the eye's way, about where that begins.
+  //! Computes the series of a number along the eye's curve, about its beginning.
   template <int Count>
   ERGO_HD static void fold_series(const D (&from)[Count], const Parabola& across, const Parabola& down,
                                   double (&to)[Count]) {
@@ -314,12 +325,12 @@ class EyeStep {
   double reach_;
   D first_;  //!< distance from the head at both ends of the step
   D last_;
-  double beside_;       //!< the eye's may be so much greater or less [M]
-  bool parts_ = false;  //!< that would be a large part of it
+  double beside_;       //!< maximum difference between the eye's distance and the ray's [M]
+  bool parts_ = false;  //!< that difference would be a large fraction of the distance
   DistanceSpan kept_ = {0.0, 0.0};
-  double begin_ = 0.0;  //!< of what is kept, in the step's time
+  double begin_ = 0.0;  //!< beginning of the kept part, in the step's time
   double length_ = 0.0;
-  bool moved_ = false;  //!< the series are about its begin
+  bool moved_ = false;  //!< series_ has been moved to that beginning
   detail::NearSeries<Order, D, Parts> series_;
   double width_ = 0.0;
   bool bends_ = false;

@@ -3,20 +3,22 @@
 #include "kernels/objects/lamp_place.h"
 #include "kernels/objects/light_ray.h"
 
-// What a lamp's light does to a surface, about a hole of any spin.
+// Illuminates surfaces by a lamp, about a hole of any spin.
 namespace ergodome {
 
-//! Light of a lamp as it comes to a place on both ways round the hole, and to all that is near.
+//! Light of a lamp that arrives at a point, and its surroundings, on both ways round the hole.
 struct LampLight {
   LocalFrame frame;
-  Vector3<double> velocity;      //!< of the surface, in the frame; 0 where that is not called for
+  Vector3<double> velocity;      //!< of the surface, in the frame; 0 if it is not needed
   Vector3<double> direction[2];  //!< see LightRay
-  double strength[2];            //!< on what rests in the frame and faces it; 0 in shadow
+  //! For a surface that is at rest in the frame and faces it; 0 in shadow.
+  double strength[2];
 };
 
 inline namespace ERGO_TARGET {
 
-//! Whether something of a scene stands between a place and the lamp on a ray between them. `from`: the frame of a point a little off the surface.
+//! Returns whether an object of the scene is between a point and the lamp on a ray between them.
+//! `from`: frame of a point slightly off the surface.
 ERGO_HD bool in_shadow(const LocalFrame& from, const LightRay& ray, const MeshScene& scene, const MeshLimits& limits) {
   MeshHit hit;
   const CameraStation& camera = from.camera;
@@ -27,17 +29,19 @@ ERGO_HD bool in_shadow(const LocalFrame& from, const LightRay& ray, const MeshSc
 
 namespace detail {
 
-//! Energy that a lamp at rest measures of a photon of energy 1 at infinity.
+//! Returns the energy that a lamp at rest measures of a photon with energy 1 at infinity.
 ERGO_HD double energy_at_rest(double spin, const Vector3<double>& place) {
   const double r2 = dot(place, place);
   const double a_cosine_squared = spin * spin * (place.z * place.z) / r2;
   return 1.0 / ::sqrt(1.0 - 2.0 * ::sqrt(r2) / (r2 + a_cosine_squared));
 }
 
-//! What a lamp gives to a surface that faces it: strength · e_R² / (e_L⁴ · spread), with the energies that lamp and surface measure; without shift
-//! that of the photons' number alone is left, strength / (e_L² · spread).
+//! Returns the illuminance of a surface that faces the lamp: strength · e_R² / (e_L⁴ · spread),
+//! with the energies that lamp and surface measure. Without shift only the number of photons
+//! counts: strength / (e_L² · spread).
 ERGO_HD double strength_of(const LampPlace& lamp, const LocalFrame& frame, const LightRay& ray) {
-  // Next to the axis behind the hole the lamp's own size, which it has not, would be what keeps its light finite. As for stars.
+  // Behind the hole, next to the axis, only the size of a lamp would keep its light finite, but
+  // this lamp is a point. So the brightening is limited, as for stars.
   constexpr double brightest = 1000.0;
   const double time = ::fmax(ray.travel_time, 1e-3);
   const double square = time * time;
@@ -50,7 +54,8 @@ ERGO_HD double strength_of(const LampPlace& lamp, const LocalFrame& frame, const
   return lamp.strength * shift * shift / ::fmax(at_lamp * at_lamp * ray.spread, square / brightest);
 }
 
-//! The velocity of a place of a surface in the frame, of dx/dt = `velocity` (pseudo-Cartesian); 0 where nothing can move like that.
+//! Converts the velocity dx/dt of a point of a surface (pseudo-Cartesian) to the frame. Returns 0
+//! where nothing can move like that.
 ERGO_HD Vector3<double> velocity_in(const LocalFrame& frame, const Vector3<double>& point,
                                     const Vector3<double>& velocity) {
   const double beside = ::sqrt(point.x * point.x + point.y * point.y);
@@ -64,9 +69,11 @@ ERGO_HD Vector3<double> velocity_in(const LocalFrame& frame, const Vector3<doubl
 
 }  // namespace detail
 
-//! What light from a direction gives to a surface, over what it gives to one that rests in the frame and faces it; 0 to one that faces away. For
-//! k = ω (1, -d) and the surface's normal N in space and time -k·N / ω = (n·v + n·d) / √(1 - (n·v)²) of it meets the surface, which sees it shifted by
-//! γ (1 + v·d) against the frame. `normal`: of unit length, pseudo-Cartesian.
+//! Returns the illuminance by light from a direction, relative to that of a surface at rest in the
+//! frame that faces it; 0 if the surface faces away. For k = ω (1, -d) and the surface's normal N
+//! in spacetime, the fraction -k·N / ω = (n·v + n·d) / √(1 - (n·v)²) of it meets the surface, which
+//! sees it shifted by γ (1 + v·d) relative to the frame. `normal`: of unit length,
+//! pseudo-Cartesian.
 ERGO_HD double meeting(const LampLight& light, const Vector3<double>& normal, const Vector3<double>& direction) {
   const Vector3<double> n = measured_normal(light.frame, normal);
   const Vector3<double>& v = light.velocity;
@@ -75,7 +82,7 @@ ERGO_HD double meeting(const LampLight& light, const Vector3<double>& normal, co
   return shift * ::fmax(0.0, (moves + dot(n, direction)) / ::sqrt(1.0 - moves * moves));
 }
 
-//! Illuminance of a surface, as it measures it itself.
+//! Returns the illuminance of a surface as it measures it itself.
 ERGO_HD double illuminance(const LampLight& light, const Vector3<double>& normal) {
   double sum = 0.0;
   for (int way = 0; way < 2; ++way) {
@@ -86,17 +93,18 @@ ERGO_HD double illuminance(const LampLight& light, const Vector3<double>& normal
   return sum;
 }
 
-//! A lit place of a surface.
+//! A lit point of a surface.
 struct LitPlace {
   Vector3<double> point;     //!< pseudo-Cartesian [M]
   Vector3<double> normal;    //!< of unit length
   Vector3<double> velocity;  //!< dx/dt
-  Vector3<double> start;     //!< a little off the surface, which keeps it from its own shadow
+  Vector3<double> start;     //!< slightly off the surface, so that it does not shadow itself
 };
 
 namespace detail {
 
-//! The ray of one way from a lamp to a place. False where there is none, or where a hole without spin lets the closed form tell that the surface faces away.
+//! Finds the ray of one way from a lamp to a point. Returns false if there is none, or if, without
+//! spin, the closed form shows that the surface faces away.
 ERGO_HD bool lamp_ray(const LampPlace& lamp, const LampLight& light, const LitPlace& at, const LocalFrame& from,
                       int way, RayCorrection& correction, LightRay& ray) {
   const double spin = from.camera.spin;
@@ -114,11 +122,13 @@ ERGO_HD bool lamp_ray(const LampPlace& lamp, const LampLight& light, const LitPl
 
 }  // namespace detail
 
-//! Light that comes to a place of a surface on both ways round the hole, with shadows. `limits.delay`: the delay of the place.
-//! The rays are those to `start`: one that goes round the hole and is turned the least bit ends up far off the lamp, and meets what it should pass.
+//! Returns the light that arrives at a point of a surface on both ways round the hole, with
+//! shadows. `limits.delay`: delay of the point. The rays are those to `start`: a ray that goes
+//! round the hole and is turned by a tiny angle ends far from the lamp, and would meet objects that
+//! it should pass.
 ERGO_HD_CALLED LampLight lamp_light(double spin, const LampPlace& lamp, const LitPlace& at, const MeshScene& scene,
                                     const MeshLimits& limits, LampCorrections& corrections) {
-  // Less than this part of what has come already is left out: no display shows it.
+  // Light below this fraction of what has been found already is left out, as no display shows it.
   constexpr double negligible = 1.0 / 4096.0;
   LampLight light{};
   light.frame = local_frame(spin, at.point);

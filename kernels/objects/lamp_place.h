@@ -4,28 +4,29 @@
 
 namespace ergodome {
 
-//! How light grows fainter on its way.
+//! How light weakens with distance.
 enum class LampFalloff {
-  lens,      //!< as its bundles spread about the hole
+  lens,      //!< by the spread of its bundles about the hole
   published  //!< with the square of its travel time: Müller, Schulz & Weiskopf (2021), eq. 20
 };
 
-//! A point of light at rest.
+//! A point light at rest.
 struct LampPlace {
   Vector3<double> position;  //!< pseudo-Cartesian [M]
-  double strength;           //!< 0: there is none
+  double strength;           //!< 0: no lamp
   LampFalloff falloff = LampFalloff::lens;
-  bool shifted =
-      false;  //!< with falloff `lens`: light is shifted and beamed between the lamp and the surface as that moves
+  //! With falloff `lens`: light is shifted and beamed between the lamp and the moving surface.
+  bool shifted = false;
 };
 
-//! What spin adds to a ray between two places, as it is aimed at a place near by; 0: not known.
+//! The change of a ray between two points by the spin, as a first guess for a nearby target; 0:
+//! unknown.
 struct RayCorrection {
-  Vector3<double> direction;  //!< aim_with_spin
-  double gamma, x;            //!< aim_round_with_spin
+  Vector3<double> direction;  //!< for aim_with_spin
+  double gamma, x;            //!< for aim_round_with_spin
 };
 
-//! The same of a lamp's rays to a place on both ways.
+//! Corrections of a lamp's rays to a point, for both ways.
 struct LampCorrections {
   RayCorrection by_way[2];
 };

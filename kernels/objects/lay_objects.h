@@ -6,13 +6,16 @@ namespace ergodome {
 
 //! Objects in the pixels of a block of rows, in a backend's memory.
 struct ObjectLayer {
-  const float* rgba =
-      nullptr;  //!< four a pixel: linear light times the part of the pixel that objects cover, and that part; nullptr: there are none
-  const float* time =
-      nullptr;  //!< one a pixel: Mino time from there to the camera, for a photon that is seen with energy 1 [1/M]; of an eye of the stereo model `flat` minus the nearness
+  //! Four a pixel: linear light times the fraction of the pixel that objects cover, and that
+  //! fraction; nullptr: no objects.
+  const float* rgba = nullptr;
+  //! One a pixel: Mino time from there to the camera, for a photon seen with energy 1 [1/M]; for an
+  //! eye of the stereo model `flat` minus the nearness.
+  const float* time = nullptr;
 };
 
-//! A block of rows of a picture that objects are laid over, with nothing else near the hole: four floats a pixel.
+//! A block of rows of a picture over which objects are composed, without disk or shells: four
+//! floats a pixel.
 struct LayObjectsBatch {
   ObjectLayer objects;
   ProjectionOf<float> projection;
@@ -23,7 +26,7 @@ struct LayObjectsBatch {
 
 inline namespace ERGO_TARGET {
 
-//! Index i is pixel i of the block.
+//! Composes the object of pixel i of the block with the picture.
 struct LayObjects {
   LayObjectsBatch batch;
 

@@ -3,58 +3,64 @@
 #include "kernels/objects/aim_ray_round.h"
 #include "kernels/spacetime/schwarzschild/apparent_place.h"
 
-// Light from a point to a place, about a hole of any spin.
+// Finds the light from a lamp to a point, about a hole of any spin.
 namespace ergodome {
 
-//! How light comes to a place.
+//! How light arrives at a point.
 struct LightRay {
-  Vector3<double>
-      direction;  //!< towards where it comes from, in the frame of an observer without angular momentum: e_r, e_θ, e_φ
+  //! Towards its origin, in the frame of an observer without angular momentum: e_r, e_θ, e_φ.
+  Vector3<double> direction;
   double travel_time;  //!< [M]
-  //! Cross-section at one end of a narrow bundle that comes together at the other, over its solid angle there and the square of the energy that the
-  //! observer there measures of a photon of energy 1 at infinity. It is the same both ways (Etherington's reciprocity), whoever the observers are [M²].
+  //! Cross-section at one end of a narrow bundle that converges at the other, over its solid angle
+  //! there and over the square of the energy that the observer there measures of a photon with
+  //! energy 1 at infinity [M²]. It is the same in both directions (Etherington's reciprocity) and
+  //! for all observers.
   double spread;
 };
 
-//! What is to be known of a ray between a lamp and a place.
+//! Which properties of a ray between a lamp and a point are computed.
 enum class LightRayParts {
   way,    //!< direction and time
-  spread  //!< and how its bundle spreads
+  spread  //!< also the spread of its bundle
 };
 
 inline namespace ERGO_TARGET {
 
 namespace detail {
 
-//! Where light that arrives seems to come from, for the observer without angular momentum there.
+//! Returns the direction from which arriving light seems to come, for the observer without angular
+//! momentum there.
 ERGO_HD Vector3<double> seen_from(const LocalFrame& frame, double r, const Arrival& arrival) {
   const Vector3<double> turn = in_axes(frame, arrival.polar_momentum);
   const Vector3<double>& by = frame.normal_by;
-  // Momenta of an orthonormal frame: dr/dλ / √(ΣΔ), dθ/dλ / √Σ, L / (sinθ √(A/Σ)); normal_by has √(Δ/Σ), r/√Σ, r √(Σ/A).
+  // Momenta of an orthonormal frame: dr/dλ / √(ΣΔ), dθ/dλ / √Σ, L / (sinθ √(A/Σ)); normal_by has
+  // √(Δ/Σ), r/√Σ, r √(Σ/A).
   const Vector3<double> n = {arrival.u_rate * by.y * by.y / by.x, -turn.y * by.y / r, -turn.z * by.z / r};
   return (1.0 / ::sqrt(dot(n, n))) * n;
 }
 
-//! Whether two places are so near to each other that space between them is flat, and their radii too much the same for a ray to be told by where it
-//! comes to the larger one.
+//! Returns whether two points are so near to each other that space between them is flat, and their
+//! radii too similar to identify a ray by its arrival at the larger radius.
 ERGO_HD bool is_next_to(const Vector3<double>& a, const Vector3<double>& b) {
   constexpr double near = 3e-3;
   const Vector3<double> way = b - a;
   return dot(way, way) < near * near * dot(a, a);
 }
 
-//! The spread there: the square of the distance, over that of the energy, as the observer measures both.
+//! Returns the spread between such points: the square of the distance over that of the energy, as
+//! the observer measures both.
 ERGO_HD double spread_nearby(const LocalFrame& frame, const LightRay& ray) {
   const double lapse = frame.normal_by.x * frame.normal_by.z / frame.normal_by.y;
   const double distance = lapse * ray.travel_time * evaluate(frame.camera.energy, ray.direction);
   return distance * distance;
 }
 
-//! Aims from the frame's place at another on the first or the second way round. `direction`: without spin; then that of the ray. `phi`: between both
-//! places [rad].
+//! Aims from the frame's position at another on the first or the second way round. `direction`:
+//! without spin; afterwards, that of the ray. `phi`: angle between both positions [rad].
 ERGO_HD bool aim(const LocalFrame& frame, const RayEnds& ends, int order, double phi, Vector3<double>& direction,
                  RayCorrection& correction, Miss& miss) {
-  // From here on the first way passes so close to the hole that its rays change as those of the second do.
+  // From this angle on, the first way passes so close to the hole that its rays change as those of
+  // the second do.
   constexpr double next_to_axis = 2.5;
   return order == 1 && phi < next_to_axis ? aim_with_spin(frame, ends, direction, correction, miss)
                                           : aim_round_with_spin(frame, ends, order, direction, correction, miss);
@@ -62,9 +68,11 @@ ERGO_HD bool aim(const LocalFrame& frame, const RayEnds& ends, int order, double
 
 }  // namespace detail
 
-//! Light from a lamp to a point, on the first or the second way round the hole: without spin in closed form (kernels/schwarzschild), else, and for its
-//! spread, by Newton's method on exact rays, which start at the end that is nearer to the hole. False where no ray is found. `correction`: what spin has
-//! added to that way's ray at a place near by, and then here.
+//! Finds the light from a lamp to a point, on the first or the second way round the hole. Without
+//! spin it is in closed form (kernels/spacetime/schwarzschild). With spin, and for its spread, it
+//! is found by Newton's method on exact rays, which start at the end that is nearer to the hole.
+//! Returns false if no ray is found. `correction`: what spin adds to that way's ray, first nearby,
+//! then here.
 ERGO_HD_CALLED bool light_ray(double spin, const LocalFrame& frame, const Vector3<double>& point,
                               const Vector3<double>& lamp, int order, LightRayParts parts, RayCorrection& correction,
                               LightRay& ray) {
@@ -85,7 +93,8 @@ ERGO_HD_CALLED bool light_ray(double spin, const LocalFrame& frame, const Vector
     found = detail::aim(frame, {point, lamp, near_enough}, order, plane.phi, ray.direction, correction, miss);
     ray = {ray.direction, miss.arrival.delay, miss.spread};
   } else {
-    // The other way round time runs backwards, and the hole turns backwards. What arrives is that of the step before the last.
+    // In this direction time is reversed, and so is the hole's rotation. The arrival is that before
+    // the last step, so near_enough is smaller.
     constexpr double near_enough = 1e-5;
     const LocalFrame at_lamp = local_frame(-spin, lamp);
     Vector3<double> direction = in_axes(at_lamp, place.direction);

@@ -4,11 +4,12 @@
 
 namespace ergodome {
 
-//! A place with the observer without angular momentum that is there.
+//! A point with its observer without angular momentum.
 struct LocalFrame {
   CameraStation camera;
-  Vector3<double> axes[3];    //!< e_r, e_θ, e_φ by their pseudo-Cartesian parts
-  Vector3<double> normal_by;  //!< factors of a normal's parts along them: what an unlike length makes of it
+  Vector3<double> axes[3];  //!< e_r, e_θ, e_φ, pseudo-Cartesian
+  //! Factors that convert a normal's components along them to those that the observer measures.
+  Vector3<double> normal_by;
 };
 
 inline namespace ERGO_TARGET {
@@ -17,7 +18,7 @@ ERGO_HD Vector3<double> in_axes(const LocalFrame& frame, const Vector3<double>& 
   return {dot(frame.axes[0], v), dot(frame.axes[1], v), dot(frame.axes[2], v)};
 }
 
-//! The frame at a pseudo-Cartesian point outside the horizon.
+//! Returns the frame at a pseudo-Cartesian point outside the horizon.
 ERGO_HD LocalFrame local_frame(double spin, const Vector3<double>& point) {
   const double r = ::sqrt(dot(point, point));
   const double beside = ::sqrt(point.x * point.x + point.y * point.y);
@@ -36,7 +37,7 @@ ERGO_HD LocalFrame local_frame(double spin, const Vector3<double>& point) {
   return frame;
 }
 
-//! A surface's unit normal as the observer there measures it.
+//! Returns a surface's unit normal as the observer there measures it.
 ERGO_HD Vector3<double> measured_normal(const LocalFrame& frame, const Vector3<double>& normal) {
   const Vector3<double> n = in_axes(frame, normal);
   const Vector3<double> by = {n.x * frame.normal_by.x, n.y * frame.normal_by.y, n.z * frame.normal_by.z};

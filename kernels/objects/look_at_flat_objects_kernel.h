@@ -4,10 +4,12 @@
 #include "kernels/objects/look_at_objects_kernel.h"
 #include "kernels/objects/pixel_lines.h"
 
+// Draws objects for an eye of the stereo model `flat`. The sweep of a line of sight is the angle
+// between its ends as the head sees them.
 namespace ergodome::inline ERGO_TARGET {
 
-//! Objects as an eye of the stereo model `flat` meets them along its lines of sight: part by part from the nearest on, beside rays of the head's, which all
-//! samples of a pixel share.
+//! Finds the objects that lines of sight of an eye of the stereo model `flat` meet: part by part,
+//! nearest first, beside rays of the head that all samples of a pixel share.
 template <class T, NearParts Parts>
 struct ObjectRaysOfHead {
   using D = Dual<T>;
@@ -15,7 +17,8 @@ struct ObjectRaysOfHead {
 
   const FlatObjectPixelBatch& batch;
 
-  //! Where the farthest part of the pixel's line has its ray: light that has gone round the hole comes from there.
+  //! Cuts a pixel by the ray of the farthest part of its line, from which light that has gone round
+  //! the hole comes.
   [[nodiscard]] ERGO_HD PixelSlices slice(int at) const {
     const FlatReach& reach = batch.reach[at];
     const double part_w = static_cast<double>(reach.most_w - reach.least_w) / parts_of(reach);
@@ -25,7 +28,7 @@ struct ObjectRaysOfHead {
   }
 
   ERGO_HD void find(int first, const Vector3<T>* m, int count, SampleHits<T>* met) const {
-    // Rays that lines share are too far from one another for images that are thinner than a pixel.
+    // Rays that several lines share are too far from some of them for images thinner than a pixel.
     const int together = batch.pixels.pattern == PixelPattern::slices ? 1 : count;
     for (int k = 0; k < count; k += together) {
       look_along_lines(first, m + k, together, met + k);
@@ -35,7 +38,7 @@ struct ObjectRaysOfHead {
  private:
   static constexpr int lanes = RealTraits<T>::lane_count;
 
-  //! Looks along lines that share the head's rays.
+  //! Searches along lines that share the head's rays.
   ERGO_HD void look_along_lines(int first, const Vector3<T>* m, int count, SampleHits<T>* met) const {
     PixelLines lines[lanes];
     for (int i = 0; i < lanes; ++i) {
@@ -71,12 +74,13 @@ struct ObjectRaysOfHead {
     }
   }
 
-  //! How far the eye's way brings a pixel's lines [rad].
+  //! Returns the sweep of a pixel's lines [rad].
   [[nodiscard]] ERGO_HD double way_of(const FlatReach& reach) const {
     return static_cast<double>(reach.most_w - reach.least_w) * length_of(batch.sight.eye);
   }
 
-  //! What a ray stands for along them [rad]. Lines of slices have no more than parts_of_slices.
+  //! Returns the length of line that one ray represents [rad]. Lines of slices have at most
+  //! parts_of_slices parts.
   [[nodiscard]] ERGO_HD double part_of(const FlatReach& reach) const {
     const double part = batch.sight.pixel * part_px(static_cast<double>(reach.width));
     return batch.pixels.pattern == PixelPattern::slices ? ::fmax(part, way_of(reach) / (parts_of_slices - 0.5)) : part;
@@ -85,8 +89,10 @@ struct ObjectRaysOfHead {
     return 1 + static_cast<int>(way_of(reach) / part_of(reach));
   }
 
-  //! What one of the head's rays may stand for along a line of sight, as the head sees it. A neighbour at δ px is off by some ½ δ² of how fast the width of
-  //! a pixel grows, for which its square over r is taken [px]: towards a critical curve both grow alike.
+  //! Returns the length of a line of sight that one of the head's rays may represent, as the head
+  //! sees it [px]. A neighbor at δ px is off by about ½ δ² times the rate at which the width of a
+  //! pixel grows. For that rate the square of the width over r is used [px], since both grow alike
+  //! towards a critical curve.
   [[nodiscard]] ERGO_HD double part_px(double width) const {
     constexpr double longest_px = 4.0;
     constexpr double shortest_px = 0.25;
@@ -94,7 +100,8 @@ struct ObjectRaysOfHead {
     return ::fmax(shortest_px, ::fmin(longest_px, part));
   }
 
-  //! Goes to each pixel's next ray; tells which have one, and gives them with their derivatives.
+  //! Moves on to each pixel's next ray. Returns the lanes that have one, and sets their directions
+  //! with derivatives.
   ERGO_HD static MaskOf<T> next(PixelLines (&lines)[lanes], Vector3<D>& n) {
     T wanted(0.0);
     for (int i = 0; i < lanes; ++i) {
@@ -136,7 +143,7 @@ struct ObjectRaysOfHead {
                                      });
   }
 
-  //! Looks for what a line meets in what is kept of a step.
+  //! Searches the kept part of a step for what a line meets.
   ERGO_HD void look_along(EyeStep<object_order, Parts>& eye, int line, PixelLines& lines, MeshHit& hit) const {
     eye.turn_to(lines.direction(line));
     const PathStep<object_order, Parts, double> path = eye.along();
@@ -151,7 +158,8 @@ struct ObjectRaysOfHead {
     lines.meet(line);
   }
 
-  //! What the head's ray to a hit is like; nothing is met behind what the eye sees of the horizon.
+  //! Sets energy and momentum of the head's ray to a hit. Discards a hit behind what the eye sees
+  //! of the horizon.
   ERGO_HD void end(const Vector3<double>& direction, int i, SampleHits<T>& met) const {
     MeshHit& hit = met.hits[i];
     const double w = -hit.time;
@@ -168,7 +176,8 @@ struct ObjectRaysOfHead {
   }
 };
 
-//! Light of pixels in which such an eye may see objects. Index i stands for the pixels i * lanes, i * lanes + 1, ...
+//! Computes the light of pixels in which such an eye may see objects; index i stands for the pixels
+//! i * lanes, i * lanes + 1, ...
 template <class T, NearParts Parts>
 struct LookAtFlatObjects {
   FlatObjectPixelBatch batch;

@@ -4,10 +4,10 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Order of the series by which objects are looked for.
+//! Order of the series by which objects are searched.
 inline constexpr int object_order = 10;
 
-//! Objects as a camera's rays meet them, or those of an eye that turns.
+//! Finds the objects that rays of a camera, or of omnidirectional stereo, meet.
 template <class T, NearParts Parts>
 struct ObjectRaysOfEye {
   static constexpr int most_quads = 1;
@@ -33,7 +33,8 @@ struct ObjectRaysOfEye {
   }
 };
 
-//! Light of pixels in which objects may be seen, from four or sixteen rays each. Index i stands for the pixels i * lanes, i * lanes + 1, ...
+//! Computes the light of pixels in which objects may be seen, from four or sixteen rays each; index
+//! i stands for the pixels i * lanes, i * lanes + 1, ...
 template <class T, NearParts Parts>
 struct LookAtObjects {
   ObjectPixelBatch batch;

@@ -6,8 +6,9 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Marks the tiles in which an eye of the stereo model `flat` may see objects, and tells how near these may be: the line of sight through a tile's middle is
-//! cut into parts, each with a ray of the head's, as in MarkTiles. Index i stands for the tiles i * lanes, i * lanes + 1, ...
+//! Marks the tiles in which an eye of the stereo model `flat` may see objects, and finds how near
+//! these may be. The line of sight through a tile's middle is cut into parts, each with a ray of
+//! the head, as in MarkTiles. Index i stands for the tiles i * lanes, i * lanes + 1, ...
 template <class T, NearParts Parts>
 struct MarkFlatTiles {
   using D = Dual<T>;
@@ -37,7 +38,7 @@ struct MarkFlatTiles {
       seen[i].step_w = way / seen[i].parts;
       most_parts = most_parts < seen[i].parts ? seen[i].parts : most_parts;
       if (!looks) {
-        // Where the tile's middle looks nowhere, its pixels are all looked at.
+        // If the tile's middle has no direction, all its pixels are drawn.
         see_all(seen[i]);
       }
     }
@@ -56,7 +57,7 @@ struct MarkFlatTiles {
   struct Seen {
     EyeReference reference;
     double from_w = 0.0;
-    double step_w = 0.0;  //!< of a part
+    double step_w = 0.0;  //!< nearness range of a part
     int parts = 1;
     TileMark mark = TileMark::nothing;
     double least_w = 1e30;
@@ -68,10 +69,11 @@ struct MarkFlatTiles {
     return batch.along[at < batch.tiles.count ? at : batch.tiles.count - 1];
   }
 
-  //! Of images that nobody knows, near a critical curve, a pixel is as wide as can be.
+  //! Width of a pixel in undecided images, near a critical curve: unlimited.
   static constexpr double widest = 1e30;
-  //! Beside the shadow's edge pixels may be as wide as that, too; rays for this width are two or three across a pixel. For the widest, pictures of objects took 1.4
-  //! to 1.7 times as long. What is thinner than a pixel is noisy here.
+  //! Width of a pixel beside the shadow's edge. It could be unlimited, too, but this value leads to
+  //! two or three rays across a pixel; with the unlimited one, pictures of objects took 1.4 to 1.7
+  //! times as long. Images thinner than a pixel are noisy here.
   static constexpr double width_by_edge = 1.6;
 
   ERGO_HD static void see_all(Seen& seen) {
@@ -84,7 +86,7 @@ struct MarkFlatTiles {
     seen.most_w = ::fmax(seen.most_w, most_w);
   }
 
-  //! A part whose rays go different ways where they come to the hole.
+  //! Marks a part whose rays separate at the hole.
   ERGO_HD void see_by_edge(Seen& seen, double middle_w) const {
     const double least_w = middle_w - 0.5 * seen.step_w;
     if (least_w < batch.sight.most_hole_w) {
@@ -93,7 +95,7 @@ struct MarkFlatTiles {
     }
   }
 
-  //! Looks along a part of the lines of sight.
+  //! Searches a part of the lines of sight.
   ERGO_HD void look(const EyeLine<T>& line, int part, const MaskOf<T>& inside, Seen (&seen)[lanes]) const {
     const ObjectScene& objects = batch.tiles.objects;
     const CameraStation& camera = objects.camera;
@@ -110,7 +112,7 @@ struct MarkFlatTiles {
     const T sweep = 0.5 * step_w * (absolute(point.along_x) + absolute(point.along_y));
     const T half_px = 0.5 * batch.tiles.side_px + sweep;
     const auto start = [&camera](const Vector3<T>& at) { return start_near_ray(camera, at); };
-    // Beside the tile itself the line sweeps along the eye's way alone.
+    // Beyond the tile itself, a line only moves along its sweep.
     const auto half_along = [&](const T& along) {
       return maximum(0.5 * batch.tiles.side_px + 0.5 * step_w * absolute(along), T(least_edge_px));
     };
@@ -133,7 +135,7 @@ struct MarkFlatTiles {
     }
   }
 
-  //! Keeps what is seen no farther than `reach_w` from the nearness of the part's middle.
+  //! Keeps objects whose nearness differs by at most `reach_w` from that of the part's middle, `w`.
   ERGO_HD void look_through(const PathStep<mark_order, Parts, Dual<double>>& step, double half_px, double w,
                             double reach_w, Seen& seen) const {
     visit_tile_pieces(batch.tiles.objects.scene, step, {half_px, batch.tiles.turn_per_px, NeighbourTimes::same},
@@ -143,7 +145,7 @@ struct MarkFlatTiles {
                         const double beside = footprint_slack * half_px * (::fabs(to.along_x) + ::fabs(to.along_y));
                         const double nearest = seen.reference.nearness(from.value - beside);
                         const double farthest = seen.reference.nearness(to.value + beside);
-                        // What is not a number is near, too.
+                        // NaN counts as near.
                         if (!(nearest < w - reach_w) && !(farthest > w + reach_w)) {
                           see(seen, mark_of(radius, pixel), ::fmax(farthest, w - reach_w),
                               ::fmin(nearest, w + reach_w));
@@ -160,7 +162,8 @@ struct MarkFlatTiles {
     batch.reach[at] = {static_cast<float>(least_w), static_cast<float>(most_w), static_cast<float>(seen.width)};
   }
 
-  //! Slices are not worth it where the eye's way brings their lines past many of the head's pixels.
+  //! Returns the mark of a line. Replaces slices by `fine` where their lines sweep past many of the
+  //! head's pixels, since slices bring no benefit there.
   ERGO_HD TileMark mark_of_line(TileMark mark, double way) const {
     return mark > TileMark::fine && way > most_way_of_slices * batch.sight.pixel ? TileMark::fine : mark;
   }

@@ -4,8 +4,9 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Marks the tiles in which objects may be seen: those where the balls about them come within the footprint of the ray through the tile's middle,
-//! whichever way round the hole, and those beside the shadow's edge. Index i stands for the tiles i * lanes, i * lanes + 1, ...
+//! Marks the tiles in which objects may be seen: those where an object's bounding ball comes within
+//! the footprint of the ray through the tile's middle, whichever way round the hole, and those
+//! beside the shadow's edge. Index i stands for the tiles i * lanes, i * lanes + 1, ...
 template <class T, NearParts Parts>
 struct MarkTiles {
   using D = Dual<T>;
@@ -25,7 +26,7 @@ struct MarkTiles {
       const Vector3<Dual<double>> one = observed_footprint(objects, at[0] + half, at[1] + half);
       const double size = dot(plain_vector(one), plain_vector(one));
       const bool looks = size > 0.5 && size < 2.0;
-      // Where the tile's middle looks nowhere, its pixels are all looked at.
+      // If the tile's middle has no direction, all its pixels are drawn.
       marks[i] = looks ? TileMark::nothing : TileMark::fine;
       set_lane(inside, i, looks ? 1.0 : 0.0);
       set_vector_lane(n, i, looks ? one : Vector3<Dual<double>>{1.0, 0.0, 0.0});

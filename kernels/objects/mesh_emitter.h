@@ -6,9 +6,11 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! ν_emitted / ν_observed of light from matter that moves with dx/dt = `velocity` (pseudo-Cartesian, in the hole's time) at a hit of a ray of
-//! energy E and axial angular momentum L_z [M] at infinity: -p_μ U^μ = U^t (E - p_r dr/dt - p_θ dθ/dt - L dφ/dt). Where nothing can move like
-//! that (faster than light, at rest in the ergosphere), that of an observer without angular momentum.
+//! Returns ν_emitted / ν_observed of light from matter that moves with dx/dt = `velocity`
+//! (pseudo-Cartesian, in the hole's time), at a hit of a ray of energy E and axial angular momentum
+//! L_z [M] at infinity: -p_μ U^μ = U^t (E - p_r dr/dt - p_θ dθ/dt - L dφ/dt). Where nothing can
+//! move like that (faster than light, at rest in the ergosphere), returns the ratio for an observer
+//! without angular momentum.
 ERGO_HD double emitted_frequency(double spin, const MeshHit& hit, double energy, double axial_angular_momentum,
                                  const Vector3<double>& velocity) {
   const double a2 = spin * spin;
@@ -16,14 +18,14 @@ ERGO_HD double emitted_frequency(double spin, const MeshHit& hit, double energy,
   const Vector3<double> n = (1.0 / r) * hit.point;
   const double radial = dot(n, velocity);
   const Vector3<double> turn = (1.0 / r) * (velocity - radial * n);
-  // sin²θ dφ/dt, which is regular on the axis, as all of the below.
+  // sin²θ dφ/dt, which is regular on the axis, as is everything below.
   const double axial = n.x * turn.y - n.y * turn.x;
   const double sine2 = n.x * n.x + n.y * n.y;
   const double horizon_r = 1.0 + safe_sqrt((1.0 - spin) * (1.0 + spin));
   const double delta = (r - horizon_r) * (r - a2 / horizon_r);
   const double sigma = r * r + a2 * (n.z * n.z);
   const double pull = 2.0 * r / sigma;
-  // -ds²/dt² along its way
+  // -ds²/dt² along its path.
   const double square = 1.0 - pull + 2.0 * pull * spin * axial - sigma / delta * (radial * radial) -
                         sigma * dot(turn, turn) - a2 * (1.0 + pull) * (axial * axial);
   if (!(square > 0.0)) {

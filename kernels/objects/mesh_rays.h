@@ -4,12 +4,14 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! The first mesh on each of the rays that are followed backwards from a camera at azimuth φ, with all the ways round the hole: `hits`, one a lane.
-//! `active_at_start`: lanes to follow; the others' hits stay none. False where a ray met the step limit before it was decided.
+//! Finds the first mesh on each ray. Rays are followed backwards from a camera at azimuth φ, on all
+//! ways round the hole. `hits`: one a lane. `active_at_start`: lanes to follow; the hits of all
+//! others stay empty. Returns false in lanes that reached the step limit before they were decided.
 //!
-//! Paths are Taylor series; pieces of them that come near a mesh are searched for triangles as parabolas would be, and a crossing is a zero of
-//! the series itself: outlines are as exact as the path. A path that grazes a plane twice within a fiftieth of its mesh is seen by the
-//! parabola through the piece. Meshes move on while light passes by, where they are retarded and delay is carried.
+//! Paths are Taylor series. Pieces that come near a mesh are compared with triangles as parabolas,
+//! and a crossing is a zero of the series itself, so outlines are as exact as the path. A path that
+//! grazes a plane twice within a fiftieth of its mesh is decided by the parabola through the piece.
+//! Retarded meshes move while light passes, if the delay is carried.
 template <int Order, NearParts Parts, class T>
 ERGO_HD MaskOf<T> trace_meshes(double spin, double cosine_phi, double sine_phi, const NearRay<T>& ray,
                                const MeshScene& scene, const MeshLimits& limits, const MaskOf<T>& active_at_start,
@@ -28,7 +30,7 @@ ERGO_HD MaskOf<T> trace_meshes(double spin, double cosine_phi, double sine_phi, 
                                    });
 }
 
-//! The same for one ray.
+//! Finds the first mesh on one ray.
 template <int Order, NearParts Parts>
 ERGO_HD bool trace_meshes(double spin, double cosine_phi, double sine_phi, const NearRay<double>& ray,
                           const MeshScene& scene, const MeshLimits& limits, MeshHit& hit) {

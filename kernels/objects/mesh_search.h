@@ -3,19 +3,21 @@
 #include "kernels/core/find_root.h"
 #include "kernels/objects/path_parabola.h"
 
-// Which triangle a ray's path meets first.
+// Finds the triangle that a ray's path meets first.
 namespace ergodome {
 
 //! Where light leaves a mesh.
 struct MeshHit {
-  int mesh = -1;            //!< none
-  std::uint32_t place = 0;  //!< of the triangle in the tree
-  double weight_1 = 0.0;    //!< of the second and the third corner; the first has the rest
+  int mesh = -1;            //!< -1: no mesh
+  std::uint32_t place = 0;  //!< number of the triangle in the tree
+  double weight_1 = 0.0;    //!< weights of the second and the third corner; the first has the rest
   double weight_2 = 0.0;
   Vector3<double> point;  //!< pseudo-Cartesian [M]
-  double delay = 0.0;     //!< coordinate time from there to the camera [M]; with azimuth_and_delay alone
-  double time = 0.0;      //!< Mino time from there to the camera, for a photon that is seen with energy 1 [1/M]
-  double u_rate = 0.0;    //!< du/dλ there, backwards
+  //! Coordinate time from there to the camera [M]; only with azimuth_and_delay.
+  double delay = 0.0;
+  //! Mino time from there to the camera, for a photon seen with energy 1 [1/M].
+  double time = 0.0;
+  double u_rate = 0.0;             //!< du/dλ there, backwards
   Vector3<double> polar_momentum;  //!< dm/dλ there, backwards, pseudo-Cartesian [M]
 };
 
@@ -23,7 +25,7 @@ inline namespace ERGO_TARGET {
 
 namespace detail {
 
-//! A path in the unit of a mesh, which may move on while light passes by.
+//! A path in the unit and the axes of a mesh, which may move while light passes.
 template <int Order, NearParts Parts>
 struct PathInMesh {
   const PathStep<Order, Parts, double>& step;
@@ -50,7 +52,7 @@ struct PlaneDistance {
   ERGO_HD double operator()(double h) const { return of(path(h)); }
 };
 
-//! Looks at triangles that a piece may cross, and keeps the first.
+//! Tests the triangles that a piece may cross, and keeps the first crossing.
 template <class Path>
 struct PieceCrossings {
   const Path& path;
@@ -60,7 +62,8 @@ struct PieceCrossings {
   double first_h;
   MeshHit hit;
 
-  //! Where the first crossing is, as a part of the piece; beyond 1: there is none yet.
+  //! Returns the position of the first crossing, as a fraction of the piece; above 1 if there is
+  //! none yet.
   ERGO_HD double first_s() const { return (first_h - piece.from_h) / (piece.to_h - piece.from_h); }
 
   ERGO_HD void operator()(std::uint32_t place) {
@@ -76,7 +79,8 @@ struct PieceCrossings {
       keep(f, sides, place, piece.from_h, piece.to_h, at_from);
       return;
     }
-    // A path that bends may pass the plane and come back: the parabola through three points says where it would turn.
+    // A path that bends may pass the plane and come back; the parabola through three points gives
+    // its turning point.
     const double bow = 2.0 * (at_from + at_to) - 4.0 * at_middle;
     const double share = bow != 0.0 ? 0.5 - 0.5 * (at_to - at_from) / bow : -1.0;
     if (!(share > 0.0 && share < 1.0)) {
@@ -90,7 +94,8 @@ struct PieceCrossings {
     }
   }
 
-  //! Keeps the crossing of a triangle's plane between two times, if it lies within the triangle and is the first so far.
+  //! Keeps the crossing of a triangle's plane between two times if it lies within the triangle and
+  //! is the first so far.
   ERGO_HD void keep(const PlaneDistance<Path>& f, const TriangleSides& sides, std::uint32_t place, double from_h,
                     double to_h, double at_from) {
     if (!(from_h < first_h)) {
@@ -105,7 +110,7 @@ struct PieceCrossings {
     const double area = dot(f.normal, f.normal);
     const double weight_1 = dot(cross(from_corner, sides.side_2), f.normal) / area;
     const double weight_2 = dot(cross(sides.side_1, from_corner), f.normal) / area;
-    // Triangles that share a side leave no gap.
+    // A small overlap, so that triangles with a common side leave no gap.
     constexpr double seam = 1e-9;
     if (weight_1 >= -seam && weight_2 >= -seam && weight_1 + weight_2 <= 1.0 + seam) {
       first_h = h;
@@ -117,7 +122,7 @@ struct PieceCrossings {
   }
 };
 
-//! Looks through a step, piece by piece.
+//! Searches a step piece by piece.
 template <int Order, NearParts Parts>
 struct StepSearch {
   const PathStep<Order, Parts, double>& step;
@@ -127,17 +132,18 @@ struct StepSearch {
 
   ERGO_HD PathInMesh<Order, Parts> in(int mesh) const { return {step, scene.meshes[mesh]}; }
 
-  //! Whether a piece may meet a mesh that rests.
+  //! Returns whether a piece may meet a mesh at rest.
   ERGO_HD static bool passes(const PlacedMesh& mesh, const PathPiece& p, double stray) {
     return distance_from_segment(ball_middle(mesh, mesh.position), p.from, p.to) <=
            mesh.size * mesh.tree.radius + stray;
   }
 
-  //! What of a piece to do: meshes that it may meet want it short.
+  //! Returns what to do with a piece. It has to be short near a mesh.
   ERGO_HD PieceAnswer operator()(const PathPiece& p) {
-    // A piece may stray by so much of a mesh that it comes near.
+    // Maximum stray of a piece, as a fraction of the radius of a mesh that it comes near.
     constexpr double fine = 0.02;
-    // And its parabola by so much: with less there are more pieces, with more there are more triangles that only the path itself tells from met ones.
+    // Maximum error of its parabola, likewise. A smaller one leads to more pieces, a larger one to
+    // more triangles that only the path itself excludes.
     constexpr double finest = 3e-4;
     const double stray = p.stray();
     bool near = false;
@@ -180,8 +186,8 @@ struct StepSearch {
     return hit.mesh >= 0;
   }
 
-  //! Looks at a piece's triangles part by part, from its beginning: the parts bend less than the piece, and there is nothing to find in those after the
-  //! first crossing.
+  //! Searches a piece's triangles part by part, from its beginning. The parts bend less than the
+  //! piece, and those after the first crossing need no search.
   template <class Crossings>
   ERGO_HD static void search_in_parts(const TriangleTree& tree, double stray, Crossings& crossings) {
     constexpr int parts = 4;
@@ -194,7 +200,7 @@ struct StepSearch {
     }
   }
 
-  //! Finds the first triangle on the step's path.
+  //! Finds the first triangle on the step's path. Returns false if there is none.
   ERGO_HD bool run() {
     visit_pieces(
         step.length, 1e-9 * scene.greatest_r, even_enough, [this](double h) { return step.point(h); }, *this);

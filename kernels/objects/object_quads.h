@@ -7,19 +7,21 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Neighbouring places of a pixel.
+//! Number of neighboring positions in a pixel that form a quad.
 inline constexpr int quad_size = 4;
 
-//! What a register of pixels meets in one direction each.
+//! Hits of a pack of pixels, in one direction each.
 template <class T>
 struct SampleHits {
   MeshHit hits[RealTraits<T>::lane_count];
-  T energy;    //!< at infinity, of light that is seen with energy 1
+  T energy;    //!< at infinity, of light seen with energy 1
   T momentum;  //!< about the axis [M]
 };
 
-//! Light of pixels in which objects may be seen, from some quads of places each: rays.find(first, directions, count, met) tells what is met in directions
-//! of up to rays.most_quads quads by a register of pixels, rays.slice(number) how a pixel is cut along the shadow's edge. Index i stands for the pixels i * lanes, i * lanes + 1, ...
+//! Computes the light of pixels in which objects may be seen, from several quads of positions each.
+//! rays.find(first, directions, count, met) finds what a pack of pixels meets in directions of up
+//! to rays.most_quads quads; rays.slice(number) cuts a pixel along the shadow's edge. Index i
+//! stands for the pixels i * lanes, i * lanes + 1, ...
 template <class T, class Rays>
 struct ObjectQuads {
   const ObjectPixelBatch& batch;
@@ -43,7 +45,7 @@ struct ObjectQuads {
  private:
   static constexpr int lanes = RealTraits<T>::lane_count;
 
-  //! What a pixel's samples have seen so far.
+  //! Sums over a pixel's samples.
   struct PixelSum {
     Vector3<float> light;
     float time;
@@ -52,9 +54,9 @@ struct ObjectQuads {
     std::int32_t mesh;
     bool several;
     Vector3<float> normal;
-    int met;            //!< samples that have hit anything
-    int outlines;       //!< times that samples which follow each other have not been alike
-    std::int32_t last;  //!< what the last one has hit
+    int met;            //!< number of samples that have hit anything
+    int outlines;       //!< number of successive samples that have hit different things
+    std::int32_t last;  //!< mesh that the last sample has hit
   };
 
   //! The lamp's light on a mesh.
@@ -65,18 +67,19 @@ struct ObjectQuads {
 
   //! The lamp's light as each pixel last saw it.
   struct LampSight {
-    int corrected = -1;                //!< the mesh that the corrections are of
-    LampCorrections corrections = {};  //!< kept from place to place
+    int corrected = -1;                //!< the mesh to which the corrections belong
+    LampCorrections corrections = {};  //!< kept from point to point
     LitMesh lit[lanes] = {};
   };
 
-  //! Whether a quad's places are far from those that the lamp's light has been found for: slices follow each other.
+  //! Returns whether the lamp's light has to be found again for a quad. Slices are next to each
+  //! other, so a few quads share it.
   [[nodiscard]] ERGO_HD bool asks_lamp(int quad) const {
     constexpr int quads_alike = 4;
     return batch.pattern == PixelPattern::grid || quad % quads_alike == 0;
   }
 
-  //! Where each pixel looks from a place of a quad.
+  //! Returns each pixel's direction at a position of a quad.
   ERGO_HD Vector3<T> direction(int first, const PixelPlaces<lanes>& places, int quad, int k) const {
     Vector3<T> n = {T(0.0), T(0.0), T(0.0)};
     for (int i = 0; i < lanes; ++i) {
@@ -90,7 +93,7 @@ struct ObjectQuads {
     return n;
   }
 
-  //! Looks along the rays of some quads of each pixel.
+  //! Traces the rays of some quads of each pixel.
   ERGO_HD void look_at_quads(int first, const PixelPlaces<lanes>& places, int quad, int count, LampSight& lamp,
                              PixelSum (&sums)[lanes]) const {
     constexpr int most = Rays::most_quads * quad_size;
@@ -123,7 +126,8 @@ struct ObjectQuads {
                          hit.weight_2);
   }
 
-  //! How the texture changes from a sample to its neighbours in the quad, where they are on the same mesh.
+  //! Returns the change of texture coordinates from a sample to its neighbors in the quad, if they
+  //! are on the same mesh.
   ERGO_HD OverlayFootprint footprint_of(const MeshHit (&quad)[quad_size], int k, const SurfacePlace& at) const {
     OverlayFootprint footprint = {};
     const auto difference = [&](int other, float& along_u, float& along_v) {
@@ -131,7 +135,7 @@ struct ObjectQuads {
         return;
       }
       const SurfacePlace beside = place_of(quad[other]);
-      // Across the seam of an image nothing is this wide.
+      // A larger change crosses the seam of an image.
       const float u = beside.u - at.u;
       const float v = beside.v - at.v;
       along_u = ::fabsf(u) < 0.5F ? u : 0.0F;
@@ -158,7 +162,7 @@ struct ObjectQuads {
     const bool textured = look.surface.parts[at.part].textured;
     Vector3<float> light = surface_color(look, at, textured ? footprint_of(quad, k, at) : OverlayFootprint{});
     if (look.lit && objects.lamp.strength > 0.0) {
-      // Across a quad the lamp's light is the same, but not the surface.
+      // The samples of a quad share the lamp's light, but not the surface.
       if (lit.mesh != hit.mesh) {
         MeshLimits limits = objects.limits;
         limits.delay = hit.delay;
@@ -185,7 +189,8 @@ struct ObjectQuads {
 
   ERGO_HD static void add_light(const MeshHit& hit, const SurfacePlace& at, const Vector3<float>& light, float weight,
                                 PixelSum& sum) {
-    // Normals that differ by more than this, or another mesh: an outline may pass through the pixel.
+    // If normals differ by more than this, or the mesh differs, an outline may pass through the
+    // pixel.
     constexpr float one_face = 0.9F;
     const Vector3<float> normal = {static_cast<float>(at.normal.x), static_cast<float>(at.normal.y),
                                    static_cast<float>(at.normal.z)};
@@ -205,7 +210,8 @@ struct ObjectQuads {
     ++sum.met;
   }
 
-  //! Whether slices have met a thing that may be thinner than they tell; they find the side of one by themselves.
+  //! Returns whether slices have met an object that may be thinner than they resolve. They do
+  //! resolve a single side of an object.
   ERGO_HD static bool is_thin(const PixelSum& sum) {
     constexpr int few = 4;
     return sum.outlines > 1 || (sum.outlines > 0 && sum.met < few);

@@ -3,12 +3,13 @@
 #include "kernels/objects/draw_objects.h"
 #include "kernels/objects/mesh_emitter.h"
 
-// What the kernels that draw objects share.
+// Functions that all kernels that draw objects share.
 namespace ergodome::inline ERGO_TARGET {
 
 ERGO_HD double length_of(const Vector3<double>& v) { return ::sqrt(dot(v, v)); }
 
-//! The observer's direction of a place in the image. N is double, or Dual<double> with the derivatives per pixel.
+//! Returns the observer's direction at a position in the image. N is double, or Dual<double> with
+//! the derivatives per pixel.
 template <class N>
 ERGO_HD Vector3<N> observed_by(const ObjectScene& objects, const N& x_px, const N& y_px) {
   const Vector3<N> view = direction_from_pixel(objects.projection, x_px, y_px);

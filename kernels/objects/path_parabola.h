@@ -3,22 +3,24 @@
 #include "kernels/objects/path_piece.h"
 #include "kernels/objects/triangle_tree.h"
 
-// Pieces of paths as parabolas: which triangles a piece cannot meet is told by them, without another look at its series.
+// Pieces of paths as parabolas, which exclude triangles that a piece cannot meet without another
+// evaluation of its series.
 namespace ergodome::inline ERGO_TARGET {
 
 //! The parabola through a piece's ends and its middle, P(s) for s from 0 to 1.
 struct PathParabola {
   Vector3<double> from, middle, to;
-  double off;      //!< how far the path is from it at the same s, at the most: an estimate
-  double fastest;  //!< |dP/ds| is nowhere greater
+  double off;      //!< estimated maximum distance of the path from it at the same s
+  double fastest;  //!< upper limit of |dP/ds|
 
   ERGO_HD Vector3<double> at(double s) const {
     return ((1.0 - s) * (1.0 - 2.0 * s)) * from + (4.0 * s * (1.0 - s)) * middle + (s * (2.0 * s - 1.0)) * to;
   }
 };
 
-//! That of a piece; path(h) is its place. What the cubic and the next terms add is greatest near its quarters, where it is looked at: twice that is
-//! taken, and what rounding may add to a path of `radius`.
+//! Returns the parabola of a piece; path(h) returns a position. The difference by the cubic and
+//! higher terms is largest near the quarters, where it is measured. `off` is twice that, plus the
+//! rounding error of a path of size `radius`.
 template <class Path>
 ERGO_HD PathParabola parabola_of(const PathPiece& p, const Path& path, double radius) {
   PathParabola parabola = {p.from, p.middle, p.to, 0.0, 0.0};
@@ -35,16 +37,17 @@ ERGO_HD PathParabola parabola_of(const PathPiece& p, const Path& path, double ra
   return parabola;
 }
 
-//! A triangle's plane as a piece meets it: f = normal · (P(s) - corner) at s = 0, 1/2 and 1.
+//! A triangle's plane relative to a piece: f = normal · (P(s) - corner) at s = 0, 1/2 and 1.
 struct PlaneOnPiece {
   const TriangleSides& sides;
-  Vector3<double> normal;  //!< of twice the triangle's area
+  Vector3<double> normal;  //!< with a length of twice the triangle's area
   double at_from, at_middle, at_to;
 };
 
 namespace detail {
 
-//! Whether a place near the plane is within a triangle, or no farther beside it than `slack` [the mesh's unit].
+//! Returns whether a point near the plane is within a triangle, or outside of it by at most `slack`
+//! [the mesh's unit].
 ERGO_HD bool is_within(const PlaneOnPiece& plane, const Vector3<double>& point, double slack) {
   const TriangleSides& sides = plane.sides;
   const Vector3<double> from_corner = point - sides.corner;
@@ -52,21 +55,23 @@ ERGO_HD bool is_within(const PlaneOnPiece& plane, const Vector3<double>& point, 
   const double weight_1 = dot(cross(from_corner, sides.side_2), plane.normal);
   const double weight_2 = dot(cross(sides.side_1, from_corner), plane.normal);
   const double longest = ::fmax(dot(sides.side_1, sides.side_1), dot(sides.side_2, sides.side_2));
-  // A weight changes by no more than a displacement times the opposite side over the normal; no side is longer than twice this.
+  // A weight changes by at most a displacement times the opposite side over the normal, and no side
+  // is longer than twice the longer of these two.
   const double allowed = 1e-8 * area + 2.0 * slack * ::sqrt(longest * area);
   return weight_1 >= -allowed && weight_2 >= -allowed && weight_1 + weight_2 <= area + allowed;
 }
 
 }  // namespace detail
 
-//! Whether a path may cross a triangle before `first_s`, by its parabola: false only where it does not, as far as `off` holds. What grazes the plane, may.
+//! Returns whether a path may cross a triangle before `first_s`, according to its parabola. False
+//! only if it does not, as far as `off` is right. A path that grazes the plane may cross it.
 ERGO_HD bool may_cross(const PathParabola& path, const PlaneOnPiece& plane, double first_s) {
   const double reach = path.off * ::sqrt(dot(plane.normal, plane.normal));
   const double bow = 2.0 * (plane.at_from + plane.at_to) - 4.0 * plane.at_middle;
   const double least = ::fmin(::fabs(plane.at_from), ::fmin(::fabs(plane.at_middle), ::fabs(plane.at_to)));
   const bool below = plane.at_from < 0.0 && plane.at_middle < 0.0 && plane.at_to < 0.0;
   const bool above = plane.at_from > 0.0 && plane.at_middle > 0.0 && plane.at_to > 0.0;
-  // Between its three points a parabola is no farther from their lines than a sixteenth of its bow.
+  // Between its three points a parabola is at most a sixteenth of its bow away from their chords.
   if ((below || above) && least > reach + 0.0625 * ::fabs(bow)) {
     return false;
   }
@@ -76,7 +81,7 @@ ERGO_HD bool may_cross(const PathParabola& path, const PlaneOnPiece& plane, doub
     return !(::fabs(square) > 8.0 * reach * ::fabs(bow));
   }
   const double root = ::sqrt(square);
-  // So far along the path the plane may be from where the parabola meets it.
+  // Maximum distance along the path between its crossing and that of the parabola.
   const double slip = 2.0 * reach / root;
   if (!(slip < 0.25) || square < 4.0 * reach * ::fabs(bow)) {
     return true;

@@ -12,14 +12,16 @@ struct PathPiece {
 
   ERGO_HD double middle_h() const { return 0.5 * (from_h + to_h); }
   ERGO_HD double chord() const { return ::sqrt(dot(to - from, to - from)); }
-  //! Twice the sagitta: pieces are short, and close to parabolas. What runs along the chord counts only where it turns back there.
+  //! Returns twice the sagitta, since pieces are short and close to parabolas. A displacement along
+  //! the chord only counts if the path turns back there.
   ERGO_HD double stray() const {
     const Vector3<double> bow = middle - 0.5 * (from + to);
     const double along = unevenness();
     const Vector3<double> aside = bow - along * (to - from);
     return 2.0 * (::sqrt(dot(aside, aside)) + ::fmax(::fabs(along) - 0.25, 0.0) * chord());
   }
-  //! How far the middle is from the chord's, along it, as a part of its length.
+  //! Returns the displacement of the piece's middle from the chord's, along the chord, as a
+  //! fraction of its length.
   ERGO_HD double unevenness() const {
     const Vector3<double> way = to - from;
     const double square = dot(way, way);
@@ -27,7 +29,7 @@ struct PathPiece {
   }
 };
 
-//! Distance of a point from a segment.
+//! Returns the distance of a point from a segment.
 ERGO_HD double distance_from_segment(const Vector3<double>& point, const Vector3<double>& from,
                                      const Vector3<double>& to) {
   const Vector3<double> way = to - from;
@@ -37,12 +39,14 @@ ERGO_HD double distance_from_segment(const Vector3<double>& point, const Vector3
   return ::sqrt(dot(rest, rest));
 }
 
-//! A piece that bends by no more than this part of its length, and is not more uneven than that, tells by its middle how far it strays.
+//! Maximum bend and unevenness of a piece, as fractions of its length, for which its middle shows
+//! how far it strays.
 inline constexpr double straight_enough = 0.1;
 inline constexpr double even_enough = 0.15;
 
-//! A step's path cut into pieces, in order: each(piece) says whether it is done with a piece (finish), wants it cut in two (cut), or needs none
-//! of the rest (stop). Pieces that bend are cut before they are asked for; none is cut more than some twenty times.
+//! Answers of the callback of visit_pieces: done with a piece (finish), cut it in two (cut), or
+//! skip all others (stop). visit_pieces cuts a step's path into pieces and calls each(piece) in
+//! order. Pieces that bend are cut before the call; none is cut more than about twenty times.
 enum class PieceAnswer { finish, cut, stop };
 
 template <class Place, class Each>

@@ -6,33 +6,34 @@
 
 namespace ergodome {
 
-//! Radii between which something stands [M].
+//! Radii between which objects are [M].
 struct RadialBounds {
   double least;  //!< outside the horizon
   double greatest;
 };
 
-//! How far rays are followed, and how exactly.
+//! How far rays are followed, and how precisely.
 struct MeshLimits {
   double tolerance;  //!< local error of the path
   int step_limit;
-  double delay = 0.0;  //!< coordinate time that has gone by where rays start [M]
+  double delay = 0.0;  //!< coordinate time that has passed where rays start [M]
 };
 
 inline namespace ERGO_TARGET {
 
-//! A piece of one ray's path: its series, in scaled time h from 0 on. T is double, or Dual<double>.
+//! A step of one ray's path: its series, in scaled time h from 0 on. T is double, or Dual<double>.
 template <int Order, NearParts Parts, class T>
 struct PathStep {
   detail::NearSeries<Order, T, Parts> series;
-  Vector3<double> axes[2];  //!< where m's x and y point, before frame dragging
-  double least_u;           //!< beyond it nothing stands: places are held there
+  Vector3<double> axes[2];  //!< directions of m's x and y, before frame dragging
+  double least_u;           //!< no objects are farther out: positions are clamped to this 1/r
   double length;            //!< of the step, in h
   double scale;             //!< h over Mino time
-  double start;             //!< Mino time at h = 0, from the camera, for a photon that is seen with energy 1 [1/M]
-  double delay_at_camera;   //!< coordinate time that counts from elsewhere [M]
+  //! Mino time at h = 0, from the camera, for a photon seen with energy 1 [1/M].
+  double start;
+  double delay_at_camera;  //!< coordinate time that is added to all delays [M]
 
-  //! A vector of m's axes at h, in pseudo-Cartesian ones.
+  //! Rotates a vector of m's axes at h to pseudo-Cartesian ones.
   ERGO_HD Vector3<T> turned(const T& drag, const T& x, const T& y, const T& z) const {
     T sine;
     T cosine;
@@ -42,7 +43,7 @@ struct PathStep {
     return {along * axes[0].x + across * axes[1].x, along * axes[0].y + across * axes[1].y, z};
   }
 
-  //! Pseudo-Cartesian place [M].
+  //! Returns the pseudo-Cartesian position [M].
   ERGO_HD Vector3<T> point(const T& h) const {
     const auto& s = series;
     const T u = series_value(s.u, h);
@@ -50,16 +51,17 @@ struct PathStep {
     return r * turned(series_value(s.drag, h), series_value(s.x, h), series_value(s.y, h), series_value(s.z, h));
   }
 
-  //! dm/dλ, backwards, in pseudo-Cartesian axes and without the turn by frame dragging [M].
+  //! Returns dm/dλ, backwards, in pseudo-Cartesian axes and without the rotation by frame dragging
+  //! [M].
   ERGO_HD Vector3<T> polar_momentum(const T& h) const {
     const auto& s = series;
     return scale * turned(series_value(s.drag, h), series_rate(s.x, h), series_rate(s.y, h), series_rate(s.z, h));
   }
 
-  //! Affine distance from the camera [M]; with parts that carry it.
+  //! Returns the affine distance from the camera [M]; only with parts that carry it.
   ERGO_HD T distance(const T& h) const { return series_value(series.distance, h); }
 
-  //! Coordinate time from there to the camera [M]; 0 where it is not carried.
+  //! Returns the coordinate time from there to the camera [M]; 0 if it is not carried.
   ERGO_HD double delay(double h) const {
     if constexpr (has_delay(Parts)) {
       return delay_at_camera + value_of(series_value(series.delay, T(h)));
@@ -69,7 +71,7 @@ struct PathStep {
   }
 };
 
-//! A vector without its derivatives.
+//! Returns a vector without its derivatives.
 ERGO_HD Vector3<double> plain_vector(const Vector3<Dual<double>>& v) { return {v.x.value, v.y.value, v.z.value}; }
 
 namespace detail {
@@ -90,7 +92,7 @@ ERGO_HD void take_lane(const T (&all)[Count], int i, One (&one)[Count]) {
   }
 }
 
-//! The series of one of many rays.
+//! Takes the series of one ray from those of many.
 template <int Order, NearParts Parts, class T, class One>
 ERGO_HD void take_lane(const NearSeries<Order, T, Parts>& all, int i, NearSeries<Order, One, Parts>& one) {
   take_lane(all.u, i, one.u);
@@ -106,8 +108,9 @@ ERGO_HD void take_lane(const NearSeries<Order, T, Parts>& all, int i, NearSeries
   }
 }
 
-//! A step's length, or where light that goes out for good comes to a little beyond the place where it is held: nothing stands there, and a path with a
-//! kink is cut into many pieces.
+//! Returns a step's length. For light that leaves for good, ends the step slightly beyond the
+//! radius to which positions are clamped: no objects are there, and a path with a kink would be cut
+//! into many pieces.
 template <int Order, NearParts Parts, class T>
 ERGO_HD double length_within(const PathStep<Order, Parts, T>& step, double length) {
   const auto is_beyond = [&](double h) { return value_of(series_value(step.series.u, T(h))) < step.least_u; };
@@ -123,8 +126,9 @@ ERGO_HD double length_within(const PathStep<Order, Parts, T>& step, double lengt
   return length;
 }
 
-//! Shortens the step of lanes that come out through the horizon to where they come to 1/r = `innermost_u`; tells which those are. Before that nothing
-//! stands, and azimuth and time are counted in ingoing Kerr coordinates.
+//! Shortens the step of lanes that come out through the horizon to where they reach 1/r =
+//! `innermost_u`; returns those lanes. Before that there are no objects, and azimuth and time are
+//! in ingoing Kerr coordinates.
 template <int Order, NearParts Parts, class T>
 ERGO_HD MaskOf<RealOf<T>> end_way_out(const NearSeries<Order, T, Parts>& s, const MaskOf<RealOf<T>>& on_way_out,
                                       const RealOf<T>& innermost_u, RealOf<T>& length) {
@@ -141,7 +145,7 @@ ERGO_HD MaskOf<RealOf<T>> end_way_out(const NearSeries<Order, T, Parts>& s, cons
   return arrives;
 }
 
-//! The number that one lane of T holds.
+//! The number type of one lane of T.
 template <class T>
 struct OneLane {
   using Type = double;
@@ -153,9 +157,10 @@ struct OneLane<Dual<T>> {
 
 }  // namespace detail
 
-//! Follows rays backwards from a camera at azimuth φ, step by step, as long as they may come between the radii, all the ways round the hole:
-//! visit(lane, step) is called for each step that does, and says whether the lane needs no more. Lanes are doubles, or duals of them.
-//! `active_at_start`: lanes to follow. False where a ray met the step limit before it was decided.
+//! Follows rays backwards from a camera at azimuth φ, step by step, as long as they may come
+//! between the radii, on all ways round the hole. Calls visit(lane, step) for each step that does;
+//! it returns whether the lane is finished. Lanes are doubles, or duals of them. `active_at_start`:
+//! lanes to follow. Returns false in lanes that reached the step limit before they were decided.
 template <int Order, NearParts Parts, class T, class Visit>
 ERGO_HD MaskOf<RealOf<T>> follow_path(double spin, double cosine_phi, double sine_phi, const NearRay<T>& ray,
                                       const RadialBounds& bounds, const MeshLimits& limits,
@@ -173,7 +178,7 @@ ERGO_HD MaskOf<RealOf<T>> follow_path(double spin, double cosine_phi, double sin
   detail::NearCoefficients<T> coefficients = detail::near_coefficients(spin, ray, inverse_scale);
   detail::NearSeries<Order, T, Parts> s;
   detail::start_series(ray, inverse_scale, s);
-  // Where things may stand, azimuth and time are Boyer-Lindquist's.
+  // Where objects may be, azimuth and time are in Boyer-Lindquist coordinates.
   const MaskOf<Real> coming_out = coefficients.ingoing & (value_of(s.u[0]) > innermost);
   detail::count_on_outside(spin, coefficients.ingoing & !coming_out, s);
   coefficients.ingoing = coming_out;
@@ -194,7 +199,7 @@ ERGO_HD MaskOf<RealOf<T>> follow_path(double spin, double cosine_phi, double sin
     const MaskOf<Real> arrives = detail::end_way_out(s, on_way_out, innermost, length);
     const Real end_u = value_of(series_value(s.u, length));
     const Real end_rate = value_of(series_rate(s.u, length));
-    // Far out light goes inwards only, or outwards only.
+    // A step that begins and ends outside, without a turn between, meets no objects.
     const MaskOf<Real> far_out = (u < outermost) & (end_u < outermost) & (value_of(s.u[1]) * end_rate > zero);
     const unsigned near = mask_bits(active & !(far_out | on_way_out));
     Real found = zero;

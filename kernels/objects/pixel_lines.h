@@ -4,18 +4,23 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! The lines of sight of a pixel's samples, for an eye of the stereo model `flat`, and the head's rays that stand for them: as the head sees them, the lines
-//! are strips beside one another, and go the same way, but where the eye looks along its own way from the head: there they are short, and part. The rays
-//! lie in rows along that way; each stands for the parts of all lines that pass near it.
+//! The lines of sight of a pixel's samples, for an eye of the stereo model `flat`, and the head's
+//! rays that represent them. As the head sees them, the lines are strips side by side that all go
+//! the same way. The exception is an eye that looks along its displacement from the head: there the
+//! lines are short, and diverge. The rays lie in rows along that displacement; each represents the
+//! parts of all lines that pass near it.
 class PixelLines {
  public:
   static constexpr int most = 16;
-  //! A row is so high for each part: its corners are little farther away than its ends.
+  //! Height of a row, as a fraction of a part: its corners are then hardly farther from the ray
+  //! than its ends.
   static constexpr double row_part = 0.7;
-  static constexpr double corner_reach = 1.22;  //!< of what a ray stands for, over half a part: √(1 + row_part²)
+  //! Distance of the corners from the ray, over half a part: √(1 + row_part²).
+  static constexpr double corner_reach = 1.22;
 
-  //! Begins with lines in so many directions, those of no unit length aside, where `reach` says that something may be. `part`: what one ray may stand for along
-  //! a line, as the head sees it [rad].
+  //! Begins with lines in the given directions, except those without unit length, in the range
+  //! `reach` where objects may be. `part`: length of a line that one ray may represent, as the head
+  //! sees it [rad].
   ERGO_HD void begin(const FlatEyeSight& sight, const FlatReach& reach, double part, const Vector3<double>* directions,
                      int count) {
     eye_ = sight.eye;
@@ -28,7 +33,7 @@ class PixelLines {
     }
   }
 
-  //! Goes to the next ray, from the nearest places on; false where there is none that is wanted.
+  //! Moves on to the next ray, nearest first. Returns false if no more rays are needed.
   ERGO_HD bool next() {
     for (++ray_; ray_ < rows_ * columns_; ++ray_) {
       if (turn()) {
@@ -38,22 +43,23 @@ class PixelLines {
     return false;
   }
 
-  //! The ray, with no line's direction yet; and how far from it those are that it stands for [rad].
+  //! Return the ray, which has no line's direction yet, and the maximum angle between it and the
+  //! directions that it represents [rad].
   [[nodiscard]] ERGO_HD const EyeReference& reference() const { return reference_; }
   [[nodiscard]] ERGO_HD double reach() const { return reach_; }
 
-  //! Where it stands for a line; for all lines if none is named.
+  //! Returns the range that the ray represents, over all lines.
   [[nodiscard]] ERGO_HD const DistanceSpan& span() const { return whole_; }
-  //! What is not cut into parts is the same for all.
+  //! Returns the range for one line. If lines are not cut into parts, it is the same for all.
   [[nodiscard]] ERGO_HD const DistanceSpan& span(int line) const { return columns_ > 1 ? spans_[line] : whole_; }
 
-  //! Whether a line is looked along beside the ray.
+  //! Returns whether the ray represents a part of a line that is still searched.
   [[nodiscard]] ERGO_HD bool is_wanted(int line) const { return is_in(wanted_ & open_, line); }
   [[nodiscard]] ERGO_HD bool any_wanted() const { return (wanted_ & open_) != 0U; }
 
   [[nodiscard]] ERGO_HD const Vector3<double>& direction(int line) const { return lines_[line].m; }
 
-  //! A line has met something: it is not looked along farther on.
+  //! Records that a line has met something, so that it is not searched farther on.
   ERGO_HD void meet(int line) {
     if (!is_in(backwards_, line)) {
       open_ &= ~(1U << static_cast<unsigned>(line));
@@ -61,11 +67,13 @@ class PixelLines {
   }
 
  private:
-  //! Neighbours do not meet to the last digit.
+  //! Overlap of parts, since neighbors do not meet to the last digit.
   static constexpr double overlap = 1e-3;
 
-  //! A direction, where it is beside the middle one without the eye's way, and where that brings it: places on the plane that touches the sphere of the
-  //! head's directions in the middle, along the way and across it.
+  //! A direction, and how it moves as the head sees it. Coordinates are on the plane that touches
+  //! the sphere of the head's directions in the middle of the pixel: s along the eye's
+  //! displacement, t across it. `ahead` and `along`: components of m along the middle and the
+  //! displacement.
   struct Line {
     Vector3<double> m;
     double ahead, along;
@@ -97,7 +105,7 @@ class PixelLines {
 
   ERGO_HD void turn_reference(const Vector3<double>& toward) { reference_ = eye_reference(toward, eye_, 0.0); }
 
-  //! Lays rays over all the places to which the eye's way brings the lines.
+  //! Lays rays over all positions that the lines sweep over.
   ERGO_HD void lay_rays(double part) {
     eye_ahead_ = dot(eye_, middle_);
     const Vector3<double> aside = eye_ - eye_ahead_ * middle_;
@@ -138,7 +146,7 @@ class PixelLines {
     return dot(v, axis) / dot(v, middle_);
   }
 
-  //! The nearness at which a line comes to a place along the way, or its end before that.
+  //! Returns the nearness at which a line comes to a position s, limited to the line's ends.
   [[nodiscard]] ERGO_HD double nearness_at(const Line& line, double s) const {
     const bool backwards = line.from_s < line.to_s;
     if (s >= ::fmax(line.from_s, line.to_s)) {
@@ -150,7 +158,7 @@ class PixelLines {
     return ::fmax(to_w_, ::fmin(from_w_, (s * line.ahead - line.along) / (eye_along_ - s * eye_ahead_)));
   }
 
-  //! Turns to the ray of a number; tells whether any line wants it.
+  //! Sets up ray number ray_. Returns whether any line needs it.
   ERGO_HD bool turn() {
     const int row = ray_ / columns_;
     const int column = columns_ - 1 - (ray_ - row * columns_);
@@ -177,14 +185,14 @@ class PixelLines {
     return true;
   }
 
-  //! Sets where a line is within a column; false where it is not.
+  //! Sets the range of a line within a column. Returns false if it is not there.
   ERGO_HD bool set_span(int k, double s, double half) {
     const Line& line = lines_[k];
     const double one = nearness_at(line, s - half);
     const double other = nearness_at(line, s + half);
     double greatest = ::fmax(one, other);
     double least = ::fmin(one, other);
-    // A line that the eye's way does not bring anywhere is within one column as a whole.
+    // A line that does not move is in one column as a whole.
     const bool stays = ::fabs(line.from_s - line.to_s) <= 1e-6 * width_;
     if (stays ? !(::fabs(line.from_s - s) <= half) : !(greatest > least)) {
       return false;
@@ -211,7 +219,7 @@ class PixelLines {
   double eye_ahead_ = 0.0, eye_along_ = 0.0;
   Line lines_[most];
   int count_ = 0;
-  unsigned open_ = 0U, backwards_ = 0U, wanted_ = 0U;  //!< a bit a line
+  unsigned open_ = 0U, backwards_ = 0U, wanted_ = 0U;  //!< one bit a line
   int rows_ = 0, columns_ = 0;
   double low_s_ = 0.0, low_t_ = 0.0, width_ = 0.0, height_ = 0.0;
   int ray_ = -1;

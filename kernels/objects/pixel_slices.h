@@ -3,13 +3,16 @@
 #include "kernels/objects/object_sight.h"
 #include "kernels/spacetime/geodesic/radial_potential.h"
 
-// Where a pixel beside the shadow's edge is looked at.
+// Positions of samples in a pixel beside the shadow's edge.
 //
-// Towards the edge images follow each other by powers: each lies nearer to it than the one before, and is as much thinner, some 23 times without spin. Along it they
-// change slowly. So the pixel is cut into slices along the edge, with one ray each, and the slices are the thinner the nearer they are to the edge.
+// Towards the edge images follow each other in a geometric series: each is nearer to the edge than
+// the one before and as much thinner, by a factor of about 23 without spin. Along the edge they
+// change slowly. So the pixel is cut into slices along the edge, with one ray each, and slices are
+// thinner nearer to the edge.
 namespace ergodome::inline ERGO_TARGET {
 
-//! A place in a pixel, from its corner, and the part of the pixel that it stands for, times the number of places.
+//! A position in a pixel, from its corner. Its weight is the fraction of the pixel that it
+//! represents, times the number of positions.
 struct PixelPlace {
   double along_px, down_px;
   float weight;
@@ -20,13 +23,14 @@ class PixelSlices {
  public:
   PixelSlices() = default;
 
-  //! `x`, `y`: from the edge outwards, of unit length. `edge_px`: how far in that direction the edge is from the pixel's middle.
+  //! `x`, `y`: unit vector from the edge outwards. `edge_px`: distance of the edge from the pixel's
+  //! middle in that direction.
   ERGO_HD PixelSlices(double x, double y, double edge_px)
       : x_(x), y_(y), edge_px_(edge_px), first_(root(-reach() - edge_px)), last_(root(reach() - edge_px)) {}
 
-  //! The place of one of `count` slices, the darkest first.
+  //! Returns the position of one of `count` slices, the darkest first.
   ERGO_HD PixelPlace place(int slice, int count) const {
-    // Parts of the golden ratio lie evenly along the edge, however many there are.
+    // Multiples of the golden ratio are spread evenly along the edge, for any number of slices.
     constexpr double golden = 0.61803398874989485;
     const double from = at(slice, count);
     const double to = at(slice + 1, count);
@@ -42,16 +46,17 @@ class PixelSlices {
   }
 
  private:
-  //! How far the corners are from the middle, across the edge [px].
+  //! Returns the maximum distance of the corners from the middle, across the edge [px].
   ERGO_HD double reach() const { return 0.5 * (::fabs(x_) + ::fabs(y_)); }
 
-  //! Slices are even in the root of the distance from the edge. On the dark side light goes round the hole no further for what is outside the photon sphere:
-  //! slices are wider there.
+  //! Slices are equally wide in the square root of the distance from the edge. On the dark side
+  //! light of objects outside the photon sphere does not go farther round the hole, so slices are
+  //! wider there.
   static constexpr double dark_part = 0.5;
   ERGO_HD static double root(double outside_px) {
     return outside_px > 0.0 ? ::sqrt(outside_px) : -dark_part * ::sqrt(-outside_px);
   }
-  //! Where a slice begins, across the edge from the middle [px].
+  //! Returns the beginning of a slice, across the edge from the middle [px].
   ERGO_HD double at(double slice, int count) const {
     const double r = first_ + (last_ - first_) * (slice / count);
     const double square = r * r;
@@ -59,7 +64,7 @@ class PixelSlices {
     return ::fmax(-reach(), ::fmin(reach(), edge_px_ + outside_px));
   }
 
-  //! The part of the pixel on this side of a line along the edge.
+  //! Returns the fraction of the pixel on the near side of a line along the edge.
   ERGO_HD double area_before(double across) const {
     const double longer = ::fmax(::fabs(x_), ::fabs(y_));
     const double shorter = ::fmin(::fabs(x_), ::fabs(y_));
@@ -74,7 +79,7 @@ class PixelSlices {
     return across < 0.0 ? beyond : 1.0 - beyond;
   }
 
-  //! Where a line stays in the pixel: |rate t + start| <= 1/2.
+  //! Restricts a range of t to where a line is within the pixel: |rate t + start| <= 1/2.
   ERGO_HD static void keep_within(double rate, double start, double& least, double& most) {
     if (::fabs(rate) < 1e-9) {
       return;
@@ -88,11 +93,11 @@ class PixelSlices {
   double x_ = 1.0;
   double y_ = 0.0;
   double edge_px_ = 0.0;
-  double first_ = 0.0;  //!< of the pixel, in roots of the distance
+  double first_ = 0.0;  //!< range of the pixel, in roots of the distance
   double last_ = 0.0;
 };
 
-//! A ray in the unit of its energy at infinity, which is above 0.
+//! Returns a ray in units of its energy at infinity, which has to be above 0.
 template <class T>
 ERGO_HD RayStart<T> in_unit_of_energy(const NearRay<T>& ray) {
   const T unit = 1.0 / ray.energy;
@@ -106,8 +111,9 @@ ERGO_HD RayStart<T> in_unit_of_energy(const NearRay<T>& ray) {
           ray.energy};
 }
 
-//! A pixel cut along the shadow's edge, as the darkness of the ray in its middle and how that changes tell of it (kernels/geodesic/radial_potential.h).
-//! Where they tell nothing, evenly, from left to right.
+//! Cuts a pixel along the shadow's edge, which is found from the darkness of the ray in its middle
+//! and the derivatives of that (kernels/spacetime/geodesic/radial_potential.h). If these do not
+//! locate the edge, cuts the pixel evenly from left to right.
 ERGO_HD PixelSlices slice_pixel(const CameraStation& camera, const NearRay<Dual<double>>& ray) {
   constexpr double far_away_px = 1e3;
   const PixelSlices even(1.0, 0.0, -far_away_px);
@@ -117,28 +123,28 @@ ERGO_HD PixelSlices slice_pixel(const CameraStation& camera, const NearRay<Dual<
   const Dual<double> dark = darkness(camera.spin, camera.horizon_r, in_unit_of_energy(ray));
   const double slope = ::sqrt(dark.along_x * dark.along_x + dark.along_y * dark.along_y);
   const double edge_px = dark.value / slope;
-  // What is not a number tells nothing.
+  // NaN does not locate the edge.
   return slope > 0.0 && ::fabs(edge_px) < far_away_px
              ? PixelSlices(-dark.along_x / slope, -dark.along_y / slope, edge_px)
              : even;
 }
 
-//! Through the middle of a pixel of a batch, the observer's direction with its derivatives.
+//! Returns the observer's direction through the middle of a pixel of a batch, with its derivatives.
 ERGO_HD Vector3<Dual<double>> middle_of_pixel(const ObjectPixelBatch& batch, int at) {
   const std::int32_t* const pixel = batch.pixels + 2 * static_cast<long>(at);
   return observed_footprint(batch.objects, pixel[0] + 0.5, pixel[1] + 0.5);
 }
 
-//! A pixel of a batch: x and y. Beyond the last one that again.
+//! Returns x and y of a pixel of a batch; past the last one, those of the last.
 ERGO_HD const std::int32_t* pixel_of_batch(const ObjectPixelBatch& batch, int at) {
   return batch.pixels + 2 * static_cast<long>(at < batch.count ? at : batch.count - 1);
 }
 
-//! Where some pixels of a batch are looked at, in quads of neighbouring places.
+//! Positions of the samples of some pixels of a batch, in quads of neighboring positions.
 template <int Pixels>
 class PixelPlaces {
  public:
-  //! Of the pixels from `first` on; slice(number) cuts one.
+  //! For the pixels from `first` on; slice(number) cuts one.
   template <class Slice>
   ERGO_HD PixelPlaces(const ObjectPixelBatch& batch, int first, const Slice& slice)
       : pattern_(batch.pattern), samples_(batch.samples) {
@@ -147,7 +153,7 @@ class PixelPlaces {
     }
   }
 
-  //! Place k of a quad.
+  //! Returns position k of a quad.
   ERGO_HD PixelPlace at(int pixel, int quad, int k) const {
     if (pattern_ == PixelPattern::slices) {
       return slices_[pixel].place(4 * quad + k, samples_ * samples_);

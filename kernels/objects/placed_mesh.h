@@ -4,34 +4,37 @@
 
 namespace ergodome {
 
-//! A circle that a mesh runs round as the hole's time goes by.
+//! A circle on which a mesh moves in the hole's time.
 struct MeshOrbit {
-  Vector3<double> toward;  //!< from the hole's middle to where the mesh is as the camera looks [M]
-  Vector3<double> ahead;   //!< to where it is a quarter of the circle later [M]
-  double rate = 0.0;       //!< angular velocity [1/M]; 0: it rests
+  Vector3<double> toward;  //!< from the hole's center to the mesh at the camera's time [M]
+  Vector3<double> ahead;   //!< to its position a quarter of the circle later [M]
+  double rate = 0.0;       //!< angular velocity [1/M]; 0: at rest
 };
 
-//! A mesh in space: its point p stands at position + size · rows · p, pseudo-Cartesian: x = r sinθ cosφ, y = r sinθ sinφ, z = r cosθ [M].
+//! A mesh in space: its point p is at position + size · rows · p, pseudo-Cartesian: x = r sinθ
+//! cosφ, y = r sinθ sinφ, z = r cosθ [M].
 struct PlacedMesh {
   TriangleTree tree;
-  Vector3<double> position;  //!< as the camera looks
+  Vector3<double> position;  //!< at the camera's time
   double rows[3][3];         //!< a rotation
-  double size;               //!< M in a unit of the mesh
+  double size;               //!< M per unit of the mesh
   MeshOrbit orbit = {};      //!< how it moves
-  bool retarded = false;     //!< light shows it where it was when the light left it, not where it is
+  //! Light shows it where it was when the light left it, not where it is.
+  bool retarded = false;
 };
 
-//! Meshes among which a ray looks for the first one on its way.
+//! Meshes among which the first on a ray's path is found.
 struct MeshScene {
   const PlacedMesh* meshes;
   int count;
   double least_r;     //!< no mesh reaches farther in; outside the horizon [M]
-  double greatest_r;  //!< nor farther out [M]
+  double greatest_r;  //!< no mesh reaches farther out [M]
 };
 
 inline namespace ERGO_TARGET {
 
-//! Where a mesh's middle was `delay` before the camera looks, as far as light tells [M].
+//! Returns the position of a mesh's middle `delay` before the camera's time; for meshes that are
+//! not retarded, at the camera's time [M].
 ERGO_HD Vector3<double> mesh_position(const PlacedMesh& mesh, double delay) {
   if (!mesh.retarded) {
     return mesh.position;
@@ -40,13 +43,13 @@ ERGO_HD Vector3<double> mesh_position(const PlacedMesh& mesh, double delay) {
   return ::cos(angle) * mesh.orbit.toward - ::sin(angle) * mesh.orbit.ahead;
 }
 
-//! How fast it was then, dx/dt.
+//! Returns a mesh's velocity at the same time, dx/dt.
 ERGO_HD Vector3<double> mesh_velocity(const PlacedMesh& mesh, double delay) {
   const double angle = mesh.retarded ? mesh.orbit.rate * delay : 0.0;
   return mesh.orbit.rate * (::sin(angle) * mesh.orbit.toward + ::cos(angle) * mesh.orbit.ahead);
 }
 
-//! A vector of the mesh's own axes, turned into space.
+//! Rotates a vector from the mesh's axes to space.
 ERGO_HD Vector3<double> turned_with_mesh(const PlacedMesh& mesh, const Vector3<double>& v) {
   const auto& rows = mesh.rows;
   return {rows[0][0] * v.x + rows[0][1] * v.y + rows[0][2] * v.z,
@@ -54,12 +57,12 @@ ERGO_HD Vector3<double> turned_with_mesh(const PlacedMesh& mesh, const Vector3<d
           rows[2][0] * v.x + rows[2][1] * v.y + rows[2][2] * v.z};
 }
 
-//! The middle of the ball about a mesh that is at `position` [M].
+//! Returns the center of the bounding ball of a mesh at `position` [M].
 ERGO_HD Vector3<double> ball_middle(const PlacedMesh& mesh, const Vector3<double>& position) {
   return position + mesh.size * turned_with_mesh(mesh, mesh.tree.middle);
 }
 
-//! A point in the unit of a mesh whose middle is at `position`.
+//! Converts a point to the unit and the axes of a mesh whose middle is at `position`.
 ERGO_HD Vector3<double> in_mesh(const PlacedMesh& mesh, const Vector3<double>& position, const Vector3<double>& point) {
   const Vector3<double> d = (1.0 / mesh.size) * (point - position);
   const auto& rows = mesh.rows;

@@ -4,25 +4,26 @@
 #include "kernels/shells/shell_crossings.h"
 #include "kernels/spacetime/kerr/camera_station.h"
 
-// Rays that are to come to a place: how far they miss it, and what would mend that.
+// Rays that are aimed at a point: how far they miss it, and the Newton step that corrects them.
 namespace ergodome::inline ERGO_TARGET {
 
 namespace detail {
 
-//! Series of rays between a lamp and a place, and how exactly they go.
+//! Order and precision of the series of rays between a lamp and a point.
 inline constexpr int lamp_order = 10;
 inline constexpr double lamp_tolerance = 1e-6;
 inline constexpr int lamp_steps = 2000;
 
-//! Where a ray comes to a radius on its way out.
+//! Where a ray passes a radius on its way out.
 struct Arrival {
-  Vector3<Dual<double>> outward;   //!< the place over its radius, pseudo-Cartesian
-  double u_rate;                   //!< du/dλ along the way
+  Vector3<Dual<double>> outward;   //!< the position over its radius, pseudo-Cartesian
+  double u_rate;                   //!< du/dλ along its path
   Vector3<double> polar_momentum;  //!< dm/dλ [M]
   double delay;                    //!< coordinate time from the start [M]
 };
 
-//! Follows a ray until it goes out past a radius that is not inside its start's. False where it does not.
+//! Follows a ray until it passes outwards through a radius that is at least that of its start.
+//! Returns false if it does not.
 ERGO_HD bool follow_to_radius(const CameraStation& camera, const Vector3<Dual<double>>& n, double r, Arrival& arrival) {
   const double u = 1.0 / r;
   bool arrived = false;
@@ -37,7 +38,7 @@ ERGO_HD bool follow_to_radius(const CameraStation& camera, const Vector3<Dual<do
       return false;
     }
     from_radius[0] = from_radius[0] - u;
-    // From the farthest in on, where it goes in first.
+    // If the ray goes inwards first, searches from its innermost point on.
     const double from = plain[1] > 0.0 ? value_of(time_to_turn(step.series.u, plain[1], step.length)) : 0.0;
     const Dual<double> h = time_to_zero(from_radius, 1.0, from, step.length);
     const Vector3<Dual<double>> place = step.point(h);
@@ -55,7 +56,7 @@ ERGO_HD bool follow_to_radius(const CameraStation& camera, const Vector3<Dual<do
   return arrived;
 }
 
-//! Two unit vectors across n.
+//! Computes two unit vectors perpendicular to n.
 ERGO_HD void axes_across(const Vector3<double>& n, Vector3<double>& first, Vector3<double>& second) {
   const Vector3<double> axis = ::fabs(n.x) < 0.7 ? Vector3<double>{1.0, 0.0, 0.0} : Vector3<double>{0.0, 1.0, 0.0};
   first = cross(n, axis);
@@ -63,15 +64,17 @@ ERGO_HD void axes_across(const Vector3<double>& n, Vector3<double>& first, Vecto
   second = cross(n, first);
 }
 
-//! A place that rays are to come to.
+//! A point that rays are aimed at.
 struct RayTarget {
   double r;                 //!< [M]
-  Vector3<double> outward;  //!< the place over r
-  Vector3<double> axes[2];  //!< across that
-  double near_enough;       //!< miss [rad about the hole] whose step is the last one: it leaves next to nothing
+  Vector3<double> outward;  //!< the point over r
+  Vector3<double> axes[2];  //!< perpendicular to `outward`
+  //! Miss [rad about the hole] below which the next step is the last: it leaves a negligible error.
+  double near_enough;
 };
 
-//! The target of rays from a place. `near_enough`: across ways that are no shorter than its radius.
+//! Returns the target of rays from a point. `near_enough`: for distances of at least the target's
+//! radius; it is reduced for shorter ones.
 ERGO_HD RayTarget ray_target(const Vector3<double>& from, const Vector3<double>& place, double near_enough) {
   RayTarget target{};
   target.r = ::sqrt(dot(place, place));
@@ -82,21 +85,24 @@ ERGO_HD RayTarget ray_target(const Vector3<double>& from, const Vector3<double>&
   return target;
 }
 
-//! By how much a ray misses a place.
+//! By how much a ray misses a point.
 struct Miss {
   Arrival arrival;
   double size;     //!< [rad about the hole]
-  bool same_side;  //!< of the hole
-  double step[2];  //!< of both numbers that the direction depends on: Newton's
+  bool same_side;  //!< on the point's side of the hole
+  double step[2];  //!< Newton step of both numbers that the direction depends on
   double spread;   //!< see LightRay
-  bool mirrored;  //!< the bundle comes to the place as its mirror image: the parity of images that the second way gives
+  bool mirrored;   //!< the bundle arrives mirrored, as for images of the second way
 };
 
-//! A ray to the radius of a place that is no nearer to the hole. `n`: its direction at `camera`, with its derivatives by two numbers. False where it
-//! does not get there, or nothing mends it.
+//! Traces a ray to the radius of a point that is no nearer to the hole. `n`: its direction at
+//! `camera`, with its derivatives by two numbers. Returns false if it does not get there, or if no
+//! usable step corrects it.
 //!
-//! The bundle's cross-section at the place, on a screen across the ray for an observer without angular momentum, is √A |n_r| (1 - ω L) times that in θ and
-//! φ sinθ at constant r; there ξ·k = 0 gives the parts of its rays' different times; and n_r √A (1 - ω L) is dr/dλ: all for energy 1 at infinity.
+//! The bundle's cross-section at the point, on a screen perpendicular to the ray for an observer
+//! without angular momentum, is √A |n_r| (1 - ω L) times that in θ and φ sinθ at constant r. There
+//! ξ·k = 0 accounts for the different times of its rays, and n_r √A (1 - ω L) is dr/dλ; all for
+//! energy 1 at infinity.
 ERGO_HD bool miss_of(const CameraStation& camera, const RayTarget& target, const Vector3<Dual<double>>& n, Miss& miss) {
   if (!follow_to_radius(camera, n, target.r, miss.arrival)) {
     return false;
@@ -117,7 +123,7 @@ ERGO_HD bool miss_of(const CameraStation& camera, const RayTarget& target, const
   return ::fabs(miss.step[0]) + ::fabs(miss.step[1]) < 1e3;
 }
 
-//! Rounds of Newton's method.
+//! Maximum number of Newton steps.
 inline constexpr int most_aim_rounds = 16;
 
 }  // namespace detail

@@ -11,12 +11,13 @@ namespace ergodome {
 //! A corner of triangles.
 struct SurfaceVertex {
   float position[3];
-  float normal[3];                      //!< of unit length, outwards
-  float texture[2];                     //!< u to the right, v upwards; the image, or one checkerboard, is 0 to 1
-  float color[3] = {1.0F, 1.0F, 1.0F};  //!< linear light; multiplies what its part shows
+  float normal[3];  //!< of unit length, outwards
+  //! u to the right, v upwards; the image, or one checkerboard, is 0 to 1.
+  float texture[2];
+  float color[3] = {1.0F, 1.0F, 1.0F};  //!< linear light; multiplies that of its part
 };
 
-//! How an image goes on beyond its sides.
+//! How an image continues beyond its sides.
 enum class TextureWrap : std::uint8_t { repeat, clamp, mirror };
 
 //! The triangles of a surface that share a material.
@@ -27,7 +28,7 @@ struct SurfacePart {
   OverlayTexture image;
 };
 
-//! A mesh's triangles as they are looked at.
+//! A mesh's triangles with their materials.
 struct Surface {
   const SurfaceVertex* vertices;
   const std::uint32_t* indices;  //!< three a triangle
@@ -35,21 +36,22 @@ struct Surface {
   const SurfacePart* parts;
 };
 
-//! How a mesh looks where it is placed.
+//! How a placed mesh looks.
 struct SurfaceLook {
   Surface surface;
-  Vector3<float> factor;  //!< on all its colours
+  Vector3<float> factor;  //!< multiplies all its colors
   float columns, rows;    //!< of a checkerboard; 0: none
   float dark;             //!< factor on the light of every other field
-  bool lit;               //!< it shines back the scene's light, as Lambert says
+  bool lit;               //!< reflects the scene's light by Lambert's law
 };
 
-//! A place on a surface.
+//! A point of a surface.
 struct SurfacePlace {
-  Vector3<double> normal;  //!< as its corners say, of unit length, in space
-  Vector3<double> lift;    //!< from the flat triangle to the smooth surface that its normals tell of [M]
+  Vector3<double> normal;  //!< interpolated from its corners, of unit length, in space
+  //! From the flat triangle to the smooth surface that its normals describe [M].
+  Vector3<double> lift;
   float u, v;
-  Vector3<float> color;  //!< of its corners
+  Vector3<float> color;  //!< interpolated from its corners
   std::uint32_t part;
 };
 
@@ -81,7 +83,7 @@ ERGO_HD SurfacePlace surface_place(const Surface& surface, const PlacedMesh& mes
     u += weight[i] * static_cast<double>(corner[i]->texture[0]);
     v += weight[i] * static_cast<double>(corner[i]->texture[1]);
   }
-  // Onto the planes across the corners' normals, as far as they lie above (Hanika 2021).
+  // Onto the planes perpendicular to the corners' normals, as far as they lie above (Hanika 2021).
   Vector3<double> lift = {0.0, 0.0, 0.0};
   for (int i = 0; i < 3; ++i) {
     const Vector3<double> n = vector_of(corner[i]->normal);
@@ -98,7 +100,7 @@ ERGO_HD SurfacePlace surface_place(const Surface& surface, const PlacedMesh& mes
           surface.part_of[triangle]};
 }
 
-//! Where a texture coordinate lies on the image, 0 to 1, and by which factor steps along it go on there.
+//! Position of a texture coordinate on the image, 0 to 1, and the factor on steps along it.
 struct WrappedTexture {
   float at, step;
 };
@@ -117,7 +119,8 @@ ERGO_HD WrappedTexture wrapped_texture(float x, TextureWrap wrap) {
   return there_and_back <= 1.0F ? WrappedTexture{there_and_back, 1.0F} : WrappedTexture{2.0F - there_and_back, -1.0F};
 }
 
-//! Linear light of a surface by itself, or in white light of strength 1. `footprint`: of the texture, in a pixel or less; v counts upwards.
+//! Returns the linear light of a surface by itself, or in white light of strength 1. `footprint`:
+//! of the texture, in a pixel or less; v counts upwards.
 ERGO_HD Vector3<float> surface_color(const SurfaceLook& look, const SurfacePlace& at,
                                      const OverlayFootprint& footprint) {
   const SurfacePart& part = look.surface.parts[at.part];

@@ -3,13 +3,14 @@
 #include "kernels/objects/draw_objects.h"
 #include "kernels/objects/object_sight.h"
 
-// What tiles of an image may see of objects, by the ray through a tile's middle and its derivatives per pixel.
+// Finds what tiles of an image may see of objects, by the ray through a tile's middle and its
+// derivatives per pixel.
 namespace ergodome::inline ERGO_TARGET {
 
-//! How the rays of tiles are followed.
+//! Order and precision of the rays of tiles.
 inline constexpr int mark_order = 8;
 inline constexpr double mark_tolerance = 1e-6;
-//! Footprints bend: what lies beyond the linear one by this part of it is still looked for.
+//! Factor on the size of linear footprints, since real ones bend.
 inline constexpr double footprint_slack = 1.6;
 
 //! Sets a lane of a vector with its derivatives.
@@ -25,11 +26,13 @@ ERGO_HD void set_vector_lane(Vector3<Dual<T>>& v, int i, const Vector3<Dual<doub
   set(v.z, one.z);
 }
 
-//! Next to the edge, too, footprints are not what a ray in the middle tells: the edge is looked for so far from it at the least [px].
+//! Minimum distance within which the edge is sought [px], as the ray in the middle does not predict
+//! footprints next to the edge either.
 inline constexpr double least_edge_px = 0.7;
 
-//! Lanes with the edge of a shadow, larger than that, within `half_x_px` and `half_y_px` of a direction: what is seen beside it is not told by the ray in the
-//! middle. start(n) is the ray that is seen in a direction.
+//! Returns the lanes where the edge of a shadow is within `half_x_px` and `half_y_px` of a
+//! direction, if the shadow is larger than that. The ray in the middle does not predict what is
+//! seen beside the edge. start(n) returns the ray that is seen in a direction.
 template <class T, class Start>
 ERGO_HD MaskOf<T> is_by_edge(double spin, const Start& start, const Vector3<Dual<T>>& n, const T& half_x_px,
                              const T& half_y_px) {
@@ -51,7 +54,8 @@ ERGO_HD MaskOf<T> is_by_edge(double spin, const Start& start, const Vector3<Dual
   return some & !all;
 }
 
-//! The radius within which the rays of tiles are looked at: they may pass the ball about all objects where that of their middle, n, does not.
+//! Returns the radius within which the rays of tiles are followed. They may come to the ball about
+//! all objects even if that of their middle, n, does not.
 template <class T>
 ERGO_HD double greatest_r_of_tiles(const ObjectScene& objects, const Vector3<Dual<T>>& n, const T& half_px) {
   double beside = 0.0;
@@ -64,18 +68,21 @@ ERGO_HD double greatest_r_of_tiles(const ObjectScene& objects, const Vector3<Dua
   return r + footprint_slack * beside * (1.0 / objects.camera.u + r);
 }
 
-//! A pixel where the path of the ray in its middle is [M]: how far its neighbours are from that at the same time.
+//! A pixel's footprint on the path of the ray in its middle [M]: distances of its neighbors at the
+//! same time.
 struct PixelOnPath {
   double width;              //!< in x and y of the picture together
-  double across, along;      //!< the same, across the path and along it
-  double widest, narrowest;  //!< across it
-  Vector3<double> narrow;    //!< where the latter points
+  double across, along;      //!< parts of `width` across the path and along it
+  double widest, narrowest;  //!< maximum and minimum across the path
+  Vector3<double> narrow;    //!< direction of `narrowest`
 };
 
-//! Images are stretched about a hole, by this and more next to the shadow's edge.
+//! Minimum ratio of `widest` to `narrowest` of stretched images. Images are stretched about a hole,
+//! and more so next to the shadow's edge.
 inline constexpr double stretched_part = 4.0;
 
-//! Which neighbours of a ray are near to a thing: those that are at the same time, or those that are at any.
+//! Which neighbors of a ray count as near to an object: those at the same time, or those at any
+//! time.
 enum class NeighbourTimes { same, any };
 
 ERGO_HD PixelOnPath pixel_on_path(const Vector3<Dual<double>>& place, const Vector3<double>& way) {
@@ -91,7 +98,7 @@ ERGO_HD PixelOnPath pixel_on_path(const Vector3<Dual<double>>& place, const Vect
   const double xy = dot(x_across, y_across);
   const double spread = ::sqrt(0.25 * (xx - yy) * (xx - yy) + xy * xy);
   const double middle = 0.5 * (xx + yy);
-  // Of all s x + t y with s² + t² = 1 the longest.
+  // The longest of all s x + t y with s² + t² = 1.
   const double turn = 0.5 * ::atan2(2.0 * xy, xx - yy);
   const Vector3<double> wide = ::cos(turn) * x_across + ::sin(turn) * y_across;
   const Vector3<double> narrow = cross(way, wide);
@@ -104,41 +111,45 @@ ERGO_HD PixelOnPath pixel_on_path(const Vector3<Dual<double>>& place, const Vect
           (1.0 / length) * narrow};
 }
 
-//! How far neighbours of a ray within some pixels go out of the surface that they are stretched in [M].
+//! Returns how far neighbors within some pixels of a ray leave the surface in which they are
+//! stretched [M].
 ERGO_HD double reach_out_of_plane(const PixelOnPath& pixel, double within_px, double turn_per_px) {
-  // Rays that part beside a hole stay in one plane through it, but for what its spin turns them.
+  // Rays that separate beside a hole stay in one plane through it, except for the rotation by its
+  // spin.
   constexpr double turned = 0.15;
   return within_px * (::sqrt(2.0) * pixel.narrowest + (turned + within_px * turn_per_px) * pixel.widest);
 }
 
 //! Pixels about a ray.
 struct Neighbours {
-  double half_px;      //!< they are so far from it in the picture
-  double turn_per_px;  //!< by so much the planes of their rays are turned [rad]
+  double half_px;      //!< their maximum distance in the picture
+  double turn_per_px;  //!< rotation of the planes of their rays from pixel to pixel [rad]
   NeighbourTimes times;
 };
 
-//! How far from a piece of a ray's path its neighbours within some pixels are [M].
+//! Returns the maximum distance of neighbors within some pixels from a piece of a ray's path [M].
 ERGO_HD double footprint_reach(const PathPiece& piece, const PixelOnPath& pixel, double within_px,
                                NeighbourTimes times) {
   const double whole = within_px * pixel.width;
   if (times == NeighbourTimes::same) {
     return whole;
   }
-  // Neighbours that are ahead or behind have been here, or will be: beside the path as far as it bends and as its footprint changes until then.
+  // Neighbors ahead or behind pass here at another time. Until then they leave the path only by its
+  // bend and by the change of its footprint.
   const double chord = ::fmax(piece.chord(), 1e-300);
   const double bend = 2.0 * piece.stray() / (chord * chord);
   const double ahead = within_px * pixel.along;
   const double aside = ahead * ahead * (bend + 1.0 / length_of(piece.middle));
-  // What is not a number is the whole.
+  // NaN yields the whole width.
   const double beside = within_px * pixel.across + aside;
   return beside < whole ? beside : whole;
 }
 
-//! A pixel of more than this part of an object's radius may hold more of it than a few samples tell.
+//! A pixel wider than this fraction of an object's radius may contain more of it than a few samples
+//! show.
 inline constexpr double fine_part = 0.15;
 
-//! How an object of such a radius is looked at.
+//! Returns the mark for an object of this radius.
 ERGO_HD TileMark mark_of(double radius, const PixelOnPath& pixel) {
   constexpr double thin_px = 4.0;
   const bool is_stretched = !(pixel.widest < stretched_part * pixel.narrowest);
@@ -151,8 +162,9 @@ ERGO_HD TileMark mark_of(double radius, const PixelOnPath& pixel) {
   return is_stretched ? TileMark::stretched : TileMark::objects;
 }
 
-//! Calls each(piece, radius, pixel) for the pieces of a step that the ball of such a radius about a mesh comes so near to that its neighbours
-//! may meet it, until it says that it is enough.
+//! Calls each(piece, radius, pixel) for the pieces of a step that come so near to a mesh's bounding
+//! ball that neighbors of the ray may meet it, until `each` returns true. `radius`: that of the
+//! ball.
 template <NearParts Parts, class Each>
 ERGO_HD void visit_tile_pieces(const MeshScene& scene, const PathStep<mark_order, Parts, Dual<double>>& step,
                                const Neighbours& neighbours, const Each& each) {
@@ -161,10 +173,10 @@ ERGO_HD void visit_tile_pieces(const MeshScene& scene, const PathStep<mark_order
   const auto place = [&](double h) { return plain_vector(step.point(Dual<double>(h))); };
   visit_pieces(step.length, 1e-9 * scene.greatest_r, most_uneven, place, [&](const PathPiece& p) {
     const PixelOnPath pixel = pixel_on_path(step.point(Dual<double>(p.middle_h())), p.to - p.from);
-    // The middle stands for the whole piece, whose footprint grows along it.
+    // The footprint is that of the middle, but grows along the piece.
     const double reach =
         p.stray() + 2.0 * ::fabs(p.unevenness()) * p.chord() + footprint_reach(p, pixel, within_px, neighbours.times);
-    // What is not a number is not stretched.
+    // NaN counts as not stretched.
     const bool stretched = pixel.widest > stretched_part * pixel.narrowest && length_of(pixel.narrow) > 0.5;
     const double beside = stretched ? p.stray() + reach_out_of_plane(pixel, within_px, neighbours.turn_per_px) : 0.0;
     bool enough = false;
@@ -180,7 +192,7 @@ ERGO_HD void visit_tile_pieces(const MeshScene& scene, const PathStep<mark_order
       if (stretched && ::fabs(dot(pixel.narrow, middle - p.middle)) > radius + beside + moved) {
         continue;
       }
-      // What is not a number is near, too.
+      // NaN counts as near.
       if (!(distance_from_segment(middle, p.from, p.to) > radius + reach + moved)) {
         enough = each(p, radius, pixel);
       }

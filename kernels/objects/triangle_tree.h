@@ -6,26 +6,27 @@
 
 #include "kernels/core/vector3.h"
 
+// A tree of boxes about a mesh's triangles, to find those near a segment.
 namespace ergodome {
 
 //! A box about triangles.
 struct TreeNode {
   float low[3];
-  std::uint32_t first;  //!< of a leaf: its first triangle; else the first of two children, which lie side by side
+  std::uint32_t first;  //!< leaf: its first triangle; otherwise the first of two adjacent children
   float high[3];
-  std::uint32_t count;  //!< triangles of a leaf; 0: no leaf
+  std::uint32_t count;  //!< number of triangles of a leaf; 0: not a leaf
 };
 
-//! A mesh as rays look for it, in its own unit: boxes in boxes, the root first. Empty: no nodes.
+//! A mesh for rays, in its own unit: a tree of boxes, the root first. An empty mesh has no nodes.
 struct TriangleTree {
   const TreeNode* nodes;
   const float* corners;            //!< nine numbers a triangle, in the order of the leaves
-  const std::uint32_t* triangles;  //!< which of the mesh's triangles each of them is
-  Vector3<double> middle;          //!< of a sphere that holds all
-  double radius;                   //!< of that sphere
+  const std::uint32_t* triangles;  //!< number of each of them in the mesh
+  Vector3<double> middle;          //!< center of a sphere that contains all
+  double radius;                   //!< radius of that sphere
 };
 
-//! No tree is deeper.
+//! Maximum depth of a tree.
 inline constexpr int deepest_tree = 64;
 
 //! A triangle's corner and the sides from it.
@@ -48,8 +49,9 @@ ERGO_HD TriangleSides triangle_sides(const TriangleTree& tree, std::uint32_t pla
 
 namespace detail {
 
-//! Whether a segment comes within `margin` of a box; now and then for segments that pass a corner a little farther off. `per_way`: one over the way from
-//! its beginning to its end.
+//! Returns whether a segment comes within `margin` of a box; sometimes also for segments that pass
+//! a corner slightly farther away. `per_way`: inverse of each component of the vector from its
+//! beginning to its end.
 ERGO_HD bool comes_near(const TreeNode& node, const double (&from)[3], const double (&per_way)[3], double margin) {
   double enter = 0.0;
   double leave = 1.0;
@@ -66,12 +68,13 @@ ERGO_HD bool comes_near(const TreeNode& node, const double (&from)[3], const dou
 
 }  // namespace detail
 
-//! Calls visit(place) for the triangles that a segment may come within `margin` of, and maybe for some more.
+//! Calls visit(place) for the triangles that a segment may come within `margin` of, and possibly
+//! for some more.
 template <class Visit>
 ERGO_HD void visit_triangles(const TriangleTree& tree, const Vector3<double>& from, const Vector3<double>& to,
                              double margin, Visit&& visit) {
   const double start[3] = {from.x, from.y, from.z};
-  // A way of nothing is a very short one: multiples of it stay numbers.
+  // A component of zero becomes a very small one, so that multiples of its inverse stay finite.
   const auto one_over = [](double way) { return 1.0 / (::fabs(way) > 1e-200 ? way : 1e-200); };
   const double per_way[3] = {one_over(to.x - from.x), one_over(to.y - from.y), one_over(to.z - from.z)};
   std::uint32_t waiting[deepest_tree + 1];
