@@ -4,6 +4,7 @@
 #include "kernels/disk/disk_pattern.h"
 #include "kernels/sky/blackbody.h"
 
+// A disk's appearance as kernels read it: edges, temperature, exposure and pattern.
 namespace ergodome {
 
 //! Temperature as a function of radius, as kernels read it: T at equal steps of √(1 - r_0 / r),

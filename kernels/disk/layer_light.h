@@ -5,6 +5,7 @@
 #include "kernels/near_rays/near_ray.h"
 #include "kernels/near_rays/seen_light.h"
 
+// Adds the disk's light at crossings that are read from a grid.
 namespace ergodome::inline ERGO_TARGET {
 
 //! A layer of crossings (kernels/disk/crossing_layers.h) as a part of one pixel sees it.

@@ -6,13 +6,15 @@
 #include "kernels/shells/shell_look.h"
 #include "kernels/spacetime/trace/trace_pixels.h"
 
+// The batch that draws disk, shells and objects over a picture, and the choice of its kernel
+// variant.
 namespace ergodome {
 
 //! How the disk is drawn. Kernels are compiled for each case.
 enum class DiskDrawing { none, plain, pattern };
 
 //! A block of rows of one image over which disk, shells and objects are drawn: linear light, four
-//! floats a pixel (the fourth is the coverage).
+//! floats per pixel (the fourth is the coverage).
 struct NearFieldBatch {
   PixelBatch pixels;  //!< without outputs or an edge
   DiskDrawing drawing;

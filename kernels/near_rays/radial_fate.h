@@ -9,7 +9,7 @@ namespace ergodome::inline ERGO_TARGET {
 template <class Real>
 struct RadialFate {
   MaskOf<Real> turns;  //!< the ray turns on its way to the barrier
-  Real barrier_u;      //!< 1/r of the barrier's top [1/M]; light that is past it turns no more
+  Real barrier_u;      //!< 1/r of the barrier's top [1/M]; light past it does not turn any more
 };
 
 //! Finds the fate of a ray from the barrier as radial_barrier() does

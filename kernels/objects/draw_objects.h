@@ -19,9 +19,9 @@ struct ObjectScene {
   double frame_from_view[3]   //!< rows: the observer's frame (e_r, e_θ, e_φ)
                         [3];  //!< columns: the view's x (right), y (up), z (back)
   MeshScene scene;
-  const SurfaceLook* looks;        //!< one a mesh
+  const SurfaceLook* looks;        //!< one per mesh
   LampPlace lamp;                  //!< strength 0: no lamp
-  const LampCorrections* guesses;  //!< one a mesh: what spin adds to the lamp's rays to its middle
+  const LampCorrections* guesses;  //!< one per mesh: corrections of the lamp's rays to its middle
   MeshLimits limits;
   bool shifted;   //!< light is multiplied by g⁴
   bool retarded;  //!< at least one mesh is retarded
@@ -48,7 +48,7 @@ struct ObjectTileBatch {
   int side_px;
   //! Rotation of the planes of rays from pixel to pixel beside the shadow [rad].
   double turn_per_px;
-  TileMark* marks;  //!< one a tile
+  TileMark* marks;  //!< one per tile
 };
 
 //! Values of `content` that are not the number of a mesh.
@@ -68,11 +68,11 @@ struct ObjectPixelBatch {
   int count;
   PixelPattern pattern;
   int samples;  //!< along each side of a pixel, or the square root of the number of slices; even
-  //! Four a pixel: linear light times the fraction of the pixel that objects cover, and that
+  //! Four per pixel: linear light times the fraction of the pixel that objects cover, and that
   //! fraction.
   float* rgba;
-  float* time;  //!< one a pixel: mean Mino time from the objects to the camera, if there are any
-  //! One a pixel: the mesh that fills it with little contrast, or one of the values above. With
+  float* time;  //!< one per pixel: mean Mino time from the objects to the camera, if there are any
+  //! One per pixel: the mesh that fills it with little contrast, or one of the values above. With
   //! slices, pixel_of_several means that objects may be thinner than the slices resolve.
   std::int32_t* content;
 };
@@ -100,7 +100,8 @@ struct FlatEyeSight {
 };
 
 //! Number of parts into which lines of sight of slices are cut, each with a head's ray of its own;
-//! and the maximum sweep of these lines, in pixels, for which slices are used.
+//! and the maximum sweep of these lines [px] for which slices are used. The sweep is the angle
+//! between a line's ends as the head sees them.
 inline constexpr double parts_of_slices = 2.0;
 inline constexpr double most_way_of_slices = 4.0;
 
@@ -116,15 +117,15 @@ struct FlatObjectTileBatch {
   ObjectTileBatch tiles;
   FlatEyeSight sight;
   double part;             //!< length of line that one ray represents, as the head sees it [rad]
-  const FlatReach* along;  //!< one a tile: where to search
-  FlatReach* reach;        //!< one a tile: where objects may be, if any
+  const FlatReach* along;  //!< one per tile: where to search
+  FlatReach* reach;        //!< one per tile: where objects may be, if any
 };
 
 //! Pixels of the image of an eye of the stereo model `flat`.
 struct FlatObjectPixelBatch {
   ObjectPixelBatch pixels;  //!< `time`: minus the mean nearness
   FlatEyeSight sight;
-  const FlatReach* reach;  //!< one a pixel
+  const FlatReach* reach;  //!< one per pixel
 };
 
 //! Calls action(functor) for a batch of an eye of the stereo model `flat`.

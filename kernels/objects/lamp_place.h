@@ -2,6 +2,7 @@
 
 #include "kernels/core/vector3.h"
 
+// A point light, and corrections that are kept to find its rays faster.
 namespace ergodome {
 
 //! How light weakens with distance.

@@ -2,20 +2,21 @@
 
 #include "kernels/projection/projection.h"
 
+// Composes objects that are already drawn with a picture.
 namespace ergodome {
 
 //! Objects in the pixels of a block of rows, in a backend's memory.
 struct ObjectLayer {
-  //! Four a pixel: linear light times the fraction of the pixel that objects cover, and that
+  //! Four per pixel: linear light times the fraction of the pixel that objects cover, and that
   //! fraction; nullptr: no objects.
   const float* rgba = nullptr;
-  //! One a pixel: Mino time from there to the camera, for a photon seen with energy 1 [1/M]; for an
-  //! eye of the stereo model `flat` minus the nearness.
+  //! One per pixel: Mino time from there to the camera, for a photon seen with energy 1 [1/M]; for
+  //! an eye of the stereo model `flat` minus the nearness.
   const float* time = nullptr;
 };
 
 //! A block of rows of a picture over which objects are composed, without disk or shells: four
-//! floats a pixel.
+//! floats per pixel.
 struct LayObjectsBatch {
   ObjectLayer objects;
   ProjectionOf<float> projection;

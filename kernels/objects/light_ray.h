@@ -93,8 +93,8 @@ ERGO_HD_CALLED bool light_ray(double spin, const LocalFrame& frame, const Vector
     found = detail::aim(frame, {point, lamp, near_enough}, order, plane.phi, ray.direction, correction, miss);
     ray = {ray.direction, miss.arrival.delay, miss.spread};
   } else {
-    // In this direction time is reversed, and so is the hole's rotation. The arrival is that before
-    // the last step, so near_enough is smaller.
+    // From the lamp to the point, time is reversed, and so is the hole's rotation. The arrival is
+    // that before the last step, so near_enough is smaller.
     constexpr double near_enough = 1e-5;
     const LocalFrame at_lamp = local_frame(-spin, lamp);
     Vector3<double> direction = in_axes(at_lamp, place.direction);

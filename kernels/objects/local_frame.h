@@ -2,6 +2,7 @@
 
 #include "kernels/spacetime/kerr/camera_station.h"
 
+// Frames of observers without angular momentum, in which surfaces are lit.
 namespace ergodome {
 
 //! A point with its observer without angular momentum.

@@ -2,6 +2,7 @@
 
 #include "kernels/objects/object_quads.h"
 
+// Draws objects for a camera or omnidirectional stereo.
 namespace ergodome::inline ERGO_TARGET {
 
 //! Order of the series by which objects are searched.

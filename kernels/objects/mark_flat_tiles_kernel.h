@@ -53,7 +53,7 @@ struct MarkFlatTiles {
  private:
   static constexpr int lanes = RealTraits<T>::lane_count;
 
-  //! What a tile has seen so far.
+  //! State of a tile: the objects found so far and their nearness.
   struct Seen {
     EyeReference reference;
     double from_w = 0.0;

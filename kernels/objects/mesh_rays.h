@@ -5,7 +5,7 @@
 namespace ergodome::inline ERGO_TARGET {
 
 //! Finds the first mesh on each ray. Rays are followed backwards from a camera at azimuth φ, on all
-//! ways round the hole. `hits`: one a lane. `active_at_start`: lanes to follow; the hits of all
+//! ways round the hole. `hits`: one per lane. `active_at_start`: lanes to follow; the hits of all
 //! others stay empty. Returns false in lanes that reached the step limit before they were decided.
 //!
 //! Paths are Taylor series. Pieces that come near a mesh are compared with triangles as parabolas,

@@ -5,6 +5,7 @@
 #include "kernels/objects/object_sight.h"
 #include "kernels/objects/pixel_slices.h"
 
+// Draws pixels with objects from quads of samples, whichever rays find the hits.
 namespace ergodome::inline ERGO_TARGET {
 
 //! Number of neighboring positions in a pixel that form a quad.

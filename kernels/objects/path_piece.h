@@ -3,6 +3,7 @@
 #include "kernels/objects/path_step.h"
 #include "kernels/objects/placed_mesh.h"
 
+// Cuts steps of paths into pieces that are close to parabolas.
 namespace ergodome::inline ERGO_TARGET {
 
 //! A short piece of a path, and how far it may stray from its chord.

@@ -4,6 +4,7 @@
 #include "kernels/near_rays/radial_fate.h"
 #include "kernels/near_rays/series_search.h"
 
+// Steps of a ray's path as Taylor series, and the loop that follows rays past objects.
 namespace ergodome {
 
 //! Radii between which objects are [M].

@@ -219,7 +219,7 @@ class PixelLines {
   double eye_ahead_ = 0.0, eye_along_ = 0.0;
   Line lines_[most];
   int count_ = 0;
-  unsigned open_ = 0U, backwards_ = 0U, wanted_ = 0U;  //!< one bit a line
+  unsigned open_ = 0U, backwards_ = 0U, wanted_ = 0U;  //!< one bit per line
   int rows_ = 0, columns_ = 0;
   double low_s_ = 0.0, low_t_ = 0.0, width_ = 0.0, height_ = 0.0;
   int ray_ = -1;

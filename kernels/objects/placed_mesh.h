@@ -2,6 +2,7 @@
 
 #include "kernels/objects/triangle_tree.h"
 
+// Meshes placed in space, at rest or on circular orbits.
 namespace ergodome {
 
 //! A circle on which a mesh moves in the hole's time.

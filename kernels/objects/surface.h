@@ -6,6 +6,7 @@
 #include "kernels/objects/placed_mesh.h"
 #include "kernels/overlay/overlay_texture.h"
 
+// Materials and textures of meshes, and the light of a point on them.
 namespace ergodome {
 
 //! A corner of triangles.
@@ -31,8 +32,8 @@ struct SurfacePart {
 //! A mesh's triangles with their materials.
 struct Surface {
   const SurfaceVertex* vertices;
-  const std::uint32_t* indices;  //!< three a triangle
-  const std::uint32_t* part_of;  //!< one a triangle
+  const std::uint32_t* indices;  //!< three per triangle
+  const std::uint32_t* part_of;  //!< one per triangle
   const SurfacePart* parts;
 };
 

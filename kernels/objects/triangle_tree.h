@@ -20,7 +20,7 @@ struct TreeNode {
 //! A mesh for rays, in its own unit: a tree of boxes, the root first. An empty mesh has no nodes.
 struct TriangleTree {
   const TreeNode* nodes;
-  const float* corners;            //!< nine numbers a triangle, in the order of the leaves
+  const float* corners;            //!< nine numbers per triangle, in the order of the leaves
   const std::uint32_t* triangles;  //!< number of each of them in the mesh
   Vector3<double> middle;          //!< center of a sphere that contains all
   double radius;                   //!< radius of that sphere

@@ -7,6 +7,7 @@
 #include "kernels/overlay/overlay_texture.h"
 #include "kernels/projection/projection.h"
 
+// The batch that draws an overlay over a picture.
 namespace ergodome {
 
 //! Side of the square tiles into which pictures are divided for drawing overlays [px].

@@ -6,6 +6,7 @@
 #include "kernels/core/transcendental.h"
 #include "kernels/core/vector3.h"
 
+// An overlay's shape and position on the sphere of directions.
 namespace ergodome {
 
 //! How an overlay lies on the sphere of directions.

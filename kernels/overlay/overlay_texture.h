@@ -11,8 +11,8 @@ namespace ergodome {
 
 inline constexpr int overlay_level_limit = 15;
 
-//! A texture as kernels read it: four integers a texel (red, green, blue, alpha), 65535 for 1. The
-//! first row is the top.
+//! A texture as kernels read it: four integers per texel (red, green, blue, alpha), 65535 for 1.
+//! The first row is the top.
 struct OverlayTexture {
   const std::uint16_t* texels;
   long level_offset[overlay_level_limit];  //!< in texels

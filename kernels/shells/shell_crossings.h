@@ -7,7 +7,7 @@
 // shadow.
 namespace ergodome::inline ERGO_TARGET {
 
-//! Shells that are looked for, the outermost first.
+//! The shells that rays may cross, the outermost first.
 template <class S>
 struct ShellRadii {
   const S* u;  //!< 1/r of each, growing [1/M]; outside the horizon

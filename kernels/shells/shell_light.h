@@ -5,6 +5,7 @@
 #include "kernels/shells/shell_look.h"
 #include "kernels/sky/elliptic_filter.h"
 
+// Light of a shell as a pixel sees it.
 namespace ergodome::inline ERGO_TARGET {
 
 //! Light of one surface, weighted by how much of the pixel it covers.

@@ -6,6 +6,8 @@
 #include "kernels/projection/projection.h"
 #include "kernels/stars/star_point.h"
 
+// Batches that draw points of light: points are assigned to tiles, whose pixels then add their
+// light.
 namespace ergodome {
 
 //! Side of the square tiles by which pixels find the points that shine on them [px].
@@ -37,7 +39,7 @@ enum class StarTileStep { count, list, sort };
 //! Adds the light of points to rows of a picture. Each pixel is computed on its own, so the result
 //! does not depend on the number of threads. Arrays lie in the backend's memory.
 struct StarLightBatch {
-  float* rgba;                     //!< the rows, four floats a pixel
+  float* rgba;                     //!< the rows, four floats per pixel
   ProjectionOf<float> projection;  //!< projection of the whole picture
   int first_row;
   int row_count;
@@ -51,7 +53,7 @@ struct StarLightBatch {
   float narrower;
   float reach_px;  //!< radius at which the Gaussian is cut off
   float share;     //!< 0.5 / (fraction of the Gaussian within reach_px)
-  //! Spike pattern, three floats a pixel: spikes are drawn instead of points; or nullptr.
+  //! Spike pattern, three floats per pixel: spikes are drawn instead of points; or nullptr.
   const float* pattern;
   int pattern_px;
 };

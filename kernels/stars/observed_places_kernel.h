@@ -3,6 +3,7 @@
 #include "kernels/core/lanes.h"
 #include "kernels/stars/observed_places.h"
 
+// The kernel that computes what an observer sees at positions of a lens chart.
 namespace ergodome::inline ERGO_TARGET {
 
 //! Light from a rain-frame direction as an observer sees it.

@@ -7,6 +7,7 @@
 #include "kernels/sky/blackbody.h"
 #include "kernels/stars/field_star.h"
 
+// Lensed images of stars: their direction, magnification and light.
 namespace ergodome {
 
 //! An image of a star on a camera's sky.

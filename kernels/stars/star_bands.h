@@ -1,5 +1,6 @@
 #pragma once
 
+// Stars sorted by position on the sky, and the search for those in a part of it.
 namespace ergodome {
 
 //! SIMD packs read up to this many elements past the end of the arrays of stars.

@@ -5,6 +5,7 @@
 #include "kernels/spacetime/kerr/camera_station.h"
 #include "kernels/spacetime/kerr/frame_boost.h"
 
+// The batch that refines approximate images of stars by traced rays.
 namespace ergodome {
 
 //! The chart of a camera's sky, in which the lens is smooth up to the shadow's edge.

@@ -3,6 +3,7 @@
 #include "kernels/core/shared_counter.h"
 #include "kernels/stars/star_sheet.h"
 
+// The kernel that converts images of stars to points of light on a picture.
 namespace ergodome::inline ERGO_TARGET {
 
 //! Converts image i to a point.

@@ -7,6 +7,7 @@
 #include "kernels/stars/seen_image.h"
 #include "kernels/stars/star_point.h"
 
+// Converts images of stars to points of light on a picture.
 namespace ergodome {
 
 //! A part of a picture on which images of stars become points

@@ -3,6 +3,7 @@
 #include "kernels/core/lanes.h"
 #include "kernels/core/vector3.h"
 
+// Bicubic patches of a lens: evaluation, halving, and a test for nearly affine ones.
 namespace ergodome {
 
 //! A bicubic patch, given by its control points, row after row along v. For (u, v) in [0, 1]² it

@@ -21,7 +21,7 @@ struct ChartImage {
 //! Leaves of a lens grid with the results of their checks; see MendedGrid
 //! (render/passes/stars/search/mended_grid.h).
 struct MendedLeaves {
-  //! Four a leaf: its corner in the chart, γ [turns] and s, its width and its height.
+  //! Four per leaf: its corner in the chart, γ [turns] and s, its width and its height.
   const float* boxes;
   const int* leaves;   //!< corners, as in LensGrid
   const float* nodes;  //!< nodes as in LensGrid, with the values of traced rays

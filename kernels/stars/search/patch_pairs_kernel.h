@@ -4,6 +4,7 @@
 #include "kernels/stars/search/patch_newton.h"
 #include "kernels/stars/search/patch_pairs.h"
 
+// Kernels that find where a patch holds a star, for pairs of a patch and a star.
 namespace ergodome::inline ERGO_TARGET {
 
 namespace detail {

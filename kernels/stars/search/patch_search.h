@@ -11,6 +11,7 @@
 #include "kernels/stars/seen_image.h"
 #include "kernels/stars/star_bands.h"
 
+// The search for images of stars in the patches of a lens grid on the GPU: its data and its steps.
 namespace ergodome {
 
 //! Maximum number of levels of a star field; each has a quarter of the previous one's stars.

@@ -3,6 +3,7 @@
 #include "kernels/stars/search/bezier_patch.h"
 #include "kernels/stars/search/sky_part.h"
 
+// Patches of a lens grid in which images of stars are sought.
 namespace ergodome {
 
 //! Upper limit of the brightening of stars for an observer: `brighter`, times the magnification in

@@ -5,6 +5,7 @@
 #include "kernels/stars/search/same_image.h"
 #include "kernels/stars/search/star_twins.h"
 
+// Kernels that collect the images of each star and drop those found twice.
 namespace ergodome::inline ERGO_TARGET {
 
 namespace detail {
