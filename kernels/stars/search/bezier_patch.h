@@ -18,7 +18,7 @@ struct BezierPatch {
 enum class PatchShape {
   regular,  //!< nearly affine: Newton's method finds the only image of a star from any start
   bent,     //!< one to one, but the Jacobian at its middle does not represent all of it
-  //! a critical curve may run through it: a star may have several images of any brightness.
+  //! A critical curve may run through it: a star may have several images of any brightness.
   folded
 };
 
