@@ -11,13 +11,14 @@ namespace ergodome {
 
 namespace {
 
-//! Luminance of a blackbody seen with a frequency ratio, over its own.
+//! Returns the luminance of a blackbody seen with a frequency ratio, divided by its unshifted
+//! luminance.
 float gain_of_shift(const BlackbodyTable& colours, float log_temperature, float frequency_ratio) {
   return std::exp(read_blackbody(colours, log_temperature + std::log(frequency_ratio)).x -
                   read_blackbody(colours, log_temperature).x);
 }
 
-//! The energy that the camera in the middle of an eye's sees.
+//! Returns the energy seen by the middle camera of an ODS eye.
 DirectionForm<double> middle_energy(const OmniEye& eye) {
   const OmniCameraOf<double> cameras = eye.cameras->exact(eye.side);
   const double* c = cameras.coefficients + omni_energy * omni_terms(cameras.degree);
@@ -25,7 +26,8 @@ DirectionForm<double> middle_energy(const OmniEye& eye) {
   return {c[0], {c[next], c[2 * next], c[3 * next]}};
 }
 
-//! The most that the energies which an eye's other cameras see may differ from that: the powers of their places are 1 at the most.
+//! Returns a bound of how much the energies seen by the other cameras of an ODS eye differ from
+//! that of the middle camera. The monomials of the camera position are at most 1.
 float energy_spread(const OmniEye& eye) {
   const OmniCameraOf<double> cameras = eye.cameras->exact(eye.side);
   const int terms = omni_terms(cameras.degree);
@@ -34,7 +36,7 @@ float energy_spread(const OmniEye& eye) {
   for (int i = 0; i < 4 * terms; ++i) {
     spread += i % terms > 0 ? std::abs(c[i]) : 0.0;
   }
-  // And what converging turns directions by.
+  // Converging eyes also turn the directions.
   const Vector3<double> along = middle_energy(eye).along;
   return static_cast<float>(spread +
                             std::abs(cameras.offset) * cameras.inverse_convergence * std::sqrt(dot(along, along)));
@@ -84,7 +86,7 @@ ObservedPlaces ImageObserver::observe(std::span<const RoughImage> images) const 
                   places.area.data(),
                   places.frequency_ratio.data()});
   if (cameras_) {
-    // Each camera of an eye that turns has its own energies, in the chart's frame.
+    // Each camera of an ODS eye has its own energies, in the chart's frame.
     const OmniCameraOf<double> cameras = cameras_->cameras->exact(cameras_->side);
     for (std::size_t i = 0; i < images.size(); ++i) {
       const Vector3<double> direction = {static_cast<double>(places.direction[0][i]),
@@ -100,9 +102,9 @@ float ImageObserver::shift_gain(const FieldStar& star, float frequency_ratio) co
   return redshift_ ? gain_of_shift(colours_, star.log_temperature, frequency_ratio) : 1.0F;
 }
 
-//! With a margin for what lies between the places that were asked.
+//! The factors are margins for what lies between the sampled positions.
 PatchLight ImageObserver::light_in(float brightening, float frequency_ratio) const {
-  // Cameras beside the middle one may see less energy by so much.
+  // Cameras beside the middle one may see less energy, by up to this bound.
   const float least = std::max(1.0F - energy_spread_ * frequency_ratio, 0.1F);
   return {1.05F * brightening,
           redshift_ ? ShiftGains::row_of(1.01F * frequency_ratio / least) : ShiftGains::unshifted_row()};

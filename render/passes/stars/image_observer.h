@@ -14,35 +14,37 @@
 
 namespace ergodome {
 
-//! From the frame of an eye's observer to that of its chart.
+//! Returns the aberration from the frame of an eye's observer to the frame of its lens chart.
 Aberration aberration_of(const StarEye& eye);
 
-//! What an observer sees at places of the chart, as ObservedPlaceBatch tells.
+//! Directions, solid angles and frequency ratios that an observer sees at positions in the chart;
+//! see ObservedPlaceBatch.
 struct ObservedPlaces {
   std::vector<float> direction[3];
   std::vector<float> area;
   std::vector<float> frequency_ratio;
 };
 
-//! What the search for images needs of the observer.
+//! Observer data for the search for lensed images of stars.
 class ImageObserver final : public ImageLight {
  public:
-  //! `station`: of the eye's place.
+  //! `station`: lens grid at the eye's position.
   ImageObserver(const StarEye& eye, const LensStation& station, const BlackbodyTable& colours, bool redshift);
 
-  //! Whether one camera sees all, whose energies are those of energy().
+  //! Returns whether a single camera sees the whole sky; energy() is then exact for all directions.
   [[nodiscard]] bool is_one_camera() const { return cameras_ == nullptr; }
 
-  //! What the observer sees where images are.
+  //! Computes what the observer sees at the positions of the images.
   [[nodiscard]] ObservedPlaces observe(std::span<const RoughImage> images) const;
 
-  //! Angle between the shadow's edge and a place in the chart, about [rad].
+  //! Returns the approximate angle between the shadow's edge and the chart coordinate `s` [rad].
   [[nodiscard]] double edge_distance(float s) const;
 
-  //! The chart that the eye's images are sought in.
+  //! Returns the lens chart in which the eye's images are sought.
   [[nodiscard]] StarChartOf<double> chart() const { return {chart_, aberration_}; }
 
-  //! What a star gains in brightness by the shift of its light.
+  //! Returns the factor by which the frequency shift changes a star's brightness; 1 without
+  //! redshift.
   [[nodiscard]] float shift_gain(const FieldStar& star, float frequency_ratio) const;
 
   [[nodiscard]] AberrationOf<float> observer() const override { return converted_aberration<float>(aberration_); }
@@ -55,10 +57,10 @@ class ImageObserver final : public ImageLight {
   BlackbodyTable colours_;
   bool redshift_;
   LensChart chart_;
-  //! Of an eye that turns; its chart is in its own frame, and no aberration leads there.
+  //! Set for an omnidirectional stereo eye. Its chart uses the eye's own frame, without aberration.
   std::shared_ptr<const OmniEye> cameras_;
-  DirectionForm<double> energy_;  //!< at infinity, of directions of the chart
-  float energy_spread_;           //!< what that may be off by for an eye's other cameras
+  DirectionForm<double> energy_;  //!< energy at infinity as a function of the direction in the chart
+  float energy_spread_;  //!< bound of the difference between `energy_` and the energies of an ODS eye's cameras
   Aberration aberration_;
 };
 

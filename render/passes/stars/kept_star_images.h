@@ -8,20 +8,24 @@
 
 namespace ergodome {
 
-//! Whether images that were found are those that are asked for, but for the view.
+//! Returns whether images found with one set of settings can be reused for another, ignoring the
+//! view.
 bool serves(const StarSettings& found, const StarSettings& asked);
 
-//! How far beyond the view of a camera that turns images are sought [rad]: by solid angle a dome has a fifth more of them then, a window of 60 degrees seven tenths, and a
-//! camera that turns by two degrees a picture seeks them for every seventh.
+//! Angle by which the search extends beyond the view of a turning camera [rad]. It adds a fifth to
+//! the solid angle of a dome and seven tenths to that of a 60-degree window. A camera that turns by
+//! two degrees per frame then searches only in every seventh frame.
 inline constexpr double turning_margin = 0.25;
 
-//! Images of stars of the last pictures' eyes. They lie in the observer's frame: a camera that turns on its spot, or stands while other things move, sees
-//! them again. `Images`: std::vector<StarImage>, or PlacedImages.
+//! Cache of the star images for the eyes of the last frames. Images are stored in the observer's
+//! frame, so they stay valid while the camera rotates in place or while only other things move.
+//! `Images`: std::vector<StarImage> or PlacedImages.
 template <class Images>
 class KeptStarImages {
  public:
-  //! The images in `settings.view`, and maybe more; `seek(settings)` finds those that a view shows where none are kept. Once a camera turns they are sought
-  //! some way beyond its view, so that it can turn on. Valid until the next call.
+  //! Returns the images in `settings.view`, and possibly more. On a cache miss it calls
+  //! `seek(settings)`. For a camera that has turned, it enlarges the view by `turning_margin`, so
+  //! that later turns hit the cache. The reference is valid until the next call.
   template <class Seek>
   const Images& images(const StarEye& eye, const StarSettings& settings, const Seek& seek) {
     const auto found = std::ranges::find_if(
@@ -49,7 +53,7 @@ class KeptStarImages {
     Images images;
   };
 
-  std::vector<Place> places_;  //!< the last one first
+  std::vector<Place> places_;  //!< most recently used first
 };
 
 }  // namespace ergodome

@@ -6,7 +6,8 @@ namespace ergodome {
 
 namespace {
 
-//! The same but for the velocity, along which cameras may drift by rounding, and the azimuth.
+//! Returns whether two cameras agree except for their velocity, which may drift by rounding, and
+//! their azimuth.
 bool stand_alike(const EyeCamera& a, const EyeCamera& b) {
   return a.spin == b.spin && same_place({a.r, a.theta}, {b.r, b.theta}) && a.motion == b.motion;
 }

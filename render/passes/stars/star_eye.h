@@ -7,22 +7,25 @@
 
 namespace ergodome {
 
-//! What stars are seen by: a camera, or an eye that turns with the direction one looks at, for which each direction has a camera of its own.
+//! Eye for which stars are sought: a single camera, or an omnidirectional stereo (ODS) eye, which
+//! has a separate camera for each viewing direction.
 struct StarEye {
   StarEye(const EyeCamera& single) : camera(single) {}  // NOLINT(google-explicit-constructor): a camera is an eye
   explicit StarEye(std::shared_ptr<const OmniEye> turning) : camera(turning->head), omni(std::move(turning)) {}
 
-  EyeCamera camera;  //!< images lie in its frame: of an eye that turns, the head with the view's axes
-  std::shared_ptr<const OmniEye> omni;  //!< nothing for a camera
+  EyeCamera camera;                     //!< frame of the images; for an ODS eye, the head with the view's axes
+  std::shared_ptr<const OmniEye> omni;  //!< null for a single camera
 };
 
-//! So many eyes a picture has.
+//! Maximum number of eyes per picture.
 inline constexpr std::size_t most_eyes = 2;
 
-//! Whether one grid serves two eyes: a camera that turns or goes round the axis keeps its own.
+//! Returns whether one lens grid serves both eyes. Rotating a camera, or moving it around the spin
+//! axis, does not invalidate its grid.
 bool served_alike(const StarEye& first, const StarEye& second);
 
-//! Whether two eyes have the same images of all stars, in the observer's frame: one may look elsewhere.
+//! Returns whether two eyes have identical star images in the observer's frame. Their viewing
+//! directions may differ.
 bool sees_alike(const StarEye& first, const StarEye& second);
 
 }  // namespace ergodome

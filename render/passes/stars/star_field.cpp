@@ -12,19 +12,19 @@ namespace ergodome {
 
 namespace {
 
-//! Each level has so many times fewer stars than the one before, the brightest.
+//! Each level holds the brightest stars of the level before; their number drops by this factor.
 constexpr std::size_t level_ratio = 4;
 constexpr std::size_t fewest_stars = 64;
-//! Stars that a cell holds on average, about.
+//! Approximate mean number of stars per cell.
 constexpr double stars_a_cell = 1.0;
 constexpr int most_bands = 2048;
-//! Steps of ln illuminance by which stars are counted, and the least that is told from less.
+//! Steps of ln illuminance for counting stars, and the smallest illuminance that has its own step.
 constexpr int counted_steps = 512;
 constexpr float counted_step = 0.05F;
 constexpr float log_least_counted = -60.0F;
-//! B-V of a star whose colour nobody measured.
+//! B-V of stars without a measured color.
 constexpr float unknown_colour = 0.3F;
-//! Colours beyond these are errors of measurement; Ballesteros' formula means nothing there.
+//! Colors outside this range are measurement errors; Ballesteros' formula is not valid there.
 constexpr float bluest = -0.4F;
 constexpr float reddest = 5.0F;
 
@@ -35,7 +35,7 @@ FieldStar field_star(const CatalogueStar& star, const glm::dmat3& sky_from_equat
   const double temperature_k = star_temperature(static_cast<double>(colour));
   const double illuminance = illuminance_of_magnitude_0 * std::pow(10.0, -0.4 * static_cast<double>(star.v_mag));
   const auto log_temperature = static_cast<float>(std::log(temperature_k));
-  // A disk of luminance Y shines with Y times its solid angle.
+  // The illuminance of a disk is its luminance times its solid angle.
   const double luminance = std::exp(static_cast<double>(read_blackbody(colours, log_temperature).x));
   const double radius = std::sqrt(illuminance / (pi * luminance));
   return {{turned.x, turned.y, turned.z},
@@ -131,7 +131,7 @@ int StarField::count_from(const StarFloor& floor) const {
   for (std::size_t colour = 0; colour < counts_.size(); ++colour) {
     if (!counts_[colour].empty()) {
       const float place = (log_least - gain.log_gain[colour]) * (1.0F / counted_step);
-      // Those of the last step have any illuminance above it.
+      // The last step counts all brighter stars too.
       count +=
           counts_[colour][static_cast<std::size_t>(std::clamp(place, 0.0F, static_cast<float>(counted_steps - 1)))];
     }
@@ -151,7 +151,7 @@ int StarField::search(const SkyPart& part, const StarFloor& floor, std::vector<i
   }
   const float faintest = floor.illuminance / greatest_gain_[static_cast<std::size_t>(floor.shift_row)];
   const Level& level = level_for(faintest);
-  // Once, so that neither the kernel need ask for room nor each search clear it.
+  // Resizes once, so that neither the kernel requests memory nor each search clears it.
   if (found.size() < level.number.size()) {
     found.resize(level.number.size());
   }

@@ -11,33 +11,38 @@
 
 namespace ergodome {
 
-//! Stars that are bright enough: those whose illuminance, times the bound of what their class gains in a row of ShiftGains, reaches so
-//! much [lx]. It is not negative.
+//! Brightness threshold for stars: the illuminance, multiplied by the gain bound of the star's
+//! class in row `shift_row` of ShiftGains, must be at least `illuminance` [lx]. `illuminance` is
+//! not negative.
 struct StarFloor {
   float illuminance;
   int shift_row = ShiftGains::unshifted_row();
 };
 
-//! Stars by their place on the sky.
+//! Stars of a catalog, indexed by their position on the sky.
 class StarField {
  public:
-  //! `sky_from_equatorial`: from equatorial J2000 to the hole's sky axes. `colours`, in host memory, tells how large a star of some brightness
-  //! is. A star without a colour is taken for white (B-V = 0.3).
+  //! `sky_from_equatorial`: rotation from equatorial J2000 to the hole's sky axes. `colours`, in
+  //! host memory, gives the surface brightness from which stellar radii are computed. Stars without
+  //! a measured color are taken as white (B-V = 0.3).
   StarField(const StarCatalogue& catalogue, const glm::dmat3& sky_from_equatorial, const BlackbodyTable& colours);
 
+  //! Stars, brightest first.
   [[nodiscard]] const std::vector<FieldStar>& stars() const { return stars_; }
 
-  //! What they gain by shifts.
+  //! Bounds of the brightness gain by frequency shifts.
   [[nodiscard]] const ShiftGains& gains() const { return gains_; }
 
-  //! How many stars are bright enough, or a few more.
+  //! Returns the number of stars above the threshold, or a few more.
   [[nodiscard]] int count_from(const StarFloor& floor) const;
 
-  //! Puts the numbers of the stars of a part of the sky that are bright enough into the first places of `found`, which is made large
-  //! enough for all, and returns how many there are. Of stars within 2e-7 rad of the part's sides any may be among them.
+  //! Writes the indices of the stars above the threshold in a part of the sky to the beginning of
+  //! `found`, enlarging it if necessary, and returns their number. Stars within 2e-7 rad of the
+  //! part's sides may or may not be included.
   int search(const SkyPart& part, const StarFloor& floor, std::vector<int>& found) const;
 
-  //! As kernels read it: put(vector) says where a copy of it lies for them, or where it is.
+  //! Returns the field for kernels. put(vector) returns the address at which kernels read the
+  //! vector: that of a copy, or of its own data.
   template <class Put>
   [[nodiscard]] SearchedField view(const Put& put) const {
     SearchedField field{};
@@ -58,19 +63,20 @@ class StarField {
   }
 
  private:
-  //! The brightest stars, by their place on the sky.
+  //! One level of detail: the brightest stars, grouped into cells by their position on the sky.
   struct Level {
-    int bands = 1;  //!< as in StarBands
+    int bands = 1;  //!< number of bands in z; see StarBands
     int cells = 2;
     std::vector<int> first;
-    std::vector<float> direction[3];  //!< as kernels read them
+    std::vector<float> direction[3];  //!< component arrays for kernels
     std::vector<float> illuminance;
     std::vector<int> number;           //!< in `stars_`
     std::vector<std::uint8_t> colour;  //!< class
-    float left_out = 0.0F;             //!< illuminance of the brightest that is not among them
+    float left_out = 0.0F;             //!< illuminance of the brightest star that is not in this level [lx]
   };
 
-  //! How many stars of a class have at least the illuminances whose logarithms go up by equal steps.
+  //! Number of stars of a class with at least each of a series of logarithmically spaced
+  //! illuminances.
   using ClassCounts = std::vector<int>;
 
   void count_classes();
@@ -79,10 +85,10 @@ class StarField {
   [[nodiscard]] const Level& level_for(float faintest) const;
 
   ShiftGains gains_;
-  std::vector<float> greatest_gain_;  //!< of the stars that there are, row by row
-  std::vector<FieldStar> stars_;      //!< the brightest first
-  std::vector<Level> levels_;         //!< all stars, and then fewer and fewer
-  float log_dimmest_ = 0.0F;          //!< the first of the steps by which classes are counted
+  std::vector<float> greatest_gain_;  //!< per row, largest gain of the classes that occur
+  std::vector<FieldStar> stars_;      //!< brightest first
+  std::vector<Level> levels_;         //!< all stars first; each further level has fewer
+  float log_dimmest_ = 0.0F;          //!< first illuminance step of `counts_`
   std::array<ClassCounts, star_classes> counts_;
 };
 

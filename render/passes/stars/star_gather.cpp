@@ -12,26 +12,28 @@ namespace ergodome {
 
 namespace {
 
-//! Rows of pixels whose corners are held at a time.
+//! Number of pixel rows whose corners are stored at a time.
 constexpr int block_rows = 32;
-//! Straight distance between a polygon's middle and its furthest corner, beyond which it is left out: a quarter of a radian.
+//! Largest chord between a polygon's center and its furthest corner (a quarter of a radian); wider
+//! polygons are skipped.
 constexpr double widest_chord = 0.2493;
-//! Keeps a star in its pixel when its place is rounded to float.
+//! Keeps a star inside its pixel when its position is rounded to float.
 constexpr double seam_margin_px = 2e-3;
 
-//! Solid angle of a triangle, positive where a, b, c go round to the left as seen from outside the sphere (Van Oosterom & Strackee, IEEE
-//! TBME 30 (1983), eq. 8).
+//! Returns the solid angle of a triangle [sr], positive if a, b, c run counterclockwise seen from
+//! outside the sphere (Van Oosterom & Strackee, IEEE TBME 30 (1983), eq. 8).
 double signed_solid_angle(const Vector3<double>& a, const Vector3<double>& b, const Vector3<double>& c) {
   return 2.0 * std::atan2(dot(a, cross(b - a, c - a)), 1.0 + dot(a, b) + dot(b, c) + dot(c, a));
 }
 
-//! The corners of a pixel in the order top left, top right, bottom right, bottom left, and its halves.
+//! Corners of a pixel in the order top left, top right, bottom right, bottom left; `halves` splits
+//! it into two triangles.
 using Quad = std::array<int, 4>;
 constexpr std::size_t halves[2][3] = {{0, 1, 2}, {0, 2, 3}};
 constexpr int right_of[4] = {0, 1, 1, 0};
 constexpr int below[4] = {0, 0, 1, 1};
 
-//! Finds what pixels gather.
+//! Gathers the stars of the pixels, row by row.
 class Gatherer {
  public:
   Gatherer(const StarField& field, const StarTree& tree, const BlackbodyTable& colours, const Projection& projection,
@@ -63,7 +65,7 @@ class Gatherer {
   }
 
  private:
-  //! Stars that may lie in a polygon. False where it is too wide.
+  //! Finds the stars that may lie in a polygon. Returns false if the polygon is too wide.
   bool search(const Quad& quad, std::vector<int>& found) const {
     Vector3<double> middle{};
     for (const int corner : quad) {
@@ -83,10 +85,12 @@ class Gatherer {
     return true;
   }
 
-  //! Whether a star lies to the left of the way from one corner to another; `weight`: how far from it, times its length.
+  //! Returns whether a star lies to the left of the arc from one corner to another. `weight`: its
+  //! distance from the arc's plane times the arc's length.
   //!
-  //! What the rounding says is taken of the way from the lower number to the higher, and a star right on it is to its left: so the
-  //! polygons on both sides of an edge hear the same, and one of them has the star.
+  //! The sign is always computed for the direction from the lower to the higher corner index, and a
+  //! star exactly on the arc counts as left of it. Polygons on both sides of an edge thus get
+  //! consistent results, and exactly one of them contains the star.
   [[nodiscard]] bool is_left(const Vector3<double>& star, int from, int to, double& weight) const {
     const bool forwards = from < to;
     const double side = dot(star, cross(corners_[std::min(from, to)].sky, corners_[std::max(from, to)].sky));
@@ -94,7 +98,9 @@ class Gatherer {
     return (side >= 0.0) == forwards;
   }
 
-  //! Whether half a polygon holds a star that is not on the far side of the sky; it may be turned over. `weights`: of the corners.
+  //! Returns whether a triangle of the polygon contains a star, excluding the antipodal side of the
+  //! sky. The triangle may be mirrored. `weights`: barycentric weights of its corners, not
+  //! normalized.
   [[nodiscard]] bool holds(const Quad& quad, const std::size_t (&half)[3], const Vector3<double>& star,
                            double (&weights)[3]) const {
     const bool first = is_left(star, quad[half[0]], quad[half[1]], weights[2]);
@@ -103,7 +109,7 @@ class Gatherer {
     return first == second && second == third;
   }
 
-  //! The corner of half a polygon that a star lies on within rounding; -1: none.
+  //! Returns the corner of a triangle that a star coincides with within rounding, or -1.
   static int corner_with_all(const double (&weights)[3]) {
     constexpr double rounding = 1e-13;
     const double whole = weights[0] + weights[1] + weights[2];
@@ -150,7 +156,8 @@ void Gatherer::gather_pixel(int x, int y, const Quad& quad, const std::vector<in
       const bool held = holds(quad, halves[i], field_.stars()[static_cast<std::size_t>(star)].direction, weights);
       const int corner_of_star = corner_with_all(weights);
       const bool at_corner = corner_of_star >= 0;
-      // What rounding says of all the ways that meet in a corner need not fit together: a star right there belongs to the pixel below it, to the right.
+      // At a corner, the rounded signs of all edges that meet there may be inconsistent. A star
+      // exactly at a corner is therefore assigned to the pixel below and to the right of it.
       const bool at_own = at_corner && i == 0 && halves[0][static_cast<std::size_t>(corner_of_star)] == 0;
       if (at_corner ? !at_own : !held) {
         continue;
@@ -170,7 +177,7 @@ void Gatherer::gather_pixel(int x, int y, const Quad& quad, const std::vector<in
   }
 }
 
-//! Gives a gathered star its light. False where it is too faint.
+//! Computes the light of a gathered star. Returns false if it is too faint.
 bool Gatherer::shine(GatheredStar& gathered) const {
   const FieldStar& star = field_.stars()[static_cast<std::size_t>(gathered.star)];
   const float magnification = std::abs(gathered.magnification);
@@ -192,7 +199,7 @@ GatheredStars gather_stars(const StarField& field, const StarTree& tree, const B
   for (int first_row = 0; first_row < projection.height_px; first_row += block_rows) {
     const int row_count = std::min(block_rows, projection.height_px - first_row);
     corners.trace(first_row, row_count);
-    // In the order of the rows, whatever the threads do.
+    // Rows are kept in order, independent of the threads.
     std::vector<GatheredStars> rows(static_cast<std::size_t>(row_count));
     parallel_for(row_count, 1, [&](int begin, int end) {
       std::vector<int> room;

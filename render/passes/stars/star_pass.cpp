@@ -18,9 +18,10 @@ namespace ergodome {
 
 namespace {
 
-//! Beyond the view images are sought, which may move on their way from the grid's place to theirs [rad].
+//! Margin of the search beyond the view, for images that move from their grid position to their
+//! exact position [rad].
 constexpr double view_margin = 0.05;
-//! Illuminance of a magnitude [lx].
+//! Returns the illuminance of a magnitude [lx].
 float illuminance_of(double magnitude) {
   return static_cast<float>(illuminance_of_magnitude_0 * std::pow(10.0, -0.4 * magnitude));
 }
@@ -43,7 +44,7 @@ StarSettings star_settings(const Show& show) {
 }
 
 SplatSettings splat_settings(const Show& show, const std::optional<DiffractionPattern>& spikes) {
-  // A spread that no pixel can show is none, and has no end.
+  // A spread too small for any pixel to show is treated as zero; its cutoff would be undefined.
   constexpr double least_sigma_px = 0.01;
   const PointSpreadSettings psf =
       show.effects.psf.sigma_px >= least_sigma_px ? show.effects.psf : PointSpreadSettings{0.0, 0.0};
@@ -61,7 +62,8 @@ SplatSettings splat_settings(const Show& show, const std::optional<DiffractionPa
   return splat;
 }
 
-//! Whether spikes are drawn by the same pattern; a file is, whatever the aperture.
+//! Returns whether two settings give the same spike pattern. A pattern from a file does not depend
+//! on the aperture settings.
 bool same_pattern(const DiffractionSettings& a, const DiffractionSettings& b) {
   return !a.pattern.empty() || (a.obstruction == b.obstruction && a.scale == b.scale);
 }
@@ -82,14 +84,14 @@ StarPass::StarPass(const Show& show, Backend backend, const StarCatalogue& catal
     tree_.emplace(field_);
   }
   search_field();
-  // Spikes that come later must not keep a picture waiting.
+  // Computes the pattern in advance, so that spikes that appear later do not delay a picture.
   if (frame_needs(show_at_most(show), ViewMode::sky).spikes) {
     make_pattern(show);
   }
   splat_ = splat_settings(show, spikes_);
 }
 
-//! Lays the field out for a device's search, where there is one.
+//! Uploads the field for the search on a GPU, if there is one.
 void StarPass::search_field() {
   if (backend_ != Backend::cpu && !all_gathered_ && !field_.stars().empty()) {
     search_.emplace(backend_, field_, colours_.view());
@@ -134,7 +136,7 @@ const StarPass::Turned& StarPass::patches_for(const StarEye& eye, const StarSett
   });
   if (found != turned_.end()) {
     if (found->faintest != asked.faintest) {
-      // Where something fails the place is forgotten, and comes again when all of it is there.
+      // If an allocation throws, the entry stays removed; it is inserted again only when complete.
       Turned changed = std::move(*found);
       turned_.erase(found);
       changed.faintest = asked.faintest;
@@ -149,7 +151,7 @@ const StarPass::Turned& StarPass::patches_for(const StarEye& eye, const StarSett
   }
   std::unique_ptr<PlacedPatches> on_device;
   if (turned_.size() == most_eyes) {
-    // A place that is left hands its memory on.
+    // The evicted entry hands on its memory.
     room_.patches = std::move(turned_.back().patches).given_up();
     on_device = std::move(turned_.back().on_device);
     turned_.pop_back();
@@ -189,7 +191,8 @@ std::vector<StarImage> StarPass::gathered_images(const StarEye& eye, const Proje
 }
 
 bool StarPass::gathers(const StarEye& eye, double pixel) {
-  // Images are made exact by rays; what is so far off is not found, or found where the shadow is.
+  // Rays make images exact only if the grid is about right; with larger errors images are missing
+  // or lie inside the shadow.
   constexpr double most_miss_px = 0.5;
   return all_gathered_ || (!eye.omni && edge_miss_.of(eye.camera) > most_miss_px * pixel);
 }
@@ -214,7 +217,7 @@ StarSettings StarPass::settings_for(const StarEye& eye, const Projection& projec
   StarSettings settings = settings_;
   settings.pixel = pixel_angle(projection);
   settings.about = match == PixelMatch::about;
-  // Trails may come in from anywhere.
+  // With trails, images may enter the view from anywhere.
   if (!leaves_trails) {
     const SplatSettings splat = scaled_to(splat_, projection);
     const double reach_px = std::max(splat.reach_px(), splat.spike_reach_px);

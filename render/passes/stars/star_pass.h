@@ -17,15 +17,17 @@
 
 namespace ergodome {
 
-//! Luminance that a picture value of 1 stands for, before exposure [cd/m²]: the built-in Milky Way, whose mean over the sky is then the
-//! light of all faint stars together (some 85 stars of magnitude 10 a square degree), its brightest clouds 20 mag a square arcsecond.
+//! Luminance of picture value 1 before exposure [cd/m²]. With it, the mean of the built-in Milky
+//! Way over the sky equals the light of all faint stars (about 85 stars of magnitude 10 per square
+//! degree); its brightest clouds have 20 mag per square arcsecond.
 inline constexpr double luminance_of_white = 0.0114;
 
-//! What pictures before may lend one: what was found for its own pixels, so that it hangs on none of them, or for about such pixels, so that a window may
-//! change its size.
+//! Which earlier results a picture may reuse: `exact` requires results for the same pixel size, so
+//! that pictures do not depend on earlier ones; `about` also accepts a similar pixel size, so that
+//! a window may be resized.
 enum class PixelMatch { exact, about };
 
-//! Points that a picture shows: in host memory, or in place on the device where it is made.
+//! Points of light of a picture, in host memory or in the memory of the rendering backend.
 struct FoundPoints {
   std::vector<StarPoint> in_host;
   PlacedPoints in_place;
@@ -33,50 +35,58 @@ struct FoundPoints {
   [[nodiscard]] bool empty() const { return in_host.empty() && in_place.count == 0; }
 };
 
-//! Draws the stars of a show. Keeps the last lens grids turned round: a camera that turns, moves otherwise or goes round the axis needs
-//! no new one. One that only turns has the images of the last picture, too.
+//! Draws the stars of a show. Caches the last inverted lens grids: a camera that rotates or moves
+//! around the spin axis needs no new grid. For a camera that only rotates, the images of the last
+//! picture are reused too.
 class StarPass {
  public:
-  //! Loads the catalogue. Throws Error when it cannot be read. Where pictures are made on a device, it seeks images too.
+  //! Loads the catalog. Throws Error if it cannot be read. On a GPU backend, images are also sought
+  //! on the GPU.
   explicit StarPass(const Show& show, Backend backend = Backend::cpu);
 
-  //! Whether the catalogue holds no star.
+  //! Returns whether the catalog contains no star.
   [[nodiscard]] bool empty() const { return field_.stars().empty(); }
 
-  //! Rows of the catalogue's file of which no star was made.
+  //! Rows of the catalog file that were skipped.
   [[nodiscard]] const std::vector<RowsLeftOut>& left_out() const { return left_out_; }
 
-  //! Takes the numbers of a show that differs from the first in these alone (content/animatable_number.h), and not in its sky's turn.
+  //! Applies the animatable numbers of a show that differs from the first in these only
+  //! (content/animatable_number.h), but not in the rotation of the sky.
   void set_numbers(const Show& show);
 
-  //! Turns the stars as a show does that differs from the first in numbers alone. Grids and patches stay: these tell stars by their light. From the first
-  //! time on the catalogue is kept.
+  //! Rotates the stars as given by a show that differs from the first in numbers only. Lens grids
+  //! and patches are kept: patches depend on the stars' light only. The first call loads the
+  //! catalog, which is then kept in memory.
   void turn_sky(const Show& show);
 
-  //! Finds the images for an eye, and with a shutter their trails; they are exact whatever the map's lens is.
+  //! Finds the star images of an eye, and their trails if there is a shutter. The images are exact,
+  //! whatever lens method the map uses.
   std::vector<StarPoint> find(const StarEye& eye, const Projection& projection, const std::optional<Shutter>& shutter,
                               PixelMatch match = PixelMatch::exact);
 
-  //! The same, in place where images are sought on a device and leave no trails. What is in place is there until the next call.
+  //! Finds the same images, but leaves them in the memory of the GPU if they are sought there and
+  //! have no trails. Results in GPU memory are valid until the next call.
   FoundPoints find_points(const StarEye& eye, const Projection& projection, const std::optional<Shutter>& shutter,
                           PixelMatch match);
 
-  //! How they are drawn on a picture's pixels, and what spikes look like: nullptr where the show has none.
+  //! Returns how points are drawn for a projection, and the pattern of spikes (nullptr if the show
+  //! has none).
   [[nodiscard]] SplatSettings splat_for(const Projection& projection) const { return scaled_to(splat_, projection); }
   [[nodiscard]] const DiffractionPattern* spikes() const { return spikes_ ? &*spikes_ : nullptr; }
 
-  //! Adds them to rows of a picture in host memory; TiledStars draws them elsewhere.
+  //! Adds the points to rows of a picture in host memory. TiledStars draws in GPU memory.
   void draw(const std::vector<StarPoint>& points, const Projection& projection, int first_row, int row_count,
             float* rgba) const;
 
  private:
   StarPass(const Show& show, Backend backend, const StarCatalogue& catalogue);
 
-  //! What is asked of a search for a picture.
+  //! Returns the search settings for a picture.
   [[nodiscard]] StarSettings settings_for(const StarEye& eye, const Projection& projection, bool leaves_trails,
                                           PixelMatch match) const;
 
-  //! Whether stars are gathered by pixels: where the show asks for it, and where grids have the shadow wrong, and with it what lies beside it.
+  //! Returns whether stars are gathered by pixels: if the show requests it, or if the lens grid
+  //! misplaces the shadow's edge and thus the images beside it.
   [[nodiscard]] bool gathers(const StarEye& eye, double pixel);
 
   std::vector<StarImage> sought_images(const StarEye& eye, const StarSettings& settings);
@@ -88,12 +98,12 @@ class StarPass {
 
   void make_pattern(const Show& show);
 
-  //! A grid that was turned round.
+  //! An inverted lens grid.
   struct Turned {
     StarEye eye;
     double pixel;
     double least_cell_px;
-    float faintest;  //!< that the patches were made for
+    float faintest;  //!< threshold for which the patches were computed [lx]
     LensStation station;
     StarPatches patches;
     std::unique_ptr<PlacedPatches> on_device;
@@ -107,24 +117,24 @@ class StarPass {
 
   Backend backend_;
   BlackbodyColours colours_;
-  std::optional<StarCatalogue> catalogue_;  //!< once the sky has turned
+  std::optional<StarCatalogue> catalogue_;  //!< loaded once the sky has rotated
   std::vector<RowsLeftOut> left_out_;
   StarField field_;
   EdgeMiss edge_miss_;
-  bool all_gathered_;                  //!< as the show has it
-  std::optional<StarTree> tree_;       //!< where pixels gather stars
-  std::optional<PatchSearch> search_;  //!< on a device
+  bool all_gathered_;                  //!< the show selects the gather method
+  std::optional<StarTree> tree_;       //!< present if pixels gather stars
+  std::optional<PatchSearch> search_;  //!< only on a GPU backend
   StarSettings settings_;
-  PointOrder order_;  //!< of the points that are found
+  PointOrder order_;  //!< of the points found
   SplatSettings splat_;
-  std::optional<DiffractionPattern> spikes_;    //!< where the show ever has any
-  std::optional<DiffractionSettings> pattern_;  //!< of these spikes
+  std::optional<DiffractionPattern> spikes_;    //!< present if the show has spikes at any time
+  std::optional<DiffractionSettings> pattern_;  //!< settings from which `spikes_` was computed
   GridTracer<float> tracer_;
-  std::vector<Turned> turned_;  //!< of the last eyes
+  std::vector<Turned> turned_;  //!< of the last eyes, most recent first
   PatchRoom room_;
   KeptStarImages<std::vector<StarImage>> images_;
   KeptStarImages<PlacedImages> images_in_place_;
-  std::optional<ImageJoiner> joiner_;  //!< on a device
+  std::optional<ImageJoiner> joiner_;  //!< only on a GPU backend
   std::optional<PointPlacer> placer_;
 };
 

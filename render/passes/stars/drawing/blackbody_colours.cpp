@@ -16,7 +16,8 @@ float first_entry() { return static_cast<float>(std::log(coldest_k)); }
 
 float entry_step() { return static_cast<float>(std::log(hottest_k / coldest_k) / (BlackbodyColours::count - 1)); }
 
-//! The table of all that ask for it: to make it takes a million Planck functions.
+//! Returns the table, computed once and shared by all instances: it takes a million evaluations of
+//! Planck's law.
 const std::vector<float>& shared_entries() {
   static const std::vector<float> table = [] {
     constexpr int count = BlackbodyColours::count;
@@ -25,7 +26,7 @@ const std::vector<float>& shared_entries() {
     std::vector<float> entries(4 * static_cast<std::size_t>(count));
     parallel_for(count, 64, [&](int begin, int end) {
       for (int i = begin; i < end; ++i) {
-        // At the very place that the kernels take an entry for.
+        // The exact temperature that the kernels assign to the entry, including float rounding.
         const double log_temperature = static_cast<double>(first) + i * static_cast<double>(step);
         const Vector3<double> xyz = blackbody_tristimulus(std::exp(log_temperature));
         float* entry = entries.data() + 4 * static_cast<std::size_t>(i);

@@ -5,14 +5,14 @@
 
 namespace ergodome {
 
-//! The colours of blackbodies from 300 K to 10 million K, where the kernels of a backend can read them. Planck's law is integrated with
-//! the matching functions; reading between entries misses the luminance by 3e-4
-//! at the most, at the cold end.
+//! Colors of blackbodies from 300 K to 10 million K, in the memory of a backend. Planck's law is
+//! integrated with the color matching functions. Interpolation between entries changes the
+//! luminance by at most 3e-4, at the cold end.
 class BlackbodyColours {
  public:
   explicit BlackbodyColours(Backend backend);
 
-  //! The table; it points into this object.
+  //! Returns the table; it points into this object.
   [[nodiscard]] BlackbodyTable view() const { return {entries_.data(), count, first_, step_}; }
 
   static constexpr int count = 2048;

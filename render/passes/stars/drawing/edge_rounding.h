@@ -6,16 +6,16 @@
 
 namespace ergodome {
 
-//! Angle between the shadow's edge and a place in the chart, about [rad].
+//! Returns the approximate angle between the shadow's edge and the chart coordinate `s` [rad].
 inline double edge_distance(const LensChart& chart, double s) {
   return 3.0 * std::exp((s - 1.0) * static_cast<double>(chart.range));
 }
 
-//! Errors on the sky of rays that are traced in float for images of stars.
+//! Error on the sky of single-precision rays for images of stars [rad].
 inline constexpr double float_tolerance = 5e-7;
 
-//! What such rays' rounding changes a magnification by, as a part of it, times the distance to the shadow's edge [rad]: it is amplified by
-//! more in none of 4,200 images about six holes, spins 0 to 0.999.
+//! Relative rounding error of the magnification for such rays, times the distance to the shadow's
+//! edge [rad]. An upper bound for 4,200 images around six holes with spins from 0 to 0.999.
 inline constexpr double edge_rounding = 32.0 * float_tolerance;
 
 }  // namespace ergodome

@@ -6,14 +6,15 @@
 
 namespace ergodome {
 
-//! A part of a picture over which its projection is smooth, and goes on smoothly beside it: the whole of it, or one face of a cube. Light
-//! that spreads over the end of a sheet is drawn on each that it reaches.
+//! A part of a picture over which the projection is smooth and can be continued smoothly beyond its
+//! edges: the whole picture, or one face of a cube. Light that spreads across the edge of a sheet
+//! is drawn on every sheet that it reaches.
 struct PictureSheet {
-  Projection projection;  //!< of the sheet as a picture of its own
-  PixelCell cell;         //!< where it lies in the picture
+  Projection projection;  //!< of the sheet as a separate picture
+  PixelCell cell;         //!< its position in the picture
 };
 
-//! The sheets of a picture: one, or those of the faces in their order.
+//! Returns the sheets of a picture: one, or one per cube face in the order of the faces.
 std::vector<PictureSheet> picture_sheets(const Projection& projection);
 
 }  // namespace ergodome

@@ -10,19 +10,20 @@
 
 namespace ergodome {
 
-//! Points of light in a backend's memory; those that lie beside the picture are none.
+//! Points of light in a backend's memory, including unused entries for images outside the picture.
 struct PlacedPoints {
   const StarPoint* points = nullptr;
   int count = 0;
-  int spiked = 0;  //!< how many have spikes
+  int spiked = 0;  //!< number of points with spikes
 };
 
-//! Makes points of images, where pictures are made: star_points() for devices. Keeps its memory.
+//! Projects star images to points in the backend's memory: the equivalent of star_points() for
+//! GPUs. Reuses its memory.
 class PointPlacer {
  public:
   explicit PointPlacer(Backend backend) : backend_(backend), spiked_(backend, 1, "star points") {}
 
-  //! The points of a picture; valid until the next call.
+  //! Returns the points of a picture; valid until the next call.
   PlacedPoints place(const PlacedImages& images, const EyeCamera& eye, const Projection& projection,
                      const SplatSettings& settings);
 

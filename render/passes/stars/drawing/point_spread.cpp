@@ -8,7 +8,8 @@ namespace ergodome {
 
 namespace {
 
-//! The error function by cubics between equal steps, right to 1e-6: each point asks for ten values.
+//! Error function interpolated by cubics at equal steps, accurate to 1e-6. Each point evaluates it
+//! about ten times.
 class ErrorFunction {
  public:
   ErrorFunction() {

@@ -4,16 +4,19 @@
 
 namespace ergodome {
 
-//! Pixels to one side that a point's light reaches at the most: a spread of 100 px, in a dome that is four times as fine as it was given for.
+//! Maximum number of pixels to one side that a point's light reaches: a cutoff of 100 px in a dome
+//! four times finer than the one for which it was configured.
 inline constexpr int widest_splat_px = 1201;
 
-//! Parts of a Gaussian that fall on neighbouring pixels, from pixel `first` on; they add up to 1.
+//! Fractions of a Gaussian that fall on adjacent pixels, starting at pixel `first`; they add up to
+//! 1.
 struct PointSpread {
   int first = 0;
   int count = 0;
-  std::array<float, 2 * widest_splat_px + 2> part;  //!< `count` of them
+  std::array<float, 2 * widest_splat_px + 2> part;  //!< only the first `count` entries are set
 
-  //! About a place [px]; light reaches so far [px]. A spread of 0 is the pixel that holds the place.
+  //! Centers the Gaussian at `middle_px` and truncates it at `reach_px` to both sides [px]. With a
+  //! sigma of 0, all light falls on the pixel that contains the center.
   PointSpread(double middle_px, double sigma_px, double reach_px);
 };
 

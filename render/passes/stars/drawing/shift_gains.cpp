@@ -7,13 +7,14 @@ namespace ergodome {
 
 namespace {
 
-//! Rows lie at equal steps of ln g, in each of which stars of 6,000 K gain a tenth about g = 1, and the coldest a third. Below the first its
-//! bound holds, and patches know no greater g than 10⁶.
+//! Rows lie at equal steps of ln g. Over one step near g = 1, stars of 6,000 K gain a tenth and the
+//! coldest stars a third. The bound of the first row holds for all smaller g; patches report no g
+//! above 10⁶.
 constexpr float log_first = -4.0F;
 constexpr float log_step = 0.02F;
 constexpr int shifted_rows = 901;
 
-//! ln of the luminance that a blackbody gains.
+//! Returns ln of the factor by which a shift changes the luminance of a blackbody.
 float log_gain(const BlackbodyTable& colours, float log_temperature, float log_ratio) {
   return read_blackbody(colours, log_temperature + log_ratio).x - read_blackbody(colours, log_temperature).x;
 }
@@ -32,7 +33,7 @@ ShiftGains::ShiftGains(const BlackbodyTable& colours) : rows_(shifted_rows + 1) 
     ShiftGain& row = rows_[static_cast<std::size_t>(i)];
     const float log_ratio = log_first + log_step * static_cast<float>(i);
     for (int k = 0; k < star_classes; ++k) {
-      // What a blackbody gains goes one way with its temperature: the most is at an end of the class.
+      // The gain is monotonic in temperature, so its maximum lies at an end of the class.
       const float low = log_coldest_class + star_class_width * static_cast<float>(k);
       const float gain =
           std::max(log_gain(colours, low, log_ratio), log_gain(colours, low + star_class_width, log_ratio));

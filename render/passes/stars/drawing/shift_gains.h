@@ -7,20 +7,20 @@
 
 namespace ergodome {
 
-//! Bounds of what stars gain in luminance when their light is seen with some frequency ratio, with neither exponentials nor logarithms:
-//! the search for images asks them of each patch.
+//! Upper bounds of the luminance gain of stars seen with a frequency ratio. Tabulated without
+//! exponentials and logarithms at lookup, because the image search reads them for each patch.
 class ShiftGains {
  public:
-  //! `colours`: in host memory.
+  //! `colours` is in host memory.
   explicit ShiftGains(const BlackbodyTable& colours);
 
-  //! The least row whose stars gain at least what they do at `frequency_ratio` or below.
+  //! Returns the lowest row that bounds the gain for `frequency_ratio` and below.
   [[nodiscard]] static int row_of(float frequency_ratio);
 
-  //! The row of light that is not shifted: nothing gains.
+  //! Returns the row for unshifted light, with gain 1.
   static int unshifted_row();
 
-  //! What no star of a class gains more than.
+  //! Returns the upper bounds of the gain for each class.
   [[nodiscard]] const ShiftGain& row(int number) const { return rows_[static_cast<std::size_t>(number)]; }
 
   [[nodiscard]] const std::vector<ShiftGain>& rows() const { return rows_; }

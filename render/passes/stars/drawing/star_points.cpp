@@ -8,17 +8,17 @@
 #include "render/passes/stars/drawing/picture_sheets.h"
 #include "render/passes/stars/drawing/star_splat.h"
 
-// Where on the screen images of stars are, and how bright.
+// Positions of star images on the screen, and their brightness.
 namespace ergodome {
 
 namespace {
 
-//! A line across a whole dome of 4k.
+//! Enough for a line across a whole 4k dome.
 constexpr int most_line_points = 8192;
 
 double row_of_point(const StarPoint& point) { return std::floor(point.y_px); }
 
-//! Adds points on a sheet of the screen; places are the sheet's own.
+//! Collects points on one sheet, in pixels of the sheet.
 class PointList {
  public:
   PointList(const StarSheet& sheet, std::vector<StarPoint>& points) : sheet_(sheet), points_(points) {}
@@ -32,7 +32,7 @@ class PointList {
     }
   }
 
-  //! Light spread evenly along a line, at points that are half a pixel apart at the most.
+  //! Adds light spread evenly along a line, as points at most half a pixel apart.
   void add_line(const double (&from)[2], const double (&to)[2], const Vector3<float>& illuminance, bool has_spikes) {
     if (passes_by(from, to, has_spikes ? sheet_.spiked_reach_px : sheet_.reach_px)) {
       return;
@@ -50,7 +50,8 @@ class PointList {
   }
 
  private:
-  //! Whether a line lies beside the sheet, all of it on one side: on a plane far from its middle lines get as long as one likes.
+  //! Returns whether a line lies entirely on one side of the sheet. Far from the center of a plane
+  //! projection lines become arbitrarily long.
   [[nodiscard]] bool passes_by(const double (&from)[2], const double (&to)[2], double reach) const {
     const Projection& projection = sheet_.projection;
     const auto beside = [&](int axis, double size) {
@@ -63,7 +64,7 @@ class PointList {
   std::vector<StarPoint>& points_;
 };
 
-//! All points, row by row from the top; in a row in their order.
+//! Returns all points row by row from the top; within a row in their original order.
 std::vector<StarPoint> by_row(const std::vector<std::vector<StarPoint>>& parts) {
   double top = std::numeric_limits<double>::infinity();
   double bottom = -top;
@@ -76,7 +77,7 @@ std::vector<StarPoint> by_row(const std::vector<std::vector<StarPoint>>& parts) 
   if (!(top <= bottom)) {
     return {};
   }
-  // Sorting by counting: where each row begins.
+  // Counting sort: start of each row.
   std::vector<std::size_t> place(static_cast<std::size_t>(bottom - top) + 2U, 0);
   const auto row = [&](const StarPoint& point) { return static_cast<std::size_t>(row_of_point(point) - top); };
   for (const std::vector<StarPoint>& part : parts) {
@@ -94,6 +95,7 @@ std::vector<StarPoint> by_row(const std::vector<std::vector<StarPoint>>& parts) 
   return points;
 }
 
+//! Returns all points in their original order.
 std::vector<StarPoint> as_they_are(const std::vector<std::vector<StarPoint>>& parts) {
   std::size_t count = 0;
   for (const std::vector<StarPoint>& part : parts) {
@@ -107,7 +109,8 @@ std::vector<StarPoint> as_they_are(const std::vector<std::vector<StarPoint>>& pa
   return points;
 }
 
-//! Calls body(begin, end, list) for each sheet of a picture and each part of `count` things; returns the points.
+//! Calls body(begin, end, list) for each sheet of a picture and each chunk of `count` items.
+//! Returns the points.
 template <class Body>
 std::vector<StarPoint> points_on_sheets(const Projection& projection, const SplatSettings& settings, std::size_t count,
                                         PointOrder order, const Body& body) {

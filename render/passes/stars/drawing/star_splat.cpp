@@ -18,15 +18,16 @@ constexpr int splat_band_rows = 32;
 
 double row_of(const StarPoint& point) { return std::floor(point.y_px); }
 
-//! Whether all pixels between some first and some last are wholly in the image: no image but a cube's, whose faces are drawn one by one, goes
-//! in again between pixels that are.
+//! Returns whether all pixels of a rectangle are entirely inside the image. Testing its corners
+//! suffices for all projections except cubes, whose faces are drawn one by one.
 bool is_all_inside(const Projection& projection, int left, int right, int top, int bottom) {
   const auto inside = [&](int x, int y) { return image_coverage(projection, x + 0.5, y + 0.5) >= 1.0; };
   return projection.kind != ProjectionKind::cube && inside(left, top) && inside(right, top) && inside(left, bottom) &&
          inside(right, bottom);
 }
 
-//! Adds a row of pixels of the picture, all of which are wholly in the image. `light`: of the row, and nothing for the fourth channel.
+//! Adds a row of pixels that are entirely inside the image. `light`: light of the row; its fourth
+//! channel is 0.
 void add_whole_row(const PointSpread& across, const float (&light)[4], float* rgba) {
   for (int i = 0; i < across.count; ++i) {
     const float part = across.part[static_cast<std::size_t>(i)];
@@ -36,7 +37,8 @@ void add_whole_row(const PointSpread& across, const float (&light)[4], float* rg
   }
 }
 
-//! Adds the pixels of one image that lie in rows [top, bottom) and in a cell of the picture; `rgba` begins at row `origin`.
+//! Adds the pixels of one point that lie in rows [top, bottom) and in a cell of the picture. `rgba`
+//! begins at row `origin`.
 void add(const StarPoint& splat, const Projection& projection, const PixelCell& cell, const SplatSettings& settings,
          int top, int bottom, int origin, float* rgba) {
   const double reach = settings.reach_px() - 1.0;

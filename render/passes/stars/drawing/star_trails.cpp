@@ -9,16 +9,18 @@ namespace ergodome {
 
 namespace {
 
-//! Images that move farther than this in a step, or from where they were going, are taken for others [rad].
+//! An image that moves farther than this in one step, or from its extrapolated position, is
+//! considered a different one [rad].
 constexpr double farthest_step = 0.2;
-//! Stands for the distance to the shadow's edge, which is not known here [rad]: a round more where the map may change soon.
+//! Stands in for the unknown distance to the shadow's edge [rad]: adds a round of refinement where
+//! the map may change quickly.
 constexpr double cautious_distance = 0.1;
 
 Vector3<double> widened(const Vector3<float>& v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
 
-//! Follows all images one way through a shutter's eyes.
+//! Follows all images in one direction of time through the eyes of a shutter.
 class Follower {
  public:
   Follower(const std::vector<StarImage>& images, const StarField& field, double pixel, StarTrails& trails)
@@ -29,7 +31,7 @@ class Follower {
     }
   }
 
-  //! From place `from` to `to`, beside it; `eye` is that of `to`.
+  //! Steps from eye `from` to the adjacent eye `to`; `eye` is the latter.
   void step(const StarEye& eye, int from, int to) {
     std::vector<StarCandidate> candidates;
     candidates.reserve(alive_.size());
@@ -59,7 +61,7 @@ class Follower {
     return trails_.directions[image * static_cast<std::size_t>(trails_.places) + static_cast<std::size_t>(at)];
   }
 
-  //! An image where its way so far leads to.
+  //! Returns a candidate at the position extrapolated from the image's previous motion.
   StarCandidate candidate(const StarEye& eye, std::size_t i, int from, int to) {
     const FieldStar& star = field_.stars()[static_cast<std::size_t>(images_[i].star)];
     const Vector3<double>& d = star.direction;

@@ -4,27 +4,29 @@
 
 namespace ergodome {
 
-//! The eye at equal steps of the time that a shutter is open: an odd number of them, the picture's own eye in the middle.
+//! Eyes at equal time steps while the shutter is open. Their number is odd; the middle one is the
+//! picture's eye.
 struct Shutter {
   std::vector<StarEye> eyes;
 };
 
-//! Images on their way while a shutter is open.
+//! Motion of star images while a shutter is open.
 struct StarTrails {
-  //! Where an image is, in the frames of the shutter's eyes [first, last] that see it: next to a caustic or the shadow, images come and go.
+  //! One image, visible to the shutter's eyes [first, last]: next to a caustic or the shadow,
+  //! images appear and disappear. Positions are in the frames of these eyes.
   struct Way {
     int first;
     int last;
     Vector3<float> illuminance;
   };
 
-  int places = 0;  //!< eyes of the shutter
+  int places = 0;  //!< number of eyes of the shutter
   std::vector<Way> ways;
-  std::vector<Vector3<float>> directions;  //!< unit vectors, `places` for each image
+  std::vector<Vector3<float>> directions;  //!< unit vectors, `places` per image
 };
 
-//! Follows images from the middle of a shutter's time to both ends, by rays: each stays the image that it is. `pixel`: angle of a pixel
-//! [rad].
+//! Follows images by ray tracing from the middle of the exposure to both ends, keeping the identity
+//! of each. `pixel`: angle of a pixel [rad].
 StarTrails star_trails(const std::vector<StarImage>& images, const StarField& field, const Shutter& shutter,
                        double pixel);
 

@@ -12,10 +12,10 @@ namespace ergodome {
 
 namespace {
 
-//! Threads that share the tiles of a point with spikes, row by row.
+//! Number of threads that share the tiles of a point with spikes, row by row.
 constexpr int threads_of_spikes = 16;
 
-//! Throws for what a device should not list, with what may help.
+//! Throws Error with a remedy if there is more than the GPU can list.
 void require_listable(double members, double most, const char* remedy) {
   if (members > most) {
     throw Error("stars", "cover more pixels than the GPU can list",
@@ -23,13 +23,13 @@ void require_listable(double members, double most, const char* remedy) {
   }
 }
 
-//! How many there may be at the most of `points`, each on so many tiles. They are counted by 32 bits.
+//! Returns an upper bound of the number of (point, tile) pairs. The kernels count them in 32 bits.
 double most_members(int points, double reach_px) {
   const double across = 2.0 * reach_px / star_tile_px + 2.0;
   return points * across * across;
 }
 
-//! Members that are counted, and that are listed, at the most: 1 GB.
+//! Maximum number of pairs that can be counted, and that can be listed (1 GB).
 constexpr double most_counted = 2e9;
 constexpr double most_listed = 2.5e8;
 
@@ -129,7 +129,8 @@ StarLightBatch TiledStars::batch_of(const Placed& placed) const {
   batch.members = placed.numbers.data();
   batch.tile_columns = columns();
   if (splat_.sigma_px > 0.0) {
-    // A pixel less than what they may reach: the rest is the pixel that holds the end.
+    // One pixel less than the full reach, which includes the pixel that holds the end of the
+    // Gaussian.
     const double reach = splat_.reach_px() - 1.0;
     const double narrower = 1.0 / (splat_.sigma_px * std::numbers::sqrt2);
     batch.narrower = static_cast<float>(narrower);

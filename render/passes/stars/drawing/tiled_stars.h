@@ -10,17 +10,18 @@
 
 namespace ergodome {
 
-//! Draws stars on a picture that is in a backend's memory, and leaves it there: splat_points() and spikes, made by the pixels. Keeps its
-//! memory from picture to picture.
+//! Draws stars on a picture in a backend's memory, pixel by pixel: the equivalent of splat_points()
+//! and of the spikes. Reuses its memory from picture to picture.
 class TiledStars {
  public:
   explicit TiledStars(Backend backend) : backend_(backend) {}
 
-  //! What is drawn from now on; `splat` is scaled to the projection (scaled_to). `pattern`, of the spikes, may be nullptr.
+  //! Sets the points to draw. `splat` must be scaled to the projection (scaled_to). `pattern` of
+  //! the spikes may be nullptr.
   void set(const std::vector<StarPoint>& points, const Projection& projection, const SplatSettings& splat,
            const DiffractionPattern* pattern);
 
-  //! The same of points that are where the picture is made, and stay there until it is drawn.
+  //! Does the same for points in the backend's memory, which must stay valid until they are drawn.
   void set(const PlacedPoints& points, const Projection& projection, const SplatSettings& splat,
            const DiffractionPattern* pattern);
 
@@ -28,7 +29,7 @@ class TiledStars {
   void draw(int first_row, int row_count, float* rgba) const;
 
  private:
-  //! Which points shine where.
+  //! Points grouped by the tiles that they illuminate.
   struct Placed {
     long members = 0;
     Buffer<std::int32_t> counts;
@@ -45,11 +46,11 @@ class TiledStars {
   Projection projection_{};
   SplatSettings splat_;
   PlacedPoints points_;
-  Buffer<StarPoint> own_points_;  //!< that came from host memory
+  Buffer<StarPoint> own_points_;  //!< copy of points from host memory
   Placed spots_;
   Placed spikes_;
   Buffer<float> pattern_;
-  std::vector<float> pattern_there_;  //!< what `pattern_` holds
+  std::vector<float> pattern_there_;  //!< data that `pattern_` holds
   int pattern_px_ = 0;
 };
 

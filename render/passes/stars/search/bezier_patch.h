@@ -5,7 +5,8 @@
 
 namespace ergodome {
 
-//! The patch of a leaf of a lens grid: the sky direction over (u, v) along (γ, s), before it is normalized.
+//! Returns the Bézier patch of a leaf of a lens grid: the sky direction, before normalization, as a
+//! function of (u, v) along (γ, s).
 BezierPatch bezier_patch(const LensGrid& grid, int leaf, float width_turns, float height);
 
 }  // namespace ergodome

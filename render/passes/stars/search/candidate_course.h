@@ -6,20 +6,23 @@
 
 namespace ergodome {
 
-//! What one candidate goes through: rays of one kind after the other, until it is an image or there is none.
+//! State of one candidate as it is refined by rays of increasing precision, until it is found to be
+//! an image or not.
 struct CandidateCourse {
-  Vector3<double> begin;          //!< direction from the grid
-  RayKind rays = RayKind::quick;  //!< that it is followed by
-  int rounds = 0;                 //!< of these it has had
-  bool led_away = false;          //!< it began anew where the grid has it
-  // What its last ray of this kind said, where it had one.
+  Vector3<double> begin;          //!< initial direction, from the grid
+  RayKind rays = RayKind::quick;  //!< kind of its current rays
+  int rounds = 0;                 //!< number of rounds with this kind
+  bool led_away = false;          //!< whether it was restarted at `begin`
+  // Results of the previous ray of this kind, if any.
   double miss = 0.0;
-  double smaller = 0.0;  //!< singular value, with the sign of the parity
-  //! How far from its star the sky is folded back, as its last two rays had it; 0: they had it nowhere [rad].
+  double smaller = 0.0;  //!< smaller singular value, signed by parity
+  //! Distance from the star to the fold before it, estimated by the last two rays; 0: no fold was
+  //! found [rad].
   double short_of = 0.0;
 };
 
-//! Takes the ray into account that a candidate was followed by last; the kind of the next one, or nothing where it has come to its end.
+//! Evaluates the last ray of a candidate. Returns the kind of the next ray, or nothing if the
+//! candidate is finished.
 std::optional<RayKind> go_on(StarCandidate& candidate, CandidateCourse& course, const ImageSearch& search);
 
 }  // namespace ergodome

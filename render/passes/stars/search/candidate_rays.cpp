@@ -12,17 +12,19 @@ namespace ergodome {
 
 namespace {
 
-//! Errors of rays in double on the sky, as float_tolerance is of those in float, and next to caustics; images move by that over the smaller
-//! singular value of the map.
+//! Errors on the sky of double-precision rays, usually and next to caustics (compare
+//! float_tolerance). Images move by that over the smaller singular value of the map.
 constexpr double fine_tolerance = 1e-9;
 constexpr double finest_tolerance = 1e-11;
-//! What an image may be off by where the magnification changes fast [rad].
+//! Maximum position error of an image where the magnification changes quickly [rad].
 constexpr double fine_miss = 1e-7;
-//! And next to a caustic, where a hair beside a ring the magnification is another [rad].
+//! The same next to a caustic, where the magnification changes within tiny distances from a ring
+//! [rad].
 constexpr double ring_tolerance = 1e-10;
 
-//! Light that still circles after so many steps leads to no image. More than two M from holes of spin 0.999 and less no image of 118,216 stars is lost by the lower limit
-//! (nor by two thirds of it); 1.3 M from one five of 370,553 are. The last ray is waited for.
+//! Returns the number of steps after which light that still orbits the hole is given up. At more
+//! than 2 M from holes with spins up to 0.999, the lower limit loses none of 118,216 images (nor do
+//! two thirds of it). At 1.3 M, it would lose five of 370,553. All lanes wait for the last ray.
 int star_step_limit(const EyeCamera& eye) {
   constexpr double fastest_usual = 0.999;
   constexpr double least_usual_r = 2.0;

@@ -14,15 +14,16 @@
 
 namespace ergodome {
 
-//! How exact rays are that images are followed by: in float, in double, and in double next to caustics.
+//! Precision of the rays that follow images: single, double, and tighter double next to caustics.
 enum class RayKind : std::uint8_t { quick, fine, finest };
 inline constexpr std::size_t ray_kinds = 3;
 
-//! How near an image has to be for its last step [rad].
+//! Returns the miss below which an image is final [rad].
 double last_miss(RayKind kind, double pixel);
 
-//! Rays for the candidates of a search. They are counted where it ends (WorkCounter), its time by the clock shared between rays in float and in
-//! double as threads' time is.
+//! Traces rays for the candidates of a search. Its destructor adds the number of rays to the
+//! WorkCounters, and divides the elapsed time between single and double precision in proportion to
+//! the time of the threads.
 class CandidateRays {
  public:
   explicit CandidateRays(const ImageSearch& search);
@@ -30,10 +31,11 @@ class CandidateRays {
   CandidateRays(const CandidateRays&) = delete;
   CandidateRays& operator=(const CandidateRays&) = delete;
 
-  //! So many candidates are followed in the time of one, at the most.
+  //! Returns the number of candidates that are processed together, in the time of one.
   [[nodiscard]] static std::size_t lanes(RayKind kind);
 
-  //! Makes a step of Newton's method with each of at most as many candidates as there are lanes, on the thread that calls.
+  //! Makes one Newton step with each candidate, on the calling thread. At most lanes(kind)
+  //! candidates.
   void follow(RayKind kind, std::span<StarCandidate* const> candidates);
 
  private:
@@ -54,13 +56,13 @@ class CandidateRays {
   Setup<float> quick_;
   Setup<double> exact_;
 
-  //! Of threads, together.
+  //! Totals over all threads.
   struct Tally {
     std::atomic<long> rays{0};
     std::atomic<long> time_ns{0};
   };
 
-  std::array<Tally, 2> tallies_;  //!< in float, in double
+  std::array<Tally, 2> tallies_;  //!< single, double
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 

@@ -9,14 +9,15 @@ namespace ergodome {
 
 namespace {
 
-//! Errors of rays, as displacements on the screen: they change a polygon's area by a few times that.
+//! Error of the rays as a displacement on the screen; it changes the area of a polygon by a few
+//! times as much.
 constexpr double tolerance_px = 1e-5;
 constexpr int corner_step_limit = 400;
 
 }  // namespace
 
 void CornerRows::trace(int first_row, int row_count) {
-  // The lowest corners of the last rows are the highest of these.
+  // The bottom corners of the previous rows are the top corners of these.
   const std::size_t kept = corners_.empty() ? 0 : width_;
   std::copy(corners_.end() - static_cast<std::ptrdiff_t>(kept), corners_.end(), corners_.begin());
   corners_.resize(width_ * static_cast<std::size_t>(row_count + 1));

@@ -7,23 +7,25 @@
 
 namespace ergodome {
 
-//! The ray of a corner between pixels.
+//! Ray through a pixel corner.
 struct CornerRay {
   Vector3<double> sky;
   double frequency_ratio;
-  bool seen;  //!< it comes from the sky, and was asked for
+  bool seen;  //!< it was traced, and its light comes from the sky
 };
 
-//! Corners of some rows of pixels. Each is traced once, so that neighbours agree about their common edge to the last bit.
+//! Corners of some rows of pixels. Each corner is traced once, so that neighboring pixels have
+//! bit-identical common edges.
 class CornerRows {
  public:
   CornerRows(const StarEye& eye, const Projection& projection)
       : eye_(eye), projection_(projection), width_(static_cast<std::size_t>(projection.width_px) + 1) {}
 
-  //! Goes on to the next rows of pixels.
+  //! Advances to the next rows of pixels.
   void trace(int first_row, int row_count);
 
-  //! Number of the corner at the top left of a pixel: the right rim of a full turn is its left one.
+  //! Returns the index of the top left corner of a pixel. In a full turn, the right edge is
+  //! identical to the left one.
   [[nodiscard]] int number(int row, int column) const {
     const bool turned = wraps_around(projection_) && column == projection_.width_px;
     return (row - first_row_) * (projection_.width_px + 1) + (turned ? 0 : column);
@@ -38,13 +40,13 @@ class CornerRows {
     return first_row_ + static_cast<double>(row);
   }
 
-  //! Whether a pixel about the corner has a part in the image.
+  //! Returns whether one of the pixels around the corner is at least partly inside the image.
   [[nodiscard]] bool is_needed(std::size_t i) const;
   void trace(const std::vector<std::size_t>& asked);
 
   const StarEye& eye_;
   const Projection& projection_;
-  std::size_t width_;  //!< corners of a row
+  std::size_t width_;  //!< corners per row
   int first_row_ = 0;
   std::vector<CornerRay> corners_;
 };

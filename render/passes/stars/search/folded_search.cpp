@@ -10,9 +10,11 @@ namespace ergodome {
 
 namespace {
 
-//! Parts halved at once, before their halves are: as many as fit into the processor's nearer memory.
+//! Number of parts that are halved together before their halves are: as many as fit into the CPU's
+//! cache.
 constexpr int block = 512;
-//! Pairs searched together: so many that lanes are full, so few that a float counts them.
+//! Number of pairs searched together: enough to fill the lanes, few enough for exact indices in
+//! floats.
 constexpr std::size_t most_pairs = 1 << 16;
 }  // namespace
 

@@ -8,32 +8,33 @@
 
 namespace ergodome {
 
-//! What a search asks about a pair of a patch and a star.
+//! Search parameters of a (patch, star) pair.
 struct FoldedPair {
   int halvings;  //!< see PartChannel
   float error;
-  int roots_wanted;  //!< 1 where the patch is one to one
+  int roots_wanted;  //!< 1 if the patch is one to one
 };
 
-//! Finds all places at which patches that may be folded hold stars: patches are halved, each as one star sees it, where their control points
-//! leave room for the star. Parts of many pairs go through the kernels together.
+//! Finds all positions at which possibly folded patches contain stars. Patches, as seen from one
+//! star each, are halved for as long as their control points leave room for the star. The kernels
+//! process parts of many pairs together.
 class FoldedSearch {
  public:
-  //! Seeks the roots of pairs, for each of which something is `asked`.
+  //! Finds the roots of pairs; `asked` holds the parameters of each.
   void search(const PatchPairBatch& pairs, std::span<const FoldedPair> asked);
 
-  //! The roots that the last search has found for a pair.
+  //! Returns the roots of a pair that the last search found.
   [[nodiscard]] std::span<const FoldedRoot> roots(std::size_t pair) const {
     return {roots_.data() + pair * most_roots, static_cast<std::size_t>(counts_[pair])};
   }
 
  private:
-  //! Parts, and the memory they are in.
+  //! A list of patch parts with its memory.
   struct PartList {
     std::vector<float> memory;
     SeenParts parts{};
 
-    //! Room for `more` parts behind those that are there.
+    //! Makes room for `more` additional parts.
     void reserve(int more);
   };
 
@@ -42,13 +43,13 @@ class FoldedSearch {
   void solve(PartList& leaves, bool folded, std::span<const FoldedPair> asked, std::size_t first);
   void add(std::size_t pair, const FoldedPair& asked, const FoldedRoot& root);
 
-  std::vector<PartList> level_;  //!< parts by how often they have been halved
+  std::vector<PartList> level_;  //!< parts by number of halvings
   PartList regular_;
   PartList folded_;
-  std::vector<float> solved_;      //!< as kernels tell it
-  std::vector<float> asked_;       //!< as they read it
-  std::vector<int> counts_;        //!< of the roots of pairs
-  std::vector<FoldedRoot> roots_;  //!< room for most_roots each
+  std::vector<float> solved_;      //!< output of the kernels
+  std::vector<float> asked_;       //!< input of the kernels
+  std::vector<int> counts_;        //!< number of roots per pair
+  std::vector<FoldedRoot> roots_;  //!< room for most_roots per pair
 };
 
 }  // namespace ergodome

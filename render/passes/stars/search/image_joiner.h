@@ -8,25 +8,27 @@
 
 namespace ergodome {
 
-//! Images of stars in a backend's memory, star by star; those whose star is -1 are none.
+//! Star images in a backend's memory, ordered by star. Entries whose star is -1 are unused.
 struct PlacedImages {
   Buffer<StarImage> images;
   int count = 0;
 };
 
-//! Images that a search has left in a backend's memory, some of them twice.
+//! Images that a search left in a backend's memory, including duplicates.
 struct FoundInPlace {
   const SeenImage* images = nullptr;
   int count = 0;
 };
 
-//! Puts together what is found, where pictures are made: without_twins() for devices. Keeps its memory.
+//! Merges images and removes duplicates in the backend's memory: the equivalent of without_twins()
+//! for GPUs. Reuses its memory.
 class ImageJoiner {
  public:
-  //! Stars are numbered below `stars`.
+  //! Star indices are below `stars`.
   ImageJoiner(Backend backend, std::size_t stars);
 
-  //! The images there are, star by star, each once, in the same order whatever chance has done: those in place and `others`. `pixel`: its angle [rad].
+  //! Merges the images in GPU memory with `others` and returns each image once, ordered by star, in
+  //! deterministic order. `pixel`: angle of a pixel [rad].
   PlacedImages join(const FoundInPlace& found, const std::vector<SeenImage>& others, double pixel);
 
  private:

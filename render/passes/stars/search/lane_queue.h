@@ -13,23 +13,25 @@
 
 namespace ergodome {
 
-//! Work in rounds on many things, of which each goes on by itself until it is done: threads take them by the lot, a lot being what one
-//! call does in the time of one, and hand back what goes on. No round waits for the others.
-//!
-//! Things are numbers, and rounds of one of some kinds, which are not mixed in a lot; higher ones come later in a thing's life.
+//! Work queue for many items, each of which passes through a series of rounds. Threads take items
+//! in lots (a lot is processed in the time of one item) and put back those that need another round.
+//! No round waits for other items.
+//! Items are indices. Each round has one of `Kinds` kinds, which are not mixed within a lot; higher
+//! kinds come later in an item's life.
 template <std::size_t Kinds>
 class LaneQueue {
  public:
-  //! `lanes`: how many things make a full lot, at most `most_lanes`.
+  //! `lanes`: number of items in a full lot of each kind, at most `most_lanes`.
   explicit LaneQueue(const std::array<std::size_t, Kinds>& lanes) : lanes_(lanes) {}
 
   static constexpr std::size_t most_lanes = 16;
 
-  //! Things to begin with; those that come last begin first.
+  //! Adds an initial item. Items that are added last start first.
   void add(std::size_t kind, std::size_t thing) { waiting_[kind].push_back(thing); }
 
-  //! Does it all, on all threads. `work(kind, things)` does a round; `next(thing)` then says of which kind that thing's next round is, if it
-  //! has one. Both are called by many threads at once, and must not throw.
+  //! Processes all items, on all threads. `work(kind, things)` performs a round; `next(thing)` then
+  //! returns the kind of the item's next round, if any. Both are called concurrently and must not
+  //! throw.
   template <class Work, class Next>
   void run(const Work& work, const Next& next) {
     const int threads = std::min(thread_count(), static_cast<int>(lots_waiting()));
@@ -67,8 +69,9 @@ class LaneQueue {
     }
   }
 
-  //! A full lot of the highest kind that has one, or else what there is of the highest. Those that came last go first: what has gone through
-  //! many rounds goes through many more, and nobody shall wait for it in the end.
+  //! Takes a full lot of the highest kind that has one, or a partial lot of the highest nonempty
+  //! kind. The most recent items come first: items that have needed many rounds will need many more
+  //! and must not be left for the end.
   Lot take() {
     std::size_t chosen = Kinds;
     for (std::size_t kind = 0; kind < Kinds; ++kind) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr float unknown = 1e30F;
 
-//! Where it is.
+//! A put() that makes no copy.
 constexpr auto in_place = [](const auto& values) { return values.data(); };
 
 }  // namespace

@@ -7,29 +7,32 @@
 
 namespace ergodome {
 
-//! How far a leaf's patch is from the sky, as a part of the leaf's sides, by the rays of its checks.
+//! Errors of a leaf's patch, as fractions of the leaf's sides, at the rays of its checks.
 struct LeafErrors {
-  float told;  //!< at the most
-  float left;  //!< when images are moved by what the rays say
+  float told;  //!< largest displacement
+  float left;  //!< largest remaining error after the correction
 };
 
-//! A lens grid with what its checks found: images that cubic patches have are moved to where the rays have them.
-//!
-//! A cubic between exact ends misses by a quartic first, (t (1 - t))² of the way t along a side. Through the middles of a leaf's four sides
-//! there is one such displacement δ, blended across: the sky is the patch at x - δ(x), its Jacobian the patch's times that of x - δ. What δ
-//! leaves at the checks inside, most of it of the fifth order, tells how good that is.
+//! A lens grid corrected by its check rays: images found with cubic patches are moved to where the
+//! rays have them.
+//! The leading error of a cubic between exact ends is a quartic, proportional to (t (1 - t))² at
+//! fraction t along a side. The checks at the midpoints of a leaf's four sides give one such
+//! displacement δ each, blended across the leaf. The corrected sky is the patch at x - δ(x), and
+//! its Jacobian is that of the patch times that of x - δ. The error that remains at the inner
+//! checks, mostly of fifth order, measures the quality.
 class MendedGrid {
  public:
-  //! Of a station that was built to be inverted (GridSettings); errors of others are not known.
+  //! The station must have been built to be inverted (GridSettings), or its errors are unknown.
   explicit MendedGrid(const LensStation& station);
 
-  //! Errors that are not known are huge: such leaves cannot mend anything.
+  //! Returns the errors of a leaf. Unknown errors are huge, so that such leaves correct nothing.
   [[nodiscard]] LeafErrors errors(int leaf) const;
 
   //! Moves an image of a star; see mend_image().
   bool mend(int leaf, const Vector3<double>& star, ChartImage& image) const;
 
-  //! As kernels read it: put(vector) says where a copy of it lies for them, or where it is.
+  //! Returns the grid for kernels. put(vector) returns the address at which kernels read the
+  //! vector: that of a copy, or of its own data.
   template <class Put>
   [[nodiscard]] MendedLeaves view(const Put& put) const {
     return {put(boxes_), put(leaves_), put(nodes_), checks_.empty() ? nullptr : put(checks_)};

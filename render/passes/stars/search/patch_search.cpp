@@ -12,9 +12,10 @@ namespace ergodome {
 
 namespace {
 
-//! Threads that look for a patch's stars: they go together, and read stars that lie together.
+//! Number of threads that search a patch's stars. They form a warp and read adjacent stars.
 constexpr int threads_of_a_patch = 32;
-//! Room for parts: without any none is lost, and nobody would know that there are too few.
+//! Minimum capacity for parts: with none, no part would be counted as lost and the shortage would
+//! go unnoticed.
 constexpr std::size_t least_parts = 1024;
 
 }  // namespace
@@ -48,7 +49,8 @@ PatchSearch::PatchSearch(Backend backend, const StarField& field, const Blackbod
   make_room(wanted);
 }
 
-//! Makes lists as long as that, or longer; where there is no memory for all of them, none has room.
+//! Enlarges the lists to at least these lengths. If memory runs out, all capacities are left at
+//! zero.
 void PatchSearch::make_room(const Counts& wanted) {
   const auto count_of = [&](int list) { return static_cast<std::size_t>(wanted[static_cast<std::size_t>(list)]); };
   const auto room_of = [](std::size_t size) { return static_cast<std::int32_t>(size); };
@@ -107,7 +109,8 @@ bool PatchSearch::have_room(const Counts& counts) const {
   return std::equal(counts.begin(), counts.end(), rooms_.begin(), std::less_equal<>());
 }
 
-//! The device alone knows how many parts there are: to ask it each time takes longer than threads that find none.
+//! Only the GPU has the number of parts. Reading it in each step takes longer than running threads
+//! without work.
 void PatchSearch::search_slice(const PatchSearchBatch& batch, int pairs) {
   clear(backend_, counts_, 4, halved);
   search_patches(backend_, batch, PatchSearchStep::see_folded, pairs);
@@ -127,13 +130,15 @@ void PatchSearch::search_slice(const PatchSearchBatch& batch, int pairs) {
   search_patches(backend_, batch, PatchSearchStep::take_roots, pairs);
 }
 
-//! How long lists were: longer than their room where they have to be made longer, and what is found is not all.
+//! Returns the lengths of the lists. If one exceeds its capacity, the result is incomplete and the
+//! list must be enlarged.
 PatchSearch::Counts PatchSearch::search(PatchSearchBatch batch) {
   clear(backend_, counts_, list_count);
   search_patches(backend_, batch, PatchSearchStep::find_pairs, batch.patch_threads * batch.sides * batch.patch_count);
   search_patches(backend_, batch, PatchSearchStep::regular, rooms_[regular]);
   search_patches(backend_, batch, PatchSearchStep::bent, rooms_[bent]);
-  // Each pair of a folded patch is a part at first. There are few mostly: the first slice is searched before it is known whether there are more.
+  // Each pair of a folded patch starts as one part. Usually there are few pairs: the first slice is
+  // searched before their number is known.
   const int slice = std::min({most_searched_together, rooms_[halved], rooms_[folded]});
   if (slice == 0) {
     return counts();
@@ -168,7 +173,7 @@ PatchSearch::Answer PatchSearch::find(const PlacedPatches& patches, const Questi
   share(batch);
   Counts found = search(batch);
   while (!have_room(found)) {
-    // How much the lost ones would have become is not known.
+    // The number of parts that the lost ones would have yielded is unknown.
     for (const int list : {halved, halves, plain_parts, folded_parts}) {
       found[static_cast<std::size_t>(list)] = rooms_[halved] + found[lost_parts];
     }

@@ -14,15 +14,15 @@
 
 namespace ergodome {
 
-//! Copies of arrays in a backend's memory, which is kept for those of the next time.
+//! Copies of arrays in a backend's memory. The memory is reused for the next set of arrays.
 class PlacedArrays {
  public:
   explicit PlacedArrays(Backend backend) : backend_(backend) {}
 
-  //! From now on arrays take the places of those before, one after another.
+  //! Starts a new set, whose arrays overwrite the previous ones in order.
   void begin() { next_ = 0; }
 
-  //! Where a copy of `values` lies, until begin().
+  //! Copies `values` and returns the address of the copy, valid until begin().
   template <class T>
   const T* put(const std::vector<T>& values) {
     if (next_ == memory_.size()) {
@@ -40,18 +40,18 @@ class PlacedArrays {
   std::size_t next_ = 0;
 };
 
-//! Patches where a search reads them.
+//! Star patches in the memory that a search reads.
 class PlacedPatches {
  public:
-  //! `station`: which they were made of.
+  //! `station`: the lens station that the patches were made of.
   PlacedPatches(Backend backend, const StarPatches& patches, const LensStation& station) : arrays_(backend) {
     set(patches, station);
   }
 
-  //! Others, in the place of those.
+  //! Replaces the patches.
   void set(const StarPatches& patches, const LensStation& station);
 
-  //! Without what a search is for.
+  //! Returns a batch with the patches, without the parameters of a search.
   [[nodiscard]] const PatchSearchBatch& batch() const { return batch_; }
 
  private:
@@ -59,15 +59,16 @@ class PlacedPatches {
   PatchSearchBatch batch_{};
 };
 
-//! Finds images of stars roughly, on a device: what RoughImageFinder finds, in an order that chance decides.
+//! Finds approximate images of stars on a GPU: the same images as RoughImageFinder, in
+//! nondeterministic order.
 class PatchSearch {
  public:
-  //! `colours` in host memory. `room`: for pairs and images at first.
+  //! `colours` is in host memory. `room`: initial capacity for pairs and images.
   PatchSearch(Backend backend, const StarField& field, const BlackbodyTable& colours, int room = 1 << 16);
 
   [[nodiscard]] Backend backend() const { return backend_; }
 
-  //! What is asked of a search.
+  //! Parameters of a search.
   struct Question {
     double phi;  //!< of the camera [rad]
     ViewCone view;
@@ -75,20 +76,21 @@ class PatchSearch {
     StarLook look;
   };
 
-  //! What it finds: rough images, and those that need no rays, which stay in place until the next search.
+  //! Result of a search: approximate images, and images that need no rays. The latter stay in GPU
+  //! memory until the next search.
   struct Answer {
     std::vector<RoughImage> rough;
     FoundInPlace exact;
   };
 
-  //! Patches are of this field.
+  //! Searches the patches, which must belong to this object's field.
   Answer find(const PlacedPatches& patches, const Question& question);
 
-  //! What stays in place, in host memory.
+  //! Copies images from GPU memory to host memory.
   [[nodiscard]] std::vector<SeenImage> fetched(const FoundInPlace& found) const;
 
  private:
-  //! Lists whose lengths the device counts.
+  //! Lists whose lengths are counted on the GPU.
   enum List { regular, bent, folded, images, exact, halved, halves, plain_parts, folded_parts, lost_parts, list_count };
   using Counts = std::array<std::int32_t, list_count>;
 
@@ -103,7 +105,7 @@ class PatchSearch {
   PlacedArrays arrays_;
   SearchedField field_;
   BlackbodyTable colours_;
-  Counts rooms_{};  //!< of the lists
+  Counts rooms_{};  //!< capacities of the lists
   Buffer<SearchedPair> pairs_[3];
   Buffer<RoughImage> images_;
   Buffer<SeenImage> exact_;

@@ -14,10 +14,10 @@ namespace ergodome {
 
 namespace {
 
-//! Patches that a thread takes at a time.
+//! Number of patches that a thread takes at a time.
 constexpr int patches_a_part = 128;
 
-//! Whether a part of the view may lie in a patch, or on its `mirrored` side.
+//! Returns whether the view may overlap a patch, or its mirror image if `mirrored`.
 bool may_be_seen(const StarPatch& patch, bool mirrored, const ViewCone& view) {
   const float side = mirrored ? -1.0F : 1.0F;
   const Vector3<double> way = {static_cast<double>(patch.seen.x), static_cast<double>(side * patch.seen.y),
@@ -25,12 +25,12 @@ bool may_be_seen(const StarPatch& patch, bool mirrored, const ViewCone& view) {
   return may_touch(view, way, static_cast<double>(patch.seen_radius));
 }
 
-//! Finders that wait for work, so that each keeps the memory it once asked for.
+//! Pool of finders, so that each keeps its allocated memory.
 class IdleFinders {
  public:
   using Finder = std::unique_ptr<RoughImageFinder>;
 
-  //! One that waits, or none.
+  //! Returns an idle finder, or nullptr.
   Finder take() {
     const std::lock_guard lock(mutex_);
     if (finders_.empty()) {

@@ -11,30 +11,31 @@
 
 namespace ergodome {
 
-//! Finds the images that patches hold and that may be bright enough. Stars of many patches are sought at once, as kernels work on many
-//! lanes and a patch has but a few stars.
+//! Finds the images in patches that may be bright enough. Collects the stars of many patches,
+//! because kernels use many lanes and a patch has only a few stars.
 class RoughImageFinder {
  public:
-  //! The camera is at `phi` [rad]. All that is given has to outlive the finder.
+  //! `phi`: azimuth of the camera [rad]. The arguments must outlive the finder.
   RoughImageFinder(const StarPatches& patches, const StarField& field, double phi);
 
-  //! Takes a patch, or with `mirrored` its image in the other half of a mirrored sky.
+  //! Collects the stars of a patch, or with `mirrored` those of its mirror image in the other half
+  //! of the sky.
   void look_in(const StarPatch& patch, bool mirrored);
 
-  //! Adds the images in what was taken so far to `found`, roughly in the order of the patches. An image on a border may be found from
-  //! both sides.
+  //! Appends the images in the patches collected so far to `found`, roughly in the order of the
+  //! patches. An image on a border may be found from both sides.
   void finish(std::vector<RoughImage>& found);
 
  private:
-  //! A star that a patch may hold.
+  //! A star that a patch may contain.
   struct Pair {
     const StarPatch* patch;
     bool mirrored;
-    int star;     //!< in the field
+    int star;     //!< index in the field
     float depth;  //!< cosine of the angle to the patch's axis
   };
 
-  //! Pairs as kernels read them.
+  //! Pairs in the layout that kernels read.
   struct PairList {
     std::vector<Pair> pairs;
     std::vector<const BezierPatch*> patch;
@@ -46,7 +47,8 @@ class RoughImageFinder {
     [[nodiscard]] PatchPairBatch batch() const;
   };
 
-  //! Patches belong to a camera at φ = 0, and to one half of a mirrored sky.
+  //! Returns the star's direction relative to a camera at φ = 0 and to the unmirrored half of the
+  //! sky.
   [[nodiscard]] Vector3<double> as_patches_see(const FieldStar& star, bool mirrored) const;
 
   void invert(const PairList& list, float farthest, int rounds);
@@ -63,18 +65,19 @@ class RoughImageFinder {
   double cosine_phi_;
   PairList regular_;
   PairList bent_;
-  PairList folded_;           //!< in patches that may be
-  std::vector<int> stars_;    //!< room for a search of the field
-  std::vector<float> sides_;  //!< of the patches' borders that stars are on
-  std::vector<float> roots_;  //!< found, u, v and area of all pairs
+  PairList folded_;           //!< in patches that may be folded
+  std::vector<int> stars_;    //!< buffer for a search of the field
+  std::vector<float> sides_;  //!< side of the patch border on which each star lies
+  std::vector<float> roots_;  //!< found, u, v and area for all pairs
   FoldedSearch folded_search_;
   std::vector<FoldedPair> asked_;
 };
 
-//! The parts in which find_rough_images() takes patches.
+//! Returns the number of parts in which find_rough_images() processes the patches.
 int rough_parts(const StarPatches& patches);
 
-//! Calls found(part, images) with the images that each part of the patches holds; parts on many threads at once. The camera is at `phi` [rad].
+//! Calls found(part, images) with the images in each part of the patches, concurrently from several
+//! threads. `phi`: azimuth of the camera [rad].
 void find_rough_images(const StarField& field, double phi, const StarPatches& patches, const ViewCone& view,
                        const std::function<void(int, const std::vector<RoughImage>&)>& found);
 

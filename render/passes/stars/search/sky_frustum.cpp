@@ -11,12 +11,13 @@ namespace ergodome {
 
 namespace {
 
-//! A frustum is so much wider than its patch, in parts of it: images are found a little beyond patches' borders.
+//! Relative margin of a frustum around its patch: images are found slightly beyond the borders of
+//! patches.
 constexpr double slack = 0.01;
-//! And at least this [rad].
+//! Minimum margin [rad].
 constexpr double least_slack = 1e-6;
 
-//! The way across `axis` in which a patch is long: along its first side, or its second.
+//! Returns the direction perpendicular to `axis` in which a patch is longer: along u or along v.
 Vector3<double> long_way(const BezierPatch& patch, const Vector3<double>& axis) {
   const auto from_to = [&](int a, int b, int c, int d) {
     const Vector3<double> way = 0.5 * (control_point(patch, b) - control_point(patch, a)) +
@@ -28,12 +29,12 @@ Vector3<double> long_way(const BezierPatch& patch, const Vector3<double>& axis) 
   return dot(along_u, along_u) > dot(along_v, along_v) ? along_u : along_v;
 }
 
-//! Bounds are so much wider than what they hold, for the rounding of floats.
+//! Margin of bounds for float rounding.
 constexpr double bound_slack = 1e-6;
 
-//! A frustum's corners on the sky, one after the other around it.
+//! Finds the corners of a frustum on the sky, in order around it.
 void find_corners(const SkyFrustum& frustum, Vector3<double> (&corner)[4]) {
-  // Sides 0 and 1 lie across from each other, and 2 and 3.
+  // Sides 0 and 1 are opposite each other, as are 2 and 3.
   constexpr int around[4] = {0, 2, 1, 3};
   for (int i = 0; i < 4; ++i) {
     const Vector3<double> way = normalized(cross(frustum.inward[around[i]], frustum.inward[around[(i + 1) % 4]]));
@@ -41,17 +42,18 @@ void find_corners(const SkyFrustum& frustum, Vector3<double> (&corner)[4]) {
   }
 }
 
-//! The greatest height on an arc between two corners, whose great circle has the unit normal `normal`: a corner's, or the circle's.
+//! Returns the largest z on an arc between two corners, whose great circle has the unit normal
+//! `normal`: that of a corner or of the circle's highest point.
 double greatest_height(const Vector3<double>& from, const Vector3<double>& to, const Vector3<double>& normal) {
   const double corner = std::max(from.z, to.z);
-  // What leads along the circle to its highest place is z without its part along the normal.
+  // The circle's highest point lies along z minus its component along the normal.
   const Vector3<double> highest = Vector3<double>{0.0, 0.0, 1.0} - normal.z * normal;
   const bool between =
       dot(cross(from, highest), normal) * dot(cross(highest, to), normal) > 0.0 && dot(highest, from + to) > 0.0;
   return between ? std::max(corner, std::sqrt(std::max(dot(highest, highest), 0.0))) : corner;
 }
 
-//! Whether a pole is in a frustum, or next to it.
+//! Returns whether a pole lies in a frustum or next to it.
 bool holds_pole(const SkyFrustum& frustum, double pole) {
   return std::ranges::all_of(frustum.inward, [&](const Vector3<double>& n) { return pole * n.z > -bound_slack; });
 }
@@ -121,7 +123,8 @@ SkyBounds bounds_of(const SkyFrustum& frustum) {
   const bool south = holds_pole(frustum, -1.0);
   SkyBounds bounds{static_cast<float>(south ? -1.0 : low - bound_slack),
                    static_cast<float>(north ? 1.0 : high + bound_slack), 0.0F, 1.0F};
-  // Beside a pole a small part of the sky may go most of the way round; more than half of it need not be told.
+  // Beside a pole, a small part of the sky may span most azimuths. Spans of more than half a turn
+  // are replaced by the full turn.
   if (!north && !south && most_turns - least_turns < 0.5) {
     const double begin = middle / (2.0 * pi) + least_turns - bound_slack;
     bounds.turns = static_cast<float>(begin - std::floor(begin));
@@ -131,7 +134,7 @@ SkyBounds bounds_of(const SkyFrustum& frustum) {
 }
 
 double solid_angle(const SkyFrustum& frustum) {
-  // Opposite sides of a wedge that opens by an angle have normals that are a half turn less it apart.
+  // Opposite sides of a wedge with opening angle a have normals that enclose the angle π - a.
   const auto opening = [&](int side) {
     const double cosine = dot(frustum.inward[side], frustum.inward[side + 1]);
     return pi - std::acos(std::clamp(cosine, -1.0, 1.0));

@@ -8,22 +8,22 @@
 
 namespace ergodome {
 
-//! Images on their way from roughly to exactly.
+//! An image candidate during refinement from its approximate to its exact position.
 struct StarCandidate {
   int star = -1;
-  Vector3<double> on_sky;     //!< the star, for a camera at φ = 0
+  Vector3<double> on_sky;     //!< direction to the star, for a camera at φ = 0
   Vector3<double> direction;  //!< of the image, in the frame of the eye's camera
   double radius = 0.0;
-  double edge_distance = 1.0;  //!< and the rest as in StarImageBatch
+  double edge_distance = 1.0;  //!< this and the following as in StarImageBatch
   double solid_angle = 0.0;
   double stretch = 0.0;
   double frequency_ratio = 1.0;
   double miss = 0.0;
   double change = 0.0;
-  bool faint = false;  //!< it was left on the way
+  bool faint = false;  //!< it was dropped as too faint
 };
 
-//! Squares of the singular values of the map from the camera's sky to the stars'.
+//! Squared singular values of the map from the camera's sky to that of the stars.
 struct SingularValues {
   double larger_square;
   double smaller_square;
@@ -31,17 +31,19 @@ struct SingularValues {
 
 SingularValues singular_values(const StarCandidate& c);
 
-//! How far images may be from where they should be [px].
+//! Maximum position error of images [px].
 inline constexpr double image_tolerance_px = 0.005;
 
-//! What images are sought with. Its functions are called by many threads at once.
+//! Parameters of a search for images. Its functions are called concurrently.
 struct ImageSearch {
   const StarEye& eye;
-  StarChartOf<double> chart;  //!< of the eye's place, if one is known
-  double pixel;               //!< its angle [rad]
-  //! Luminance of an image as its last ray has it, over the least that is asked for; without it none is left.
+  StarChartOf<double> chart;  //!< of the eye's position, if available
+  double pixel;               //!< angle of a pixel [rad]
+  //! Returns the luminance of a candidate at its last ray, divided by the required minimum. If not
+  //! set, no candidate is dropped as too faint.
   std::function<double(const StarCandidate&)> brightness;
-  //! Whether an image is made better where float is right to some per cent.
+  //! Returns whether an image is refined in double if its magnification in single precision is
+  //! accurate to a few percent only.
   std::function<bool(const StarCandidate&)> wanted;
 };
 

@@ -17,15 +17,17 @@ namespace ergodome {
 
 namespace {
 
-//! A grid so fine has, mended, most images where they are, and costs less than their rays. Rays find the others.
+//! Corrected grids this fine have most images at their exact positions and cost less than rays for
+//! these images would. Rays find the others.
 constexpr double grid_budget_px = 0.01;
-//! What rays in float leave of a finer one is their rounding [rad].
+//! In finer grids, the error is dominated by the rounding of single-precision rays [rad].
 constexpr double float_budget = 1.2e-5;
-//! Cells smaller than a size in this range are not refined: rays start from what they have [px²]. Five M from a hole of spin 0.999
-//! finer ones found no image more, nearer to one a few, and coarser ones cost more rays than they saved.
+//! Range of the cell area below which cells are not refined; rays then start from the unrefined
+//! cells [px²]. At 5 M from a hole of spin 0.999, finer cells found no further images (a few at
+//! smaller distances), and coarser cells cost more in rays than they saved.
 constexpr double finest_cell_px = 0.5;
 constexpr double coarsest_cell_px = 2.0;
-//! The size over a show's lens budget [px].
+//! Ratio of the cell area to a show's lens budget [px].
 constexpr double cell_of_budget = 8.0;
 
 }  // namespace
@@ -66,11 +68,12 @@ StarLook look_of(const StarSettings& settings) {
   return {settings.faintest, settings.redshift, settings.magnification};
 }
 
-//! What becomes of a rough image at a place that an observer sees; star -1 where it is too faint or out of view.
+//! Converts an approximate image to a candidate, using what the observer sees at its position. Sets
+//! star to -1 if it is too faint or out of view.
 StarCandidate candidate_of(const RoughImage& image, const FieldStar& star, const ImageObserver& observer,
                            const ObservedPlaces& places, std::size_t i, const StarSettings& settings) {
   const float g = places.frequency_ratio[i];
-  // The sky's solid angle over the observer's.
+  // Solid angle on the sky over that seen by the observer.
   const float solid_angle = image.sky / places.area[i];
   StarCandidate candidate;
   candidate.star = image.star;
@@ -87,14 +90,14 @@ StarCandidate candidate_of(const RoughImage& image, const FieldStar& star, const
   return candidate;
 }
 
-//! Light of a candidate's image [lx], linear sRGB, where its last ray came from.
+//! Returns the light of a candidate at its last ray [lx], in linear sRGB.
 Vector3<float> light_of(const StarCandidate& c, const FieldStar& star, const BlackbodyTable& colours, bool redshift) {
   return star_light(colours, star.log_temperature, star.illuminance,
                     redshift ? static_cast<float>(c.frequency_ratio) : 1.0F,
                     1.0F / static_cast<float>(capped_solid_angle(c)));
 }
 
-//! The image that a candidate has become; star -1 where it is none, or too faint.
+//! Converts a candidate to an image. Its star is -1 if there is no image or it is too faint.
 StarImage image_of(const StarCandidate& c, const FieldStar& star, const BlackbodyTable& colours,
                    const StarSettings& settings) {
   StarImage image{};
@@ -113,14 +116,14 @@ StarImage image_of(const StarCandidate& c, const FieldStar& star, const Blackbod
 
 namespace {
 
-//! What some rough images have become.
+//! Classified approximate images.
 struct Sought {
-  std::vector<StarCandidate> rays;     //!< these are to follow rays
-  std::vector<StarCandidate> guesses;  //!< the same, many of them to no end
+  std::vector<StarCandidate> rays;     //!< to be refined by rays
+  std::vector<StarCandidate> guesses;  //!< likewise, but many of them lead to no image
   std::vector<SeenImage> exact;
 };
 
-//! What images are sought for.
+//! Common parameters of a search.
 struct Search {
   const StarField& field;
   const BlackbodyTable& colours;
@@ -129,6 +132,7 @@ struct Search {
   const StarSettings& settings;
 };
 
+//! Converts approximate images to candidates, and those of exact patches to final images.
 void sort_out(const Search& search, std::span<const RoughImage> rough, Sought& sought) {
   const double sine = std::sin(search.phi);
   const double cosine = std::cos(search.phi);
@@ -154,10 +158,11 @@ void sort_out(const Search& search, std::span<const RoughImage> rough, Sought& s
   }
 }
 
-//! Puts what a device has found by chance in order by the distance to the shadow's edge: the rays of neighbours in the kernel's lanes take about as many
-//! steps (three quarters of the time).
+//! Sorts the images that a GPU found in nondeterministic order by distance to the shadow's edge.
+//! Rays of adjacent lanes then take similar numbers of steps, which reduces the time to three
+//! quarters.
 void put_in_order(std::vector<RoughImage>& rough) {
-  // What is no number has no place, and no order.
+  // NaN cannot be sorted.
   std::erase_if(rough,
                 [](const RoughImage& image) { return !std::isfinite(image.s) || !std::isfinite(image.gamma_turns); });
   std::ranges::sort(rough, [](const RoughImage& a, const RoughImage& b) {
@@ -165,8 +170,9 @@ void put_in_order(std::vector<RoughImage>& rough) {
   });
 }
 
-//! Seeks images roughly. In the order of the patches, whatever the threads do: neighbours on the screen are neighbours in the kernel's lanes; a
-//! device leaves those that need no rays `in_place`.
+//! Finds approximate images. On the CPU they are in the order of the patches, independent of the
+//! threads, so that neighbors on the screen are neighbors in the kernel's lanes. A GPU leaves
+//! images that need no rays `in_place`.
 std::vector<Sought> seek(const Search& search, const StarPatches& patches, const DeviceSearch* device,
                          FoundInPlace& in_place) {
   if (device == nullptr) {
@@ -195,7 +201,7 @@ std::vector<Sought> seek(const Search& search, const StarPatches& patches, const
   return parts;
 }
 
-//! All that is in one list of each part.
+//! Appends one list of all parts.
 template <class T>
 void append(const std::vector<Sought>& parts, std::vector<T> Sought::*list, std::vector<T>& to) {
   std::size_t count = to.size();
@@ -208,7 +214,7 @@ void append(const std::vector<Sought>& parts, std::vector<T> Sought::*list, std:
   }
 }
 
-//! All that is found, some of it twice.
+//! All images found, including duplicates.
 struct FoundImages {
   FoundInPlace in_place;
   std::vector<SeenImage> in_host;
@@ -223,7 +229,7 @@ FoundImages found_images(const StarField& field, const BlackbodyTable& colours, 
       seek({field, colours, observer, eye.camera.phi, settings}, patches, device, found.in_place);
   std::vector<StarCandidate> candidates;
   append(parts, &Sought::rays, candidates);
-  // Guesses take many rounds: they shall not hold the others up.
+  // Guesses take many rounds and must not delay the others.
   append(parts, &Sought::guesses, candidates);
   StarSettings fainter = settings;
   fainter.faintest *= 0.9F;

@@ -12,39 +12,42 @@
 
 namespace ergodome {
 
-//! Which images to find, and how well.
+//! Selects which images to find, and how accurately.
 struct StarSettings {
   double pixel = 3e-3;         //!< angle of a pixel on the screen [rad]
-  double grid_px = 0.01;       //!< how far the grid may be wrong next to critical curves [px]
-  double least_cell_px = 2.0;  //!< cells of the grid that are smaller are not split, see least_star_cell_px() [px²]
-  float faintest = 1e-11F;     //!< illuminance of an image, below which it is left out [lx]
-  ViewCone view{};             //!< images outside of it may be left out
-  bool redshift = true;        //!< light is shifted and beamed
-  bool magnification = true;   //!< images are as bright as the lens makes them; else as bright as the star
+  double grid_px = 0.01;       //!< error of the grid next to critical curves [px]
+  double least_cell_px = 2.0;  //!< area of grid cells that are not split further [px²], see least_star_cell_px()
+  float faintest = 1e-11F;     //!< images below this illuminance are omitted [lx]
+  ViewCone view{};             //!< images outside may be omitted
+  bool redshift = true;        //!< apply frequency shift and beaming
+  bool magnification = true;   //!< apply the lens magnification; otherwise images are as bright as the star
   bool about =
-      false;  //!< what was found for pixels about as large serves: for windows, whose pictures are as wide as the time allows
+      false;  //!< reuse results for similar pixel sizes, for windows whose picture size adapts to the frame time
 };
 
-//! Where a grid for stars ends, for a show's lens budget [px]: at a budget of 0.0625 px no image of 5,000 stars is lost about a hole of spin
-//! 0.999 that finer grids have; at four times that ten of 8,691 are, next to the shadow's edge, and a new place takes three fifths of
-//! the time.
+//! Returns the smallest cell area of a star grid for a show's lens budget [px²]. At a budget of
+//! 0.0625 px, none of the images of 5,000 stars around a hole of spin 0.999 that finer grids find
+//! is lost. At four times that budget, ten of 8,691 images are lost, next to the shadow's edge, and
+//! a grid for a new position takes three fifths of the time.
 double least_star_cell_px(double budget_px);
 
-//! Whether what was found for pixels of an angle serves others [rad]: the same, or where `about` says so up to a hundredth smaller and down to half as
-//! large.
+//! Returns whether results for one pixel angle can be used for another [rad]: if they are equal or,
+//! with `about`, if the results are for a pixel between half the size and one percent larger.
 bool serves_pixel(double found_for, double pixel, bool about);
 
-//! A device's search, with the patches that are searched where it reads them.
+//! GPU search and the uploaded patches that it reads.
 struct DeviceSearch {
   PatchSearch& search;
   const PlacedPatches& patches;
 };
 
-//! Builds a lens grid that leads to the images of stars. Its nodes are traced by `tracer` if there is one. The grid of an eye
-//! that turns with the direction is that of all its cameras together: a pixel's image of a star is where its own camera sees the star.
+//! Builds a lens grid for finding star images. `tracer`, if given, traces its nodes. For an ODS
+//! eye, the grid covers all of its cameras: an image lies where the camera of its pixel sees the
+//! star.
 LensStation build_star_station(const StarEye& eye, const StarSettings& settings, GridTracer<float>* tracer = nullptr);
 
-//! Turns a lens grid round for an eye at its place: `station` and what it is for are those of find_star_images.
+//! Inverts a lens grid for an eye at its position. `station` and `settings` must be those that
+//! find_star_images gets.
 StarPatches star_patches(const StarField& field, const BlackbodyTable& colours, const StarEye& eye,
                          const LensStation& station, const StarSettings& settings, PatchRoom& room);
 inline StarPatches star_patches(const StarField& field, const BlackbodyTable& colours, const StarEye& eye,
@@ -53,17 +56,16 @@ inline StarPatches star_patches(const StarField& field, const BlackbodyTable& co
   return star_patches(field, colours, eye, station, settings, room);
 }
 
-//! Finds all images of all stars that shine with the asked illuminance.
-//!
-//! The grid that `patches` were made of, by `station` (for the eye's own place), says roughly where images are; traced rays say exactly.
-//! An image is found once, and images that merge at a caustic are capped by the size of the star's disk.
-//!
-//! `device` seeks the rough ones, where there is one.
+//! Finds all images of all stars whose illuminance is at least `settings.faintest`.
+//! The grid of `station` (at the eye's position), of which `patches` were made, gives approximate
+//! positions; traced rays give exact ones. Each image is found once. Where images merge at a
+//! caustic, their brightness is limited by the size of the star's disk.
+//! `device`, if given, finds the approximate images on a GPU.
 std::vector<StarImage> find_star_images(const StarField& field, const BlackbodyTable& colours, const StarEye& eye,
                                         const LensStation& station, const StarPatches& patches,
                                         const StarSettings& settings, const DeviceSearch* device = nullptr);
 
-//! The same, where pictures are made.
+//! Does the same, but leaves the images in GPU memory.
 PlacedImages find_star_images_in_place(const StarField& field, const BlackbodyTable& colours, const StarEye& eye,
                                        const LensStation& station, const StarPatches& patches,
                                        const StarSettings& settings, const DeviceSearch& device, ImageJoiner& joiner);

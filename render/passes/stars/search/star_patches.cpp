@@ -15,27 +15,28 @@ namespace ergodome {
 
 namespace {
 
-//! Halvings of a leaf at the most, for regular patches; next to a critical curve no patch is regular.
+//! Maximum number of halvings of a leaf. Next to a critical curve no patch is regular.
 constexpr int deepest_patch = 12;
-//! Stars that a patch which is not regular may have to try before it is halved: what may be folded is searched by halving, at each
-//! picture, and dearer than what is inverted.
+//! Number of candidate stars above which a patch that is not regular is halved. Possibly folded
+//! patches are searched by halving, in each picture, which costs more than inversion.
 constexpr double few_stars = 12.0;
 constexpr double few_stars_folded = 4.0;
-//! Halvings in search of images that stand for those that a patch was spared.
+//! Base number of halvings of the image search; patches that were halved less often get more.
 constexpr int search_halvings = 8;
 constexpr int leaves_a_chunk = 16;
-//! cos of the widest cone of a patch: wide ones would hold stars that they do not see.
+//! cos of the widest cone of a patch: wider ones would include stars that they do not see.
 constexpr double widest_cosine = 0.94;
-//! Next to a critical curve images are as bright as one likes, but seldom: M-fold in a patch of solid angle w on the camera's sky are
-//! those of w / M of the sky at the most. What less of the sky than this would show is not looked for.
+//! Next to a critical curve images may be arbitrarily bright, but rarely: magnification by M in a
+//! patch of solid angle w on the camera's sky affects at most w / M of the star sky. Magnifications
+//! of smaller parts of the sky than this are neglected [sr].
 constexpr float neglected_sky = 1e-8F;
 
-//! How a patch lies on the sky.
+//! Extent of a patch on the sky.
 enum class Extent {
-  none,   //!< it is no part of the sky (nodes without light)
-  half,   //!< it may span half of it
-  wide,   //!< it has an axis
-  narrow  //!< and is so small that planes do for the sky
+  none,   //!< not a part of the sky (nodes without light)
+  half,   //!< may span half of the sky
+  wide,   //!< has an axis
+  narrow  //!< narrow enough for planar bounds
 };
 
 //! Finds the axis of a patch.
@@ -55,15 +56,17 @@ Extent extent_of(const BezierPatch& patch, Vector3<double>& axis) {
   return cosine > widest_cosine ? Extent::narrow : cosine > 0.1 ? Extent::wide : Extent::half;
 }
 
-//! What a patch does to solid angles.
+//! Effect of a patch on solid angles.
 struct Stretching {
-  bool folded;          //!< turned over in parts
-  float magnification;  //!< greatest ratio of the camera's to the sky's; where folded, but for a part of the sky
+  bool folded;  //!< partly mirrored
+  float
+      magnification;  //!< largest ratio of camera to sky solid angle; if folded, excluding a negligible part of the sky
 };
 
-//! Near a critical curve the sky's solid angle shrinks to nothing, steadily. Images are brighter than M-fold where its rate is below
-//! camera rate / M, which is a strip of the chart whose width goes with 1 / M, and a part of the sky that goes with 1 / M²: this is the
-//! M beyond which that part is neglected.
+//! Returns the magnification M beyond which images in a folded patch are neglected. Near a critical
+//! curve the sky's solid angle per chart area goes linearly through zero. Images brighter than
+//! M-fold lie where it is below camera_rate / M: a strip of the chart with a width proportional to
+//! 1 / M, and a part of the sky proportional to 1 / M².
 float folded_magnification(float camera_rate, float sky_range, float chart_area) {
   constexpr float margin = 2.0F;
   return margin * camera_rate * std::sqrt(chart_area / (std::max(sky_range, 1e-30F) * neglected_sky));
@@ -72,9 +75,10 @@ float folded_magnification(float camera_rate, float sky_range, float chart_area)
 Stretching stretching_of(const PatchMeasures& measures, const StarPatch& patch) {
   constexpr float most_between_samples = 2.0F;
   const float sky_range = measures.highest_sky - measures.lowest_sky;
-  // A fold may hide between samples.
+  // The margin accounts for folds between samples.
   if (measures.lowest_sky > 0.05F * sky_range || measures.highest_sky < -0.05F * sky_range) {
-    // Samples lie a quarter of the patch apart: half of that on, what changes steadily is off by the eighth root of what it changes by.
+    // Samples are a quarter of the patch apart, so no point is farther than an eighth from one. A
+    // steadily changing quantity changes by the eighth root of its total ratio on that way.
     const float low = std::min(std::abs(measures.lowest_sky), std::abs(measures.highest_sky));
     const float high = std::max(std::abs(measures.lowest_sky), std::abs(measures.highest_sky));
     const float between_samples = std::min(std::sqrt(std::sqrt(std::sqrt(high / low))), most_between_samples);
@@ -83,9 +87,10 @@ Stretching stretching_of(const PatchMeasures& measures, const StarPatch& patch) 
   return {true, folded_magnification(measures.greatest_camera, sky_range, patch.width_turns * patch.height)};
 }
 
-//! What an image may be brighter than the grid makes it out to be: what the grid's error says, and no more than grids were found to be off
-//! by, which in regular patches is mostly 1 %, seldom 30 %, and next to the shadow's edge, where patches are bent and images faint, many
-//! times.
+//! Returns the factor by which an image may be brighter than in the grid. Uses the bound by the
+//! grid's error, limited to the largest errors that were found: in regular patches mostly 1 %,
+//! rarely 30 %; next to the shadow's edge, where patches are bent and images faint, factors of
+//! several.
 float most_brighter(float by_error, PatchShape shape) {
   constexpr float least_bent = 2.0F;
   constexpr float most_regular = 1.35F;
@@ -95,14 +100,14 @@ float most_brighter(float by_error, PatchShape shape) {
       return std::min(by_error, most_regular);
     case PatchShape::bent:
       return std::clamp(by_error, least_bent, most);
-    // Folds are sought within the grid's error of where it has them.
+    // Folds are sought within the grid's error around their positions in it.
     case PatchShape::folded:
       break;
   }
   return most;
 }
 
-//! The axis along which a patch is longer on the sky.
+//! Returns the axis along which a patch is longer on the sky.
 int longer_axis(const BezierPatch& patch) {
   const auto distance = [&](int i, int j) {
     const Vector3<double> d = control_point(patch, i) - control_point(patch, j);
@@ -148,7 +153,7 @@ StarPatches::StarPatches(const LensStation& station, const StarField& field, con
   join(room);
 }
 
-//! All parts' patches, in their order.
+//! Concatenates the patches of all parts, in order.
 void StarPatches::join(PatchRoom& room) {
   const std::vector<std::vector<StarPatch>>& parts = room.parts;
   std::vector<std::size_t> first(parts.size() + 1, 0);
@@ -156,7 +161,7 @@ void StarPatches::join(PatchRoom& room) {
                                 [](const std::vector<StarPatch>& part) { return part.size(); });
   patches_ = std::move(room.patches);
   if (patches_.capacity() < first.back()) {
-    // What lies in it is of no use.
+    // Its contents are not needed.
     patches_ = {};
   }
   patches_.resize(first.back());
@@ -168,20 +173,23 @@ void StarPatches::join(PatchRoom& room) {
   });
 }
 
-//! What a leaf's errors at its check points say of the images in it. `error_px`: of its patch.
+//! Derives the accuracy of images in a leaf from the errors at its checks. `error_px`: error of its
+//! patch.
 void StarPatches::tell_error(float error_px, StarPatch& patch) const {
-  // A cubic that is off by e over a side h has a slope that is off by e √3 384 / (216 h). To first order an image's magnification is off
-  // by how much γ is along itself and s is along itself, together.
+  // A cubic with error e on a side of length h has a slope error of e √3 384 / (216 h). To first
+  // order, the relative error of the magnification is the sum of the slope errors of γ along γ and
+  // of s along s.
   constexpr float slope_error = 3.1F;
-  // Mended, it is off by a quintic first, (t (1 - t))² (t - 1/2), whose slope is so many times what it is at the inner checks.
+  // After the correction, the leading error is a quintic, (t (1 - t))² (t - 1/2), whose slope is
+  // this multiple of its value at the inner checks.
   constexpr float mended_slope_error = 7.1F;
   constexpr float exact_magnification = 6e-3F;
   constexpr float between_checks = 3.0F;
-  // Beyond this first order does not mend it.
+  // The first-order correction is not valid beyond this error.
   constexpr float most_mended = 0.03F;
   const LeafErrors errors = mended_.errors(patch.leaf);
   const float magnification_error = slope_error * errors.told;
-  // Nodes are traced in float.
+  // Nodes are traced in single precision.
   const auto rounding = static_cast<float>(edge_rounding / edge_distance(chart_, static_cast<double>(patch.s)));
   patch.brighter = 1.0F + between_checks * (magnification_error + rounding);
   const float left_px = error_px * std::min(errors.left / std::max(errors.told, 1e-30F), 1.0F);
@@ -215,7 +223,7 @@ void StarPatches::add_patch(const Wanted& wanted, const StarPatch& patch, int de
     const SkyFrustum frustum = frustum_of(own.sky, own.frame, static_cast<double>(own.error));
     own.light = wanted.light.light_in(measures.brightening, measures.frequency_ratio);
     own.seen = measures.seen;
-    // Chords are shorter than angles, and sides may bulge between the places that were asked.
+    // Chords are shorter than angles, and sides may bulge between the sampled positions.
     own.seen_radius = 1.6F * measures.seen_radius;
     own.most_camera = 1.1F * measures.greatest_camera * own.width_turns * own.height;
     own.brighter = most_brighter(patch.brighter, own.shape);

@@ -12,7 +12,7 @@
 
 namespace ergodome {
 
-//! What the search for images asks about an observer and his stars.
+//! Observer and stellar light, as needed to search patches for images.
 class ImageLight {
  public:
   ImageLight() = default;
@@ -20,36 +20,38 @@ class ImageLight {
   ImageLight(const ImageLight&) = delete;
   ImageLight& operator=(const ImageLight&) = delete;
 
-  //! The observer's frame, and the energy at infinity of light from rain-frame directions.
+  //! Returns the aberration from the rain frame to the observer's frame, and the energy at infinity
+  //! as a function of the direction in the rain frame.
   [[nodiscard]] virtual AberrationOf<float> observer() const = 0;
   [[nodiscard]] virtual DirectionForm<float> energy() const = 0;
 
-  //! What light becomes in a patch where the observer's solid angles are at the most `brightening` times the rain frame's, and g is at the
-  //! most `frequency_ratio`.
+  //! Returns bounds of the light in a patch in which the observer's solid angles are at most
+  //! `brightening` times those of the rain frame, and g is at most `frequency_ratio`.
   [[nodiscard]] virtual PatchLight light_in(float brightening, float frequency_ratio) const = 0;
 };
 
-//! How exact a grid is that is turned round.
+//! Accuracy of a grid to be inverted.
 struct GridExactness {
-  double pixel;       //!< of the screen that its errors are told for [rad]
+  double pixel;       //!< pixel in which the grid's errors are given [rad]
   double fold_error;  //!< next to critical curves, on the camera's sky [rad]
 };
 
-//! Memory for patches, kept from one place to the next: a camera that moves makes them for each picture, and to have the system clear it each time takes a
-//! third as long as to make them.
+//! Memory of patches that is reused at the next position. A moving camera computes patches for each
+//! picture; letting the system clear new memory would add a third to the time.
 struct PatchRoom {
-  std::vector<std::vector<StarPatch>> parts;  //!< of leaves that one thread takes
-  std::vector<StarPatch> patches;             //!< of a place that is left
+  std::vector<std::vector<StarPatch>> parts;  //!< for the leaves of one thread each
+  std::vector<StarPatch> patches;             //!< memory of a discarded set
 };
 
-//! Where the mended grid is nearer than this to the sky, images are where it has them [px].
+//! If the error of the corrected grid is below this, images need no rays [px].
 inline constexpr float exact_grid_px = 0.008F;
 
-//! A lens grid turned round: from places on the sky to places in the chart.
+//! An inverted lens grid: maps positions on the sky to positions in the chart.
 class StarPatches {
  public:
-  //! For images of at least `faintest` lx: the more stars may have some, the finer. Where `station` was not built to be
-  //! inverted (GridSettings), all of them need rays. They take the memory of the patches in `room`.
+  //! Computes patches for images of at least `faintest` lx. The more stars may have such images,
+  //! the finer the patches. If `station` was not built to be inverted (GridSettings), all images
+  //! need rays. Takes over the memory of the patches in `room`.
   StarPatches(const LensStation& station, const StarField& field, const ImageLight& light, float faintest,
               const GridExactness& exactness, PatchRoom& room);
   StarPatches(StarPatches&&) = default;
@@ -57,25 +59,25 @@ class StarPatches {
 
   [[nodiscard]] const std::vector<StarPatch>& patches() const { return patches_; }
 
-  //! Their memory, for those of another place.
+  //! Releases the memory for the patches of another position.
   [[nodiscard]] std::vector<StarPatch> given_up() && { return std::move(patches_); }
 
-  //! Whether the grid is half of a sky that is its own mirror image.
+  //! Returns whether the grid covers half of a sky that is mirror symmetric.
   [[nodiscard]] bool mirrored() const { return mirrored_; }
 
-  //! Illuminance below which images are left out [lx].
+  //! Illuminance below which images are omitted [lx].
   [[nodiscard]] float faintest() const { return faintest_; }
 
-  //! Moves images to where rays have them.
+  //! Returns the corrected grid, which moves images to the positions that rays have.
   [[nodiscard]] const MendedGrid& mended() const { return mended_; }
 
-  //! Which stars may have images in a patch that are bright enough.
+  //! Returns the brightness threshold of stars that may have images in a patch.
   [[nodiscard]] StarFloor floor_of(const StarPatch& patch) const {
     return {faintest_ / (patch.light.brighter * patch.magnification), patch.light.shift_row};
   }
 
  private:
-  //! What making patches asks for.
+  //! Inputs that decide how far patches are divided.
   struct Wanted {
     const StarField& field;
     const ImageLight& light;
@@ -87,7 +89,7 @@ class StarPatches {
   void tell_error(float error_px, StarPatch& patch) const;
 
   MendedGrid mended_;
-  std::vector<float> edge_;  //!< of the chart
+  std::vector<float> edge_;  //!< of the shadow in the chart
   LensChart chart_;
   bool mirrored_;
   float faintest_;

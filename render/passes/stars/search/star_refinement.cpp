@@ -16,7 +16,7 @@ namespace {
 
 std::size_t number_of(RayKind kind) { return static_cast<std::size_t>(kind); }
 
-//! Throws Error where rays have led to something that is no number.
+//! Throws Error if a candidate has a non-finite value.
 void check_candidates(const std::vector<StarCandidate>& candidates) {
   for (const StarCandidate& c : candidates) {
     const std::array numbers = {c.direction.x, c.direction.y,     c.direction.z, c.solid_angle,

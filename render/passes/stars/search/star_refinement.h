@@ -6,10 +6,10 @@
 
 namespace ergodome {
 
-//! Follows images to where rays have them: in float, and in double next to caustics. An image is found when its `miss` is at most
-//! image_tolerance_px pixels. What turns out too faint on the way is left.
-//!
-//! What becomes of a candidate hangs on no other, nor on threads.
+//! Refines images by ray tracing, in single precision and next to caustics in double. An image is
+//! found if its final `miss` is at most image_tolerance_px pixels. Candidates that turn out to be
+//! too faint are dropped.
+//! The result of a candidate depends neither on the others nor on the threads.
 void refine_images(std::vector<StarCandidate>& candidates, const ImageSearch& search);
 
 }  // namespace ergodome

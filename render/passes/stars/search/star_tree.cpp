@@ -7,7 +7,7 @@ namespace ergodome {
 
 namespace {
 
-//! Stars as the tree's library asks for them.
+//! Stars in the interface that the kd-tree library expects.
 struct StarPoints {
   std::vector<Vector3<double>> directions;
 

@@ -7,7 +7,7 @@
 
 namespace ergodome {
 
-//! A kd-tree over the stars' places on the sky.
+//! A kd-tree of the stars' directions.
 class StarTree {
  public:
   explicit StarTree(const StarField& field);
@@ -15,8 +15,8 @@ class StarTree {
   StarTree(StarTree&& other) noexcept;
   StarTree& operator=(StarTree&& other) noexcept;
 
-  //! Puts the numbers of the stars nearer to `middle` (unit vector) than `chord` (the straight distance between unit vectors) into
-  //! `found`, in rising order.
+  //! Writes the indices of the stars within `chord` (the straight distance between unit vectors) of
+  //! the unit vector `middle` to `found`, in ascending order.
   void search(const Vector3<double>& middle, double chord, std::vector<int>& found) const;
 
  private:

@@ -13,9 +13,9 @@ namespace ergodome {
 
 namespace {
 
-//! Numbers of images by star, for each in their order.
+//! Returns the image indices sorted by star, stable within each star.
 std::vector<std::uint32_t> by_star(const std::vector<SeenImage>& found, std::size_t stars) {
-  // Sorting by counting: where each star's images begin, those that are none before all.
+  // Counting sort: start of each star's images, with unused entries before all others.
   std::vector<std::uint32_t> place(stars + 2, 0);
   for (const SeenImage& each : found) {
     place[static_cast<std::size_t>(each.image.star) + 2U] += 1;
@@ -36,7 +36,7 @@ void sort_by_place(const std::vector<SeenImage>& found, std::span<std::uint32_t>
                     [&](std::uint32_t a, std::uint32_t b) { return comes_before(found[a].image, found[b].image); });
 }
 
-//! Adds the images of a star, each once.
+//! Appends each image of a star once.
 void add_without_twins(const std::vector<SeenImage>& found, std::span<const std::uint32_t> of_star, double pixel,
                        std::vector<StarImage>& images) {
   std::vector<const SeenImage*> taken;
@@ -56,7 +56,8 @@ double capped_solid_angle(const StarCandidate& c) {
 }
 
 SeenImage seen_image(const StarImage& image, const StarCandidate& candidate) {
-  // Next to a caustic an image is an arc, whose middle needs no better place than that.
+  // Next to a caustic an image is an arc; the position of its middle needs no higher accuracy than
+  // the arc's length.
   const double smaller = std::max(singular_values(candidate).smaller_square, 1e-30);
   const double arc = std::min(candidate.radius / std::sqrt(smaller), static_cast<double>(longest_arc));
   return {image, static_cast<float>(arc), capped_solid_angle(candidate) > std::abs(candidate.solid_angle)};
@@ -71,7 +72,7 @@ std::vector<StarImage> without_twins(const std::vector<SeenImage>& found, std::s
   parallel_for(static_cast<int>(parts.size()), 1, [&](int begin, int end) {
     std::vector<std::uint32_t> of_star;
     for (auto part = static_cast<std::size_t>(begin); part < static_cast<std::size_t>(end); ++part) {
-      // A star belongs to the part that its first image lies in.
+      // A star belongs to the part that contains its first image.
       const std::size_t next_part = std::min((part + 1) * chunk, numbers.size());
       std::size_t first = part * chunk;
       while (first > 0 && first < next_part && star_at(first) == star_at(first - 1)) {
@@ -82,7 +83,7 @@ std::vector<StarImage> without_twins(const std::vector<SeenImage>& found, std::s
         while (last < numbers.size() && star_at(last) == star_at(first)) {
           ++last;
         }
-        // A copy, as the thread of the next part reads where it begins.
+        // Sorts a copy, because the thread of the next part reads the entries at its beginning.
         of_star.assign(numbers.begin() + static_cast<std::ptrdiff_t>(first),
                        numbers.begin() + static_cast<std::ptrdiff_t>(last));
         if (order == FindingOrder::of_chance) {

@@ -7,19 +7,20 @@
 
 namespace ergodome {
 
-//! Solid angle on the sky over that on the camera, no smaller than the star's disk allows: where the map is degenerate in one direction,
-//! the image is an arc whose length the disk sets.
+//! Returns the ratio of the solid angles on the sky and on the camera, bounded below by the star's
+//! disk: where the map is degenerate in one direction, the image is an arc whose length depends on
+//! the disk.
 double capped_solid_angle(const StarCandidate& candidate);
 
-//! What a candidate has become.
+//! Combines an image with the properties of its candidate that are needed to identify duplicates.
 SeenImage seen_image(const StarImage& image, const StarCandidate& candidate);
 
-//! In which order images were found.
+//! Order in which images were found.
 enum class FindingOrder { of_patches, of_chance };
 
-//! The images there are, star by star, each once: neighbouring patches find those on their border twice, and the first of both is
-//! taken; where chance ordered them, that which is first by its place. Stars are numbered below `stars`, that of an image which is none is -1.
-//! `pixel`: angle of a pixel [rad].
+//! Returns each image once, ordered by star. Neighboring patches both find images on their border;
+//! the first one is kept, or in nondeterministic order the one with the first position. Star
+//! indices are below `stars`, or -1 for unused entries. `pixel`: angle of a pixel [rad].
 std::vector<StarImage> without_twins(const std::vector<SeenImage>& found, std::size_t stars, double pixel,
                                      FindingOrder order);
 

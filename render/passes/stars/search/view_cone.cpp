@@ -10,10 +10,11 @@ namespace ergodome {
 
 namespace {
 
-//! Places that are asked along the outline of a picture.
+//! Number of samples along the outline of a picture.
 constexpr int outline_places = 256;
 
-//! A place on the outline of what a picture shows: the rim of a fisheye, the sides of others.
+//! Returns a direction on the outline of a picture: the rim of a fisheye, or the edges of other
+//! pictures.
 Vector3<double> outline_direction(const Projection& projection, int i) {
   const double x = 0.5 * projection.width_px;
   const double y = 0.5 * projection.height_px;
@@ -24,7 +25,7 @@ Vector3<double> outline_direction(const Projection& projection, int i) {
     right *= projection.dome.lens.rim;
     down *= projection.dome.lens.rim;
   } else {
-    // Out to the square's sides: corners are among the places.
+    // Extends to the edges of the square; the samples include the corners.
     const double out = 1.0 / std::max(std::abs(right), std::abs(down));
     right *= out;
     down *= out;
@@ -39,7 +40,7 @@ bool is_shown(const Projection& projection, const Vector3<double>& view) {
          y_px >= 0.0 && y_px <= projection.height_px && image_coverage(projection, x_px, y_px) > 0.0;
 }
 
-//! The largest angle between a picture's middle and what it shows.
+//! Returns the largest angle between a picture's center and what it shows.
 double widest_angle(const Projection& projection, const Vector3<double>& middle) {
   if (projection.kind == ProjectionKind::dome_fisheye && projection.dome.off_centre == 0) {
     return projection.dome.lens.half_angle;

@@ -5,23 +5,24 @@
 
 namespace ergodome {
 
-//! What of a camera's sky is asked for: a cone in the observer's frame, with a unit vector for its axis.
+//! A view as a cone in the observer's frame, with a unit vector as its axis.
 struct ViewCone {
   Vector3<double> axis = {1.0, 0.0, 0.0};
   double half_angle = 3.14159265358979323846;  //!< [rad]
-  double cosine = -1.0;                        //!< of that
+  double cosine = -1.0;                        //!< cosine of half_angle
 };
 
-//! The cone that holds a picture, and `margin` [rad] more.
+//! Returns the cone that contains a picture, enlarged by `margin` [rad].
 ViewCone view_cone(const EyeCamera& eye, const Projection& projection, double margin);
 
-//! The same about a wider angle, by `margin` [rad].
+//! Returns the view enlarged by `margin` [rad].
 ViewCone widened(const ViewCone& view, double margin);
 
-//! Whether all that is seen in one is seen in another, to a millionth of a radian.
+//! Returns whether the outer view contains the inner one, within 1e-6 rad.
 bool holds(const ViewCone& outer, const ViewCone& inner);
 
-//! Whether a cone about `axis` (unit vector) of half angle `radius` [rad] may share directions with the view.
+//! Returns whether the cone around `axis` (unit vector) with half angle `radius` [rad] may overlap
+//! the view.
 bool may_touch(const ViewCone& view, const Vector3<double>& axis, double radius);
 
 }  // namespace ergodome
