@@ -18,7 +18,7 @@ constexpr int layer_step_limit = 100;
 
 LayerLimits<double> layer_limits(double spin, double inner_r, double outer_r) {
   const double horizon = horizon_radius(spin);
-  // Light turns no nearer than the photon orbit that runs with the hole.
+  // Light turns no closer to the hole than the prograde photon orbit.
   const double turning = photon_orbit_radius(std::abs(spin), 1.0);
   const double near_r =
       horizon + std::max(std::min(0.25 * (inner_r - horizon), 0.5 * (turning - horizon)), 1e-3 * horizon);

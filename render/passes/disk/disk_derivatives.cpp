@@ -13,10 +13,10 @@ namespace ergodome {
 namespace {
 
 constexpr double longest_disk_step = 0.01;
-//! Below this differences of floats say nothing [rad].
+//! With smaller steps, differences of floats are dominated by rounding [rad].
 constexpr double shortest_disk_step = 1e-4;
 
-//! Where a grid's nodes lie in its chart.
+//! Positions of a grid's nodes in its chart.
 struct DiskNodePlaces {
   std::vector<float> gamma_turns;
   std::vector<float> s;
@@ -34,7 +34,7 @@ DiskNodePlaces node_places(const DiskStation& station) {
   return places;
 }
 
-//! The nodes' change from one place to another a distance away, set by set.
+//! Computes the difference quotients of nodes between two camera positions, set by set.
 class DiskDifference {
  public:
   DiskDifference(const DiskStation& station, const DiskGridSettings& settings)

@@ -4,14 +4,15 @@
 
 namespace ergodome {
 
-//! Fills nodes_along_r and nodes_along_theta of a disk's grid.
-//!
-//! Central differences of nodes at their (γ, s), 1 % of the way to the horizon off, and 0.01 rad or half of the way to the plane of the disk. In the
-//! plane itself layers leap: they are told no change along θ there, nor within 2e-4 rad of it.
+//! Fills nodes_along_r and nodes_along_theta of a disk grid.
+//! Uses central differences of nodes at fixed (γ, s), with steps of 1 % of the distance to the
+//! horizon and of 0.01 rad, or half the distance to the plane of the disk if that is smaller. In
+//! the plane itself layers are discontinuous: the derivative along θ is set to zero there and
+//! within 2e-4 rad.
 void add_disk_derivatives(DiskStation& station, const DiskGridSettings& settings);
 
-//! Adds a part of a set of nodes to a sum of as many floats, for a camera that is `offset` away from a station with derivatives, to first order; of
-//! one without, as they are.
+//! Adds `part` times a set of nodes to `sum`, moved to first order to a camera at `offset` from a
+//! station with derivatives. Nodes of a station without derivatives are added unchanged.
 void add_moved_nodes(const DiskStation& station, const LensPlace& offset, int set, float part, std::vector<float>& sum);
 
 }  // namespace ergodome

@@ -16,25 +16,25 @@ namespace {
 constexpr int disk_columns = 16;
 constexpr int disk_rows = 16;
 constexpr int deepest_disk_side = 10;
-//! Errors are sampled; the worst between the samples is about a quarter larger.
+//! Errors are sampled; the maximum between the samples is about a quarter larger.
 constexpr double disk_safety = 0.8;
-//! What a cubic misses by in its middle, over what it misses by at the inner checks.
+//! Error of a cubic in its middle over that at the inner checks.
 constexpr float inner_disk_share = 0.0625F / (inner_check * inner_check * (1.0F - inner_check) * (1.0F - inner_check));
-//! Cells are no wider than this in the phase of the swing through the plane [rad].
+//! Maximum width of cells in the phase of the swing through the plane [rad].
 constexpr float widest_phase = 0.6F;
 
-//! What is known of a cell.
+//! Result of checking a cell.
 struct DiskVerdict {
-  unsigned orders = 0;    //!< that may be seen in it
-  float error_px = 0.0F;  //!< the worst
+  unsigned orders = 0;    //!< bits of the orders that may be seen in it
+  float error_px = 0.0F;  //!< largest
   float across_gamma = 0.0F;
   float across_s = 0.0F;
   float area_px = 0.0F;
-  bool unseen = false;  //!< an image may be seen of which checks know nothing
-  bool steep = false;   //!< in the phase
+  bool unseen = false;  //!< an image may be seen that the checks miss
+  bool steep = false;   //!< the phase varies too much
 };
 
-//! Builds a station level by level, so that the rays of a level are traced as one batch.
+//! Builds a station level by level, so that all rays of a level are traced in one batch.
 class DiskGridBuilder {
  public:
   DiskGridBuilder(DiskStation& station, const DiskGridSettings& settings, DiskGridTracer& tracer,
@@ -74,7 +74,8 @@ class DiskGridBuilder {
     grid_.statistics().traced_checks += static_cast<long>(checks_a_cell * open.size());
   }
 
-  //! Whether an order's image of the disk may be seen in a cell: between what is known of 1/r there, and a pixel and a part of that beyond.
+  //! Returns whether the disk's image of an order may be seen in a cell: the sampled range of 1/r,
+  //! extended by a pixel and a fraction of the range, overlaps the disk.
   [[nodiscard]] bool may_show(const OpenCell& cell, std::size_t number, int order) const {
     const float* const u = tracer_.u(order) + checks_a_cell * number;
     const float* const width = tracer_.width(order) + checks_a_cell * number;
@@ -89,14 +90,15 @@ class DiskGridBuilder {
            high + margin > static_cast<float>(1.0 / settings_.outer_r);
   }
 
-  //! Whether a check inside a cell lies where the grid is held to be good: those on its sides say little of it.
+  //! Returns whether a check inside a cell lies within the bounds in which the grid must be
+  //! accurate. Checks on the sides say little about the inside.
   [[nodiscard]] bool is_checked(std::size_t number, int order) const {
     const float* const u = tracer_.u(order) + checks_a_cell * number;
     const auto within = [&](float at) { return at > bounds_.low && at < bounds_.high; };
     return within(u[0]) || within(u[checks_a_cell - 1]);
   }
 
-  //! Has a cell split along the side on which 1/r changes more.
+  //! Selects the split along the side on which 1/r changes more.
   void split_by_corners(const OpenCell& cell, DiskVerdict& verdict) const {
     verdict.across_gamma = 0.0F;
     verdict.across_s = 0.0F;
@@ -127,7 +129,8 @@ class DiskGridBuilder {
         verdict.unseen = verdict.unseen || !is_checked(number, order);
       }
     }
-    // Where the middles of the sides do not say which of them are too long, the corners do.
+    // If the checks at the midpoints of the sides do not show which sides are too long, the corners
+    // decide.
     if (verdict.unseen || std::max(verdict.across_gamma, verdict.across_s) < 0.5F * verdict.error_px) {
       split_by_corners(cell, verdict);
     }
@@ -135,7 +138,7 @@ class DiskGridBuilder {
     return verdict;
   }
 
-  //! What checks may not see: that light starts on both sides of the plane.
+  //! Detects a case that checks may miss: rays that start on both sides of the plane.
   void judge_phase(const OpenCell& cell, DiskVerdict& verdict) const {
     const auto at = [&](std::size_t corner) { return phases_[static_cast<std::size_t>(cell.corners[corner])]; };
     const auto apart = [&](std::size_t a, std::size_t b) { return std::abs(at(a).phase - at(b).phase); };
@@ -149,7 +152,7 @@ class DiskGridBuilder {
     }
   }
 
-  //! Makes leaves of what is good or cannot be made good, and splits the rest.
+  //! Makes leaves of cells that are accurate enough or cannot be improved, and splits the others.
   std::vector<OpenCell> decide(const std::vector<OpenCell>& open) {
     const auto limit = static_cast<float>(disk_safety * settings_.budget_px);
     const bool full = tracer_.node_count() >= settings_.most_nodes;
@@ -172,7 +175,7 @@ class DiskGridBuilder {
 
   void make_leaf(const OpenCell& cell, const DiskVerdict& verdict, bool flagged) {
     grid_.make_leaf(cell, verdict.orders != 0 ? verdict.error_px : 0.0F, flagged, verdict.area_px);
-    // A phase that is too steep may hide images from the checks.
+    // If the phase varies too much, the checks may have missed images.
     station_.orders.push_back(static_cast<unsigned char>(flagged ? (1U << layer_orders) - 1U : verdict.orders));
   }
 

@@ -7,12 +7,15 @@
 
 namespace ergodome {
 
-//! Builds the grid of a disk for a camera at Boyer-Lindquist (r, θ) [M, rad], outside the horizon. The disk must have an outside.
-//!
-//! Cells in which an image of the disk may be seen are split where traced rays in their middles and the middles of their sides miss the patch by
-//! more than 0.8 of the budget, along the axis that misses more, and where light starts both far above and far below the plane as seen from it: a camera
-//! near the plane sees the disk as a line. What stays bad at the depth limit or at `least_area_px` is flagged: its pixels are to be traced. A
-//! camera on the equator gets half a grid, mirrored on reading. Rays are in float, as those of pixels are.
+//! Builds the grid of a disk for a camera at Boyer-Lindquist (r, θ) [M, rad], outside the horizon.
+//! The disk must have an outer edge.
+//! Splits cells that may show an image of the disk if traced rays in their middles or at the
+//! midpoints of their sides miss the patch by more than 0.8 of the budget, along the axis with the
+//! larger error. Also splits cells whose rays start both far above and far below the plane: a
+//! camera near the plane sees the disk as a line. Cells that are still inaccurate at the depth
+//! limit or at `least_area_px` are flagged, so that their pixels are traced. A camera on the
+//! equator gets half a grid, which is mirrored when read. Rays are single precision, like those of
+//! pixels.
 DiskStation build_disk_station(double spin, double r, double theta, const DiskGridSettings& settings,
                                GridStatistics* statistics = nullptr, DiskGridTracer* tracer = nullptr);
 

@@ -5,8 +5,9 @@
 
 namespace ergodome {
 
-//! What a disk's grid (its arrays on the host) misses by on the screen at a place, by traced rays at the samples in the chart of disks: bounds for all
-//! but a part of what shows the disk, by solid angle [px]. `settings`: for whose screen, and what disk.
+//! Measures the error of a disk grid (in host memory) on the screen at a camera position, against
+//! traced rays at samples in the disk chart. Returns bounds for quantiles of the solid angle that
+//! shows the disk [px]. `settings` describe the screen and the disk.
 ScreenError measure_disk_error(const DiskGrid& grid, double spin, const LensPlace& place,
                                const DiskGridSettings& settings, const ChartSamples& samples);
 

@@ -6,7 +6,7 @@ namespace {
 
 constexpr const char* disk_grid_in_the_making = "disk grid being traced";
 
-//! Makes room for `count` elements; what was there may be lost.
+//! Ensures a capacity of `count` elements; existing contents may be lost.
 template <class T>
 void make_disk_room(Buffer<T>& buffer, std::size_t count) {
   if (buffer.size() < count) {

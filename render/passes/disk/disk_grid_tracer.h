@@ -7,11 +7,13 @@
 
 namespace ergodome {
 
-//! Traces the rays of a disk's grid in the making, on the processor. It serves one grid after the other and keeps its memory from each to the next.
+//! Traces the rays of disk grids while they are built, on the CPU. Serves one grid after another
+//! and reuses its memory.
 class DiskGridTracer {
  public:
-  //! Begins a grid without nodes; the camera's edge table has to outlive its making. `pixel`: angle of a pixel on the observer's screen [rad].
-  //! `nearness`: nodes have DiskGrid::nearness, too.
+  //! Begins a grid without nodes. The camera's edge table must stay valid until the grid is
+  //! complete. `pixel`: angle of a pixel on the observer's screen [rad]. `nearness`: also computes
+  //! DiskGrid::nearness.
   void begin(const DiskGridCamera& camera, const AberrationOf<float>& observer, double pixel,
              const DiskSpanOnScreen& span, bool nearness = false);
 
@@ -21,19 +23,19 @@ class DiskGridTracer {
   [[nodiscard]] int node_count() const { return node_count_; }
   [[nodiscard]] int sets() const { return camera_.pattern ? layer_orders : 1; }
 
-  //! A set of the nodes so far, floats_a_node each.
+  //! Returns a set of the nodes so far, floats_a_node each.
   [[nodiscard]] std::vector<float> nodes(int set) const { return copied(nodes_[set]); }
 
-  //! The nearness of the nodes so far; empty where it was not asked for.
+  //! Returns the nearness of the nodes so far; empty if it is not computed.
   [[nodiscard]] std::vector<float> nearness() const { return has_nearness_ ? copied(nearness_) : std::vector<float>(); }
 
-  //! 1/r of an order at a node.
+  //! Returns 1/r of an order at a node.
   [[nodiscard]] float u_at(int order, int node) const;
 
-  //! Checks cells between the nodes so far.
+  //! Traces the checks of cells between the nodes so far.
   void check(const std::vector<GridCell>& cells);
 
-  //! What that has found, checks_a_cell values a cell; see DiskCheckBatch.
+  //! Results of the last check(), checks_a_cell values per cell; see DiskCheckBatch.
   [[nodiscard]] const float* error_px() const { return error_px_.data(); }
   [[nodiscard]] const float* area_px() const { return area_px_.data(); }
   [[nodiscard]] const float* u(int order) const { return u_[order].data(); }

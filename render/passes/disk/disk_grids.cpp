@@ -10,7 +10,7 @@ namespace ergodome {
 
 namespace {
 
-//! Both eyes, and both of the moment before.
+//! Two eyes, each at the current and the previous position.
 constexpr std::size_t kept_disk_grids = 4;
 constexpr const char* disk_grid_buffer = "disk grid";
 
@@ -66,7 +66,8 @@ DiskGridSettings disk_grid_settings(const EyeCamera& eye, const DiskLook& disk, 
 
 bool DiskGrids::serves(const Grid& grid, const DiskGridRequest& request) {
   const EyeCamera& eye = request.eye;
-  // A grid serves any motion, but was refined where its own observer looks closely: the motion may differ, not much.
+  // A grid works for any motion, but is refined for the observer that it was built for, so the
+  // motion may differ only slightly.
   const Vector3<double> turn = grid.velocity - eye.velocity;
   return grid.spin == eye.spin && same_place({grid.r, grid.theta}, {eye.r, eye.theta}) &&
          serves_disk(grid.inner_r, grid.outer_r, grid.pattern, request.disk) &&

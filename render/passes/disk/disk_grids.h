@@ -11,12 +11,12 @@
 
 namespace ergodome {
 
-//! A disk's grid where kernels can read it.
+//! A disk grid in memory that kernels can read.
 class DiskGridBuffers {
  public:
   explicit DiskGridBuffers(const DiskStation& station);
 
-  //! The grid; it points into this object.
+  //! Returns the grid; it points into this object.
   [[nodiscard]] DiskGrid view() const;
 
  private:
@@ -29,29 +29,30 @@ class DiskGridBuffers {
   Buffer<unsigned char> orders_;
 };
 
-//! What a picture wants of a disk's grid.
+//! Requirements of a picture for a disk grid.
 struct DiskGridRequest {
   const EyeCamera& eye;
   const DiskLook& disk;
   double pixel;           //!< angle of a pixel on the screen [rad]
-  double budget_px;       //!< greatest displacement on the screen
-  double pixels;          //!< of the picture
-  bool asked;             //!< for a grid, however small the picture
-  bool nearness = false;  //!< with DiskGrid::nearness
+  double budget_px;       //!< maximum displacement on the screen [px]
+  double pixels;          //!< number of pixels of the picture
+  bool asked;             //!< use a grid even for small pictures
+  bool nearness = false;  //!< include DiskGrid::nearness
 };
 
-//! Makes the grids that pictures of a disk are drawn from, and keeps the last ones: a camera that turns, changes its motion or goes round the hole's
-//! axis needs no new one.
+//! Builds and caches disk grids for pictures. A camera that rotates or moves around the spin axis
+//! reuses its grid, as does one whose motion changes slightly.
 class DiskGrids {
  public:
-  //! The grid of a picture, kept here; nothing where rays are cheaper: in small pictures, and at places where most of a grid would be left to rays.
+  //! Returns the grid for a picture, owned by this object. Returns nothing if rays are cheaper: for
+  //! small pictures, and for positions where most of the grid would be left to rays.
   std::optional<DiskGrid> grid_for(const DiskGridRequest& request);
 
   //! Number of grids built so far.
   [[nodiscard]] int built() const { return built_; }
 
  private:
-  //! What a grid was built for.
+  //! A grid with the parameters that it was built for.
   struct Grid {
     double spin;
     double r;
@@ -59,11 +60,11 @@ class DiskGrids {
     double inner_r;
     double outer_r;
     bool pattern;
-    double error;  //!< budget in radians
+    double error;  //!< pixel budget times pixel angle [rad]
     ObserverMotion motion;
     Vector3<double> velocity;
     bool nearness;
-    double traced_px;  //!< pixels that it leaves to rays
+    double traced_px;  //!< number of pixels that it leaves to rays
     DiskGridBuffers buffers;
   };
 
@@ -71,33 +72,35 @@ class DiskGrids {
   Grid make(const DiskGridRequest& request);
 
   DiskGridTracer tracer_;
-  std::list<Grid> grids_;  //!< the latest first
+  std::list<Grid> grids_;  //!< most recent first
   int built_ = 0;
 };
 
-//! Below this many pixels a disk's grid that has to be made first is not worth its while, with a pattern or without; compare disk_picture/rays
-//! and disk_picture/live_grid in tests/bench.
+//! Minimum number of pixels for which building a disk grid pays off, with or without a pattern;
+//! compare disk_picture/rays and disk_picture/live_grid in tests/bench.
 inline constexpr double least_disk_grid_pixels = 130'000.0;
 
-//! Whether a picture's disk is cheaper by a grid that has to be made first. On a GPU a ray a pixel is cheap.
+//! Returns whether building a disk grid for a picture is cheaper than tracing its pixels. On a GPU,
+//! tracing is cheap.
 inline bool is_worth_a_disk_grid(Backend backend, double pixels) {
   return backend == Backend::cpu && pixels >= least_disk_grid_pixels;
 }
 
-//! Whether a disk that stands alone may be read from a grid, where that is worth its while: rays that are asked for are traced, and the published grid
-//! has no disk.
+//! Returns whether a disk without shells may be read from a grid, if that pays off. It may not if
+//! direct rays are requested, nor with the published grid, which has no disk.
 inline bool may_read_disk_grid(Backend backend, LensChoice lens, GridScheme scheme) {
   return backend == Backend::cpu && lens != LensChoice::direct && scheme == GridScheme::conforming;
 }
 
-//! Whether a disk's pictures can be read from grids at all. Matter inside the last stable orbit shines by where light is going, which grids do not
-//! hold.
+//! Returns whether a disk can be read from grids at all. The light of matter inside the innermost
+//! stable orbit depends on the direction of emission, which grids do not store.
 bool can_have_disk_grid(const DiskLook& disk);
 
-//! Whether a grid for a disk of these edges [M], with azimuth and time or without, serves a disk as it is seen now.
+//! Returns whether a grid for a disk with these edges [M], with or without azimuth and time, can be
+//! used for a disk as currently shown.
 bool serves_disk(double inner_r, double outer_r, bool pattern, const DiskLook& disk);
 
-//! What a grid for an eye's picture of a disk is built for. Budgets are left as they are.
+//! Returns the settings of a grid for an eye's picture of a disk. The budgets keep their defaults.
 DiskGridSettings disk_grid_settings(const EyeCamera& eye, const DiskLook& disk, double pixel);
 
 }  // namespace ergodome

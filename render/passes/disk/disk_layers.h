@@ -11,26 +11,27 @@
 
 namespace ergodome {
 
-//! A disk's layers at a place between two stations, at one, or beside one, in host memory; see StationBlend, which does the same for lenses. Layers
-//! are numbers and no directions: nothing is turned.
+//! Layers of a disk at a position at, beside or between stations, in host memory; compare
+//! StationBlend for lenses. Layers are scalars, so nothing needs to be rotated.
 class DiskLayers {
  public:
-  //! At a station, or beside one with derivatives.
+  //! Uses a single station; if it has derivatives, also for positions beside it.
   DiskLayers(std::shared_ptr<const DiskStation> station, const LensPlace& place);
 
-  //! Between two; with derivatives, also beside their line.
+  //! Blends two stations; if they have derivatives, also for positions beside the line between
+  //! them.
   DiskLayers(std::shared_ptr<const JoinedDisk> stations, const LensPlace& place);
 
-  //! The grid as kernels read it; it points into this object.
+  //! Returns the grid for kernels; it points into this object.
   [[nodiscard]] DiskGrid view() const;
 
  private:
   void set_edge(const LensPlace& place);
   void keep(int set, const std::vector<float>& nodes);
 
-  std::shared_ptr<const DiskStation> cells_;  //!< whose cells they are, with its nodes where these are not moved
-  std::optional<EdgeTable> edge_;             //!< where it is not that station's
-  Buffer<float> nodes_[layer_orders];         //!< where they are another place's
+  std::shared_ptr<const DiskStation> cells_;  //!< station with the cells, and the nodes unless moved
+  std::optional<EdgeTable> edge_;             //!< set unless the edge is that station's
+  Buffer<float> nodes_[layer_orders];         //!< set unless the nodes are that station's
 };
 
 }  // namespace ergodome

@@ -11,10 +11,12 @@ namespace ergodome {
 
 namespace {
 
-//! Where Page and Thorne's flux is greatest, in units of the innermost stable orbit's radius, it is below this.
+//! Upper bound of the radius with the largest Page-Thorne flux, in units of the radius of the
+//! innermost stable orbit.
 constexpr double farthest_peak = 4.0;
 
-//! The greatest flux of a disk about a hole of this spin, by golden sections: it has one peak.
+//! Returns the largest flux of a disk around a hole of this spin, by golden-section search; the
+//! flux has one peak.
 double greatest_flux(double spin) {
   constexpr double golden = 0.61803398874989484820;
   double low = innermost_stable_radius(spin, 1.0);
@@ -35,7 +37,7 @@ double temperature(const DiskSettings& disk, double spin, double r, double great
   return disk.temperature_k * std::sqrt(std::sqrt(page_thorne_flux(spin, r) / greatest));
 }
 
-//! A cloud lives for so many turns of the matter at twice the inner edge's radius.
+//! Lifetime of a cloud in orbital periods at twice the radius of the inner edge.
 constexpr double life_in_turns = 2.0;
 
 }  // namespace
@@ -54,7 +56,7 @@ PatternTime pattern_time(const DiskSettings& disk, double spin, double hole_time
   const double period = life_in_turns * 2.0 * pi * (r * std::sqrt(r) + spin);
   const double cycles = hole_time / period;
   const double whole = std::floor(cycles);
-  // Whole periods modulo 2^32: a show may run for years.
+  // Number of whole periods modulo 2^32, because shows may run for years.
   const auto cycle = static_cast<std::uint32_t>(static_cast<std::int64_t>(std::fmod(whole, 4294967296.0)));
   return {static_cast<float>(period), static_cast<float>((cycles - whole) * period), cycle};
 }

@@ -11,12 +11,13 @@ namespace ergodome {
 
 namespace {
 
-//! A cell of a station's tree, on the way down.
+//! A cell of a station's tree during a descent.
 struct TreeCursor {
   int slot;
   CellBox box;
 
-  //! Goes down as long as a cell lies within one child. The axis along which the cell is divided there, or -1 where it lies within a leaf.
+  //! Descends while `cell` lies within one child. Returns the axis along which the tree splits
+  //! there, or -1 if `cell` lies within a leaf.
   int go_to(const CellBox& cell, const std::vector<int>& tree) {
     for (int entry = tree[static_cast<std::size_t>(slot)]; entry >= 0; entry = tree[static_cast<std::size_t>(slot)]) {
       const int axis = entry & 1;
@@ -39,8 +40,8 @@ struct TreeCursor {
   }
 };
 
-//! One leaf of a station's tree. Cells finer than the integers that places are counted in can only come from a foreign file: their first leaf stands
-//! for all of them.
+//! A leaf of a station's tree. Only untrusted files contain cells smaller than the integer
+//! coordinates; their first leaf then represents all of them.
 struct StationLeaf {
   std::size_t number;
   bool flagged;
@@ -55,10 +56,11 @@ StationLeaf leaf_at(const std::vector<int>& tree, int slot) {
   return {static_cast<std::size_t>(code >> 1), (code & 1) != 0};
 }
 
-//! The bicubic patch of a cell at a place in it, as a node: value, derivatives along γ and s, and the mixed one.
+//! Evaluates the bicubic patch of a cell at a position, as a node: value, derivatives along γ and
+//! s, and the mixed derivative.
 class PatchNode {
  public:
-  //! At (u, v) in [0, 1] of a cell of an extent.
+  //! `u`, `v`: position in the cell, in [0, 1]; `width_turns`, `height`: size of the cell.
   PatchNode(float u, float v, float width_turns, float height) {
     float basis_u[4];
     float slope_u[4];
@@ -67,7 +69,7 @@ class PatchNode {
     hermite_basis(u, basis_u, slope_u);
     hermite_basis(v, basis_v, slope_v);
     for (int i = 0; i < 4; ++i) {
-      // Slopes of nodes are per turn, and those of the basis per cell.
+      // Slopes of nodes are per turn, those of the basis per cell.
       const float node_u = i % 2 == 0 ? 1.0F : width_turns;
       const float node_v = i % 2 == 0 ? 1.0F : height;
       along_u_[0][i] = node_u * basis_u[i];
@@ -98,7 +100,8 @@ class PatchNode {
   float along_v_[2][4];
 };
 
-//! Bakes have some thousands of cells; what would come to so many is no bake's.
+//! Maximum number of tree entries. Bakes have a few thousand cells; more come only from untrusted
+//! files.
 constexpr std::size_t most_joined_entries = std::size_t{1} << 19U;
 
 //! Joins two stations.
@@ -136,14 +139,14 @@ class Joiner {
   }
 
  private:
-  //! A cell on its way: its slot in the tree, and where it lies in the stations'.
+  //! A cell to be processed: its slot in the joined tree, and its positions in the stations' trees.
   struct Open {
     CellBox box;
     int slot;
     std::array<TreeCursor, 2> at;
   };
 
-  //! A station without cells and nodes.
+  //! Returns a copy of a station without cells and nodes.
   static DiskStation described(const DiskStation& station) {
     DiskStation like;
     like.cells = station.cells;
@@ -195,7 +198,7 @@ class Joiner {
     joined_.first.orders.push_back(static_cast<unsigned char>(orders));
   }
 
-  //! Makes room for a node of which nothing is known yet.
+  //! Makes room for a node with unknown values.
   void add_node() {
     for (std::size_t i = 0; i < 2; ++i) {
       DiskStation& to = i == 0 ? joined_.first : joined_.second;
@@ -210,8 +213,9 @@ class Joiner {
     }
   }
 
-  //! Takes what both stations have at a corner of a cell. Where leaves of different size meet they disagree in the middle of the larger one's side: the
-  //! smaller one knows better, and best a node of the station's own.
+  //! Reads both stations at a corner of a cell. Where leaves of different sizes meet, they disagree
+  //! at the middle of the larger one's side: values of the smaller leaf are preferred, and a node
+  //! of the station above all.
   void read_node(const Open& cell, int corner, const std::array<StationLeaf, 2>& within, std::size_t node) {
     const int gamma = cell.box.gamma + (corner & 1) * cell.box.width;
     const int s = cell.box.s + (corner >> 1) * cell.box.height;
@@ -253,7 +257,7 @@ class Joiner {
   JoinedDisk joined_;
   NodeByPlace node_by_place_;
   std::array<std::vector<long>, 2>
-      sources_;  //!< of each node: the area of the leaf that it was read from, 0 where it is the station's own
+      sources_;  //!< per node: area of the leaf that it was read from, 0 if it is a node of the station
 };
 
 bool can_join(const DiskStation& first, const DiskStation& second) {

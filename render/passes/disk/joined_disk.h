@@ -6,15 +6,17 @@
 
 namespace ergodome {
 
-//! The layers of two stations over one set of cells, which are as fine as those of both: so layers between them are a sum of nodes, and pictures
-//! read one grid. Cubic patches stay what they are where cells are divided.
+//! The layers of two stations on common cells, each as small as the finer of both. Layers between
+//! the stations are then sums of nodes, and pictures read one grid. Dividing a cell does not change
+//! its cubic patch.
 struct JoinedDisk {
-  DiskStation first;   //!< with the cells, and their images of either
-  DiskStation second;  //!< for its place and its nodes; it has no cells
+  DiskStation first;   //!< with the cells, and the orders seen in either station
+  DiskStation second;  //!< without cells; position and nodes only
 };
 
-//! Joins the layers of two stations. Images are told where either tells them, and left to rays where either leaves them. Nothing where the stations are
-//! not of one disk, where one camera alone is on the equator, and where their cells have so little in common that there would be too many.
+//! Joins the layers of two stations. A cell has the orders of both stations, and is left to rays if
+//! either station leaves it. Returns nothing if the stations have different disks, if only one of
+//! them is on the equator, or if their cells differ so much that there would be too many.
 std::optional<JoinedDisk> join(const DiskStation& first, const DiskStation& second);
 
 }  // namespace ergodome

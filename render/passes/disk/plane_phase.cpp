@@ -11,9 +11,10 @@ namespace ergodome {
 
 namespace {
 
-//! Farther from the plane than this [rad] the band is as wide as cells are anyway.
+//! Distance of the camera from the plane above which the band is as wide as typical cells [rad].
 constexpr double widest_band = 0.3;
-//! Closer than this it is in the plane, by the rounding of its rays (see start_near_ray).
+//! Distance below which the camera is in the plane within the rounding of its rays (see
+//! start_near_ray) [rad].
 constexpr double narrowest_band = 4.0 * static_cast<double>(std::numeric_limits<float>::epsilon());
 
 }  // namespace

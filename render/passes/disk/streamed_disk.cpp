@@ -9,7 +9,7 @@ namespace ergodome {
 
 namespace {
 
-//! Whether the layers of stations serve a disk, and are well blended between them.
+//! Returns whether the layers of a pair of stations fit a disk and blend accurately enough.
 bool serve(const StationPair& pair, double budget_px, const DiskLook& disk) {
   const auto serves = [&](const std::shared_ptr<const DiskStation>& station) {
     return station && serves_disk(station->inner_r, station->outer_r, station->pattern, disk);
@@ -18,7 +18,8 @@ bool serve(const StationPair& pair, double budget_px, const DiskLook& disk) {
          (!pair.second || serves(pair.second_disk));
 }
 
-//! Whether a station without a second is where the head is: it may stand in for one that could not be read.
+//! Returns whether a station is at the head's position. A single station may be the substitute for
+//! one that could not be read.
 bool is_at(const DiskStation& station, const EyeCamera& eye) {
   return std::abs(station.cells.r - eye.head_r) <= 1e-9 * eye.head_r &&
          std::abs(station.cells.theta - eye.head_theta) <= 1e-9;

@@ -9,22 +9,23 @@
 
 namespace ergodome {
 
-//! The disk of pictures that are streamed from baked stations.
+//! Provides disk layers for pictures that are streamed from baked stations.
 class StreamedDisk {
  public:
   explicit StreamedDisk(std::shared_ptr<StationStream> stream) : stream_(std::move(stream)) {}
 
-  //! The layers of a picture's place at a show time, kept here until the next are asked for. Nothing where the stations that the lens came from
-  //! (LensChooser::choose) have none, or none for this disk, where blending them misses more than the bake's budget, and off the show's path.
+  //! Returns the layers at a picture's position and show time, valid until the next call. Returns
+  //! nothing if the stations that provided the lens (LensChooser::choose) have no layers for this
+  //! disk, if blending them exceeds the bake's budget, or off the show's path.
   std::optional<DiskGrid> layers_for(const DiskGridRequest& request, LensChoice choice, std::optional<double> time_s);
 
  private:
   void blend(const StationPair& pair, const LensPlace& place);
 
   std::shared_ptr<StationStream> stream_;
-  std::shared_ptr<const DiskStation> first_;  //!< whose layers are joined
+  std::shared_ptr<const DiskStation> first_;  //!< stations of `joined_`
   std::shared_ptr<const DiskStation> second_;
-  std::shared_ptr<const JoinedDisk> joined_;  //!< nullptr where they cannot be
+  std::shared_ptr<const JoinedDisk> joined_;  //!< null if they cannot be joined
   std::optional<DiskLayers> layers_;
 };
 

@@ -11,15 +11,18 @@ namespace ergodome {
 
 namespace {
 
-//! Things that are nearer to an eye than its way to the head over this are not seen.
+//! Things are invisible if they are closer to the eye than its distance from the head divided by
+//! this.
 constexpr double nearest_part = 0.9;
-//! Light comes nearer to the hole by no more than so much of r for each of the affine distance, and of its energy at infinity.
+//! Bound of how fast light approaches the hole: decrease of r per affine distance and per energy at
+//! infinity.
 constexpr double fastest_approach = 2.0;
 
-//! Rays that are seen next to one another stay so until they are within this radius: circular orbits of light have no more than 4 M.
+//! Adjacent rays stay adjacent outside this radius [M]: circular photon orbits have radii up to 4
+//! M.
 constexpr double parting_r = 6.0;
 
-//! The greatest energy at infinity of light that the observer sees with energy 1.
+//! Returns the largest energy at infinity of light that the observer sees with energy 1.
 double greatest_energy(const CameraStation& station) {
   return station.energy.constant + std::sqrt(dot(station.energy.along, station.energy.along));
 }

@@ -6,30 +6,34 @@
 
 namespace ergodome {
 
-//! What stands near the hole as eyes of the stereo model `flat` see it, all through one lens: a thing at the affine distance d in the head's direction n
-//! stands at d n (kernels/flat_eyes/eye_line.h).
+//! Draws the disk, shells and objects for eyes of the stereo model `flat`, which share one lens: a
+//! thing at the affine distance d in the head's direction n is placed at d n
+//! (kernels/flat_eyes/eye_line.h).
 class FlatNearField {
  public:
-  //! For the eyes of a head whose shadow is given. The disk is read from NearField::disk_grid where there is one and no object is seen: the head's,
-  //! with its nearness.
-  //! `rows` is kept from picture to picture: what rows on their way through a GPU take.
+  //! `head` and `shadow`: the head and its shadow, for whose eyes is drawn. If NearField::disk_grid
+  //! is set and no object is seen, the disk is read from it; that grid must be the head's and
+  //! include nearness.
+  //! `rows` is a buffer reused between pictures, for rows drawn on a GPU.
   FlatNearField(Backend backend, const NearField& near_field, const EyeCamera& head, const FlatShadow& shadow,
                 Buffer<float>& rows);
 
-  //! Turns to an eye `offset` M to the right of the head, which sees the shadow's edge where FlatShadow::eye_edge has it.
+  //! Selects the eye at `offset` M to the right of the head, for which FlatShadow::eye_edge
+  //! returned `edge`.
   void set_eye(double offset, const std::vector<float>& edge);
 
-  //! Draws it over rows of that eye's picture in host memory: four floats a pixel. The view is the head's, through the eye's own projection.
+  //! Draws over rows of that eye's picture in host memory: four floats per pixel. `view` is that of
+  //! the head, with the projection of the eye.
   void draw(const PictureView& view, const RowBlock& rows, float* rgba);
 
  private:
   [[nodiscard]] FlatEyeBatch batch_for(const PictureView& view) const;
   [[nodiscard]] double farthest_r() const;
-  //! The nearness beyond which nothing within a radius is looked for [1/M].
+  //! Returns the nearness up to which things within a radius are sought [1/M].
   [[nodiscard]] double most_nearness(double farthest_r) const;
-  //! Objects, as that eye sees them.
+  //! Returns the objects as seen by the current eye.
   [[nodiscard]] ObjectLayer look_at_objects(const PictureView& view, const RowBlock& rows) const;
-  //! As draw, over rows in the backend's memory.
+  //! Does the same as draw, for rows in the backend's memory.
   void draw_over(const PictureView& view, const RowBlock& rows, float* rgba);
 
   Backend backend_;

@@ -17,7 +17,8 @@ namespace ergodome {
 
 namespace {
 
-//! An image as that of a globe: φ = 0 is in its middle and grows to the right, seen from outside; its top is θ = 0.
+//! Returns the rotation that maps an image like that of a globe: φ = 0 is in its middle and grows
+//! to the right, seen from outside; its top is θ = 0.
 glm::dmat3 shell_from_map() {
   const glm::dvec3 middle = direction_from_map(0.5, 0.5);
   const glm::dvec3 quarter = direction_from_map(0.75, 0.5);
@@ -81,7 +82,7 @@ void ShellPass::set_numbers(const Show& show) {
       order.push_back(i);
     }
   }
-  // Of shells in one place, the first lies outside.
+  // Among shells with the same radius, the first one is outermost.
   std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t i) { return shells_[i].radius; });
   std::vector<float> u;
   std::vector<ShellLook> looks;

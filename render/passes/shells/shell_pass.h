@@ -11,38 +11,39 @@
 
 namespace ergodome {
 
-//! A show's shells in the form that kernels read.
+//! The shells of a show in the form that kernels read.
 class ShellPass {
  public:
-  //! The show must have shells. Throws Error where a texture cannot be read.
+  //! The show must have shells. Throws Error if a texture cannot be read.
   ShellPass(const Show& show, Backend backend);
 
-  //! Takes the numbers of a show whose shells have the same textures; what has not changed costs nothing.
+  //! Applies the numbers of a show whose shells have the same textures. Returns early if nothing
+  //! has changed.
   void set_numbers(const Show& show);
 
-  //! Those that are seen at all, the outermost first.
+  //! Returns the visible shells, outermost first.
   [[nodiscard]] ShellTable table() const;
 
-  //! The radius of the outermost of these; 0 where there is none [M].
+  //! Returns the radius of the outermost visible shell [M]; 0 if there is none.
   [[nodiscard]] double outermost_r() const;
 
-  //! Of each shell's texture.
+  //! Repaired texels of each shell's texture.
   [[nodiscard]] const std::vector<RepairedTexels>& repaired() const { return repaired_; }
 
-  //! Memory that a shell takes, beside its texture.
+  //! Memory of a shell without its texture.
   static constexpr long shell_bytes = static_cast<long>(sizeof(float) + sizeof(ShellLook));
 
  private:
   std::vector<ShellSettings> shells_;
   std::vector<RepairedTexels> repaired_;
   bool shifted_ = false;
-  std::vector<std::unique_ptr<SkyCube>> textures_;  //!< one a shell, or none
+  std::vector<std::unique_ptr<SkyCube>> textures_;  //!< one per shell; null without a texture
   Buffer<float> u_;
   Buffer<ShellLook> looks_;
   int count_ = 0;
 };
 
-//! Whether a pass that was made for one show can take the numbers of another.
+//! Returns whether a pass made for one show can take the numbers of another.
 bool same_shell_textures(const Show& a, const Show& b);
 
 }  // namespace ergodome

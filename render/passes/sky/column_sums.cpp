@@ -65,7 +65,8 @@ void ColumnSums::add_at(int column, const ColumnPlace& place, double part, glm::
 void ColumnSums::add_above(int column, const ColumnPlace& from, const ColumnPlace& to, double part,
                            glm::dvec4& sum) const {
   if (from.row == to.row) {
-    // Inside a texel the light above the line is linear along it: its middle has the mean.
+    // Within a texel the light above a line is linear along the line, so its mean is the value at
+    // the middle.
     return add_at(column, {0.5 * (from.sine + to.sine), from.row}, part, sum);
   }
   const int step = to.row > from.row ? 1 : -1;

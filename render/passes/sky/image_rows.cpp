@@ -10,12 +10,13 @@ namespace ergodome {
 
 namespace {
 
-//! Factors of u, u^3, u^5, ... of the arc tangent in [-1, 1], of its series in Chebyshev polynomials,
-//! arctan u = 2 Σ (-1)^k q^(2k+1) / (2k+1) T_(2k+1)(u), q = √2 - 1, up to T_17: what is left out is below 7e-9.
+//! Returns the coefficients of u, u^3, u^5, ... of the arc tangent in [-1, 1], from its Chebyshev
+//! series arctan u = 2 Σ (-1)^k q^(2k+1) / (2k+1) T_(2k+1)(u), q = √2 - 1, up to T_17. The omitted
+//! terms are below 7e-9.
 constexpr std::array<float, 9> arc_tangent_factors() {
   constexpr std::size_t terms = 9;
   constexpr double q = std::numbers::sqrt2 - 1.0;
-  // T_n by T_(n+1) = 2 u T_n - T_(n-1), as factors of the powers of u.
+  // Coefficients of T_n in powers of u, by T_(n+1) = 2 u T_n - T_(n-1).
   std::array<double, 2 * terms> before{1.0};
   std::array<double, 2 * terms> now{0.0, 1.0};
   std::array<double, 2 * terms> sum{};
@@ -39,7 +40,7 @@ constexpr std::array<float, 9> arc_tangent_factors() {
   return factors;
 }
 
-//! As `std::atan2`, without its branches and signed zeros; 0 for two zeros. Within 3e-7.
+//! Returns `std::atan2` without branches and signed zeros, within 3e-7; 0 for two zeros.
 inline float angle_of(float y, float x) {
   constexpr auto factors = arc_tangent_factors();
   const float across = std::abs(x);
@@ -53,7 +54,7 @@ inline float angle_of(float y, float x) {
     sum = sum * square + factors[k];
   }
   sum *= u;
-  // Choices between numbers, not between sums, which a compiler would keep as branches.
+  // Selecting between constants avoids branches, which a compiler would generate for sums.
   constexpr auto pi = std::numbers::pi_v<float>;
   sum = (across > up ? 0.0F : 0.5F * pi) + (across > up ? sum : -sum);
   sum = (x < 0.0F ? pi : 0.0F) + (x < 0.0F ? -sum : sum);
@@ -77,7 +78,7 @@ void places_in_map(const DirectionRow& row, std::span<float> x, std::span<float>
 }
 
 glm::vec3 ImageRows::between_texels(float x, float y) const {
-  // `std::floor` is a call where a processor's instructions may be old.
+  // `std::floor` is a function call if the compiler targets old CPUs.
   const auto below = [](float value) { return static_cast<int>(value) - (value < 0.0F ? 1 : 0); };
   const int left = below(x);
   const int upper = below(y);

@@ -8,28 +8,30 @@
 
 namespace ergodome {
 
-//! Directions base + s along, not of unit length, for each s of a list: a row of samples on a face of a cube.
+//! Directions base + s * along, not normalized, for each s of a list: a row of samples on a cube
+//! face.
 struct DirectionRow {
   glm::dvec3 base;
   glm::dvec3 along;
   std::span<const float> s;
 };
 
-//! Places in an equirectangular map of a row of directions, given in the map's axes: what `map_from_direction` says, in single precision and many at a
-//! time, for maps of hundreds of millions of samples.
-//!
-//! `x` are columns by the map's width, in [-1/4, 3/4]; `y` rows by its height, in [0, 1]; both as long as `row.s`. Within 2e-7 of the exact ones, but for the
-//! columns of directions next to a pole, which meet there.
+//! Computes the positions of a row of directions in an equirectangular map; directions are in the
+//! map's axes. A single-precision, vectorized `map_from_direction` for maps of hundreds of millions
+//! of samples.
+//! Writes column / width to `x`, in [-1/4, 3/4], and row / height to `y`, in [0, 1]; both are as
+//! long as `row.s`. The error is below 2e-7, except for the columns of directions next to a pole,
+//! where all columns meet.
 void places_in_map(const DirectionRow& row, std::span<float> x, std::span<float> y);
 
-//! Reads an equirectangular image between its texels along rows of directions.
+//! Samples an equirectangular image bilinearly along rows of directions.
 class ImageRows {
  public:
-  //! `image` is not copied.
+  //! Keeps a reference to `image`.
   ImageRows(const EnvironmentImage& image, const glm::dmat3& map_from_sky)
       : image_(image), map_from_sky_(map_from_sky) {}
 
-  //! The light of a row of directions in the sky's axes; `light` is as long as `row.s`.
+  //! Reads the light of a row of directions in the sky's axes; `light` is as long as `row.s`.
   void read(const DirectionRow& row, std::span<glm::vec3> light) const;
 
  private:

@@ -15,21 +15,22 @@ namespace ergodome {
 
 namespace {
 
-//! Angle from a pixel's middle to its furthest corner, beyond which it sees the whole sky [rad].
+//! Angle between a pixel's center and its furthest corner above which the pixel gets the mean of
+//! the whole sky [rad].
 constexpr double widest_corner = 1.25;
-//! Outlines are at least so wide [texels]: narrower ones, at caustics, are lost in rounding.
+//! Minimum width of outlines [texels]: rounding would dominate narrower ones, at caustics.
 constexpr double least_width = 0.01;
-//! A side may be off by this part of an outline's width.
+//! Accepted error of a side, as a fraction of the outline's width.
 constexpr double part_off = 0.01;
 constexpr int most_splits = 12;
 
-//! The place an angle away on the sphere, along a tangent of that length.
+//! Moves a direction along a tangent by an angle equal to the tangent's length.
 glm::dvec3 moved(const glm::dvec3& direction, const glm::dvec3& tangent) {
   const double angle = glm::length(tangent);
   return angle > 0.0 ? std::cos(angle) * direction + (std::sin(angle) / angle) * tangent : direction;
 }
 
-//! Makes two sides of a parallelogram on the sphere long enough, and apart enough, to have an area.
+//! Widens a parallelogram on the sphere so that it has an area.
 void widen(const glm::dvec3& direction, double least, glm::dvec3& first, glm::dvec3& second) {
   glm::dvec3& longer = glm::dot(first, first) >= glm::dot(second, second) ? first : second;
   glm::dvec3& shorter = &longer == &first ? second : first;
@@ -65,7 +66,8 @@ double PolygonFilter::column_of(const glm::dvec3& direction) const {
 }
 
 void PolygonFilter::add_piece(int column, const Place& from, const Place& to, int depth, Sum& sum) const {
-  // A great circle bends by an eighth of its length squared, over the distance from the pole: longitude goes with one over that.
+  // A great circle of length l deviates from a straight line by l² / 8, divided by the distance
+  // from the pole, because longitude scales inversely with that distance.
   const glm::dvec3 chord = to.direction - from.direction;
   const double highest = std::max(std::abs(from.in_column.sine), std::abs(to.in_column.sine));
   const double from_pole = std::sqrt(std::max(1.0 - highest * highest, 0.0));
@@ -89,7 +91,7 @@ void PolygonFilter::add_side(const glm::dvec3& from, const glm::dvec3& to, Sum& 
   const double turn = std::remainder(column_of(to) - at.column, static_cast<double>(width));
   const Place end = {to, at.column + turn, sums_.place_of(to.z)};
   const glm::dvec3 way = to - from;
-  // Where the side, whose chord is straight, crosses the meridians between columns.
+  // Crossings of the side, whose chord is straight, with the meridians between columns.
   const int step = turn >= 0.0 ? 1 : -1;
   int meridian = static_cast<int>(step > 0 ? std::floor(at.column) + 1.0 : std::ceil(at.column) - 1.0);
   const auto column = [&] { return static_cast<int>(wrapped(step > 0 ? meridian - 1 : meridian, width)); };
@@ -123,7 +125,7 @@ glm::dvec4 PolygonFilter::light(const glm::dvec3& direction, const glm::dvec3& a
   for (std::size_t i = 0; i < 4; ++i) {
     add_side(corners[i], corners[(i + 1) % 4], sum);
   }
-  // What lies above the outline of the lower pole is all but its inside.
+  // For an outline around the lower pole, the sum is the light outside of it.
   if (std::abs(sum.turn) > 0.5 * sums_.width() && middle.z < 0.0) {
     const double sign = sum.turn > 0.0 ? 1.0 : -1.0;
     sum.light = sums_.whole() - sign * sum.light;
@@ -144,7 +146,7 @@ void PolygonFilter::filter(const LensPixels& lens, int count, float* rgba) const
         seen = light(vector_at(lens.sky, i), vector_at(lens.sky_along_x, i), vector_at(lens.sky_along_y, i));
       }
       for (int part = 0; part < 4; ++part) {
-        // Rounding must not make light less than none.
+        // Rounding must not make light negative.
         rgba[4 * static_cast<long>(i) + part] = static_cast<float>(std::max(seen[part], 0.0));
       }
     }

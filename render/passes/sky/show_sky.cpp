@@ -6,7 +6,8 @@ namespace ergodome {
 
 namespace {
 
-//! For maps that are shifted by their temperatures. The fit is made on the processor, which cannot read a GPU's table.
+//! Returns the temperature fit for maps that are shifted by temperature. It uses a table on the
+//! CPU, which cannot read the GPU's.
 std::optional<TemperatureFit> fit_for(SkyShift shift) {
   std::optional<TemperatureFit> fit;
   if (shift == SkyShift::blackbody_fit) {

@@ -11,30 +11,33 @@
 
 namespace ergodome {
 
-//! The map of a show in the form that its filter and shift read, and nothing else: a cube map or column sums, with temperatures only where
-//! the shift calls for them.
+//! Sky map of a show in the form that its filter and shift need: a cube map or column sums, with
+//! temperatures only if the shift uses them.
 class ShowSky {
  public:
-  //! Loads the map. Throws Error when it cannot be read.
+  //! Loads the map. Throws Error if it cannot be read.
   ShowSky(const Show& show, Backend backend);
 
-  //! Lays the map out anew as a show turns it that differs from the first in numbers alone. From the first time on its image is kept. Throws Error when it
-  //! cannot be read.
+  //! Resamples the map for the sky rotation of a show that differs from the first in numbers only.
+  //! The first call loads the image, which is then kept in memory. Throws Error if it cannot be
+  //! read.
   void turn(const Show& show, Backend backend);
 
-  //! For SkyFilter::polygon a single texel a face, the mean.
+  //! Returns the cube map. For SkyFilter::polygon it has one texel per face, with the mean of the
+  //! sky.
   [[nodiscard]] const SkyCube& cube() const { return *cube_; }
 
-  //! Of the map's file.
+  //! Texels that were repaired when the map's file was read.
   [[nodiscard]] const RepairedTexels& repaired() const { return repaired_; }
 
-  //! nullptr but for SkyFilter::polygon.
+  //! Returns the polygon filter, or nullptr unless the show uses SkyFilter::polygon.
   [[nodiscard]] const PolygonFilter* polygons() const { return polygons_.get(); }
 
-  //! What the map's light is shifted by: nothing where the show has no redshift.
+  //! Returns how the map's light is shifted; SkyShift::none if the show has no redshift.
   [[nodiscard]] SkyShift shift() const { return shift_; }
 
-  //! For SkyShift::blackbody_fit, in the backend's memory; else without entries.
+  //! Returns the table for SkyShift::blackbody_fit, in the backend's memory; otherwise a table
+  //! without entries.
   [[nodiscard]] BlackbodyTable colours() const { return colours_ ? colours_->view() : BlackbodyTable{}; }
 
  private:
@@ -42,8 +45,8 @@ class ShowSky {
 
   SkyShift shift_;
   RepairedTexels repaired_;
-  std::optional<EnvironmentImage> image_;  //!< once it has turned
-  std::optional<TemperatureFit> fit_;      //!< the same
+  std::optional<EnvironmentImage> image_;  //!< loaded once the sky has rotated
+  std::optional<TemperatureFit> fit_;      //!< likewise
   std::unique_ptr<BlackbodyColours> colours_;
   std::unique_ptr<PolygonFilter> polygons_;
   std::unique_ptr<SkyCube> cube_;

@@ -27,7 +27,8 @@ glm::dvec3 texel_direction(int face, int size, double x, double y) {
   return glm::normalize(glm::dvec3(d.x, d.y, d.z));
 }
 
-//! The points of a face's side at `per_texel` places a texel, evenly from rim to rim: the warp is turned round by iteration, once for all.
+//! Returns `per_texel` sample points per texel on the side of a face, evenly spaced in warped
+//! coordinates. The warp is inverted numerically, once for all rows.
 std::vector<double> side_points(int size, int per_texel) {
   std::vector<double> points(static_cast<std::size_t>(size) * static_cast<std::size_t>(per_texel));
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -36,7 +37,8 @@ std::vector<double> side_points(int size, int per_texel) {
   return points;
 }
 
-//! Solid angles of a face's texels, up to a factor: the area element of the cube's surface times the warp's slopes.
+//! Relative solid angles of a face's texels: the area element of the cube's surface times the
+//! slopes of the warp.
 class TexelWeights {
  public:
   explicit TexelWeights(int size) : middle_(side_points(size, 1)), width_(middle_.size()) {
@@ -59,7 +61,8 @@ class TexelWeights {
   std::vector<double> width_;
 };
 
-//! Four samples a texel, so that a source of the same resolution does not alias: the two rows of them that are a row of texels.
+//! Sample positions, four per texel to avoid aliasing of a source with the same resolution. A row
+//! of texels has two rows of samples.
 class SampleRows {
  public:
   explicit SampleRows(int face_size) : places_(side_points(face_size, 2)), s_(places_.begin(), places_.end()) {}
@@ -76,7 +79,7 @@ class SampleRows {
   std::vector<float> s_;
 };
 
-//! The faces while they are built, on the host.
+//! The faces and mip levels in host memory while they are built.
 class Pyramid {
  public:
   explicit Pyramid(int face_size) {
@@ -104,7 +107,7 @@ class Pyramid {
     to[3] = light.w;
   }
 
-  //! A texel is the mean of the four below it, weighted with their solid angles.
+  //! Computes a level; each texel is the mean of the four finer ones, weighted by solid angle.
   void reduce(int level) {
     const TexelWeights weights(size(level - 1));
     parallel_for(6 * size(level), 8, [&](int begin, int end) {
@@ -116,7 +119,7 @@ class Pyramid {
     });
   }
 
-  //! Fills the border of a level with what the neighbouring faces show there.
+  //! Fills the border of a level with texels of the adjacent faces.
   void fill_border(int level) {
     const int n = size(level);
     for (int face = 0; face < 6; ++face) {
@@ -143,7 +146,7 @@ class Pyramid {
     set(level, face, x, y, glm::vec4(sum / all));
   }
 
-  //! Bilinear, inside one face only: usable before the borders are there.
+  //! Samples bilinearly within one face; needs no borders.
   glm::vec4 seen_from(int level, const glm::dvec3& d) {
     const int n = size(level);
     const CubePlace<float> place =

@@ -13,23 +13,24 @@
 
 namespace ergodome {
 
-//! Owns the sky as a cube map with its mip pyramid, on the backend that reads it.
+//! The sky as a cube map with mip levels, in the memory of a backend.
 class SkyCube {
  public:
-  //! Resamples an equirectangular image, turned into the hole's sky axes; about as many texels as the image has.
-  //!
-  //! `fit`, where given: texels keep the temperature of their colour (kernels/sky/cube_map.h), for SkyShift::blackbody_fit. `name` is what its
-  //! bytes are counted by.
+  //! Resamples an equirectangular image, rotated to the hole's sky axes, to about as many texels as
+  //! the image has.
+  //! `fit`, if given, stores the temperature of each texel's color (kernels/sky/cube_map.h), for
+  //! SkyShift::blackbody_fit. `name` labels the memory in the work counters.
   SkyCube(Backend backend, const EnvironmentImage& image, const glm::dmat3& sky_from_map,
           const TemperatureFit* fit = nullptr, const char* name = "sky map");
 
-  //! A sky from a function of the direction (unit vector): for tests and procedural skies. `face_size` is a power of two.
+  //! Samples a function of the direction (unit vector), for tests and procedural skies. `face_size`
+  //! is a power of two.
   SkyCube(Backend backend, int face_size, const std::function<glm::vec3(const glm::dvec3&)>& light,
           const TemperatureFit* fit = nullptr);
 
   [[nodiscard]] CubeMap view() const;
 
-  //! Memory of the cube that an image of a width becomes.
+  //! Returns the size of the cube map for an image of a given width [bytes].
   static std::size_t bytes_for(int map_width);
 
  private:

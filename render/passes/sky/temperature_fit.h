@@ -7,28 +7,31 @@
 
 namespace ergodome {
 
-//! Finds the blackbody that a colour is nearest to: its correlated colour temperature.
-//!
-//! As the CIE defines it, by distance in (u, v) of 1960: bisection for the temperature whose isotherm goes through the colour (Robertson,
-//! JOSA 58, 1968, with the blackbody table's own entries in place of his 31 lines), so a colour of the table gets its own temperature back.
+//! Finds the blackbody closest to a color, which is the color's correlated color temperature.
+//! As defined by the CIE, closest in (u, v) of 1960. Bisects for the temperature whose isotherm
+//! passes through the color (Robertson, JOSA 58, 1968, but with the entries of the blackbody table
+//! instead of his 31 lines), so colors of the table get exactly their own temperature.
 class TemperatureFit {
  public:
-  //! What colours are taken for at the least and most [K]. At the cold end the display shows no blackbody any more, and the ratios by which
-  //! a shift multiplies have no bound; at the hot end are the hottest stars, and beyond it colour tells temperatures no longer apart.
+  //! Range of temperatures assigned to colors [K]. Below the coldest, displays cannot show
+  //! blackbodies and the factors of a shift are unbounded. The hottest is that of the hottest
+  //! stars; beyond it, color hardly depends on temperature.
   static constexpr double coldest_k = 1500.0;
   static constexpr double hottest_k = 40'000.0;
 
-  //! `colours` in host memory; it is not kept.
+  //! `colours` is in host memory and is not kept.
   explicit TemperatureFit(const BlackbodyTable& colours);
 
-  //! ln T [K] of a colour in linear sRGB, as bright as it may be; for black, that of the hottest.
+  //! Returns ln T [K] of a color in linear sRGB, independent of its brightness; for black, that of
+  //! the hottest blackbody.
   [[nodiscard]] float log_temperature(const glm::vec3& rgb) const;
 
-  //! What a texel of that colour keeps (kernels/sky/cube_map.h): luminance times ln T.
+  //! Returns the value that a texel of this color stores (kernels/sky/cube_map.h): luminance times
+  //! ln T.
   [[nodiscard]] float weighted_log_temperature(const glm::vec3& rgb) const;
 
  private:
-  //! A point of the blackbodies' curve and the unit vector along it, to the hotter.
+  //! A point of the Planckian locus and its unit tangent, towards hotter temperatures.
   struct Isotherm {
     double u;
     double v;
