@@ -38,8 +38,9 @@ struct DiskChartCamera {
   DiskGridCamera camera;
 };
 
-//! Returns a tenth of the change of 1/r per pixel, for a disk seen from r that spans its apparent
-//! width evenly, and the corresponding fraction of the plane.
+//! Returns the part of the plane that a grid covers, and the smallest changes per pixel by which
+//! its errors are measured: a tenth of those of a disk that spans its apparent width evenly, seen
+//! from r.
 DiskSpanOnScreen disk_span_on_screen(const DiskGridSettings& settings, double r);
 
 //! Returns the limits up to which rays of a disk grid are followed. The tolerance is not set.

@@ -13,20 +13,21 @@ namespace ergodome {
 namespace {
 
 constexpr int band_rows = 16;
-//! Pixels beyond the ends of a row that the widest filter reads.
+//! Number of pixels beyond the ends of a row that the widest filter reads.
 constexpr int margin = 3;
 
-//! The 13 taps of Jimenez on halving, each the mean of 2 x 2 pixels: half of the weight lies on the inner box, half on the four outer
-//! ones. Both are products of a column and a row. Together they give every pixel the same weight and keep its place.
+//! Downsampling filter of Jimenez with 13 taps, each the mean of 2 x 2 pixels. The inner box and
+//! the four outer boxes have half of the weight each; both parts are separable. Together they give
+//! every pixel the same weight and do not shift it.
 constexpr std::array<float, 6> inner_taps = {0.0F, 0.25F, 0.25F, 0.25F, 0.25F, 0.0F};
 constexpr std::array<float, 6> outer_taps = {0.125F, 0.125F, 0.25F, 0.25F, 0.125F, 0.125F};
 
-//! The 3 x 3 tent of bilinear reads on doubling, along an axis, for a pixel in the first half of the coarse one. In the second half they
-//! are reversed.
+//! Weights along one axis for upsampling by bilinear reads with a 3 x 3 tent, for the first of the
+//! two pixels in a coarse one. The weights for the second are reversed.
 constexpr std::array<float, 4> tent_taps = {0.0625F, 0.3125F, 0.4375F, 0.1875F};
 constexpr std::array<float, 4> reversed_tent_taps = {0.1875F, 0.4375F, 0.3125F, 0.0625F};
 
-//! Rows of four floats a pixel.
+//! Rows of four floats per pixel.
 struct Level {
   int width;
   int height;
@@ -37,7 +38,7 @@ struct Level {
   }
 };
 
-//! The place within [0, count) that shows up at `i` in a mirror at either end.
+//! Returns the index within [0, count) to which `i` is mapped by mirroring at both ends.
 int mirrored(int i, int count) {
   const int period = 2 * count;
   const int within = ((i % period) + period) % period;
@@ -46,7 +47,8 @@ int mirrored(int i, int count) {
 
 std::size_t folded_size(int width) { return 4 * static_cast<std::size_t>(width + 2 * margin); }
 
-//! Weighted sum of rows from `first` on, with mirrored margins at its ends; what is not finite counts as 0.
+//! Computes a weighted sum of rows, starting at `first`, and mirrors it at both ends. Non-finite
+//! values count as 0.
 void fold_rows(const Level& from, int first, std::span<const float> taps, float* folded) {
   const int count = 4 * from.width;
   float* inside = folded + 4 * margin;
@@ -64,7 +66,7 @@ void fold_rows(const Level& from, int first, std::span<const float> taps, float*
   }
 }
 
-//! Weighted sum of the pixels of a folded row from `first` on.
+//! Returns a weighted sum of pixels of a folded row, starting at `first`.
 template <std::size_t Count>
 float fold_pixels(const float* folded, int first, int channel, const std::array<float, Count>& taps) {
   const float* at = folded + 4 * (first + margin) + channel;
@@ -75,7 +77,7 @@ float fold_pixels(const float* folded, int first, int channel, const std::array<
   return sum;
 }
 
-//! Calls body(y, scratch) for all rows in parallel; `scratch` is a thread's own.
+//! Calls body(y, scratch) for all rows in parallel. Each thread has a separate `scratch`.
 template <class Body>
 void for_rows(int rows, std::size_t scratch_size, const Body& body) {
   const int bands = (rows + band_rows - 1) / band_rows;
@@ -87,7 +89,7 @@ void for_rows(int rows, std::size_t scratch_size, const Body& body) {
   });
 }
 
-//! Fills `to`, of half the size rounded up.
+//! Downsamples to `to`, which has half the size, rounded up.
 void halve(const Level& from, const Level& to) {
   const std::size_t size = folded_size(from.width);
   for_rows(to.height, 2 * size, [&](int y, float* scratch) {
@@ -105,7 +107,7 @@ void halve(const Level& from, const Level& to) {
   });
 }
 
-//! to = keep * to + gain * doubled from; colours only.
+//! Computes to = keep * to + gain * (upsampled from), for the color channels only.
 void mix_doubled(const Level& from, const Level& to, float keep, float gain) {
   for_rows(to.height, folded_size(from.width), [&](int y, float* folded) {
     const bool second_row = y % 2 != 0;
@@ -122,12 +124,14 @@ void mix_doubled(const Level& from, const Level& to, float keep, float gain) {
   });
 }
 
-//! Variance along an axis of the light of a point that went down `level` halvings and back [px²]: 7/4 on halving and 11/4 on doubling,
-//! in pixels of the finer level.
+//! Returns the variance along an axis of the light of a point after `level` downsamplings and as
+//! many upsamplings [px²]: 7/4 per downsampling and 11/4 per upsampling, in pixels of the finer
+//! level.
 double level_variance(int level) { return 1.5 * (std::pow(4.0, level) - 1.0); }
 
-//! Parts of the scattered light that go through levels 1, 2, ...: equal ones, but for the last, so that the variance is the one wished
-//! for. They add up to 1 or, for a variance below that of level 1, to less: the rest stays in its pixel.
+//! Returns the fractions of the scattered light that pass through levels 1, 2, ... All but the last
+//! are equal; the last is chosen to obtain the requested variance. They add up to 1, or to less for
+//! a variance below that of level 1: the rest stays in its pixel.
 std::vector<double> level_parts(double variance, int most_levels) {
   if (variance < level_variance(1)) {
     return {variance / level_variance(1)};
@@ -152,7 +156,7 @@ std::vector<double> level_parts(double variance, int most_levels) {
   return parts;
 }
 
-//! Halvings until one pixel is left.
+//! Returns the number of halvings until one pixel is left.
 int halvings(int width, int height) {
   int count = 0;
   for (int size = std::max(width, height); size > 1; size = (size + 1) / 2) {

@@ -4,14 +4,15 @@
 
 namespace ergodome {
 
-//! Scatters light in place: (1 - strength) * picture + strength * blurred; coverage stays.
-//!
-//! The total light is that of before: what would leave the picture comes back in, as from surroundings that mirror it (where a size does
-//! not halve evenly, light beside that border may gain or lose). A uniform picture stays as it is. Values that are not finite scatter
-//! nothing and remain where they are. Works for any size; memory: a third to a half of the picture's.
-//!
-//! Method: a chain of halved pictures and the equal sum of its levels (Jimenez, "Next generation post processing in Call of Duty:
-//! Advanced Warfare", SIGGRAPH 2014): some tens of nanoseconds a pixel, whatever the radius.
+//! Scatters light in place: (1 - strength) * picture + strength * blurred. Coverage does not
+//! change.
+//! The total light is conserved: light that would leave the picture is reflected at its borders
+//! (except for small deviations beside a border if a size does not halve evenly). A uniform picture
+//! does not change. Non-finite values scatter nothing and stay where they are. Works for any size;
+//! needs a third to half of the picture's memory.
+//! Sums a chain of downsampled pictures (Jimenez, "Next generation post processing in Call of Duty:
+//! Advanced Warfare", SIGGRAPH 2014). Takes tens of nanoseconds per pixel, independent of the
+//! radius.
 void add_bloom(Picture& picture, const BloomSettings& settings);
 
 }  // namespace ergodome

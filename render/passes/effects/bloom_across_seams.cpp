@@ -12,7 +12,8 @@ namespace ergodome {
 
 namespace {
 
-//! Widest part of a picture beside itself that scatters light into it [px].
+//! Returns the width of the surroundings of a picture that scatter light into it [px], at most
+//! `widest`.
 int margin_px(const BloomSettings& settings, int widest) {
   return static_cast<int>(std::ceil(std::clamp(3.0 * settings.radius_px, 0.0, static_cast<double>(widest))));
 }
@@ -47,7 +48,7 @@ void bloom_around(Picture& picture, const BloomSettings& settings) {
   }
 }
 
-//! The light of a picture at a place within a cell, between the middles of its pixels.
+//! Samples a picture bilinearly at a position within a cell.
 void read_between(const Picture& picture, const PixelCell& cell, double x_px, double y_px, float (&rgba)[4]) {
   const double x = std::clamp(x_px - 0.5, static_cast<double>(cell.left_px), cell.left_px + cell.width_px - 1.0);
   const double y = std::clamp(y_px - 0.5, static_cast<double>(cell.top_px), cell.top_px + cell.height_px - 1.0);
@@ -69,7 +70,7 @@ void read_between(const Picture& picture, const PixelCell& cell, double x_px, do
   }
 }
 
-//! A face with what lies around it on its plane.
+//! Returns a face with its surroundings, projected to the plane of the face.
 Picture widened_face(const Picture& cube, const Projection& projection, CubeFace face, int margin) {
   const PixelCell cell = cube_face_cell(projection, face);
   const Projection alone = cube_face_of(projection, face);
@@ -97,7 +98,7 @@ void bloom_cube(Picture& picture, const Projection& projection, const BloomSetti
     const PixelCell cell = cube_face_cell(projection, face);
     const int margin = margin_px(settings, cell.width_px);
     Picture wide = widened_face(picture, projection, face, margin);
-    // Its own pixels as they are, to the last bit.
+    // Copies the face's own pixels bit for bit.
     for (int y = 0; y < cell.height_px; ++y) {
       std::copy_n(pixel_at(std::as_const(picture), cell.left_px, cell.top_px + y), 4 * cell.width_px,
                   pixel_at(wide, margin, margin + y));

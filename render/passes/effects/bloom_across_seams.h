@@ -5,11 +5,10 @@
 
 namespace ergodome {
 
-//! Scatters light in place as add_bloom does, and across the seams of the projection: from one side of a picture that goes all the way
-//! round to the other, and from each face of a cube to its neighbours.
-//!
-//! A face is widened by three radii, its own width at the most, with what lies beside it on the plane of the face, so that halos of both
-//! sides meet at an edge; memory: the picture's and a widened face's on top.
+//! Scatters light in place as add_bloom does, including across the seams of the projection: between
+//! the sides of a picture that wraps around, and between adjacent faces of a cube.
+//! Each face is widened by three radii (at most its width) with its surroundings projected to its
+//! plane, so that halos match at the edges. Needs memory for another picture and a widened face.
 void add_bloom(Picture& picture, const Projection& projection, const BloomSettings& settings);
 
 }  // namespace ergodome

@@ -21,13 +21,13 @@ constexpr int widest_px = 1025;
 constexpr double shortest_nm = 400.0;
 constexpr double longest_nm = 700.0;
 
-//! A wavelength [nm] and what it adds to the channels of white light.
+//! A wavelength [nm] and its contribution to the channels of white light.
 struct SpectralLine {
   double wavelength_nm;
   Vector3<double> rgb;
 };
 
-//! Lines of an equal-energy spectrum.
+//! Returns the lines of an equal-energy spectrum.
 std::vector<SpectralLine> white_spectrum(int count) {
   std::vector<SpectralLine> lines;
   for (int i = 0; i < count; ++i) {
@@ -37,7 +37,7 @@ std::vector<SpectralLine> white_spectrum(int count) {
   return lines;
 }
 
-//! Adds a line's light to a row of the pattern.
+//! Adds the light of a spectral line to a row of the pattern.
 void add_line(const FarField& field, const SpectralLine& line, int size_px, int row, float* rgb) {
   const double left = -0.5 * size_px;
   const double top = row + left;
@@ -55,7 +55,8 @@ void add_line(const FarField& field, const SpectralLine& line, int size_px, int 
   }
 }
 
-//! Makes negative light 0 and lets each channel add up to 1; false where one is black.
+//! Clamps negative light to 0 and normalizes each channel to a sum of 1. Returns false if a channel
+//! is black.
 bool normalise(std::vector<float>& rgb) {
   for (std::size_t c = 0; c < 3; ++c) {
     double sum = 0.0;
@@ -73,7 +74,7 @@ bool normalise(std::vector<float>& rgb) {
   return true;
 }
 
-//! A file's pixels, linear, three floats each.
+//! Pixels of an image file, linear, three floats each.
 struct Image {
   int width;
   int height;
@@ -114,7 +115,8 @@ Image read_image(const std::string& name) {
   return image;
 }
 
-//! Calls body(pixel, part) for the one or two pixels that a pixel covers when it begins at `start`.
+//! Calls body(pixel, part) for the one or two pixels that a unit interval starting at `start`
+//! covers.
 template <class Body>
 void for_covered(double start, const Body& body) {
   const double first = std::floor(start);
@@ -128,8 +130,9 @@ void for_covered(double start, const Body& body) {
 
 DiffractionPattern diffraction_pattern(const ApertureSettings& settings) {
   const FarField field(settings);
-  // Rings of neighbouring lines drift apart with their number. So many lines keep it to half a ring up to the square's sides, where
-  // the spectrum's rings then melt into each other.
+  // The rings of adjacent spectral lines drift apart with increasing order. This many lines keep
+  // the difference below half a ring up to the sides of the square, so that the rings of the
+  // spectrum blend there.
   const int lines = std::clamp(static_cast<int>(settings.size_px / (3.0 * settings.scale)), 24, 128);
   const std::vector<SpectralLine> spectrum = white_spectrum(lines);
   const auto size = static_cast<std::size_t>(settings.size_px);
@@ -155,7 +158,8 @@ DiffractionPattern load_diffraction_pattern(const std::filesystem::path& path) {
   pattern.size_px = std::max(image.width, image.height) | 1;
   const auto size = static_cast<std::size_t>(pattern.size_px);
   pattern.rgb.resize(3 * size * size);
-  // Where the file is even its middle lies between pixels: each is shared among neighbours.
+  // If the file's size is even, its center lies between pixels, and each pixel is split among
+  // neighbors.
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
       const float* from = image.rgb.data() + 3 * static_cast<std::size_t>(y * image.width + x);
@@ -180,7 +184,7 @@ void add_diffraction(const DiffractionPattern& pattern, double x_px, double y_px
   const int size = pattern.size_px;
   const double left = x_px - 0.5 * size;
   const double top = y_px - 0.5 * size;
-  // False for places that are not finite as well.
+  // The condition also rejects non-finite positions.
   if (!(left > block.first_column - size - 1.0 && left < block.end_column && top > -size - 1.0 && top < block.height)) {
     return;
   }

@@ -8,42 +8,44 @@
 
 namespace ergodome {
 
-//! The light of a point behind an aperture: what a pupil makes of a star. Its middle is the middle of the square.
+//! Diffraction pattern of a point of light behind an aperture. Its center is that of the square.
 struct DiffractionPattern {
   int size_px = 0;         //!< width and height; odd
-  std::vector<float> rgb;  //!< three floats a pixel, linear sRGB, the top row first; each channel adds up to 1
+  std::vector<float> rgb;  //!< three floats per pixel, linear sRGB, top row first; each channel adds up to 1
 };
 
-//! The Fraunhofer pattern of an aperture in white light (equal energy at 400 to 700 nm, made white in the display's primaries).
-//!
-//! Light that falls outside of the square is left out, and so is the part of a colour beyond what the display can show. Takes a
-//! transform of up to 4096² points: to be done once. Throws Error for settings out of range.
+//! Computes the Fraunhofer pattern of an aperture in white light (equal energy from 400 to 700 nm,
+//! balanced to the display's white).
+//! Omits light outside of the square, and clips colors outside the display's gamut. Takes a Fourier
+//! transform of up to 4096² points, so compute it once. Throws Error for settings out of range.
 DiffractionPattern diffraction_pattern(const ApertureSettings& settings);
 
-//! Reads a pattern from an image through OpenImageIO, its middle where the image's is; grey becomes colour, alpha is ignored.
-//!
-//! Whole numbers are decoded from sRGB, unless the file says that they are linear; negative light counts as 0. Each channel is
-//! normalised to 1; an image that is not a square or even is padded with black to an odd square. Throws Error for what cannot be read,
-//! is larger than 1025 px, not finite, or black in a channel.
+//! Reads a pattern from an image with OpenImageIO; its center is that of the image. Gray is
+//! converted to RGB; alpha is ignored.
+//! Integers are decoded from sRGB unless the file declares them linear; negative light counts as 0.
+//! Normalizes each channel to 1. Pads images that are not square or have an even size with black to
+//! an odd square. Throws Error if the image is unreadable, larger than 1025 px, non-finite, or
+//! black in a channel.
 DiffractionPattern load_diffraction_pattern(const std::filesystem::path& path);
 
-//! Rows of a picture in host memory, four floats a pixel, linear light, of which some columns are drawn to.
+//! A block of rows of a picture in host memory, four floats per pixel, linear light. Only a range
+//! of its columns is drawn.
 struct PixelBlock {
-  int width;         //!< pixels in a row
-  int height;        //!< rows; none where it is not above 0
-  int first_column;  //!< drawn to, up to before `end_column`
+  int width;         //!< pixels per row
+  int height;        //!< number of rows; nothing is drawn if it is not positive
+  int first_column;  //!< columns [first_column, end_column) are drawn
   int end_column;
-  float* rgba;  //!< the first row
+  float* rgba;  //!< first row
 };
 
-//! Adds the pattern of a point of light to a block of pixels; coverage stays.
-//!
-//! (x_px, y_px) is the point's place, (0.5, 0.5) the middle of the block's first pixel; the pattern is placed bilinearly between pixels. The
-//! light added is `light` [picture value times pixels], less what falls beside the block. A place that is not finite adds nothing.
+//! Adds the pattern of a point of light to a block of pixels. Coverage does not change.
+//! (x_px, y_px) is the point's position; (0.5, 0.5) is the center of the block's first pixel. The
+//! pattern is positioned bilinearly at subpixel accuracy. It adds a total of `light` [picture value
+//! times pixels], less what falls outside the block. Non-finite positions add nothing.
 void add_diffraction(const DiffractionPattern& pattern, double x_px, double y_px, const Vector3<float>& light,
                      const PixelBlock& block);
 
-//! The same for the whole of a picture's rows.
+//! Does the same for entire rows of a picture.
 inline void add_diffraction(const DiffractionPattern& pattern, double x_px, double y_px, const Vector3<float>& light,
                             int width, int height, float* rgba) {
   add_diffraction(pattern, x_px, y_px, light, {width, height, 0, width, rgba});

@@ -17,11 +17,12 @@ namespace {
 
 constexpr int widest_aperture_px = 1025;
 constexpr double reference_nm = 550.0;
-//! Radius of the first dark ring behind a round aperture, in wavelengths over its diameter: the first zero of J1, over pi.
+//! Radius of the first dark ring of a round aperture, in wavelengths over its diameter: the first
+//! zero of J1 over pi.
 constexpr double first_ring = 1.2196698912665045;
 //! The same in pixels, for the reference wavelength and a scale of 1.
 constexpr double first_ring_px = 2.0;
-//! Width of a vane, as part of the aperture's radius.
+//! Width of a vane as a fraction of the aperture's radius.
 constexpr double vane_width = 0.03;
 
 void check(const ApertureSettings& settings) {
@@ -41,10 +42,11 @@ void check(const ApertureSettings& settings) {
           "choose 0.25 to 8");
 }
 
-//! Coverage of a cell whose middle lies `depth` cells behind a straight edge.
+//! Returns the coverage of a cell whose center lies `depth` cells inside a straight edge.
 double inside_edge(double depth) { return std::clamp(depth + 0.5, 0.0, 1.0); }
 
-//! Part of a cell at (x, y) [cells from the axis, y upwards] that lets light through; `radius` is the aperture's.
+//! Returns the fraction of a cell at (x, y) that transmits light [cells from the axis, y upwards];
+//! `radius` is that of the aperture.
 double transmission(const ApertureSettings& settings, double radius, double x, double y) {
   const double distance = std::hypot(x, y);
   double depth = radius - distance;
@@ -61,13 +63,13 @@ double transmission(const ApertureSettings& settings, double radius, double x, d
     const double angle = pi / 2.0 + 2.0 * pi * i / settings.vanes;
     const double along = x * std::cos(angle) + y * std::sin(angle);
     const double across = y * std::cos(angle) - x * std::sin(angle);
-    // The difference of two edges: right for vanes thinner than a cell, too.
+    // The difference of two edges is also correct for vanes thinner than a cell.
     part *= 1.0 - inside_edge(along) * (inside_edge(across + half_vane) - inside_edge(across - half_vane));
   }
   return part;
 }
 
-//! Smallest power of two that is not below a number.
+//! Returns the smallest power of two that is at least `least`.
 int power_of_two(double least) {
   return static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::ceil(std::max(least, 1.0)))));
 }
@@ -76,8 +78,8 @@ int power_of_two(double least) {
 
 FarField::FarField(const ApertureSettings& settings) {
   check(settings);
-  // The mask has 4 cells a period of the light at the square's sides, so that its steps do not show; the transform's cells are finer than
-  // the rings and than the pixels.
+  // The mask has 4 cells per period of the light at the sides of the square, so that its steps are
+  // not visible. The cells of the transform are smaller than the rings and the pixels.
   diameter_ = std::clamp(power_of_two(1.7 * settings.size_px / settings.scale), 64, 1024);
   cells_ = std::min(diameter_ * std::max(4, power_of_two(4.0 * settings.scale)), 4096);
   cells_per_px_ = first_ring * cells_ / diameter_ / (first_ring_px * settings.scale);
@@ -92,7 +94,7 @@ FarField::FarField(const ApertureSettings& settings) {
 }
 
 void FarField::draw_mask(const ApertureSettings& settings, float* cells) const {
-  // A cell more on either side, for the edge's half cell.
+  // One more cell on each side, because edges extend by half a cell.
   const int rows = diameter_ + 2;
   const double middle = 0.5 * (rows - 1);
   parallel_for(rows, 16, [&](int begin, int end) {
@@ -116,7 +118,8 @@ void FarField::integrate(const float* amplitudes) {
       const float* amplitude = line + 2 * ((i + half) % cells_);
       const double re = static_cast<double>(amplitude[0]);
       const double im = static_cast<double>(amplitude[1]);
-      // The mask's edges are a cell wide, which dims the amplitude of a frequency by sin(f) / f: undone here.
+      // The edges of the mask are one cell wide, which attenuates the amplitude by sin(f) / f;
+      // divides by that.
       const double f = pi * std::hypot(i - half, j - half) / cells_;
       const double dimming = f > 0.0 ? std::sin(f) / f : 1.0;
       sum += (re * re + im * im) / (dimming * dimming);
@@ -131,7 +134,7 @@ void FarField::integrate(const float* amplitudes) {
 
 double FarField::light_before(double x_px, double y_px, double wavelength_nm) const {
   const double per_px = cells_per_px_ * reference_nm / wavelength_nm;
-  // Frequency 0 is the middle of cell cells_ / 2.
+  // Frequency 0 is at the center of cell cells_ / 2.
   const double middle = 0.5 * cells_ + 0.5;
   const double x = std::clamp(middle + per_px * x_px, 0.0, static_cast<double>(cells_));
   const double y = std::clamp(middle + per_px * y_px, 0.0, static_cast<double>(cells_));

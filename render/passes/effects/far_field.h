@@ -5,39 +5,43 @@
 
 namespace ergodome {
 
-//! An aperture and how large its pattern is drawn.
+//! An aperture and the size of its pattern.
 struct ApertureSettings {
-  //! Sides of the polygon, one level at the top; 0: round. An even count makes as many spikes, an odd one twice.
+  //! Sides of the polygon, with a horizontal one at the top; 0: round. An even number makes as many
+  //! spikes, an odd number twice as many.
   int blades = 6;
-  //! Arms that hold a secondary mirror, the first one upwards; each makes a line of light across it.
+  //! Arms that hold a secondary mirror, the first one upwards; each makes a line of light
+  //! perpendicular to it.
   int vanes = 0;
-  double obstruction = 0.0;  //!< radius of the secondary mirror, as part of the aperture's; 0 to 0.9
+  double obstruction = 0.0;  //!< radius of the secondary mirror as a fraction of the aperture's; 0 to 0.9
   int size_px = 129;         //!< width of the pattern; odd, 3 to 1025
-  double scale = 1.0;        //!< radius of a round aperture's first dark ring at 550 nm in units of 2 px; 0.25 to 8
+  double scale = 1.0;        //!< radius of a round aperture's first dark ring at 550 nm, in units of 2 px; 0.25 to 8
 };
 
-//! The light of a distant point behind an aperture (Fraunhofer diffraction: the squared Fourier transform of the mask), as the sum of all
-//! light left of and above a place: that of any pixel at any wavelength is four reads (Crow, "Summed-area tables for texture mapping",
-//! SIGGRAPH 1984).
+//! The light of a distant point behind an aperture (Fraunhofer diffraction: the squared Fourier
+//! transform of the mask), stored as a summed-area table. The light of any pixel at any wavelength
+//! takes four reads (Crow, "Summed-area tables for texture mapping", SIGGRAPH 1984).
 class FarField {
  public:
   //! Throws Error for settings out of range.
   explicit FarField(const ApertureSettings& settings);
 
-  //! Part of the light of a wavelength that falls left of x_px and above y_px, counted from the middle, y downwards; 1 for all of it.
+  //! Returns the fraction of the light of a wavelength to the left of x_px and above y_px, measured
+  //! from the center with y downwards.
   [[nodiscard]] double light_before(double x_px, double y_px, double wavelength_nm) const;
 
  private:
   [[nodiscard]] std::size_t offset(int i, int j) const {
     return static_cast<std::size_t>(j) * static_cast<std::size_t>(cells_ + 1) + static_cast<std::size_t>(i);
   }
-  //! The aperture's amplitude transmission, in the first corner of cells_ x cells_ numbers that are 0.
+  //! Draws the aperture's transmission into a corner of cells_ x cells_ zeros.
   void draw_mask(const ApertureSettings& settings, float* cells) const;
-  //! Sums up the light of amplitudes (real, imaginary; frequency 0 first), from the lowest frequency on, to a total of 1.
+  //! Sums the light of amplitudes (real, imaginary; frequency 0 first), starting at the lowest
+  //! frequency, and normalizes the total to 1.
   void integrate(const float* amplitudes);
 
-  int diameter_;                //!< of the aperture [cells]
-  int cells_;                   //!< to one side of the transform
+  int diameter_;                //!< diameter of the aperture [cells]
+  int cells_;                   //!< side of the transform
   double cells_per_px_;         //!< at the reference wavelength
   std::vector<double> before_;  //!< (cells_ + 1)² corners
 };

@@ -12,8 +12,8 @@ namespace {
 
 double square_of(const Vector3<double>& v) { return dot(v, v); }
 
-//! The middle of what is small as seen from the hole. Nothing of what is not: light that goes round the hole may come along several rays, and its
-//! parts would have different ones.
+//! Returns the middle of an object that appears small from the hole. Returns nothing for larger
+//! ones, because light that passes the hole may reach their parts along different rays.
 std::optional<Vector3<double>> middle_of(const std::vector<Vector3<double>>& corners) {
   constexpr double small = 0.25;
   if (corners.empty()) {

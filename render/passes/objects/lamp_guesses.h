@@ -8,8 +8,9 @@
 
 namespace ergodome {
 
-//! What spin adds to a lamp's rays to the middle of each object, with one outline each: rays to the rest of it are found from there in a part of the
-//! time. 0 without spin, for objects that are not lit, and for those that are wide as seen from the hole.
+//! Computes how spin changes a lamp's rays to the middle of each object; there is one outline per
+//! object. Rays to the rest of an object are found much faster from there. The result is 0 without
+//! spin, for unlit objects, and for objects that appear wide from the hole.
 std::vector<LampCorrections> lamp_guesses(double spin, const LampPlace& lamp,
                                           const std::vector<ObjectSettings>& objects,
                                           const std::vector<PlacedOutline>& outlines);

@@ -17,7 +17,7 @@ namespace ergodome {
 
 namespace {
 
-//! Show times at which an object may be elsewhere, or the horizon larger.
+//! Returns show times at which the position of an object, or the size of the horizon, may differ.
 std::vector<double> times_to_look_at(const Show& show, const ObjectSettings& object) {
   constexpr std::size_t most_looks = 1024;
   std::vector<double> keys_s = {0.0};
@@ -49,7 +49,7 @@ std::vector<ObjectInHorizon> objects_in_horizon(const Show& show, const ObjectMe
   std::vector<ObjectInHorizon> all;
   for (std::size_t i = 0; i < show.objects.size(); ++i) {
     const ObjectSettings& object = show.objects[i];
-    // Orbits keep farther out.
+    // Orbits stay outside.
     if (object.method != ObjectMethod::trace || object.orbit) {
       continue;
     }

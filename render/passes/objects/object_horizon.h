@@ -6,19 +6,21 @@
 
 namespace ergodome {
 
-//! A show's object of which no ray can tell all, as it lies inside the horizon.
+//! An object of a show that lies partly inside the horizon, where rays cannot reach it.
 struct ObjectInHorizon {
   std::size_t object = 0;
-  bool always_whole = false;  //!< all of it, at all times that were looked at: nobody ever sees it
-  double first_s = 0.0;       //!< show time when some of it is inside for the first time
-  double horizon_r = 0.0;     //!< then [M]
+  bool always_whole = false;  //!< entirely inside at all sampled times, so never visible
+  double first_s = 0.0;       //!< first sampled show time at which part of it is inside
+  double horizon_r = 0.0;     //!< horizon radius at that time [M]
 };
 
-//! The traced objects of a show that come within its horizon, looked at where their own keys are and between them; polygons refuse such places by
-//! themselves. `meshes`: those of load_meshes().
+//! Finds the traced objects of a show that enter the horizon, sampling times at and between their
+//! keys. (Polygon objects throw an Error at such positions instead.) `meshes`: those of
+//! load_meshes().
 std::vector<ObjectInHorizon> objects_in_horizon(const Show& show, const ObjectMeshes& meshes);
 
-//! A sentence about it for the person who made the show, with the line of its place.
+//! Returns a message about such an object for the author of the show, with the line of its
+//! position.
 std::string note_of(const Show& show, const ObjectInHorizon& inside);
 
 }  // namespace ergodome

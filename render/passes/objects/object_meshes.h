@@ -11,13 +11,14 @@ namespace ergodome {
 //! The meshes of a show's objects; several objects may share one.
 struct ObjectMeshes {
   std::vector<TriangleMesh> meshes;
-  std::vector<std::size_t> mesh_of;  //!< which of them each object has
+  std::vector<std::size_t> mesh_of;  //!< mesh index of each object
 };
 
-//! Makes them, or reads them, each file once. Throws Error where one cannot be read.
+//! Generates the meshes, or reads them, each file once. Throws Error if one cannot be read.
 ObjectMeshes load_meshes(const Show& show);
 
-//! Reads the picture on a mesh's triangles, which is there. Throws Error like read_overlay_image; it names the mesh, too.
+//! Reads the image on a mesh's triangles; `image` must not be empty. Throws Error like
+//! read_stored_image; the message also names the mesh.
 OverlayImage read_mesh_image(const MeshImage& image);
 
 }  // namespace ergodome

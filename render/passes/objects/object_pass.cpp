@@ -16,7 +16,7 @@ namespace ergodome {
 
 namespace {
 
-//! Lays a tile, its bottom row first, over a picture.
+//! Composites a tile, stored with its bottom row first, over a picture.
 void lay_over(const std::vector<float>& drawn, const PictureTile& tile, const PixelCell& cell,
               const Projection& projection, float* rgba) {
   parallel_for(tile.height_px, 16, [&](int begin, int end) {

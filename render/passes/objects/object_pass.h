@@ -11,36 +11,38 @@
 
 namespace ergodome {
 
-//! Draws a show's objects over pictures of what is behind them, through OpenGL, whatever backend the pictures are of.
+//! Draws a show's polygon objects over finished pictures, with OpenGL, independent of the backend.
 class ObjectPass {
  public:
-  //! Loads the meshes and opens OpenGL; the show must have objects. Throws Error where a mesh cannot be read or no driver is there.
+  //! Loads the meshes and opens OpenGL; the show must have objects. Throws Error if a mesh cannot
+  //! be read or there is no driver.
   explicit ObjectPass(const Show& show);
   ~ObjectPass();
   ObjectPass(const ObjectPass&) = delete;
   ObjectPass& operator=(const ObjectPass&) = delete;
 
-  //! Draws over a picture in host memory: four floats a pixel. Throws Error where an object reaches into the hole at that time of the show, or the eye is
-  //! inside the photon sphere.
-  //!
-  //! `turning`: what turns with the direction one looks at about that eye, which is then the head's; or nullptr. `beside`: how far to the right of that
-  //! head an eye of the model `flat` is [M], else 0.
+  //! Draws over a picture in host memory: four floats per pixel. Throws Error if an object is too
+  //! close to the hole at that show time, or if the eye is inside the photon sphere.
+  //! `turning`: for an omnidirectional stereo eye, whose head is then `eye`; otherwise nullptr.
+  //! `beside`: distance of an eye of the model `flat` to the right of that head [M], otherwise 0.
   void draw(const EyeCamera& eye, const Projection& projection, double time_s, float* rgba,
             const TurningView* turning = nullptr, double beside = 0.0);
 
-  //! The objects' outlines, where they are at a time of the show.
+  //! Returns the objects' outlines at a show time.
   [[nodiscard]] std::vector<PlacedOutline> outlines(double time_s) const {
     return place_outlines(objects_, outlines_, time_s);
   }
 
-  //! Triangles of all objects.
+  //! Returns the number of triangles of all objects.
   [[nodiscard]] long triangle_count() const;
 
-  //! Bytes of the meshes of a show's objects, each that several share once. Reads them; throws Error like the constructor.
+  //! Returns the size of the meshes of a show's objects [bytes], counting shared meshes once. Reads
+  //! them; throws Error like the constructor.
   static long mesh_bytes(const Show& show);
 
  private:
-  //! Places all objects and holds them to the radii that can be drawn.
+  //! Places all objects and returns their range of radii. Throws Error if it is outside of what can
+  //! be drawn.
   RadialRange place_objects(double time_s);
 
   std::string show_name_;
@@ -48,14 +50,14 @@ class ObjectPass {
   std::optional<PointLight> light_;
   std::vector<TriangleMesh> meshes_;
   std::vector<double> mesh_radii_;
-  std::vector<MeshOutline> outlines_;  //!< one an object
+  std::vector<MeshOutline> outlines_;  //!< one per object
   std::vector<PlacedObject> placed_;
   std::vector<RadialRange> ranges_;  //!< of each object, as placed
   GlThread gl_;
-  std::unique_ptr<ObjectDrawing> drawing_;  //!< made and let go on that thread
+  std::unique_ptr<ObjectDrawing> drawing_;  //!< created and destroyed on that thread
 };
 
-//! The pass of a show whose objects are polygons; else none.
+//! Creates the pass of a show with polygon objects; otherwise returns nullptr.
 std::unique_ptr<ObjectPass> polygons_of(const Show& show);
 
 }  // namespace ergodome

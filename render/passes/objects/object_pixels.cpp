@@ -12,19 +12,20 @@ namespace ergodome {
 
 namespace {
 
-//! A step in brightness from pixel to pixel that is worth finer samples.
+//! Relative difference in brightness between pixels that requires finer samples.
 constexpr float visible_step = 0.2F;
-//! Slices, by their root, of a pixel that the shadow's edge is in or beside: at first, and where these or its neighbours' have met anything. Sixteen leave
-//! gaps in images of the third order, sixty-four beads.
+//! Square roots of the numbers of slices in a pixel that contains or touches the shadow's edge:
+//! initially, and where its own or its neighbors' slices hit anything. Sixteen slices leave gaps in
+//! images of the third order, sixty-four leave beads.
 constexpr int first_edge_slices = 6;
 constexpr int edge_slices = 12;
-//! The same of others whose images are thin.
+//! The same for other pixels with thin images.
 constexpr int first_thin_slices = 4;
 constexpr int thin_slices = 8;
-//! And of those whose images are only stretched, after four rays.
+//! The same for pixels whose images are only stretched, after four rays.
 constexpr int stretched_slices = 6;
 
-//! What a pixel is of the shadow's radius, where that is narrowest.
+//! Returns the size of a pixel relative to the smallest radius of the shadow.
 double part_of_shadow(const ObjectScene& objects) {
   constexpr int sides = 4;
   const ShadowChart chart = make_shadow_chart(objects.camera);
@@ -79,7 +80,7 @@ void ObjectPixels::look() {
   look_at(wanted.fine, PixelPattern::grid, 4);
   look_at(wanted.thin, PixelPattern::slices, first_thin_slices);
   look_at(wanted.edge, PixelPattern::slices, first_edge_slices);
-  // What neighbours have seen is what they have seen at first.
+  // Neighbors are compared by their first results, before any pixel is refined.
   const std::vector<std::int32_t> uneven = uneven_pixels(wanted.coarse);
   const std::vector<std::int32_t> uneven_stretched = uneven_pixels(wanted.stretched);
   const std::vector<std::int32_t> more_thin = pixels_of_thin_images(wanted.thin);

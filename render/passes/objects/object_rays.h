@@ -10,18 +10,20 @@
 
 namespace ergodome {
 
-//! A show's objects at an instant, as exact rays meet them, about a hole of any spin: what drawing them is measured by.
+//! A show's objects at an instant, intersected with exact rays around a hole of any spin. Reference
+//! for measuring the accuracy of drawn objects.
 class ObjectRays {
  public:
-  //! Reads or makes the meshes, and puts trees over them. Throws Error where a mesh cannot be read.
+  //! Reads or generates the meshes and builds their trees. Throws Error if a mesh cannot be read.
   ObjectRays(const Show& show, double time_s);
 
-  //! The first object on the ray that a camera sees in direction `n`, unit vector in (e_r, e_θ, e_φ); none: `mesh` is -1. `tolerance` is the local error
-  //! of the path. Nothing where the ray does not converge.
+  //! Returns the first object on the ray that a camera sees in direction `n`, a unit vector in
+  //! (e_r, e_θ, e_φ); `mesh` is -1 if there is none. `tolerance`: local error of the path. Returns
+  //! nothing if the ray does not converge.
   [[nodiscard]] std::optional<MeshHit> look(const CameraStation& camera, const Vector3<double>& n,
                                             double tolerance = 1e-12) const;
 
-  //! Which of its mesh's triangles a hit is on.
+  //! Returns the index of the mesh triangle that was hit.
   [[nodiscard]] std::uint32_t triangle(const MeshHit& hit) const;
 
  private:

@@ -8,7 +8,7 @@ namespace ergodome {
 
 namespace {
 
-//! Square of the distance of a segment from the origin.
+//! Returns the squared distance of a segment from the origin.
 double square_to_segment(const Vector3<double>& a, const Vector3<double>& b) {
   const Vector3<double> way = b - a;
   const double along = std::clamp(-dot(a, way) / std::max(dot(way, way), 1e-300), 0.0, 1.0);
@@ -20,7 +20,7 @@ double square_to_segment(const Vector3<double>& a, const Vector3<double>& b) {
 
 double distance_from_origin(const Vector3<double>& a, const Vector3<double>& b, const Vector3<double>& c) {
   const Vector3<double> normal = cross(b - a, c - a);
-  // The origin is above the inside where it is on the same side of all three edges.
+  // The origin projects to the inside of the triangle if it is on the same side of all three edges.
   const bool inside =
       dot(cross(b - a, normal), a) >= 0.0 && dot(cross(c - b, normal), b) >= 0.0 && dot(cross(a - c, normal), c) >= 0.0;
   if (inside) {

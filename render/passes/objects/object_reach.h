@@ -6,11 +6,11 @@
 
 namespace ergodome {
 
-//! Between which radii a mesh lies at a placement [M]; `radius` is radius_of(mesh) times its size. Exact where the ball of that radius comes near the
-//! hole, else that of the ball.
+//! Returns the range of radii of a mesh at a placement [M]. `radius` is radius_of(mesh) times the
+//! size. Exact if the bounding sphere comes near the hole, otherwise that of the sphere.
 RadialRange radial_range(const TriangleMesh& mesh, const ObjectPlacement& placement, double size, double radius);
 
-//! Distance of a triangle from the origin.
+//! Returns the distance of a triangle from the origin.
 double distance_from_origin(const Vector3<double>& a, const Vector3<double>& b, const Vector3<double>& c);
 
 }  // namespace ergodome

@@ -7,7 +7,7 @@
 #include "render/passes/objects/object_pixels.h"
 #include "render/passes/stars/drawing/picture_sheets.h"
 
-// Which pixels of a picture objects may be seen in, told by rays through the middles of tiles.
+// Finds the pixels in which objects may be seen, by rays through the middles of tiles.
 namespace ergodome {
 
 namespace {
@@ -15,19 +15,21 @@ namespace {
 constexpr int object_tile_px = 4;
 constexpr int large_tile_px = 16;
 constexpr int small_tile_px = 2;
-//! Along a line of sight of a flat eye a ray stands for as much of the picture, even for a smaller tile: less takes longer than what it saves afterwards.
+//! Minimum tile size for the width of rays along a line of sight of a flat eye: narrower rays cost
+//! more than they save later.
 constexpr int least_part_px = 4;
 
-//! Whether the image covers any of a pixel.
+//! Returns whether the image covers any part of a pixel.
 bool is_shown(const Projection& projection, int x, int y) { return image_coverage(projection, x + 0.5, y + 0.5) > 0.0; }
 
-//! Whether the parts of such a tile are marked by themselves: their pixels may take many rays.
+//! Returns whether the parts of a tile with this mark are marked individually, because their pixels
+//! may need many rays.
 bool is_in_parts(TileMark mark, int side_px) {
   const bool by_pixels = mark == TileMark::edge || mark == TileMark::thin;
   return side_px > small_tile_px ? by_pixels || mark == TileMark::fine : by_pixels && side_px > 1;
 }
 
-//! Calls each(x, y) for the pixels of a tile that are in the rows and in the image.
+//! Calls each(x, y) for the pixels of a tile that are above `bottom` and in the image.
 template <class Each>
 void visit_tile(const Projection& projection, int side_px, int left, int top, int bottom, const Each& each) {
   for (int y = top; y < std::min(top + side_px, bottom); ++y) {
@@ -39,7 +41,8 @@ void visit_tile(const Projection& projection, int side_px, int left, int top, in
   }
 }
 
-//! The sheets of a picture that its tiles may lie across: what a tile's middle tells of does not go beyond the side of a cube.
+//! Detects tiles that extend across sheets of a picture. The ray through a tile's middle does not
+//! represent parts beyond the edge of a cube face.
 class Seams {
  public:
   explicit Seams(const Projection& projection) : sheets_(picture_sheets(projection)) {}
@@ -115,7 +118,8 @@ ObjectPixels::Tiles ObjectPixels::parts_of(const Tiles& tiles, int side_px, int 
 }
 
 void ObjectPixels::mark_flat_pixels(Wanted& wanted) {
-  // Lines of sight are many rays: large tiles tell along which parts of them it is worth while to look closer.
+  // A line of sight takes many rays: large tiles narrow the range along it in which smaller tiles
+  // search.
   Tiles tiles = {shown_tiles(0, width_, top_, bottom_, large_tile_px), {}};
   tiles.reach.assign(tiles.places.size() / 2, {0.0F, static_cast<float>(flat_->most_w), 0.0F});
   tiles = parts_of(tiles, large_tile_px, object_tile_px);
@@ -173,7 +177,7 @@ ObjectPixels::Tiles ObjectPixels::add_seen(Tiles& tiles, int side_px, Wanted& wa
 
 void ObjectPixels::mark_pixels(Wanted& wanted) const {
   std::vector<std::int32_t> tiles = shown_tiles(0, width_, top_, bottom_, object_tile_px);
-  // Where pixels would take many rays, smaller tiles tell which of them.
+  // Where pixels would need many rays, smaller tiles narrow down which of them do.
   for (const int side_px : {object_tile_px, small_tile_px, 1}) {
     tiles = mark_tiles(std::move(tiles), side_px, wanted);
   }

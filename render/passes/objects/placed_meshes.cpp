@@ -10,7 +10,7 @@ namespace ergodome {
 
 namespace {
 
-//! What is nearer to the horizon than this share of its radius is not looked for.
+//! Parts closer to the horizon than this fraction of its radius are ignored.
 constexpr double beside_horizon = 1e-6;
 
 }  // namespace
@@ -34,7 +34,8 @@ PlacedMeshes place_meshes(const std::vector<ObjectSettings>& objects, std::span<
                        objects[i].retarded && at.rate != 0.0};
     std::copy(&at.rows[0][0], &at.rows[0][0] + 9, &mesh.rows[0][0]);
     placed.meshes.push_back(mesh);
-    // What moves on keeps its distance from the hole, but the middle of its ball need not.
+    // A moving object keeps its distance from the hole, but the center of its bounding sphere need
+    // not.
     const Vector3<double> middle = mesh.retarded ? at.position : ball_middle(mesh, at.position);
     const double beside = mesh.retarded ? std::sqrt(dot(mesh.tree.middle, mesh.tree.middle)) : 0.0;
     const double distance = std::sqrt(dot(middle, middle));

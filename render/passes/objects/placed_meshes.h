@@ -8,17 +8,18 @@
 
 namespace ergodome {
 
-//! Meshes where a show's objects have them at an instant.
+//! The meshes of a show's objects, placed at an instant.
 struct PlacedMeshes {
-  std::vector<PlacedMesh> meshes;  //!< one an object
-  double least_r = 0.0;            //!< of the balls about the objects; 0 where one holds the hole [M]
+  std::vector<PlacedMesh> meshes;  //!< one per object
+  double least_r = 0.0;            //!< of the bounding spheres; 0 if one contains the center of the hole [M]
   double greatest_r = 0.0;
 
-  //! As rays about a hole of some spin look for them, with the meshes at some place: what is next to the horizon is not looked for.
+  //! Returns the scene for rays around a hole with a spin. `at`: address of the meshes for the
+  //! kernels. Parts of objects next to the horizon are ignored.
   [[nodiscard]] MeshScene around(double spin, const PlacedMesh* at) const;
 };
 
-//! Puts a tree an object where the object is at a show time. There must be objects.
+//! Places one tree per object at a show time. There must be objects.
 PlacedMeshes place_meshes(const std::vector<ObjectSettings>& objects, std::span<const TriangleTree> trees,
                           double time_s);
 

@@ -10,7 +10,7 @@ namespace ergodome {
 
 namespace {
 
-//! Of meshes on a GPU larger ones are in its memory alone.
+//! With a GPU backend, larger meshes are not kept in host memory.
 constexpr std::size_t most_kept_triangles = 1'000'000;
 
 }  // namespace

@@ -12,20 +12,21 @@
 
 namespace ergodome {
 
-//! The meshes of a show's objects with their trees and images, where the kernels of a backend can read them.
+//! The meshes of a show's objects with their trees and images, in the memory of a backend.
 class SurfaceStore {
  public:
-  //! Reads or makes them, each file once. Throws Error where one cannot be read.
+  //! Reads or generates the meshes, each file once. Throws Error if one cannot be read.
   SurfaceStore(const Show& show, Backend backend);
 
-  //! Objects of which some is not to be seen, as it lies within the horizon.
+  //! Objects that are partly invisible because they extend into the horizon.
   [[nodiscard]] const std::vector<ObjectInHorizon>& in_horizon() const { return in_horizon_; }
 
-  //! One an object.
+  //! Trees and surfaces, one per object.
   [[nodiscard]] const std::vector<TriangleTree>& trees() const { return trees_; }
   [[nodiscard]] const std::vector<Surface>& surfaces() const { return surfaces_; }
 
-  //! The same in host memory. Of meshes in another backend's those of more than a million triangles have no nodes.
+  //! Trees in host memory. If the backend is not the CPU, meshes with more than a million triangles
+  //! have no nodes here.
   [[nodiscard]] const std::vector<TriangleTree>& host_trees() const { return host_trees_; }
 
   [[nodiscard]] const std::vector<MeshOutline>& outlines() const { return outlines_; }
@@ -33,7 +34,7 @@ class SurfaceStore {
   [[nodiscard]] long triangle_count() const { return triangle_count_; }
 
  private:
-  //! What one mesh takes.
+  //! Memory of one mesh.
   struct Stored {
     Buffer<TreeNode> nodes;
     Buffer<float> corners;
@@ -46,7 +47,7 @@ class SurfaceStore {
     Vector3<double> middle{};
     double radius = 0.0;
     MeshOutline outline;
-    TriangleBoxes kept;  //!< what host memory has beside another backend's
+    TriangleBoxes kept;  //!< host copy, if the backend is not the CPU
     TriangleTree host_tree{};
   };
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double most_width_deg = 170.0;
 
-//! Returns a distance with two decimals where these can be read, or four digits.
+//! Returns a distance with two decimals below 1000, otherwise with four significant digits.
 std::string distance_text(double r) { return fmt::format(fmt::runtime(r < 1000.0 ? "{:.2f}" : "{:.4g}"), r); }
 
 }  // namespace

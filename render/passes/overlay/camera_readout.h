@@ -10,7 +10,7 @@ namespace ergodome {
 //! polar angle theta [rad].
 LocalText readout_text(double spin, double r, double theta);
 
-//! Returns a readout as a caption, whose presence does not count.
+//! Returns a readout as a caption. Its presence is not used.
 Caption readout_caption(const ReadoutSettings& readout, double spin, double r, double theta);
 
 }  // namespace ergodome

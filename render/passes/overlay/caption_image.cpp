@@ -14,7 +14,7 @@ namespace ergodome {
 
 namespace {
 
-//! Where another font has been installed for a script, Pango takes it for what the first does not have.
+//! Pango substitutes other installed fonts for scripts that the first font lacks.
 constexpr const char* font_family = "DejaVu Sans, Sans";
 
 struct Unref {
@@ -34,7 +34,7 @@ struct Destroy {
 template <class T>
 using Held = std::unique_ptr<T, Destroy>;
 
-//! UTF-8 that Pango takes: no broken characters, none that stand for nothing.
+//! Returns valid UTF-8 for Pango, without control characters except line breaks and tabs.
 std::string clean_text(const std::string& text) {
   const Held<gchar> valid(
       g_utf8_make_valid(text.data(), static_cast<gssize>(std::min(text.size(), most_caption_bytes))));
@@ -55,13 +55,13 @@ Held<PangoFontDescription> font_of(PangoContext* context, int line_px) {
   pango_font_description_set_absolute_size(font.get(), trial_px * PANGO_SCALE);
   const Held<PangoFontMetrics> metrics(pango_context_get_metrics(context, font.get(), nullptr));
   const int height = metrics ? pango_font_metrics_get_height(metrics.get()) : 0;
-  // A system without a font at all still says nothing, rather than divide by it.
+  // Without any installed font, the height is 0; avoids a division by zero.
   const double of_size = height > 0 ? height / (trial_px * PANGO_SCALE) : 1.2;
   pango_font_description_set_absolute_size(font.get(), std::max(line_px / of_size, 1.0) * PANGO_SCALE);
   return font;
 }
 
-//! Lines as Pango lays them out. Letters' places do not hang on the size: no hints.
+//! Lines laid out by Pango, without hinting, so that glyph positions do not depend on the size.
 struct Lines {
   Pango<PangoContext> context;
   Pango<PangoLayout> layout;
@@ -69,7 +69,7 @@ struct Lines {
 
 Lines lay_out(const std::string& text, const CaptionType& type) {
   Lines lines;
-  // The thread's own fonts, which Pango keeps: they are opened once.
+  // Fonts of this thread, which Pango caches.
   lines.context.reset(pango_font_map_create_context(pango_cairo_font_map_get_default()));
   const Held<cairo_font_options_t> options(cairo_font_options_create());
   cairo_font_options_set_antialias(options.get(), CAIRO_ANTIALIAS_GRAY);
@@ -87,7 +87,7 @@ Lines lay_out(const std::string& text, const CaptionType& type) {
   return lines;
 }
 
-//! How much of each pixel letters cover, 0 to 1, or nothing where that fails.
+//! Coverage of pixels by letters, 0 to 1; empty on failure.
 struct Letters {
   int width = 0;
   int height = 0;
@@ -102,7 +102,7 @@ Letters draw_letters(PangoLayout* layout, int margin_px) {
   if (ink.width <= 0 || ink.height <= 0) {
     return {};
   }
-  // About the middle of the lines, and wide enough for letters that stick out of them.
+  // Centered on the middle of the lines, and wide enough for glyphs that extend beyond them.
   const int beside = std::max({0, box.x - ink.x, ink.x + ink.width - box.x - box.width});
   const int above = std::max({0, box.y - ink.y, ink.y + ink.height - box.y - box.height});
   Letters letters{box.width + 2 * (beside + margin_px), box.height + 2 * (above + margin_px)};
@@ -133,7 +133,8 @@ bool has_font(const std::string& text) {
   return pango_layout_get_unknown_glyphs_count(lay_out(text, any).layout.get()) == 0;
 }
 
-//! Returns the part of the dark rim that letters of a color get: it would make dark ones unreadable.
+//! Returns how strong the dark rim is for letters of a color: a full rim would make dark letters
+//! unreadable.
 float rim_strength(const std::array<double, 3>& color) {
   constexpr double bright = 0.2;
   return static_cast<float>(std::clamp(*std::ranges::max_element(color) / bright, 0.0, 1.0));
@@ -144,7 +145,7 @@ float rim_strength(const std::array<double, 3>& color) {
 std::string letters_without_font(const std::string& text) {
   const std::string clean = clean_text(text);
   std::string missing;
-  // Most texts have all: only others are asked letter by letter.
+  // Most texts have all glyphs; only others are checked letter by letter.
   if (clean.empty() || has_font(clean)) {
     return missing;
   }

@@ -5,7 +5,7 @@
 #include "render/passes/overlay/overlay_pass.h"
 #include "render/passes/overlay/overlay_place.h"
 
-// Captions apart from pictures.
+// Captions as a layer separate from the picture.
 namespace ergodome {
 
 std::vector<std::pair<const Caption*, double>> OverlayPass::seen_captions(std::optional<double> time_s) const {

@@ -10,7 +10,8 @@ namespace ergodome {
 
 namespace {
 
-//! The first letters of a text, and dots where there are more. They are UTF-8: a letter's later bytes are 10xxxxxx.
+//! Returns the first letters of a text, with dots if there are more. Continuation bytes of UTF-8
+//! are 10xxxxxx.
 std::string first_letters(const std::string& text) {
   constexpr int most_letters = 12;
   int letters = 0;

@@ -7,7 +7,8 @@
 
 namespace ergodome {
 
-//! Sentences about captions whose letters no installed font has, for the person who shows them: one a language, which names its first letters.
+//! Returns warnings for operators about captions whose letters no installed font contains: one per
+//! language, which lists the first letters.
 std::vector<std::string> notes_of_captions(const Show& show);
 
 }  // namespace ergodome

@@ -23,7 +23,8 @@ std::uint16_t whole_number(float value) {
 
 int level_size(int size, int level) { return std::max(size >> level, 1); }
 
-//! Gives an image its size and the places of its levels. Returns how many numbers their texels have.
+//! Sets the size of an image and the offsets of its levels. Returns the number of values of all
+//! texels.
 std::size_t lay_out(OverlayImage& image, int width, int height) {
   image.width = width;
   image.height = height;
@@ -36,15 +37,15 @@ std::size_t lay_out(OverlayImage& image, int width, int height) {
   return 4 * static_cast<std::size_t>(texels);
 }
 
-//! An image with room for all levels.
+//! Returns an image with memory for all levels.
 OverlayImage empty_image(int width, int height) {
   OverlayImage image;
   image.texels.resize(lay_out(image, width, height));
   return image;
 }
 
-//! Texels of the finer level that one of the coarser covers along a side, with the parts of them that it covers: up to three, where the finer
-//! has an odd number.
+//! Texels of the finer level that a coarser texel covers along a side, with their weights: up to
+//! three if the finer size is odd.
 struct Covered {
   int first;
   int count;
@@ -106,7 +107,7 @@ Error unreadable_overlay(const std::filesystem::path& path, const std::string& r
   return {path.string(), "cannot be read: " + reason, "use an image that OpenImageIO can read (PNG, EXR, TIFF, JPEG)"};
 }
 
-//! The last of two or four channels is alpha, whatever it is called.
+//! Returns the coding of an image; the last of two or four channels is alpha, whatever its name.
 LightCoding coding_of(const ImageShape& shape) {
   LightCoding coding = light_coding(shape);
   if (coding.alpha < 0 && (shape.channels == 2 || shape.channels == 4)) {
@@ -118,7 +119,7 @@ LightCoding coding_of(const ImageShape& shape) {
 //! Whether the colors of an image are multiplied by its alpha.
 enum class AlphaUse { multiply, ignore };
 
-//! Puts a pixel's light and its alpha.
+//! Converts a pixel's light and alpha to 16 bits.
 void put_pixel(const LightCoding& coding, AlphaUse use, const float* from, std::uint16_t* to) {
   float light[3];
   LightCoding color = coding;
@@ -157,7 +158,8 @@ OverlayImage read_opened_overlay(ImageInput& input, const std::filesystem::path&
   const LightCoding coding = coding_of(shape);
   OverlayImage image;
   const std::size_t texels = lay_out(image, shape.width, shape.height);
-  // Room alone at first: a file that breaks off shall not take the memory of what it claims.
+  // Only reserves the memory, without touching it: a truncated file must not take the memory that
+  // its header claims.
   image.texels.reserve(texels);
   const auto width = static_cast<std::size_t>(shape.width);
   const auto channels = static_cast<std::size_t>(coding.channels);

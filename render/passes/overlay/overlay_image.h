@@ -11,44 +11,47 @@
 
 namespace ergodome {
 
-//! An image to lay over pictures, with its levels: see OverlayTexture.
+//! An overlay image with its mip levels; see OverlayTexture.
 struct OverlayImage {
   int width = 0;
   int height = 0;
   int level_count = 0;
   std::array<long, overlay_level_limit> level_offset{};  //!< in texels
-  std::vector<std::uint16_t> texels;                     //!< four a texel
+  std::vector<std::uint16_t> texels;                     //!< four values per texel
 
-  //! As kernels read it, with its texels at some place.
+  //! Returns the image for kernels; `at`: address of its texels.
   [[nodiscard]] OverlayTexture view(const std::uint16_t* at) const;
 };
 
-//! Sides of an image to lay over pictures are no longer than this [px].
+//! Maximum width and height of an overlay image [px].
 inline constexpr int longest_overlay_px = 8192;
 
-//! Bytes of an image of a size with its levels.
+//! Returns the size of an image with its levels [bytes].
 long overlay_image_bytes(int width, int height);
 
-//! Makes the levels of an image: light as a display shows it, linear, times alpha; four floats a pixel, the top row first. What is not between 0
-//! and 1 is brought there.
+//! Builds an image with its levels from linear display light times alpha: four floats per pixel,
+//! top row first. Values are clamped to [0, 1].
 OverlayImage make_overlay_image(int width, int height, const std::vector<float>& rgba);
 
-//! Width and height of an image file [px], without its pixels. Throws Error like read_overlay_image.
+//! Size of an image [px].
 struct OverlaySize {
   int width;
   int height;
 };
+//! Reads the width and height of an image file [px] without its pixels. Throws Error like
+//! read_overlay_image.
 OverlaySize overlay_image_size(const std::filesystem::path& path);
 
-//! Reads an image through OpenImageIO. Whole numbers are decoded from sRGB, unless the file says that they are linear; floating point is linear.
-//! Grey becomes colour; without alpha all of it covers. Throws Error for what is missing, torn, or larger than longest_overlay_px a side.
+//! Reads an image with OpenImageIO. Integers are decoded from sRGB unless the file declares them
+//! linear; floating point is linear. Gray is converted to RGB; images without alpha are opaque.
+//! Throws Error if the file is missing or damaged, or if a side exceeds longest_overlay_px.
 OverlayImage read_overlay_image(const std::filesystem::path& path);
 
 //! Reads a texture of a mesh. Unlike read_overlay_image it neither turns the image upright, because texture coordinates
 //! count stored pixels, nor multiplies colors by alpha, because meshes are drawn opaque; alpha stays beside them.
 OverlayImage read_stored_image(const std::filesystem::path& path);
 
-//! The same of a file's bytes; `name` ends as such a file's would, and messages call it so.
+//! Does the same for the bytes of a file. `name` must have the file's extension; messages use it.
 OverlayImage read_stored_image(std::string_view bytes, const std::string& name);
 
 }  // namespace ergodome

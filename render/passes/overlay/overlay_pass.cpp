@@ -18,16 +18,16 @@ namespace ergodome {
 
 namespace {
 
-//! Height that lines are set with, in powers of two between these [px].
+//! Range of the line height for typesetting, in powers of two [px].
 constexpr int smallest_line_px = 16;
 constexpr int largest_line_px = 256;
-//! All images of a show, and all texts that are kept.
+//! Limits for all images of a show, and for all cached texts.
 constexpr long most_image_bytes = 4L << 30;
 constexpr std::size_t most_caption_texels = 32UL << 20;
-//! A flat image as wide as this looks stretched already; it has no end at 180.
+//! A flat image this wide already looks stretched; its width diverges at 180 degrees.
 constexpr double widest_image_deg = 150.0;
 
-//! Where a show names the image of its i-th overlay.
+//! Returns the key of the i-th overlay's image in a show.
 std::string image_key(std::size_t i) { return fmt::format("overlay[{}].image", i); }
 
 void check_overlay(const Overlay& overlay, const std::filesystem::path& path, int width, int height) {
@@ -46,7 +46,7 @@ void check_overlay(const Overlay& overlay, const std::filesystem::path& path, in
   }
 }
 
-//! Lines bend on domes and spheres; on a flat screen they are straight.
+//! Returns the sheet of a caption: bent on domes and spheres, flat on a flat screen.
 OverlaySheet caption_sheet(const Projection& projection, const DomePlace& place, double across, double upright) {
   return projection.kind == ProjectionKind::pinhole ? flat_sheet(place, 2.0 * std::atan(0.5 * across), across / upright)
                                                     : bent_sheet(place, across, upright);
@@ -195,7 +195,7 @@ OverlayPass::SetCaption& OverlayPass::set_for(const Caption& caption, const std:
   const WorkScope work(counter, static_cast<long>(text.size()));
   const int wished_px = line_px;
   CaptionImage image;
-  // What is too large for an image has smaller letters.
+  // A text that is too large for an image gets a lower resolution.
   do {
     image = set_caption(text, {line_px, width / letter * line_px, caption.color});
     line_px /= 2;

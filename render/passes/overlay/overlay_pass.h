@@ -17,65 +17,71 @@
 
 namespace ergodome {
 
-//! A picture to draw overlays on, and how it will be shown.
+//! A picture to draw overlays on, and how it will be displayed.
 struct OverlayTarget {
-  Backend backend = Backend::cpu;  //!< where `rgba` lies
+  Backend backend = Backend::cpu;  //!< memory of `rgba`
   float* rgba = nullptr;           //!< light and coverage of the whole picture
   Tone tone;
-  bool display_colours = false;  //!< a heat map's, which no tone comes on
+  bool display_colours = false;  //!< for heat maps, to which no tone is applied
 };
 
-//! Draws captions and images over finished pictures, in the colours that they have on a display, whatever the exposure and the tone. In order: the
-//! show's images, its captions, then captions that others give.
-//!
-//! Images are read once; a text is set when it is first seen, and again when pictures need finer letters. Where nothing is to be seen nothing is
-//! done. All of it belongs to one thread at a time.
+//! Draws captions and images over finished pictures, in their display colors regardless of exposure
+//! and tone. In order: the show's images, its captions, extra captions.
+//! Reads images once; sets a text when it is first visible, and again when pictures need a higher
+//! resolution. Does nothing if no overlay is visible. Not thread-safe.
 class OverlayPass {
  public:
-  //! Reads the images of a show. Throws Error, with the show's line, where one is missing, too large, or no domemaster, or a number makes no
-  //! sense.
+  //! Reads the images of a show. Throws Error with the show's line if one is missing, too large,
+  //! not a square domemaster, or has numbers out of range.
   explicit OverlayPass(const Show& show);
 
-  //! Goes on with another show, in the same language and with the same extra captions. Throws Error like the constructor, and keeps the old.
+  //! Switches to another show, keeping the language and the extra captions. If it throws Error like
+  //! the constructor, the old show is kept.
   void set_show(const Show& show);
 
-  //! The language of captions, by its tag; empty: the show's own.
+  //! Sets the language of captions by its tag; empty: the show's default.
   void set_language(const std::string& language) { language_ = language; }
 
-  //! Whether the show's captions are drawn. Images are, always.
+  //! Sets whether the show's captions are drawn. Its images are always drawn.
   void set_captions(bool shown) { captions_shown_ = shown; }
 
-  //! Captions that do not come from the show, in place of those given before: a greeting, help. Their presence does not count: they are there,
-  //! with this opacity, until others are set.
+  //! Replaces the captions that do not come from the show, such as a greeting or help. Their
+  //! presence is ignored: they stay visible with this opacity until replaced.
   void set_extra(std::vector<Caption> captions, double opacity = 1.0);
 
-  //! Sets the show's readout of the picture that is drawn next; none where it is not to be seen. It goes with the show's captions.
+  //! Sets the show's readout for the next picture; none hides it. It is visible only if the show's
+  //! captions are.
   void set_readout(std::optional<Caption> readout) { readout_ = std::move(readout); }
 
-  //! Whether captions are left out of pictures, for whoever shows caption_layer() over them.
+  //! Sets whether captions are omitted from pictures, for callers that composite caption_layer()
+  //! over them.
   void set_captions_apart(bool apart) { captions_apart_ = apart; }
 
-  //! Whether there may be anything to draw. `time_s`: of the show; none: only what does not come from it.
+  //! Returns whether there may be anything to draw. `time_s`: show time; none: only captions that
+  //! do not come from the show.
   [[nodiscard]] bool draws_at(std::optional<double> time_s) const;
 
-  //! Draws what is to be seen at a time. `projection`: overlay_projection() of the picture.
+  //! Draws the overlays that are visible at a time. `projection`: overlay_projection() of the
+  //! picture.
   void draw(const OverlayTarget& target, const Projection& projection, std::optional<double> time_s);
 
-  //! Captions at a time, on nothing; none where there is nothing to see. The last layer is given again where it would be the same.
+  //! Returns the captions at a time on a transparent layer; null if there is nothing to see.
+  //! Returns the previous layer again if it is unchanged.
   LaidCaptions caption_layer(const Projection& projection, std::optional<double> time_s);
 
-  //! Bytes that a show's images take, from their files' sizes alone. Throws Error like the constructor.
+  //! Returns the memory that a show's images take [bytes], reading only their sizes. Throws Error
+  //! like the constructor.
   static long image_bytes(const Show& show);
 
  private:
-  //! An image where kernels reach it; on a device from when it is first drawn there.
+  //! An image for kernels. The copy in GPU memory is made when it is first drawn there.
   struct Texture {
     OverlayImage layout;  //!< without its texels
     Buffer<std::uint16_t> host;
     Buffer<std::uint16_t> device;
   };
 
-  //! Rows of a picture's tiles, [first, end); none where these are equal.
+  //! Rows of a picture's tiles, [first, end); empty if these are equal.
   struct TileRows {
     int first = 0;
     int end = 0;
@@ -85,15 +91,15 @@ class OverlayPass {
   struct SetCaption {
     std::string text;
     double letter_deg;
-    double width;  //!< where its lines are broken [rad]
+    double width;  //!< width at which its lines break [rad]
     std::array<double, 3> color;
     int line_px;      //!< height of its lines
-    int wished_px;    //!< what that was to be
-    Texture texture;  //!< of no width: nothing to see
+    int wished_px;    //!< requested height of its lines
+    Texture texture;  //!< width 0: nothing to see
     long last_drawn;
   };
 
-  //! A caption as the last layer shows it, in its language.
+  //! A caption of the last layer, in its language.
   struct LayerCaption {
     std::string text;
     DomePlace place;
@@ -105,7 +111,7 @@ class OverlayPass {
     bool operator==(const LayerCaption&) const = default;
   };
 
-  //! Captions that are seen at a time, with their opacity.
+  //! Returns the captions that are visible at a time, with their opacity.
   [[nodiscard]] std::vector<std::pair<const Caption*, double>> seen_captions(std::optional<double> time_s) const;
   std::shared_ptr<const CaptionLayer> draw_layer(const Projection& projection,
                                                  const std::vector<std::pair<const Caption*, double>>& captions);
@@ -114,11 +120,11 @@ class OverlayPass {
   void draw_image(const OverlayTarget& target, const Projection& projection, const Overlay& overlay, double opacity);
   TileRows draw_caption(const OverlayTarget& target, const Projection& projection, const Caption& caption,
                         double opacity);
-  //! Returns the rows of tiles that it may have drawn on.
+  //! Draws a sheet and returns the rows of tiles on which it may have drawn.
   TileRows draw_sheet(const OverlayTarget& target, const Projection& projection, Texture& texture, OverlaySheet sheet,
                       double opacity);
 
-  //! The text of a caption, set finely enough for a picture.
+  //! Returns the text of a caption, set at a sufficient resolution for a picture.
   SetCaption& set_for(const Caption& caption, const std::string& text, double width, double angle_of_px);
   void forget_old_captions();
   const PictureTiles& tiles_of(const Projection& projection);
@@ -133,13 +139,13 @@ class OverlayPass {
   bool captions_apart_ = false;
   std::map<std::string, Texture> images_;  //!< by their names in the show
   std::vector<SetCaption> set_;
-  std::vector<PictureTiles> tiles_;  //!< of the eyes' pictures
+  std::vector<PictureTiles> tiles_;  //!< of the pictures of all eyes
   Buffer<std::int32_t> tile_numbers_;
-  long drawn_ = 0;  //!< pictures
+  long drawn_ = 0;  //!< number of pictures
   std::vector<LayerCaption> in_layer_;
-  std::optional<PictureTiles> layer_tiles_;  //!< of the last layer's projection
+  std::optional<PictureTiles> layer_tiles_;  //!< for the projection of the last layer
   std::shared_ptr<const CaptionLayer> layer_;
-  std::vector<float> canvas_;  //!< that layers are cut out of: nothing but while one is drawn
+  std::vector<float> canvas_;  //!< canvas from which layers are cut; cleared after each layer
 };
 
 }  // namespace ergodome

@@ -9,13 +9,14 @@ namespace ergodome {
 
 namespace {
 
-//! Captions follow the circles of elevations up to this.
+//! Up to this elevation, captions follow circles of constant elevation.
 constexpr double steepest_bend = 60.0 * one_degree;
-//! On a flat screen, what is further from the front than this belongs to those who look elsewhere.
+//! On a flat screen, overlays farther from the front than this are omitted, because they are meant
+//! for other directions.
 constexpr double widest_azimuth_deg = 60.0;
-//! Part of a screen's angle that overlays leave free on each side.
+//! Margin on each side of a screen, as a fraction of its angle.
 constexpr double screen_margin = 0.03;
-//! An eye stays within a dome.
+//! Maximum distance of an eye from the center of a dome, in radii.
 constexpr double farthest_viewer = 0.95;
 
 struct PlaceAxes {
@@ -34,7 +35,7 @@ PlaceAxes axes_of(const DomePlace& place) {
   return {middle, std::cos(roll) * right - std::sin(roll) * up, std::sin(roll) * right + std::cos(roll) * up};
 }
 
-//! Latitude of a sheet's middle in its own system of latitudes.
+//! Returns the latitude of the middle of a bent sheet in the sheet's latitude system.
 double bend_of(const DomePlace& place) {
   const double e = one_degree * std::clamp(place.elevation_deg, -90.0, 90.0);
   const double size = std::abs(e);
@@ -81,7 +82,8 @@ PlacedOverlay placed_overlay(const Projection& projection, const DomePlace& plac
   const double roll = one_degree * place.roll_deg;
   const double across = std::abs(std::cos(roll)) * width + std::abs(std::sin(roll)) * height;
   const double upright = std::abs(std::sin(roll)) * width + std::abs(std::cos(roll)) * height;
-  // A side of the screen at a time: its two ends as angles, the overlay's middle between them.
+  // Handles one axis of the screen at a time: its two ends as angles, with the overlay's center
+  // clamped between them.
   const auto moved_in = [&](double low, double high, double size, double at_deg) {
     const double from = std::atan(low) + 0.5 * size;
     const double to = std::atan(high) - 0.5 * size;
@@ -174,7 +176,7 @@ void bound_sheet(OverlaySheet& sheet, double margin) {
         least_cosine = std::min(least_cosine, dot(direction_on_sheet(sheet, s, t), in_double(sheet.bound_axis)));
       }
     }
-    // Between the places that were looked at the side may lie a little further out.
+    // Between the sampled positions, the side may lie slightly further out.
     half_angle = 1.01 * std::acos(std::clamp(least_cosine, -1.0, 1.0));
   }
   const double bound = half_angle + margin;

@@ -8,7 +8,8 @@
 
 namespace ergodome {
 
-//! How much of an overlay is there at a time of the show, 0 to 1: it comes and goes smoothly (3x² - 2x³) within its time.
+//! Returns the opacity of an overlay at a show time, 0 to 1. It fades smoothly (3x² - 2x³) within
+//! its time range.
 inline double presence_at(const Presence& presence, double time_s) {
   if (!(time_s >= presence.from_s && time_s < presence.to_s)) {
     return 0.0;
@@ -20,44 +21,47 @@ inline double presence_at(const Presence& presence, double time_s) {
   return part(time_s - presence.from_s, presence.fade_in_s) * part(presence.to_s - time_s, presence.fade_out_s);
 }
 
-//! The projection by which pictures are drawn on that stand on the dome or screen itself: of a dome without its tilt and its viewer, so that nothing
-//! moves them.
-//!
-//! `projection`: the head's. `offset`: of the eye from the head, to the right [M]. `convergence`: of the stereo [M], 0 for infinity. `distance`: where
-//! in the depth of the picture the overlay appears [M]: 0 on the dome or screen, where both eyes have it in one place; std::numeric_limits::infinity()
-//! behind all.
+//! Returns the projection for overlays, which are fixed to the dome or screen: that of a dome has
+//! neither tilt nor viewer position, so that overlays do not move with them.
+//! `projection`: that of the head. `offset`: of the eye to the right of the head [M].
+//! `convergence`: convergence distance of the stereo [M], 0 for infinity. `distance`: apparent
+//! depth of the overlay in the picture [M]; 0: on the dome or screen, at the same position for both
+//! eyes; std::numeric_limits::infinity(): behind everything.
 Projection overlay_projection(const Projection& projection, double offset = 0.0, double convergence = 0.0,
                               double distance = 0.0);
 
-//! An overlay's place and size in a picture.
+//! Position and size of an overlay in a picture.
 struct PlacedOverlay {
   DomePlace place;
-  double scale = 1.0;  //!< on its size
+  double scale = 1.0;  //!< relative to its size
   bool shown = true;
 };
 
-//! Where an overlay of a size [rad] goes in a picture. On domes, cylinders, cubes and whole spheres that is its place. A flat screen shows a part of
-//! the dome: what would stick out of it is moved in and, if it is larger than the screen, made smaller; what is more than 60° beside the front is
-//! left out.
+//! Returns where an overlay of a given size [rad] appears in a picture. On domes, cylinders, cubes
+//! and full spheres, that is its position. A flat screen shows part of the dome: overlays that
+//! extend beyond it are moved inside, and shrunk if they are larger than the screen. Overlays more
+//! than 60° from the front are omitted.
 PlacedOverlay placed_overlay(const Projection& projection, const DomePlace& place, double width, double height);
 
-//! A caption's sheet, of a size along its middle [rad]. It bends along the circle of its elevation up to 60°; above, less and less, and at the zenith it
-//! is straight.
+//! Returns a caption's sheet of a given size along its middle [rad]. It is bent along the circle of
+//! its elevation up to 60°; above, the bend decreases to zero at the zenith.
 OverlaySheet bent_sheet(const DomePlace& place, double width, double height);
 
-//! The widest that a bent sheet can be [rad]: somewhat less than once round.
+//! Returns the maximum width of a bent sheet [rad], slightly less than a full circle.
 double widest_bent_sheet(const DomePlace& place);
 
-//! An image's sheet on a plane; `width`: angle that it spans [rad], below π. `aspect`: width over height.
+//! Returns an image's sheet on a plane. `width`: its angle, below π [rad]. `aspect`: width over
+//! height.
 OverlaySheet flat_sheet(const DomePlace& place, double width, double aspect);
 
-//! A domemaster's sheet; its full field of view [rad].
+//! Returns a domemaster's sheet. `field_of_view`: full angle [rad].
 OverlaySheet fisheye_sheet(double field_of_view);
 
-//! Sets the sheet's bound: a cone that holds all of it, and `margin` [rad] around it.
+//! Sets the sheet's bound: a cone that contains it with a margin of `margin` [rad].
 void bound_sheet(OverlaySheet& sheet, double margin);
 
-//! Direction of a place of a bent or flat sheet (s, t: 0 to 1 from the left and the top).
+//! Returns the direction of a point of a bent or flat sheet (s, t: 0 to 1 from the left and the
+//! top).
 Vector3<double> direction_on_sheet(const OverlaySheet& sheet, double s, double t);
 
 }  // namespace ergodome

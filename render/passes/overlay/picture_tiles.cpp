@@ -9,9 +9,10 @@ namespace ergodome {
 
 namespace {
 
-//! A tile that looks about further than this is taken to look everywhere: it lies across a seam, or on a coarse picture.
+//! A tile with a wider cone is assumed to see all directions: it extends across a seam or lies in a
+//! coarse picture.
 constexpr double widest_cone = 1.0;
-//! Directions between those that were looked at.
+//! Accounts for directions between the sampled ones.
 constexpr double cone_slack = 1.2;
 constexpr float everywhere = 4.0F;
 
@@ -37,7 +38,8 @@ PictureTiles::PictureTiles(const Projection& projection)
 }
 
 PictureTiles::Cone PictureTiles::cone_of(int column, int row) const {
-  // From the middles of its first pixels to those of its last: whatever face of a cube, larger than a tile, it has a part of, a corner lies on that.
+  // From the centers of its first pixels to those of its last. Cube faces are larger than a tile,
+  // so each face that a tile overlaps contains one of its corners.
   const double left = column * overlay_tile_px + 0.5;
   const double top = row * overlay_tile_px + 0.5;
   const double right = std::min(left + overlay_tile_px, static_cast<double>(projection_.width_px)) - 0.5;
@@ -59,7 +61,7 @@ bool PictureTiles::are_of(const Projection& projection) const {
       projection.height_px != projection_.height_px) {
     return false;
   }
-  // Projections that agree at these places to the last bit are one.
+  // Projections that agree bit for bit at these positions are considered equal.
   for (const double part : {0.03, 0.31, 0.5, 0.77}) {
     const double x = part * projection.width_px;
     const double y = (part + 0.05) * projection.height_px;

@@ -7,16 +7,16 @@
 
 namespace ergodome {
 
-//! The squares of overlay_tile_px that a picture is divided into, each with a cone that holds its directions: where an overlay may be is found without
-//! asking every pixel.
+//! The square tiles of overlay_tile_px into which a picture is divided, each with a cone that
+//! contains its directions. They find the pixels of an overlay without testing all of them.
 class PictureTiles {
  public:
   explicit PictureTiles(const Projection& projection);
 
-  //! Whether it is the picture's of that projection.
+  //! Returns whether the tiles were made for this projection.
   [[nodiscard]] bool are_of(const Projection& projection) const;
 
-  //! Numbers of the tiles that may see any of a sheet's bound.
+  //! Returns the indices of the tiles that may overlap a sheet's bound.
   [[nodiscard]] std::vector<std::int32_t> within(const OverlaySheet& sheet) const;
 
   [[nodiscard]] int columns() const { return columns_; }
@@ -24,7 +24,7 @@ class PictureTiles {
  private:
   struct Cone {
     Vector3<float> axis;
-    float half_angle;  //!< [rad]; above π: everywhere
+    float half_angle;  //!< [rad]; above π: all directions
   };
 
   Cone cone_of(int column, int row) const;

@@ -7,7 +7,7 @@
 
 namespace ergodome {
 
-//! Radii of points [M].
+//! Range of radii of points [M].
 struct RadialRange {
   double nearest;
   double farthest;
@@ -15,12 +15,13 @@ struct RadialRange {
   bool operator==(const RadialRange&) const = default;
 };
 
-//! The range, a little wider, that tables are made for: one of few, so that objects may move without another table. It depends on nothing that was
-//! drawn before.
+//! Returns the slightly wider range for which a table is made. There are few such ranges, so that
+//! objects may move without a new table. The result does not depend on earlier pictures.
 RadialRange table_range(const RadialRange& range);
 
-//! A table of connecting rays in the current OpenGL context: nodes of ConnectionView as the texels, azimuth along the rows; one layer for an observer,
-//! four for a range of their radii.
+//! A table of connecting rays as a texture in the current OpenGL context. Texels are nodes of
+//! ConnectionView, with the azimuth along rows. There is one layer for a single observer radius,
+//! and four for a range.
 class ConnectionTexture {
  public:
   ConnectionTexture(const RadialRange& observers, const RadialRange& range, int orders);
@@ -39,14 +40,15 @@ class ConnectionTexture {
   unsigned texture_ = 0;
 };
 
-//! The few tables that are in use: of each eye and of the light. What has gone longest without is let go first.
+//! Cache of the tables in use, for each eye and the light. Evicts the least recently used.
 class ConnectionTextures {
  public:
-  //! The table of observers, or of a light, for points in a range and images of some orders, two or more; made where there is none yet.
+  //! Returns the table of observers (or a light) for points in a range and images of `orders`
+  //! orders, at least two. Creates it if necessary.
   const ConnectionTexture& table(const RadialRange& observers, const RadialRange& points, int orders);
 
  private:
-  std::vector<std::unique_ptr<ConnectionTexture>> tables_;  //!< used last, last
+  std::vector<std::unique_ptr<ConnectionTexture>> tables_;  //!< most recently used last
 };
 
 }  // namespace ergodome

@@ -14,7 +14,8 @@ namespace ergodome {
 
 namespace {
 
-//! Whether a part shows its image once, so that nothing of one side of it is to be seen at the other.
+//! Returns whether a part shows its image only once, so that the image's opposite edges must not
+//! blend.
 bool shows_image_once(const TriangleMesh& mesh, const MeshPart& part) {
   const auto first = mesh.indices.begin() + static_cast<std::ptrdiff_t>(part.first_index);
   return std::all_of(first, first + static_cast<std::ptrdiff_t>(part.index_count), [&](std::uint32_t index) {
@@ -52,8 +53,9 @@ void describe(unsigned vertex_array, unsigned at, int count, std::size_t offset)
   glVertexArrayAttribBinding(vertex_array, at, 0);
 }
 
-//! How many patches a call may have where the processor draws: Mesa 22's llvmpipe counts the corners that all of them are divided into with 16
-//! bits, and beyond that takes those of one patch for another's. A patch of level n has some 3/4 n² + 3/2 n + 3 of them.
+//! Returns the maximum number of patches per draw call if the CPU renders. llvmpipe of Mesa 22
+//! counts the vertices of all tessellated patches in 16 bits and mixes up patches beyond that. A
+//! patch of level n has about 3/4 n² + 3/2 n + 3 vertices.
 std::uint32_t software_patches(double most_level) {
   const double level = std::ceil(most_level);
   return static_cast<std::uint32_t>(65535.0 / (0.75 * level * level + 1.5 * level + 3.0));

@@ -9,13 +9,13 @@ namespace ergodome {
 //! A mesh in the current OpenGL context, with the images of its parts.
 class GlMesh {
  public:
-  //! Throws Error where an image cannot be read, or the driver has no room.
+  //! Throws Error if an image cannot be read or the driver cannot allocate memory.
   explicit GlMesh(const TriangleMesh& mesh);
   ~GlMesh();
   GlMesh(const GlMesh&) = delete;
   GlMesh& operator=(const GlMesh&) = delete;
 
-  //! A part of it: where its indices are, its colour and its image (0: none).
+  //! A part of the mesh: range of its indices, its color and its texture (0: none).
   struct Part {
     std::uint32_t first_index;
     std::uint32_t index_count;
@@ -25,16 +25,17 @@ class GlMesh {
 
   [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
 
-  //! Binds what the next calls draw from.
+  //! Binds the buffers for the following draw calls.
   void bind() const;
-  //! Draws a part as patches of three corners, whose edges are divided into `most_level` parts at the most.
+  //! Draws a part as patches of three vertices, whose edges are divided into at most `most_level`
+  //! parts.
   void draw(const Part& part, double most_level) const;
 
  private:
   unsigned vertex_array_ = 0;
   unsigned vertices_ = 0;
   unsigned indices_ = 0;
-  bool in_software_;  //!< the processor draws
+  bool in_software_;  //!< rendering is done by the CPU
   std::vector<Part> parts_;
 };
 

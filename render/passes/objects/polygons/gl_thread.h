@@ -7,17 +7,17 @@
 
 namespace ergodome {
 
-//! A thread of its own with an OpenGL 4.5 context that needs no display. Pictures are rendered on whatever thread asks for them, which may
-//! have a window's context: neither gets into the other's way.
+//! A dedicated thread with an OpenGL 4.5 context that needs no display. It keeps that context
+//! separate from a window's context that the calling thread may have.
 class GlThread {
  public:
-  //! Throws Error when no driver gives OpenGL 4.5 (HeadlessContext).
+  //! Throws Error if no driver provides OpenGL 4.5 (HeadlessContext).
   GlThread();
   ~GlThread();
   GlThread(const GlThread&) = delete;
   GlThread& operator=(const GlThread&) = delete;
 
-  //! Does a piece of work there and waits for it. Throws what it throws.
+  //! Runs a function on the thread and waits for it. Rethrows its exceptions.
   void run(const std::function<void()>& work);
 
  private:
@@ -25,11 +25,11 @@ class GlThread {
 
   std::mutex mutex_;
   std::condition_variable changed_;
-  const std::function<void()>* work_ = nullptr;  //!< what is to be done
+  const std::function<void()>* work_ = nullptr;  //!< function to run
   bool done_ = false;
   bool ends_ = false;
   std::exception_ptr problem_;
-  std::mutex callers_;  //!< one at a time
+  std::mutex callers_;  //!< held by the calling thread; one call at a time
   std::thread thread_;
 };
 

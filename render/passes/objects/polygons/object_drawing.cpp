@@ -12,7 +12,7 @@ namespace ergodome {
 
 namespace {
 
-//! Half turns that a table has at the least: light of lamps comes by the first two ways.
+//! Minimum number of half turns in a table: light of lamps arrives on the two shortest paths.
 constexpr int least_orders = 2;
 constexpr GLsizeiptr eyes_bytes =
     static_cast<GLsizeiptr>(sizeof(float)) * 4 * turning_groups * omni_terms(omni_most_degree);

@@ -18,11 +18,11 @@ namespace ergodome {
 //! An object at one instant.
 struct PlacedObject {
   const ObjectSettings* settings;
-  std::size_t mesh;  //!< which of the meshes it has
+  std::size_t mesh;  //!< index of its mesh
   ObjectPlacement placement;
 };
 
-//! A rectangle of a picture, from its top left corner.
+//! A rectangle of a picture; coordinates start at the picture's top left corner.
 struct PictureTile {
   int left_px;
   int top_px;
@@ -33,24 +33,24 @@ struct PictureTile {
 //! Draws objects in the current OpenGL context.
 class ObjectDrawing {
  public:
-  //! Throws Error where the driver refuses.
+  //! Throws Error if the driver fails.
   explicit ObjectDrawing(const std::vector<TriangleMesh>& meshes);
   ~ObjectDrawing();
   ObjectDrawing(const ObjectDrawing&) = delete;
   ObjectDrawing& operator=(const ObjectDrawing&) = delete;
 
-  //! What is drawn: objects as an eye sees them, all within a range of radii.
+  //! Objects as seen by an eye, all within a range of radii.
   struct Scene {
-    ObjectView view;             //!< of a turning eye, the head's
-    const TurningView* turning;  //!< nullptr: the eye stands still
-    double beside;               //!< how far to the right of the head it is in the model `flat` [M]; else 0
+    ObjectView view;             //!< of an omnidirectional stereo eye, that of the head
+    const TurningView* turning;  //!< nullptr unless the eye is omnidirectional
+    double beside;               //!< distance to the right of the head in the model `flat` [M]; otherwise 0
     std::span<const PlacedObject> objects;
     std::optional<PointLight> light;
     RadialRange range;
   };
 
-  //! Draws a tile of a picture: light times coverage, and coverage, four floats a pixel, the bottom row first. The projection is one over
-  //! which nothing jumps: whole, or a face of a cube.
+  //! Draws a tile of a picture: light times coverage, and coverage; four floats per pixel, bottom
+  //! row first. The projection must be continuous: a whole picture, or a face of a cube.
   void draw(const Scene& scene, const Projection& projection, const PictureTile& tile, std::vector<float>& rgba);
 
  private:
@@ -61,8 +61,8 @@ class ObjectDrawing {
   void set_turning(const TurningView& turning);
 
   std::array<unsigned, 3>
-      programs_{};     //!< by ObjectSight; the camera's made at once, so that a driver that refuses does so then
-  unsigned eyes_ = 0;  //!< buffer of the uniform block of eyes that turn
+      programs_{};  //!< by ObjectSight; the one for cameras is linked immediately, so that driver errors appear early
+  unsigned eyes_ = 0;  //!< uniform buffer of omnidirectional stereo eyes
   std::vector<std::unique_ptr<GlMesh>> meshes_;
   ConnectionTextures tables_;
   std::unique_ptr<ObjectTarget> target_;

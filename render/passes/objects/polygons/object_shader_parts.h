@@ -1,16 +1,17 @@
 #pragma once
 
-// Parts that several of the shaders for objects have (render/objects/object_shaders.h).
+// GLSL functions that several shaders for objects share (object_shaders.h).
 namespace ergodome {
 
-//! `look(place, direction, view, time)`: in which direction of the observer's rest frame and of the view a place is seen, and how long its light
-//! takes, by the observer's table as look_up_connection() reads it. With TURNING for eyes that turn (TurningView), without for one that does not, which
-//! pays nothing for them.
+//! `look(place, direction, view, time)`: computes the direction of a position in the observer's
+//! rest frame and in the view, and the light travel time, from the observer's table as in
+//! look_up_connection(). Define TURNING for omnidirectional stereo eyes (TurningView); without it
+//! there is no overhead for them.
 extern const char* const object_sight_source;
 
-//! `clip_place(view, depth)`: where a view direction comes to lie in the picture, for the rasterizer; `horizontal_period()`: how far
-//! apart in it the same direction comes again, 0: nowhere; `torn_by_projection(a, b, c)`: whether a triangle lies about a place that a
-//! projection tears.
+//! `clip_place(view, depth)`: maps a view direction to clip coordinates. `horizontal_period()`:
+//! distance in clip space after which directions repeat, 0 if they do not. `torn_by_projection(a,
+//! b, c)`: returns whether a triangle surrounds a point at which the projection is discontinuous.
 extern const char* const object_projection_source;
 
 }  // namespace ergodome

@@ -28,7 +28,8 @@ void main() {
 }
 )";
 
-// Levels by how an edge's middle is seen: eqs. 18 and 19. What is computed from both ends alike is the same for both neighbours of an edge.
+// Tessellation levels by how far the middle of an edge bulges on the screen: eqs. 18 and 19.
+// Quantities that depend on both ends symmetrically agree for both patches at an edge.
 const char* const control_main = R"(
 layout(vertices = 3) out;
 layout(location = 14) uniform vec4 tessellation;
@@ -113,8 +114,8 @@ void main() {
 }
 )";
 
-// A triangle that the hole tears is left out, and one that a projection tears. Where the picture's right side meets its left one, what goes out
-// on one side is drawn on the other, too.
+// Discards triangles that the hole or the projection tears apart. If the picture wraps around,
+// triangles that leave it on one side are drawn on the other side, too.
 const char* const geometry_main = R"(
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 9) out;

@@ -4,10 +4,11 @@
 
 namespace ergodome {
 
-//! What objects are drawn on: light and coverage with several samples a pixel, and a depth. In the current OpenGL context.
+//! Multisampled render target for objects in the current OpenGL context: light and coverage, and
+//! depth.
 class ObjectTarget {
  public:
-  //! Throws Error where the driver has no room for it.
+  //! Throws Error if the driver cannot allocate memory.
   ObjectTarget(int width, int height);
   ~ObjectTarget();
   ObjectTarget(const ObjectTarget&) = delete;
@@ -16,16 +17,17 @@ class ObjectTarget {
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
 
-  //! Binds it, and clears it to no light, no coverage and the farthest depth.
+  //! Binds the target and clears it to no light, no coverage and maximum depth.
   void begin() const;
 
-  //! Light times coverage, and coverage: four floats a pixel, the bottom row first.
+  //! Reads light times coverage, and coverage: four floats per pixel, bottom row first.
   void read(std::vector<float>& rgba) const;
 
   static constexpr int samples = 4;
-  //! A picture is drawn in squares of this side, so that memory stays bounded.
+  //! Pictures are drawn in tiles of this size to limit memory.
   static constexpr int longest_side_px = 2048;
-  //! Of a target: four halves and a depth a sample, and four halves once more.
+  //! Returns the size of a target: four halves and a depth per sample, and four halves of the
+  //! resolved picture.
   static constexpr long bytes_for(int width, int height) {
     return static_cast<long>(width) * height * (samples * (8L + 4L) + 8L);
   }

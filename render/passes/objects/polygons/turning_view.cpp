@@ -15,7 +15,8 @@ namespace ergodome {
 namespace {
 
 constexpr std::size_t turning_numbers = 4 * turning_groups;
-//! Errors of directions [rad], and of radii as a part of them; what float makes of them is as large.
+//! Error limits of directions [rad], and relative ones of radii; errors by single-precision
+//! rounding are as large.
 constexpr double fine_turning_fit = 1e-6;
 constexpr double coarsest_turning_fit = 1e-4;
 
@@ -23,7 +24,7 @@ void put(std::vector<double>& to, const Vector3<double>& v, double fourth) {
   to.insert(to.end(), {v.x, v.y, v.z, fourth});
 }
 
-//! The numbers of an eye; see turning_groups.
+//! Returns the numbers of an eye; see turning_groups.
 std::vector<double> numbers_of_eye(const ObjectView& head, const EyeCamera& eye) {
   const ObjectView own = object_view(eye);
   Vector3<double> axes[3];
@@ -55,7 +56,7 @@ double largest_error(const DiskNumbers& numbers_at, int degree, const std::vecto
   return largest;
 }
 
-//! From number by number to term by term.
+//! Reorders coefficients from number-major to term-major.
 std::vector<float> by_terms(const std::vector<double>& coefficients) {
   const std::size_t terms = coefficients.size() / turning_numbers;
   std::vector<float> turned(coefficients.size());
@@ -65,7 +66,7 @@ std::vector<float> by_terms(const std::vector<double>& coefficients) {
   return turned;
 }
 
-//! A little more than the radii of eyes at many places.
+//! Returns a slightly enlarged range of the radii of eyes at many positions.
 RadialRange radii_of(const DiskNumbers& numbers_at, double head_r) {
   RadialRange radii{head_r, head_r};
   for (const DiskPoint& point : disk_points(2, 16, 0.0)) {
@@ -73,7 +74,7 @@ RadialRange radii_of(const DiskNumbers& numbers_at, double head_r) {
     radii.nearest = std::min(radii.nearest, r);
     radii.farthest = std::max(radii.farthest, r);
   }
-  // Two floats that shaders can tell apart.
+  // Keeps the two limits distinct in single precision.
   const double more = 0.05 * (radii.farthest - radii.nearest) + 1e-5 * head_r;
   return {radii.nearest - more, radii.farthest + more};
 }

@@ -7,20 +7,22 @@
 
 namespace ergodome {
 
-//! Numbers that shaders have of an eye at a place beside a head, all in the head's rest frame (e_r, e_θ, e_φ): outwards from the hole x, y, z, the
-//! eye's radius [M]; its velocity and a 0; and three rows, a 0 after each, that lead from that frame to the eye's own view.
+//! Number of vec4 groups that describe an eye beside a head to shaders, in the head's rest frame
+//! (e_r, e_θ, e_φ): outward unit vector from the hole, and the eye's radius [M]; its velocity and a
+//! 0; and three rows, each followed by a 0, of the matrix from that frame to the eye's view.
 inline constexpr int turning_groups = 5;
 
-//! What shaders need of an eye that turns with the azimuth one looks at (kernels/trace/omni_camera.h).
+//! Parameters for shaders of an omnidirectional stereo eye (kernels/trace/omni_camera.h).
 struct TurningView {
-  OmniCameraOf<float> eye;          //!< how it turns; its polynomials are not those here
-  int degree;                       //!< of these
-  std::vector<float> coefficients;  //!< term by term (render/lens/disk_fit.h), turning_groups of four numbers each
-  RadialRange radii;                //!< that the eye has [M]
+  OmniCameraOf<float> eye;          //!< how it turns; its own polynomials are not used
+  int degree;                       //!< of the polynomials in `coefficients`
+  std::vector<float> coefficients;  //!< by terms (render/lens/disk_fit.h), turning_groups of four numbers each
+  RadialRange radii;                //!< range of the eye's radii [M]
 };
 
-//! The same of an eye about a head, where `eye_at` says how eyes stand there. Throws Error where no polynomial is exact enough: the baseline is too
-//! large for this place; and where an eye comes inside the photon sphere.
+//! Computes the parameters of an eye around a head; `eye_at` returns the eye at an offset. Throws
+//! Error if no polynomial is accurate enough, because the baseline is too large for this position,
+//! or if an eye is inside the photon sphere.
 TurningView turning_view(const OmniEye& eye, const EyePlace& eye_at);
 
 }  // namespace ergodome
