@@ -5,6 +5,7 @@
 namespace ergodome {
 
 //! Fills nodes_along_r and nodes_along_theta of a disk grid.
+//!
 //! Uses central differences of nodes at fixed (γ, s), with steps of 1 % of the distance to the
 //! horizon and of 0.01 rad, or half the distance to the plane of the disk if that is smaller. In
 //! the plane itself layers are discontinuous: the derivative along θ is set to zero there and

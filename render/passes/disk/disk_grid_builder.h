@@ -9,6 +9,7 @@ namespace ergodome {
 
 //! Builds the grid of a disk for a camera at Boyer-Lindquist (r, θ) [M, rad], outside the horizon.
 //! The disk must have an outer edge.
+//!
 //! Splits cells that may show an image of the disk if traced rays in their middles or at the
 //! midpoints of their sides miss the patch by more than 0.8 of the budget, along the axis with the
 //! larger error. Also splits cells whose rays start both far above and far below the plane: a

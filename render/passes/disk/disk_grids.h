@@ -48,7 +48,7 @@ class DiskGrids {
   //! small pictures, and for positions where most of the grid would be left to rays.
   std::optional<DiskGrid> grid_for(const DiskGridRequest& request);
 
-  //! Number of grids built so far.
+  //! Returns the number of grids built so far.
   [[nodiscard]] int built() const { return built_; }
 
  private:

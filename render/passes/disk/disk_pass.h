@@ -51,8 +51,8 @@ double inner_edge(const DiskSettings& disk, double spin);
 //! does not shine.
 double disk_temperature(const DiskSettings& disk, double spin, double r);
 
-//! Returns the time in the pattern of clouds for the hole's time [M] (HoleClock), which includes
-//! the light travel time; see PatternTime.
+//! Returns the state of the cloud pattern at the hole's time [M] (HoleClock) at the camera. Light
+//! shows it earlier, by its travel time; see PatternTime.
 PatternTime pattern_time(const DiskSettings& disk, double spin, double hole_time);
 
 }  // namespace ergodome

@@ -13,6 +13,7 @@ struct StartPhase {
 
 //! Phase of the swing through the equatorial plane with which rays start, as a function of the
 //! position in the chart of a disk grid.
+//!
 //! Near the equatorial plane, m_z = z_0 cos ωλ + (z_0'/ω) sin ωλ, which crosses the plane at ωλ = π
 //! - phase. For a camera close to the plane, all phases lie in a narrow band of its sky, where it
 //! sees the disk edge-on.

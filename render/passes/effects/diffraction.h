@@ -16,12 +16,14 @@ struct DiffractionPattern {
 
 //! Computes the Fraunhofer pattern of an aperture in white light (equal energy from 400 to 700 nm,
 //! balanced to the display's white).
+//!
 //! Omits light outside of the square, and clips colors outside the display's gamut. Takes a Fourier
 //! transform of up to 4096² points, so compute it once. Throws Error for settings out of range.
 DiffractionPattern diffraction_pattern(const ApertureSettings& settings);
 
 //! Reads a pattern from an image with OpenImageIO; its center is that of the image. Gray is
 //! converted to RGB; alpha is ignored.
+//!
 //! Integers are decoded from sRGB unless the file declares them linear; negative light counts as 0.
 //! Normalizes each channel to 1. Pads images that are not square or have an even size with black to
 //! an odd square. Throws Error if the image is unreadable, larger than 1025 px, non-finite, or

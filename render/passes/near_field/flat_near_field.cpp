@@ -11,15 +11,14 @@ namespace ergodome {
 
 namespace {
 
-//! Things are invisible if they are closer to the eye than its distance from the head divided by
-//! this.
+//! Things closer than the eye's distance from the head, divided by this, are not drawn.
 constexpr double nearest_part = 0.9;
-//! Bound of how fast light approaches the hole: decrease of r per affine distance and per energy at
+//! Light comes closer to the hole by at most this times the affine distance and its energy at
 //! infinity.
 constexpr double fastest_approach = 2.0;
 
-//! Adjacent rays stay adjacent outside this radius [M]: circular photon orbits have radii up to 4
-//! M.
+//! Adjacent rays stay adjacent outside of this radius [M]: circular photon orbits have radii of at
+//! most 4 M.
 constexpr double parting_r = 6.0;
 
 //! Returns the largest energy at infinity of light that the observer sees with energy 1.

@@ -11,9 +11,9 @@ namespace ergodome {
 //! (kernels/flat_eyes/eye_line.h).
 class FlatNearField {
  public:
-  //! `head` and `shadow`: the head and its shadow, for whose eyes is drawn. If NearField::disk_grid
-  //! is set and no object is seen, the disk is read from it; that grid must be the head's and
-  //! include nearness.
+  //! `head` and `shadow`: the head to which the eyes belong, and its shadow. If
+  //! NearField::disk_grid is set and no object is seen, the disk is read from it; that grid must be
+  //! the head's and include nearness.
   //! `rows` is a buffer reused between pictures, for rows drawn on a GPU.
   FlatNearField(Backend backend, const NearField& near_field, const EyeCamera& head, const FlatShadow& shadow,
                 Buffer<float>& rows);

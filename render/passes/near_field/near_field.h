@@ -10,7 +10,7 @@
 
 namespace ergodome {
 
-//! Disk, shells and objects near the hole. If all are missing, no rays are traced for them.
+//! Disk, shells and objects near the hole, each nullptr if missing.
 struct NearField {
   const DiskPass* disk = nullptr;
   const ShellPass* shells = nullptr;

@@ -21,7 +21,7 @@ class ObjectPixels {
   //! Traces the pixels with the kernels.
   void look();
 
-  //! Light and time of the block's rows in host memory; see ObjectLayer.
+  //! Returns the light, and the time, of the block's rows in host memory; see ObjectLayer.
   [[nodiscard]] const std::vector<float>& rgba() const { return rgba_; }
   [[nodiscard]] const std::vector<float>& time() const { return time_; }
 

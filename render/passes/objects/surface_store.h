@@ -18,15 +18,15 @@ class SurfaceStore {
   //! Reads or generates the meshes, each file once. Throws Error if one cannot be read.
   SurfaceStore(const Show& show, Backend backend);
 
-  //! Objects that are partly invisible because they extend into the horizon.
+  //! Returns the objects that are partly invisible because they extend into the horizon.
   [[nodiscard]] const std::vector<ObjectInHorizon>& in_horizon() const { return in_horizon_; }
 
-  //! Trees and surfaces, one per object.
+  //! Returns the trees, and the surfaces, one per object.
   [[nodiscard]] const std::vector<TriangleTree>& trees() const { return trees_; }
   [[nodiscard]] const std::vector<Surface>& surfaces() const { return surfaces_; }
 
-  //! Trees in host memory. If the backend is not the CPU, meshes with more than a million triangles
-  //! have no nodes here.
+  //! Returns the trees in host memory. If the backend is not the CPU, meshes with more than a
+  //! million triangles have no nodes here.
   [[nodiscard]] const std::vector<TriangleTree>& host_trees() const { return host_trees_; }
 
   [[nodiscard]] const std::vector<MeshOutline>& outlines() const { return outlines_; }

@@ -23,6 +23,7 @@ struct RowBlock {
 
 //! A show's objects as exact rays see them, around a hole of any spin: all image orders, shadows,
 //! frequency shift, light travel time.
+//!
 //! Tiles of the picture that cannot see an object cost one ray. Pixels that can cost four rays,
 //! sixteen where outlines, textures or shadows run through them or their neighbors, and up to 144
 //! next to the shadow's edge, where images are thin.
@@ -54,7 +55,7 @@ class TracedObjects {
   //! GPU memory are missing.
   [[nodiscard]] PlacedMeshes hiding(double time_s) const;
 
-  //! Objects that are partly invisible because they extend into the horizon.
+  //! Returns the objects that are partly invisible because they extend into the horizon.
   [[nodiscard]] const std::vector<ObjectInHorizon>& in_horizon() const { return surfaces_.in_horizon(); }
 
   //! Returns the number of triangles of all objects.

@@ -27,6 +27,7 @@ struct OverlayTarget {
 
 //! Draws captions and images over finished pictures, in their display colors regardless of exposure
 //! and tone. In order: the show's images, its captions, extra captions.
+//!
 //! Reads images once; sets a text when it is first visible, and again when pictures need a higher
 //! resolution. Does nothing if no overlay is visible. Not thread-safe.
 class OverlayPass {
@@ -49,7 +50,7 @@ class OverlayPass {
   //! presence is ignored: they stay visible with this opacity until replaced.
   void set_extra(std::vector<Caption> captions, double opacity = 1.0);
 
-  //! Sets the show's readout for the next picture; none hides it. It is visible only if the show's
+  //! Sets the show's readout for the next picture, or hides it. It is visible only if the show's
   //! captions are.
   void set_readout(std::optional<Caption> readout) { readout_ = std::move(readout); }
 

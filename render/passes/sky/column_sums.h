@@ -18,6 +18,7 @@ struct ColumnPlace {
 //! Cumulative sums of an equirectangular map down its columns, rows weighted by solid angle. The
 //! light between two positions of a column is a difference of two sums, however far apart they are
 //! (Verbraeck & Eisemann 2021, section 4.2).
+//!
 //! Sums are double: each of the last rows before the lower pole contributes only about 1e-6 of the
 //! sum, which float would lose (test ColumnSums.InFloatTheLowerPoleWouldBeLost). Takes 24 bytes per
 //! texel, or 32 with temperatures.
@@ -41,7 +42,7 @@ class ColumnSums {
   //! its width in columns, negative if it runs backwards. A whole column of light 1 gives 2.
   void add_above(int column, const ColumnPlace& from, const ColumnPlace& to, double part, glm::dvec4& sum) const;
 
-  //! Sum over all columns.
+  //! Returns the sum over all columns.
   [[nodiscard]] const glm::dvec4& whole() const { return whole_; }
 
  private:

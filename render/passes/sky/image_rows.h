@@ -19,6 +19,7 @@ struct DirectionRow {
 //! Computes the positions of a row of directions in an equirectangular map; directions are in the
 //! map's axes. A single-precision, vectorized `map_from_direction` for maps of hundreds of millions
 //! of samples.
+//!
 //! Writes column / width to `x`, in [-1/4, 3/4], and row / height to `y`, in [0, 1]; both are as
 //! long as `row.s`. The error is below 2e-7, except for the columns of directions next to a pole,
 //! where all columns meet.

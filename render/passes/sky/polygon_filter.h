@@ -13,8 +13,10 @@ namespace ergodome {
 //! Filters the map over the outlines of pixels on the sky (Verbraeck & Eisemann 2021, section 4.2):
 //! exact sums over the columns of the equirectangular map that an outline covers. A CPU reference
 //! for the elliptic filter.
+//!
 //! Taken from the paper: sums down columns, weighted by the solid angles of the rows; a pixel's
 //! light is the mean over the quadrangle of its corners.
+//!
 //! Different from the paper: corners follow from the derivatives at the pixel's center, half a
 //! pixel each way, and need no rays. Sides are great circles, and texels are counted by fraction.
 //! An outline is summed along its sides, as the light above each side, signed by the side's

@@ -27,7 +27,7 @@ class ShowSky {
   //! sky.
   [[nodiscard]] const SkyCube& cube() const { return *cube_; }
 
-  //! Texels that were repaired when the map's file was read.
+  //! Returns the texels that were repaired when the map's file was read.
   [[nodiscard]] const RepairedTexels& repaired() const { return repaired_; }
 
   //! Returns the polygon filter, or nullptr unless the show uses SkyFilter::polygon.

@@ -8,6 +8,7 @@
 namespace ergodome {
 
 //! Finds the blackbody closest to a color, which is the color's correlated color temperature.
+//!
 //! As defined by the CIE, closest in (u, v) of 1960. Bisects for the temperature whose isotherm
 //! passes through the color (Robertson, JOSA 58, 1968, but with the entries of the blackbody table
 //! instead of his 31 lines), so colors of the table get exactly their own temperature.

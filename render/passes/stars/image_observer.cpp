@@ -102,7 +102,7 @@ float ImageObserver::shift_gain(const FieldStar& star, float frequency_ratio) co
   return redshift_ ? gain_of_shift(colours_, star.log_temperature, frequency_ratio) : 1.0F;
 }
 
-//! The factors are margins for what lies between the sampled positions.
+//! Adds margins for what lies between the sampled positions.
 PatchLight ImageObserver::light_in(float brightening, float frequency_ratio) const {
   // Cameras beside the middle one may see less energy, by up to this bound.
   const float least = std::max(1.0F - energy_spread_ * frequency_ratio, 0.1F);

@@ -57,7 +57,7 @@ class ImageObserver final : public ImageLight {
   BlackbodyTable colours_;
   bool redshift_;
   LensChart chart_;
-  //! Set for an omnidirectional stereo eye. Its chart uses the eye's own frame, without aberration.
+  //! Set for an omnidirectional stereo eye. Its chart uses the eye's frame, without aberration.
   std::shared_ptr<const OmniEye> cameras_;
   DirectionForm<double> energy_;  //!< energy at infinity as a function of the direction in the chart
   float energy_spread_;  //!< bound of the difference between `energy_` and the energies of an ODS eye's cameras

@@ -27,10 +27,10 @@ class StarField {
   //! a measured color are taken as white (B-V = 0.3).
   StarField(const StarCatalogue& catalogue, const glm::dmat3& sky_from_equatorial, const BlackbodyTable& colours);
 
-  //! Stars, brightest first.
+  //! Returns the stars, brightest first.
   [[nodiscard]] const std::vector<FieldStar>& stars() const { return stars_; }
 
-  //! Bounds of the brightness gain by frequency shifts.
+  //! Returns the bounds of the brightness gain by frequency shifts.
   [[nodiscard]] const ShiftGains& gains() const { return gains_; }
 
   //! Returns the number of stars above the threshold, or a few more.

@@ -47,7 +47,7 @@ class StarPass {
   //! Returns whether the catalog contains no star.
   [[nodiscard]] bool empty() const { return field_.stars().empty(); }
 
-  //! Rows of the catalog file that were skipped.
+  //! Returns the rows of the catalog file that were skipped.
   [[nodiscard]] const std::vector<RowsLeftOut>& left_out() const { return left_out_; }
 
   //! Applies the animatable numbers of a show that differs from the first in these only

@@ -37,7 +37,9 @@ std::vector<StarSheet> star_sheets(const Projection& projection, const SplatSett
 enum class PointOrder { by_row, of_images };
 
 //! Returns the points of all images that lie in a picture or close enough beside it.
+//!
 //! Near the edge of a cube face, an image yields a point on each face that its light may reach.
+//!
 //! A pixel's value is the illuminance on it divided by its solid angle, a luminance like that of
 //! the sky map.
 std::vector<StarPoint> star_points(const std::vector<StarImage>& images, const EyeCamera& eye,

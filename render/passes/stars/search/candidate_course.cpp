@@ -104,6 +104,7 @@ double signed_smaller(const StarCandidate& c) {
 //! Returns the distance between a star and the fold at which the sky turns back before reaching it
 //! [rad]; 0 if the sky may reach the star. Arguments: smaller singular value s before and after a
 //! Newton step, and the length of the step.
+//!
 //! Across a fold the sky is a parabola, f(x) = s x + c x² / 2, and the step is x = f / s. So c =
 //! (s' - s) / x, and a real root requires s² + 2 c f = s (2 s' - s) >= 0. Otherwise f is missed by
 //! that value over 2 c.

@@ -16,6 +16,7 @@ namespace ergodome {
 //! Work queue for many items, each of which passes through a series of rounds. Threads take items
 //! in lots (a lot is processed in the time of one item) and put back those that need another round.
 //! No round waits for other items.
+//!
 //! Items are indices. Each round has one of `Kinds` kinds, which are not mixed within a lot; higher
 //! kinds come later in an item's life.
 template <std::size_t Kinds>

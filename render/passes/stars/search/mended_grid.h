@@ -15,6 +15,7 @@ struct LeafErrors {
 
 //! A lens grid corrected by its check rays: images found with cubic patches are moved to where the
 //! rays have them.
+//!
 //! The leading error of a cubic between exact ends is a quartic, proportional to (t (1 - t))² at
 //! fraction t along a side. The checks at the midpoints of a leaf's four sides give one such
 //! displacement δ each, blended across the leaf. The corrected sky is the patch at x - δ(x), and

@@ -109,8 +109,8 @@ bool PatchSearch::have_room(const Counts& counts) const {
   return std::equal(counts.begin(), counts.end(), rooms_.begin(), std::less_equal<>());
 }
 
-//! Only the GPU has the number of parts. Reading it in each step takes longer than running threads
-//! without work.
+//! Searches a slice of the pairs of folded patches. Only the GPU has the numbers of parts: reading
+//! them in each step takes longer than running threads without work.
 void PatchSearch::search_slice(const PatchSearchBatch& batch, int pairs) {
   clear(backend_, counts_, 4, halved);
   search_patches(backend_, batch, PatchSearchStep::see_folded, pairs);

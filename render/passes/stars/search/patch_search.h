@@ -83,7 +83,7 @@ class PatchSearch {
     FoundInPlace exact;
   };
 
-  //! Searches the patches, which must belong to this object's field.
+  //! Finds the images in patches, which must belong to this object's field.
   Answer find(const PlacedPatches& patches, const Question& question);
 
   //! Copies images from GPU memory to host memory.

@@ -15,7 +15,7 @@ namespace ergodome {
 //! Selects which images to find, and how accurately.
 struct StarSettings {
   double pixel = 3e-3;         //!< angle of a pixel on the screen [rad]
-  double grid_px = 0.01;       //!< error of the grid next to critical curves [px]
+  double grid_px = 0.01;       //!< maximum error of the grid next to critical curves [px]
   double least_cell_px = 2.0;  //!< area of grid cells that are not split further [px²], see least_star_cell_px()
   float faintest = 1e-11F;     //!< images below this illuminance are omitted [lx]
   ViewCone view{};             //!< images outside may be omitted
@@ -57,6 +57,7 @@ inline StarPatches star_patches(const StarField& field, const BlackbodyTable& co
 }
 
 //! Finds all images of all stars whose illuminance is at least `settings.faintest`.
+//!
 //! The grid of `station` (at the eye's position), of which `patches` were made, gives approximate
 //! positions; traced rays give exact ones. Each image is found once. Where images merge at a
 //! caustic, their brightness is limited by the size of the star's disk.

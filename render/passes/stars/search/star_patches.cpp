@@ -89,8 +89,7 @@ Stretching stretching_of(const PatchMeasures& measures, const StarPatch& patch) 
 
 //! Returns the factor by which an image may be brighter than in the grid. Uses the bound by the
 //! grid's error, limited to the largest errors that were found: in regular patches mostly 1 %,
-//! rarely 30 %; next to the shadow's edge, where patches are bent and images faint, factors of
-//! several.
+//! rarely 30 %; next to the shadow's edge, where patches are bent and images faint, many-fold.
 float most_brighter(float by_error, PatchShape shape) {
   constexpr float least_bent = 2.0F;
   constexpr float most_regular = 1.35F;

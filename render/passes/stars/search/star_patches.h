@@ -65,7 +65,7 @@ class StarPatches {
   //! Returns whether the grid covers half of a sky that is mirror symmetric.
   [[nodiscard]] bool mirrored() const { return mirrored_; }
 
-  //! Illuminance below which images are omitted [lx].
+  //! Returns the illuminance below which images are omitted [lx].
   [[nodiscard]] float faintest() const { return faintest_; }
 
   //! Returns the corrected grid, which moves images to the positions that rays have.
