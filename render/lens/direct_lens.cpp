@@ -11,7 +11,8 @@ namespace ergodome {
 
 namespace {
 
-//! Light that still circles after this many steps is closer to the critical curve than float can tell.
+//! Light that still circles after this many steps is closer to the critical curve than float can
+//! resolve.
 constexpr int direct_step_limit = 200;
 
 }  // namespace

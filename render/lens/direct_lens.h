@@ -7,22 +7,24 @@
 
 namespace ergodome {
 
-//! An eye as its rays start there.
+//! Returns the camera station at which an eye's rays start.
 CameraStation station_of(const EyeCamera& eye);
 
-//! What every lens source needs to know of an eye and its image. The edge is left to the source. `tolerance_px` is the error of a
-//! traced pixel's direction that is accepted, as a displacement on the screen.
+//! Returns the batch settings that all lens sources share. The source sets the edge. `tolerance_px`
+//! is the accepted displacement of a traced pixel on the screen.
 PixelBatch pixel_batch(const EyeCamera& eye, const Projection& projection, double tolerance_px);
 
-//! Lets a batch's rays, where they are followed to the sky alone, take no more steps than any takes that ends. Outside the horizon of a hole of spin 0.999 and
-//! less that are 50 at the most, in pictures of up to 8192 px more than 48 for one pixel of 50 million; about faster holes light circles for longer, as its
-//! orbits next to the horizon are the less unstable. All of a device waits for the last ray.
+//! Limits the steps of a batch's rays, if they are followed to the sky only, to the longest ray
+//! that still escapes: one such ray keeps the whole GPU waiting. Outside the horizon 50 steps
+//! suffice for spins up to 0.999 (at 8192 px, one pixel in 50 million takes more than 48). At
+//! higher spins light circles longer, because orbits near the horizon are less unstable.
 void set_sky_steps(PixelBatch& batch, const EyeCamera& eye);
 
-//! Gives a batch the edge that its pixels are covered by, and the directions that may touch it.
+//! Sets the edge from which a batch computes pixel coverage, and the directions that the edge may
+//! touch.
 void set_edge(PixelBatch& batch, const EdgeCurve& edge, const Projection& projection);
 
-//! The exact lens: one light ray a pixel, with its footprint, and the coverage of the shadow's edge.
+//! The exact lens: one light ray per pixel, with its footprint and its coverage by the shadow.
 class DirectLens : public LensSource {
  public:
   DirectLens(Backend backend, const EyeCamera& eye, const Projection& projection, double tolerance_px);

@@ -12,7 +12,7 @@ namespace ergodome {
 
 namespace {
 
-//! As many as the published tracer takes.
+//! The same limit as in the published tracer.
 constexpr int followed_step_limit = 2000;
 
 }  // namespace

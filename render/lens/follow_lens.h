@@ -8,19 +8,19 @@
 
 namespace ergodome {
 
-//! Which rays a heat map of steps or errors shows.
+//! Selects the rays that a heat map of steps or errors shows.
 struct FollowedRays {
   TraceMethod method = TraceMethod::taylor;
-  std::vector<WatchedShell>
-      shells;                //!< the outermost first; rays that meet them are followed past the last that is seen
-  bool logarithmic = false;  //!< steps are given as their logarithms to the base 10
+  //! Outermost first; rays that meet them are followed past the last visible one.
+  std::vector<WatchedShell> shells;
+  bool logarithmic = false;  //!< give steps as their base-10 logarithm
 };
 
-//! The shells of a show that are seen, as rays are followed to them.
+//! Returns the visible shells of a show, in the form that the ray tracer needs.
 std::vector<WatchedShell> watched_shells(const std::vector<ShellSettings>& shells);
 
-//! For heat maps: a ray a pixel, followed by any integrator to what it sees, and what that took. No more than coverage, error estimate
-//! and steps is filled; rays are followed on the processor.
+//! The lens for heat maps: one ray per pixel, followed by any integrator to what it hits, with its
+//! cost. Fills only coverage, error estimate and steps; runs on the CPU.
 class FollowLens : public LensSource {
  public:
   FollowLens(Backend backend, const EyeCamera& eye, const Projection& projection, double tolerance_px,

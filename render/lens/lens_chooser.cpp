@@ -15,9 +15,10 @@ namespace ergodome {
 
 namespace {
 
-//! Both eyes, and both of the moment before.
+//! Both eyes, for this moment and the one before.
 constexpr std::size_t kept_grids = 4;
-//! A bake uses up most of its budget; an eye beside the path, and a picture between stations of which some are damaged, may take a little more.
+//! A bake uses up most of its budget, so an eye beside the path and a frame beside damaged stations
+//! may exceed it slightly.
 constexpr double unmeasured_slack = 1.25;
 
 double error_of(const GridOrder& order) { return order.settings.budget_px * order.settings.pixel; }
@@ -34,7 +35,8 @@ GridOrder order_for(const LensRequest& request) {
   return order;
 }
 
-//! A grid serves any motion, but was refined where its own observer looks closely: the motion may differ, not much.
+//! Returns whether a grid serves an observer's motion. Any motion would give correct results, but
+//! the grid is refined for the observer it was built for, so the motions must be similar.
 bool moves_alike(ObserverMotion motion, const Vector3<double>& velocity, const EyeCamera& eye) {
   const Vector3<double> turn = velocity - eye.velocity;
   return motion == eye.motion && dot(turn, turn) < 1e-4;
@@ -69,7 +71,7 @@ const LensChooser::Grid* LensChooser::find(const GridOrder& order, const EyeCame
 }
 
 const LensChooser::Grid* LensChooser::find_near(const GridOrder& order, const EyeCamera& eye) {
-  // A frame's way of a fast flight; from farther off the picture would jump.
+  // The distance of one frame in a fast flight; from farther away the view would jump.
   const auto found = std::find_if(grids_.begin(), grids_.end(), [&](const Grid& grid) {
     const double horizon = horizon_radius(order.spin);
     return grid.spin == order.spin && std::abs(grid.r - order.place.r) < 0.1 * std::abs(order.place.r - 1.0) &&
@@ -132,7 +134,7 @@ std::unique_ptr<LensSource> LensChooser::live(const LensRequest& request) {
   EyeCamera eye = request.eye;
   const bool behind = !same_place({grid.r, grid.theta}, {eye.r, eye.theta});
   if (behind && eye.r > horizon_radius(eye.spin)) {
-    // The sky of another radius is about the same in the azimuth of what falls in.
+    // The skies at two radii are about the same in the azimuth of infalling observers.
     eye.phi += ingoing_turn(eye.spin, eye.r) - ingoing_turn(eye.spin, grid.r);
   }
   eye.r = grid.r;
@@ -153,13 +155,13 @@ std::unique_ptr<LensSource> LensChooser::streamed(const LensRequest& request) {
     return nullptr;
   }
   const std::optional<StationPair> pair = stream_->at(*request.moment.time_s, request.moment.patience_s);
-  // The check of what blends that nobody has measured miss by runs on the host.
+  // The check of a blend whose error is unknown runs on the host.
   const bool unmeasured = beside || (pair && pair->skips);
-  // One moment of a gap that missed speaks for all: the picture shall not go to and fro between lenses.
+  // If a gap missed the budget once, do not use it again: frames must not alternate between lenses.
   if (!pair || (unmeasured && backend_ != Backend::cpu) || (pair->skips && refused_.lock() == pair->first)) {
     return nullptr;
   }
-  // What a picture may miss by, counted in the bake's pixels.
+  // The accepted error in the bake's pixels.
   const double allowed_px = std::max(request.accuracy.budget_px * pixel / baked.pixel, baked.budget_px);
   if (static_cast<double>(pair->gap_error_px) > 1.001 * allowed_px) {
     return nullptr;

@@ -17,21 +17,22 @@
 
 namespace ergodome {
 
-//! How exact a lens has to be, as a displacement on the screen.
+//! Accuracy of a lens, as a displacement on the screen.
 struct LensAccuracy {
-  double budget_px = 0.25;     //!< for what is read from a grid
-  double tolerance_px = 0.05;  //!< for a traced ray
+  double budget_px = 0.25;     //!< for lenses read from a grid
+  double tolerance_px = 0.05;  //!< for traced rays
 };
 
-//! When in a show a picture is taken, where a lens may be streamed.
+//! Show time of a frame, for lenses that may be streamed.
 struct ShowMoment {
-  std::optional<double> time_s;   //!< nothing: the camera is not on the show's path
-  double patience_s = forever_s;  //!< how long to wait for stations that are not there yet, and for live grids
+  std::optional<double> time_s;  //!< empty: the camera is not on the show's path
+  //! Maximum wait for stations that are not yet read, and for live grids.
+  double patience_s = forever_s;
 
   static constexpr double forever_s = 1e6;
 };
 
-//! What a lens is asked for.
+//! Input of LensChooser::choose.
 struct LensRequest {
   LensChoice choice = LensChoice::automatic;
   EyeCamera eye{};
@@ -42,60 +43,67 @@ struct LensRequest {
   GridScheme scheme = GridScheme::conforming;
 };
 
-//! Whether an eye is beside the path of a show's camera: one of two. A single eye is on it but for rounding.
+//! Returns whether an eye is beside the path of a show's camera, as each of two eyes is. A single
+//! eye is on the path up to rounding.
 inline bool is_beside(const EyeCamera& eye) {
   return std::abs(eye.r - eye.head_r) > 1e-12 * eye.head_r || std::abs(eye.theta - eye.head_theta) > 1e-12;
 }
 
-//! Whether baked stations are exact to `error` [rad].
+//! Returns whether baked stations are accurate to `error` [rad].
 bool holds_budget(const TrajectoryProvenance& baked, double error);
 
-//! Whether baked stations may serve an eye's pictures that have to be exact to `error` [rad].
+//! Returns whether baked stations may serve an eye's frames with accuracy `error` [rad].
 bool may_stream(const TrajectoryProvenance& baked, LensChoice choice, const EyeCamera& eye, double error);
 
-//! What an eye beside the path, or between stations that are not neighbours, may be shown wrong by, in a picture with a budget and a pixel [rad].
+//! Returns the accepted error [px] where the bake measured none: for an eye beside the path, or
+//! between stations that are not neighbors. `pixel` is the angle of a pixel [rad].
 double allowed_unmeasured_px(const TrajectoryProvenance& baked, double budget_px, double pixel);
 
-//! Makes the lens of each picture, from a stream of baked stations where there is one, and keeps the last grids of its own: a camera
-//! that turns, changes its motion or goes round the hole's axis needs no new one.
+//! Creates the lens of each frame, from a stream of baked stations if there is one. Caches the last
+//! live grids: a camera that turns, changes its motion or circles the hole's axis reuses them.
 class LensChooser {
  public:
   explicit LensChooser(Backend backend, std::shared_ptr<StationStream> stream = nullptr)
       : backend_(backend), stream_(std::move(stream)), tracer_(backend) {}
 
-  //! Streams from other stations from now on, or from none.
+  //! Replaces the stream of baked stations; nullptr stops streaming.
   void set_stream(std::shared_ptr<StationStream> stream) { stream_ = std::move(stream); }
 
-  //! The lens for an eye's image. Views that show what rays do (steps, error, order) trace them, whatever is asked.
+  //! Creates the lens for an eye's frame. View modes that show ray properties (steps, error, order)
+  //! always trace rays.
   //!
-  //! LensChoice::automatic streams where the camera is on a baked path and the bake is fine enough. Else small pictures, all pictures on a
-  //! GPU, and places where most of a grid would be left to rays, are traced. LensChoice::streamed takes a live grid where the stream has
-  //! nothing: off the path, or while it reads. Where grids have the shadow's edge farther off than the budget (EdgeMiss) there are rays, whatever is
-  //! asked.
+  //! LensChoice::automatic streams where the camera is on a baked path and the bake is accurate
+  //! enough. Otherwise it traces small frames, all frames on a GPU, and frames for which a grid
+  //! would leave most pixels to rays. LensChoice::streamed falls back to a live grid where the
+  //! stream has no stations: off the path, or while they are being read. If a grid would misplace
+  //! the shadow's edge by more than the budget (EdgeMiss), rays are traced, whatever the choice.
   //!
-  //! On a GPU live grids are traced there, within the picture. On the processor they are built on a thread of their own; one that does
-  //! not come within the moment's patience is for the next picture, and this one is the view from where the last grid was built
-  //! (LensSource::behind). Two eyes wait: they must see from one moment.
+  //! On a GPU, live grids are traced there as part of the frame. On the CPU a thread builds them.
+  //! If a grid does not arrive within the moment's patience, the frame shows the view from the
+  //! position of the last grid (LensSource::behind), and the next frame gets the new one. Two eyes
+  //! always wait, as both must see the same moment.
   //!
-  //! GridScheme::quadtree takes the published quadtree grid of the eye's own place and motion for all but direct rays.
+  //! GridScheme::quadtree uses the published quadtree grid for the eye's own position and motion,
+  //! except for direct rays.
   //!
-  //! Gaps between stations that miss the budget all the same have live grids. An eye beside the path is served by the stations' derivatives as long as traced rays confirm it, and so is a picture between stations of which some
-  //! could not be read; beyond, it gets a live grid.
+  //! Gaps between stations that miss the budget get live grids. The stations' derivatives serve an
+  //! eye beside the path as long as traced rays confirm them; the same holds for a frame between
+  //! stations some of which could not be read. Otherwise such frames get a live grid.
   std::unique_ptr<LensSource> choose(const LensRequest& request);
 
-  //! Number of grids built so far.
+  //! Returns the number of grids built so far.
   [[nodiscard]] int built() const { return built_; }
 
  private:
-  //! What a grid was built for.
+  //! A grid and what it was built for.
   struct Grid {
     double spin;
     double r;
     double theta;
-    double error;  //!< budget in radians
+    double error;  //!< budget [rad]
     ObserverMotion motion;
     Vector3<double> velocity;
-    double traced_px;  //!< pixels of the image that the grid leaves to rays
+    double traced_px;  //!< pixels of the frame that the grid leaves to rays
     std::shared_ptr<const StationBuffers> station;
   };
 
@@ -112,11 +120,11 @@ class LensChooser {
   int built_ = 0;
   GridTracer<float> tracer_;
   EdgeMiss edge_miss_;
-  std::unique_ptr<GridWorker> worker_;    //!< made when first needed
-  std::optional<EyeCamera> ordered_eye_;  //!< whose grid the worker has or had in hand
+  std::unique_ptr<GridWorker> worker_;    //!< created on first use
+  std::optional<EyeCamera> ordered_eye_;  //!< eye whose grid the worker last started
   std::list<Grid> grids_;                 //!< the latest first
-  std::weak_ptr<const StationBuffers>
-      refused_;  //!< the first of two stations beside a damaged one whose blend missed the budget
+  //! First station of a pair beside a damaged one, if their blend missed the budget.
+  std::weak_ptr<const StationBuffers> refused_;
   std::optional<EyeCamera> quadtree_eye_;
   std::shared_ptr<const QuadtreeLens> quadtree_;
 };

@@ -4,10 +4,11 @@
 
 namespace ergodome {
 
-//! Where the lens of a picture may come from; `automatic` takes what is cheapest at the asked accuracy.
+//! Where the lens of a frame comes from. `automatic` chooses the cheapest source with the requested
+//! accuracy.
 enum class LensChoice { automatic, streamed, live, direct };
 
-//! What maps the pixels of one eye's image to the sky.
+//! Interface of everything that maps the pixels of one eye's frame to the sky.
 class LensSource {
  public:
   LensSource() = default;
@@ -15,26 +16,29 @@ class LensSource {
   LensSource(const LensSource&) = delete;
   LensSource& operator=(const LensSource&) = delete;
 
-  //! Fills the channels of rows [first_row, first_row + row_count): row_count * width elements each, in the backend's memory.
+  //! Fills the channels of rows [first_row, first_row + row_count) with row_count * width elements
+  //! each, in the backend's memory.
   virtual void fill(int first_row, int row_count, const LensPixels& out) const = 0;
 
-  //! Whether two eyes' images, whose projections are the same, can be filled with less work together.
+  //! Returns whether fill_both is cheaper than two calls of fill, for two eyes with equal
+  //! projections.
   [[nodiscard]] virtual bool shares_work_with(const LensSource& other) const {
     static_cast<void>(other);
     return false;
   }
 
-  //! Fills the same rows of both.
+  //! Fills the same rows of both lenses.
   virtual void fill_both(const LensSource& other, int first_row, int row_count, const LensPixels& out,
                          const LensPixels& of_other) const {
     fill(first_row, row_count, out);
     other.fill(first_row, row_count, of_other);
   }
 
-  //! A word for the display: "direct", "live", "streamed".
+  //! Returns the name to display: "direct", "live" or "streamed".
   [[nodiscard]] virtual const char* name() const = 0;
 
-  //! Whether the lens is that of a place where the camera was a moment ago, because its own was not ready in time.
+  //! Returns whether the lens belongs to an earlier camera position because the current one was not
+  //! ready in time.
   [[nodiscard]] virtual bool behind() const { return false; }
 };
 

@@ -12,7 +12,8 @@ namespace {
 
 //! Both eyes.
 constexpr std::size_t kept_omni_grids = 2;
-//! Cells next to the shadow are split farther than a single camera's: many would be left to rays otherwise.
+//! Cells next to the shadow are split further than a single camera's; otherwise many would be left
+//! to rays.
 constexpr double least_cell_px = 8.0;
 
 }  // namespace

@@ -8,22 +8,23 @@
 
 namespace ergodome {
 
-//! Makes the lenses of eyes that turn with the direction one looks at, and keeps the last two grids: a picture of a camera that stands still,
-//! or goes round the axis, needs no new ones.
+//! Creates the lenses of ODS eyes and caches the last two grids: frames of a camera that stands
+//! still or circles the axis reuse them.
 class OmniChooser {
  public:
   explicit OmniChooser(Backend backend) : backend_(backend) {}
 
-  //! A ray a pixel where LensChooser takes it too, and on every GPU, and for budgets finer than rays in float; else a grid, whatever stream is
-  //! asked for. A grid's cells are split for omni_budget_px.
+  //! Creates the lens of an eye: one ray per pixel where LensChooser does so too, on a GPU, and for
+  //! budgets too fine for float; otherwise a grid, whose cells are split for omni_budget_px. Never
+  //! streams.
   std::unique_ptr<LensSource> choose(const std::shared_ptr<const OmniEye>& eye, const Projection& projection,
                                      ViewMode mode, LensChoice choice, const LensAccuracy& accuracy);
 
  private:
   struct Grid {
     std::shared_ptr<const OmniEye> eye;
-    double error;      //!< that it was built for [rad]
-    double traced_px;  //!< area of what is left to rays [px²]
+    double error;      //!< for which it was built [rad]
+    double traced_px;  //!< area left to traced rays [px²]
     std::shared_ptr<const StationBuffers> station;
   };
 
@@ -33,8 +34,9 @@ class OmniChooser {
   std::vector<Grid> grids_;
 };
 
-//! What cells of such an eye's grid are split for, as far as rays in float go: then what lies between the places where cells are checked, and
-//! the short pixels at the poles of a whole sky, are right to a fifth of a pixel but for one in a thousand. It costs a tenth of a picture.
+//! Error budget for splitting the cells of an ODS eye's grid, as far as float rays allow. With it,
+//! positions between the checks and the short pixels at the poles of a whole sky are accurate to a
+//! fifth of a pixel, except for one in a thousand. It adds a tenth to the cost of a frame.
 inline constexpr double omni_budget_px = 0.025;
 
 }  // namespace ergodome

@@ -11,10 +11,11 @@ namespace ergodome {
 
 namespace {
 
-//! The same but for what rounding leaves in the numbers of a head that goes round, through which no picture shows anything else.
+//! Compares numbers up to the rounding errors of a head that circles the axis, which change no
+//! frame.
 bool omni_numbers_alike(double a, double b) { return std::abs(a - b) <= 1e-10 * (1.0 + std::abs(a)); }
 
-//! The head with the view's axes for its frame.
+//! Returns the head with the view's axes as its frame.
 EyeCamera head_in_view(const EyePlace& eye_at) {
   EyeCamera head = eye_at({0.0, 0.0, 0.0});
   for (int i = 0; i < 3; ++i) {

@@ -14,34 +14,36 @@
 
 namespace ergodome {
 
-//! One eye that turns with the azimuth one looks at, and the shadow that it sees.
+//! One eye of omnidirectional stereo (ODS), which turns with the viewing azimuth, and the shadow
+//! that it sees.
 struct OmniEye {
   std::shared_ptr<const OmniCamera> cameras;
   double side;        //!< -1: left, 1: right
-  EyeCamera head;     //!< with the view's axes for its frame
+  EyeCamera head;     //!< its frame is the view's axes
   ShadowChart chart;  //!< about the shadow, in the view's axes
-  std::vector<float>
-      edge;  //!< the shadow's edge about the chart's centre at equal steps of the position angle [rad]; or nothing
+  //! Shadow edge about the chart's center, at equal steps of the position angle [rad]; may be empty.
+  std::vector<float> edge;
 };
 
-//! Throws Error where the shadow is not in one piece.
+//! Builds an eye and solves its shadow edge. Throws Error if the shadow is not in one piece.
 std::shared_ptr<const OmniEye> make_omni_eye(std::shared_ptr<const OmniCamera> cameras, double side,
                                              const EyePlace& eye_at);
 
-//! Eyes that turn: the left one and the right one.
+//! The left and the right ODS eye.
 using OmniPair = std::array<std::shared_ptr<const OmniEye>, 2>;
 
-//! Both eyes about a head; nothing where they are too far apart for this place.
+//! Builds both eyes about a head. Returns nothing if their baseline is too large at this position.
 std::optional<OmniPair> make_omni_pair(Backend backend, const EyePlace& eye_at, const OmniSettings& settings);
 
-//! The same as make_omni_eye without the edge, for images of stars that are followed from another moment: it costs little.
+//! Like make_omni_eye, but without the edge. Cheap; for following images of stars from another
+//! moment.
 std::shared_ptr<const OmniEye> make_omni_eye_for_trails(std::shared_ptr<const OmniCamera> cameras, double side,
                                                         const EyePlace& eye_at);
 
-//! Whether two eyes see the same but for the head's azimuth, and for what rounding changes where it goes round.
+//! Returns whether two eyes see the same except for the head's azimuth, up to rounding.
 bool see_alike(const OmniEye& first, const OmniEye& second);
 
-//! The exact lens of such an eye: a ray a pixel, each from its own camera.
+//! The exact lens of an ODS eye: one ray per pixel, each from its own camera.
 class OmniLens : public LensSource {
  public:
   OmniLens(Backend backend, std::shared_ptr<const OmniEye> eye, const Projection& projection, double tolerance_px);
@@ -56,7 +58,7 @@ class OmniLens : public LensSource {
   OmniBatch prototype_;
 };
 
-//! Its lens read from a grid of its own, on the processor.
+//! The lens of an ODS eye read from a grid, on the CPU.
 class OmniGridLens : public LensSource {
  public:
   OmniGridLens(std::shared_ptr<const OmniEye> eye, const std::shared_ptr<const StationBuffers>& station,

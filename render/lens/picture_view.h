@@ -4,15 +4,16 @@
 
 namespace ergodome {
 
-//! How a picture's rays begin: at a camera, or where `turning` is given, at an eye that turns with the direction one looks at.
+//! Describes how the rays of a frame start: at a camera or, if `turning` is given, at an eye of
+//! omnidirectional stereo (ODS), which turns with the viewing direction.
 struct PictureView {
   const EyeCamera& eye;
   const OmniEye* turning;
   const Projection& projection;
   double tolerance_px;
-  double time_s;  //!< of the show, for what moves in it
+  double time_s;  //!< show time, for objects that move
 
-  //! The camera itself, or that of the turning eye's head with the view's axes for its frame.
+  //! Returns the camera, or the head of an ODS eye (whose frame is the view's axes).
   [[nodiscard]] const EyeCamera& camera() const { return turning != nullptr ? turning->head : eye; }
 };
 

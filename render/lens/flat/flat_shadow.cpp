@@ -18,13 +18,13 @@ namespace ergodome {
 
 namespace {
 
-//! Of the way to the horizon: an eye farther off has it beside itself.
+//! As a fraction of the distance to the horizon: an eye farther off has the horizon beside it.
 constexpr double farthest_eye = 0.5;
 
-//! Of the edge's points every fourth is solved: how far the crescent comes out changes slower than the edge itself.
+//! Solves every fourth point of the edge: the crescent's width varies more slowly than the edge.
 constexpr int solved_step = 4;
 
-//! Catmull and Rom's cubic through four neighbours.
+//! Evaluates the Catmull-Rom cubic through four neighboring values.
 double cubic(double p0, double p1, double p2, double p3, double t) {
   const double b = 0.5 * (p2 - p0);
   const double c = p0 - 2.5 * p1 + 2.0 * p2 - 0.5 * p3;
@@ -32,7 +32,7 @@ double cubic(double p0, double p1, double p2, double p3, double t) {
   return p1 + t * (b + t * (c + t * d));
 }
 
-//! A direction by its polar coordinates about the chart's middle, in the chart's axes.
+//! Returns a direction from its polar coordinates about the chart's middle, in the chart's axes.
 Vector3<double> chart_point(double alpha, double gamma) {
   return {std::cos(alpha), std::sin(alpha) * std::cos(gamma), std::sin(alpha) * std::sin(gamma)};
 }
@@ -59,7 +59,7 @@ FlatShadow::FlatShadow(const EyeCamera& head) {
         const double alpha = -edge * std::expm1(-depth_step * i);
         const Vector3<double> n = chart_direction<double>(chart, std::cos(alpha), std::sin(alpha), gamma);
         const double distance = affine_distance(camera, n, camera.horizon_r);
-        // The edge is where it is to rounding: what passes it grows on.
+        // The edge is known only to rounding: extrapolate where the ray misses the horizon.
         row[i] = std::isfinite(distance) || i < 2 ? distance : 2.0 * row[i - 1] - row[i - 2];
       }
     }
@@ -76,7 +76,7 @@ double FlatShadow::distance(double gamma, double depth) const {
   for (int k = 0; k < 4; ++k) {
     const int spoke = ((static_cast<int>(whole) + k - 1) % spokes + spokes) % spokes;
     const double* row = distances_.data() + static_cast<std::ptrdiff_t>(spoke) * depths;
-    // Straight on beyond both ends.
+    // Extrapolate beyond both ends.
     const double before = i > 0 ? row[i - 1] : 3.0 * row[0] - 3.0 * row[1] + row[2];
     const double after = i + 2 < depths ? row[i + 2] : 2.0 * row[i + 1] - row[i];
     at[k] = cubic(before, row[i], row[i + 1], after, down - i);
@@ -92,8 +92,9 @@ double FlatShadow::edge_at(double gamma) const {
 }
 
 double FlatShadow::farthest_out(const Vector3<double>& eye, double gamma) const {
-  // Where an eye sees the horizon that the head sees at a depth, at the position angle `gamma` of the eye: the head's own follows by rounds
-  // that converge as fast as the eye is near.
+  // Where an eye sees the horizon point that the head sees at a depth and the eye at position angle
+  // `gamma`. The head's position angle follows by iteration, which converges faster the nearer the
+  // eye is.
   const auto seen_at = [&](double depth) {
     double own = gamma;
     double alpha = 0.0;
@@ -115,7 +116,7 @@ double FlatShadow::farthest_out(const Vector3<double>& eye, double gamma) const 
       best = i;
     }
   }
-  // Golden section about the best of them.
+  // Golden-section search around the best sample.
   constexpr double golden = 0.61803398874989484820;
   double low = deepest * (best - 1) / samples;
   double high = deepest * std::min(best + 1, samples) / samples;
@@ -139,7 +140,8 @@ double FlatShadow::head_nearness(const Vector3<double>& n) const {
 
 double FlatShadow::nearness_along(const Vector3<double>& m, const Vector3<double>& eye) const {
   const double most_w = 1.0 / ((1.0 - farthest_eye) * nearest_);
-  // How far beyond the horizon the line is at a nearness; the first such place that an eye meets is the one that is nearest to it.
+  // How far beyond the horizon the line is at a nearness. The first point that the eye meets is the
+  // nearest one.
   const auto beyond = [&](double w) {
     const Vector3<double> v = m + w * eye;
     const double length = std::sqrt(dot(v, v));
@@ -203,7 +205,7 @@ std::vector<float> FlatShadow::eye_edge(double offset) const {
   parallel_for(solved, 4, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       const double gamma = full_turn * i / solved;
-      // The horizon comes out opposite to where the eye goes.
+      // The horizon extends on the side opposite to the eye's displacement.
       if (eye.y * std::cos(gamma) + eye.z * std::sin(gamma) < 0.2 * std::abs(offset)) {
         farther[static_cast<std::size_t>(i)] = std::max(farthest_out(eye, gamma) - edge_at(gamma), 0.0);
       }

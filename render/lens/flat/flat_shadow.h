@@ -9,41 +9,47 @@
 
 namespace ergodome {
 
-//! The shadow as a thing in the head's flat tangent space: the horizon in each dark direction at the affine distance at which its ray comes
-//! there (kernels/geodesic/affine_distance.h), for the stereo model `flat`.
+//! Represents the shadow in the head's flat tangent space, for the stereo model `flat`: in each
+//! dark direction the horizon lies at the affine distance at which the ray reaches it
+//! (kernels/geodesic/affine_distance.h).
 //!
-//! Towards the shadow's edge rays circle ever longer before they fall in, and the distance grows without end, as the logarithm of the angle
-//! from the edge. So the edge itself has no parallax, like the sky beside it; what moves is the dark inside, and on one side it comes out
-//! before the sky: an eye's shadow is the head's, and a crescent more.
+//! Towards the shadow's edge, rays circle longer before they fall in, and the distance grows
+//! without bound, as the logarithm of the angle from the edge. So the edge itself has no parallax,
+//! like the sky beside it. The dark interior shifts, and on one side it extends beyond the head's
+//! edge: an eye's shadow is the head's shadow plus a crescent.
 class FlatShadow {
  public:
-  //! Traces the distances of a head's dark directions.
+  //! Traces the affine distances in the head's dark directions.
   explicit FlatShadow(const EyeCamera& head);
 
-  //! Position angles of the traced distances, and depths towards the edge, where they grow by the same for each.
+  //! Numbers of traced position angles (`spokes`) and of depths at each. Towards the edge, equal
+  //! steps of depth add equal distances.
   static constexpr int spokes = 48;
   static constexpr int depths = 49;
   static constexpr double deepest = 16.0;
   static constexpr double depth_step = deepest / (depths - 1);
 
-  //! The chart of the head's shadow, in the view's axes, and its edge there [rad].
+  //! Returns the chart of the head's shadow in the view's axes, and the edge in that chart [rad].
   [[nodiscard]] const ShadowChart& chart() const { return view_chart_; }
   [[nodiscard]] const std::vector<float>& head_edge() const { return edge_; }
-  //! The same chart in the observer's frame.
+  //! Returns the same chart in the observer's frame.
   [[nodiscard]] const ShadowChart& frame_chart() const { return frame_chart_; }
 
-  //! How far two eyes may be apart [M]: no farther than the horizon is away.
+  //! Returns the maximum baseline [M]: the distance of the nearest part of the horizon.
   [[nodiscard]] double greatest_baseline() const;
 
-  //! The edge that an eye sees, about the same chart at the same position angles; `offset` is to the right of the head [M]. Throws Error for
-  //! an eye so far off that the horizon is not well before it.
+  //! Computes the edge that an eye sees, in the same chart at the same position angles. The eye is
+  //! `offset` to the right of the head [M]. Throws Error if the eye is too far from the head for
+  //! the horizon to lie well in front of it.
   [[nodiscard]] std::vector<float> eye_edge(double offset) const;
 
-  //! FlatHorizon::nearness of that eye, whose edge is given: of `spokes` and `depths`.
+  //! Computes FlatHorizon::nearness (`spokes` times `depths` values) of the eye at `offset` [M],
+  //! whose edge is `edge`.
   [[nodiscard]] std::vector<float> eye_nearness(double offset, const std::vector<float>& edge) const;
 
-  //! Affine distance to the horizon [M]: at a position angle, and at exp(-depth) of the way from the edge to the chart's middle. Cubic between
-  //! traced rays.
+  //! Returns the affine distance to the horizon [M] at a position angle [rad] and at the fraction
+  //! exp(-depth) of the way from the edge to the chart's middle. Interpolates traced rays with
+  //! cubics.
   [[nodiscard]] double distance(double gamma, double depth) const;
 
  private:
@@ -61,7 +67,7 @@ class FlatShadow {
   ShadowChart view_chart_{};
   Vector3<double> right_{};  //!< the view's right in the chart's axes
   std::vector<float> edge_;
-  EdgeCurve curve_{};  //!< of it, but for where its angles lie
+  EdgeCurve curve_{};  //!< of edge_; its polar_angle is set on use
   std::vector<double> distances_;
   double nearest_ = 0.0;
 };

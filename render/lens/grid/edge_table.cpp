@@ -19,9 +19,10 @@ Vector3<double> edge_axis(const Vector3<float>& v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
 
-//! Whether an observer moves so slowly past the rain that no part of a table is much enlarged.
+//! Returns whether an observer moves so slowly relative to the rain frame that no part of a table
+//! is magnified much.
 bool sees_all_alike(const Aberration& to_rain) {
-  // A table is good to 1e-7, which a boost enlarges by its Doppler factor at the most.
+  // A table is accurate to 1e-7, and a boost magnifies this by its Doppler factor at most.
   constexpr double slow = 16.0;
   return to_rain.zamo_from_observer.stretch * to_rain.rain_from_zamo.stretch < slow;
 }
@@ -60,7 +61,8 @@ EdgeCurve edge_view(const ShadowChart& chart, const std::vector<float>& polar_an
 
 double EdgeMiss::of(const EyeCamera& eye) {
   constexpr std::size_t kept_eyes = 2;
-  // Up to here tables hold to 3e-5 rad for observers of 0.999 c and those that stand 1e-5 M above the horizon.
+  // Up to this spin, tables are accurate to 3e-5 rad for observers at 0.999 c and for static ones
+  // 1e-5 M above the horizon.
   constexpr double fastest_smooth = 0.999;
   if (std::abs(eye.spin) <= fastest_smooth) {
     return 0.0;
@@ -105,7 +107,7 @@ double edge_miss(const EdgeCurve& table, const CameraStation& observer, const Ab
     const double across =
         std::abs(chart_polar_angle(of_table, n) - static_cast<double>(there)) / std::hypot(1.0, along);
     const double miss = across * energy;
-    // What is no number is no edge.
+    // NaN means that no edge was found.
     worst = std::isnan(miss) ? INFINITY : std::max(worst, miss);
   }
   return worst;

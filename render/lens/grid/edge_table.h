@@ -11,26 +11,30 @@
 
 namespace ergodome {
 
-//! Points of an edge table: a cubic between them is good to 1e-7 rad even for the flattened shadow of a fast hole.
+//! Points of an edge table: cubic interpolation is accurate to 1e-7 rad, even for the flattened
+//! shadow of a rapidly rotating hole.
 inline constexpr int edge_points = 1024;
 
-//! Solves the shadow's edge at `count` position angles about a chart's centre, in double, on all CPU threads [rad].
+//! Solves the shadow's edge [rad] at `count` position angles about a chart's center, in double, on
+//! all CPU threads.
 //!
-//! `mirrored`: the edge at -γ is that at γ, and only half is solved.
+//! `mirrored`: the edge is symmetric in γ, and only half of it is solved.
 std::vector<float> solve_edge(const CameraStation& camera, const ShadowChart& chart, int count, bool mirrored = false);
 
-//! The edge as kernels on the host read it; it points into `polar_angle`, which must not be empty.
+//! Returns the edge as kernels on the host read it; it points into `polar_angle`, which must not be
+//! empty.
 EdgeCurve edge_view(const ShadowChart& chart, const std::vector<float>& polar_angle);
 
-//! How far off an observer sees the shadow's edge, at the most, where a table of the rain frame has it [rad]; 0 for who moves so slowly past the
-//! rain that all sees it as it is.
+//! Returns the maximum error [rad] with which an observer sees the shadow's edge, if the edge comes
+//! from a table in the rain frame; 0 for observers that move slowly relative to that frame.
 //!
-//! Next to the horizon of an extremal hole an observer that does not fall sees but a corner of the rain's sky, and most of the edge between two points of a
-//! table. `to_rain`: from aberration_to_rain().
+//! Next to the horizon of an extremal hole, an observer that does not fall sees a small corner of
+//! the rain frame's sky, and most of the edge between two points of a table. `to_rain`: from
+//! aberration_to_rain().
 double edge_miss(const EdgeCurve& table, const CameraStation& observer, const Aberration& to_rain);
 
-//! The same for eyes in all grids of their places; 0 for spins of 0.999 and less, whose tables hold for all. What the last ones miss by is kept: a
-//! camera that turns, or goes round the axis, is asked again for each picture.
+//! Caches edge_miss for the last eyes, as each frame of a camera that turns or circles the axis
+//! needs it. Returns 0 for spins up to 0.999, where tables are accurate for all observers.
 class EdgeMiss {
  public:
   double of(const EyeCamera& eye);
@@ -44,16 +48,17 @@ class EdgeMiss {
   std::vector<Known> known_;  //!< the latest last
 };
 
-//! Owns the shadow's edge of one camera as a table.
+//! Owns a camera's shadow edge as a table.
 class EdgeTable {
  public:
-  //! Solves the edge at `count` position angles and puts it where the backend's kernels read it.
+  //! Solves the edge at `count` position angles and stores it in the backend's memory.
   EdgeTable(Backend backend, const CameraStation& camera, int count);
 
-  //! Takes an edge that was solved: polar angles at equal steps about a chart's centre [rad].
+  //! Stores an edge that is already solved: polar angles [rad] at equal steps about a chart's
+  //! center.
   EdgeTable(Backend backend, const ShadowChart& chart, const std::vector<float>& polar_angle);
 
-  //! The table as kernels read it; `polar_angle` points into this object.
+  //! Returns the table as kernels read it; `polar_angle` points into this object.
   [[nodiscard]] EdgeCurve view() const;
 
  private:

@@ -19,16 +19,17 @@ namespace {
 constexpr int root_columns = 16;
 constexpr int root_rows = 8;
 constexpr int deepest_a_side = 10;
-//! Errors are sampled; the worst between the samples is about a quarter larger.
+//! Errors are sampled; the maximum between the samples is about a quarter larger.
 constexpr double safety = 0.8;
 constexpr int grid_step_limit = 400;
 
-//! What a cell's checks say of all of it.
+//! Returns the largest error in a cell from its checks.
 float worst_of(const float* checks) {
   return std::max({inner_share * checks[0], checks[1], checks[2], checks[3], checks[4], inner_share * checks[5]});
 }
 
-//! Distance from the shadow's edge below which every direction shows the same sky: half the budget, in the rain frame.
+//! Returns the distance from the shadow's edge, in the rain frame, below which all directions show
+//! the same sky: half the budget.
 double cut_off(const GridSettings& settings, const EdgeCurve& edge) {
   double largest_scale = 0.0;
   for (int i = 0; i < edge.count; i += edge.count / 32) {
@@ -43,7 +44,7 @@ double cut_off(const GridSettings& settings, const EdgeCurve& edge) {
                               along(edge.second, std::sin(alpha) * std::sin(gamma));
     largest_scale = std::max(largest_scale, observed_scale(settings.observer, n));
   }
-  // Float holds directions to some 1e-7 rad.
+  // Float resolves directions to about 1e-7 rad.
   return std::max(0.5 * settings.budget_px * settings.pixel / largest_scale, 3e-7);
 }
 
@@ -51,8 +52,9 @@ double range_for(const GridSettings& settings, const EdgeCurve& edge) {
   return std::log((pi - static_cast<double>(edge.smallest)) / cut_off(settings, edge));
 }
 
-//! Builds a station level by level, so that the rays of a level are traced as one batch; S is the precision of the rays, which `rays_at`
-//! gives for the station's place and those beside it.
+//! Builds a station level by level, so that the rays of a level are traced as one batch. S is the
+//! precision of the rays; `rays_at` returns their camera at the station's position and at those
+//! beside it.
 template <class S, class Camera>
 class GridBuilder {
  public:
@@ -107,7 +109,7 @@ class GridBuilder {
     grid_.statistics().traced_checks += static_cast<long>(checks_.error_px.size());
   }
 
-  //! Makes leaves of what is good or cannot be made good, and splits the rest.
+  //! Turns cells that are good, or cannot be improved, into leaves and splits the others.
   std::vector<OpenCell> decide(const std::vector<OpenCell>& open) {
     const auto limit = static_cast<float>(safety * settings_.budget_px);
     const bool full = tracer_.node_count() >= settings_.most_nodes;

@@ -8,38 +8,49 @@
 
 namespace ergodome {
 
-//! What a lens grid is built for.
+//! Settings for building a lens grid.
 struct GridSettings {
-  double pixel = 7.67e-4;       //!< angle of a pixel on the screen [rad]
-  double budget_px = 0.1;       //!< greatest displacement on the screen
-  Aberration observer{};        //!< whose screen: from aberration_to_rain()
-  bool fine = true;             //!< nodes traced in double; float is faster and good for budgets of 1e-5 rad and more
-  double least_area_px = 32.0;  //!< a cell smaller than this is not split: tracing its pixels is cheaper than its nodes
-  int most_nodes = 1 << 16;     //!< what is bad still when there are so many is left to direct rays
-  bool derivatives = false;     //!< also how the nodes change along r and θ; the grid is then never mirrored
-  bool inverted = false;        //!< images of stars are sought in it: what LensStation keeps for these
-  double range = 0.0;           //!< of the chart; 0: what the budget asks for at the place, see chart_range()
+  double pixel = 7.67e-4;  //!< angle of a pixel on the screen [rad]
+  double budget_px = 0.1;  //!< maximum displacement on the screen
+  Aberration observer{};   //!< observer of the screen, from aberration_to_rain()
+  //! Trace nodes in double; float is faster and suffices for budgets of 1e-5 rad and more.
+  bool fine = true;
+  //! Smaller cells are not split: tracing their pixels is cheaper than tracing nodes.
+  double least_area_px = 32.0;
+  //! At this many nodes, cells that still miss the budget are left to direct rays.
+  int most_nodes = 1 << 16;
+  //! Also compute how the nodes change along r and θ; the grid is then never mirrored.
+  bool derivatives = false;
+  //! Keep the data of LensStation that a search for images of stars needs.
+  bool inverted = false;
+  double range = 0.0;  //!< of the chart; 0: chosen from the budget, see chart_range()
 };
 
 //! Builds the lens grid of a camera at Boyer-Lindquist (r, θ) [M, rad], outside the horizon.
 //!
-//! Cells of the conforming chart are split where traced rays in their middles and the middles of their sides miss the patch by more
-//! than 0.8 of the budget, along the axis that misses more. What stays bad at the depth limit or at `least_area_px` is flagged: its
-//! pixels are to be traced. Nodes in the middle of a larger cell's side then take that side's values, so that the map and its
-//! derivatives are continuous. A camera on the equator (θ = π/2) gets half a grid, mirrored on reading.
+//! Splits cells of the conforming chart where the patch differs from rays traced in the middle of
+//! the cell and of its sides by more than 0.8 of the budget, along the axis with the larger error.
+//! Cells that still miss the budget at the depth limit or at `least_area_px` are flagged, and their
+//! pixels are traced. Nodes inside a larger cell's side take that side's values, so that the map
+//! and its derivatives are continuous. A camera on the equator (θ = π/2) gets half a grid, mirrored
+//! on reading.
 //!
-//! `tracer` says where rays in float are traced, and keeps its memory for the next grid; without one it is the processor.
+//! `tracer` traces float rays on its backend and keeps its memory for the next grid; without it
+//! they are traced on the CPU.
 LensStation build_lens_station(double spin, double r, double theta, const GridSettings& settings,
                                GridStatistics* statistics = nullptr, GridTracer<float>* tracer = nullptr);
 
-//! The same for an eye that turns with the direction one looks at, over a chart about the shadow that it sees, in the view's axes.
+//! Builds the grid of an ODS eye, over a chart about its shadow in the view's axes. The station
+//! serves this eye alone, at any azimuth.
 //!
-//! `edge`: the shadow's edge about the chart's centre at equal steps of the position angle [rad]. Rays are in float, on the processor;
-//! `settings.observer`, `settings.fine` and `settings.derivatives` mean nothing. The station serves this eye alone, at any azimuth.
+//! `edge`: the shadow's edge [rad] about the chart's center, at equal steps of the position angle.
+//! Rays are traced in float on the CPU; `settings.observer`, `settings.fine` and
+//! `settings.derivatives` are ignored.
 LensStation build_omni_station(const OmniCameraOf<float>& cameras, const ShadowChart& chart, std::vector<float> edge,
                                const GridSettings& settings, GridStatistics* statistics = nullptr);
 
-//! The range that the chart of a place needs: down to half the budget from the shadow's edge.
+//! Returns the chart range needed at a position, which reaches to within half the budget of the
+//! shadow's edge.
 double chart_range(double spin, double r, double theta, const GridSettings& settings);
 
 }  // namespace ergodome

@@ -7,10 +7,12 @@
 
 namespace ergodome {
 
-//! A lens read from grids; the eye may move and turn as it likes at their place, at any azimuth.
+//! A lens read from grids. The eye may turn, move at any velocity and have any azimuth at the
+//! grids' position.
 class GridLens : public LensSource {
  public:
-  //! `name` says where the grids come from; it outlives the lens. `behind`: see LensSource::behind().
+  //! `name` is the source of the grids and must outlive the lens. For `behind` see
+  //! LensSource::behind().
   GridLens(Backend backend, const char* name, StationBlend stations, const EyeCamera& eye, const Projection& projection,
            double tolerance_px, bool behind = false);
 

@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t node_floats = floats_a_node;
 constexpr const char* buffer_name = "lens grid being traced";
 
-//! Makes room for `count` elements; what was there may be lost.
+//! Makes room for `count` elements; may discard the contents.
 template <class T>
 void make_room(Backend backend, Buffer<T>& buffer, std::size_t count) {
   if (buffer.size() < count) {

@@ -8,11 +8,12 @@
 
 namespace ergodome {
 
-//! What a cubic misses by in its middle, over what it misses by at the inner checks: (u (1 - u))² at 1/2 and at `inner_check`.
+//! Ratio of a cubic's error in the middle to its error at the inner checks: (u (1 - u))² at 1/2,
+//! divided by that at `inner_check`.
 inline constexpr float inner_share =
     0.0625F / (inner_check * inner_check * (1.0F - inner_check) * (1.0F - inner_check));
 
-//! What checks of cells say, checks_a_cell values a cell; see CheckBatch.
+//! Results of checking cells, checks_a_cell values per cell; see CheckBatch.
 struct CellChecks {
   std::vector<float> error_px;
   std::vector<float> area_px;
@@ -20,10 +21,11 @@ struct CellChecks {
   std::vector<float> s_parts;
 };
 
-//! Traces the rays of grids in the making, on the processor or on a GPU; a grid's nodes stay where the kernels read them.
+//! Traces the rays of a growing grid on the CPU or a GPU. The grid's nodes stay in the memory that
+//! the kernels read.
 //!
-//! It serves one grid after the other and keeps its memory from each to the next. Rays in double, and those of eyes that turn with the
-//! direction (OmniCameraOf), are traced on the processor alone.
+//! Serves one grid at a time and reuses its memory for the next. Rays in double and rays of ODS eyes
+//! (OmniCameraOf) are traced on the CPU only.
 template <class S, class Camera = CameraStationOf<S>>
 class GridTracer {
   using Grid = GridCamera<S, Camera>;
@@ -31,8 +33,8 @@ class GridTracer {
  public:
   explicit GridTracer(Backend backend = Backend::cpu);
 
-  //! Begins a grid without nodes. The edge table of the camera's chart lies in host memory and is copied. `pixel`: angle of a pixel on
-  //! the observer's screen [rad].
+  //! Starts a grid without nodes. Copies the edge table of the camera's chart from host memory.
+  //! `pixel`: angle of a pixel on the observer's screen [rad].
   void begin(const Grid& camera, const AberrationOf<S>& observer, double pixel);
 
   //! Traces nodes at (γ [turns], s) and appends them.
@@ -40,13 +42,13 @@ class GridTracer {
 
   [[nodiscard]] int node_count() const { return node_count_; }
 
-  //! The nodes so far, floats_a_node each.
+  //! Returns all nodes so far, floats_a_node values each.
   [[nodiscard]] std::vector<float> nodes() const;
 
-  //! Checks cells between the nodes so far.
+  //! Checks cells whose corners are among the nodes so far.
   void check(const std::vector<GridCell>& cells, CellChecks& found);
 
-  //! The nodes at (γ, s) of another camera; the grid stays as it is.
+  //! Returns the nodes at (γ, s) of another camera. Does not change the grid.
   std::vector<float> nodes_of(const Grid& camera, const std::vector<float>& gamma_turns, const std::vector<float>& s);
 
  private:

@@ -24,7 +24,7 @@ GridWorker::~GridWorker() {
 
 std::optional<GridDelivery> GridWorker::build(const GridOrder& order, double patience_s) {
   std::unique_lock lock(mutex_);
-  // What is in hand already is not begun again.
+  // Do not restart an order that is already being built.
   long mine = begun_;
   if (!(in_hand_ && same(*in_hand_, order))) {
     order_ = order;

@@ -11,21 +11,22 @@
 
 namespace ergodome {
 
-//! A grid that is asked for.
+//! An order for a grid.
 struct GridOrder {
   double spin = 0.0;
   LensPlace place{};
   GridSettings settings{};
 };
 
-//! A grid that is finished.
+//! A finished grid.
 struct GridDelivery {
   GridOrder order;
   LensStation station;
   GridStatistics statistics;
 };
 
-//! Builds grids in a thread of its own, for whoever cannot wait for each. An order that has not been begun gives way to a later one.
+//! Builds grids on its own thread, for callers that cannot wait for each one. A later order
+//! replaces one that has not been started.
 class GridWorker {
  public:
   GridWorker();
@@ -33,8 +34,8 @@ class GridWorker {
   GridWorker(const GridWorker&) = delete;
   GridWorker& operator=(const GridWorker&) = delete;
 
-  //! Orders a grid and waits for it, for a time; then gives what has been finished since the last call: this grid, an earlier one, or
-  //! none. Rethrows what the building of a grid threw.
+  //! Orders a grid and waits up to `patience_s`. Returns the grid finished since the last call, if
+  //! any: this one or an earlier one. Rethrows exceptions from building a grid.
   std::optional<GridDelivery> build(const GridOrder& order, double patience_s);
 
  private:
@@ -48,8 +49,8 @@ class GridWorker {
   std::exception_ptr problem_;
   std::optional<GridOrder> in_hand_;
   long orders_ = 0;     //!< number of the latest order
-  long begun_ = 0;      //!< number of the order that is, or was last, in hand
-  long delivered_ = 0;  //!< number of the order that the last delivery was for
+  long begun_ = 0;      //!< number of the order that the thread last started
+  long delivered_ = 0;  //!< number of the order last delivered
   std::jthread thread_;
 };
 

@@ -9,7 +9,7 @@
 
 namespace ergodome {
 
-//! What a build of a grid did.
+//! Counts the work of building a grid.
 struct GridStatistics {
   int nodes = 0;
   int leaves = 0;
@@ -19,46 +19,48 @@ struct GridStatistics {
   double flagged_px = 0.0;  //!< area of the flagged leaves on the screen [px²]
 };
 
-//! A cell on its way: its place in units of the finest cells, its slot in the tree, its corners' nodes.
+//! A cell that is not yet a leaf: its box in finest cells, its slot in the tree, its corner nodes.
 struct OpenCell {
   CellBox box;
   int slot;
   std::array<int, 4> corners;
 };
 
-//! Places of nodes in a chart.
+//! Positions of nodes in a chart.
 struct ChartPlaces {
   std::vector<float> gamma_turns;
   std::vector<float> s;
 };
 
-//! The tree of a grid's cells while it grows, level by level: which nodes its cells have, which of them are leaves and which are split.
-//! What is a good cell, and what a node holds, is its user's.
+//! The tree of a grid's cells while it grows level by level: the nodes of each cell, the leaves,
+//! and the split cells. The user of this class decides which cells are good and what nodes hold.
 class GrowingGrid {
  public:
-  //! Grows in `station`, whose tree and leaves are empty; where it is mirrored, half of the columns are built.
+  //! Grows in `station`, whose tree and leaves must be empty. If the station is mirrored, builds
+  //! half of the columns.
   GrowingGrid(LensStation& station, int columns, int rows) : station_(station), columns_(columns), rows_(rows) {}
 
-  //! The cells of the first level.
+  //! Returns the cells of the first level.
   std::vector<OpenCell> root_cells();
 
-  //! Finds or makes the nodes of new cells. Returns the places of those that are new, which are numbered from `first` on.
+  //! Finds or creates the corner nodes of new cells. Returns the positions of the created ones,
+  //! which are numbered from `first`.
   ChartPlaces place_corners(std::vector<OpenCell>& open, int first);
 
-  //! The cells as they are checked.
+  //! Returns the cells in the form that the checks need.
   [[nodiscard]] std::vector<GridCell> checked_cells(const std::vector<OpenCell>& open) const;
 
-  //! Makes a leaf of a cell; a flagged one is left to rays.
+  //! Turns a cell into a leaf. The pixels of a flagged leaf are traced.
   void make_leaf(const OpenCell& cell, float error_px, bool flagged, float area_px);
 
-  //! Halves a cell along γ (axis 0) or s (1); the halves are added to the next level.
+  //! Halves a cell along γ (axis 0) or s (axis 1) and appends the halves to `next`.
   void split(const OpenCell& cell, int axis, std::vector<OpenCell>& next);
 
-  //! The places of the first `count` nodes.
+  //! Returns the positions of the first `count` nodes.
   [[nodiscard]] ChartPlaces node_places(std::size_t count) const;
 
   [[nodiscard]] const NodeByPlace& nodes() const { return node_by_place_; }
-  //! The leaves' places, in order.
+  //! Returns the boxes of the leaves, in the order of the leaves.
   [[nodiscard]] const std::vector<CellBox>& leaf_boxes() const { return boxes_; }
   [[nodiscard]] GridStatistics& statistics() { return statistics_; }
 

@@ -7,17 +7,18 @@ namespace ergodome {
 
 namespace {
 
-//! A node inside a leaf's side: the side's ends, how far along it lies, and the side's axis (0: γ, 1: s).
+//! A node inside a leaf's side: the side's end nodes, its relative position along the side, and the
+//! side's axis (0: γ, 1: s).
 struct HangingNode {
   int node;
   int ends[2];
   float t;
   float length;
   int axis;
-  int refinement;  //!< finer than the ends: they are mended first
+  int refinement;  //!< finer than the ends, which are corrected first
 };
 
-//! How many halvings of a root cell a coordinate needs.
+//! Returns how many halvings of a root cell a coordinate needs.
 int level(int place) {
   const auto bits = static_cast<std::uint32_t>(place % finest_a_root);
   return bits == 0 ? 0 : std::countr_zero(static_cast<std::uint32_t>(finest_a_root)) - std::countr_zero(bits);
@@ -78,7 +79,8 @@ void mend(std::vector<float>& nodes, const HangingNode& hanging) {
   float basis[4];
   float slope[4];
   hermite_basis(hanging.t, basis, slope);
-  // Along γ the pairs (value, along γ) and (along s, mixed) belong together; along s the pairs (value, along s) and (along γ, mixed).
+  // Along γ, (value, along γ) and (along s, mixed) are pairs of value and derivative; along s,
+  // (value, along s) and (along γ, mixed).
   const int rate = hanging.axis == 0 ? 4 : 8;
   const int other = hanging.axis == 0 ? 8 : 4;
   for (const int from : {0, other}) {

@@ -8,10 +8,11 @@
 
 namespace ergodome {
 
-//! Finest cells along a side of a root cell: places in a grid are whole numbers of them.
+//! Finest cells along a side of a root cell. Coordinates in a grid are whole numbers of finest
+//! cells.
 inline constexpr int finest_a_root = 1 << 12;
 
-//! A cell's place and extent in finest cells.
+//! A cell's position and extent in finest cells.
 struct CellBox {
   int gamma;
   int s;
@@ -19,7 +20,8 @@ struct CellBox {
   int height;
 };
 
-//! A node's place in finest cells; one that closes the circle is the one that opens it.
+//! A node's position in finest cells. The node that closes the circle in γ is the one that opens
+//! it.
 struct NodePlace {
   int gamma;
   int s;
@@ -31,14 +33,15 @@ struct NodePlace {
 
 using NodeByPlace = std::unordered_map<std::uint64_t, int>;
 
-//! The place (γ, s) of a grid as a node: γ runs round unless the grid is mirrored.
+//! Returns the node position at (γ, s) of a grid; γ wraps around unless the grid is mirrored.
 NodePlace node_place(const LensStation& station, int gamma, int s);
 
-//! The place of a cell's corner: (γ0, s0), (γ1, s0), (γ0, s1), (γ1, s1).
+//! Returns the position of a cell's corner: (γ0, s0), (γ1, s0), (γ0, s1) or (γ1, s1).
 NodePlace corner_place(const LensStation& station, const CellBox& box, int corner);
 
-//! Gives nodes in the middle of a larger leaf's side the values that the side has there, so that neighbours of different size agree
-//! in value and in all first derivatives, and the nodes' changes along r and θ likewise. `boxes`: the leaves' places.
+//! Gives nodes inside a larger leaf's side the values that the side has there, so that neighbors of
+//! different size agree in value and all first derivatives. Does the same for the nodes'
+//! derivatives along r and θ. `boxes`: the boxes of the leaves.
 void mend_hanging_nodes(LensStation& station, const NodeByPlace& nodes, const std::vector<CellBox>& boxes);
 
 }  // namespace ergodome

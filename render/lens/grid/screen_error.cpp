@@ -14,12 +14,13 @@ namespace ergodome {
 namespace {
 
 constexpr int reference_step_limit = 400;
-//! For a thousandth of the sky to be told from its neighbours.
+//! Enough samples to resolve a thousandth of the sky.
 constexpr double wished_samples = 10'000.0;
-//! A place in each quarter of what is divided until it is no larger makes more than twice as many.
+//! Dividing boxes to at most this share and placing one sample in each quarter gives at least twice
+//! as many samples.
 constexpr double wished_parts = 6'000.0;
 
-//! The value below which a share of the weight lies.
+//! Returns the value below which a share of the weight lies.
 double quantile(const std::vector<double>& values, const std::vector<double>& weights,
                 const std::vector<std::size_t>& order, double share) {
   const double whole = std::accumulate(weights.begin(), weights.end(), 0.0);
@@ -33,7 +34,8 @@ double quantile(const std::vector<double>& values, const std::vector<double>& we
   return order.empty() ? 0.0 : values[order.back()];
 }
 
-//! The area on an observer's screen of a turn times a unit of s, at a place of a chart [px²]: as CheckBlend has it.
+//! Returns the area on an observer's screen per turn and per unit of s at a point of a chart [px²],
+//! as in CheckBlend.
 double screen_density(const LensChart& chart, const LensView& view, double gamma_turns, double s) {
   const ChartStretch<double> stretch = chart_stretch(chart, gamma_turns, s);
   const Vector3<MixedDual<double>> n = chart_direction_at(chart, gamma_turns, stretch.alpha);
@@ -41,12 +43,12 @@ double screen_density(const LensChart& chart, const LensView& view, double gamma
   return 2.0 * pi * std::abs(std::sin(stretch.alpha.value) * stretch.alpha.along_y) * scale * scale;
 }
 
-//! Finds places in boxes of a chart's leaves by what they are on a screen.
+//! Places samples in the boxes of a chart's leaves according to their area on a screen.
 class ScreenSampler {
  public:
   ScreenSampler(const LensChart& chart, const LensView& view) : chart_(chart), view_(view) {}
 
-  //! The area of a box, from some places in it [px²].
+  //! Estimates the area of a box from side² points in it [px²].
   [[nodiscard]] double area_of(const LeafBox& box, int side) const {
     double sum = 0.0;
     for (int row = 0; row < side; ++row) {
@@ -58,7 +60,8 @@ class ScreenSampler {
     return sum / (side * side) * box.width_turns * box.height;
   }
 
-  //! A place in each quarter of a box, whose parts are divided as long as one is larger than `most` [px²].
+  //! Adds a sample in each quarter of a box, after dividing the box until no part is larger than
+  //! `most` [px²].
   void add(const LeafBox& box, double most, int depth, ChartSamples& samples) const {
     for (int quarter = 0; quarter < 4; ++quarter) {
       const double width = 0.5 * box.width_turns;
@@ -147,7 +150,7 @@ ChartSamples lattice_samples(int columns, int rows) {
 }
 
 ScreenError bounds_of(const std::vector<double>& error_px, const std::vector<double>& area_px, double share) {
-  // Samples tell no more.
+  // The samples do not resolve a smaller share.
   constexpr double least_share = 0.1;
   std::vector<std::size_t> order(error_px.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

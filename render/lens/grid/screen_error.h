@@ -8,45 +8,49 @@
 
 namespace ergodome {
 
-//! Who looks at a lens, where, and how closely.
+//! The observer of a lens: position, motion and screen.
 struct LensView {
   double spin;  //!< [M]
   LensPlace place;
   Aberration observer;  //!< from aberration_to_rain()
   double pixel;         //!< angle of a pixel on the observer's screen [rad]
-  double share = 1.0;   //!< of the sky that the screen shows, which may be where the error is
+  double share = 1.0;   //!< share of the sky that the screen shows
 };
 
-//! Places of the conforming chart, each standing for a part of it.
+//! Sample points in the conforming chart; each represents a part of it.
 struct ChartSamples {
   std::vector<double> gamma_turns;
   std::vector<double> s;
   std::vector<double> extent;  //!< turns times s
 };
 
-//! Places in each of a station's leaves, so dense where its map needs them, whoever looks; some ten thousand or more in all. A mirrored station's
-//! stand for both halves of the sky.
+//! Returns sample points in each of a station's leaves, ten thousand or more in all. Their density
+//! follows the leaves, whatever the observer. Points of a mirrored station represent both halves of
+//! the sky.
 ChartSamples leaf_samples(const LensStation& station);
 
-//! Places so dense in each leaf of a lens's station that none stands for much of what an observer sees, whose place has a chart of its own; some ten thousand
-//! or more in all. Who moves fast sees a few leaves all over the screen: one place in each would tell little of what a hundredth of the sky is missed by.
+//! Returns sample points that are dense enough in each leaf of `station` that none represents much
+//! of an observer's sky, ten thousand or more in all. `chart` is that of the observer's position.
+//! Fast observers see a few leaves magnified over the whole screen, where one point per leaf would
+//! not resolve the error of one percent of the sky.
 ChartSamples screen_samples(const LensStation& station, const LensChart& chart, const LensView& view);
 
-//! A lattice over the whole chart, for a quick look at any lens.
+//! Returns a lattice over the whole chart, for a quick check of any lens.
 ChartSamples lattice_samples(int columns, int rows);
 
-//! What a lens misses by: bounds for all but a hundredth of what a screen shows, wherever it looks, and for all but a thousandth of the sky that the
-//! observer sees, by solid angle [px].
+//! Quantiles of a lens's error [px], by solid angle of the observer's sky: 99 % for the worst
+//! direction that a screen can point in, and 99.9 % of the whole sky.
 struct ScreenError {
   double p99_px;
   double p999_px;
 };
 
-//! Those bounds from errors [px] at places, and the areas on the screen that these stand for [px²]; of screens that show less than a tenth of the sky, the
-//! first is that of one that shows as much.
+//! Computes the quantiles from errors [px] at sample points and the areas that these represent on
+//! the screen [px²]. A `share` below a tenth of the sky counts as a tenth.
 ScreenError bounds_of(const std::vector<double>& error_px, const std::vector<double>& area_px, double share = 1.0);
 
-//! Compares a lens (its arrays on the host) with rays traced in double at the samples. What the lens leaves to rays counts as exact.
+//! Compares a lens, whose arrays are on the host, with rays traced in double at the sample points.
+//! Parts that the lens leaves to rays count as exact.
 ScreenError measure_screen_error(const LensBlend& lens, const LensView& view, const ChartSamples& samples);
 
 }  // namespace ergodome

@@ -9,10 +9,12 @@ namespace ergodome {
 
 namespace {
 
-//! Below this the distance to r = 1 is no measure of what a step in r changes: near an extremal hole's horizon, and within [M].
+//! Minimum radial scale [M]: near an extremal hole's horizon, and inside it, the distance to r = 1
+//! is too small a scale.
 constexpr double least_measure = 0.1;
 
-//! From the azimuth in which a camera has its sky to that of ingoing Kerr coordinates: within the horizon cameras have that one already [rad].
+//! Returns the angle [rad] from a camera's azimuth to that of ingoing Kerr coordinates, which
+//! cameras inside the horizon already use.
 double outer_turn(double spin, double r) { return r > horizon_radius(spin) ? ingoing_turn(spin, r) : 0.0; }
 
 glm::dmat3 about_axis(double angle) {
@@ -43,7 +45,7 @@ double place_weight(const LensPlace& first, const LensPlace& second, const LensP
   const LensPlace whole = {scale * (second.r - first.r), second.theta - first.theta};
   const double square = whole.r * whole.r + whole.theta * whole.theta;
   const double done = whole.r * scale * (place.r - first.r) + whole.theta * (place.theta - first.theta);
-  // A camera that stands still does so within rounding.
+  // The positions of a camera that stands still differ by rounding.
   constexpr double rounding = 1e-12;
   return square > rounding * rounding ? std::clamp(done / square, 0.0, 1.0) : 0.0;
 }

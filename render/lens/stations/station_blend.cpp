@@ -10,7 +10,7 @@ namespace ergodome {
 
 namespace {
 
-//! place_turn from a station, as kernels have it.
+//! Computes place_turn from a station, in the form that kernels need.
 void set_turn(const LensStation& station, const LensPlace& place, float (&turn)[3][3]) {
   const glm::dmat3 whole = place_turn(station.spin, {station.r, station.theta}, place);
   for (int i = 0; i < 3; ++i) {
@@ -53,7 +53,7 @@ StationBuffers::StationBuffers(Backend backend, LensStation station)
 }
 
 std::size_t StationBuffers::expected_bytes(const StationEntry& entry, bool derivatives) {
-  // A tree of halvings has an entry less for the inner cells than for the leaves.
+  // A binary tree has one inner cell less than leaves.
   return bytes_for(edge_points, std::size_t{2} * entry.leaves, entry.leaves, entry.nodes, derivatives);
 }
 

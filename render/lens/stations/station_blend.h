@@ -12,23 +12,24 @@
 
 namespace ergodome {
 
-//! A lens station where the kernels of a backend can read it.
+//! Holds a lens station in memory that a backend's kernels can read.
 class StationBuffers {
  public:
   StationBuffers(Backend backend, LensStation station);
 
-  //! The station itself: where it is, and its chart; its large arrays are gone but for the nodes of one with derivatives.
+  //! Returns the station with its position and chart. Its large arrays are empty, except for the
+  //! nodes of a station with derivatives.
   [[nodiscard]] const LensStation& station() const { return station_; }
 
   [[nodiscard]] bool has_derivatives() const { return !station_.nodes_along_r.empty(); }
 
-  //! Memory that it takes.
+  //! Returns the memory used [bytes].
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
 
-  //! What a station of a trajectory is going to take.
+  //! Returns the memory [bytes] that a station of a trajectory will use.
   static std::size_t expected_bytes(const StationEntry& entry, bool derivatives);
 
-  //! The grid; it points into this object.
+  //! Returns the grid; it points into this object.
   [[nodiscard]] LensGrid view() const;
 
  private:
@@ -40,25 +41,26 @@ class StationBuffers {
   Buffer<float> nodes_;
 };
 
-//! The lens of a place between two stations, at one, or beside one.
+//! The lens at a station, beside one, or at a position between two.
 //!
-//! Charts have the shadow's edge as a coordinate line, so at equal (γ, s) the stations see the same part of the winding sky, and
-//! plain mixing there moves the shadow and all that surrounds it along with the camera. What a camera's move turns of itself is taken
-//! out first, see place_turn. Stations with derivatives are mixed by a cubic through both, and serve places beside their line to first
-//! order: the eyes of a head that is on it.
+//! Charts have the shadow's edge as a coordinate line: at equal (γ, s) all stations see the same
+//! part of the winding sky, and linear blending moves the shadow and its surroundings along with
+//! the camera. The rotation caused by the camera's move is removed first, see place_turn. Stations
+//! with derivatives are blended by a cubic and also serve positions beside the line between them to
+//! first order: the eyes of a head on the path.
 class StationBlend {
  public:
-  //! At a station.
+  //! Uses the lens of a station at its own position.
   explicit StationBlend(std::shared_ptr<const StationBuffers> station);
 
-  //! Beside a station with derivatives.
+  //! Uses a station with derivatives at a position beside it.
   StationBlend(Backend backend, std::shared_ptr<const StationBuffers> station, const LensPlace& place);
 
-  //! For a place between two stations; with derivatives, also beside their line.
+  //! Blends two stations at a position between them or, with derivatives, also beside their line.
   StationBlend(Backend backend, std::shared_ptr<const StationBuffers> first,
                std::shared_ptr<const StationBuffers> second, const LensPlace& place);
 
-  //! The lens as kernels read it; it points into this object.
+  //! Returns the lens as kernels read it; it points into this object.
   [[nodiscard]] LensBlend view() const;
 
  private:
@@ -71,7 +73,7 @@ class StationBlend {
   float turn_[2][3][3] = {};
   LensChart chart_{};
   std::optional<EdgeTable> edge_;
-  Buffer<float> nodes_[2];  //!< where derivatives have moved them
+  Buffer<float> nodes_[2];  //!< nodes after the derivatives have been applied
 };
 
 }  // namespace ergodome

@@ -12,9 +12,9 @@ namespace {
 
 constexpr double step = 0.01;
 
-//! Where the vectors of a node start: sky, its derivative along γ, along s, and the mixed one.
+//! Offsets of a node's vectors: sky, its derivative along γ, along s, and the mixed one.
 constexpr std::size_t vectors[] = {0, 4, 8, 12};
-//! The pad that tells whether a node has a sky.
+//! Offset of the padding element that marks whether a node has a sky.
 constexpr std::size_t sky_known = 3;
 
 glm::dvec3 vector_at(const std::vector<float>& nodes, std::size_t at) {
@@ -27,7 +27,8 @@ void set_vector(std::vector<float>& nodes, std::size_t at, const glm::dvec3& v) 
   nodes[at + 2] = static_cast<float>(v.z);
 }
 
-//! The nodes' change from one place to another a distance away; 0 where one of the three cameras has no sky.
+//! Returns the nodes' derivative between two positions `distance` apart; 0 where one of the three
+//! cameras has no sky.
 std::vector<float> difference(const LensStation& station, const NodeTracer& trace, const LensPlace& from,
                               const LensPlace& to, double distance) {
   const LensPlace here = {station.r, station.theta};

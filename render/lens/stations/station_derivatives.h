@@ -9,16 +9,19 @@
 
 namespace ergodome {
 
-//! Traces the station's nodes, at their (γ, s), for a camera at another place with its own chart.
+//! Traces the station's nodes, at their (γ, s), for a camera at another position with its own
+//! chart.
 using NodeTracer = std::function<std::vector<float>(const LensPlace& place, const LensChart& chart)>;
 
 //! Fills nodes_along_r and nodes_along_theta.
 //!
-//! Central differences of nodes 1 % of the way to the horizon off (next to it and within it, of a quarter of that to the inner one), and 0.01 rad, with the turn taken out: what they miss is far below
-//! what a linear step of that length misses.
+//! Takes central differences over 0.01 rad in θ and over 1 % of radial_measure() in r, with the
+//! rotation of place_turn removed. Their error is far below that of a linear step of the same
+//! length.
 void add_derivatives(LensStation& station, const NodeTracer& trace);
 
-//! The nodes of a camera that is `offset` away from a station with derivatives, to first order, and then turned.
+//! Returns the nodes of a camera at `offset` from a station with derivatives, to first order,
+//! rotated by `turn`.
 std::vector<float> moved_nodes(const LensStation& station, const LensPlace& offset, const glm::dmat3& turn);
 
 }  // namespace ergodome

@@ -11,13 +11,13 @@ namespace ergodome {
 
 namespace {
 
-//! Of so many stations that are kept, one lies behind the head.
+//! One of this many kept stations lies behind the head.
 constexpr std::size_t ahead_of_one_behind = 4;
-//! Stations are read so long before they are needed, at the speed at which the head moves.
+//! How long before their use stations are read, at the speed of the head.
 constexpr double look_ahead_s = 5.0;
-//! So many around the head are read however far apart they are.
+//! Number of stations around the head that are read however far apart they are.
 constexpr std::size_t least_around = 6;
-//! Show seconds a second; what is faster is a jump.
+//! Show seconds per second; anything faster is a jump.
 constexpr double fastest = 64.0;
 
 }  // namespace
@@ -63,7 +63,7 @@ std::optional<StationStream::Bracket> StationStream::around(double time_s) const
   const auto at_one_place = [&](std::size_t a, std::size_t b) {
     return all[a].r == all[b].r && all[a].theta == all[b].theta;
   };
-  // Where the camera stands either serves, and at a station's time its own does.
+  // Where the camera stands still either station serves; at a station's time, that station does.
   const bool first_serves = all[first].time_s == time_s || at_one_place(first, second);
   if (first_serves && bad_.contains(second) && !bad_.contains(first)) {
     return Bracket{first, first, false};
@@ -92,7 +92,7 @@ void StationStream::move_head(double time_s) {
   if (time_s != head_s_) {
     const double wall_s = std::max(std::chrono::duration<double>(now - moved_).count(), 1e-3);
     const double speed = (time_s - head_s_) / wall_s;
-    // A jump, as at the end of a loop, says nothing about where the head goes from there.
+    // A jump, as at the end of a loop, does not predict the head's speed.
     if (std::abs(speed) < fastest) {
       speed_ += 0.25 * (speed - speed_);
     }
@@ -126,7 +126,7 @@ std::vector<std::size_t> StationStream::wanted() const {
   std::size_t ahead = head_;
   std::size_t behind = head_;
   const auto step = [&](std::size_t& from, bool back) {
-    // Past the end comes the beginning: shows loop.
+    // Wrap around: shows loop.
     from = back ? (from + all.size() - 1) % all.size() : (from + 1) % all.size();
     return from;
   };
@@ -154,7 +154,7 @@ std::optional<std::size_t> StationStream::next_to_read() {
 void StationStream::make_room(std::size_t bytes, const std::vector<std::size_t>& order) {
   const std::unordered_set<std::size_t> keep(order.begin(), order.end());
   while (statistics_.bytes_held + bytes > memory_bytes_) {
-    // The farthest from the head goes first.
+    // Evict the station farthest from the head first.
     const auto distance = [&](const auto& each) {
       return std::abs(static_cast<double>(each.first) - static_cast<double>(head_));
     };
@@ -181,7 +181,7 @@ StationStream::Held StationStream::read_from_file(std::size_t station) const {
       fresh.disk = std::make_shared<const DiskStation>(trajectory_.read_disk(station));
       fresh.bytes += fresh.disk->bytes();
     } catch (const std::exception& error) {
-      // The lens is good without it.
+      // The lens is usable without the disk.
       report_(error.what());
       fresh.lost_disk = true;
     }
@@ -253,7 +253,7 @@ std::optional<StationPair> StationStream::at(double time_s, double patience_s) {
   move_head(time_s);
   wake_.notify_all();
   std::optional<StationPair> pair;
-  // False when there is nothing to wait for any more.
+  // Returns false while it is worth waiting.
   const auto look = [&] {
     const auto bracket = around(time_s);
     pair = bracket ? held_pair(*bracket) : std::nullopt;

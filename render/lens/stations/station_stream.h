@@ -16,43 +16,47 @@
 
 namespace ergodome {
 
-//! The stations around a moment of a show; the second is missing where the camera stands still and at the ends.
+//! The stations around a moment of a show. `second` is empty where the camera stands still and at
+//! the ends.
 struct StationPair {
   std::shared_ptr<const StationBuffers> first;
   std::shared_ptr<const StationBuffers> second;
-  std::shared_ptr<const DiskStation>
-      first_disk;  //!< their disk layers, in host memory; none on a GPU, and where the bake has none
+  //! Disk layers of both, in host memory; empty on a GPU and if the bake has none.
+  std::shared_ptr<const DiskStation> first_disk;
   std::shared_ptr<const DiskStation> second_disk;
-  //! What blending these misses by [px] (StationEntry::disk_gap_error_px); infinite where a station between them could not be read.
+  //! Error of blending the disks [px] (StationEntry::disk_gap_error_px); infinite if a station
+  //! between them could not be read.
   float disk_gap_error_px = 0.0F;
-  //! What blending these misses by in the bake [px] (StationEntry::gap_error_px); 0 at a station.
+  //! Error of blending the lenses in the bake [px] (StationEntry::gap_error_px); 0 at a station.
   float gap_error_px = 0.0F;
-  //! A station nearer to the moment could not be read: nothing is known of what these miss by there.
+  //! Set if a nearer station could not be read, which makes the blending error unknown.
   bool skips = false;
 };
 
-//! What a stream has done so far.
+//! Counts what a stream has done so far.
 struct StreamStatistics {
-  long asked = 0;       //!< moments that were asked for
-  long waits = 0;       //!< of them, those whose stations were not there at once
-  long missed = 0;      //!< of them, those that were given up
+  long asked = 0;       //!< requested moments
+  long waits = 0;       //!< requests whose stations were not in memory
+  long missed = 0;      //!< waits that timed out
   long read = 0;        //!< stations read
   long bad = 0;         //!< stations that could not be read
-  long lost_disks = 0;  //!< disks of stations that were read, which could not be
+  long lost_disks = 0;  //!< disks that could not be read although their stations could
   std::size_t bytes_held = 0;
   std::size_t most_bytes_held = 0;
 };
 
-//! Keeps the stations around a show's play head in memory, read ahead by a thread of its own, in the direction in which the head moves
-//! and some in the other; memory stays bounded however long the trajectory is.
+//! Keeps the stations around a show's play head in memory. A thread reads ahead, mostly in the
+//! direction of play. Memory is bounded, however long the trajectory is.
 class StationStream {
  public:
-  //! Takes a message for the person who watches; called from the stream's thread, once for each station that cannot be read.
+  //! Receives a message for the operator, once for each station that cannot be read. Called on the
+  //! stream's thread.
   using Report = std::function<void(const std::string&)>;
 
   static constexpr std::size_t default_memory_bytes = std::size_t{256} << 20U;
 
-  //! Holds at least the stations that a moment and its neighbour need, whatever the bound.
+  //! Starts to read. Keeps at least the stations that a moment and its neighbor need, even if these
+  //! exceed `memory_bytes`.
   StationStream(Backend backend, TrajectoryReader trajectory, std::size_t memory_bytes, Report report);
   ~StationStream();
   StationStream(const StationStream&) = delete;
@@ -60,11 +64,11 @@ class StationStream {
 
   [[nodiscard]] const TrajectoryReader& trajectory() const { return trajectory_; }
 
-  //! The stations around a show time, which becomes the play head. Stations that cannot be read are left out, and their neighbours taken.
-  //! Nothing where they did not come within `patience_s`, or where none can be read.
+  //! Moves the play head to a show time and returns the stations around it. Skips stations that
+  //! cannot be read. Returns nothing if no station arrives within `patience_s` or none can be read.
   std::optional<StationPair> at(double time_s, double patience_s);
 
-  //! The same of what is in memory, without moving the play head.
+  //! Like `at`, but uses only stations in memory and does not move the play head.
   [[nodiscard]] std::optional<StationPair> at_hand(double time_s) const;
 
   [[nodiscard]] StreamStatistics statistics() const;
@@ -75,14 +79,14 @@ class StationStream {
     std::shared_ptr<const StationBuffers> lens;
     std::shared_ptr<const DiskStation> disk;
     std::size_t bytes = 0;
-    bool lost_disk = false;  //!< it has one that cannot be read
+    bool lost_disk = false;  //!< the station has a disk that cannot be read
   };
 
-  //! Stations around a moment that can be read, the same twice where one is all that is needed or there.
+  //! Readable stations around a moment. Both are the same if one suffices or only one is readable.
   struct Bracket {
     std::size_t first = 0;
     std::size_t second = 0;
-    bool skips = false;  //!< there are others nearer to it
+    bool skips = false;  //!< nearer stations could not be read
   };
 
   void work(const std::stop_token& stop);
@@ -108,7 +112,7 @@ class StationStream {
   std::set<std::size_t> bad_;
   std::size_t head_ = 0;
   double head_s_ = 0.0;
-  double speed_ = 0.0;  //!< of the head, in show seconds a second
+  double speed_ = 0.0;  //!< of the head, in show seconds per second
   std::chrono::steady_clock::time_point moved_ = std::chrono::steady_clock::now();
   StreamStatistics statistics_;
   std::jthread thread_;
