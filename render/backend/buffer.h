@@ -15,7 +15,7 @@
 
 namespace ergodome {
 
-//! Copies `count` elements from where a backend keeps them to host memory.
+//! Copies `count` elements from a backend's memory to host memory.
 template <class T>
 void copy_to_host(Backend backend, T* to, const T* from, std::size_t count) {
   if (backend == Backend::cuda) {
@@ -25,14 +25,14 @@ void copy_to_host(Backend backend, T* to, const T* from, std::size_t count) {
   }
 }
 
-//! Owns an array where the kernels of a backend can reach it: host memory (64-byte aligned) or device memory.
+//! Owns an array that a backend's kernels can access: host memory (64-byte aligned) or GPU memory.
 template <class T>
 class Buffer {
  public:
   Buffer() : data_(nullptr, Release{Backend::cpu}) {}
 
-  //! `count` elements, not initialized; `name` is what their bytes are counted by ("buffer: NAME"). Throws Error where the device has no
-  //! room, std::bad_alloc where the host has none.
+  //! Allocates `count` uninitialized elements. `name`: their bytes are counted as "buffer: NAME".
+  //! Throws Error if the GPU is out of memory, std::bad_alloc if the host is.
   Buffer(Backend backend, std::size_t count, const char* name)
       : data_(static_cast<T*>(allocate(backend, count * sizeof(T))), Release{backend}), count_(count) {
     count_work(std::string("buffer: ") + name, static_cast<long>(count * sizeof(T)));
@@ -45,7 +45,7 @@ class Buffer {
   [[nodiscard]] T* data() const { return data_.get(); }
   [[nodiscard]] std::size_t size() const { return count_; }
 
-  //! Fills the first `count` elements from host memory.
+  //! Copies the first `count` elements from host memory.
   void write(const T* from, std::size_t count) {
     if (count == 0) {
       return;
@@ -57,7 +57,7 @@ class Buffer {
     }
   }
 
-  //! Fills one element.
+  //! Sets one element.
   void write_at(std::size_t place, T value) {
     if (data_.get_deleter().backend == Backend::cuda) {
       copy_to_cuda(data() + place, &value, sizeof(T));
@@ -100,8 +100,8 @@ class Buffer {
   std::size_t count_ = 0;
 };
 
-//! Makes room for `count` elements where there is not as much yet; what was there is gone then. What grows is given more than it asks for: the next
-//! picture may want a little more.
+//! Grows a buffer to at least `count` elements; discards the contents if it grows. Allocates a
+//! quarter more than needed, as the next picture may need slightly more.
 template <class T>
 void reserve(Backend backend, std::size_t count, const char* name, Buffer<T>& buffer) {
   if (buffer.size() < count) {
@@ -109,7 +109,7 @@ void reserve(Backend backend, std::size_t count, const char* name, Buffer<T>& bu
   }
 }
 
-//! Fills `count` elements with zero bytes, from `first` on.
+//! Fills `count` elements with zero bytes, starting at `first`.
 template <class T>
 void clear(Backend backend, const Buffer<T>& buffer, std::size_t count, std::size_t first = 0) {
   if (backend == Backend::cuda) {
@@ -119,8 +119,9 @@ void clear(Backend backend, const Buffer<T>& buffer, std::size_t count, std::siz
   }
 }
 
-//! As long as it lives, the calling thread does not wait for what it asks of a device, which does it in order: for numbers that it reads it waits, and at the
-//! end for all, unless one of these that was there before lives on. What other threads are to read must be waited for.
+//! While it exists, GPU work of the calling thread is queued in order and the thread does not wait
+//! for it. The thread waits when it reads results and when the outermost of these objects is
+//! destroyed. Wait explicitly before other threads read results.
 class DeviceWorkInOrder {
  public:
   explicit DeviceWorkInOrder(Backend backend) : in_order_(backend == Backend::cuda) {
@@ -128,7 +129,7 @@ class DeviceWorkInOrder {
       before_ = begin_in_order_cuda();
     }
   }
-  //! Throws Error where something that was asked for failed; not where another error is on its way.
+  //! Throws Error if queued work failed, unless another exception is in flight.
   ~DeviceWorkInOrder() noexcept(false) {
     if (in_order_) {
       end_in_order_cuda(before_, std::uncaught_exceptions() == errors_);
@@ -143,7 +144,8 @@ class DeviceWorkInOrder {
   int errors_ = std::uncaught_exceptions();
 };
 
-//! As long as it lives, what the calling thread asks of a device comes before what other threads have asked, and does not wait for that.
+//! While it exists, GPU work of the calling thread runs before that of other threads and does not
+//! wait for it.
 class UrgentDeviceWork {
  public:
   explicit UrgentDeviceWork(Backend backend) : urgent_(backend == Backend::cuda) {

@@ -14,10 +14,10 @@ namespace ergodome {
 namespace {
 
 constexpr std::size_t kept_page = std::size_t{1} << 21U;
-//! Pictures of two eyes, and what joins them.
+//! Pictures of two eyes and buffers to join them.
 constexpr std::size_t most_kept_blocks = 4;
 constexpr std::size_t most_kept_bytes = std::size_t{3} << 29U;
-//! The largest that glibc allows: what is larger it takes from the system and gives back each time.
+//! The maximum that glibc allows. Larger blocks are always mapped and unmapped.
 constexpr int most_heap_bytes = 32 << 20;
 constexpr int most_free_bytes = 1 << 30;
 
@@ -28,10 +28,10 @@ struct KeptBlock {
 
 std::size_t whole_pages(std::size_t bytes) { return (bytes / kept_page + 1) * kept_page; }
 
-//! Blocks that nobody uses, the latest last.
+//! Unused blocks, the latest last.
 class KeptBlocks {
  public:
-  //! Nothing where there is none of that size.
+  //! Returns a block of exactly that size, or nullptr.
   void* take(std::size_t bytes) {
     const std::lock_guard lock(mutex_);
     const auto found = std::ranges::find(blocks_, bytes, &KeptBlock::bytes);
@@ -67,7 +67,7 @@ class KeptBlocks {
 };
 
 KeptBlocks& kept_blocks() {
-  // It outlives all that may return memory to it.
+  // Never destroyed: memory may be returned to it during program exit.
   static KeptBlocks& kept = *new KeptBlocks;
   return kept;
 }

@@ -26,7 +26,7 @@ std::unique_ptr<const DiskPass> disk_to_bake(const Show& show) {
   if (!show.disk) {
     return nullptr;
   }
-  // An edge that moves is baked where it is farthest out; a grid serves a disk that is somewhat smaller.
+  // A moving edge is baked at its maximum; the grid also serves a slightly smaller disk.
   auto disk = std::make_unique<const DiskPass>(show_at_most(show), Backend::cpu);
   return can_have_disk_grid(disk->look_at(0.0)) ? std::move(disk) : nullptr;
 }

@@ -11,21 +11,22 @@
 
 namespace ergodome {
 
-//! The disk of a show, as large as it ever is; nothing where it has none whose layers grids can hold.
+//! Returns the disk of a show at its largest; nothing without a disk whose layers a grid can hold.
 std::unique_ptr<const DiskPass> disk_to_bake(const Show& show);
 
-//! Bakes the layers of a show's disk beside its lenses.
+//! Bakes the layers of a show's disk along with its lenses.
 class DiskBake {
  public:
   DiskBake(const Show& show, const BakeSettings& settings, TrajectoryJournal& journal);
 
-  //! Whether the show has such a disk; without, nothing else may be called.
+  //! Returns whether the show has such a disk. If not, no other function may be called.
   [[nodiscard]] bool wanted() const { return disk_ != nullptr; }
 
-  //! Builds the layers at a show time that the journal lacks.
+  //! Builds the layers at a show time unless the journal has them.
   void add_if_missing(double time_s);
 
-  //! What blending the layers at two times misses by at a quarter, half and three quarters of the way, the worst [px], measured as gaps of lenses are.
+  //! Returns the largest error of blending the layers at two times [px], at a quarter, half and
+  //! three quarters of the gap. Measured like gaps of lenses.
   [[nodiscard]] double gap_error(double begin_s, double end_s) const;
 
  private:
@@ -38,11 +39,11 @@ class DiskBake {
   std::unique_ptr<const DiskPass> disk_;
 };
 
-//! Of the bake's budget, for the grid of a station; what blending adds has to fit into the rest.
+//! Share of the bake's budget for the grid of a station; the rest is for blending.
 inline constexpr double baked_grid_share = 0.5;
 
-//! One number from the bounds of an error: what is worse than the budget in a hundredth of the sky is worse than five budgets in a thousandth at
-//! most.
+//! Combines the quantiles of an error into one number: the limit for 99.9 % of the sky is five
+//! times that for 99 %.
 double gap_measure(const ScreenError& error);
 
 }  // namespace ergodome

@@ -23,21 +23,24 @@ namespace ergodome {
 
 namespace {
 
-//! A gap is good enough when it misses by so much more than its stations do by themselves.
+//! A gap is good enough if its error is at most this multiple of its stations' own errors.
 constexpr double floor_slack = 1.1;
-//! A stretch is divided into so many parts at once at most.
+//! Maximum number of parts into which a stretch is divided at once.
 constexpr int most_parts = 16;
 constexpr int most_halvings = 12;
-//! A station that misses by more than this part of the budget at its own place is built again, finer by half, so often at most.
+//! A station whose error at its own position exceeds this share of the budget is rebuilt with half
+//! the budget, up to `most_finer_grids` times.
 constexpr double own_share = 0.8;
 constexpr int most_finer_grids = 2;
-//! A part of a stretch misses as much as the whole does where it misses by more than this part of that; parts of parts that do, so often in a row, are not
-//! divided any more.
+//! Division of a stretch stalls if a part's error exceeds this share of the whole's error. After
+//! `most_stalls` stalls in a row the parts are not divided further.
 constexpr double stalled_share = 0.5;
 constexpr int most_stalls = 2;
-//! A stretch of fewer pictures is not divided: each of them may have a grid of its own for what reading stations would take.
+//! A stretch of fewer frames is not divided: building a grid for each costs no more than reading
+//! stations.
 constexpr double fewest_frames = 4.0;
-//! Where a camera goes through the disk, its layers leap; so near to that it is worth baking.
+//! The disk's layers jump where a camera crosses the disk; this is how closely the jump is
+//! approached.
 constexpr int most_halvings_for_the_disk = 4;
 
 class Baker {
@@ -64,12 +67,13 @@ class Baker {
  private:
   using Station = std::shared_ptr<const LensStation>;
 
-  //! How often a stretch has been divided, for the lens and for the disk, and how often in a row that did not help the lens.
+  //! How often a stretch has been divided for the lens and for the disk, and how many divisions in
+  //! a row did not help the lens.
   struct Depth {
     int lens = 0;
     int disk = 0;
     int stalls = 0;
-    double whole_px = INFINITY;  //!< what the stretch missed by that this one is a part of
+    double whole_px = INFINITY;  //!< error of the stretch of which this is a part
   };
 
   [[nodiscard]] bool touches(double from_s, double to_s) const { return to_s >= begin_s_ && from_s <= end_s_; }
@@ -93,7 +97,7 @@ class Baker {
     return grid;
   }
 
-  //! One range for all charts of the path: derivatives are taken at a fixed one.
+  //! Returns one range for all charts of the path, because derivatives are taken at a fixed range.
   [[nodiscard]] double common_range() const {
     constexpr int samples = 64;
     double range = 0.0;
@@ -104,8 +108,9 @@ class Baker {
     return range;
   }
 
-  //! Where a caustic crosses the sky a grid that keeps its budget from cell to cell may still be far off in more than a thousandth of what is
-  //! seen, and no blend with others would mend that.
+  //! Builds a station. Where a caustic crosses the sky, a grid that keeps its budget in each cell
+  //! may still be wrong in more than a thousandth of the view, and blending cannot correct that;
+  //! such grids are built finer.
   [[nodiscard]] LensStation built_station(double time_s) const {
     const LensView view = view_at(time_s);
     GridSettings grid = grid_settings(view);
@@ -175,7 +180,8 @@ class Baker {
     note_gap(gap);
   }
 
-  //! Errors go with the square of the distance, with derivatives with its fourth power.
+  //! Returns the wished number of parts: errors grow with the square of the distance, with
+  //! derivatives with its fourth power.
   [[nodiscard]] int wished_parts(double error_px) const {
     const double wished = std::ceil(std::pow(error_px / settings_.budget_px, settings_.derivatives ? 0.25 : 0.5));
     return static_cast<int>(std::clamp(wished, 2.0, 1.0 * most_parts));
@@ -192,7 +198,7 @@ class Baker {
 
   [[nodiscard]] bool meets_budget(float error_px) const { return static_cast<double>(error_px) <= settings_.budget_px; }
 
-  //! Whether the head's observer moves alike at two times.
+  //! Returns whether the head's observer has the same motion at two times.
   [[nodiscard]] bool moves_alike(double first_s, double second_s) const {
     const EyeCamera first = eye_camera(show_, camera_pose(show_, first_s), 0.0);
     const EyeCamera second = eye_camera(show_, camera_pose(show_, second_s), 0.0);
@@ -200,7 +206,8 @@ class Baker {
     return first.motion == second.motion && dot(change, change) == 0.0;
   }
 
-  //! What the blend of two stations misses by between them [px]; 0 where the camera stands still and moves alike.
+  //! Returns the largest error of blending two stations between them [px]; 0 if the camera stands
+  //! still and its motion does not change.
   [[nodiscard]] double gap_error(const LensStation& first, const LensStation& last, double begin_s,
                                  double end_s) const {
     const double length_s = end_s - begin_s;
@@ -213,36 +220,37 @@ class Baker {
       if (moves_alike(begin_s, early_s) && moves_alike(begin_s, middle_s) && moves_alike(begin_s, end_s)) {
         return edge_error(first, begin_s);
       }
-      // The first station serves all the way there, and misses by most where the velocity is farthest from its own.
+      // The first station serves the whole stretch; the error is largest where the velocity differs
+      // most from its own.
       error_px = blending_error(first, last, end_s);
     }
-    // Where the camera gathers speed towards the hole, a gap misses by most in its last quarter.
+    // Where the camera accelerates towards the hole, the error of a gap peaks in its last quarter.
     return std::max({error_px, blending_error(first, last, middle_s), blending_error(first, last, early_s),
                      blending_error(first, last, late_s), edge_error(first, begin_s), edge_error(last, end_s)});
   }
 
-  //! The same at a time.
+  //! Returns the error of blending at one time [px].
   [[nodiscard]] double blending_error(const LensStation& first, const LensStation& last, double time_s) const {
     const LensView view = view_at(time_s);
     const StationBlend blend(Backend::cpu, on_host(first), on_host(last), view.place);
     return error_of(blend, view, first.leaf_count() > last.leaf_count() ? first : last);
   }
 
-  //! What a station misses by at its own place [px].
+  //! Returns the error of a station at its own position [px].
   [[nodiscard]] double own_error(const LensStation& station, double time_s) const {
     const StationBlend alone(on_host(station));
     return error_of(alone, view_at(time_s), station);
   }
 
-  //! What is left of a stretch's error however it is divided: blends cannot be better than the grids that they are made of, and where both ends
-  //! have the shadow's edge off, so have those between.
+  //! Returns the error of a stretch that no division can remove [px]: blends are no better than
+  //! their grids, and if the shadow's edge is wrong at both ends, it is wrong in between.
   [[nodiscard]] double least_error(const LensStation& first, const LensStation& last, double begin_s,
                                    double end_s) const {
     return std::max({own_error(first, begin_s), own_error(last, end_s),
                      std::min(edge_error(first, begin_s), edge_error(last, end_s))});
   }
 
-  //! How far off the shadow's edge is in a station [px], which no finer grid would mend.
+  //! Returns the error of the shadow's edge in a station [px], which a finer grid does not reduce.
   [[nodiscard]] double edge_error(const LensStation& station, double time_s) const {
     const EyeCamera eye = eye_camera(show_, camera_pose(show_, time_s), 0.0);
     const CameraStation observer = make_camera_station(eye.spin, eye.r, eye.theta, 0.0, eye.motion, eye.velocity);
@@ -276,7 +284,7 @@ TrajectoryProvenance provenance_of(const Show& show, const BakeSettings& setting
     throw Error(show.name, "the spin changes with time (hole.spin), but lenses are baked for one spin",
                 "play or render it with --lens live, or keep the spin constant");
   }
-  // What changes words and tones needs no new lenses.
+  // Changes of captions and tone need no new lenses.
   Show baked = show;
   baked.timeline = {};
   return {ERGODOME_VERSION,

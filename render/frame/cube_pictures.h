@@ -8,11 +8,12 @@
 
 namespace ergodome {
 
-//! Name of a face (OpenGL's): px, nx, py, ny, pz, nz.
+//! Returns the name of a face (as in OpenGL): px, nx, py, ny, pz or nz.
 std::string cube_face_name(CubeFace face);
 
-//! The faces of a cube's strip as pictures of their own, in the order of CubeFace; where the strips of both eyes are in one picture, both
-//! eyes' faces are. `projection` is that of one strip. Unresolved pixels are counted with the first face.
+//! Cuts a cube's strip into pictures of its faces, in the order of CubeFace. If `strips` holds the
+//! strips of both eyes, so does each face. `projection` is that of one strip. The first face gets
+//! the count of unresolved pixels.
 std::array<Picture, cube_faces> cube_face_pictures(const Picture& strips, const Projection& projection);
 
 }  // namespace ergodome

@@ -13,13 +13,15 @@ namespace ergodome {
 
 namespace {
 
-//! Pixels that are worked on at a time. A GPU wants many; on the processor their lens channels, 6 MiB, are still near when they are shaded.
+//! Pixels per block. GPUs need many; on the CPU the lens channels (6 MiB) stay in the cache until
+//! they are shaded.
 constexpr int block_pixels_on_device = 1 << 20;
 constexpr int block_pixels_on_host = 1 << 17;
-//! Two eyes' channels want twice the room.
+//! The channels of two eyes need twice the memory.
 constexpr int strip_pixels = 1 << 15;
 
-//! The ends of the colour bar in the kernel's own measure of a channel (kernels/image/shade_pixels_kernel.h).
+//! Sets the ends of the color bar in the kernel's unit for a channel
+//! (kernels/image/shade_pixels_kernel.h).
 void set_kernel_range(ShadeBatch& batch, const HeatRange& range) {
   const auto measure = [&](double value) {
     switch (batch.mode) {
@@ -38,7 +40,7 @@ void set_kernel_range(ShadeBatch& batch, const HeatRange& range) {
   batch.range_high = static_cast<float>(measure(range.high));
 }
 
-//! Halos and spikes do not know where the image ends.
+//! Blackens pixels outside the image: halos and spikes extend beyond its edge.
 void clear_outside(const Projection& projection, Picture& picture) {
   static WorkCounter counter("clear_outside");
   const WorkScope work(counter, static_cast<long>(picture.width) * picture.height);
@@ -178,7 +180,7 @@ ShadeBatch EyeRenderer::prepare(const Projection& projection, const SkyCube& sky
 
 std::future<FoundPoints> EyeRenderer::seek_stars(const EyeCamera& eye, const Projection& projection,
                                                  const PictureSettings& settings) const {
-  // What of them the processor does it does while a device makes the rest.
+  // The CPU part of the star search overlaps GPU rendering.
   const bool meanwhile = settings.stars != nullptr && backend_ != Backend::cpu;
   return std::async(meanwhile ? std::launch::async : std::launch::deferred, [this, &eye, &projection, &settings] {
     const UrgentDeviceWork urgent(backend_);

@@ -22,92 +22,102 @@
 
 namespace ergodome {
 
-//! Ends of a heat map's colours, as numbers that a person reads.
+//! Ends of a heat map's color bar, in the units that are displayed.
 struct ViewRange {
   double low;
   double high;
 };
 
-//! How a picture is made of what the lens shows.
+//! How the view through the lens is turned into a picture.
 struct PictureSettings {
   ViewMode mode = ViewMode::sky;
   SkyFilter filter = SkyFilter::ewa;
   SkyShift shift = SkyShift::none;
-  bool brightening = false;                 //!< the map's light is multiplied by the magnification
-  const PolygonFilter* polygons = nullptr;  //!< for SkyFilter::polygon, which needs it
-  BlackbodyTable colours{};  //!< for SkyShift::blackbody_fit, in the backend's memory; the sky must be fitted
+  bool brightening = false;                 //!< multiply the map's light by the magnification
+  const PolygonFilter* polygons = nullptr;  //!< required by SkyFilter::polygon
+  //! For SkyShift::blackbody_fit, in the backend's memory; the sky must be fitted.
+  BlackbodyTable colours{};
   float exposure = 1.0F;
-  const LensSource* given = nullptr;   //!< the lens itself, in place of what `lens` and `accuracy` ask for
-  std::optional<FollowedRays> follow;  //!< of heat maps: which rays they show, in place of the sky's
+  //! The lens to use, instead of choosing one by `lens` and `accuracy`.
+  const LensSource* given = nullptr;
+  std::optional<FollowedRays> follow;  //!< heat maps: the rays to show, instead of those to the sky
   LensChoice lens = LensChoice::automatic;
   LensAccuracy accuracy{};
   ShowMoment moment{};
   GridScheme scheme = GridScheme::conforming;
-  StarPass* stars = nullptr;                        //!< drawn where they are given, on the sky's own view
-  std::shared_ptr<const OmniEye> turning;           //!< what sees them and the near field in place of the picture's eye
-  std::shared_ptr<const TurningView> turning_view;  //!< the same for `objects`
-  std::optional<Shutter> shutter;                   //!< stars leave trails
+  //! If given, stars are drawn on the sky's own view.
+  StarPass* stars = nullptr;
+  //! Sees stars and near field instead of the picture's eye.
+  std::shared_ptr<const OmniEye> turning;
+  std::shared_ptr<const TurningView> turning_view;  //!< sees `objects` instead of the picture's eye
+  std::optional<Shutter> shutter;                   //!< if given, stars leave trails
   NearField near_field;                             //!< drawn over sky and stars
-  ObjectPass* objects = nullptr;                    //!< drawn where they are given, over all that
-  double time_s = 0.0;                              //!< of the show, for what moves in it
-  bool clear_outside = false;                       //!< stars or bloom may spread light beyond the image
-  std::optional<BloomSettings> bloom;               //!< of whole pictures alone: render_in_place leaves it out
-  std::optional<ViewRange> range{};  //!< of heat maps: in place of the usual one; above 0 where colours are logarithmic
+  ObjectPass* objects = nullptr;                    //!< if given, drawn over everything else
+  double time_s = 0.0;                              //!< show time, for moving objects
+  //! Stars or bloom may spread light beyond the image.
+  bool clear_outside = false;
+  //! For whole pictures only: render_in_place ignores it.
+  std::optional<BloomSettings> bloom;
+  //! Heat maps: replaces the default range; above 0 if colors are logarithmic.
+  std::optional<ViewRange> range{};
 };
 
-//! Rows of a picture that are worked on at a time: memory stays bounded at any size.
+//! Returns the rows of a picture that are rendered at a time, which bounds memory at any size.
 int rows_of_a_block(Backend backend, int width_px, int height_px);
-//! And of these, that are worked on at a time where both eyes' skies are made in turn.
+//! Returns the rows of a block that are rendered at a time if both eyes' skies are made
+//! alternately.
 int rows_of_a_strip(int width_px);
 
-//! Ends of a heat map's colour bar, as numbers that a person reads, and whether it is logarithmic between them.
+//! Ends of a heat map's color bar, in the units that are displayed, and whether it is logarithmic.
 struct HeatRange {
   double low;
   double high;
   bool logarithmic;
 };
 
-//! A picture of one eye: linear light, four floats a pixel (red, green, blue, coverage), the top row first.
+//! One eye's picture: linear light, four floats per pixel (red, green, blue, coverage), top row
+//! first.
 struct Picture {
   int width = 0;
   int height = 0;
   PixelValues rgba;
-  const char* lens = "";       //!< where the lens came from: LensSource::name()
+  const char* lens = "";       //!< source of the lens: LensSource::name()
   bool behind = false;         //!< LensSource::behind()
-  long unresolved_pixels = 0;  //!< rays that did not converge: shown as the mean of the sky
+  long unresolved_pixels = 0;  //!< rays that did not converge; they show the mean of the sky
   std::optional<HeatRange> heat_range;
-  Tone tone;  //!< how it is to be shown
+  Tone tone;  //!< for display
 };
 
-//! A picture that stayed in the backend's memory: four floats a pixel.
+//! A picture in the backend's memory: four floats per pixel.
 struct PictureInPlace {
   float* rgba = nullptr;
   const char* lens = "";  //!< as in Picture
   bool behind = false;
 };
 
-//! A picture that an eye is to have.
+//! Input for rendering an eye's picture.
 struct EyePicture {
   EyeCamera eye;
   Projection projection;
   PictureSettings settings;
 };
 
-//! Pictures of two eyes, of one size and of the same channels.
+//! Two eyes' pictures with the same size and the same channels.
 struct EyePair {
   EyePicture first;
   EyePicture second;
-  bool one_projection;  //!< both have: eyes that converge have not
+  bool one_projection;  //!< both have the same projection, as eyes that do not converge do
 };
 
-//! Renders eyes, a block of rows at a time, so that memory stays bounded at any size. Keeps its buffers from picture to picture.
+//! Renders eyes' pictures, a block of rows at a time, which bounds memory at any size. Keeps its
+//! buffers for the next picture.
 class EyeRenderer {
  public:
-  //! `stream`: baked stations of the show that the pictures are of, if there are any.
+  //! `stream`: baked stations of the show, if there are any.
   explicit EyeRenderer(Backend backend, std::shared_ptr<StationStream> stream = nullptr)
       : backend_(backend), lenses_(backend, stream), streamed_disk_(std::move(stream)), tiled_stars_(backend) {}
 
-  //! Streams from other stations from now on, or from none.
+  //! Replaces the stream of baked stations; nullptr stops streaming.
   void set_stream(std::shared_ptr<StationStream> stream) {
     lenses_.set_stream(stream);
     streamed_disk_ = StreamedDisk(std::move(stream));
@@ -115,104 +125,111 @@ class EyeRenderer {
 
   [[nodiscard]] Backend backend() const { return backend_; }
 
-  //! The lens that a picture with these settings is drawn through; with the grids that earlier pictures left.
+  //! Returns the lens of a picture with these settings, using cached grids of earlier pictures.
   std::unique_ptr<LensSource> lens_for(const EyeCamera& eye, const Projection& projection,
                                        const PictureSettings& settings);
 
-  //! Floats that are kept for the lens of pictures: what their channels take.
+  //! Returns the floats allocated for lens channels.
   [[nodiscard]] std::size_t lens_floats() const { return lens_.size(); }
 
   Picture render(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
                  const PictureSettings& settings);
 
-  //! Both eyes' pictures. On the processor they are made block by block in turn: what the projection does to each pixel is done once where both
-  //! have a grid and one projection, and the sky that one eye has read is still near for the other.
+  //! Renders both eyes' pictures. On the CPU, alternates between them block by block: the sky that
+  //! one eye has read is still in the cache for the other, and if both have grids and the same
+  //! projection, each pixel is projected once.
   std::vector<Picture> render_pair(const EyePair& wanted, const SkyCube& sky);
 
-  //! Spreads light and blackens what is outside the image as far as the settings say so: the end of render().
+  //! Finishes a picture as render() does: spreads light and blackens pixels outside the image, if
+  //! the settings require it.
   static void finish(Picture& picture, const Projection& projection, const PictureSettings& settings);
 
-  //! The same in one piece that stays in the backend's memory until the next picture, and may be drawn on.
+  //! Renders a picture in one piece that stays in the backend's memory until the next picture and
+  //! may be drawn on.
   PictureInPlace render_in_place(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
                                  const PictureSettings& settings);
 
-  //! Keeps the picture that was rendered in place until the one after the next: two eyes' may stay.
+  //! Keeps the last picture rendered in place while the next one is rendered, so that two eyes'
+  //! pictures can stay.
   void set_aside() { std::swap(rgba_, aside_); }
 
  private:
   struct Making;
 
-  //! Sets a picture up, its lens and all, but for what stands near the hole.
+  //! Sets up a picture and its lens, without disk, shells and objects.
   void begin(Making& making, const SkyCube& sky);
-  //! The sky of rows, through the lens.
+  //! Makes the sky of rows, seen through the lens.
   void make_sky(Making& making, const RowBlock& rows);
-  //! The same for both eyes, where their lenses share work.
+  //! Makes the sky of both eyes, whose lenses share work.
   void make_sky_of_both(Making (&both)[2], const RowBlock& rows);
-  //! What comes after the lens.
+  //! Shades rows whose lens channels are filled.
   void light_sky(Making& making, const RowBlock& rows);
-  //! Stars, and what stands near the hole.
+  //! Draws stars, disk, shells and objects.
   void draw_over(Making& making, const RowBlock& rows);
-  //! Draws what is drawn on whole pictures.
+  //! Draws what needs the whole picture.
   static void end(Making& making);
 
-  //! Pixels that are worked on at a time, at the most.
+  //! Returns the maximum number of pixels per block.
   [[nodiscard]] std::size_t block_pixels(const Projection& projection) const;
   template <class Visit>
   void visit_blocks(const Projection& projection, const Visit& visit) const;
 
-  //! Makes room for the lens of `pixels` and sets up the shading, but for where the light goes.
+  //! Allocates lens channels for `pixels` and sets up the shading, except for its output.
   ShadeBatch prepare(const Projection& projection, const SkyCube& sky, const PictureSettings& settings,
                      std::size_t pixels);
 
-  //! Room for `pixels` in the backend's memory.
+  //! Returns memory for `pixels` in the backend's memory.
   float* room_for(std::size_t pixels);
 
-  //! Turns rows whose lens is there into light. `polygons`: where the sky is filtered by them.
+  //! Shades rows whose lens channels are filled. `polygons`: if the sky is filtered by polygons.
   void shade_rows(ShadeBatch& shade, const PolygonFilter* polygons, const RowBlock& rows);
 
-  //! Seeks the images of stars that a picture shows. What is given has to outlive the search.
+  //! Starts the search for the images of stars in a picture. The arguments must outlive the search.
   std::future<FoundPoints> seek_stars(const EyeCamera& eye, const Projection& projection,
                                       const PictureSettings& settings) const;
 
-  //! Brings stars to where the picture is made.
+  //! Copies stars to the memory in which the picture is made.
   void place_stars(const FoundPoints& stars, const Projection& projection, const PictureSettings& settings);
 
-  //! What stands near the hole in a picture, with the grid that its disk is read from where that is worth its while.
+  //! Returns the near field of a picture, with a grid for its disk if that is worth building.
   NearField near_field_of(const EyeCamera& eye, const Projection& projection, const PictureSettings& settings);
 
-  //! Draws what stands near the hole over rows of a picture in the backend's memory, where it has any.
+  //! Draws the near field, if there is any, over rows of a picture in the backend's memory.
   void draw_near_rows(const EyeCamera& eye, const Projection& projection, const PictureSettings& settings,
                       const RowBlock& rows, float* rgba) const;
 
-  //! Draws stars and what stands near the hole over rows whose sky is in rgba_, or on the processor in `light`: there they end up.
+  //! Draws stars and near field over rows of the sky in rgba_ or, on the CPU, in `light`.
   void draw_over_rows(const EyeCamera& eye, const Projection& projection, const PictureSettings& settings,
                       const FoundPoints& stars, const RowBlock& rows, float* light);
 
-  //! Rays that did not converge, by what the backend's memory says of errors.
+  //! Counts rays that did not converge, from error estimates in the backend's memory.
   long count_unresolved(const float* estimates, std::size_t pixels) const;
 
-  //! Draws objects over the whole of rgba_; they come from another driver than the picture, and lie over it in host memory.
+  //! Draws objects over the whole of rgba_. They are rendered by another driver, and are composited
+  //! in host memory.
   void draw_objects_in_place(const EyeCamera& eye, const Projection& projection, const PictureSettings& settings);
 
-  //! Filters the map over the pixels' outlines, on the processor: channels of a GPU come over, and the light goes back.
+  //! Filters the map over the pixels' outlines, on the CPU: copies channels from the GPU and the
+  //! light back.
   void filter_polygons(const ShadeBatch& shade, const PolygonFilter& polygons);
 
-  //! Makes room for the channels that the picture calls for, and no others; `second`: beside another eye's.
+  //! Allocates only the channels that the picture needs. `second`: in addition to another eye's.
   LensPixels channels(std::size_t pixels, const PictureSettings& settings, bool second = false);
 
   Backend backend_;
   LensChooser lenses_;
   DiskGrids disk_grids_;
   StreamedDisk streamed_disk_;
-  NearField near_field_;  //!< of the picture in hand
+  NearField near_field_;  //!< of the current picture
   TiledStars tiled_stars_;
   Buffer<float> lens_;
-  Buffer<float> second_lens_;  //!< of the other eye, where both are read at once
+  Buffer<float> second_lens_;  //!< of the other eye, if both are read together
   Buffer<float> rgba_;
-  Buffer<float> aside_;  //!< a picture that stays
+  Buffer<float> aside_;  //!< a picture to keep
 };
 
-//! The range of a heat map's colour bar; of steps, for ways to follow rays that differ by orders of magnitude, a logarithmic one.
+//! Returns the range of a heat map's color bar. It is logarithmic for steps of methods that differ
+//! by orders of magnitude.
 HeatRange heat_range(ViewMode mode, bool logarithmic_steps = false);
 HeatRange heat_range(const PictureSettings& settings);
 

@@ -4,12 +4,12 @@
 #include "kernels/launch/work_counter.h"
 #include "render/frame/eye_renderer.h"
 
-// How pictures are made in host memory, block by block.
+// Renders pictures in host memory, block by block.
 namespace ergodome {
 
 namespace {
 
-//! Calls visit(rows) for parts of a block that have no more than so many rows.
+//! Calls visit(rows) for parts of a block with at most `most` rows.
 template <class Visit>
 void visit_rows(const RowBlock& block, int most, const Visit& visit) {
   const int end = block.first + block.count;
@@ -20,7 +20,7 @@ void visit_rows(const RowBlock& block, int most, const Visit& visit) {
 
 }  // namespace
 
-//! A picture that is being made. What is given has to outlive it.
+//! A picture in progress. The arguments must outlive it.
 struct EyeRenderer::Making {
   const EyeCamera& eye;
   const Projection& projection;
@@ -58,7 +58,7 @@ void EyeRenderer::begin(Making& making, const SkyCube& sky) {
 }
 
 void EyeRenderer::make_sky(Making& making, const RowBlock& rows) {
-  // Another picture may have used the same room since.
+  // Another picture may have used the same memory meanwhile.
   making.shade.lens = channels(block_pixels(making.projection), making.settings);
   making.source->fill(rows.first, rows.count, making.shade.lens);
   light_sky(making, rows);
@@ -116,7 +116,7 @@ std::vector<Picture> EyeRenderer::render_pair(const EyePair& wanted, const SkyCu
   const EyePicture& first = wanted.first;
   const EyePicture& second = wanted.second;
   std::vector<Picture> pictures;
-  // On devices places of stars, and everywhere the disk's grid, are those of the picture in hand.
+  // Positions of stars (on GPUs) and the disk's grid (everywhere) are stored for one picture only.
   if (backend_ != Backend::cpu || !first.settings.near_field.empty()) {
     pictures.push_back(render(first.eye, first.projection, sky, first.settings));
     pictures.push_back(render(second.eye, second.projection, sky, second.settings));
@@ -149,7 +149,7 @@ std::vector<Picture> EyeRenderer::render_pair(const EyePair& wanted, const SkyCu
 void EyeRenderer::draw_over_rows(const EyeCamera& eye, const Projection& projection, const PictureSettings& settings,
                                  const FoundPoints& stars, const RowBlock& rows, float* light) {
   if (backend_ == Backend::cpu) {
-    // The rows are made in the picture itself.
+    // Rows are rendered directly into the picture.
     if (!stars.empty()) {
       settings.stars->draw(stars.in_host, projection, rows.first, rows.count, light);
     }

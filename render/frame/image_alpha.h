@@ -5,8 +5,9 @@
 
 namespace ergodome {
 
-//! Gives a picture the coverage of its image, for an alpha channel: 1 in a dome's circle and 0 outside of it, the part of a pixel on the rim; the hole's shadow
-//! covers what the picture is laid over as all the rest does. `projection`: the picture's own.
+//! Sets a picture's alpha channel to the coverage of its image: 1 inside a dome's circle, 0
+//! outside, a fraction on the rim. The hole's shadow is opaque like the rest. `projection`: the
+//! picture's own.
 void set_image_alpha(const Projection& projection, Picture& picture);
 
 }  // namespace ergodome

@@ -20,7 +20,7 @@ Vector3<float> part(const Vector3<PixelDual>& v, float PixelDual::*which) {
   return {v.x.*which, v.y.*which, v.z.*which};
 }
 
-//! What is left of a pixel's light.
+//! Returns the fraction of a pixel's light that remains.
 float light_left(const ProjectionOf<float>& projection, float x_px, float y_px, const EdgeCurve& head,
                  const EdgeCurve& eye) {
   const Vector3<PixelDual> view =
@@ -33,22 +33,22 @@ float light_left(const ProjectionOf<float>& projection, float x_px, float y_px, 
   return after < before ? after / before : 1.0F;
 }
 
-//! Pixels of a side of the squares that are asked together.
+//! Side of the squares that are tested as a whole [px].
 constexpr int tile_px = 16;
 
-//! Angles from the middle of the edges between which pixels may see another of them.
+//! Angles from the middle of the shadow between which pixels may see its edges.
 struct EdgeRing {
   double inner;
   double outer;
 
-  //! Whether what lies within `radius` of a direction may reach into it.
+  //! Returns whether a disk of `radius` around a direction overlaps the ring.
   [[nodiscard]] bool reaches(const Vector3<float>& direction, const Vector3<float>& middle, double radius) const {
     const double angle = std::acos(std::clamp(static_cast<double>(dot(direction, middle)), -1.0, 1.0));
     return angle - radius <= outer && angle + radius >= inner;
   }
 };
 
-//! The part of a picture that is asked together.
+//! A part of a picture that is tested as a whole.
 struct PixelSquare {
   int left, top, right, bottom;
 };
@@ -75,7 +75,7 @@ void mask_shadow(Picture& picture, const Projection& projection, const EdgeCurve
   const double pixel = largest_pixel_angle(projection);
   const EdgeRing ring = {static_cast<double>(head.smallest) - 2.0 * pixel,
                          static_cast<double>(std::max(head.largest, eye.largest)) + 2.0 * pixel};
-  // Faces of a cube do not look the same way where they touch.
+  // Adjacent faces of a cube face different directions.
   const int side_px = projection.kind == ProjectionKind::cube ? 1 : tile_px;
   const double radius = side_px * pixel;
   parallel_for((picture.height + side_px - 1) / side_px, std::max(8 / side_px, 1), [&](int begin, int end) {

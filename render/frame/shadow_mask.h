@@ -5,8 +5,9 @@
 
 namespace ergodome {
 
-//! Darkens a picture of the head's where an eye sees the shadow: `head` and `eye` are the edges that both see, in the view's axes, on the host.
-//! The eye's shadow holds the head's; where both edges are one, pixels stay as they are to the bit.
+//! Darkens the head's picture where an eye sees the shadow. `head` and `eye` are the shadow edges
+//! that both see, in the view's axes, on the host. The eye's shadow contains the head's; where the
+//! edges coincide, pixels stay bit-identical.
 void mask_shadow(Picture& picture, const Projection& projection, const EdgeCurve& head, const EdgeCurve& eye);
 
 }  // namespace ergodome

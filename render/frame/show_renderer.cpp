@@ -23,11 +23,11 @@ namespace ergodome {
 
 namespace {
 
-//! Of the camera's way past the hole, in which images of stars are followed [rad].
+//! Maximum camera motion past the hole per step in which images of stars are followed [rad].
 constexpr double longest_trail_step = 0.02;
 constexpr int most_trail_steps = 32;
 
-//! The pictures of eyes that a frame shows, cut into faces where each has a file: `faces[i][eye]`.
+//! Cuts the eyes' pictures of a frame into cube faces with a file each: `faces[i][eye]`.
 std::vector<std::vector<Picture>> cut_into_faces(const std::vector<Picture>& eyes, const Projection& projection) {
   std::vector<std::vector<Picture>> faces(cube_faces);
   for (const Picture& eye : eyes) {
@@ -39,7 +39,7 @@ std::vector<std::vector<Picture>> cut_into_faces(const std::vector<Picture>& eye
   return faces;
 }
 
-//! Adds the image, or the images, of two eyes or one.
+//! Appends the image or images of one or two eyes.
 void add_images(std::vector<Picture> eyes, StereoLayout layout, std::optional<CubeFace> face,
                 std::vector<FrameImage>& images) {
   if (eyes.size() < 2) {
@@ -52,7 +52,7 @@ void add_images(std::vector<Picture> eyes, StereoLayout layout, std::optional<Cu
   }
 }
 
-//! A show's shells as heat maps have them: thin lines, through which the map shines.
+//! Returns a show with its shells as heat maps draw them: thin lines over the map.
 Show lines_alone(Show show) {
   for (ShellSettings& shell : show.shells) {
     shell.line_opacity = is_visible(shell) ? 0.5 : 0.0;
@@ -150,7 +150,7 @@ std::vector<CameraPose> ShowRenderer::shutter_poses(const CameraPose& middle, do
   const double half = 0.5 * show_.effects.trails->shutter_s;
   const CameraPose open = camera_pose(show_, time_s - half);
   const CameraPose close = camera_pose(show_, time_s + half);
-  // Images are followed in steps that are small beside the hole, and beside the view.
+  // Images are followed in steps that are small compared with the hole and the view.
   const double turn = 2.0 * std::acos(std::min(std::abs(glm::dot(open.orientation, close.orientation)), 1.0));
   const double way = std::abs(close.phi - open.phi) + std::abs(close.theta - open.theta) +
                      std::abs(std::log(close.r / open.r)) + 0.1 * turn;
@@ -159,7 +159,7 @@ std::vector<CameraPose> ShowRenderer::shutter_poses(const CameraPose& middle, do
   for (int i = -steps; i <= steps; ++i) {
     poses.push_back(camera_pose(show_, time_s + half * i / steps));
     if (!middle.velocity) {
-      // Who looks was chosen in the show's place, and is outside the horizon.
+      // The observer was set independently of the show and is outside the horizon.
       const CameraPose outside = in_zamo_frame(poses.back(), show_.spin);
       poses.back() = outside.velocity_in_rain ? middle : outside;
       poses.back().velocity.reset();
@@ -210,7 +210,7 @@ PictureSettings ShowRenderer::picture_settings(const CameraPose& pose, ViewMode 
   if (needs.bloom) {
     settings.bloom = show_.effects.bloom;
   }
-  // In free flight nobody knows where the camera will be when the shutter closes.
+  // In free flight the camera's future path is unknown.
   if (needs.trails && moment.time_s) {
     settings.shutter.emplace();
     for (const CameraPose& each : shutter_poses(pose, *moment.time_s)) {
@@ -250,7 +250,7 @@ void ShowRenderer::draw_overlays(const OverlayTarget& target, const CameraPose& 
   if (!overlays_.draws_at(time_s)) {
     return;
   }
-  // Eyes that turn with the direction have one picture's projection: what is drawn on that is on the dome.
+  // ODS eyes share one projection: whatever is drawn on it is on the dome.
   const StereoSettings& stereo = show_.stereo;
   const double offset = stereo.model == StereoModel::omni ? 0.0 : eye_offset;
   overlays_.draw(target, overlay_projection(projection, offset, stereo.convergence, overlay_distance_), time_s);
@@ -302,7 +302,7 @@ void ShowRenderer::set_observer(ObserverMotion motion, const Vector3<double>& ve
 std::vector<Picture> ShowRenderer::render_window_parts(const CameraPose& pose, const Projection& projection,
                                                        ViewMode mode, const ShowMoment& moment) {
   std::vector<Picture> eyes = render_eyes(pose, projection, mode, moment);
-  // A visitor's eye follows by the clock on the wall, show or no show.
+  // Like a visitor's eye, exposure follows the wall clock, whether the show plays or not.
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
   finish_eyes(eyes, pose, projection, mode, moment, std::chrono::duration<double>(now).count());
   if (eyes.size() == 2 && !shows_eyes_whole(show_.stereo.layout)) {

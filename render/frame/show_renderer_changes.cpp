@@ -5,7 +5,7 @@
 #include "kernels/core/error.h"
 #include "render/frame/show_renderer.h"
 
-// How a show's renderer goes on with other numbers, or with another show.
+// Applies changed numbers or another show to a show's renderer.
 namespace ergodome {
 
 namespace {
@@ -14,14 +14,14 @@ bool same_turn(const SkySettings& a, const SkySettings& b) {
   return a.spin_axis_ra_deg == b.spin_axis_ra_deg && a.spin_axis_dec_deg == b.spin_axis_dec_deg;
 }
 
-//! Whether two shows look at one map in one way, so that it need not be read again.
+//! Returns whether two shows use one map in the same way, so that it need not be read again.
 bool same_map(const Show& a, const Show& b) {
   return a.folder == b.folder && a.sky.map == b.sky.map && a.sky.map_layout == b.sky.map_layout &&
          same_turn(a.sky, b.sky) && a.sky.filter == b.sky.filter && a.sky.shift == b.sky.shift &&
          a.effects.redshift == b.effects.redshift;
 }
 
-//! Whether two shows' spikes differ in animatable numbers at the most.
+//! Returns whether two shows' spikes differ at most in animatable numbers.
 bool same_spikes(const Show& a, const Show& b) {
   const auto& one = a.effects.diffraction;
   const auto& other = b.effects.diffraction;
@@ -33,7 +33,7 @@ bool same_spikes(const Show& a, const Show& b) {
          one->blades == other->blades && one->vanes == other->vanes && one->size_px == other->size_px;
 }
 
-//! Whether stars are the same but for numbers that StarPass::set_numbers takes.
+//! Returns whether two shows' stars differ at most in numbers that StarPass::set_numbers accepts.
 bool same_stars(const Show& a, const Show& b) {
   return a.folder == b.folder && a.sky.stars == b.sky.stars && a.sky.star_method == b.sky.star_method &&
          same_turn(a.sky, b.sky) && a.effects.redshift == b.effects.redshift && same_spikes(a, b);
@@ -96,7 +96,7 @@ void ShowRenderer::set_show(const Show& show, std::shared_ptr<StationStream> str
   std::unique_ptr<ShellPass> shells =
       next.shells.empty() || same_shells ? nullptr : std::make_unique<ShellPass>(next, backend());
   overlays_.set_show(next);
-  // Nothing is thrown from here on.
+  // Nothing below throws.
   if (sky) {
     sky_ = std::move(*sky);
   }

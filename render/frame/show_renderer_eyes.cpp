@@ -14,12 +14,12 @@
 #include "render/output/stereo_layout.h"
 #include "render/passes/near_field/flat_near_field.h"
 
-// How a show's renderer draws two eyes, by the models of stereo.
+// Renders two eyes with each stereo model.
 namespace ergodome {
 
 namespace {
 
-//! Draws what stands near the hole over an eye's picture, a block of rows at a time.
+//! Draws disk, shells and objects over an eye's picture, a block of rows at a time.
 void draw_flat_rows(Backend backend, FlatNearField& near_field, const PictureView& view, Picture& picture) {
   const int block = rows_of_a_block(backend, picture.width, picture.height);
   for (int row = 0; row < picture.height; row += block) {
@@ -79,7 +79,8 @@ std::vector<Picture> ShowRenderer::render_flat_eyes(const CameraPose& pose, cons
     shadow.emplace(head);
     note_baseline(pose, std::min(stereo.baseline, shadow->greatest_baseline()));
   }
-  // Light is spread when the shadow, and what has a parallax of its own, is before it.
+  // Spread light only after the shadow, and everything with its own parallax, has been drawn over
+  // it.
   PictureSettings sharp = settings;
   if (apart) {
     sharp.near_field = {};
@@ -170,7 +171,7 @@ std::vector<Picture> ShowRenderer::render_omni_eyes(const CameraPose& pose, cons
   PictureSettings settings = picture_settings(pose, mode, moment, 0.0);
   const double tolerance = settings.accuracy.tolerance_px * pixel_angle(projection);
   const OmniPair pair = fitting_omni_pair(pose, tolerance);
-  // Without a baseline stars, and what stands near the hole, are the head's, to the last bit.
+  // Without a baseline, stars and the near field are bit-identical to the head's.
   const bool turns = baseline_ > 0.0;
   std::vector<CameraPose> shutter;
   std::vector<std::shared_ptr<const OmniCamera>> shutter_cameras;
@@ -204,7 +205,7 @@ bool ShowRenderer::may_stay_in_place(ViewMode mode) const {
     return false;
   }
   const StereoSettings& stereo = show_.stereo;
-  // Bars of colours lie across both eyes.
+  // Color bars span both eyes.
   return eye_count(stereo) < 2 || (stereo.model == StereoModel::physical && mode == ViewMode::sky &&
                                    shows_eyes_whole(stereo.layout) && !stereo.tint_eyes);
 }

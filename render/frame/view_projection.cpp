@@ -14,10 +14,10 @@ namespace ergodome {
 namespace {
 
 constexpr double largest_height_px = 16384.0;
-//! How far from its middle a dome may be seen from, in its radii.
+//! Maximum distance of an eye from the middle of a dome, in its radii.
 constexpr double nearest_convergence = 0.95;
 
-//! Height of a picture whose pixels are square.
+//! Returns the height of a picture with square pixels.
 int height_for(int width_px, double width, double height) {
   return static_cast<int>(std::lround(std::clamp(width_px * height / width, 1.0, largest_height_px)));
 }

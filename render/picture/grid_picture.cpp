@@ -14,7 +14,8 @@ namespace {
 
 using CellDual = Dual<float>;
 
-//! The direction of a pixel of the picture, with its derivatives per pixel: α is the distance from the middle.
+//! Returns the direction of a pixel of the picture, with its derivatives per pixel: α is the
+//! distance from the middle.
 Vector3<CellDual> direction_at(const EdgeCurve& edge, int x, int y, int size_px) {
   const float scale = 2.0F * static_cast<float>(pi) / static_cast<float>(size_px);
   const CellDual along_first((static_cast<float>(x) + 0.5F) * scale - static_cast<float>(pi), scale, 0.0F);
@@ -31,10 +32,11 @@ Vector3<CellDual> direction_at(const EdgeCurve& edge, int x, int y, int size_px)
           component(edge.centre.z, edge.first.z, edge.second.z)};
 }
 
-//! How much of a line through 0 and 1 a pixel shows, for a coordinate in [0, 1] that changes by `per_pixel`.
+//! Returns the coverage of a pixel by the lines at 0 and 1, for a coordinate in [0, 1] that changes
+//! by `per_pixel`.
 float line(float coordinate, float per_pixel) {
   const float distance_px = std::min(coordinate, 1.0F - coordinate) / std::max(per_pixel, 1e-9F);
-  // Where lines are closer than some pixels they would cover all.
+  // Fades out lines that are only a few pixels apart, which would cover everything.
   return std::clamp(1.0F - distance_px, 0.0F, 1.0F) * std::clamp(0.25F / std::max(per_pixel, 1e-9F) - 0.5F, 0.0F, 1.0F);
 }
 
@@ -61,7 +63,7 @@ Vector3<float> colour_at(const LensStation& station, const LensGrid& grid, const
 std::vector<GridLevel> grid_levels(const LensStation& station) {
   std::map<int, GridLevel> levels;
   const std::vector<bool> flagged = flagged_leaves(station);
-  // Every entry below its root, with how deep it lies.
+  // Tree entries still to visit, with their depth below the root.
   std::vector<std::pair<int, int>> open;
   open.reserve(static_cast<std::size_t>(station.columns) * static_cast<std::size_t>(station.rows));
   for (int root = 0; root < station.columns * station.rows; ++root) {

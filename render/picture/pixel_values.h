@@ -8,7 +8,8 @@
 
 namespace ergodome {
 
-//! Leaves what a vector is resized by as it lies in memory: whoever fills it touches it first, all threads at once.
+//! Allocator that leaves the elements added by resize() uninitialized, so that all threads touch
+//! the pages first while they fill them.
 template <class T>
 class UnfilledAllocator : public std::allocator<T> {
  public:
@@ -17,7 +18,8 @@ class UnfilledAllocator : public std::allocator<T> {
   // NOLINTNEXTLINE(google-explicit-constructor): as the standard asks
   UnfilledAllocator(const UnfilledAllocator<U>& /*other*/) noexcept {}
 
-  //! What the last picture had, or large pages where there are any: being given small ones took a twentieth of the time of two eyes.
+  //! Reuses the memory of the last picture, or takes huge pages if available: mapping small pages
+  //! took a twentieth of the time of two eyes' pictures.
   [[nodiscard]] T* allocate(std::size_t count) {
     const std::size_t bytes = count * sizeof(T);
     if (bytes < least_large) {
@@ -46,10 +48,10 @@ class UnfilledAllocator : public std::allocator<T> {
   static constexpr std::size_t least_large = std::size_t{1} << 22U;
 };
 
-// Kernels write a pixel at a time.
+// Kernels write one pixel at a time.
 static_assert(__STDCPP_DEFAULT_NEW_ALIGNMENT__ >= 4 * sizeof(float));
 
-//! Numbers of a picture's pixels; resize() does not fill them.
+//! Values of a picture's pixels; resize() does not initialize them.
 using PixelValues = std::vector<float, UnfilledAllocator<float>>;
 
 }  // namespace ergodome

@@ -10,19 +10,19 @@ namespace ergodome {
 //! Channels of LensPixels that a picture needs.
 struct LensChannels {
   bool sky = false;        //!< three floats
-  bool footprint = false;  //!< six
+  bool footprint = false;  //!< six floats
   bool frequency_ratio = false;
   bool steps = false;
   bool half_orbits = false;
 
-  //! With the coverage and the error estimate, which every picture has.
+  //! Returns the floats per pixel, including coverage and error estimate, which every picture has.
   [[nodiscard]] int floats() const {
     return 2 + (sky ? 3 : 0) + (footprint ? 6 : 0) + (frequency_ratio ? 1 : 0) + (steps ? 1 : 0) +
            (half_orbits ? 1 : 0);
   }
 };
 
-//! How the map's light becomes that of pixels.
+//! How the map's light is turned into pixel values.
 struct SkyShading {
   SkyFilter filter = SkyFilter::ewa;
   SkyShift shift = SkyShift::none;
@@ -37,26 +37,28 @@ inline LensChannels lens_channels(ViewMode mode, const SkyShading& shading) {
           mode == ViewMode::steps, mode == ViewMode::image_order};
 }
 
-//! Heat maps of what following rays takes, to shells too.
+//! Returns whether a mode is a heat map of the cost of following rays, which includes rays to
+//! shells.
 inline bool follows_rays(ViewMode mode) { return mode == ViewMode::steps || mode == ViewMode::error_estimate; }
 
-//! Which effects a show's pictures have. An effect that has nothing to work on is none.
+//! The effects that a show's pictures need. Effects without anything to act on are off.
 struct FrameNeeds {
   bool stars;
-  bool gather;  //!< stars are gathered by pixels
+  bool gather;  //!< pixels gather their stars
   SkyShading shading;
-  bool trails;  //!< while the camera is on its path
+  bool trails;  //!< only while the camera is on its path
   bool spikes;
   bool bloom;
   bool disk;
   bool disk_pattern;
   bool objects;         //!< drawn as polygons
-  bool traced_objects;  //!< drawn by rays
-  bool shells;          //!< any that is seen; in heat maps of rays as lines
+  bool traced_objects;  //!< drawn by ray tracing
+  bool shells;          //!< any visible shell; heat maps of rays show them as lines
   bool auto_exposure;
-  bool clear_outside;  //!< light may be spread beyond the image
+  bool clear_outside;  //!< set if light may be spread beyond the image
 
-  //! Whether a picture needs more than its own pixels: it can then not stay in the backend's memory.
+  //! Returns whether pictures need a pass over the whole picture, so that they cannot stay in the
+  //! backend's memory.
   [[nodiscard]] bool finishes_pictures() const { return auto_exposure || bloom; }
 };
 

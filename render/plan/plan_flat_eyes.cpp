@@ -4,7 +4,8 @@
 #include "render/passes/disk/disk_grids.h"
 #include "render/plan/planner.h"
 
-// Eyes of the stereo model `flat`: the sky is drawn for the head, and what stands near the hole for each.
+// Eyes of the stereo model `flat`: the sky is drawn once for the head; disk, shells and objects are
+// drawn for each eye.
 namespace ergodome {
 
 bool Planner::eyes_are_flat() const {
@@ -47,7 +48,8 @@ void Planner::plan_flat_disk(bool if_needed) {
   const auto pixels = static_cast<double>(pixels_);
   const bool may_make = may_read_disk_grid(request_.backend, request_.lens, show_.grid_scheme) &&
                         (asked || is_worth_a_disk_grid(request_.backend, pixels));
-  // As of other disks: some have no grid, and others give most of some places' pixels back to rays.
+  // As for other disks: some have no grid, and for others the grid leaves most pixels to rays at
+  // some positions.
   const bool certain = asked && !show_.disk->plunging;
   const bool pattern_changes = needs_.disk_pattern != always_.disk_pattern;
   const std::string reason = why(needs_.disk_pattern ? "disk.pattern" : "disk");
@@ -62,7 +64,7 @@ void Planner::plan_flat_disk(bool if_needed) {
     }
   }
   if (!may_make || !certain || needs_.traced_objects) {
-    // Beside a grid, pixels that show objects have rays.
+    // Pixels that show objects need rays beside a grid.
     flat_pass(flat_eyes_name(DiskDrawing::plain, false),
               needs_.traced_objects ? reason + ", " + why("objects") : reason,
               if_needed || (may_make && !always_.traced_objects));

@@ -44,17 +44,17 @@ void Planner::plan_lens() {
   pixel_pass(variant("look_up_pixels"), quality, !asked);
   const bool converge = least_.stereo.convergence > 0.0 && least_.stereo.baseline > 0.0;
   if (makes_eyes_in_turn() && !converge) {
-    // Where both have grids, they are read at once.
+    // If both eyes have grids, the grids are read together.
     buffer("second lens channels", WorkMoment::start, 0, why("stereo.layout"));
   }
   if (!asked) {
-    // Where most of a grid would be left to rays.
+    // Used where a grid would leave most pixels to rays.
     pixel_pass(variant("trace_pixels"), quality, true);
   }
   if (streamed) {
     buffer("lens grid at a position between stations", WorkMoment::picture, 0, quality);
     if (plan_.eyes > 1) {
-      // An eye beside the camera's path is served as long as rays confirm it.
+      // Stations serve an eye beside the camera's path as long as traced rays confirm them.
       pass("check_blend", WorkMoment::picture, 0, 0, quality + ", " + why("stereo.model"), true);
     }
   }
@@ -95,7 +95,7 @@ void Planner::plan_omni() {
   buffer("lens grid", WorkMoment::place, 0, model);
   pixel_pass(variant("look_up_omni_pixels"), model, !asked);
   if (!asked) {
-    // Where most of a grid would be left to rays, or these would have to be in double.
+    // Used where a grid would leave most pixels to rays or would need double precision.
     pixel_pass(variant("trace_omni_pixels"), model, true);
     buffer("shadow edge", WorkMoment::picture, 0, model);
   }

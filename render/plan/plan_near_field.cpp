@@ -30,7 +30,7 @@ void Planner::plan_near_field() {
       return;
     }
   }
-  // What one part is without at some times, the other has to itself.
+  // If one part is missing at times, the other is drawn alone then.
   for (const bool shells : {true, false}) {
     if (shells ? needs_.shells : !always_.shells) {
       plan_near_rays(shells);
@@ -84,7 +84,8 @@ void Planner::plan_disk_without_shells(DiskDrawing drawing, const std::string& r
   if (may_make) {
     plan_disk_grid(with_budget, if_needed || streamed || show_.disk->plunging);
   }
-  // Matter that falls from the last stable orbit has no grid; others give most of some places' pixels back to rays.
+  // Matter that falls from the last stable orbit has no grid. For other disks the grid leaves most
+  // pixels to rays at some positions.
   const bool certain = asked && !show_.disk->plunging;
   pixel_pass(disk_look_up_name(drawing), with_budget, if_needed || !certain);
   if (needs_.traced_objects) {
@@ -107,7 +108,8 @@ void Planner::plan_disk_grid(const std::string& reason, bool if_needed) {
 void Planner::plan_streamed_disk(const std::string& reason) {
   buffer("disk grid at a position between stations", WorkMoment::picture, 0, reason);
   if (plan_.eyes > 1) {
-    // As for the lens: an eye beside the camera's path is served as long as rays confirm it.
+    // As for the lens, stations serve an eye beside the camera's path as long as traced rays
+    // confirm them.
     pass("check_disk_grid", WorkMoment::picture, 0, 0, reason + ", " + why("stereo.model"), true);
   }
 }
@@ -117,7 +119,7 @@ void Planner::plan_traced_objects(const std::string& objects) {
   if (!needs_.traced_objects) {
     return;
   }
-  // How many pixels these take is not known beforehand.
+  // The number of these pixels is not known in advance.
   if (eyes_are_flat()) {
     pass("mark_flat_object_tiles", WorkMoment::picture, 0, 0, objects, eyes_are_together_at_times());
     pass("look_at_flat_objects", WorkMoment::picture, 0, 0, objects, true);
@@ -160,7 +162,7 @@ void Planner::plan_objects() {
   const std::string tables = lit ? objects + ", " + why("light") : objects;
   pass("make_connection_table", WorkMoment::place, 0, 0, tables);
   buffer("connecting rays", WorkMoment::place, 0, tables);
-  // Eyes that see through one lens have one picture, but see objects from their own places.
+  // Eyes that share a lens have one picture, but see objects from their own positions.
   const long eyes = eyes_are_flat() ? shown_ : plan_.eyes;
   const bool known = !eyes_are_flat() || !eyes_are_together_at_times();
   pass("draw_objects", WorkMoment::picture, known ? eyes : 0, known ? eyes * pixels_ : 0, objects);

@@ -38,7 +38,7 @@ void Planner::plan_map(const SkyShading& shading) {
     sky_buffer("column sums", ColumnSums::bytes_for(width, fitted), why("sky.filter"));
   }
   if (fitted) {
-    // One to fit temperatures by, one for the kernels.
+    // One table to fit temperatures, one for the kernels.
     sky_buffer("blackbody table", 2 * BlackbodyColours::bytes, why("sky.shift"));
   }
 }
@@ -66,7 +66,8 @@ void Planner::plan_stars() {
   } else {
     plan_grid(stars, false);
     buffer("shadow edge", WorkMoment::place, 0, stars);
-    // Not where the picture before had the same camera, which may have turned a little, and eyes that see the same share what is found.
+    // Not needed if the previous picture had the same camera, even slightly turned. Eyes that see
+    // the same share the result.
     const bool may_share = plan_.eyes > 1 && (eyes_are_flat() || eyes_are_together_at_times());
     pass("search_patches", WorkMoment::picture, may_share ? 0 : plan_.eyes, 0, stars, true);
     pass("find_star_images", WorkMoment::picture, 0, 0, stars, true);
@@ -80,7 +81,7 @@ void Planner::plan_stars() {
     }
   }
   if (request_.backend != Backend::cpu) {
-    // Sought and drawn where the picture is.
+    // Stars are searched for and drawn in the memory of the picture.
     if (!needs_.gather) {
       buffer("star search", WorkMoment::start, 0, stars);
       buffer("star images", WorkMoment::picture, 0, stars);

@@ -115,7 +115,7 @@ void Planner::buffer(const std::string& name, WorkMoment moment, long bytes, con
 }
 
 void Planner::pixel_pass(const std::string& name, const std::string& reason, bool if_needed) {
-  // Where the baseline comes and goes, one picture serves both eyes at times.
+  // If the baseline is 0 at times, one picture serves both eyes then.
   const bool known = drawn_pictures(least_.stereo) == plan_.eyes;
   pass(name, WorkMoment::picture, known ? plan_.eyes * strips_ : 0, known ? plan_.eyes * pixels_ : 0, reason,
        if_needed);
@@ -140,7 +140,7 @@ void Planner::plan_channels() {
   constexpr long float_bytes = sizeof(float);
   buffer("lens channels", WorkMoment::start, channels_.floats() * block * float_bytes, "the channels above");
   if (request_.backend != Backend::cpu) {
-    // The processor makes the light where it stays.
+    // On the CPU the light is written directly into the finished picture.
     buffer("picture", WorkMoment::start, 4 * block * float_bytes, why("view.size_px"));
   }
   buffer("finished picture", WorkMoment::picture, plan_.eyes * 4 * pixels_ * float_bytes, why("view.size_px"));

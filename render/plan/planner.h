@@ -8,7 +8,7 @@
 
 namespace ergodome {
 
-//! Makes a FramePlan, a part of the renderer at a time.
+//! Builds a FramePlan, one part of the renderer at a time.
 class Planner {
  public:
   Planner(const Show& show, const FrameRequest& request);
@@ -16,78 +16,82 @@ class Planner {
   FramePlan plan();
 
  private:
-  //! A key with where it stands.
+  //! Returns a key with its location in the show file.
   [[nodiscard]] std::string why(const std::string& key) const;
-  //! Where the key, or a number of that part of the show, is animated.
+  //! Returns the location where a key, or a number of that part of the show, is animated.
   [[nodiscard]] std::string why_animated(const std::string& key) const;
-  //! Whether the sky turns, and is read again for each picture.
+  //! Returns whether the sky turns and is therefore read again for each picture.
   [[nodiscard]] bool sky_turns() const;
   [[nodiscard]] std::string why_view() const;
   void pass(const std::string& name, WorkMoment moment, long runs, long elements, const std::string& reason,
             bool if_needed = false);
   void buffer(const std::string& name, WorkMoment moment, long bytes, const std::string& reason);
-  //! A pass over all pixels of all eyes, block by block.
+  //! Adds a pass over all pixels of all eyes, block by block.
   void pixel_pass(const std::string& name, const std::string& reason, bool if_needed = false);
-  //! Whether the skies of two eyes are made in turn: where nothing stands near the hole, at times at least.
+  //! Returns whether the two eyes' skies are made alternately, which requires that, at least at
+  //! times, nothing is near the hole.
   [[nodiscard]] bool makes_eyes_in_turn() const;
   [[nodiscard]] int count_strips() const;
   void plan_channels();
   [[nodiscard]] std::string variant(const char* kernel) const;
-  //! A grid that is traced at each new place.
+  //! Plans a grid that is traced at each new position.
   void plan_grid(const std::string& reason, bool if_needed);
   void plan_lens();
   void plan_direct(const std::string& reason);
-  //! Rays that a heat map follows by a method, or to shells.
+  //! Plans rays that a heat map follows with one method, or to shells.
   void plan_followed();
-  //! As OmniChooser chooses.
+  //! Plans the lenses that OmniChooser would choose.
   void plan_omni();
   void plan_shading();
-  //! The sky as its filter reads it.
+  //! Plans the map in the form that its filter reads.
   void plan_map(const SkyShading& shading);
-  //! Whatever is shown: a window goes from view to view.
+  //! Plans loading for all view modes, as a window can switch between them.
   void plan_star_loading();
   void plan_stars();
-  //! Tables are made whatever is shown.
+  //! Plans disk, shells and traced objects. Their tables are built for all view modes.
   void plan_near_field();
-  //! A ray for each pixel that may see something, whatever the sky's lens is: with shells or without.
+  //! Plans one ray for each pixel that may see disk, shells or objects, whatever the sky's lens.
+  //! `shells`: with shells or without.
   void plan_near_rays(bool shells);
   void plan_disk_grid(const std::string& reason, bool if_needed);
-  //! Whether there may be nothing of the disk between its edges at times.
+  //! Returns whether the disk may be empty at times because its edges move.
   [[nodiscard]] bool disk_edges_move() const;
   [[nodiscard]] bool has_disk_always() const;
   void plan_streamed_disk(const std::string& reason);
-  //! A disk without shells: from baked layers, or grids where they are worth their while, but for pixels that show traced objects.
+  //! Plans a disk without shells: from baked layers or from grids, if these are worth building,
+  //! except for pixels that show traced objects.
   void plan_disk_without_shells(DiskDrawing drawing, const std::string& reason, bool if_needed);
-  //! Whether both eyes see through one lens, the head's, from places of their own.
+  //! Returns whether both eyes use one lens, that of the head, from different positions.
   [[nodiscard]] bool eyes_are_flat() const;
-  //! And whether they are at one place at times: what they see is the head's then.
+  //! Returns whether the baseline of such eyes is 0 at times, which makes both pictures equal to
+  //! the head's.
   [[nodiscard]] bool eyes_are_together_at_times() const;
-  //! A pass over all pixels of both such eyes.
+  //! Adds a pass over all pixels of both such eyes.
   void flat_pass(const std::string& name, const std::string& reason, bool if_needed);
   void plan_flat_near_field();
   void plan_flat_disk(bool if_needed);
-  //! A ray for each tile, some for each pixel of those that may see objects.
+  //! Plans one ray per tile, and several per pixel of tiles that may see objects.
   void plan_traced_objects(const std::string& objects);
-  //! Meshes are read, and OpenGL is opened, whatever is shown: a window goes from view to view.
+  //! Plans reading meshes and opening OpenGL, for all view modes: a window can switch between them.
   void plan_objects();
   void plan_light();
-  //! Images are read whatever is shown; what is drawn depends on the time.
+  //! Plans overlays. Images are read for all view modes; what is drawn depends on the time.
   void plan_overlays();
 
-  const Show show_;   //!< with each animated number at its greatest
-  const Show least_;  //!< and at its least
+  const Show show_;   //!< with each animated number at its maximum
+  const Show least_;  //!< with each animated number at its minimum
   const FrameRequest& request_;
-  FrameNeeds needs_;   //!< at some time
+  FrameNeeds needs_;   //!< at any time
   FrameNeeds always_;  //!< at all times
   LensChannels channels_;
   FramePlan plan_;
   long pixels_;
-  long gathers_ = 0;          //!< a face of a cube each
-  long gathered_pixels_ = 0;  //!< of all of them
+  long gathers_ = 0;          //!< one per cube face
+  long gathered_pixels_ = 0;  //!< pixels of all gathers
   int block_rows_;
   int blocks_;
-  int strips_;     //!< parts of blocks that the sky is made in; 0: not known
-  int shown_ = 1;  //!< eyes that see what is drawn
+  int strips_;     //!< parts of blocks in which the sky is made; 0: unknown
+  int shown_ = 1;  //!< eyes whose pictures are drawn
 };
 
 }  // namespace ergodome

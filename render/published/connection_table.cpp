@@ -34,8 +34,10 @@ void check(const ConnectionTableSettings& settings) {
   }
 }
 
-//! Chebyshev points for an error of 1e-9: the interpolated functions are smooth up to u = 0 and u = 1/2, and the polynomial's error falls as
-//! the size of the largest ellipse about the range that holds neither (Trefethen, Approximation Theory and Approximation Practice, ch. 8).
+//! Returns the number of Chebyshev points for an error of 1e-9. The interpolated functions are
+//! smooth up to u = 0 and u = 1/2, and the polynomial's error decreases with the size of the
+//! largest ellipse about the range that contains neither (Trefethen, Approximation Theory and
+//! Approximation Practice, ch. 8).
 int fan_rows_for(double u_low, double u_high) {
   const double half = 0.5 * (u_high - u_low);
   const double nearest = std::min(u_low, 0.5 - u_high) / half;

@@ -6,28 +6,31 @@
 
 namespace ergodome {
 
-//! Orders that a table may hold: what goes round more often is some 10^-20 of a turn from the edge of the shadow.
+//! Maximum number of orders in a table. Light that circles more often arrives within about 10^-20
+//! of a turn from the shadow's edge.
 inline constexpr int most_connection_orders = 16;
 
-//! Radii that tables reach to [M]; farther out the closed form serves.
+//! Maximum radius in tables [M]; farther out the closed form is used.
 inline constexpr double farthest_of_table = 1e6;
 
-//! What a table of connecting rays is for; M = 1. What is given first is Müller, Schulz & Weiskopf's.
+//! Ranges and sizes of a table of connecting rays; M = 1. The defaults are those of Müller, Schulz
+//! & Weiskopf.
 struct ConnectionTableSettings {
   double r_nearest = 2.5;            //!< of the points [M], above 2
   double r_farthest = 30.0;          //!< of the points [M]
   double r_observer_nearest = 40.0;  //!< [M], above 2
   double r_observer_farthest = 40.0;
   int rows = 256;     //!< in 1/r
-  int columns = 512;  //!< in azimuth, an order
+  int columns = 512;  //!< in azimuth, per order
   int orders = 2;     //!< of images: 2 to most_connection_orders
-  int layers = 1;     //!< observers, evenly in 1/r: 1 for one, else 4 or more
+  int layers = 1;     //!< observer radii, evenly spaced in 1/r: 1, or at least 4
 };
 
-//! Connecting rays of the first orders for one observer's radius or a range of them.
+//! Connecting rays of the first orders for one observer radius or a range of radii.
 class ConnectionTable {
  public:
-  //! Makes it on the processor: milliseconds for an observer. Throws Error for settings that make no table.
+  //! Builds the table on the CPU; takes milliseconds per observer radius. Throws Error if the
+  //! settings are invalid.
   explicit ConnectionTable(const ConnectionTableSettings& settings);
 
   [[nodiscard]] ConnectionView view() const { return {grid_, nodes_.data()}; }

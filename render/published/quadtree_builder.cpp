@@ -12,7 +12,8 @@ namespace {
 
 constexpr int quadtree_step_limit = 100'000;
 
-//! Squared length of a cell's diagonal in (θ, φ); an end in the shadow makes it endless.
+//! Returns the squared length of a cell's diagonal in (θ, φ); practically infinite if an end is in
+//! the shadow.
 double squared_diagonal(const SkyAngles& a, const SkyAngles& b) {
   if (in_shadow(a) || in_shadow(b)) {
     return 1e9;
@@ -61,7 +62,7 @@ class QuadtreeBuilder {
     const bool dark =
         in_shadow(c.upper_left) && in_shadow(c.upper_right) && in_shadow(c.lower_left) && in_shadow(c.lower_right);
     if (level < settings_.coarsest_level) {
-      // Corners of large cells may all be dark where the cell is not.
+      // All corners of a large cell may be dark although the cell is not.
       return !dark || level < 3;
     }
     return !dark && std::max(squared_diagonal(c.upper_left, c.lower_right),
@@ -92,7 +93,7 @@ class QuadtreeBuilder {
     trace_wanted();
   }
 
-  //! The middle and the middles of the sides: the corners of the four children.
+  //! Adds the four children of a cell. Their corners are the middles of the cell and of its sides.
   void split(const QuadtreeCell& cell, std::vector<QuadtreeCell>& next) {
     const int half = cell.width / 2;
     for (const int down : {0, half}) {
@@ -151,7 +152,8 @@ class QuadtreeBuilder {
     lens_.slots_[slot].sky = sky;
   }
 
-  //! Vertices on a larger cell's side take what the side has there (VE, end of section 4.3.2). From large cells to small ones.
+  //! Gives vertices on a larger cell's side the value that the side has there (VE, end of section
+  //! 4.3.2), from large cells to small ones.
   void repair() {
     const QuadtreeGrid grid = lens_.view();
     for (const QuadtreeCell& cell : leaves_) {

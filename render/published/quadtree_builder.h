@@ -11,28 +11,30 @@ namespace ergodome {
 struct QuadtreeSettings {
   int coarsest_level = 6;
   int finest_level = 10;
-  //! Of a cell's diagonals on the celestial sky. VE write "0.015 radians"; it is the squared length in (θ, φ), seam and all, that
-  //! gives their own count of 47,848 rays (a = 0.999, r = 5, geodesic observer, half the sky) and their cumulative errors.
+  //! Limit for a cell's diagonals on the celestial sphere. VE write "0.015 radians", but only the
+  //! squared length in (θ, φ), seam included, gives their count of 47,848 rays (a = 0.999, r = 5,
+  //! geodesic observer, half the sky) and their cumulative errors.
   double largest_diagonal_squared = 0.015;
   TraceMethod method = TraceMethod::taylor;
   double tolerance = 1e-9;
-  bool repair = true;  //!< of T-vertices
+  bool repair = true;  //!< repair T-vertices
 };
 
-//! Whether the upper half of a camera's grid is enough: it sits on the equator and moves along it.
+//! Returns whether the upper half of a camera's grid suffices: the camera is on the equator and
+//! moves along it.
 bool quadtree_is_mirrored(double theta, const Vector3<double>& velocity);
 
 //! A quadtree grid and its vertices.
 class QuadtreeLens {
  public:
-  //! Traces the grid of a camera (at φ = 0), in the frame of its observer. `mirrored`: the camera sits on the equator and moves along
-  //! it, and the upper half is enough.
+  //! Traces the grid of a camera at φ = 0, in its observer's frame. `mirrored`: traces only the
+  //! upper half, see quadtree_is_mirrored().
   QuadtreeLens(const CameraStation& camera, bool mirrored, const QuadtreeSettings& settings);
 
-  //! The grid as kernels on the host read it; it points into this object.
+  //! Returns the grid as kernels on the host read it; it points into this object.
   [[nodiscard]] QuadtreeGrid view() const;
 
-  //! Rays traced: one a vertex.
+  //! Returns the number of vertices, each of which took one ray.
   [[nodiscard]] int vertex_count() const { return vertex_count_; }
 
  private:
@@ -47,12 +49,12 @@ class QuadtreeLens {
   bool mirrored_;
 };
 
-//! Where the shadow lies in the grid of a camera, from the exact critical curve.
+//! The position of the shadow in a camera's grid, from the exact critical curve.
 class QuadtreeShadowTable {
  public:
   QuadtreeShadowTable(const CameraStation& camera, int level);
 
-  //! It points into this object.
+  //! Returns the table as kernels read it; it points into this object.
   [[nodiscard]] QuadtreeShadow view() const;
 
  private:
@@ -61,7 +63,7 @@ class QuadtreeShadowTable {
   std::vector<float> radius_;
 };
 
-//! A grid by itself, as look-ups want it.
+//! Returns a single grid in the form that look-ups need.
 QuadtreeLookUp look_up_of(const QuadtreeGrid& grid, QuadtreeInterpolation how);
 
 }  // namespace ergodome

@@ -16,7 +16,7 @@ struct EdgePoint {
   double column;
 };
 
-//! The edge in rows and columns, without a jump where the columns begin anew.
+//! Returns the edge in rows and columns, without a jump where the columns wrap around.
 std::vector<EdgePoint> edge_points_of(const CameraStation& camera, int level) {
   const ShadowChart chart = make_shadow_chart(camera);
   const double columns = 2 << level;
@@ -48,7 +48,8 @@ QuadtreeShadowTable::QuadtreeShadowTable(const CameraStation& camera, int level)
   }
   row_ = static_cast<float>(row);
   column_ = static_cast<float>(column);
-  // The edge is met once in each direction from its centre: between neighbouring points the distance runs evenly with the angle.
+  // Each direction from the center meets the edge once; between neighboring points the distance is
+  // interpolated linearly in the angle.
   for (int i = 0; i < table_size; ++i) {
     const EdgePoint& a = points[static_cast<std::size_t>(i)];
     const EdgePoint& b = points[static_cast<std::size_t>((i + 1) % table_size)];
