@@ -45,7 +45,8 @@ std::vector<double> disk_terms(const DiskPoint& point, int degree) {
   return terms;
 }
 
-// Gram and Schmidt's method, modified: what is left of each term is made orthogonal to those before it at once.
+// Uses the modified Gram-Schmidt method: orthogonalizes the remaining part of each term against the
+// earlier ones.
 DiskFit::DiskFit(const std::vector<DiskPoint>& points, int degree) {
   const std::size_t terms = disk_terms({0.0, 0.0}, degree).size();
   columns_.assign(terms, std::vector<double>(points.size()));

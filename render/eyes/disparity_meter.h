@@ -9,29 +9,30 @@
 
 namespace ergodome {
 
-//! Gathers what both eyes see.
+//! Collects the disparities of what both eyes see.
 class DisparityMeter {
  public:
   DisparityMeter(const StereoEye& left, const StereoEye& right, const Projection& projection)
       : images_{left.image(projection), right.image(projection)}, screen_(projection) {}
 
-  //! A thing, in the directions of both eyes' images; what neither shows does not count.
+  //! Adds a thing by its directions in both eyes' images. Ignores it unless both images show it.
   void add(const Vector3<double>& left, const Vector3<double>& right);
 
-  //! One of many directions of a sheet that is stretched without bound here and there, as the sky is beside its caustics: of all of these the outermost
-  //! outlying_share to both sides does not count.
+  //! Adds one of many sample directions of a surface that is stretched without bound in some parts,
+  //! as the sky is beside its caustics. The outermost outlying_share of all samples on either side
+  //! is ignored.
   void add_of_sheet(const Vector3<double>& left, const Vector3<double>& right);
 
   static constexpr double outlying_share = 0.05;
 
-  //! Whether an image that does not converge shows a direction.
+  //! Returns whether an image without convergence shows a direction.
   [[nodiscard]] bool shows(const Vector3<double>& view) const;
 
-  //! Nothing where no thing was seen.
+  //! Returns the disparity range; nothing if nothing was added.
   [[nodiscard]] std::optional<Disparity> result() const;
 
  private:
-  //! Of one thing.
+  //! Disparity of one thing.
   struct Shift {
     double pixels;
     double arcmin;

@@ -13,7 +13,8 @@ namespace ergodome {
 
 namespace {
 
-//! All eyes of one head move together: at the velocity that the head's observer has at the head's place.
+//! Sets an eye's motion. All eyes of a head move with the velocity of the head's observer at the
+//! head's position.
 void set_motion(EyeCamera& eye, const Show& show, const CameraPose& pose) {
   if (pose.velocity && pose.velocity_in_rain) {
     eye.motion = ObserverMotion::rain_boost;
@@ -53,12 +54,13 @@ EyeCamera eye_camera(const Show& show, const CameraPose& pose, const Vector3<dou
       head[i][j] = turn[j][i];
     }
   }
-  // An eye that the baseline would put into the hole waits just outside; those of a head that falls, above where nobody goes.
+  // An eye that would be inside the hole is kept just outside; eyes of an infalling head are kept
+  // above the minimum radius.
   const EyeEvent event =
       eye_event(show.spin, pose.r, pose.theta, pose.phi, head, offset, {deepest + 1e-3 * (pose.r - deepest), in_rain});
   EyeCamera eye{};
   eye.spin = show.spin;
-  // An eye in the head's own place has its very numbers, as a single camera has.
+  // An eye at the head's position gets exactly the head's numbers, like a single camera.
   constexpr double rounding = 1e-12;
   const auto unless_rounding = [](double of_eye, double of_head) {
     return std::abs(of_eye - of_head) <= rounding * of_head ? of_head : of_eye;

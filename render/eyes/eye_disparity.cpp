@@ -19,10 +19,11 @@ using EdgeDual = Dual<double>;
 constexpr int order = 14;
 constexpr int most_rounds = 12;
 constexpr double found = 1e-7;
-//! What moves farther than this is another image of the star [rad].
+//! A larger shift belongs to another image of the star [rad].
 constexpr double farthest = 0.5;
 
-//! A place of the sky with its derivatives along two directions of the view; false for the shadow.
+//! Computes the point of the sky in a direction, with its derivatives along two directions of the
+//! view. Returns false in the shadow.
 bool look(const StereoEye& from, const Vector3<EdgeDual>& seen, Vector3<EdgeDual>& sky) {
   const Vector3<double> middle = {seen.x.value, seen.y.value, seen.z.value};
   const EyeCamera eye = from.camera(middle);
@@ -48,7 +49,8 @@ bool look(const StereoEye& from, const Vector3<EdgeDual>& seen, Vector3<EdgeDual
 
 Vector3<double> values(const Vector3<EdgeDual>& v) { return {v.x.value, v.y.value, v.z.value}; }
 
-//! The direction in which an eye sees a place of the sky, near to a first guess; false where it is not found.
+//! Finds the direction in which an eye sees a point of the sky, near the guess in `view`. Returns
+//! false if there is none.
 bool find_direction(const StereoEye& eye, const Vector3<double>& star, Vector3<double>& view) {
   const Vector3<double> first = view;
   for (int round = 0; round < most_rounds; ++round) {
@@ -86,7 +88,7 @@ bool find_direction(const StereoEye& eye, const Vector3<double>& star, Vector3<d
   return false;
 }
 
-//! The places of the shadow's edge that lie farthest to the left and to the right.
+//! Computes the leftmost and rightmost points of the shadow's edge.
 void edge_sides(const StereoEye& eye, Vector3<double> (&sides)[2]) {
   const EyeCamera camera = eye.camera({0.0, 0.0, -1.0});
   const CameraStation station =
@@ -111,7 +113,8 @@ void edge_sides(const StereoEye& eye, Vector3<double> (&sides)[2]) {
   }
 }
 
-//! Adds the sky of many directions, each followed from the left eye's ray to where the right eye sees the same star.
+//! Adds the sky in many directions, each followed from the left eye's ray to where the right eye
+//! sees the same star.
 void add_sky(const StereoEye& left, const StereoEye& right, std::span<const SeenDirection> directions,
              DisparityMeter& meter) {
   std::vector<std::optional<Vector3<double>>> others(directions.size());
@@ -157,7 +160,7 @@ std::optional<Disparity> frame_disparity(const Show& show, const CameraPose& pos
     add_sky(left, right, directions, meter);
   }
   add_near_things(show, pose, directions, objects, meter);
-  // A shadow is seen before something.
+  // A shadow is visible only in front of something.
   const bool shadow_seen = !is_black(show.sky) || show.disk || !show.shells.empty();
   if (show.stereo.model == StereoModel::physical && shadow_seen) {
     add_edge(left, right, meter);

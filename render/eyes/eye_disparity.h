@@ -11,23 +11,31 @@
 
 namespace ergodome {
 
-//! How far to the right the right eye sees things of where the left one does, for a viewer who looks there: negative is nearer than where the eyes converge, in front of the screen.
+//! Range of disparities: how far to the right of the left eye's image the right eye sees things.
+//! Negative values are nearer than the convergence distance, in front of the screen.
 struct Disparity {
   double least_px = 0.0;
   double greatest_px = 0.0;
-  double least_arcmin = 0.0;  //!< for a viewer at the middle of the dome, or where the screen has the view's own angles
+  //! For a viewer in the middle of the dome, or at the position where the screen spans the view's
+  //! angles.
+  double least_arcmin = 0.0;
   double greatest_arcmin = 0.0;
 
-  //! The difference that a person has to fuse at once [degrees].
+  //! Returns the disparity range that a viewer has to fuse at once [degrees].
   [[nodiscard]] double range_deg() const { return (greatest_arcmin - least_arcmin) / 60.0; }
 };
 
-//! The disparities of a frame: of the sky, where neither disk, shells nor objects hide it and unless it is black, of many directions across the image, each followed from the
-//! left eye's ray to where the right eye sees the same star, but for the outermost (DisparityMeter::outlying_share); of the shadow's edge to both sides, in the model `physical`, where a
-//! picture shows it; and of what stands near the hole, see add_near_things. `objects`: the outlines of the show's objects (ShowRenderer::object_outlines); `hiding`: those that hide sky,
-//! disk and shells behind them (hiding_objects). Double rays (benchmark stereo_disparity). Nothing for one eye, or where no direction is seen by both.
+//! Measures the disparities of a frame with rays in double (benchmark stereo_disparity):
+//! - the sky, unless it is black, in many directions across the image in which no disk, shell or
+//! object hides it. Each is followed from the left eye's ray to where the right eye sees the same
+//! star; outliers are ignored (DisparityMeter::outlying_share). In the model `flat` the sky has
+//! only the disparity of convergence.
+//! - the left and right edge of the shadow, in the model `physical`, where the picture shows it.
+//! - disk, shells and objects, see add_near_things.
 //!
-//! In the model `flat` the sky has none but what convergence gives it.
+//! `objects`: outlines of the show's objects (ShowRenderer::object_outlines); `hiding`: objects
+//! that hide sky, disk and shells behind them (hiding_objects). Returns nothing for a single eye,
+//! or if both eyes see no common direction.
 std::optional<Disparity> frame_disparity(const Show& show, const CameraPose& pose, const Projection& projection,
                                          std::span<const PlacedOutline> objects, const PlacedMeshes& hiding);
 

@@ -11,27 +11,29 @@ namespace ergodome {
 
 namespace {
 
-//! Of r. Far from the hole, polynomials of degree 10 serve eyes that are twice 0.39 r apart.
+//! As a fraction of r. Far from the hole, polynomials of degree 10 serve eyes up to 2 × 0.39 r
+//! apart.
 constexpr double share_of_r = 0.72;
 
-//! omni_room(), were the head and its eyes outside of where light is counted in the azimuth of who falls in.
+//! Returns omni_room() of a head whose light is not counted in the azimuth of infalling observers,
+//! with all its eyes.
 double room_outside(double spin, double r, double outwards) {
   return std::min((r - horizon_radius(spin)) / outwards, share_of_r * r / std::max(outwards, 1.0));
 }
 
-//! How far r goes for a length of 1 M outwards, see eye_event().
+//! Returns the change of r per proper length of 1 M outwards, see eye_event().
 double outwards_scale(double spin, double r, double theta, bool in_rain) {
   const KerrFunctions f = kerr_functions(spin, r, theta);
   return in_rain ? std::sqrt(f.area) / f.sigma : std::sqrt(std::max(f.delta, 0.0) / f.sigma);
 }
 
-//! Whether both eyes can be drawn so far apart.
+//! Returns whether both eyes can be drawn with a baseline [M].
 bool omni_eyes_fit(const Show& show, const CameraPose& pose, double baseline) {
   const EyePlace eye_at = [&](const Vector3<double>& offset) { return eye_camera(show, pose, offset); };
   return make_omni_pair(Backend::cpu, eye_at, omni_settings(show.stereo, baseline, omni_least_exact)).has_value();
 }
 
-//! The greatest distance up to `most` that can be drawn, to a thousandth of it.
+//! Returns the largest drawable baseline up to `most`, accurate to a thousandth of it.
 double greatest_omni_baseline(const Show& show, const CameraPose& pose, double most) {
   if (omni_eyes_fit(show, pose, most)) {
     return most;
@@ -45,13 +47,13 @@ double greatest_omni_baseline(const Show& show, const CameraPose& pose, double m
   return fits;
 }
 
-//! Greatest distance up to `most`, by the show's model.
+//! Returns the largest baseline up to `most` for the show's model.
 double greatest_up_to(const Show& show, const CameraPose& pose, double most) {
   switch (show.stereo.model) {
     case StereoModel::flat:
       return std::min(most, FlatShadow(eye_camera(show, pose, 0.0)).greatest_baseline());
     case StereoModel::omni:
-      static_cast<void>(eye_camera(show, pose, 0.0));  // its errors are not those of eyes
+      static_cast<void>(eye_camera(show, pose, 0.0));  // throws errors that do not concern the eyes
       return greatest_omni_baseline(show, pose, std::min(most, omni_room(show.spin, pose)));
     case StereoModel::physical:
       break;

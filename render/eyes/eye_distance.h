@@ -5,20 +5,22 @@
 
 namespace ergodome {
 
-//! How far eyes of the model `omni` may be apart at a pose, by the place alone [M]. No farther than the horizon is from the head, and no farther than
-//! 0.72 r. Of heads that fall, within 1.2 horizon radii, no farther than at that height, and than the depth that is left. Smooth enough that nothing
-//! leaps on a camera's way.
+//! Returns the maximum baseline [M] of the model `omni` at a pose, from the position alone: at most
+//! the head's distance from the horizon and 0.72 r. For infalling heads within 1.2 horizon radii,
+//! at most the value at that height and the remaining depth. Smooth enough that nothing jumps along
+//! a camera path.
 //!
-//! The polynomials of such eyes (OmniCamera) converge as far as their cameras are regular: to the horizon, and to about r. Where the head is much
-//! faster than who falls, or at rest next to the ergosphere, less may fit than this: greatest_baseline() looks.
+//! The polynomials of ODS eyes (OmniCamera) converge where the cameras are regular: up to the
+//! horizon and to about r. If the head is much faster than infalling observers, or at rest next to
+//! the ergosphere, less may fit; greatest_baseline() checks that.
 double omni_room(double spin, const CameraPose& pose);
 
-//! Greatest distance that both eyes of a show's stereo model can have at a pose [M]; infinity for the model `physical`, whose eyes wait outside the hole.
-//! `flat`: the affine distance of the horizon. `omni`: omni_room(), or less where such eyes cannot be drawn so far apart. Throws Error where
-//! eye_camera() does.
+//! Returns the maximum baseline [M] of a show's stereo model at a pose. `physical`: infinity, as
+//! eyes are kept outside the hole. `flat`: the affine distance of the horizon. `omni`: omni_room(),
+//! or less if the eyes cannot be drawn. Throws Error if eye_camera() does.
 double greatest_baseline(const Show& show, const CameraPose& pose);
 
-//! How far the show's eyes are apart at a pose [M]: as far as stereo.baseline says, but no farther than greatest_baseline().
+//! Returns the show's baseline at a pose [M]: stereo.baseline, limited to greatest_baseline().
 double fitting_baseline(const Show& show, const CameraPose& pose);
 
 }  // namespace ergodome

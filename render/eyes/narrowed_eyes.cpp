@@ -14,7 +14,8 @@ namespace ergodome {
 
 namespace {
 
-//! Eyes at a show time; nothing where they stand as the show asks, or where the camera itself cannot be, which is told elsewhere.
+//! Returns the reduced baseline at a show time. Returns nothing if the show's baseline fits, or if
+//! the camera itself cannot be there, which is reported elsewhere.
 std::optional<NarrowedEyes> narrowed_at(const Show& show, double time_s) {
   const Show now = show_at(show, time_s);
   const CameraPose pose = camera_pose(now, time_s);
@@ -27,7 +28,7 @@ std::optional<NarrowedEyes> narrowed_at(const Show& show, double time_s) {
   return eyes.baseline < eyes.asked ? std::optional(eyes) : std::nullopt;
 }
 
-//! Times of a show at which eyes are looked at, in order [s].
+//! Returns the show times at which the baseline is checked, in order [s].
 std::vector<double> times_of_eyes(const Show& show) {
   constexpr int most_times = 32;
   if (!camera_moves(show) && show.timeline.animations.empty()) {
@@ -44,7 +45,7 @@ std::vector<double> times_of_eyes(const Show& show) {
   return times;
 }
 
-//! When between two times eyes begin to stand closer [s].
+//! Returns when between two times the baseline begins to be reduced [s].
 double beginning_s(const Show& show, double before_s, double after_s) {
   constexpr double exact_s = 0.01;
   while (after_s - before_s > exact_s) {

@@ -8,29 +8,32 @@
 
 namespace ergodome {
 
-//! Eyes that are less far apart than was asked for: more does not fit where the camera is (render/lens/eye_distance.h).
+//! A baseline that had to be reduced because the show's does not fit at the camera position
+//! (render/eyes/eye_distance.h).
 struct NarrowedEyes {
   StereoModel model = StereoModel::physical;
   double r = 0.0;         //!< of the head [M]
-  double asked = 0.0;     //!< [M]
-  double baseline = 0.0;  //!< [M]
+  double asked = 0.0;     //!< baseline of the show [M]
+  double baseline = 0.0;  //!< reduced baseline [M]
 };
 
-//! Where on a show's camera path eyes stand closer than the show asks.
+//! Where the baseline has to be reduced on a show's camera path.
 struct NarrowedPath {
-  double first_s = 0.0;  //!< show time at which that begins
+  double first_s = 0.0;  //!< show time of the first reduction
   NarrowedEyes first;
-  double least_s = 0.0;  //!< and at which they are closest, of the times that were looked at
+  double least_s = 0.0;  //!< sampled show time of the smallest baseline
   NarrowedEyes least;
 };
 
-//! Looks through a show's path, at 33 times and where it turns; nothing where eyes stand as the show asks, for one eye and for the model `physical`.
+//! Checks a show's path at 33 times and at its turning points. Returns nothing if the show's
+//! baseline fits everywhere, for a single eye, and for the model `physical`.
 std::optional<NarrowedPath> narrowed_path(const Show& show);
 
-//! A sentence about a picture at a time of the show, for the person who made it, with the baseline's line if the show has one.
+//! Returns a sentence for the user about a picture at a show time, with the line of the baseline if
+//! the show has one.
 std::string note_of(const Show& show, double time_s, const NarrowedEyes& eyes);
 
-//! The same about the whole path.
+//! Returns a sentence about the whole path.
 std::string note_of(const Show& show, const NarrowedPath& path);
 
 }  // namespace ergodome

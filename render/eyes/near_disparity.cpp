@@ -13,7 +13,8 @@ namespace ergodome {
 
 namespace {
 
-//! Puts things into the meter as both eyes see them: eyes at places of their own, or beside a head whose lens they share.
+//! Adds things to the meter as both eyes see them: eyes at their own positions, or beside a head
+//! whose lens they share.
 class NearThings {
  public:
   NearThings(const Show& show, const CameraPose& pose, DisparityMeter& meter)
@@ -34,7 +35,7 @@ class NearThings {
     }
   }
 
-  //! `by_distance`: places of it, in the order of their distance from the head; at least one.
+  //! Adds an object. `by_distance`: points of it, ordered by distance from the head; at least one.
   void add(const PlacedOutline& object, const std::vector<Vector3<double>>& by_distance) {
     for (const Vector3<double>& place : ends_shown(by_distance)) {
       const SeenThing thing = {place, &object};
@@ -61,8 +62,9 @@ class NearThings {
     }
   }
 
-  //! Of places in the order of their distance the first and the last that the picture shows, if light came straight, and those farthest to all sides: images
-  //! stretch things towards their rims. Of none that it shows, the first and the last.
+  //! Selects from points in the order of their distance: the first and the last that the picture
+  //! would show if light traveled straight, and the outermost on all sides, because images stretch
+  //! things towards their rims. If the picture shows none, selects the first and the last.
   [[nodiscard]] std::vector<Vector3<double>> ends_shown(const std::vector<Vector3<double>>& places) const {
     struct Shown {
       Vector3<double> place;
@@ -91,14 +93,16 @@ class NearThings {
   DisparityMeter& meter_;
 };
 
-//! An object and places of it.
+//! An object and points of it.
 struct RankedObject {
   const PlacedOutline* object;
-  std::vector<Vector3<double>> places;  //!< the nearest one of each of its triangles, the nearest of all first
-  double square;                        //!< of the distance of that one
+  //! The nearest point of each triangle, the nearest of all first.
+  std::vector<Vector3<double>> places;
+  double square;  //!< squared distance of the nearest one
 };
 
-//! How far an object's places are, about where they are seen: it may move while its light is on the way.
+//! Orders an object's points by distance, with the object about where it is seen: it may move while
+//! its light travels.
 RankedObject ranked(const PlacedOutline& object, const Vector3<double>& from) {
   const auto square = [](const Vector3<double>& v) { return dot(v, v); };
   const Vector3<double>& middle = object.placement.position;
@@ -115,7 +119,7 @@ RankedObject ranked(const PlacedOutline& object, const Vector3<double>& from) {
   return it;
 }
 
-//! The nearest of the objects that have any places: of many the others stand behind these.
+//! Returns the nearest objects that have any points; the others are behind them.
 std::vector<RankedObject> nearest_objects(std::span<const PlacedOutline> objects, const Vector3<double>& from) {
   constexpr std::size_t most = 16;
   std::vector<RankedObject> nearest;

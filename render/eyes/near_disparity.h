@@ -12,7 +12,7 @@
 
 namespace ergodome {
 
-//! Calls visit(view) for directions across an image, in the view's axes.
+//! Calls visit(view) for a lattice of directions across an image, in the view's axes.
 template <class Visit>
 void visit_lattice(const Projection& projection, Visit&& visit) {
   constexpr int lattice = 9;
@@ -27,7 +27,7 @@ void visit_lattice(const Projection& projection, Visit&& visit) {
   }
 }
 
-//! The same for many that are spread evenly without symmetries of their own.
+//! Calls visit(view) for many directions, spread evenly without symmetries.
 template <class Visit>
 void visit_many(const Projection& projection, Visit&& visit) {
   constexpr std::size_t many = 800;
@@ -41,31 +41,36 @@ void visit_many(const Projection& projection, Visit&& visit) {
   }
 }
 
-//! What disparities are looked for in a direction; what the head sees there of disk and shells is asked in all, as it hides the sky. For the sky there are many, as it is
-//! stretched without bound beside its caustics.
+//! Which disparities to measure in a direction. Disk and shells are found in all directions, as
+//! they hide the sky. The sky needs many directions, because it is stretched without bound beside
+//! its caustics.
 enum class LookedFor : std::uint8_t { sky, disk_and_shells };
 
-//! A direction across an image, in the view's axes, and what of disk and shells the head sees there.
+//! A direction across an image, in the view's axes, and the points of disk and shells that the head
+//! sees there.
 struct SeenDirection {
   Vector3<double> view;
   LookedFor looked_for;
-  std::vector<NearSight> sights;  //!< see near_sights; what objects hide is not among them
+  std::vector<NearSight> sights;  //!< see near_sights; without those that objects hide
   bool ends_at_object = false;
 
   [[nodiscard]] bool shows_sky() const { return !ends_at_object && (sights.empty() || !sights.back().opaque); }
 };
 
-//! Whether nothing is seen of a sky.
+//! Returns whether nothing of a sky is visible.
 bool is_black(const SkySettings& sky);
 
-//! The directions in which a frame's disparities are looked at; none for the sky where it is black. `hiding`: objects that hide what is behind them.
+//! Returns the directions in which a frame's disparities are measured, none of them for a black
+//! sky. `hiding`: objects that hide what is behind them.
 std::vector<SeenDirection> seen_directions(const Show& show, const CameraPose& pose, const Projection& projection,
                                            const PlacedMeshes& hiding);
 
-//! Adds what stands near the hole to the disparities of a frame, where a picture shows it: places of disk and shells in some directions, up to what
-//! is opaque, and of the sixteen nearest objects the nearest, the farthest and the outermost places, which nothing hides. Light comes to both eyes the short way
-//! round, and neither end is within 2 M of the hole's middle. In the model `flat` things stand where flat space has them; there disk and shells count wherever
-//! they are, and the long way round, too.
+//! Adds the disparities of disk, shells and objects where the picture shows them: points of disk
+//! and shells in some directions, up to the first opaque one, and of the sixteen nearest objects
+//! the nearest, the farthest and the outermost points that nothing hides. Light must come to both
+//! eyes on the short way round, with both ends more than 2 M from the hole's middle. In the model
+//! `flat` things are where flat space has them; disk and shells then count at any position, also by
+//! light on the long way round.
 void add_near_things(const Show& show, const CameraPose& pose, std::span<const SeenDirection> directions,
                      std::span<const PlacedOutline> objects, DisparityMeter& meter);
 

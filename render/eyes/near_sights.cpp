@@ -18,14 +18,15 @@ namespace {
 
 constexpr double ray_tolerance = 1e-7;
 constexpr int most_steps = 2000;
-//! Nearer to the horizon than this share of its radius nothing is looked for.
+//! Rays are not followed closer to the horizon than this fraction of its radius.
 constexpr double horizon_margin = 1e-6;
 
 template <NearParts Parts>
 using StepWith = PathStep<near_order, Parts, double>;
 using Step = StepWith<NearParts::azimuth_and_distance>;
 
-//! Follows light backwards from a direction of a head's view as long as it may come between the radii, and visit(step) does not say that it is enough.
+//! Follows light backwards from a direction of a head's view while it may come between the radii,
+//! until visit(step) returns true.
 template <NearParts Parts, class Visit>
 void follow_until(const EyeCamera& head, const Vector3<double>& view, const RadialBounds& bounds, Visit&& visit) {
   const CameraStation camera = station_of(head);
@@ -39,7 +40,7 @@ void follow_until(const EyeCamera& head, const Vector3<double>& view, const Radi
                                  [&](int, const StepWith<Parts>& step) { return visit(step); });
 }
 
-//! The same to the end: visit(step).
+//! Follows light to its end and calls visit(step).
 template <class Visit>
 void follow(const EyeCamera& head, const Vector3<double>& view, const RadialBounds& bounds, Visit&& visit) {
   follow_until<NearParts::azimuth_and_distance>(head, view, bounds, [&](const Step& step) {
@@ -48,7 +49,7 @@ void follow(const EyeCamera& head, const Vector3<double>& view, const RadialBoun
   });
 }
 
-//! Finds where a function of the way changes its sign between times of a step, one after the other.
+//! Finds the sign changes of a function along the ray between successive times of a step.
 template <class Function, class Found>
 void find_crossings(std::span<const double> times, Function&& function, Found&& found) {
   for (std::size_t i = 0; i + 1 < times.size(); ++i) {
@@ -60,7 +61,8 @@ void find_crossings(std::span<const double> times, Function&& function, Found&& 
   }
 }
 
-//! Times between which r only falls or only grows: outside the horizon light turns at most once.
+//! Returns times between which r is monotonic: outside the horizon light has at most one turning
+//! point.
 std::vector<double> radial_legs(const Step& step) {
   const auto rate = [&](double h) { return series_rate(step.series.u, h); };
   const double side = rate(0.0) < 0.0 ? 1.0 : -1.0;
@@ -70,20 +72,20 @@ std::vector<double> radial_legs(const Step& step) {
   return {0.0, find_root(0.0, step.length, [&](double h) { return side * rate(h); }), step.length};
 }
 
-//! Where light comes to a radius.
+//! Finds where light reaches a radius.
 template <class Found>
 void find_radius(const Step& step, std::span<const double> legs, double r, Found&& found) {
   find_crossings(
       legs, [&](double h) { return series_value(step.series.u, h) - 1.0 / r; }, found);
 }
 
-//! Gathers where a way meets one thing, between radii.
+//! Collects where a ray meets one thing, between two radii.
 class Meetings {
  public:
   Meetings(double least_r, double greatest_r, double opacity)
       : least_r_(least_r), greatest_r_(greatest_r), opaque_(opacity > 0.9) {}
 
-  //! Where the way begins nothing is met.
+  //! Adds a meeting, except at the start of the ray.
   void add(const Step& step, double h, std::vector<NearSight>& sights) {
     const Vector3<double> place = step.point(h);
     const double r = std::sqrt(dot(place, place));
@@ -116,7 +118,8 @@ std::vector<NearSight> near_sights(const Show& show, const EyeCamera& head, cons
   if (show.disk && show.disk->opacity > 0.0) {
     const double inner = inner_edge(*show.disk, show.spin);
     disk.emplace(inner, show.disk->outer, show.disk->opacity);
-    // Where light went through the plane beside the disk counts, too: after that it comes the long way round.
+    // Crossings of the plane outside the disk count, too: after one, light comes the long way
+    // round.
     reach(inner, std::max(show.disk->outer, 1.01 * head.r));
   }
   std::vector<std::pair<double, Meetings>> shells;
@@ -178,7 +181,7 @@ std::optional<double> distance_of_place(const EyeCamera& head, const Vector3<dou
     };
     const std::vector<double> legs = radial_legs(step);
     find_radius(step, legs, r, look_at);
-    // Light that turns right there may not come to the radius itself.
+    // Light with its turning point there may not reach the radius itself.
     if (legs.size() > 2) {
       look_at(legs[1]);
     }

@@ -9,21 +9,24 @@
 
 namespace ergodome {
 
-//! A place that a head sees in some direction, on light's way to it.
+//! A point that a head sees in some direction, on the path of the light.
 struct NearSight {
   Vector3<double> place;  //!< pseudo-Cartesian [M]
   double distance;        //!< affine, from the head [M]
-  bool first;             //!< of all places where that way meets the same thing
-  bool opaque;            //!< next to nothing is seen through the thing
+  bool first;             //!< first meeting of that light path with the same thing
+  bool opaque;            //!< the thing is almost opaque
 };
 
-//! What of a show's disk and shells a head sees in a direction of its view, the nearest first, up to what is opaque. Double rays.
+//! Returns the points of a show's disk and shells that a head sees in a direction of its view,
+//! nearest first, up to the first opaque one. Uses double rays.
 std::vector<NearSight> near_sights(const Show& show, const EyeCamera& head, const Vector3<double>& view);
 
-//! The affine distance from a head of the first of some meshes that it sees in a direction of its view [M]; infinite where it sees none. Double rays.
+//! Returns the affine distance [M] from a head to the first of some meshes that it sees in a
+//! direction of its view; infinite if it sees none. Uses double rays.
 double distance_of_objects(const PlacedMeshes& meshes, const EyeCamera& head, const Vector3<double>& view);
 
-//! The affine distance from a head of a place that it sees in a direction of its view [M]; nothing where light from there does not pass by the place.
+//! Returns the affine distance [M] from a head to a point that it sees in a direction of its view;
+//! nothing if light from that direction does not pass the point.
 std::optional<double> distance_of_place(const EyeCamera& head, const Vector3<double>& view,
                                         const Vector3<double>& place);
 

@@ -17,7 +17,7 @@ namespace ergodome {
 
 namespace {
 
-//! Below this float's own rounding is larger.
+//! Below this, the rounding of float is larger.
 constexpr double finest_fit = 2e-7;
 
 using Numbers = std::array<double, omni_numbers>;
@@ -26,7 +26,7 @@ CameraStation station_of(const EyeCamera& eye, double phi) {
   return make_camera_station(eye.spin, eye.r, eye.theta, phi, eye.motion, eye.velocity);
 }
 
-//! A form of the view's direction, as four numbers.
+//! A linear form of the view's direction, as four numbers.
 using Form = std::array<double, 4>;
 
 Form form_in_view(const EyeCamera& eye, const DirectionForm<double>& form) {
@@ -42,18 +42,18 @@ Form sum_of(double a, const Form& first, double b, const Form& second) {
   return sum;
 }
 
-//! Whether eyes may be on both sides of the horizon.
+//! Returns whether the eyes may be on both sides of the horizon.
 bool is_ingoing(const EyeCamera& head) {
   return head.motion == ObserverMotion::rain_boost && is_near_horizon(head.spin, head.r);
 }
 
-//! An eye's azimuth: of ingoing Kerr coordinates where those of the head are asked for.
+//! Returns an eye's azimuth, in ingoing Kerr coordinates if `ingoing`.
 double azimuth_of(const EyeCamera& eye, bool ingoing) {
   const bool outside = eye.r > horizon_radius(eye.spin);
   return eye.phi + (ingoing && outside ? ingoing_turn(eye.spin, eye.r) : 0.0);
 }
 
-//! The numbers of an exact camera; see omni_numbers.
+//! Returns the numbers of an exact camera; see omni_numbers.
 Numbers numbers_of(const EyeCamera& eye, const EyeCamera& head) {
   const bool ingoing = is_ingoing(head);
   const CameraStation camera = station_of(eye, azimuth_of(eye, ingoing) - azimuth_of(head, ingoing));
@@ -73,7 +73,7 @@ Numbers numbers_of(const EyeCamera& eye, const EyeCamera& head) {
   return numbers;
 }
 
-//! The numbers of the camera at a place of the disk of all places.
+//! Returns a function that computes the camera's numbers at a point of the disk of all positions.
 DiskNumbers exact_numbers(const EyePlace& eye_at, double reach, const EyeCamera& head) {
   return [&eye_at, reach, head](const DiskPoint& point) {
     const Numbers numbers = numbers_of(eye_at({reach * point.p, 0.0, reach * point.q}), head);
@@ -81,7 +81,7 @@ DiskNumbers exact_numbers(const EyePlace& eye_at, double reach, const EyeCamera&
   };
 }
 
-//! Largest error of a fit, each number beside the largest of its form.
+//! Returns the largest error of a fit, each number relative to the largest of its form.
 double fit_error(const EyePlace& eye_at, double reach, const EyeCamera& head, int degree,
                  const std::vector<double>& coefficients) {
   const std::vector<DiskPoint> points = disk_points(3, 13, 0.37);
@@ -89,7 +89,7 @@ double fit_error(const EyePlace& eye_at, double reach, const EyeCamera& head, in
   const auto terms = static_cast<std::size_t>(omni_terms(degree));
   double scale[8] = {};
   double error[8] = {};
-  // u; m; and the six forms, of which those of dm/dλ are one vector.
+  // Groups: u; m; and the six forms, of which those of dm/dλ are one vector.
   const auto group = [](std::size_t i) { return i < 1 ? 0U : i < 4 ? 1U : std::min<std::size_t>(2 + (i - 4) / 4, 5); };
   for (const DiskPoint& point : points) {
     const std::vector<double> term = disk_terms(point, degree);
@@ -103,7 +103,8 @@ double fit_error(const EyePlace& eye_at, double reach, const EyeCamera& head, in
   }
   double largest = 0.0;
   for (std::size_t i = 0; i < 6; ++i) {
-    // A hole without spin has axial momenta like any other; nothing here is zero everywhere but by rounding.
+    // Without spin the axial momenta are like any other; no group vanishes everywhere except by
+    // rounding.
     largest = std::max(largest, error[i] / std::max(scale[i], 1e-300));
   }
   return largest;
@@ -177,7 +178,7 @@ OmniCameraOf<double> OmniCamera::exact(double side) const {
 ShadowChart omni_shadow_chart(const OmniCameraOf<double>& camera, const EyePlace& eye_at) {
   const EyeCamera head = eye_at({0.0, 0.0, 0.0});
   Vector3<double> middle = in_view(head, make_shadow_chart(station_of(head, 0.0)).centre);
-  // The middle that the camera at the middle sees.
+  // Iterates to the shadow's middle as seen by the camera that looks there.
   constexpr int rounds = 4;
   for (int round = 0; round < rounds; ++round) {
     double right = 0.0;
@@ -197,7 +198,8 @@ double omni_darkness(const OmniCameraOf<double>& camera, const ShadowChart& char
   return darkness(camera.spin, camera.horizon_r, start_omni_ray(camera, view));
 }
 
-//! Where the sky turns bright along a great circle from the chart's middle, by false position with bisection.
+//! Returns the angle at which the sky turns bright along a great circle from the chart's middle, by
+//! false position with bisection.
 double omni_edge_angle(const OmniCameraOf<double>& camera, const ShadowChart& chart, double gamma) {
   double dark = 0.0;
   double bright = pi;
@@ -209,7 +211,7 @@ double omni_edge_angle(const OmniCameraOf<double>& camera, const ShadowChart& ch
   }
   for (int round = 0; round < 100 && bright - dark > 1e-9; ++round) {
     const double secant = dark + (bright - dark) * dark_value / (dark_value - bright_value);
-    // A hair beyond the root, so that both ends come near it.
+    // Step slightly beyond the root, so that both ends approach it.
     const double hair = 1e-10 + 1e-3 * (bright - dark);
     const double tried = round % 3 == 2 ? 0.5 * (dark + bright) : secant + (round % 3 == 0 ? hair : -hair);
     const double angle = std::clamp(tried, dark + 1e-11, bright - 1e-11);
@@ -224,7 +226,7 @@ double omni_edge_angle(const OmniCameraOf<double>& camera, const ShadowChart& ch
 
 std::vector<float> solve_omni_edge(const OmniCameraOf<double>& camera, const ShadowChart& chart, int count) {
   std::vector<float> polar_angle(static_cast<std::size_t>(count));
-  // On the calling thread first: errors do not cross others.
+  // Solve one on the calling thread first: exceptions do not cross threads.
   polar_angle[0] = static_cast<float>(omni_edge_angle(camera, chart, 0.0));
   std::vector<char> failed(static_cast<std::size_t>(count), 0);
   parallel_for(count, 64, [&](int begin, int end) {

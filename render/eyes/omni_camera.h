@@ -10,39 +10,45 @@
 
 namespace ergodome {
 
-//! The camera of an eye at a place beside the head, in the view's axes (right, up, back) [M].
+//! Returns the camera of an eye at an offset from the head, in the view's axes (right, up, back)
+//! [M].
 using EyePlace = std::function<EyeCamera(const Vector3<double>& offset)>;
 
-//! What is asked of eyes that turn with the azimuth one looks at.
+//! Settings of ODS eyes, which turn with the viewing azimuth.
 struct OmniSettings {
   double half_baseline = 0.0;  //!< [M]
   double convergence = 0.0;    //!< [M]; 0: infinity
-  double fade_from = 1.0;      //!< elevation from which the baseline gets smaller [rad]
-  double fade_to = 1.57;       //!< and at which it is gone
-  double tolerance = 1e-5;     //!< error of cameras that is aimed at a tenth of, as that of a direction [rad]
+  double fade_from = 1.0;      //!< elevation at which the baseline begins to shrink [rad]
+  double fade_to = 1.57;       //!< elevation at which the baseline is zero [rad]
+  //! Accepted error of cameras as a direction [rad]; the fit aims at a tenth of it.
+  double tolerance = 1e-5;
 };
 
-//! What cameras of such eyes may be off by, in pictures of whatever size [rad]: where eyes fit does not hang on that.
+//! Camera error [rad] up to which ODS eyes count as drawable, at any picture size, so that the
+//! largest baseline does not depend on the size.
 inline constexpr double omni_least_exact = 1e-5;
 
-//! What a show's settings ask of such eyes so far apart [M].
+//! Returns the settings of ODS eyes for a show's stereo settings and a baseline [M].
 OmniSettings omni_settings(const StereoSettings& stereo, double baseline, double tolerance);
 
-//! The cameras of such eyes about a head, as polynomials of their place: fitted by least squares to exact cameras on the disk of all places,
-//! of the lowest degree that is exact enough. Both eyes, and all pixels, are served by one fit.
+//! The cameras of ODS eyes about a head, as polynomials of the eye position: fitted by least
+//! squares to exact cameras on the disk of all positions, with the lowest sufficient degree. One
+//! fit serves both eyes and all pixels.
 class OmniCamera {
  public:
-  //! Throws Error where no polynomial is as exact as omni_least_exact: the baseline is too large for this place.
+  //! Fits the polynomials. Throws Error if none reaches omni_least_exact: the baseline is too large
+  //! for this position.
   OmniCamera(Backend backend, const EyePlace& eye_at, const OmniSettings& settings);
 
-  //! As kernels read it; `side` -1 for the left eye, 1 for the right one. It points into this object.
+  //! Returns the cameras as kernels read them; `side` is -1 for the left eye, 1 for the right one.
+  //! The result points into this object.
   [[nodiscard]] OmniCameraOf<float> view(double side) const;
-  //! The same on the host, whatever the backend.
+  //! Returns the same on the host, whatever the backend.
   [[nodiscard]] OmniCameraOf<float> on_host(double side) const;
-  //! The same on the host, in double.
+  //! Returns the same on the host, in double.
   [[nodiscard]] OmniCameraOf<double> exact(double side) const;
 
-  //! What exact() reads: omni_numbers polynomials.
+  //! Returns the coefficients that exact() uses: omni_numbers polynomials.
   [[nodiscard]] const std::vector<double>& coefficients() const { return coefficients_; }
 
   [[nodiscard]] int degree() const { return camera_.degree; }
@@ -54,10 +60,11 @@ class OmniCamera {
   Buffer<float> for_kernels_;
 };
 
-//! A chart about the middle of the shadow that such an eye sees, in the view's axes.
+//! Returns a chart about the middle of the shadow that an ODS eye sees, in the view's axes.
 ShadowChart omni_shadow_chart(const OmniCameraOf<double>& camera, const EyePlace& eye_at);
 
-//! The shadow's edge about it at `count` position angles [rad]. Throws Error where the shadow does not lie about the chart's middle.
+//! Solves the shadow's edge in the chart at `count` position angles [rad]. Throws Error if the
+//! shadow does not surround the chart's middle.
 std::vector<float> solve_omni_edge(const OmniCameraOf<double>& camera, const ShadowChart& chart, int count);
 
 }  // namespace ergodome

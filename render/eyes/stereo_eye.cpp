@@ -35,7 +35,8 @@ Projection StereoEye::image(const Projection& projection) const {
 }
 
 std::optional<Vector3<double>> StereoEye::sees(const SeenThing& thing) const {
-  // An eye that turns sits where the direction says, which hangs on where it sits by little.
+  // An ODS eye's position depends on the direction, but the direction depends only weakly on the
+  // position.
   const int rounds = show_.stereo.model == StereoModel::omni ? 6 : 1;
   constexpr double near_enough = 1e-5;
   Vector3<double> view = {0.0, 0.0, -1.0};
@@ -45,7 +46,7 @@ std::optional<Vector3<double>> StereoEye::sees(const SeenThing& thing) const {
     if (!seen) {
       return std::nullopt;
     }
-    // The picture shows at v what comes from v - turn, which is across v.
+    // The picture shows at v what comes from v - turn, and turn is perpendicular to v.
     const Vector3<double> turn = convergence_turn(view);
     const Vector3<double> next = normalized(std::sqrt(1.0 + dot(turn, turn)) * seen->view + turn);
     off = rounds > 1 ? std::sqrt(dot(next - view, next - view)) : 0.0;
@@ -54,24 +55,26 @@ std::optional<Vector3<double>> StereoEye::sees(const SeenThing& thing) const {
       break;
     }
   }
-  // Eyes farther apart than a thing is away need not come to rest.
+  // The iteration need not converge if the baseline exceeds the distance of the thing.
   constexpr double settled = 1e-3;
   return off < settled ? std::optional(view) : std::nullopt;
 }
 
 namespace {
 
-//! Nearer to the hole than this there is no closed form to start from, at either end of the light's way [M].
+//! Minimum radius [M] of both ends of a light path: closer to the hole no closed form exists to
+//! start from.
 constexpr double least_r = 2.0;
 
-//! Where a camera is; on the axis its azimuth is kept.
+//! Returns a camera's position; on the axis its azimuth is kept.
 Vector3<double> place_beside_axis(EyeCamera eye) {
   constexpr double least_angle = 1e-12;
   eye.theta = std::max(eye.theta, least_angle);
   return place_of(eye);
 }
 
-//! A direction of the observer without angular momentum in the view's axes of one that moves.
+//! Transforms a direction from the frame of the zero-angular-momentum observer to the view's axes
+//! of a moving eye.
 Vector3<double> seen_in_view(const EyeCamera& eye, const Vector3<double>& direction) {
   const FrameBoost boost = frame_boost(observer_velocity(eye.motion, eye.spin, eye.r, eye.theta, eye.velocity));
   double energy = 1.0;
@@ -83,7 +86,7 @@ Vector3<double> seen_in_view(const EyeCamera& eye, const Vector3<double>& direct
 std::optional<SeenPlace> seen_by_camera(const EyeCamera& eye, const SeenThing& thing) {
   const Vector3<double> at = place_beside_axis(eye);
   const LocalFrame frame = local_frame(eye.spin, at);
-  // What moves is slower than light: each round leaves a part of how far off the last one was.
+  // Iterates the light travel time. Things are slower than light, so each round reduces the error.
   const int rounds = thing.moves() ? 8 : 1;
   Vector3<double> place = thing.place;
   RayCorrection correction = {};

@@ -10,25 +10,27 @@
 
 namespace ergodome {
 
-//! One eye of a frame: for each direction of its view, a camera. Those of the model `flat` are the head's. The show and the pose are to stay.
+//! One eye of a frame: a camera for each direction of its view. Eyes of the model `flat` use the
+//! head's camera. The show and the pose must outlive it.
 class StereoEye {
  public:
-  //! `side`: -1 for the left one, 1 for the right one.
+  //! `side`: -1 for the left eye, 1 for the right one.
   StereoEye(const Show& show, const CameraPose& pose, double side)
       : show_(show), pose_(pose), offset_(0.5 * side * show.stereo.baseline) {}
 
-  //! Where it sits when it looks in a direction, in the view's axes [M].
+  //! Returns the eye's position when it looks in a direction, in the view's axes [M].
   [[nodiscard]] Vector3<double> place(const Vector3<double>& view) const;
 
   [[nodiscard]] EyeCamera camera(const Vector3<double>& view) const { return eye_camera(show_, pose_, place(view)); }
 
-  //! What a direction of an image that converges within itself is turned by: that of the model omni.
+  //! Returns the shift of a direction in an image with built-in convergence, as the model omni has.
   [[nodiscard]] Vector3<double> convergence_turn(const Vector3<double>& view) const;
 
-  //! The eye's image: where it has directions.
+  //! Returns the projection of the eye's image.
   [[nodiscard]] Projection image(const Projection& projection) const;
 
-  //! Where in its image it sees a thing by light that comes the short way round; nothing where no such light is found, or where either end is within 2 M.
+  //! Returns the direction in which the eye's image shows a thing, by light on the short way round
+  //! the hole. Returns nothing if no such light is found or either end is within 2 M.
   [[nodiscard]] std::optional<Vector3<double>> sees(const SeenThing& thing) const;
 
  private:
@@ -37,16 +39,17 @@ class StereoEye {
   double offset_;
 };
 
-//! Where a thing is seen by light that comes the short way round the hole.
+//! A thing as seen by light on the short way round the hole.
 struct SeenPlace {
   Vector3<double> view;   //!< unit vector, in the view's axes
-  Vector3<double> place;  //!< where the light left it, pseudo-Cartesian [M]
+  Vector3<double> place;  //!< where the light left the thing, pseudo-Cartesian [M]
 };
 
-//! Nothing where no such light is found, or where either end is within 2 M.
+//! Returns where an eye sees a thing; nothing if no such light is found or either end is within 2
+//! M.
 std::optional<SeenPlace> seen_by_camera(const EyeCamera& eye, const SeenThing& thing);
 
-//! About where a place is seen, as if light came straight.
+//! Returns the approximate direction of a point, as if light traveled straight.
 Vector3<double> straight_view(const EyeCamera& eye, const Vector3<double>& place);
 
 }  // namespace ergodome

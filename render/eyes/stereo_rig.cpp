@@ -10,7 +10,7 @@ namespace ergodome {
 
 namespace {
 
-//! The unit vectors of r, θ, φ at a place, in the Cartesian-like axes; rows.
+//! The unit vectors of r, θ, φ at a position, in the Cartesian-like axes; rows.
 struct Axes {
   double row[3][3];
 };
@@ -28,10 +28,12 @@ Axes axes_at(double theta, double phi) {
 EyeEvent eye_event(double spin, double r, double theta, double phi, const double (&frame_from_view)[3][3],
                    const Vector3<double>& offset, const EyeRoom& room) {
   const KerrFunctions f = kerr_functions(spin, r, theta);
-  // Proper lengths to coordinate displacements: √(Δ/Σ) dr, in the rain's frame √A/Σ dr; r dθ = r/√Σ, r sinθ dφ = r √(Σ/A).
+  // Converts proper lengths to coordinate displacements: √(Δ/Σ) dr, in the rain frame √A/Σ dr; r dθ
+  // = r/√Σ, r sinθ dφ = r √(Σ/A).
   const double outwards = room.in_rain ? std::sqrt(f.area) / f.sigma : std::sqrt(std::max(f.delta, 0.0) / f.sigma);
   const double scale[3] = {outwards, r / std::sqrt(f.sigma), r / f.circumference_factor};
-  // What falls goes straight in by the azimuth of ingoing Kerr coordinates, from which the usual one runs away next to the horizon.
+  // In the azimuth of ingoing Kerr coordinates, infalling observers move straight in. The
+  // Boyer-Lindquist azimuth diverges at the horizon.
   const auto turn_at = [&](double radius) {
     return room.in_rain && radius > horizon_radius(spin) ? ingoing_turn(spin, radius) : 0.0;
   };
@@ -50,7 +52,7 @@ EyeEvent eye_event(double spin, double r, double theta, double phi, const double
   const double across = std::hypot(place[0], place[1]);
   eye.r = std::max(std::hypot(across, place[2]), room.least_r);
   eye.theta = std::atan2(across, place[2]);
-  // The head's own branch of φ, so that a show of many turns does not jump.
+  // Keeps the head's branch of φ, so that a show with many turns does not jump.
   const double azimuth = across > 0.0 ? std::atan2(place[1], place[0]) : azimuth_here;
   const double azimuth_there = azimuth_here + std::remainder(azimuth - azimuth_here, full_turn);
   eye.phi = azimuth_there - turn_at(eye.r);

@@ -4,24 +4,30 @@
 
 namespace ergodome {
 
-//! An eye's event and axes, from the head's.
+//! An eye's event and axes, derived from the head's.
 struct EyeEvent {
-  double r;                      //!< [M]
-  double theta;                  //!< [rad]
-  double phi;                    //!< [rad]; within the horizon, like the head's there, that of ingoing Kerr coordinates
-  double frame_from_view[3][3];  //!< columns: the view's x (right), y (up), z (back) in the eye's own (e_r, e_θ, e_φ)
+  double r;      //!< [M]
+  double theta;  //!< [rad]
+  //! [rad]; inside the horizon, of ingoing Kerr coordinates, like the head's.
+  double phi;
+  //! Columns: the view's x (right), y (up), z (back) in (e_r, e_θ, e_φ) at the eye.
+  double frame_from_view[3][3];
 };
 
-//! Where eyes may be, and who measures how far.
+//! Limits for eye positions, and the frame in which lengths are measured.
 struct EyeRoom {
-  double least_r;        //!< an eye that would come closer to the hole stays there [M]
-  bool in_rain = false;  //!< lengths are those of the rain's frame, not the ZAMO's, and eyes may be within the horizon
+  double least_r;  //!< minimum radius; eyes are kept outside it [M]
+  //! Measure lengths in the rain frame, not the ZAMO's; eyes may be inside the horizon.
+  bool in_rain = false;
 };
 
-//! Where an eye is that sits at `offset` [M] from the head, in the view's axes (x right, y up, z back).
+//! Computes the event of an eye at `offset` [M] from the head, in the view's axes (x right, y up, z
+//! back). `frame_from_view`: the head's axes at (r, θ, φ).
 //!
-//! The offset's proper length in the head's frame becomes a coordinate displacement through the metric, carried along a straight line of the Cartesian-like coordinates x = r sinθ cosφ, ..., so it works across the spin
-//! axis and for any length. The eye's axes stay parallel to the head's in those coordinates. `frame_from_view` are the head's axes at (r, θ, φ).
+//! The metric turns the offset's proper length in the head's frame into a coordinate displacement,
+//! which follows a straight line of the Cartesian-like coordinates x = r sinθ cosφ, ... This works
+//! across the spin axis and for any length. The eye's axes stay parallel to the head's in those
+//! coordinates.
 EyeEvent eye_event(double spin, double r, double theta, double phi, const double (&frame_from_view)[3][3],
                    const Vector3<double>& offset, const EyeRoom& room);
 
