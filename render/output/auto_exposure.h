@@ -4,13 +4,14 @@
 
 namespace ergodome {
 
-//! Sum of the logarithms of a picture's light, to tell what is in its middle. Pictures of both eyes add up.
+//! Accumulates the logarithms of pictures' light for their geometric mean. Pictures of both eyes
+//! add up.
 class LightMeter {
  public:
-  //! Adds the pixels that the image circle covers; light below 1e-5 counts as that, what is no number not at all.
+  //! Adds the pixels that the image covers; light below 1e-5 counts as 1e-5, and NaN is ignored.
   void add(const Picture& picture);
 
-  //! Geometric mean of the luminances; 0 when there are none.
+  //! Returns the geometric mean of the luminances; 0 without pixels.
   [[nodiscard]] double middle_light() const;
 
  private:
@@ -23,16 +24,17 @@ class AutoExposure {
  public:
   explicit AutoExposure(const AutoExposureSettings& settings) : settings_(settings) {}
 
-  //! Follows otherwise from now on, from where it is.
+  //! Replaces the settings, keeping the current exposure.
   void set(const AutoExposureSettings& settings) { settings_ = settings; }
 
-  //! Goes on from stops that pictures before have had.
+  //! Continues from the stops of earlier pictures.
   void go_on_from(double stops);
 
-  //! The stops of the last pictures.
+  //! Returns the stops of the last pictures.
   [[nodiscard]] double stops() const { return stops_; }
 
-  //! The stops to add for pictures of a middle light, `seconds` after those before; the first is met at once.
+  //! Returns the stops to add for pictures with `middle_light`, `seconds` after the previous ones.
+  //! The first call adapts at once.
   double follow(double middle_light, double seconds);
 
  private:

@@ -35,13 +35,13 @@ void fill(Picture& picture, ViewMode mode, const ColorBarLayout& bar) {
   }
 }
 
-//! Smaller letters cannot be read.
+//! Smaller letters are unreadable.
 constexpr int least_letter_px = 9;
 constexpr int largest_letter_px = 64;
 
 int color_bar_letter_px(int height_px) { return std::clamp(height_px / 64, least_letter_px, largest_letter_px); }
 
-//! What a view shows, with its unit; and the same for where there is less room.
+//! What a view shows, with its unit, and a shorter form for less room.
 struct BarTitle {
   const char* full;
   const char* brief;
@@ -65,12 +65,13 @@ BarTitle title_of(ViewMode mode) {
   return {"", ""};
 }
 
-//! Texts under a bar from `from` to `to`, moved to where they are all between these and a gap apart.
+//! Places texts under a bar within [from, to], at least a gap apart.
 class BarRow {
  public:
   BarRow(int from, int to, int letter_px) : from_(from), to_(to), letter_px_(letter_px) {}
 
-  //! Whether there is room for a text about `middle`, behind those that are there.
+  //! Adds a text centered at `middle`, moved into the range. Returns false if it overlaps an
+  //! earlier one or does not fit.
   bool add(const std::string& text, int middle, int top_y) {
     const int width = image_library().text_box(text, letter_px_).width;
     const int left = std::clamp(middle - width / 2, from_, std::max(from_, to_ - width));
@@ -89,13 +90,14 @@ class BarRow {
   std::vector<BarText> texts_;
 };
 
-//! Digits that tell the numbers of a bar apart: three, and more where a range is narrow.
+//! Returns the digits that distinguish the numbers of a bar: three, and more for narrow ranges.
 int digits_of(const HeatRange& range) {
   const double share = (range.high - range.low) / std::max(std::abs(range.low), std::abs(range.high));
   return 3 + std::clamp(static_cast<int>(-std::log10(std::max(share, 1e-9))), 0, 9);
 }
 
-//! Numbers at the ends of a bar and at as many places between them as there is room for; none where the ends have none.
+//! Returns numbers at the ends of a bar and at as many positions between them as fit; none if those
+//! at the ends do not fit.
 std::vector<BarText> bar_numbers(const ColorBarLayout& bar, const HeatRange& range, int from, int to) {
   const int digits = digits_of(range);
   for (const int intervals : {4, 2, 1}) {
@@ -121,7 +123,7 @@ std::vector<BarText> bar_numbers(const ColorBarLayout& bar, const HeatRange& ran
 bool has_color_bar(int width_px, int height_px) { return width_px >= 160 && height_px >= 100; }
 
 double color_bar_part(int width_px, int height_px) {
-  // Numbers, bar and title are five letters and a half high.
+  // Numbers, bar and title are five and a half letters high.
   return has_color_bar(width_px, height_px) ? 6.0 * color_bar_letter_px(height_px) / height_px : 0.0;
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view mark = "\nergodome-xxh3=";
 constexpr std::size_t digits = 16;
-constexpr std::size_t mark_bytes = mark.size() + digits + 1;  // and a line break
+constexpr std::size_t mark_bytes = mark.size() + digits + 1;  // plus a line break
 
 std::string mark_of(const std::string& checksum) { return std::string(mark) + checksum + "\n"; }
 

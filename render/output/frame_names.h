@@ -8,12 +8,13 @@
 
 namespace ergodome {
 
-//! Folder of an eye's own files: L, R; empty for what is no single eye's.
+//! Returns the folder for an eye's own files: L or R; empty if a file belongs to no single eye.
 std::filesystem::path eye_folder(FramePart part);
 
-//! Path of a numbered frame inside the output folder: NAME_000001.png counted from 1; separate eyes in L/ and R/; sequences of more than
-//! 10,000 frames in folders NAME_000001_010,000 (domemaster convention); a cube's faces NAME_000001_px.png (see cube_face_name). `index`
-//! counts from 0.
+//! Returns the path of a numbered frame inside the output folder: NAME_000001.png, counted from 1.
+//! Separate eyes are in L/ and R/. Sequences of more than 10,000 frames are in folders
+//! NAME_000001_010,000 (domemaster convention). A cube's faces are NAME_000001_px.png (see
+//! cube_face_name). `index` counts from 0.
 std::filesystem::path frame_path(const std::string& name, int index, int frames_in_show, FramePart part,
                                  const std::string& ending, std::optional<CubeFace> face = std::nullopt);
 

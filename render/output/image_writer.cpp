@@ -22,10 +22,10 @@ namespace {
 //! CIE 1931 chromaticities of Rec. 709: red, green, blue, D65 white.
 constexpr float rec709[8] = {0.64F, 0.33F, 0.30F, 0.60F, 0.15F, 0.06F, 0.3127F, 0.3290F};
 
-//! Before the names of facts in files.
+//! Prefix of metadata names in files.
 const std::string fact_prefix = "ergodome:";
 
-//! Finite, and within what a half float can hold.
+//! Returns finite values within the range of a half float.
 std::vector<float> bounded_rgb(const Picture& picture) {
   std::vector<float> rgb;
   rgb.reserve(picture.rgba.size() / 4 * 3);
@@ -87,7 +87,7 @@ ImagePlan make_plan(const FrameFormat& format, const Picture& picture, const Fra
   }
   if (format.image == ImageFormat::tiff) {
     plan.texts.emplace_back("compression", "zip");
-    // TIFF has no place for facts of others: they stand in its description.
+    // TIFF has no custom metadata; it is stored in the description.
     std::string description;
     for (const auto& [name, value] : metadata) {
       description.append(name).append("=").append(value).append("\n");
@@ -99,7 +99,7 @@ ImagePlan make_plan(const FrameFormat& format, const Picture& picture, const Fra
   return plan;
 }
 
-//! Rows of a picture for a file, with the coverage where there is an alpha channel.
+//! Returns the rows of a picture for a file, with the coverage if there is an alpha channel.
 template <class Value>
 std::vector<Value> with_alpha(const std::vector<Value>& rgb, const FrameFormat& format, const Picture& picture,
                               float most) {
@@ -117,7 +117,7 @@ std::vector<Value> with_alpha(const std::vector<Value>& rgb, const FrameFormat& 
   return rgba;
 }
 
-//! The picture's light where an image covers a pixel in part: what is displayed has the light beside the coverage, not times the coverage.
+//! Divides light by the coverage of partly covered pixels: PNG has straight alpha.
 Picture light_beside_alpha(Picture picture) {
   for (std::size_t at = 0; at < picture.rgba.size(); at += 4) {
     const float coverage = picture.rgba[at + 3];
@@ -149,7 +149,7 @@ bool is_complete_part(ImageInput& input, int part, int width, int height) {
          input.read_through();
 }
 
-//! Whether a file that calls itself a PNG ends as one: what reads a cut one complains on the terminal.
+//! Returns whether a PNG has its end marker: the reader prints messages for truncated files.
 bool may_be_whole(const std::filesystem::path& path) {
   constexpr std::string_view end("IEND\xAE\x42\x60\x82", 8);
   if (path.extension() != ".png") {
@@ -161,7 +161,8 @@ bool may_be_whole(const std::filesystem::path& path) {
          std::string_view(last, sizeof last) == end;
 }
 
-//! Whether a file is an image of this size and so many parts that can be read to its last pixel.
+//! Returns whether a file is an image of this size and number of parts that can be read to its last
+//! pixel.
 bool is_whole(const std::filesystem::path& path, int width, int height, int parts) {
   std::error_code problem;
   if (!std::filesystem::is_regular_file(path, problem) || !may_be_whole(path)) {
@@ -174,18 +175,19 @@ bool is_whole(const std::filesystem::path& path, int width, int height, int part
   }
   for (int part = 0; part < parts; ++part) {
     if (!is_complete_part(*input, part, width, height)) {
-      static_cast<void>(input->error());  // takes the message away, so that nobody else finds it
+      // Clears the message, so that later errors do not include it.
+      static_cast<void>(input->error());
       return false;
     }
   }
   return true;
 }
 
-//! Whether a file's format does not tell by itself that bytes of it were changed.
+//! Returns whether a file's format cannot detect changed bytes itself.
 bool needs_checksum(const std::filesystem::path& path) { return path.extension() != ".png"; }
 
 Error cannot_be_written(const std::filesystem::path& path, ImageOutput* output) {
-  // The library tells every row that was refused in a line of its own, and of none why.
+  // The library reports every failed row in a separate line, without the reason.
   const std::string told = output != nullptr ? output->error() : "";
   const std::string first = told.substr(0, told.find('\n'));
   const std::string reason = disk_is_full(path) ? "the disk is full"
@@ -194,7 +196,7 @@ Error cannot_be_written(const std::filesystem::path& path, ImageOutput* output) 
   return {path.string(), "cannot be written: " + reason, "check the folder, its permissions and the free space"};
 }
 
-//! A writer of a format that the program counts on.
+//! Creates a writer for a format that the program relies on.
 std::unique_ptr<ImageOutput> writer_of(const char* format) {
   std::string problem;
   return image_library().create(format, nullptr, problem);
@@ -270,7 +272,7 @@ void write_png(const std::filesystem::path& path, const std::vector<std::uint8_t
     const auto output = writer_of("png");
     const ImagePlan plan[] = {{width, height, 3, ImageSample::whole_8, texts_of(metadata), {}, {}}};
     const bool written = output && output->open(partial.string(), plan) && output->write(rgb.data()) && output->close();
-    // A full disk is told by nothing.
+    // A full disk is not reported as an error.
     if (!written || !is_whole(partial, width, height, 1)) {
       throw cannot_be_written(path, output.get());
     }
@@ -294,7 +296,7 @@ std::string fact_of_image(const std::filesystem::path& path, const std::string& 
   if (!own.empty()) {
     return own;
   }
-  // TIFF has all of them in its description, a line each.
+  // TIFF has all metadata in its description, one per line.
   const std::string description = fmt::format("\n{}", input->text("ImageDescription"));
   const std::string before = fmt::format("\n{}=", name);
   const std::size_t at = description.find(before);

@@ -10,10 +10,10 @@ namespace {
 
 constexpr std::size_t channels = 4;
 
-//! What is left of the other colours in a tinted picture.
+//! Fraction of the other colors that remains in a tinted picture.
 constexpr float tint = 0.35F;
 
-//! A picture of another size, yet without pixels, that is otherwise like one.
+//! Returns a picture of another size, without pixels, with the same metadata.
 Picture frame_like(const Picture& picture, ImageSize size) {
   Picture made;
   made.width = size.width;
@@ -28,7 +28,7 @@ std::size_t numbers_of(const Picture& picture) {
   return channels * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
 }
 
-//! The same with black pixels.
+//! Returns a black picture of another size with the same metadata.
 Picture like(const Picture& picture, ImageSize size) {
   Picture made = frame_like(picture, size);
   made.rgba.assign(numbers_of(made), 0.0F);
@@ -40,7 +40,7 @@ std::size_t place(const Picture& picture, int x, int y) {
          (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x));
 }
 
-//! Means of neighbours: `across` 2 halves the width, `down` 2 the height.
+//! Averages neighbors: `across` 2 halves the width, `down` 2 the height.
 Picture squeezed(const Picture& picture, int across, int down) {
   Picture half = like(picture, {(picture.width + across - 1) / across, (picture.height + down - 1) / down});
   for (int y = 0; y < half.height; ++y) {
@@ -56,7 +56,7 @@ Picture squeezed(const Picture& picture, int across, int down) {
   return half;
 }
 
-//! Copies an eye's picture into a larger one, to a place of that.
+//! Copies an eye's picture to a position in a larger one.
 void copy_to(Picture& whole, const Picture& eye, int left_px, int top_px) {
   parallel_for(eye.height, 64, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
@@ -92,7 +92,7 @@ Picture interleaved(const Picture& left, const Picture& right) {
   return whole;
 }
 
-//! What each eye's red, green and blue give to those of an anaglyph.
+//! Weights of each eye's red, green and blue in those of an anaglyph.
 struct AnaglyphMix {
   float of_left[3][3];
   float of_right[3][3];
@@ -107,7 +107,7 @@ constexpr AnaglyphMix least_squares = {
 Picture anaglyph(const Picture& left, const Picture& right, const AnaglyphMix& mix) {
   Picture mixed = like(left, {left.width, left.height});
   const bool heat_map = left.heat_range.has_value();
-  // The light is that of a display from here on: a power of 1 leaves it as it is.
+  // The result is display light, which a gamma of 1 leaves unchanged.
   mixed.tone = {ToneCurve::gamma, 1.0F, 1.0F, 1.0F};
   const auto shown = [&](const Picture& eye, std::size_t at) {
     const float light = heat_map ? eye.rgba[at] : toned(eye.tone, eye.rgba[at]);
@@ -153,7 +153,7 @@ Picture arranged(const Picture& left, const Picture& right, StereoLayout layout)
 
 void dim(Picture& picture, const float (&factor)[3]) {
   for (std::size_t at = 0; at < picture.rgba.size(); at += channels) {
-    // What is black keeps a trace, so that the shadow and the frame say whose they are too.
+    // Black parts get a slight tint, so that the shadow and the frame are tinted as well.
     const float least = 0.02F * picture.rgba[at + 3];
     for (std::size_t c = 0; c < 3; ++c) {
       picture.rgba[at + c] = factor[c] * (picture.rgba[at + c] + least);

@@ -5,20 +5,20 @@
 
 namespace ergodome {
 
-//! Text as a picture of its own: how much of each pixel it covers, 0 to 1, the top row first.
+//! Text as an image of its coverage, 0 to 1 per pixel, top row first.
 struct TextImage {
   int width = 0;
   int height = 0;
   std::vector<float> coverage;
 };
 
-//! Letters as wide as they are, or all of one width, for columns.
+//! Proportional letters, or letters of one width for columns.
 enum class TextFace { proportional, monospaced };
 
-//! A line of text, cut out close around it; empty where no font is installed.
+//! Draws a line of text, cropped to the letters; empty if no font is installed.
 TextImage text_image(const std::string& text, int font_px);
 
-//! The size of text_lines_image() [px], without drawing it; 0 where that is empty.
+//! Size of text_lines_image() [px], computed without drawing; 0 if that is empty.
 struct TextLinesSize {
   int width = 0;
   int height = 0;
@@ -26,8 +26,9 @@ struct TextLinesSize {
 TextLinesSize text_lines_size(const std::string& text, int font_px, TextFace face = TextFace::proportional,
                               int widest_px = 0);
 
-//! Lines of any UTF-8 text one below the other, with some room about them; empty where there is nothing to see or no font. `widest_px`: no
-//! image is wider; longer lines go on in the next, between words or, where one is too long, within it. 0: as wide as the lines are.
+//! Draws lines of UTF-8 text below each other, with a margin; empty without visible text or without
+//! a font. `widest_px` limits the width: longer lines are wrapped between words, or within a word
+//! that is too long. 0: no limit.
 TextImage text_lines_image(const std::string& text, int font_px, TextFace face = TextFace::proportional,
                            int widest_px = 0);
 

@@ -21,12 +21,13 @@ using Owned = std::unique_ptr<T, Free>;
 
 constexpr int longest_px = 8192;
 
-//! Lines on their way into a picture; without a layout where there are none.
+//! Lines that are laid out for drawing; `layout` is empty without lines.
 struct LaidLines {
   Owned<PangoContext> context;
   Owned<PangoLayout> layout;
   TextLinesSize size;
-  int left_px = 0;  //!< where in the layout its lines begin: those that run to the left are at its right end
+  //! Left edge of the lines in the layout; right-to-left lines are at its right end.
+  int left_px = 0;
   int margin_px = 0;
 };
 

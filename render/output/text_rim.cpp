@@ -8,12 +8,13 @@ namespace ergodome {
 
 namespace {
 
-//! Of a line's height: how far the rim reaches. How dark it is, and how steeply it gets so.
+//! Reach of the rim as a fraction of the line height, its darkness, and the gain of its edge.
 constexpr double rim_reach = 0.22;
 constexpr float rim_darkness = 0.97F;
 constexpr float rim_gain = 5.0F;
 
-//! Means over 2 reach + 1 neighbours along lines that begin `line` apart and whose elements are `step` apart.
+//! Averages over 2 reach + 1 neighbors along lines. Lines start `line` elements apart, and their
+//! elements are `step` apart.
 void blur_lines(std::vector<float>& values, int lines, long line, int count, long step, int reach) {
   std::vector<float> before(static_cast<std::size_t>(count));
   for (int i = 0; i < lines; ++i) {
@@ -41,7 +42,7 @@ int text_rim_reach_px(int line_px) { return std::max(static_cast<int>(std::lroun
 
 std::vector<float> text_rim(const std::vector<float>& coverage, int width, int height, int reach_px) {
   std::vector<float> rim = coverage;
-  // Two means each way are as soft as a Gaussian, and end.
+  // Two box blurs each way are almost as smooth as a Gaussian, but have finite reach.
   const int half_px = std::max(reach_px / 2, 1);
   for (int round = 0; round < 2; ++round) {
     blur_lines(rim, height, width, width, 1, half_px);

@@ -7,7 +7,7 @@
 
 namespace ergodome {
 
-//! The tone that settings ask for, without what exposure follows by itself.
+//! Returns the tone of settings, without automatic exposure.
 inline Tone tone_of(const ToneSettings& settings) {
   return {settings.curve, std::exp2(static_cast<float>(settings.exposure_stops)), static_cast<float>(settings.white),
           static_cast<float>(settings.gamma)};

@@ -13,7 +13,8 @@ namespace {
 
 constexpr int encoding_table_size = 1 << 16;
 
-//! sRGB bytes of linear light in [0, 1]; at its steepest the curve passes 0.05 of a byte an entry.
+//! Returns sRGB bytes of linear light in [0, 1]; where the curve is steepest, entries differ by
+//! 0.05 of a byte.
 const std::array<std::uint8_t, encoding_table_size>& encoding_table() {
   static const auto table = [] {
     std::array<std::uint8_t, encoding_table_size> bytes{};
@@ -27,14 +28,15 @@ const std::array<std::uint8_t, encoding_table_size>& encoding_table() {
   return table;
 }
 
-//! Light of a channel as the display has it, 0 to 1; NaN becomes black, because the comparison is false for it.
+//! Returns a channel's display light, 0 to 1. NaN becomes black, because the comparison is false
+//! for it.
 float display_light(const Picture& picture, std::size_t index) {
   const float light = picture.rgba[index];
   const float shown = picture.heat_range.has_value() ? light : toned(picture.tone, light);
   return shown > 0.0F ? std::min(shown, 1.0F) : 0.0F;
 }
 
-//! Three values a pixel, each what `encoded` makes of the display's light.
+//! Computes three values per pixel by applying `encoded` to the display light.
 template <class Value, class Encode>
 std::vector<Value> display_values(const Picture& picture, const Encode& encoded) {
   std::vector<Value> values(3 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height));

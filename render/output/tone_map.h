@@ -7,15 +7,15 @@
 
 namespace ergodome {
 
-//! Display-referred sRGB, three bytes a pixel, of a picture.
+//! Returns a picture as display-referred sRGB, three bytes per pixel.
 //!
-//! By the picture's tone; heat maps are already colours and are only encoded.
+//! Applies the picture's tone; heat maps are colors already and are only encoded.
 std::vector<std::uint8_t> tone_mapped(const Picture& picture);
 
-//! The same with 16 bits a channel.
+//! Returns the same with 16 bits per channel.
 std::vector<std::uint16_t> tone_mapped_finely(const Picture& picture);
 
-//! The picture's coverage, 0 to 1, one number a pixel.
+//! Returns the picture's coverage, 0 to 1, one value per pixel.
 std::vector<float> coverage_of(const Picture& picture);
 
 }  // namespace ergodome

@@ -36,7 +36,7 @@ void CaptionTexture::set(const LaidCaptions& captions) {
   glGenerateTextureMipmap(texture_);
   glTextureParameteri(texture_, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   glTextureParameteri(texture_, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  // Beyond its rows there is nothing.
+  // Transparent outside its rows.
   glTextureParameteri(texture_, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glTextureParameteri(texture_, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
   uploaded_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);

@@ -12,7 +12,7 @@ namespace {
 
 void check(cudaError_t code, const char* doing) {
   if (code != cudaSuccess) {
-    // Else the next launch would fail by what this one could not do.
+    // Clears the error; otherwise the next launch would report it.
     cudaGetLastError();
     throw Error("CUDA and OpenGL", std::string(doing) + " failed: " + cudaGetErrorString(code),
                 "run with --backend cpu");

@@ -6,16 +6,18 @@
 
 namespace ergodome {
 
-//! A texture that CUDA writes into: pictures go from the kernels to the screen without leaving the device.
+//! A texture that CUDA writes to, so that pictures get from the kernels to the screen without
+//! leaving the GPU.
 class CudaTextureLink {
  public:
-  //! `texture` is RGBA32F. Throws Error where CUDA cannot reach the context's device, or without CUDA.
+  //! `texture` must be RGBA32F. Throws Error if CUDA cannot access the context's GPU or is not
+  //! available.
   explicit CudaTextureLink(unsigned texture);
   ~CudaTextureLink();
   CudaTextureLink(const CudaTextureLink&) = delete;
   CudaTextureLink& operator=(const CudaTextureLink&) = delete;
 
-  //! Pixels of a picture in device memory, four floats each, and where in the texture they go.
+  //! Pixels of a picture in GPU memory, four floats each, and their position in the texture.
   struct Part {
     const float* rgba;
     int width;
@@ -24,14 +26,15 @@ class CudaTextureLink {
     int top;
   };
 
-  //! Copies parts of the texture.
+  //! Copies pictures into parts of the texture.
   void copy_from_device(std::span<const Part> parts);
 
  private:
   [[maybe_unused]] void* resource_ = nullptr;
 };
 
-//! A buffer of OpenGL's that CUDA writes into: what projectors are sent goes from the kernels to a texture without leaving the device.
+//! An OpenGL buffer that CUDA writes to, so that projector images get from the kernels to a texture
+//! without leaving the GPU.
 class CudaBufferLink {
  public:
   //! Throws Error as CudaTextureLink does.
@@ -40,7 +43,7 @@ class CudaBufferLink {
   CudaBufferLink(const CudaBufferLink&) = delete;
   CudaBufferLink& operator=(const CudaBufferLink&) = delete;
 
-  //! Fills the beginning of the buffer from device memory.
+  //! Fills the beginning of the buffer from GPU memory.
   void copy_from_device(const std::uint8_t* from, std::size_t bytes);
 
  private:

@@ -34,7 +34,8 @@ std::string monitor_list(const std::vector<DesktopMonitor>& monitors) {
 std::optional<DesktopRectangle> free_place(const DesktopRectangle& window, const std::vector<DesktopMonitor>& monitors,
                                            std::span<const DesktopRectangle> taken) {
   for (const DesktopMonitor& monitor : monitors) {
-    // Pushed up and to the left, a window that fits somewhere stops at an edge of the monitor or of what is taken.
+    // If a window fits somewhere, it also fits after being pushed up and left against an edge of
+    // the monitor or of a taken rectangle.
     std::vector<int> lefts = {monitor.work_area.x_px};
     std::vector<int> tops = {monitor.work_area.y_px};
     for (const DesktopRectangle& other : taken) {

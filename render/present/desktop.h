@@ -7,7 +7,7 @@
 
 namespace ergodome {
 
-//! A rectangle on the desktop that all monitors share [px]. y runs downwards.
+//! A rectangle on the desktop that all monitors share [px]; y points downwards.
 struct DesktopRectangle {
   int x_px = 0;
   int y_px = 0;
@@ -20,17 +20,17 @@ struct DesktopRectangle {
 struct DesktopMonitor {
   std::string name;
   DesktopRectangle screen;
-  DesktopRectangle work_area;  //!< what bars and docks leave of it
+  DesktopRectangle work_area;  //!< screen without bars and docks
 };
 
-//! Whether two have a pixel in common.
+//! Returns whether two rectangles have a pixel in common.
 bool overlap(const DesktopRectangle& a, const DesktopRectangle& b);
 
-//! For messages: "0 (DP-1, 1920 x 1080 at 0, 0), 1 (HDMI-1, 1280 x 800 at 1920, 0)".
+//! Returns a list for messages: "0 (DP-1, 1920 x 1080 at 0, 0), 1 (HDMI-1, 1280 x 800 at 1920, 0)".
 std::string monitor_list(const std::vector<DesktopMonitor>& monitors);
 
-//! Where a window fits on one monitor and covers nothing that is taken: as far up and to the left as what is taken lets it. None where there
-//! is no such place.
+//! Returns a position at which a window fits on one monitor without covering taken rectangles, as
+//! far up and to the left as possible; nothing if there is none.
 std::optional<DesktopRectangle> free_place(const DesktopRectangle& window, const std::vector<DesktopMonitor>& monitors,
                                            std::span<const DesktopRectangle> taken);
 

@@ -17,7 +17,7 @@ struct DisplayLight::State {
   GLuint texture = 0;
   int width = 0;
   int height = 0;
-  GLsync made = nullptr;  //!< passed when the texture is complete
+  GLsync made = nullptr;  //!< signaled when the texture is complete
 };
 
 namespace {
@@ -34,7 +34,7 @@ void main() {
 }
 )";
 
-//! Averages over more than this (2^n pixels) are not wanted by any warp that makes a picture.
+//! Averages over more than 2^n pixels, with n as here, are not needed by any realistic warp.
 constexpr int coarsest_level = 5;
 
 }  // namespace
@@ -68,7 +68,8 @@ void DisplayLight::resize(int width, int height) {
   glTextureParameteri(state_->texture, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glTextureParameteri(state_->texture, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   if (epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic") && !draws_in_software()) {
-    // Towards a dome's rim pixels of a projector are several times as long as wide. In software this takes three times as long.
+    // Near a dome's rim, pixels of a projector are several times longer than wide. In software this
+    // takes three times as long.
     constexpr float longest = 4.0F;
     glTextureParameterf(state_->texture, GL_TEXTURE_MAX_ANISOTROPY_EXT, longest);
   }
@@ -97,7 +98,7 @@ void DisplayLight::update(const PresentedPicture& picture) {
   glGenerateTextureMipmap(state_->texture);
   glDeleteSync(state_->made);
   state_->made = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-  // Other contexts wait for the fence: it has to be on its way.
+  // Other contexts wait for the fence, so it must be submitted.
   glFlush();
 }
 

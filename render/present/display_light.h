@@ -6,21 +6,24 @@
 
 namespace ergodome {
 
-//! A domemaster as light for projectors: toned once for all of them, and with its averages over wider and wider pixels, so that what is
-//! drawn small does not flicker. The tone comes before the averages: one very bright star fills its own pixels, not those around it.
+//! A domemaster as light for projectors. It is tone-mapped once for all of them, and has mipmaps so
+//! that parts that are drawn small do not flicker. Tone comes before averaging: one very bright
+//! star fills its own pixels only.
 class DisplayLight {
  public:
-  //! Needs the presenter's context current, as all of it but use() does. Throws Error when the driver refuses the shader.
+  //! The presenter's context must be current, as for all members except use(). Throws Error if the
+  //! driver rejects the shader.
   DisplayLight();
   ~DisplayLight();
   DisplayLight(const DisplayLight&) = delete;
   DisplayLight& operator=(const DisplayLight&) = delete;
 
-  //! Makes the light of a picture.
+  //! Computes the light of a picture.
   void update(const PresentedPicture& picture);
 
-  //! Binds the light (linear, 0 to 1, its first row the top) to a texture unit of the current context, which shares the presenter's, once
-  //! the GPU has made it. False while there is none.
+  //! Binds the light (linear, 0 to 1, top row first) to a texture unit of the current context,
+  //! which must share objects with the presenter's, after the GPU has finished it. Returns false if
+  //! there is no light yet.
   bool use(unsigned unit) const;
 
  private:

@@ -5,32 +5,36 @@
 
 #include "render/output/tone.h"
 
-// What shaders of the project share.
+// Code that the project's shaders share.
 namespace ergodome {
 
-//! A vertex shader for one triangle (three vertices, no attributes) that covers the viewport; `place` runs from 0 to 1, upwards.
+//! Vertex shader for one triangle (three vertices, no attributes) that covers the viewport. `place`
+//! runs from 0 to 1, upwards.
 extern const char* const whole_viewport_source;
 
-//! The head of a fragment shader (with its version line) that has `vec3 toned(vec3 light)`, what render/output/tone.h computes. It takes
-//! the uniforms' locations 1 and 2, which set_tone sets.
+//! Beginning of a fragment shader, including its version line. Defines `vec3 toned(vec3 light)`,
+//! which computes the same as render/output/tone.h. Uses the uniform locations 1 and 2, which
+//! set_tone sets.
 extern const char* const tone_source;
 
-//! A shader's kind, as OpenGL counts them (GL_VERTEX_SHADER and so on), and its text.
+//! A shader's kind, as an OpenGL constant (GL_VERTEX_SHADER and so on), and its source.
 struct ShaderSource {
   unsigned kind;
   std::string text;
 };
 
-//! A program of any shaders, in the current context. Throws Error, with what the driver says, when it refuses them.
+//! Links a program of any shaders in the current context. Throws Error with the driver's message if
+//! it rejects them.
 unsigned linked_program(const std::vector<ShaderSource>& shaders);
 
-//! A program of two shaders, in the current context. Throws Error, with what the driver says, when it refuses them.
+//! Links a program of two shaders in the current context. Throws Error with the driver's message if
+//! it rejects them.
 unsigned linked_program(const std::string& vertex_source, const std::string& fragment_source);
 
-//! Sets the tone of the program in use, which has tone_source in it.
+//! Sets the tone of the program in use, which must contain tone_source.
 void set_tone(const Tone& tone);
 
-//! Whether the current context is drawn by the processor, for lack of a GPU: Mesa's llvmpipe or softpipe.
+//! Returns whether the current context renders on the CPU: Mesa's llvmpipe or softpipe.
 bool draws_in_software();
 
 //! Throws Error unless the current context is OpenGL 4.5.

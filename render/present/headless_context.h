@@ -4,11 +4,12 @@
 
 namespace ergodome {
 
-//! An OpenGL 4.5 core context without a window or a display, through EGL: on the GPU's device platform where a driver offers one, else
-//! on Mesa's surfaceless platform. Current on the thread that makes it, as long as it lives.
+//! An OpenGL 4.5 core context without a window or a display, through EGL: on the device platform of
+//! a GPU driver if there is one, otherwise on Mesa's surfaceless platform. Current on the thread
+//! that creates it, while it exists.
 class HeadlessContext {
  public:
-  //! Throws Error when no EGL driver gives OpenGL 4.5.
+  //! Throws Error if no EGL driver offers OpenGL 4.5.
   HeadlessContext();
   ~HeadlessContext();
   HeadlessContext(const HeadlessContext&) = delete;

@@ -5,19 +5,19 @@
 
 namespace ergodome {
 
-//! A framebuffer without a window, eight bits a channel, in the current context.
+//! A framebuffer without a window, with eight bits per channel, in the current context.
 class OffscreenFrame {
  public:
-  //! Throws Error where the driver has no room for that size.
+  //! Throws Error if the driver lacks memory for this size.
   OffscreenFrame(int width, int height);
   ~OffscreenFrame();
   OffscreenFrame(const OffscreenFrame&) = delete;
   OffscreenFrame& operator=(const OffscreenFrame&) = delete;
 
-  //! Makes what is drawn from now on go here.
+  //! Directs subsequent drawing to this framebuffer.
   void bind() const;
 
-  //! What was drawn, RGB bytes, the top row first.
+  //! Returns the contents as RGB bytes, top row first.
   [[nodiscard]] std::vector<std::uint8_t> read_back() const;
 
   [[nodiscard]] int width() const { return width_; }

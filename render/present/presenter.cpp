@@ -31,7 +31,7 @@ struct Presenter::State {
 
 namespace {
 
-//! Light of a display as its values.
+//! Shader function that encodes display light as sRGB values.
 constexpr const char* encoding_source = R"(
 vec3 encoded(vec3 light) {
   return mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, greaterThan(light, vec3(0.0031308)));
@@ -74,7 +74,7 @@ void main() {
 }
 )";
 
-//! The part of a picture's width that a part of it has.
+//! Returns the fraction of a picture's width that a part of it has.
 double share_of(PicturePart part) { return part == PicturePart::whole ? 1.0 : 0.5; }
 
 }  // namespace
@@ -213,7 +213,7 @@ void Presenter::draw_captions(const PictureArea& shown, const EyeGrid& eyes) {
   glEnable(GL_SCISSOR_TEST);
   const int width = shown.width / eyes.columns;
   const int height = shown.height / eyes.rows;
-  // The rows of an eye that have captions, and one more on each side for the filter.
+  // The rows of an eye that have captions, plus one on each side for the filter.
   const double bottom_part = 1.0 - rows_above - rows_part;
   const int from = static_cast<int>(std::floor(bottom_part * height)) - 1;
   const int rows = static_cast<int>(std::ceil(rows_part * height)) + 3;

@@ -43,7 +43,7 @@ struct PanelCorner {
   double bottom;
 };
 
-//! Within the area; sizes are those of text.
+//! Returns the panel's corner within the area; sizes are in pixels of text.
 PanelCorner corner_of(PanelPlace place, std::pair<double, double> area, std::pair<double, double> panel,
                       double raised) {
   const auto [width, height] = area;
@@ -60,7 +60,7 @@ PanelCorner corner_of(PanelPlace place, std::pair<double, double> area, std::pai
   }
 }
 
-//! Letters and their rim, two values a pixel.
+//! Returns letters and their rim, two values per pixel.
 std::vector<float> with_rim(const TextImage& image, int font_px) {
   const std::vector<float> rim = text_rim(image.coverage, image.width, image.height, text_rim_reach_px(font_px));
   std::vector<float> both;
@@ -117,7 +117,7 @@ void TextPanel::draw(const PanelArea& area, PanelPlace place, double raised) {
   const auto px = [](double value) { return static_cast<int>(std::lround(value)); };
   glViewport(area.left + px(at.left * area.across), area.bottom + px(at.bottom * area.along),
              px(state_->width * area.across), px(state_->height * area.along));
-  // Text that is larger than its eye's part of the window ends there.
+  // Clip text that is larger than its eye's part of the window.
   glEnable(GL_SCISSOR_TEST);
   glScissor(area.left, area.bottom, area.width, area.height);
   glEnable(GL_BLEND);

@@ -1,7 +1,7 @@
 #include "render/present/window.h"
 
 #include <epoxy/gl.h>
-// After epoxy, which brings OpenGL itself.
+// Must follow epoxy, which provides OpenGL.
 #include <GLFW/glfw3.h>
 
 #include <optional>
@@ -16,8 +16,9 @@ struct Window::State {
   std::vector<WindowEvent> events;
   WindowBuffers buffers = WindowBuffers::plain;
   bool without_cursor = false;
-  std::optional<std::pair<double, double>> pointer;  //!< where it was last
-  int windowed[4] = {0, 0, 1024, 1024};              //!< place and size to come back to from full screen
+  std::optional<std::pair<double, double>> pointer;  //!< last position
+  //! Position and size to restore after full screen.
+  int windowed[4] = {0, 0, 1024, 1024};
 };
 
 namespace {
@@ -47,7 +48,7 @@ Window::Window(int width, int height, const std::string& title, bool full_screen
   glfwWindowHint(GLFW_STEREO, buffers == WindowBuffers::stereo ? GLFW_TRUE : GLFW_FALSE);
   state_->window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
   if (state_->window == nullptr && buffers == WindowBuffers::stereo) {
-    // To GLFW it is a hard constraint.
+    // GLFW treats it as a hard constraint.
     glfwWindowHint(GLFW_STEREO, GLFW_FALSE);
     state_->window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
   }
@@ -71,7 +72,7 @@ Window::Window(int width, int height, const std::string& title, bool full_screen
     events_of(window).push_back(
         {action == GLFW_PRESS ? WindowEvent::Kind::button_down : WindowEvent::Kind::button_up, button, 0.0, 0.0});
   });
-  // Where it is; events() makes ways of these places.
+  // Stores positions, which events() turns into movements.
   glfwSetCursorPosCallback(state_->window, [](GLFWwindow* window, double x, double y) {
     events_of(window).push_back({WindowEvent::Kind::pointer, 0, x, y});
   });

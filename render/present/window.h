@@ -8,41 +8,43 @@
 
 namespace ergodome {
 
-//! Something that a person did to the window.
+//! An input event of a window.
 struct WindowEvent {
   enum class Kind { key_down, key_up, button_down, button_up, pointer, scroll };
   Kind kind;
-  int key = 0;      //!< GLFW's number of the key, or of the mouse's button
+  int key = 0;      //!< GLFW's number of the key or mouse button
   double dx = 0.0;  //!< pointer: pixels to the right; scroll: steps
   double dy = 0.0;  //!< pointer: pixels downwards; scroll: steps upwards
 };
 
-//! What windows are made of: one buffer for both eyes, or one for each where the driver has them (quad buffer).
+//! Framebuffers of a window: one for both eyes, or one per eye if the driver supports it (quad
+//! buffer).
 enum class WindowBuffers { plain, stereo };
 
-//! Which buffer of a window is drawn into.
+//! The buffer of a window to draw into.
 enum class WindowEye { both, left, right };
 
-//! A window with an OpenGL 4.5 core context, current on the thread that makes it.
+//! A window with an OpenGL 4.5 core context, current on the thread that creates it.
 class Window {
  public:
-  //! Throws Error where there is no display or no OpenGL 4.5. A driver without buffers for each eye makes a plain window.
+  //! Throws Error without a display or OpenGL 4.5. If the driver has no buffers per eye, creates a
+  //! plain window.
   Window(int width, int height, const std::string& title, bool full_screen,
          WindowBuffers buffers = WindowBuffers::plain);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
-  //! Waits up to `seconds` for events and returns those that came.
+  //! Waits up to `seconds` for events and returns all that arrived.
   std::vector<WindowEvent> events(double seconds);
 
-  //! What the window was made of.
+  //! Returns the kind of buffers that the window has.
   [[nodiscard]] WindowBuffers buffers() const;
 
-  //! Draw from here on into the buffer of an eye; `both` where the window is plain.
+  //! Selects the buffer of an eye for drawing; `both` in a plain window.
   void draw_into(WindowEye eye);
 
-  //! Shows what was drawn, in step with the display.
+  //! Shows what was drawn, synchronized with the display.
   void swap();
 
   void toggle_full_screen();
@@ -50,37 +52,37 @@ class Window {
   void close();
   [[nodiscard]] bool closed() const;
 
-  //! Keeps it above other windows, and in front of them now.
+  //! Keeps the window above other windows and raises it.
   void keep_in_front();
 
-  //! Takes it off the screen; its context stays.
+  //! Hides the window; its context stays.
   void hide();
 
-  //! Takes the cursor out of the picture, for good.
+  //! Hides the cursor permanently.
   void hide_cursor();
 
-  //! Shows the cursor or not, unless it is hidden for good.
+  //! Shows or hides the cursor, unless it is hidden permanently.
   void show_cursor(bool shown);
 
-  //! Moves it to the top left of a monitor, counted from 0.
+  //! Moves the window to the top left of a monitor, counted from 0.
   void move_to_monitor(int monitor);
 
-  //! Where it is, with the frame that a window manager gives it.
+  //! Returns the window's rectangle, including the frame of the window manager.
   [[nodiscard]] DesktopRectangle rectangle() const;
 
-  //! Moves it, its frame's top left corner to there. A full screen stays.
+  //! Moves the top left corner of the window's frame. Does not move a full-screen window.
   void move_to(const DesktopRectangle& place);
 
-  //! Makes its context the current one, after another window's.
+  //! Makes its context current, after another window's.
   void make_current();
 
-  //! From now on swap() waits for no display: another window does.
+  //! Makes swap() return without waiting for the display: another window waits.
   void swap_at_once();
 
-  //! GLFW's window, for windows that share its context.
+  //! Returns GLFW's window, for windows that share its context.
   [[nodiscard]] void* handle() const;
 
-  //! Size of the framebuffer in pixels; 0 x 0 while minimized.
+  //! Returns the size of the framebuffer in pixels; 0 x 0 while minimized.
   void framebuffer_size(int& width, int& height) const;
 
  private:

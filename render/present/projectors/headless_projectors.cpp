@@ -9,7 +9,7 @@
 namespace ergodome {
 
 struct HeadlessProjectors::OpenGl {
-  // The context outlives all that was made in it.
+  // Declared first: the context must outlive everything created in it.
   HeadlessContext context;
   Presenter presenter;
   DisplayLight light;
@@ -26,7 +26,7 @@ struct HeadlessProjectors::OpenGl {
 
 namespace {
 
-//! Whether OpenGL without a display is there, and a GPU draws it.
+//! Returns whether OpenGL works without a display and runs on a GPU.
 bool has_gpu() {
   try {
     const HeadlessContext context;

@@ -9,31 +9,34 @@
 
 namespace ergodome {
 
-//! Who draws what projectors show without a window: OpenGL on a GPU, else the processor; one of them in any case; or CUDA, where it can be used,
-//! else as if nobody were asked for.
+//! The drawing method for projector images without a window. `automatic`: OpenGL on a GPU,
+//! otherwise the CPU. `opengl`, `processor`: always that one. `cuda`: CUDA if available, otherwise
+//! like `automatic`.
 enum class ProjectorDrawer { automatic, opengl, processor, cuda };
 
-//! Draws what the projectors of a dome show without a window or a display: OpenGL through EGL where there is a GPU, else the processor; for
-//! pictures that CUDA makes, CUDA, whose devices may draw by OpenGL on few of their units.
+//! Draws a dome's projector images without a window or a display: with OpenGL through EGL on a GPU,
+//! otherwise on the CPU. Pictures made by CUDA are drawn by CUDA, as such GPUs may have few units
+//! for OpenGL.
 class HeadlessProjectors {
  public:
-  //! Throws Error where OpenGL is asked for and no driver gives version 4.5 without a display, and where a GPU has no room for OpenGL's rasters.
+  //! Throws Error if OpenGL is requested and no driver offers version 4.5 without a display, or if
+  //! a GPU lacks memory for OpenGL's rasters.
   explicit HeadlessProjectors(const std::vector<ProjectorPicture>& pictures,
                               ProjectorDrawer drawer = ProjectorDrawer::automatic);
   ~HeadlessProjectors();
   HeadlessProjectors(const HeadlessProjectors&) = delete;
   HeadlessProjectors& operator=(const HeadlessProjectors&) = delete;
 
-  //! Takes over a domemaster, in linear light; it stays until the next one.
+  //! Sets the domemaster, in linear light; it stays until the next one.
   void show(const Picture& master);
 
-  //! What a projector shows of it: the values that it is sent, RGB bytes of its resolution, the top row first.
+  //! Returns a projector's image of the master: RGB bytes of its resolution, top row first.
   std::vector<std::uint8_t> frame(std::size_t projector);
 
  private:
   struct OpenGl;
   void open_without_cuda(const std::vector<ProjectorPicture>& pictures, ProjectorDrawer drawer);
-  //! Whether CUDA has drawn a master. Where it fails, others draw from then on.
+  //! Draws a master with CUDA. Returns false if CUDA fails; it is then not used again.
   bool show_by_cuda(const Picture& master);
 
   std::unique_ptr<SoftwareProjectors> cuda_;

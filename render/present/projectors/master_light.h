@@ -9,58 +9,60 @@
 
 namespace ergodome {
 
-//! Which parts of a master's light are wanted, by levels.
+//! The parts of a master's light that are wanted, by level.
 class LightTiles {
  public:
-  //! None yet, of a master of this size.
+  //! Starts empty, for a master of this size.
   LightTiles(int width, int height);
 
   [[nodiscard]] int level_count() const { return static_cast<int>(levels_.size()); }
   [[nodiscard]] int width(int level) const { return levels_[static_cast<std::size_t>(level)].width; }
   [[nodiscard]] int height(int level) const { return levels_[static_cast<std::size_t>(level)].height; }
 
-  //! Wants texels of a level, both ends included; what is outside it is left out.
+  //! Marks texels of a level as wanted, both ends included; ignores texels outside the level.
   void want(int level, int left, int right, int top, int bottom);
 
-  //! Wants what another of the same size wants.
+  //! Adds the wanted parts of another set of the same size.
   void join(const LightTiles& other);
 
-  //! Wants what the wanted parts are averaged from.
+  //! Adds everything that the wanted parts are averaged from.
   void complete();
 
-  //! The wanted tiles of a level.
+  //! Returns the wanted tiles of a level.
   [[nodiscard]] std::vector<std::int32_t> tiles(int level) const;
 
  private:
   struct Level {
     int width;
     int height;
-    std::vector<std::uint8_t> wanted;  //!< by tiles
+    std::vector<std::uint8_t> wanted;  //!< by tile
   };
   std::vector<Level> levels_;
 };
 
-//! A domemaster in a backend's memory: linear light, four floats a pixel, the top row first.
+//! A domemaster in a backend's memory: linear light, four floats per pixel, top row first.
 struct MasterPicture {
   const float* rgba = nullptr;
   int width = 0;
   int height = 0;
-  bool heat_map = false;  //!< colours already, to which no tone is given
+  bool heat_map = false;  //!< the values are colors and get no tone
   Tone tone;
 };
 
-//! The same in host memory, as long as the picture is there.
+//! Returns a view of a picture in host memory, valid while the picture exists.
 MasterPicture master_picture(const Picture& picture);
 
-//! A domemaster as light for projectors, by kernels: what DisplayLight is by OpenGL, and where it is wanted alone.
+//! Computes a domemaster's light for projectors with kernels, as DisplayLight does with OpenGL, but
+//! only where it is wanted.
 class MasterLight {
  public:
   MasterLight() = default;
 
-  //! Makes room in a backend's memory. `tiles` must be complete.
+  //! Allocates memory of a backend. `tiles` must be complete.
   MasterLight(const LightTiles& tiles, Backend backend);
 
-  //! Makes the light of a picture of the size that the tiles are of, in the same backend's memory. A device is not waited for.
+  //! Computes the light of a picture in the same backend's memory, with the size that the tiles
+  //! were made for. Does not wait for a GPU.
   void update(const MasterPicture& picture);
 
   [[nodiscard]] const LightLevels& levels() const { return levels_; }

@@ -11,7 +11,7 @@ namespace {
 constexpr double steps_per_px = 256.0;
 constexpr double farthest_rasters = 15.0;
 
-//! An edge of a triangle whose inside is where value() is positive.
+//! An edge of a triangle; value() is positive inside.
 struct Edge {
   double x;
   double y;
@@ -19,13 +19,13 @@ struct Edge {
   double down;
 
   [[nodiscard]] double value(double at_x, double at_y) const { return across * (at_y - y) - down * (at_x - x); }
-  //! Pixels on it are drawn where it is an upper or a left one.
+  //! Returns whether the edge includes a pixel; pixels on it belong to upper and left edges.
   [[nodiscard]] bool holds(double value) const {
     return value > 0.0 || (value == 0.0 && (down < 0.0 || (down == 0.0 && across > 0.0)));
   }
 };
 
-//! A number that is linear over a triangle, from its values at the corners.
+//! Interpolates linearly over a triangle from the values at its corners.
 float between(float a, float b, float c, double at_b, double at_c) {
   return static_cast<float>(a + at_b * (static_cast<double>(b) - a) + at_c * (static_cast<double>(c) - a));
 }

@@ -6,27 +6,28 @@
 
 namespace ergodome {
 
-//! What a projector's mesh says of one pixel, at its middle.
+//! Values of a projector's mesh at the middle of a pixel.
 struct MeshSample {
   float source[2] = {};  //!< in the master, 0 to 1
   float mask[2] = {};    //!< in the masks
   float factor = 0.0F;
-  float along_x[2] = {};  //!< how `source` changes from pixel to pixel of a row
-  float along_y[2] = {};  //!< the same down a column
+  float along_x[2] = {};  //!< change of `source` from pixel to pixel along a row
+  float along_y[2] = {};  //!< change of `source` down a column
 };
 
-//! Reads a mesh at the middles of a raster's pixels, as OpenGL does: corners lie on a lattice of 1/256 of a pixel, and a pixel on an edge
-//! belongs to one of its triangles. Corners more than 15 rasters away are drawn at that distance.
+//! Samples a mesh at the middles of a raster's pixels, as OpenGL does: corners lie on a lattice of
+//! 1/256 pixel, and a pixel on an edge belongs to one triangle. Corners more than 15 raster sizes
+//! away are moved to that distance.
 class MeshRaster {
  public:
-  //! Rows that are read at a time.
+  //! Rows that are sampled at a time.
   static constexpr int band_rows = 32;
 
   MeshRaster(ProjectorMesh mesh, int width_px, int height_px);
 
   [[nodiscard]] int band_count() const { return static_cast<int>(bands_.size()); }
 
-  //! The samples of a band, row after row. Bands can be read at the same time.
+  //! Returns the samples of a band, row by row. Bands can be sampled in parallel.
   [[nodiscard]] std::vector<MeshSample> band(int band) const;
 
  private:
@@ -40,7 +41,7 @@ class MeshRaster {
   ProjectorMesh mesh_;
   int width_px_;
   int height_px_;
-  std::vector<std::vector<std::uint32_t>> bands_;  //!< triangles that may touch each, in their order
+  std::vector<std::vector<std::uint32_t>> bands_;  //!< triangles that may touch each band, in order
 };
 
 }  // namespace ergodome

@@ -12,8 +12,8 @@ namespace ergodome {
 
 struct ProjectorDrawing::State {
   GLuint program = 0;
-  GLuint captions_program = 0;  //!< 0: not needed so far
-  std::string masks;            //!< which masks there are, as definitions of the shader
+  GLuint captions_program = 0;  //!< 0 until it is needed
+  std::string masks;            //!< shader definitions of the masks that exist
   GLuint vertex_array = 0;
   GLuint vertices = 0;
   GLuint indices = 0;
@@ -27,7 +27,7 @@ struct ProjectorDrawing::State {
 
 namespace {
 
-//! HAS_CAPTIONS restricts what is drawn to the rows that have captions.
+//! With HAS_CAPTIONS, only rows with captions are drawn.
 constexpr const char* vertex_source = R"(
 layout(location = 0) in vec2 place;   // on the raster, y down
 layout(location = 1) in vec2 source;  // in the master, its top at 0
@@ -52,7 +52,8 @@ void main() {
 }
 )";
 
-//! HAS_BLEND and HAS_BLACK_LEVEL say which masks there are to look at. With HAS_CAPTIONS only pixels that captions cover are drawn.
+//! HAS_BLEND and HAS_BLACK_LEVEL are defined for the masks that exist. With HAS_CAPTIONS only
+//! pixels that captions cover are drawn.
 constexpr const char* projector_source = R"(
 in vec2 source_place;
 in vec2 mask_place;
@@ -104,7 +105,7 @@ Vector3<float> converted(const Vector3<double>& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-//! A mask as a texture, filtered in linear light; 0 where there is none.
+//! Creates a texture of a mask, filtered in linear light; returns 0 if there is no mask.
 GLuint mask_texture(const BlendMap& shown) {
   if (shown.width == 0) {
     return 0;
@@ -207,7 +208,7 @@ void ProjectorDrawing::draw_captions(const CaptionTexture& captions, float dimme
   glUniform1f(5, dimmed);
   glEnable(GL_CLIP_DISTANCE0);
   glEnable(GL_CLIP_DISTANCE1);
-  // Without the backdrop, which shows nothing of the master.
+  // Skip the backdrop, which shows no part of the master.
   draw_mesh(state_->captions_program, backdrop_indices);
   glDisable(GL_CLIP_DISTANCE0);
   glDisable(GL_CLIP_DISTANCE1);

@@ -7,25 +7,27 @@
 
 namespace ergodome {
 
-//! A corner of the triangles that a projector's raster is made of.
+//! A corner of the triangles in a projector's raster.
 struct MeshVertex {
   float place[2];   //!< on the raster, 0 to 1, y down
   float source[2];  //!< in the master, its top at 0
   float mask[2];    //!< in the masks
-  float factor;     //!< of the master's light
+  float factor;     //!< on the master's light
 };
 
-//! Indices of the two triangles that cover the raster below all others, without light of the master.
+//! Indices of the two triangles that cover the whole raster below the others, without light from
+//! the master.
 inline constexpr int backdrop_indices = 6;
 
-//! Triangles between which all is linear; where they overlap the last one counts.
+//! Triangles with linear interpolation; where they overlap the last one is drawn.
 struct ProjectorMesh {
   std::vector<MeshVertex> vertices;
-  std::vector<std::uint32_t> indices;  //!< three a triangle
+  std::vector<std::uint32_t> indices;  //!< three per triangle
 };
 
-//! The whole raster without light, so that it is lifted where the warp is not drawn; then the warp's cells, moved by the grid, as two triangles
-//! each, cut as resampled_warp cuts them. Cells with a corner that is not valid are left out.
+//! Builds the mesh: first the whole raster without light, so that parts outside the warp are
+//! lifted, then the warp's cells, moved by the grid, as two triangles each, cut like those of
+//! resampled_warp. Omits cells with an invalid corner.
 ProjectorMesh projector_mesh(const WarpMesh& warp, const GridOffsets& grid);
 
 }  // namespace ergodome

@@ -8,13 +8,15 @@
 
 namespace ergodome {
 
-//! Throws Error, with the monitors that there are, where a setup names one that is not, or a window that lies beside them all.
+//! Throws Error, listing the connected monitors, if a setup names a missing monitor or a window
+//! outside all monitors.
 void require_outputs(const DomeSetup& setup, const std::vector<DesktopMonitor>& monitors);
 
-//! Where a setup's projectors are shown on the desktop. Their monitors must be there.
+//! Returns the desktop rectangles of a setup's projectors. Their monitors must be connected.
 std::vector<DesktopRectangle> output_rectangles(const DomeSetup& setup, const std::vector<DesktopMonitor>& monitors);
 
-//! A place for a window that projectors cover. None where they do not, or where there is no room beside them.
+//! Returns a position for a window that projectors would cover; nothing if none covers it or there
+//! is no room.
 std::optional<DesktopRectangle> place_beside_projectors(const DesktopRectangle& window, const DomeSetup& setup,
                                                         const std::vector<DesktopMonitor>& monitors);
 

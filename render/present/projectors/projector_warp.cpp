@@ -15,12 +15,12 @@ namespace {
 
 constexpr float most = 65535.0F;
 
-//! Number whose square, over that of `most`, is `part`, 0 to 1.
+//! Returns a number whose square is `part` (0 to 1) of the square of `most`.
 std::uint16_t root_of(float part) {
   return static_cast<std::uint16_t>(std::lround(most * std::sqrt(std::clamp(part, 0.0F, 1.0F))));
 }
 
-//! A channel of a mask between its samples; 1 where there is none.
+//! Interpolates a channel of a mask; returns 1 without a mask.
 float read(const BlendMap& mask, const float (&place)[2], int channel) {
   if (mask.width == 0) {
     return 1.0F;
@@ -51,7 +51,7 @@ float largest(const std::vector<float>& values) {
   return values.empty() ? 1.0F : std::max(*std::ranges::max_element(values), 1e-6F);
 }
 
-//! Zeros in host memory.
+//! Allocates zeros in host memory.
 template <class T>
 Buffer<T> zeros(std::size_t count) {
   Buffer<T> made(Backend::cpu, count, "projector's warp");
@@ -59,7 +59,7 @@ Buffer<T> zeros(std::size_t count) {
   return made;
 }
 
-//! Takes what is in host memory to a device's.
+//! Moves a buffer from host memory to a GPU.
 template <class T>
 void move_there(Backend backend, Buffer<T>& buffer) {
   Buffer<T> there(backend, buffer.size(), "projector's warp");
@@ -71,7 +71,7 @@ float channel_of(const Vector3<double>& v, int channel) {
   return static_cast<float>(channel == 0 ? v.x : channel == 1 ? v.y : v.z);
 }
 
-//! Numbers that lie evenly from the least to the greatest of a group's places.
+//! Evenly spaced numbers from the minimum to the maximum of a group's values.
 struct Lattice {
   float first = 0.0F;
   float step = 0.0F;
@@ -88,7 +88,7 @@ struct Lattice {
 
 }  // namespace
 
-//! Fills a warp band by band; several may do so at a time.
+//! Fills a warp band by band; several bands may be filled in parallel.
 class ProjectorWarp::Builder {
  public:
   Builder(ProjectorWarp& warp, const ProjectorPicture& picture, float most_factor)
@@ -110,7 +110,7 @@ class ProjectorWarp::Builder {
   }
 
  private:
-  //! The level, in steps, whose texels are as large as the pixel.
+  //! Returns the level, in steps, whose texels have the size of the pixel.
   [[nodiscard]] std::uint8_t level_of(const MeshSample& sample) const {
     const auto width = static_cast<float>(warp_.tiles_.width(0));
     const auto height = static_cast<float>(warp_.tiles_.height(0));
@@ -145,7 +145,7 @@ class ProjectorWarp::Builder {
     std::size_t count = 0;
     for (std::size_t i = 0; i < samples.size(); ++i) {
       MeshSample sample = samples[i];
-      // The master's rim is not smeared over what lies beyond it.
+      // Do not extend the master's rim beyond it.
       if (!(sample.source[0] >= 0.0F && sample.source[0] <= 1.0F && sample.source[1] >= 0.0F &&
             sample.source[1] <= 1.0F)) {
         sample.factor = 0.0F;
@@ -180,7 +180,7 @@ class ProjectorWarp::Builder {
     want(to, tiles);
   }
 
-  //! Wants what a group's pixels look at.
+  //! Marks the texels that a group's pixels read as wanted.
   static void want(const WarpGroup& group, LightTiles& tiles) {
     for (int level = 0; level < tiles.level_count(); ++level) {
       const bool finer = level > 0 && ((group.blended >> static_cast<unsigned>(level - 1)) & 1U) != 0;
@@ -193,7 +193,7 @@ class ProjectorWarp::Builder {
       const auto texel = [](float place, float scale) {
         return static_cast<int>(std::floor((place + 0.5F) * scale - 0.5F));
       };
-      // Pixels at the very end look between the last two.
+      // Pixels at the very end interpolate between the last two.
       tiles.want(level, texel(group.x, wide) - 1, texel(group.x + most * group.step_x, wide) + 2,
                  texel(group.y, high) - 1, texel(group.y + most * group.step_y, high) + 2);
     }

@@ -8,20 +8,21 @@
 
 namespace ergodome {
 
-//! What a projector shows of domemasters of one size, drawn by kernels: all that does not change from frame to frame is worked out
-//! beforehand for each pixel, by the processor, and lies in the backend's memory. It shows what ProjectorDrawing does.
+//! Draws a projector's view of domemasters of one size with kernels. Everything that does not
+//! change from frame to frame is computed beforehand on the CPU for each pixel and stored in the
+//! backend's memory. Produces the same picture as ProjectorDrawing.
 class ProjectorWarp {
  public:
   ProjectorWarp(const ProjectorPicture& picture, int master_width, int master_height, Backend backend);
 
-  //! The master's parts that it looks at.
+  //! Returns the parts of the master that the projector shows.
   [[nodiscard]] const LightTiles& tiles() const { return tiles_; }
 
-  //! What warp_pixels() needs to fill a raster with the values that the projector is sent. Light, of which it shows a part as large as `shown`, and
-  //! raster lie in the backend's memory.
+  //! Returns the input of warp_pixels() that fills a raster with the projector's values. `light`
+  //! and the raster `rgb` are in the backend's memory; `shown` is a factor on the light.
   [[nodiscard]] WarpBatch batch(const LightLevels& light, float shown, std::uint8_t* rgb) const;
 
-  //! Fills it: three bytes a pixel, the top row first. A device is not waited for.
+  //! Fills a raster: three bytes per pixel, top row first. Does not wait for a GPU.
   void draw(const LightLevels& light, float shown, std::uint8_t* rgb) const {
     warp_pixels(backend_, batch(light, shown, rgb));
   }

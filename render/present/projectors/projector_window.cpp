@@ -1,7 +1,7 @@
 #include "render/present/projectors/projector_window.h"
 
 #include <epoxy/gl.h>
-// After epoxy, which brings OpenGL itself.
+// Must follow epoxy, which provides OpenGL.
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
@@ -27,7 +27,7 @@ std::span<GLFWmonitor*> monitors() {
   return {first, static_cast<std::size_t>(count)};
 }
 
-//! A monitor's whole screen as it is: its resolution stays the desktop's.
+//! Opens a full-screen window that keeps the monitor's resolution.
 GLFWwindow* whole_screen(const ProjectorSetup& projector, const std::string& title, GLFWwindow* shared) {
   GLFWmonitor* const monitor = monitors()[static_cast<std::size_t>(*projector.output.monitor)];
   const GLFWvidmode* const mode = glfwGetVideoMode(monitor);
@@ -36,7 +36,7 @@ GLFWwindow* whole_screen(const ProjectorSetup& projector, const std::string& tit
                projector.width_px, projector.height_px, mode->width, mode->height);
   }
   glfwWindowHint(GLFW_REFRESH_RATE, mode->refreshRate);
-  // A click beside it does not take the picture off the dome.
+  // A click outside must not minimize the picture on the dome.
   glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);
   return glfwCreateWindow(mode->width, mode->height, title.c_str(), monitor, shared);
 }
@@ -47,7 +47,7 @@ GLFWwindow* frameless(const ProjectorSetup& projector, const std::string& title,
   glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
   GLFWwindow* const window = glfwCreateWindow(projector.width_px, projector.height_px, title.c_str(), nullptr, shared);
   if (window != nullptr) {
-    // Placed before it is seen, so that window managers do not choose.
+    // Set the position before the window is visible, so that window managers do not choose one.
     glfwSetWindowPos(window, projector.output.window_x_px, projector.output.window_y_px);
     glfwShowWindow(window);
   }
@@ -113,7 +113,7 @@ std::vector<DesktopMonitor> connected_monitors() {
   for (GLFWmonitor* const monitor : monitors()) {
     DesktopMonitor made{glfwGetMonitorName(monitor), {}, {}};
     glfwGetMonitorPos(monitor, &made.screen.x_px, &made.screen.y_px);
-    // One that was unplugged a moment ago has none; it keeps its number.
+    // A monitor that was just unplugged has no mode; it keeps its number.
     if (const GLFWvidmode* const mode = glfwGetVideoMode(monitor)) {
       made.screen.width_px = mode->width;
       made.screen.height_px = mode->height;

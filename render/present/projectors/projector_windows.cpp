@@ -19,17 +19,20 @@ namespace ergodome {
 
 namespace {
 
-//! A projector's window and what is drawn in its context, which must be current when any of it goes.
+//! A projector's window and its drawing objects. Its context must be current when any of them is
+//! destroyed.
 struct Screen {
   std::unique_ptr<ProjectorWindow> window;
   std::unique_ptr<ProjectorDrawing> drawing;
   std::unique_ptr<TextPanel> panel;
-  std::unique_ptr<Presenter> raster;    //!< shown instead of the drawing while there is one
-  std::unique_ptr<RasterTexture> sent;  //!< what kernels drew instead of OpenGL, if they did
-  bool changed = false;  //!< since the windows were opened: a warp takes the processor a second to work out
+  std::unique_ptr<Presenter> raster;    //!< shown instead of the drawing, if set
+  std::unique_ptr<RasterTexture> sent;  //!< the raster that kernels drew instead of OpenGL, if any
+  //! The warp was changed since the windows were opened. Kernels need a second of CPU time to
+  //! prepare a warp.
+  bool changed = false;
 };
 
-//! A master that is on the GPU, brought back to host memory: for drivers without a GPU a copy.
+//! Copies a master from the GPU to host memory. With software OpenGL this is a plain copy.
 Picture brought_back(const PresentedPicture& shown) {
   Picture picture;
   picture.width = shown.width;
@@ -44,7 +47,8 @@ Picture brought_back(const PresentedPicture& shown) {
   return picture;
 }
 
-//! Moves the control window out from under the projectors' windows, where they share its monitor and there is room.
+//! Moves the control window out from under the projectors' windows on its monitor, if there is
+//! room.
 void uncover(Window& control, const DomeSetup& setup) {
   if (const auto place = place_beside_projectors(control.rectangle(), setup, connected_monitors())) {
     control.move_to(*place);
@@ -58,16 +62,17 @@ struct ProjectorWindows::State {
   std::unique_ptr<DisplayLight> light;
   std::vector<Screen> screens;
   std::vector<ProjectorPicture> pictures;
-  std::unique_ptr<SoftwareProjectors> software;  //!< where OpenGL has no GPU
-  std::unique_ptr<SoftwareProjectors> cuda;      //!< once CUDA has handed over a picture
-  bool in_cuda = false;                          //!< the picture that is shown has its light there
+  std::unique_ptr<SoftwareProjectors> software;  //!< if OpenGL has no GPU
+  std::unique_ptr<SoftwareProjectors> cuda;      //!< once CUDA has provided a picture
+  bool in_cuda = false;                          //!< the shown picture has its light in CUDA
   bool cuda_fails = false;
-  int of_another_size = 0;  //!< pictures that came one after the other, for which CUDA has no warps
+  int of_another_size = 0;  //!< number of successive pictures of a size for which CUDA has no warps
   bool control_shown = true;
-  long version = -1;        //!< of the master that is drawn
-  long light_version = -1;  //!< of the master whose light there is
+  long version = -1;        //!< of the drawn master
+  long light_version = -1;  //!< of the master whose light was computed
   float dimmed = 1.0F;      //!< factor on the display's light
-  std::unique_ptr<CaptionTexture> captions = std::make_unique<CaptionTexture>();  //!< to lay over the master
+  //! To draw over the master.
+  std::unique_ptr<CaptionTexture> captions = std::make_unique<CaptionTexture>();
 };
 
 ProjectorWindows::ProjectorWindows(Window& control, const DomeSetup& setup,
@@ -145,7 +150,8 @@ void ProjectorWindows::take(const DevicePicture* picture) {
     if (!state_->cuda) {
       state_->cuda = std::make_unique<SoftwareProjectors>(state_->pictures, Backend::cuda);
     }
-    // Warps for another size take the processor a second: OpenGL draws until such pictures have come for a while.
+    // Warps for another size take a second of CPU time: OpenGL draws until such pictures have come
+    // for a while.
     constexpr int patience = 120;
     if (state_->cuda->has_other_warps(picture->width_px, picture->height_px) && ++state_->of_another_size < patience) {
       return;
@@ -255,7 +261,7 @@ void ProjectorWindows::draw_by_opengl(std::size_t projector) {
   Screen& screen = state_->screens[projector];
   screen.sent.reset();
   screen.changed = true;
-  state_->version = -1;  // OpenGL may have no light of it yet
+  state_->version = -1;  // OpenGL may not have its light yet
 }
 
 void ProjectorWindows::show(const PresentedPicture& master) {
@@ -271,7 +277,8 @@ void ProjectorWindows::show(const PresentedPicture& master) {
   for (std::size_t i = 0; i < state_->screens.size(); ++i) {
     draw(i);
   }
-  // The first waits for its display; the others follow at once, in the time that displays in step all have from then on.
+  // The first swap waits for its display; the others follow at once, as synchronized displays share
+  // its timing.
   for (const Screen& screen : state_->screens) {
     screen.window->make_current();
     screen.window->swap();

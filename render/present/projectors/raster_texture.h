@@ -7,7 +7,8 @@
 
 namespace ergodome {
 
-//! Bytes as a display is sent them, in the OpenGL context that is current when it is made and used.
+//! An image of bytes in the encoding of the display, in the OpenGL context that is current when it
+//! is created and used.
 class RasterTexture {
  public:
   RasterTexture(int width_px, int height_px);
@@ -15,13 +16,14 @@ class RasterTexture {
   RasterTexture(const RasterTexture&) = delete;
   RasterTexture& operator=(const RasterTexture&) = delete;
 
-  //! Takes over RGB bytes of its size, the top row first.
+  //! Uploads RGB bytes of its size, top row first.
   void upload(const std::uint8_t* rgb);
 
-  //! The same from CUDA device memory, without a way through the host. Throws Error where CUDA cannot reach the context's device.
+  //! Uploads from CUDA memory without a copy through the host. Throws Error if CUDA cannot access
+  //! the context's GPU.
   void upload_from_device(const std::uint8_t* rgb);
 
-  //! Copies them to the bound framebuffer, which is as large.
+  //! Copies the image to the bound framebuffer of the same size.
   void draw() const;
 
  private:
@@ -29,7 +31,8 @@ class RasterTexture {
   int height_px_;
   unsigned texture_ = 0;
   unsigned framebuffer_ = 0;
-  unsigned pixels_ = 0;  //!< where CUDA puts the bytes: it cannot reach textures of three bytes
+  //! Buffer that CUDA writes to, as it cannot access textures with three bytes per pixel.
+  unsigned pixels_ = 0;
   std::unique_ptr<CudaBufferLink> link_;
 };
 
