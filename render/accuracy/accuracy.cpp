@@ -45,7 +45,7 @@ AccuracyReport head_of(const Show& show, const AccuracySettings& settings, const
   return report;
 }
 
-//! What a show has and this does not measure.
+//! Returns notes about parts of a show that are not measured.
 std::vector<std::string> notes_of(const Show& show, const AccuracySettings& settings) {
   std::vector<std::string> notes = {
       "everything was measured on the CPU, nothing on a GPU",
@@ -70,7 +70,7 @@ bool has_footprints(const Show& show) {
 
 bool has_near_things(const Show& show) { return show.disk || !show.shells.empty() || !show.objects.empty(); }
 
-//! Whether it has some measurement of that name.
+//! Returns whether a show has a measurement of that name.
 bool has_axis(const std::string& name, const Show& show, bool quick) {
   if (name == "lens") {
     return has_footprints(show);

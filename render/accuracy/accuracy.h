@@ -10,18 +10,18 @@ namespace ergodome {
 inline constexpr std::array accuracy_axis_names = {"rays", "lens",  "stations", "stereo",
                                                    "map",  "stars", "near",     "frame"};
 
-//! The choices that a show leaves: names of axes, of those that are asked for.
+//! Returns the names of the requested axes that apply to a show.
 //!
-//! `lens` where the map's filter asks for footprints; `stations` where the camera comes nearer to the hole or its axis, or goes farther, and
-//! the spin stays, and the grid is one that is baked; `stars` where it has any.
+//! `lens` applies if the map's filter needs footprints; `stations` if the camera's r or θ changes,
+//! the spin is constant and the grid scheme can be baked; `stars` if the show has stars.
 std::vector<std::string> accuracy_axes(const Show& show, const AccuracySettings& settings);
 
-//! Measures what accuracy costs in time, on this machine, for a show: along each choice that the show leaves, and no other.
+//! Measures the cost of accuracy on this machine for a show, along each axis that applies.
 //!
-//! Throws Error where the show cannot be drawn, or progress says stop.
+//! Throws Error if the show cannot be drawn or `progress` stops the measurement.
 AccuracyReport measure_accuracy(const Show& show, const AccuracySettings& settings, const AccuracyProgress& progress);
 
-//! What `--quick` stands for.
+//! Returns the settings of `--quick`.
 AccuracySettings quick_settings();
 
 }  // namespace ergodome

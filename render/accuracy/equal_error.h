@@ -4,28 +4,31 @@
 
 namespace ergodome {
 
-//! What counts as time.
+//! Which time counts as cost.
 enum class FrameCost {
-  ready,  //!< a frame when what it needs is there
-  anew    //!< with what it needs made anew
+  ready,  //!< a frame whose prepared data exist
+  anew    //!< a frame including the preparation
 };
 
-//! Median time of a choice [ms].
+//! Returns the median time of a choice [ms].
 double cost_ms(const Measurement& choice, FrameCost cost);
 
-//! The cheapest choice whose error does not exceed `most` for 99 of 100 (p99); of one method, or of all where `method` is empty. nullptr where
-//! none does.
+//! Returns the cheapest choice whose error is at most `most` for 99 % (p99), among those of
+//! `method`, or of all methods if it is empty; nullptr if there is none.
 const Measurement* cheapest_within(const AccuracyAxis& axis, double most, FrameCost cost,
                                    const std::string& method = {});
 
-//! A method at an error that all are held to.
+//! A method at an error limit that applies to all methods.
 struct EqualErrorRow {
   std::string method;
-  const Measurement* choice = nullptr;  //!< its cheapest that holds it; nullptr: none of those that were measured does
-  Spread ratio;                         //!< of its time to that of the base, by round; no runs where there is no base
+  //! Its cheapest choice within the limit; nullptr: none that was measured.
+  const Measurement* choice = nullptr;
+  //! Of its time to that of the base method, by round; without a base it has no runs.
+  Spread ratio;
 };
 
-//! The methods of an axis at one error (p99), in the order of the axis; each in the precision and setting that is cheapest there.
+//! Compares the methods of an axis at the same error (p99), in the order of the axis; each with its
+//! cheapest precision and setting.
 std::vector<EqualErrorRow> compare_at(const AccuracyAxis& axis, double most, FrameCost cost);
 
 }  // namespace ergodome

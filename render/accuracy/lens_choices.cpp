@@ -9,7 +9,8 @@ namespace {
 constexpr double tolerances_px[] = {0.05, 0.005};
 constexpr double budgets_px[] = {1.0, 0.25, 0.1, 0.05, 0.025};
 
-//! Finest levels of the published grid; its authors go to 10, which is too coarse for a tenth of a pixel of a large picture.
+//! Returns the finest levels of the published grid. Its authors go to 10, which is too coarse for a
+//! tenth of a pixel in a large picture.
 std::vector<int> levels(bool quick) {
   return quick ? std::vector<int>{8, 9, 10, 11} : std::vector<int>{9, 10, 11, 12, 13};
 }

@@ -12,29 +12,31 @@ namespace ergodome {
 
 namespace {
 
-//! What is this slow is drawn twice in all: to warm up, which then counts as a run, and in the second round; its flicker is not looked at [ms].
+//! Frames slower than this [ms] are drawn only twice: once to warm up, which counts as a run, and
+//! in the second round. Their flicker is not measured.
 constexpr double slow_ms = 1500.0;
 constexpr double slow_for_a_quick_look_ms = 400.0;
 constexpr std::size_t slow_round = 1;
-//! What is this short any other program can double: the quickest of some tries in a row is one run [ms].
+//! Frames shorter than this can be delayed by any other program: the fastest of some successive
+//! tries counts as one run [ms].
 constexpr double short_ms = 50.0;
 constexpr int short_tries = 3;
 
-//! What a choice has done so far, over all moments.
+//! Results of a choice so far, over all moments.
 struct Entry {
   std::vector<double> errors;
   std::vector<double> flickers;
   std::size_t lost = 0;
-  double warm_up_ms = 0.0;  //!< at the moment at hand
-  bool slow = false;        //!< the same
-  //! By moment, and in each by round.
+  double warm_up_ms = 0.0;  //!< at the current moment
+  bool slow = false;        //!< at the current moment
+  //! By moment, and within each by round.
   std::vector<std::vector<double>> prepare_ms;
   std::vector<std::vector<double>> frame_ms;
-  //! Of the moment at hand, by pixel: displacement in the view's axes.
+  //! Displacement in the view's axes, by pixel, at the current moment.
   std::vector<Vector3<double>> misses;
 };
 
-//! Means over the moments, by round: of the rounds that all have.
+//! Returns the means over the moments, by round; only for rounds that all moments have.
 std::vector<double> means_of(const std::vector<std::vector<double>>& moments) {
   std::vector<double> means = moments.empty() ? std::vector<double>() : moments.front();
   for (std::size_t i = 1; i < moments.size(); ++i) {
@@ -51,7 +53,7 @@ std::vector<double> means_of(const std::vector<std::vector<double>>& moments) {
 
 double length(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
 
-//! What a pixel's sky was when it was asked for: displacements of all pixels that count, zero elsewhere.
+//! Returns the displacements of all pixels that count, zero elsewhere.
 std::vector<Vector3<double>> misses_of(const PixelLens& lens, const PixelReference& reference,
                                        const PixelLattice& lattice) {
   std::vector<Vector3<double>> misses(reference.size());
@@ -61,7 +63,7 @@ std::vector<Vector3<double>> misses_of(const PixelLens& lens, const PixelReferen
   return misses;
 }
 
-//! Reads errors after a draw. Pixels that are dark, and dark by the method too, say nothing.
+//! Reads errors after a draw. Ignores pixels that are dark in both the reference and the method.
 void read_errors(const PixelLens& lens, const PixelReference& reference, const PixelLattice& lattice, Entry& entry,
                  ErrorMap& map) {
   entry.misses = misses_of(lens, reference, lattice);
@@ -96,7 +98,7 @@ class LensRace {
     }
   }
 
-  //! Errors and times at a moment.
+  //! Measures errors and times at a moment.
   void run(const AccuracyMoment& moment) {
     go_on(progress_, "reference rays");
     lattice_ = pixel_lattice(moment.projection, settings_.lattice, settings_.seed);

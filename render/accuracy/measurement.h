@@ -10,60 +10,65 @@
 
 namespace ergodome {
 
-//! Errors over a picture, one a cell of a lattice, the top row first; NaN where nothing was compared.
+//! Errors over a picture, one per cell of a lattice, top row first; NaN where nothing was compared.
 struct ErrorMap {
   int width = 0;
   int height = 0;
   std::vector<float> error;
 };
 
-//! What one way of making a picture costs, and what it misses by. All of it is measured; nothing is taken from a model.
+//! Measured cost and error of one way to make a picture.
 struct Measurement {
-  std::string method;     //!< "conforming grid"
-  std::string setting;    //!< "budget 0.25 px"
+  std::string method;     //!< for example "conforming grid"
+  std::string setting;    //!< for example "budget 0.25 px"
   std::string precision;  //!< "float", "double" or empty
-  std::string published;  //!< whose method it is; empty: our own
+  std::string published;  //!< authors of the method; empty: this project
 
   //! In the unit of its axis.
   ErrorSummary error;
-  std::optional<double> flicker;  //!< p99 of what the error changes by from a frame to the next, in the same unit
-  double lost = 0.0;              //!< part of the compared things that it shows as dark, or not at all
-  std::optional<ErrorSummary> light_error;  //!< beside a displacement: of the light, as a part of what is right
+  //! p99 of the error's change from frame to frame, in the same unit.
+  std::optional<double> flicker;
+  //! Fraction of the compared things that it shows as dark, or not at all.
+  double lost = 0.0;
+  //! In addition to a displacement: relative error of the light.
+  std::optional<ErrorSummary> light_error;
 
-  std::vector<double> prepare_ms;  //!< what is made before the first frame at a place, run by run: grids, tables
-  std::vector<double> frame_ms;    //!< a frame when that is there, in the same rounds
-  std::map<std::string, double> passes_ms;  //!< of one such frame, by what is counted (`ergodome plan --measure`)
-  std::size_t memory_bytes = 0;             //!< of what is prepared
-  std::optional<std::size_t> disk_bytes;    //!< of it in a trajectory
+  std::vector<double> prepare_ms;  //!< time to prepare a camera position (grids, tables), by run
+  std::vector<double> frame_ms;    //!< time of a frame with prepared data, in the same rounds
+  //! Of one such frame, by work counter (`ergodome plan --measure`).
+  std::map<std::string, double> passes_ms;
+  std::size_t memory_bytes = 0;           //!< of the prepared data
+  std::optional<std::size_t> disk_bytes;  //!< of the prepared data in a trajectory
 
-  bool best_ready = false;  //!< on the Pareto front of error (p99) and time of a frame
-  bool best_anew = false;   //!< on that of error and time of a frame with what it needs made anew
+  bool best_ready = false;  //!< on the Pareto front of error (p99) and time of a prepared frame
+  bool best_anew = false;   //!< on the Pareto front of error and time including preparation
 
   ErrorMap map;
-  std::string picture;  //!< file of the map's picture, beside the report; empty: none
+  std::string picture;  //!< image file of the map, beside the report; empty: none
 
-  //! Time of a frame with what it needs made anew, run by run [ms].
+  //! Returns the times of a frame including preparation, by run [ms].
   [[nodiscard]] std::vector<double> anew_ms() const;
 };
 
-//! What errors are counted in: pixels of the screen, or light as a part of the picture's mean.
+//! Unit of errors: pixels of the screen, or light relative to the picture's mean.
 enum class ErrorUnit { pixels, light };
 
-//! "px", or "%" of 1 = 100 %.
+//! Returns "px", or "%" of 1 = 100 %.
 const char* unit_name(ErrorUnit unit);
 
-//! A choice that a show leaves, and what each answer costs.
+//! A choice that a show leaves open, and the cost of each option.
 struct AccuracyAxis {
-  std::string name;   //!< "lens"
+  std::string name;   //!< for example "lens"
   std::string title;  //!< a sentence
   ErrorUnit unit = ErrorUnit::pixels;
-  std::string reference;  //!< what errors are counted from, a sentence
-  std::string base;       //!< the method that others are compared with at equal error; empty: whichever is cheapest
+  std::string reference;  //!< what errors are measured against, a sentence
+  //! The method with which others are compared at equal error; empty: the cheapest.
+  std::string base;
   std::vector<Measurement> choices;
-  std::string time = "per frame";  //!< what Measurement::frame_ms is the time of
+  std::string time = "per frame";  //!< what Measurement::frame_ms measures
 };
 
-//! The whole of a measurement.
+//! A complete measurement.
 struct AccuracyReport {
   std::string show;
   std::string title;
@@ -71,29 +76,29 @@ struct AccuracyReport {
   std::string date;  //!< UTC
   int width_px = 0;
   int height_px = 0;
-  double pixel_arcmin = 0.0;    //!< angle of the pixel that errors are counted in
-  std::vector<double> times_s;  //!< of the show, where it was looked at
-  int samples = 0;              //!< pixels compared at each
+  double pixel_arcmin = 0.0;    //!< angle of the pixel that is the unit of errors
+  std::vector<double> times_s;  //!< show times of the moments
+  int samples = 0;              //!< pixels compared at each moment
   int rounds = 0;
   double took_s = 0.0;
   std::vector<AccuracyAxis> axes;
-  std::vector<std::string> notes;  //!< what was left out, and why
+  std::vector<std::string> notes;  //!< what was omitted, and why
 };
 
-//! The slowest run of a choice over its quickest, as the median over all choices that were timed at least twice; 0 if none was. By the
-//! median a single choice that was disturbed does not count.
+//! Returns the slowest run of a choice over its fastest, as the median over all choices with at
+//! least two runs; 0 if there is none. The median is insensitive to single disturbed choices.
 double time_spread(const AccuracyReport& report);
 
-//! The largest time_spread() of a machine that is quiet enough to rank methods.
+//! Maximum time_spread() of a machine that is idle enough to rank methods.
 inline constexpr double busy_time_spread = 1.25;
 
-//! Whether times repeated too badly to rank methods by them.
+//! Returns whether times vary too much to rank methods.
 bool is_too_busy(const AccuracyReport& report);
 
 //! Marks both Pareto fronts of an axis.
 void mark_pareto(AccuracyAxis& axis);
 
-//! The axis of a name; nullptr where the show has no such choice.
+//! Returns the axis with a name; nullptr if the show has none.
 const AccuracyAxis* find_axis(const AccuracyReport& report, const std::string& name);
 
 }  // namespace ergodome

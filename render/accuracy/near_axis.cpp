@@ -9,7 +9,7 @@ namespace ergodome {
 
 namespace {
 
-//! What is near the hole, before a black sky.
+//! Returns a show with only disk, shells and objects, in front of a black sky.
 Show near_things_alone(Show show) {
   show.sky.map = "grid";
   show.sky.map_layout = {};
@@ -48,7 +48,7 @@ Show by_polygons(const Show& show, int most_divisions) {
   return changed;
 }
 
-//! Whether the published polygons can draw a show's objects, the way they move.
+//! Returns whether the published polygons can draw a show's objects with their motion.
 bool polygons_can_draw(const Show& show) {
   const Show drawn = by_method(show, ObjectMethod::polygon);
   const bool waits = std::ranges::any_of(show.objects, &ObjectSettings::retarded);

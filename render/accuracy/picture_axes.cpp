@@ -9,10 +9,10 @@ namespace ergodome {
 
 namespace {
 
-//! References take many samples a pixel: pictures are no wider than this.
+//! Maximum width of pictures: references take many samples per pixel.
 constexpr int most_map_px = 512;
 
-//! The show's map alone.
+//! Returns a show with only its map.
 Show map_alone(Show show) {
   show.sky.stars.clear();
   show.disk.reset();

@@ -11,7 +11,7 @@ namespace ergodome {
 
 namespace {
 
-//! Luminance of a pixel of linear Rec. 709.
+//! Returns the luminance of a pixel in linear Rec. 709.
 double luminance(const Picture& picture, std::int64_t pixel) {
   const float* const light = picture.rgba.data() + 4 * pixel;
   return 0.2126729 * static_cast<double>(light[0]) + 0.7151522 * static_cast<double>(light[1]) +
@@ -22,7 +22,7 @@ bool is_whole(const Picture& picture, std::int64_t pixel) {
   return picture.rgba[static_cast<std::size_t>(4 * pixel) + 3] >= 0.9999F;
 }
 
-//! Mean luminance of the whole pixels that shine.
+//! Returns the mean luminance of the fully covered pixels that shine.
 double mean_of(const Picture& picture, const std::vector<std::int64_t>& pixels) {
   double sum = 0.0;
   double count = 0.0;
@@ -34,7 +34,8 @@ double mean_of(const Picture& picture, const std::vector<std::int64_t>& pixels) 
   return count > 0.0 && sum > 0.0 ? sum / count : 1.0;
 }
 
-//! By pixel, the signed difference of the luminance as a part of the mean; NaN where nothing is compared: what is dark in both says nothing.
+//! Returns the signed difference of each pixel's luminance, relative to the mean; NaN for pixels
+//! that are not compared or dark in both pictures.
 std::vector<double> differences(const Picture& picture, const Picture& exact, const std::vector<std::int64_t>& pixels) {
   const double scale = 1.0 / mean_of(exact, pixels);
   std::vector<double> values;

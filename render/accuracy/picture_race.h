@@ -16,37 +16,42 @@ struct PictureChoice {
   LensChoice lens = LensChoice::automatic;
 };
 
-//! A picture that others are compared with, of the size of the moment's projection. It may render at another size and average.
+//! Renders the reference picture, with the size of the moment's projection. May render at another
+//! size and average.
 using ReferencePicture = std::function<Picture(const AccuracyMoment& moment, const CameraPose& pose)>;
 
-//! Measures ways to draw pictures: the difference of each compared pixel's luminance from the reference's, as a part of the mean of
-//! what shines in the reference; its change from a frame to the next; times of a frame whose lens is there, in turn; and what the last of them spent its time on.
+//! Measures ways to draw pictures: the difference of each compared pixel's luminance from the
+//! reference, relative to the mean of the reference's shining pixels; its change from frame to
+//! frame; times of frames with an existing lens, taken in turn; and the cost of each pass in the
+//! last frame.
 //!
-//! Pixels that the shadow or the rim of the image covers in part are not compared.
+//! Pixels that are partly covered by the shadow or by the rim of the image are not compared.
 std::vector<Measurement> measure_pictures(const std::vector<PictureChoice>& choices, const ReferencePicture& reference,
                                           const std::vector<AccuracyMoment>& moments, const AccuracySettings& settings,
                                           const AccuracyProgress& progress);
 
-//! Mean of the pixels of a picture in blocks of `blocks` x `blocks`.
+//! Averages the pixels of a picture in blocks of `blocks` x `blocks`.
 Picture averaged(const Picture& picture, int blocks);
 
-//! The filters of the sky's map against the light summed exactly over parts of pixels.
+//! Compares the filters of the sky's map with the light integrated exactly over parts of pixels.
 AccuracyAxis measure_map(const Show& show, const AccuracySettings& settings, const AccuracyProgress& progress);
 
-//! Whether frames take seconds without a GPU: they have objects, drawn by OpenGL. Fewer of them are then looked at.
+//! Returns whether frames take seconds without a GPU because they have objects, which OpenGL draws.
+//! Fewer such frames are measured.
 inline bool draws_slowly(const Show& show) { return !show.objects.empty(); }
 
-//! The same settings for pictures that are no wider.
+//! Returns the settings with the picture width limited to `most_px`.
 AccuracySettings no_wider(AccuracySettings settings, const Show& show, int most_px);
 
-//! What is asked of frames of a show that draws slowly: one moment, two rounds, small pictures. A lit object of 1024² pixels takes half a
-//! minute by rays.
+//! Returns the settings reduced for shows that draw slowly: one moment, two rounds, small pictures.
+//! A lit object of 1024² pixels takes half a minute with rays.
 AccuracySettings paced(const AccuracySettings& settings, const Show& show);
 
-//! Disk, shells and objects alone: by rays, and objects by the published polygons where those can draw them. The show has some.
+//! Measures disk, shells and objects alone: with rays, and objects also with the published polygons
+//! if these can draw them. The show must have some.
 AccuracyAxis measure_near(const Show& show, const AccuracySettings& settings, const AccuracyProgress& progress);
 
-//! Whole frames as the show has them, by where their lens comes from.
+//! Measures whole frames of the show with each source of the lens.
 AccuracyAxis measure_frames(const Show& show, const AccuracySettings& settings, const AccuracyProgress& progress);
 
 }  // namespace ergodome

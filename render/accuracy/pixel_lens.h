@@ -12,37 +12,39 @@
 
 namespace ergodome {
 
-//! Directions of the pixels inside a picture, and where their light comes from: what methods that trace single rays work on.
+//! Directions of the pixels inside a picture, and where their light comes from; for methods that
+//! trace single rays.
 template <class S>
 struct RayPicture {
   std::vector<std::int64_t> pixels;  //!< in ascending order
   std::vector<S> n[3], sky[3], status;
 };
 
-//! What is asked of a pixel: where its light comes from, or also the footprint that it has on the sky there.
+//! What is computed for a pixel: where its light comes from, or also its footprint on the sky.
 enum class PixelNeed { sky, footprint };
 
-//! The instant of a moment that is looked at, or the frame after it.
+//! The moment itself, or the frame after it.
 enum class FrameOfMoment { now, next };
 
-//! An eye, its picture, and room for what methods find there. Methods share the room: what one has found is there until the next draws.
+//! An eye, its picture, and memory for the results of methods. Methods share the memory: results
+//! stay until the next draw.
 class LensScene {
  public:
   LensScene(const AccuracyMoment& moment, FrameOfMoment frame, PixelNeed need);
 
   [[nodiscard]] const AccuracyMoment& moment() const { return moment_; }
   [[nodiscard]] const EyeCamera& eye() const { return frame_ == FrameOfMoment::now ? moment_.eye : moment_.next; }
-  //! Of the head whose eye that is.
+  //! Returns the pose of the head to which the eye belongs.
   [[nodiscard]] const CameraPose& pose() const {
     return frame_ == FrameOfMoment::now ? moment_.pose : moment_.next_pose;
   }
   [[nodiscard]] const Projection& projection() const { return moment_.projection; }
 
-  //! Made at the first call.
+  //! Returns the rays; allocates them at the first call.
   template <class S>
   RayPicture<S>& rays();
 
-  //! Channels of the whole picture: coverage, sky, and footprints where they are needed.
+  //! Returns the channels of the whole picture: coverage, sky, and footprints if needed.
   LensPixels& pixels();
 
  private:
@@ -55,7 +57,7 @@ class LensScene {
   LensPixels pixels_{};
 };
 
-//! A way to find where the light of a picture's pixels comes from, ready for one eye.
+//! A method that finds where the light of a picture's pixels comes from, prepared for one eye.
 class PixelLens {
  public:
   PixelLens() = default;
@@ -63,20 +65,22 @@ class PixelLens {
   PixelLens(const PixelLens&) = delete;
   PixelLens& operator=(const PixelLens&) = delete;
 
-  //! Finds it for all pixels: a frame's work.
+  //! Computes all pixels: the work of one frame.
   virtual void draw() = 0;
 
-  //! What a pixel saw in the last draw(): nothing where it is dark.
+  //! Returns what a pixel saw in the last draw(): nothing if the pixel is dark.
   [[nodiscard]] virtual std::optional<Vector3<double>> sky(std::int64_t pixel) const = 0;
 
-  //! Memory that what is ready takes.
+  //! Returns the memory of the prepared data [bytes].
   [[nodiscard]] virtual std::size_t bytes() const { return 0; }
 
-  //! The same in a trajectory; nothing where it has no place there.
+  //! Returns the size of the prepared data in a trajectory [bytes]; nothing if it cannot be stored
+  //! there.
   [[nodiscard]] virtual std::optional<std::size_t> disk_bytes() const { return std::nullopt; }
 };
 
-//! A PixelLens for a choice of method and settings, with what the report says of it. `make` is timed as what a new place of the camera takes.
+//! A method with settings and its description in the report. `make` prepares it; its time is the
+//! cost of a new camera position.
 struct LensChoiceToMeasure {
   std::string method;
   std::string setting;
@@ -85,19 +89,22 @@ struct LensChoiceToMeasure {
   std::function<std::unique_ptr<PixelLens>(LensScene&)> make;
 };
 
-//! A ray a pixel. `step_limit`: after which a ray counts as lost.
+//! Returns the choice of one ray per pixel, with an integrator and in float if `narrow`.
 LensChoiceToMeasure ray_choice(TraceMethod method, bool narrow, double tolerance);
 
-//! The renderer's own: a ray a pixel in float, with the shadow's soft edge, to an error on the screen [px].
+//! Returns the choice of the renderer's direct rays: one ray per pixel in float, with antialiased
+//! shadow edge, to an error on the screen [px].
 LensChoiceToMeasure direct_choice(double tolerance_px);
 
-//! The conforming grid of the place. Float where the renderer would take it, too.
+//! Returns the choice of the conforming grid for the position, in float where the renderer would
+//! use float.
 LensChoiceToMeasure grid_choice(double budget_px);
 
-//! VE's grid (2021), read once a pixel.
+//! Returns the choice of VE's grid (2021), read once per pixel.
 LensChoiceToMeasure quadtree_choice(int finest_level, bool spline);
 
-//! The same with splines as the renderer reads it: five times a pixel, whose footprint the middles of its sides span.
+//! Returns the same with splines, as the renderer reads it: five times per pixel, with a footprint
+//! from the middles of the pixel's sides.
 LensChoiceToMeasure quadtree_pixel_choice(int finest_level);
 
 }  // namespace ergodome

@@ -40,7 +40,8 @@ PixelReference::PixelReference(const EyeCamera& eye, const Projection& projectio
                                const std::vector<std::int64_t>& pixels, double pixel)
     : pixel_(pixel), points_(pixels.size()) {
   place_points(eye, projection, pixels);
-  // The closed form says where light comes from; it shares nothing with the series that the derivatives are from.
+  // The closed form yields the origin of the light, independently of the series from which the
+  // derivatives come.
   const std::size_t count = pixels.size();
   Components n;
   Components sky;

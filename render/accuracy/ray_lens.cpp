@@ -11,7 +11,7 @@ namespace ergodome {
 namespace {
 
 constexpr int ray_step_limit = 2000;
-//! Ten times the published tracer's own.
+//! Ten times the published tracer's limit.
 constexpr int baseline_step_limit = 20'000;
 
 template <class S>
@@ -41,7 +41,7 @@ RayBatch<S> batch_of(LensScene& scene) {
   return batch;
 }
 
-//! A ray a pixel, by any integrator.
+//! One ray per pixel, with any integrator.
 template <class S>
 class RayLens : public PixelLens {
  public:
@@ -58,7 +58,7 @@ class RayLens : public PixelLens {
   RayBatch<S> batch_;
 };
 
-//! VE's grid of the eye's place and motion, one look a pixel.
+//! VE's grid for the eye's position and motion, read once per pixel.
 class QuadtreePixels : public PixelLens {
  public:
   QuadtreePixels(LensScene& scene, int finest_level, QuadtreeInterpolation how)

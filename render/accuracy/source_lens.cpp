@@ -13,7 +13,7 @@ namespace ergodome {
 
 namespace {
 
-//! Of what a grid leaves to rays, as a part of its budget: as the renderer has it.
+//! Tolerance of rays that a grid leaves, as a fraction of its budget, as in the renderer.
 constexpr double ray_share = 0.2;
 
 GridSettings grid_settings(const LensScene& scene, double budget_px) {

@@ -8,7 +8,7 @@
 
 namespace ergodome {
 
-//! The sky that a pixel of some channels sees; nothing where it is dark.
+//! Returns the sky direction that a pixel sees; nothing if the pixel is dark.
 inline std::optional<Vector3<double>> seen_in(const LensPixels& pixels, std::int64_t pixel) {
   const Vector3<double> seen = {pixels.sky[0][pixel], pixels.sky[1][pixel], pixels.sky[2][pixel]};
   if (!(pixels.coverage[pixel] > 0.0F) || !(dot(seen, seen) > 0.0)) {
@@ -17,10 +17,10 @@ inline std::optional<Vector3<double>> seen_in(const LensPixels& pixels, std::int
   return seen;
 }
 
-//! One of the renderer's own lens sources, on the processor.
+//! One of the renderer's lens sources, on the CPU.
 class SourcePixels : public PixelLens {
  public:
-  //! `disk_bytes` is asked when somebody wants to know: to pack a station takes longer than to build it.
+  //! `disk_bytes` is called on demand: packing a station takes longer than building it.
   SourcePixels(LensScene& scene, std::unique_ptr<LensSource> source, std::size_t bytes = 0,
                std::function<std::size_t()> disk_bytes = {})
       : height_px_(scene.projection().height_px),

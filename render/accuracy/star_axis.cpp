@@ -18,11 +18,11 @@ namespace ergodome {
 namespace {
 
 constexpr std::size_t method_count = 2;
-//! Images farther than this from any exact one are of none [px].
+//! Images farther than this from any exact one match none [px].
 constexpr double match_px = 2.0;
-//! Next to caustics magnifications are capped by stars' disks, and say nothing of the method.
+//! Next to caustics magnifications are limited by the stars' disks, and do not measure the method.
 constexpr double most_magnification = 1e3;
-//! So much brighter than the faintest that are asked for, that both methods must have it.
+//! Images brighter than the requested limit by this factor must be found by both methods.
 constexpr double clearly_bright = 1.1;
 
 struct Found {
@@ -41,7 +41,7 @@ double luminance(const Vector3<float>& light) {
   return static_cast<double>(0.2126729F * light.x + 0.7151522F * light.y + 0.0721750F * light.z);
 }
 
-//! Whether a direction lies in the picture, a few pixels from its rim.
+//! Returns whether a direction is in the picture, a few pixels from its rim.
 bool is_inside(const EyeCamera& eye, const Projection& projection, const Vector3<double>& n) {
   const auto along = [&](int axis) {
     return n.x * eye.frame_from_view[0][axis] + n.y * eye.frame_from_view[1][axis] + n.z * eye.frame_from_view[2][axis];
@@ -81,7 +81,7 @@ class StarRace {
     settings_.view = view_cone(moment.eye, moment.projection, 0.05);
   }
 
-  //! What a new place takes.
+  //! Prepares a new camera position.
   void prepare() {
     station_ = build_star_station(moment_.eye, settings_);
     patches_.emplace(star_patches(field_, colours_.view(), moment_.eye, station_, settings_));
@@ -99,7 +99,7 @@ class StarRace {
     }
   }
 
-  //! Images of the last search that lie in the picture and are clearly bright.
+  //! Returns the images of the last search that are in the picture and clearly bright.
   [[nodiscard]] std::vector<Found> found() const {
     std::vector<Found> all;
     for (const StarImage& image : images_) {
@@ -142,7 +142,7 @@ double distance_px(const Vector3<double>& a, const Vector3<double>& b, double pi
   return std::sqrt(dot(apart, apart)) / pixel;
 }
 
-//! What a method has missed by, over all moments.
+//! Errors of a method over all moments.
 struct Tally {
   std::vector<double> places_px;
   std::vector<double> lights;
@@ -189,7 +189,7 @@ void count_lost(const ExactByStar& known, const std::vector<Found>& found, doubl
   }
 }
 
-//! Runs both methods round by round, and adds what they took.
+//! Runs both methods round by round and adds their times.
 void time(StarRace& race, const AccuracySettings& settings, const AccuracyProgress& progress,
           std::array<Measurement, method_count>& results) {
   for (std::size_t round = 0; round < static_cast<std::size_t>(settings.rounds); ++round) {

@@ -6,10 +6,12 @@
 
 namespace ergodome {
 
-//! The ways to find images of stars: by inverting the lens, and by what each pixel covers (VE). Nothing for a show without stars.
+//! Measures the ways to find images of stars: by inverting the lens, and by gathering what each
+//! pixel covers (VE). Returns nothing for a show without stars.
 //!
-//! Errors are distances of images from where they are exactly (exact_images), beside the error of their magnification; lost are images
-//! that some method has found, exactly there, and another has not.
+//! Errors are distances of images from their exact positions (exact_images), with the errors of
+//! their magnifications. Lost are images that one method finds, confirmed as exact, and the other
+//! does not.
 std::optional<AccuracyAxis> measure_stars(const Show& show, const std::vector<AccuracyMoment>& moments,
                                           const AccuracySettings& settings, const AccuracyProgress& progress);
 

@@ -18,13 +18,13 @@ namespace ergodome {
 
 namespace {
 
-//! A way of the camera on which r and θ run one way.
+//! A part of the camera's path on which r and θ are monotonic.
 struct Leg {
   double begin_s = 0.0;
   double end_s = 0.0;
 };
 
-//! All of them on which the camera moves.
+//! Returns all such parts on which the camera moves.
 std::vector<Leg> legs_of(const Show& show) {
   const std::vector<double> ends_s = path_ends_s(show);
   std::vector<Leg> legs;
@@ -38,7 +38,7 @@ std::vector<Leg> legs_of(const Show& show) {
   return legs;
 }
 
-//! The leg on which a time lies, if the camera moves on it.
+//! Returns the leg that contains a time, if the camera moves on it.
 std::optional<Leg> leg_at(const Show& show, double time_s) {
   for (const Leg& leg : legs_of(show)) {
     if (time_s >= leg.begin_s && time_s <= leg.end_s) {
@@ -50,7 +50,7 @@ std::optional<Leg> leg_at(const Show& show, double time_s) {
 
 using StationPointer = std::shared_ptr<const StationBuffers>;
 
-//! Two stations about a moment, blended anew for each frame, as a stream does.
+//! Two stations around a moment, blended again for each frame, as a stream does.
 class StationPixels : public PixelLens {
  public:
   StationPixels(LensScene& scene, double spacing_s, bool derivatives) : scene_(scene), pixels_(scene.pixels()) {
@@ -108,7 +108,7 @@ LensChoiceToMeasure station_choice(double spacing_s, bool derivatives) {
           [=](LensScene& scene) { return std::make_unique<StationPixels>(scene, spacing_s, derivatives); }};
 }
 
-//! Of two stations, to what a second of the show takes of them.
+//! Converts the results for two stations to those per second of the show.
 void count_a_second(Measurement& choice, double spacing_s) {
   choice.passes_ms["blending two stations and reading every pixel"] = spread_of(choice.frame_ms).median;
   for (std::size_t i = 0; i < choice.frame_ms.size(); ++i) {

@@ -6,14 +6,15 @@
 
 namespace ergodome {
 
-//! Whether a show's camera path can be baked, and has something to bake: see measure_stations.
+//! Returns whether a show's camera path can be baked and needs stations: see measure_stations.
 bool has_stations(const Show& show);
 
-//! Stations along a show's camera path: how far apart they may be when pictures between them are blended, with and without the stations'
-//! derivatives. Nothing where the camera comes no nearer to the hole or its axis, nor farther, where the spin changes, and for the quadtree
-//! scheme: such shows are not baked.
+//! Measures how far apart stations on a show's camera path may be if pictures between them are
+//! blended, with and without the stations' derivatives. Returns nothing for shows that are not
+//! baked: the camera's r and θ are constant, the spin changes, or the grid scheme is quadtree.
 //!
-//! Times and bytes are those of a second of the show: of the stations that it takes. A place half way between two is the worst.
+//! Times and bytes are those of the stations for one second of the show. Errors are measured
+//! halfway between two stations, where they are largest.
 std::optional<AccuracyAxis> measure_stations(const Show& show, const std::vector<AccuracyMoment>& moments,
                                              const AccuracySettings& settings, const AccuracyProgress& progress);
 

@@ -5,16 +5,17 @@
 
 namespace ergodome {
 
-//! What a set of errors looks like. A NaN counts as an infinite error, so that nothing that went wrong looks right.
+//! Summary of a set of errors. NaN counts as an infinite error, so that failures never look
+//! accurate.
 struct ErrorSummary {
   std::size_t count = 0;
   double median = 0.0;
-  double p99 = 0.0;   //!< all but one in a hundred are no greater
-  double p999 = 0.0;  //!< all but one in a thousand
+  double p99 = 0.0;   //!< 99 % of the errors are at most this
+  double p999 = 0.0;  //!< 99.9 % of the errors are at most this
   double largest = 0.0;
 };
 
-//! Several runs of one piece of work.
+//! Several runs of the same work.
 struct Spread {
   double median = 0.0;
   double least = 0.0;
@@ -22,20 +23,23 @@ struct Spread {
   int runs = 0;
 };
 
-//! The value that a share of the values (0 to 1) does not exceed: nearest rank, of sorted values; 0 of none.
+//! Returns the value that a share of the values (0 to 1) does not exceed: nearest rank, of sorted
+//! values; 0 without values.
 double quantile(const std::vector<double>& sorted, double share);
 
-//! Summary of errors, which are not negative, in any order.
+//! Summarizes errors, which must not be negative, in any order.
 ErrorSummary summary_of(std::vector<double> errors);
 
-//! Middle and ends of runs, in any order. With an even number of runs the middle is the mean of the middle two.
+//! Returns median and extremes of runs, in any order. The median of an even number of runs is the
+//! mean of the middle two.
 Spread spread_of(std::vector<double> runs);
 
-//! Ratios of one piece of work's runs to another's that were timed in the same rounds; as many as both have.
+//! Returns the ratios of runs to others that were timed in the same rounds; as many as both have.
 Spread ratio_of(const std::vector<double>& runs, const std::vector<double>& other);
 
-//! Which of a number of choices are worth their cost: no other is as good in both cost and error, and better in one. Choices whose cost or
-//! error is not finite never are. Throws nothing; both have one value a choice.
+//! Returns for each choice whether it is on the Pareto front: no other is at least as good in cost
+//! and error, and better in one. Choices with a non-finite cost or error never are. Both vectors
+//! have one value per choice.
 std::vector<bool> pareto_front(const std::vector<double>& cost, const std::vector<double>& error);
 
 }  // namespace ergodome

@@ -23,7 +23,7 @@ namespace {
 
 constexpr double sides[] = {0.5, -0.5};  //!< the right eye, and the left one, which is compared
 
-//! What both eyes look at, before convergence turns their pictures apart.
+//! Returns the projection of both eyes before convergence shifts their pictures.
 Projection head_projection(const LensScene& scene) {
   return make_projection(scene.moment().show.view, scene.projection().width_px, 0.0);
 }
@@ -33,7 +33,8 @@ Projection own_projection(const LensScene& scene, double side) {
   return converged_projection(head_projection(scene), side * stereo.baseline, stereo.convergence);
 }
 
-//! The lenses of a pair's pictures, the left eye's last: they share the room, and it is the left one's that stays there.
+//! The lenses of a pair's pictures, the left eye's last: they share memory, which then holds the
+//! left eye's result.
 class PairPixels : public PixelLens {
  public:
   PairPixels(LensScene& scene, std::vector<std::unique_ptr<LensSource>> sources)
@@ -55,7 +56,7 @@ class PairPixels : public PixelLens {
   std::vector<std::unique_ptr<LensSource>> sources_;
 };
 
-//! The head's lens for both eyes, and before it the shadow that each eye sees.
+//! The head's lens for both eyes, masked with the shadow that each eye sees.
 class FlatPixels : public PairPixels {
  public:
   FlatPixels(LensScene& scene, std::vector<std::unique_ptr<LensSource>> sources)
@@ -89,17 +90,17 @@ class FlatPixels : public PairPixels {
   EyeCamera head_;
   double baseline_;
   std::vector<Projection> projections_;
-  Picture light_;  //!< what is left of it before the shadow
+  Picture light_;  //!< light that remains outside the shadow
 };
 
-//! Where a lens comes from, and how exact it has to be.
+//! Source and accuracy of a lens.
 struct LensWay {
   LensChoice choice;
   LensAccuracy accuracy;
   std::string name;
 };
 
-//! The lenses that the renderer takes, made anew.
+//! Creates the lens that the renderer would use.
 std::unique_ptr<LensSource> lens_of(const LensWay& way, LensChooser& chooser, const EyeCamera& eye,
                                     const Projection& projection) {
   return chooser.choose({way.choice, eye, projection, ViewMode::sky, way.accuracy, {}, GridScheme::conforming});
@@ -157,7 +158,7 @@ std::vector<LensChoiceToMeasure> stereo_choices(bool quick) {
   return choices;
 }
 
-//! The moment as the left eye has it.
+//! Returns the moment for the left eye.
 AccuracyMoment left_eye_of(AccuracyMoment moment) {
   const StereoSettings& stereo = moment.show.stereo;
   const double offset = -0.5 * stereo.baseline;

@@ -4,7 +4,7 @@
 
 namespace ergodome {
 
-//! Time since it was made, by the clock on the wall.
+//! Measures the wall-clock time since its creation.
 class Stopwatch {
  public:
   [[nodiscard]] double elapsed_ms() const {

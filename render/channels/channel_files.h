@@ -11,21 +11,21 @@
 
 namespace ergodome {
 
-//! A fact about a frame of channels.
+//! A metadata entry of a frame of channels.
 struct ChannelFact {
-  std::string name;     //!< in an EXR, behind "ergodome:"
+  std::string name;     //!< in an EXR, after "ergodome:"
   std::string keyword;  //!< in a FITS header
   std::variant<std::string, double, int> value;
   std::string comment{};  //!< in a FITS header
 };
 
-//! Writes channels as one EXR of 32-bit floats; `compression` is lossless. Facts are attributes. The file is there whole or not at all; throws
-//! Error where it cannot be written.
+//! Writes channels as one EXR of 32-bit floats; `compression` must be lossless. Facts become
+//! attributes. The file is complete or absent. Throws Error if it cannot be written.
 void write_channel_exr(const std::filesystem::path& path, ExrCompression compression, int width, int height,
                        const std::vector<PixelChannel>& channels, const std::vector<ChannelFact>& facts);
 
-//! Writes channels as the image extensions of one FITS file, in doubles, with checksums. Facts are keywords of the primary header. Rows run
-//! upwards. Otherwise as write_channel_exr().
+//! Writes channels as image extensions of one FITS file, in doubles, with checksums. Facts become
+//! keywords of the primary header. Rows run upwards. Otherwise like write_channel_exr().
 void write_channel_fits(const std::filesystem::path& path, int width, int height,
                         const std::vector<PixelChannel>& channels, const std::optional<PictureWcs>& wcs,
                         const std::vector<ChannelFact>& facts);

@@ -8,7 +8,7 @@
 
 namespace ergodome {
 
-//! Where a ray meets the disk.
+//! A point where a ray meets the disk.
 struct DiskCrossing {
   double r;                //!< [M]
   double azimuth_deg;      //!< Boyer-Lindquist φ, in [0, 360)
@@ -16,7 +16,7 @@ struct DiskCrossing {
   double delay;            //!< coordinate time from there to the camera [M]
 };
 
-//! A ray's first crossings of the equatorial plane; nothing at those beyond the disk's edges.
+//! A ray's first crossings of the equatorial plane; crossings outside the disk's edges are empty.
 using DiskCrossings = std::array<std::optional<DiskCrossing>, crossing_orders>;
 
 //! Edges of a disk [M].
@@ -25,12 +25,13 @@ struct DiskEdges {
   double outer;
 };
 
-//! Follows single rays of a camera to the disk, in double precision.
+//! Traces single rays of a camera to the disk, in double precision.
 class DiskTracer {
  public:
   DiskTracer(const CameraStation& camera, const DiskEdges& edges);
 
-  //! Returns what the camera sees in direction `n` (e_r, e_θ, e_φ); nothing where the ray does not converge.
+  //! Returns what the camera sees in direction `n` (e_r, e_θ, e_φ); nothing if the ray does not
+  //! converge.
   [[nodiscard]] std::optional<DiskCrossings> trace(const Vector3<double>& n) const;
 
  private:

@@ -8,10 +8,10 @@ namespace ergodome {
 
 namespace {
 
-//! Pixel at a position of the image, -1 to 1 across width and height, as FITS counts them.
+//! Returns the FITS pixel coordinate of a position in the image, -1 to 1 across width or height.
 double fits_pixel(double position, int size_px) { return 0.5 * (1.0 + position) * size_px + 0.5; }
 
-//! 1, or -1 in the mirror image.
+//! Returns 1, or -1 for a mirrored image.
 double to_the_right(const Projection& projection) { return -projection.left; }
 
 PictureWcs pinhole_wcs(const Projection& projection) {
@@ -26,7 +26,8 @@ PictureWcs pinhole_wcs(const Projection& projection) {
           180.0};
 }
 
-//! The radius in the plane of projection [deg] where a lens has 1: half the width of the picture.
+//! Returns the FITS projection code of a lens and the radius of its unit circle (half the width of
+//! the picture) in the plane of projection [deg].
 std::pair<const char*, double> lens_wcs(const FisheyeLens<double>& lens) {
   switch (lens.law) {
     case LensLaw::equidistant:

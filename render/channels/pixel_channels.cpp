@@ -23,11 +23,11 @@ using Derived = Dual<double>;
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
-//! Pixels that are worked on at a time.
+//! Pixels per block.
 constexpr int traced_block_px = 1 << 15;
 constexpr int rays_of_a_task = 64;
 
-//! Derivatives are as good as the number of terms lets them be from this tolerance on.
+//! With this tolerance, the accuracy of derivatives is limited only by the number of terms.
 constexpr double derivative_tolerance = 1e-12;
 
 template <class T>
@@ -39,7 +39,7 @@ Vector3<T> turned_from_view(const EyeCamera& eye, const Vector3<T>& view) {
   return {row(0), row(1), row(2)};
 }
 
-//! An angle in [0, 360).
+//! Returns an angle in [0, 360).
 double turn_deg(double y, double x) {
   const double angle = radian_deg * std::atan2(y, x);
   return angle < 0.0 ? angle + 360.0 : angle;
@@ -47,7 +47,7 @@ double turn_deg(double y, double x) {
 
 double latitude_deg(const Vector3<double>& v) { return radian_deg * std::atan2(v.z, std::hypot(v.x, v.y)); }
 
-//! Pixels of a block whose middle lies in the image, and their rays.
+//! Pixels of a block whose middle is in the image, and their rays.
 struct RayBlock {
   std::vector<std::size_t> pixels;
   std::array<std::vector<double>, 3> n, sky;
@@ -60,7 +60,7 @@ struct RayBlock {
   }
 };
 
-//! Traces the blocks of a picture, and writes the numbers of its channels.
+//! Traces the blocks of a picture and stores the values of its channels.
 class ChannelTracer {
  public:
   ChannelTracer(const ChannelScene& scene, const std::vector<ChannelGroup>& groups)
@@ -142,7 +142,7 @@ class ChannelTracer {
     }
   }
 
-  //! Writes the numbers of a ray. Returns whether all of its numbers converged.
+  //! Stores the values of a ray. Returns whether all of them converged.
   bool store(const RayBlock& rays, std::size_t i) {
     const std::optional<DiskCrossings> crossings = meets_disk_ ? disk_.trace(rays.direction(i)) : DiskCrossings{};
     bool resolved = crossings && !rays.has(i, RayStatus::not_converged);
@@ -212,8 +212,10 @@ class ChannelTracer {
     }
   }
 
-  //! The angle that the ray sweeps about the hole, in half turns: |m'| times the Mino time, with m_z² as it is on average at the ends. Exact
-  //! for a hole without spin. The same as in kernels/trace/trace_pixels_kernel.h.
+  //! Returns the angle that the ray sweeps about the hole, in half turns:
+  //! m'
+  //! times the Mino time, with the mean of m_z² at both ends. Exact for a hole without spin. Same
+  //! formula as in kernels/trace/trace_pixels_kernel.h.
   [[nodiscard]] double swept_half_turns(const RayBlock& rays, std::size_t i) const {
     const RayStart<double> start = start_ray(camera_, rays.direction(i));
     const double square = 0.5 * (start.m.z * start.m.z + rays.sky[2][i] * rays.sky[2][i]);
@@ -221,7 +223,8 @@ class ChannelTracer {
     return rate * rays.mino_time[i] / pi;
   }
 
-  //! Ratio of solid angles from the exact derivatives of the lens. Negative where the image is mirrored.
+  //! Returns the ratio of solid angles from exact derivatives of the lens; negative where the image
+  //! is mirrored.
   [[nodiscard]] std::optional<double> magnification(std::size_t pixel) const {
     const auto [x, y] = middle_of(pixel);
     const Vector3<Derived> view = direction_from_pixel(scene_.projection, Derived(x, 1.0, 0.0), Derived(y, 0.0, 1.0));
@@ -264,7 +267,7 @@ class ChannelTracer {
   CameraStation camera_;
   DiskTracer disk_;
   bool meets_disk_ = false;
-  std::vector<std::size_t> first_;  //!< channel of each group
+  std::vector<std::size_t> first_;  //!< first channel of each group
   PixelChannels found_;
 };
 

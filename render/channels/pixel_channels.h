@@ -11,21 +11,21 @@
 
 namespace ergodome {
 
-//! How exactly the rays of channels are followed: as closely as doubles allow.
+//! Accuracy of the rays: as good as doubles allow.
 inline constexpr double channel_tolerance = 1e-14;
 inline constexpr int channel_step_limit = 100'000;
 
-//! A number at each pixel, row by row from the top. NaN where it is undefined.
+//! The values of a channel, row by row from the top; NaN where undefined.
 struct PixelChannel {
   ChannelMeaning meaning;
   std::vector<double> values;
 };
 
-//! What the rays of a picture may meet.
+//! The scene of a picture's channels.
 struct ChannelScene {
   EyeCamera eye;
   Projection projection;
-  double disk_inner = 0.0;  //!< edges of the disk [M]; for the groups of the disk alone
+  double disk_inner = 0.0;  //!< edges of the disk [M]; used only by the groups of the disk
   double disk_outer = 0.0;
   glm::dmat3 equatorial_from_sky{1.0};  //!< from the hole's sky axes to J2000
 };
@@ -33,13 +33,15 @@ struct ChannelScene {
 //! The channels of some groups, in their order.
 struct PixelChannels {
   std::vector<PixelChannel> channels;
-  long unresolved = 0;  //!< pixels with a ray that did not converge: its numbers are NaN
+  long unresolved = 0;  //!< pixels with a ray that did not converge; their values are NaN
 };
 
-//! Computes the numbers of every pixel from the ray through its middle, in double precision on the CPU. Pixels whose middle lies outside
-//! the image are NaN. ChannelGroup::color is not among `groups`.
+//! Computes the channel values of every pixel from the ray through its middle, in double precision
+//! on the CPU. Pixels whose middle is outside the image are NaN. `groups` must not contain
+//! ChannelGroup::color.
 //!
-//! `advance` is called now and then; channels are incomplete, and of no use, once it has returned false.
+//! `advance` is called from time to time; if it returns false, tracing stops and the channels are
+//! incomplete.
 PixelChannels trace_channels(const ChannelScene& scene, const std::vector<ChannelGroup>& groups,
                              const std::function<bool()>& advance);
 

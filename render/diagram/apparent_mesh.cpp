@@ -16,23 +16,23 @@ namespace {
 using Triangle = std::array<std::uint32_t, 3>;
 
 constexpr std::uint32_t whole_edge = 0xFFFFFFFFU;
-//! Meshes are not divided beyond this.
+//! Maximum number of triangles after dividing.
 constexpr std::size_t most_divided_triangles = 1'000'000;
 
 double length_of(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
 
-//! Edges by their two corners, the smaller number first.
+//! Returns a key of an edge from its two corners, the smaller number first.
 std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
   return (std::uint64_t{std::min(a, b)} << 32U) | std::max(a, b);
 }
 
-//! Halves edges where they are bent.
+//! Halves edges that look curved.
 class EdgeDivider {
  public:
   EdgeDivider(const Vector3<double>& observer, int order, double tolerance, ApparentMesh& mesh)
       : observer_(observer), order_(order), tolerance_(tolerance), mesh_(mesh) {}
 
-  //! Divides every triangle once; false where none needs it.
+  //! Divides every triangle at most once. Returns false if no triangle needs it.
   bool divide() {
     judge_new_edges();
     std::vector<Triangle> divided;
@@ -73,7 +73,7 @@ class EdgeDivider {
     }
   }
 
-  //! The middle of an edge that is seen bent.
+  //! Returns the middle of an edge if the edge looks curved.
   [[nodiscard]] std::optional<ApparentVertex> bent_middle(const ApparentVertex& a, const ApparentVertex& b) const {
     const ApparentVertex middle =
         apparent_vertex(observer_, 0.5 * (a.place + b.place), order_,
@@ -98,7 +98,7 @@ class EdgeDivider {
     }
   }
 
-  //! With one bent edge, or with one that is not.
+  //! Divides a triangle with exactly one curved edge, or with exactly one straight one.
   static void divide_in_part(const Triangle& t, const Triangle& middle, bool one_bent, std::vector<Triangle>& into) {
     std::size_t odd = 0;
     while ((middle[odd] != whole_edge) != one_bent) {
@@ -123,10 +123,12 @@ class EdgeDivider {
   int order_;
   double tolerance_;
   ApparentMesh& mesh_;
-  std::unordered_map<std::uint64_t, std::uint32_t> middles_;  //!< vertex in the middle of each edge, or whole_edge
+  //! Vertex in the middle of each edge, or whole_edge.
+  std::unordered_map<std::uint64_t, std::uint32_t> middles_;
 };
 
-//! Whether the hole tears a triangle: as the polygons' geometry shader has it (render/objects/object_shaders.cpp).
+//! Returns whether the hole tears a triangle, by the same rule as the polygons' geometry shader
+//! (render/passes/objects/polygons/object_shaders.cpp).
 bool torn_by_hole(const Vector3<double>& observer, const std::array<const ApparentVertex*, 3>& corners, double torn) {
   const Vector3<double> outward = (1.0 / length_of(observer)) * observer;
   double around = 0.0;

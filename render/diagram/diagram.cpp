@@ -25,18 +25,19 @@ namespace {
 constexpr double ray_width_px = 1.6;
 constexpr double other_ray_width_px = 1.0;
 constexpr double sight_width_px = 1.0;
-//! Of an image of an object, rays that are prolonged to what they show.
+//! Maximum number of rays per object image that are extended to the apparent position.
 constexpr int most_sights = 6;
-//! Of what is shown, the length of a dash.
+//! Length of a dash, as a fraction of the scene's extent.
 constexpr double dash_share = 0.012;
-//! Of what is shown, a bend that is not to be seen.
+//! Size of an invisible curvature, as a fraction of the scene's extent.
 constexpr double finest_bend = 1.0 / 2000.0;
-//! Of it, how far the borders of the observer's view are drawn.
+//! Drawn length of the borders of the observer's view, as a fraction of the scene's extent.
 constexpr double view_share = 0.14;
-//! Corners of a mesh among which rays are chosen.
+//! Maximum number of a mesh's corners from which rays are selected.
 constexpr std::size_t most_candidates = 4096;
 constexpr int coarse_width_px = 192;
-//! Of all objects together: each image has as many once more, or what they are divided into.
+//! Limit for all objects together. Each image adds as many triangles again, or more if they are
+//! divided.
 constexpr long most_diagram_triangles = 2'000'000;
 
 double far_from_hole(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
@@ -47,7 +48,7 @@ std::string turns_of(int order) {
                       : fmt::format("{:.2g} to {:.2g} turns", 0.5 * (order - 1), 0.5 * order);
 }
 
-//! Adds a dashed line, dashes and gaps of the same length [M]; `look` has its ink and width.
+//! Adds a dashed line with dashes and gaps of equal length [M]; `look` has its ink and width.
 struct DashLook {
   Ink ink;
   double width_px;
@@ -62,7 +63,7 @@ void add_dashes(const Vector3<double>& from, const Vector3<double>& to, double d
   }
 }
 
-//! Where an object was as light left it that has taken `delay` to the camera [M].
+//! Returns the placement of an object when it emitted light that takes `delay` to the camera [M].
 ObjectPlacement placement_before(ObjectPlacement placement, double delay) {
   const double angle = placement.rate * delay;
   placement.position = std::cos(angle) * placement.position - std::sin(angle) * placement.ahead;
@@ -78,7 +79,7 @@ struct Diagram::Moment {
   EyeCamera eye;
   Vector3<double> observer;
   std::vector<ObjectPlacement> placements;
-  double extent;  //!< distance from the hole of what is farthest from it [M]
+  double extent;  //!< distance of the farthest object from the hole [M]
 };
 
 Diagram::Diagram(const Show& show, const DiagramSettings& settings) : show_(show), settings_(settings) {
@@ -120,7 +121,7 @@ DiagramScene Diagram::at(double time_s) const {
   }
   DiagramScene scene;
   scene.legend.push_back({LegendLine::Sign::none, {}, fmt::format("{}, {:.6g} s", text_in(show_.title, ""), time_s)});
-  // What comes later is drawn over lines in the same place.
+  // Later lines are drawn over earlier ones at the same position.
   add_grid(moment.extent, eye.phi - 0.3 * pi, scene);
   add_hole(now.spin, scene);
   add_observer(now.view, eye, view_share * moment.extent, scene);
@@ -207,7 +208,7 @@ void Diagram::add_connecting_rays(const Moment& moment, std::size_t object, int 
     scene.lines.push_back({std::move(curve), ink, ray_width_px});
     ++scene.ray_count;
     if (sights-- > 0) {
-      // Next to the observer it cannot be told from the ray.
+      // Near the observer the dashes would coincide with the ray.
       const Vector3<double> seen = apparent_vertex(moment.observer, start, order).seen;
       const Vector3<double> way = seen - moment.observer;
       const double apart = std::min(0.4 * moment.eye.r / far_from_hole(way), 1.0);
@@ -231,7 +232,7 @@ void Diagram::add_traced_rays(const Moment& moment, DiagramScene& scene) const {
                            meets ? ray_width_px : other_ray_width_px});
     ++scene.ray_count;
     if (meets) {
-      // Those that go on to the sky leave the picture.
+      // Rays that go on to the sky may leave the picture.
       scene.framed.insert(scene.framed.end(), curve.places.begin(), curve.places.end());
       delays[curve.order][curve.object].push_back(curve.delay);
     }

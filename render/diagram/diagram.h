@@ -13,41 +13,48 @@ namespace ergodome {
 
 //! What a diagram shows of light.
 struct DiagramSettings {
-  std::vector<int> images;  //!< which orders, 1 to most_polygon_images; empty: 1 and 2, and all that traced rays see
-  int rays = 24;            //!< about how many are drawn
+  //! Image orders, 1 to most_polygon_images; empty: 1 and 2, and all that traced rays see.
+  std::vector<int> images;
+  int rays = 24;  //!< approximate number of rays
 };
 
-//! A show's hole, observer and objects from outside, in flat space of pseudo-Cartesian coordinates, with the light rays between them (Müller,
-//! Schulz & Weiskopf 2021, figures 6, 10 and 11).
+//! A show's hole, observer and objects seen from outside, in flat space with pseudo-Cartesian
+//! coordinates, with the light rays between them (Müller, Schulz & Weiskopf 2021, figures 6, 10 and
+//! 11).
 //!
-//! About a hole without spin rays are those that connect corners of the objects with the observer, and the objects are shown as they seem to be, too. Of a
-//! hole that spins, and of retarded objects, rays of the observer's view are followed back.
+//! For a hole without spin, rays connect corners of the objects with the observer, and the objects
+//! are also shown at their apparent positions. For a spinning hole, and for retarded objects, rays
+//! of the observer's view are traced back.
 class Diagram {
  public:
-  //! Loads the meshes. Throws Error where the show has no objects, one cannot be read, or image orders are asked for where they are not told apart.
+  //! Loads the meshes. Throws Error if the show has no objects, one cannot be read, or image orders
+  //! are requested although traced rays cannot select them.
   Diagram(const Show& show, const DiagramSettings& settings);
 
-  //! What there is at a show time. Throws Error where the camera cannot be there.
+  //! Returns the scene at a show time. Throws Error if the camera cannot be at its position.
   [[nodiscard]] DiagramScene at(double time_s) const;
 
  private:
   struct Moment;
-  using DelaysByOrder = std::map<int, std::map<int, std::vector<double>>>;  //!< of rays, by order and object [M]
+  //! Of rays, by order and object [M].
+  using DelaysByOrder = std::map<int, std::map<int, std::vector<double>>>;
 
   void add_objects(const Moment& moment, DiagramScene& scene) const;
   void add_connections(const Moment& moment, DiagramScene& scene) const;
-  //! Corners that rays of an image are to start from: first of the sides that light leaves from, then others, for single sheets show both.
+  //! Returns corners from which rays of an image start: first on sides that emit light towards the
+  //! observer, then others, because single sheets show both sides.
   [[nodiscard]] std::vector<Vector3<double>> ray_starts(const Moment& moment, std::size_t object, int order,
                                                         std::size_t count) const;
   void add_connecting_rays(const Moment& moment, std::size_t object, int order, int count, DiagramScene& scene) const;
   void add_traced_rays(const Moment& moment, DiagramScene& scene) const;
-  //! Tells of the images that followed rays show, with retarded objects where they were; whether there are such.
+  //! Adds the legend of the images that traced rays show and, for retarded objects, their former
+  //! positions. Returns whether any were added.
   bool add_traced_images(const Moment& moment, DelaysByOrder& delays, DiagramScene& scene) const;
 
   Show show_;
   DiagramSettings settings_;
   ObjectMeshes meshes_;
-  bool connects_;  //!< rays are those of the closed form
+  bool connects_;  //!< rays come from the closed form
 };
 
 }  // namespace ergodome

@@ -15,9 +15,9 @@ namespace ergodome {
 
 namespace {
 
-//! Pixels are drawn so many times as fine each way; each of those has the target's samples.
+//! Supersampling factor each way, in addition to the target's multisampling.
 constexpr int finer_each_way = 2;
-//! Lines' widths are told for pictures of this height [px].
+//! Picture height for which line widths are specified [px].
 constexpr double told_height_px = 720.0;
 
 struct DrawnCorner {
@@ -67,7 +67,7 @@ DrawnCorner drawn_corner(const DiagramCorner& corner, const OutsideCamera& camer
   return out;
 }
 
-//! The corners of veils, the farthest triangle first: each covers what is behind it.
+//! Returns the corners of veils, farthest triangle first (painter's algorithm).
 std::vector<DrawnCorner> painted_veils(const std::vector<DiagramCorner>& veils, const OutsideCamera& camera) {
   const std::size_t count = veils.size() / 3;
   std::vector<float> depth(count);
@@ -105,7 +105,7 @@ void add_pieces(const std::vector<Vector3<double>>& places, const Ink& ink, doub
 
 }  // namespace
 
-//! What lies in the buffers.
+//! Sizes of the uploaded data.
 struct DiagramDrawing::Uploaded {
   int solid_corners;
   int veil_corners;

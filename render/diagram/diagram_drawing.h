@@ -12,13 +12,14 @@ namespace ergodome {
 //! Draws a diagram's triangles and lines in the current OpenGL context.
 class DiagramDrawing {
  public:
-  //! Throws Error where the driver refuses.
+  //! Throws Error if the driver rejects the shaders.
   DiagramDrawing();
   ~DiagramDrawing();
   DiagramDrawing(const DiagramDrawing&) = delete;
   DiagramDrawing& operator=(const DiagramDrawing&) = delete;
 
-  //! Draws a picture: linear light on paper, three floats a pixel, the top row first. Every pixel is the mean of sixteen samples.
+  //! Draws a picture: linear light on paper, three floats per pixel, top row first. Every pixel is
+  //! the mean of sixteen samples.
   std::vector<float> draw(const DiagramScene& scene, const OutsideCamera& camera, int width_px, int height_px);
 
  private:
@@ -27,7 +28,7 @@ class DiagramDrawing {
 
   [[nodiscard]] Uploaded upload(const DiagramScene& scene, const OutsideCamera& camera);
   void draw_tile(const Uploaded& uploaded, const OutsideCamera& camera, const Tile& tile) const;
-  //! The means of a tile's samples, their bottom row first, over paper.
+  //! Composites the means of a tile's samples, bottom row first, on paper.
   static void lay_on_paper(const std::vector<float>& rgba, const Tile& tile, std::vector<float>& picture);
 
   unsigned surface_program_ = 0;

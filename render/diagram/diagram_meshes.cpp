@@ -7,9 +7,9 @@ namespace ergodome {
 
 namespace {
 
-//! How much a veil covers of what is behind it.
+//! Opacity of a veil.
 constexpr float veil_cover = 0.6F;
-//! Veils keep their colour where their fields are dark.
+//! Veils keep their color in the dark fields of their checkerboard.
 constexpr double least_veil_dark = 0.55;
 
 Vector3<float> in_floats(const Vector3<double>& v) {
@@ -41,7 +41,7 @@ DiagramCorner diagram_corner_of(const ObjectSettings& object, const ObjectPlacem
       checker_at(object, static_cast<double>(vertex.texture[0]), static_cast<double>(vertex.texture[1]), least_dark)};
 }
 
-//! Mean normals of a mesh's corners, by the areas of the triangles about them.
+//! Returns the normals of a mesh's corners, averaged over the adjacent triangles by their areas.
 std::vector<Vector3<double>> smooth_normals(const ApparentMesh& mesh) {
   std::vector<Vector3<double>> normals(mesh.vertices.size(), {0.0, 0.0, 0.0});
   for (const auto& t : mesh.triangles) {

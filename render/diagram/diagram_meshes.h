@@ -8,15 +8,16 @@
 
 namespace ergodome {
 
-//! Adds an object where it stands, in its own colours and with its checkerboard; pictures on it are left out.
+//! Adds an object at its position, with its own color and checkerboard; textures are omitted.
 void add_solid(const ObjectSettings& object, const TriangleMesh& mesh, const ObjectPlacement& placement,
                std::vector<DiagramCorner>& corners);
 
-//! Adds an image of an object where it seems to be: in one colour that shows what is behind it, with the object's checkerboard.
+//! Adds a translucent image of an object at its apparent position, in one color with the object's
+//! checkerboard.
 void add_veil(const ObjectSettings& object, const ApparentMesh& mesh, const Ink& ink,
               std::vector<DiagramCorner>& corners);
 
-//! Adds an object in the same way where it has been.
+//! Adds a translucent object at a former position.
 void add_veil(const ObjectSettings& object, const TriangleMesh& mesh, const ObjectPlacement& placement, const Ink& ink,
               std::vector<DiagramCorner>& corners);
 

@@ -9,23 +9,23 @@
 
 namespace ergodome {
 
-//! A picture as a display shows it: sRGB, three bytes a pixel, the top row first.
+//! A display-referred picture: sRGB, three bytes per pixel, top row first.
 struct DiagramImage {
   int width_px;
   int height_px;
   std::vector<std::uint8_t> rgb;
 };
 
-//! Makes pictures of diagrams, with their words, through OpenGL without a display.
+//! Draws pictures of diagrams with their texts, through OpenGL without a display.
 class DiagramPicture {
  public:
-  //! Throws Error when no driver is there.
+  //! Throws Error if there is no OpenGL driver.
   DiagramPicture(int width_px, int height_px);
   ~DiagramPicture();
   DiagramPicture(const DiagramPicture&) = delete;
   DiagramPicture& operator=(const DiagramPicture&) = delete;
 
-  //! A camera that has places in the picture above the legend.
+  //! Returns a camera that shows positions in the part of the picture above the legend.
   [[nodiscard]] OutsideCamera camera_for(const OutsideDirection& direction, const std::vector<Vector3<double>>& places,
                                          std::size_t legend_lines) const;
 
@@ -35,7 +35,7 @@ class DiagramPicture {
   int width_px_;
   int height_px_;
   GlThread gl_;
-  std::unique_ptr<DiagramDrawing> drawing_;  //!< made and let go on that thread
+  std::unique_ptr<DiagramDrawing> drawing_;  //!< created and destroyed on the thread of gl_
 };
 
 }  // namespace ergodome

@@ -2,7 +2,7 @@
 
 namespace ergodome {
 
-// Places come in the camera's axes: x right, y up, z back.
+// Positions are in the camera's axes: x right, y up, z back.
 
 const char* const diagram_surface_vertex_source = R"(#version 450 core
 layout(location = 0) in vec3 place;

@@ -16,7 +16,7 @@ namespace {
 constexpr double grid_width_px = 1.0;
 constexpr double axis_width_px = 1.3;
 constexpr double outline_width_px = 1.3;
-//! The spin axis is drawn so far at the least, out of the hole [M].
+//! Minimum length of the drawn spin axis [M].
 constexpr double least_axis = 4.5;
 
 }  // namespace

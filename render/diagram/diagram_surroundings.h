@@ -6,16 +6,17 @@
 
 namespace ergodome {
 
-//! Adds the hole: its horizon, the photon sphere or, where it spins, the ergosphere's equator.
+//! Adds the hole: its horizon and the photon sphere or, with spin, the ergosphere's equator.
 void add_hole(double spin, DiagramScene& scene);
 
-//! Adds circles about the hole in the plane z = 0 as far as `extent` with their radii, the axes x and y, and a piece of z [M].
+//! Adds circles around the hole in the plane z = 0 up to `extent` with their radii as labels, the x
+//! and y axes, and a part of the z axis [M].
 void add_grid(double extent, double label_azimuth, DiagramScene& scene);
 
-//! Adds the observer and the borders of its view, drawn `length` far [M].
+//! Adds the observer and the borders of its view with a length of `length` [M].
 void add_observer(const ViewSettings& view, const EyeCamera& eye, double length, DiagramScene& scene);
 
-//! A round number near `about`: 1, 2 or 5 times a power of ten.
+//! Returns a round number near `about`: 1, 2 or 5 times a power of ten.
 double round_step(double about);
 
 }  // namespace ergodome

@@ -10,7 +10,7 @@ namespace ergodome {
 
 namespace {
 
-//! Azimuth between two neighbours on a curve [rad].
+//! Maximum azimuth between adjacent points of a curve [rad].
 constexpr double finest_turn = 0.03;
 constexpr int fewest_pieces = 32;
 
@@ -40,7 +40,7 @@ std::vector<Vector3<double>> light_curve(const Vector3<double>& observer, const 
     from_observer = moved_on(from_observer, angle, step);
     last.push_back(place(from_observer));
   }
-  // Both halves end in the middle: it counts once.
+  // Both halves end in the middle point, which must occur once.
   first.insert(first.end(), last.rbegin() + 1, last.rend());
   return first;
 }

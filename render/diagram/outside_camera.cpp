@@ -10,12 +10,13 @@ namespace ergodome {
 
 namespace {
 
-//! Half the field of view from the top to the bottom [rad]: little perspective, as in drawings.
+//! Half the vertical field of view [rad]: small, for little perspective, as in drawings.
 constexpr double half_view = 13.0 * one_degree;
-//! Of the picture that stays free about what is to be seen.
+//! Fraction of the picture that stays free around the subject.
 constexpr double picture_margin = 0.04;
 
-//! Greatest of p.x + tangent · p.z and the like over all places: what a side of the frustum asks of the camera.
+//! Maxima over all positions of p.x + tangent · p.z and the like: the constraints that the sides of
+//! the frustum put on the camera.
 struct FrustumBounds {
   double right = -std::numeric_limits<double>::max();
   double left = right;
@@ -44,7 +45,7 @@ OutsideCamera outside_camera(const OutsideDirection& direction, const std::vecto
   const double tangent_down = camera.half_height * (1.0 - 2.0 * band.low - picture_margin);
   FrustumBounds bounds;
   for (const Vector3<double>& p : places) {
-    const Vector3<double> at = camera.in_view(p);  // from the origin, as yet
+    const Vector3<double> at = camera.in_view(p);  // relative to the origin for now
     bounds.right = std::max(bounds.right, at.x + tangent * at.z);
     bounds.left = std::max(bounds.left, -at.x + tangent * at.z);
     bounds.up = std::max(bounds.up, at.y + tangent_up * at.z);
@@ -52,7 +53,9 @@ OutsideCamera outside_camera(const OutsideDirection& direction, const std::vecto
     bounds.nearest = std::max(bounds.nearest, at.z);
     bounds.farthest = std::min(bounds.farthest, at.z);
   }
-  // A place is in the picture where |x - x_c| <= tangent (z_c - z): both sides of the picture give a bound, and so do top and bottom.
+  // A position is in the picture if
+  // x - x_c
+  // <= tangent (z_c - z): left and right sides give bounds, and so do top and bottom.
   double z =
       std::max(0.5 * (bounds.right + bounds.left) / tangent, (bounds.up + bounds.down) / (tangent_up + tangent_down));
   double x = 0.5 * (bounds.right - bounds.left);

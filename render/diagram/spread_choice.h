@@ -7,8 +7,9 @@
 
 namespace ergodome {
 
-//! Which of some places to take, so that `count` of them are as far from each other as may be: each next one is farthest from all before it. The
-//! first is the one farthest from their middle. Fewer, where no more of them differ.
+//! Selects `count` positions that are far from each other, and returns their indices: each is the
+//! farthest from all earlier ones. The first is the farthest from the mean. Returns fewer if no
+//! more positions differ.
 std::vector<std::size_t> spread_choice(const std::vector<Vector3<double>>& places, std::size_t count);
 
 }  // namespace ergodome

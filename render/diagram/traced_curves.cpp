@@ -16,16 +16,17 @@ namespace {
 constexpr int diagram_series = 16;
 constexpr double diagram_tolerance = 1e-10;
 constexpr int diagram_step_limit = 10'000;
-//! Straight lines that a step of the series is drawn by.
+//! Number of straight lines that approximate a step of the series.
 constexpr int lines_a_step = 12;
-//! Paths into the hole are drawn to so many of its radii: their azimuth grows without end towards the horizon.
+//! Minimum radius of paths into the hole, in radii of the horizon: their azimuth grows without
+//! bound towards it.
 constexpr double beside_the_hole = 1.01;
 
 using DiagramStep = PathStep<diagram_series, NearParts::azimuth_and_delay, double>;
 
 double distance_of(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
 
-//! Angle between two places, seen from the hole.
+//! Returns the angle between two positions, seen from the hole.
 double angle_between(const Vector3<double>& a, const Vector3<double>& b) {
   return std::atan2(distance_of(cross(a, b)), dot(a, b));
 }
@@ -35,7 +36,7 @@ struct LookedAt {
   Vector3<double> view;  //!< direction in the view's axes
   Vector3<double> n;     //!< in (e_r, e_θ, e_φ)
   MeshHit hit;
-  int order = 0;  //!< of the image; 0: of no object
+  int order = 0;  //!< of the image; 0: the ray meets no object
 };
 
 Vector3<double> in_eye_frame(const EyeCamera& eye, const Vector3<double>& view) {
@@ -45,7 +46,7 @@ Vector3<double> in_eye_frame(const EyeCamera& eye, const Vector3<double>& view) 
           m[2][0] * view.x + m[2][1] * view.y + m[2][2] * view.z};
 }
 
-//! Looks through the middles of all pixels that the image covers.
+//! Traces rays through the middles of all pixels that the image covers.
 std::vector<LookedAt> look_through(const EyeCamera& eye, const Projection& coarse, const ObjectRays& objects,
                                    double reach) {
   const CameraStation camera = station_of(eye);
@@ -75,7 +76,7 @@ std::vector<LookedAt> look_through(const EyeCamera& eye, const Projection& coars
   return all;
 }
 
-//! Some of the rays, spread over the view.
+//! Selects some of the rays, spread over the view.
 std::vector<LookedAt> spread_over_view(const std::vector<LookedAt>& from, std::size_t count) {
   std::vector<Vector3<double>> views;
   views.reserve(from.size());

@@ -8,30 +8,32 @@
 
 namespace ergodome {
 
-//! Where the path of a ray that is followed back from an eye ends.
+//! Where the path of a ray traced back from an eye ends.
 enum class CurveEnd { object, hole, sky };
 
-//! Path of a ray that an eye sees, about a hole of any spin.
+//! The path of a ray that an eye sees, for any spin of the hole.
 struct TracedCurve {
-  std::vector<Vector3<double>> places;  //!< pseudo-Cartesian, from where the light comes to the eye [M]
+  //! pseudo-Cartesian, from the origin of the light to the eye [M].
+  std::vector<Vector3<double>> places;
   CurveEnd end = CurveEnd::sky;
-  int object = -1;     //!< which one, for CurveEnd::object
-  int order = 1;       //!< 1 and as many more as it has gone half turns round the hole
-  double delay = 0.0;  //!< how long light takes from the object to the eye [M]
+  int object = -1;     //!< number of the object, for CurveEnd::object
+  int order = 1;       //!< 1 plus the number of half turns around the hole
+  double delay = 0.0;  //!< light travel time from the object to the eye [M]
 };
 
-//! Which of a view's rays are followed.
+//! Selects which rays of a view are traced.
 struct TracedChoice {
-  int count = 24;      //!< about how many; two thirds of them end on objects, where there are such
-  int most_order = 5;  //!< those to objects that have gone farther round are left out
-  double reach;        //!< paths that leave go as far as this from the hole [M]
+  int count = 24;      //!< approximate number; two thirds of them end on objects, if there are any
+  int most_order = 5;  //!< rays to objects of higher order are left out
+  double reach;        //!< paths to the sky end at this distance from the hole [M]
 };
 
-//! The path of the ray that a camera sees in direction `n` (e_r, e_θ, e_φ), as far as its hit, the hole or `reach`.
+//! Computes the path of the ray that a camera sees in direction `n` (e_r, e_θ, e_φ), up to its hit,
+//! the hole or `reach`.
 TracedCurve traced_curve(const CameraStation& camera, const Vector3<double>& n, const MeshHit& hit, double reach);
 
-//! Follows rays through pixels of a coarse picture of an eye's view, and takes some that are spread over it: first those that meet objects, of every order
-//! as many, then others.
+//! Traces rays through the pixels of a coarse picture of an eye's view and selects some, spread
+//! over the view: first rays that meet objects, equally many of every order, then others.
 std::vector<TracedCurve> traced_curves(const EyeCamera& eye, const Projection& coarse, const ObjectRays& objects,
                                        const TracedChoice& choice);
 

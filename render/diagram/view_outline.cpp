@@ -13,7 +13,8 @@ namespace {
 
 constexpr int parts_of_side = 12;
 
-//! From an eye's view axes to pseudo-Cartesian ones, at rest.
+//! Transforms directions from an eye's view axes to pseudo-Cartesian axes, in the frame without
+//! angular momentum.
 class ViewTurn {
  public:
   explicit ViewTurn(const EyeCamera& eye)
@@ -56,7 +57,7 @@ ViewOutline view_outline(const ViewSettings& view, const EyeCamera& eye) {
   const auto add = [&](double x, double y, bool corner) {
     const Vector3<double> unit =
         turned(direction_from_pixel(projection, x * projection.width_px, y * projection.height_px));
-    // Screens that are wider than that, or turned round by aberration, stay within reach.
+    // Limits screens that are very wide, or turned backwards by aberration.
     const Vector3<double> direction = flat ? (1.0 / std::max(dot(unit, forward), 0.3)) * unit : unit;
     outline.border.push_back(direction);
     if (corner) {

@@ -7,18 +7,18 @@
 
 namespace ergodome {
 
-//! Border of what an observer's picture shows: from the observer, in pseudo-Cartesian axes, to a sphere of radius 1 or, where the picture is flat, to
-//! a screen at distance 1.
+//! Border of an observer's picture: points in pseudo-Cartesian axes relative to the observer, on a
+//! sphere of radius 1 or, for flat pictures, on a screen at distance 1.
 struct ViewOutline {
-  std::vector<Vector3<double>> border;  //!< round about; empty for a picture of the whole sky
+  std::vector<Vector3<double>> border;  //!< closed curve; empty for a picture of the whole sky
   std::vector<Vector3<double>> corners;
 };
 
-//! The border of a show's view, as an observer at rest (without angular momentum) at the eye's place would point it out: a moving observer's
-//! directions are aberrated.
+//! Computes the border of a show's view in the frame of an observer without angular momentum at the
+//! eye's position: a moving observer's directions are aberrated.
 ViewOutline view_outline(const ViewSettings& view, const EyeCamera& eye);
 
-//! Where the middle of an eye's view points to, in the same sense as the border.
+//! Returns the direction of the middle of an eye's view, in the same frame as the border.
 Vector3<double> forward_of(const EyeCamera& eye);
 
 }  // namespace ergodome

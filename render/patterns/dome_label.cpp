@@ -20,7 +20,7 @@ LabelStamp::LabelStamp(const DomeLabel& label) : text_(text_image(label.text, fo
   middle_ = std::cos(elevation) * ahead + Vector3<double>{0.0, std::sin(elevation), 0.0};
   right_ = {std::cos(azimuth), 0.0, std::sin(azimuth)};
   up_ = cross(right_, middle_);
-  // Capitals fill a box of their own height.
+  // Capital letters fill the label's height.
   scale_ = std::max(text_.height, 1) / (label.height_deg * one_degree);
   cosine_beyond_ = std::cos(std::atan(0.5 * std::hypot(text_.width, text_.height) / scale_));
 }

@@ -18,7 +18,7 @@ Vector3<float> grey_of(double value) {
   return {light, light, light};
 }
 
-//! A band of the sheet, and the value of the display at its left end and at its right one.
+//! A band of the sheet, with the display values at its left and right ends.
 struct Ramp {
   double bottom;
   double top;
@@ -32,7 +32,7 @@ constexpr Ramp ramps[] = {{0.12, 0.28, 0.0, 256.0, false, 0.0},
                           {0.30, 0.40, 0.0, 255.0, true, 0.0},
                           {0.52, 0.64, 0.0, 16.0, false, 0.0},
                           {0.74, 0.86, 239.0, 255.0, false, 255.0}};
-//! The sheet's part that ramps take, the same on both sides of the front.
+//! The part of the sheet that ramps fill, symmetric about the front.
 constexpr double ramp_left = 0.1;
 constexpr double ramp_right = 0.9;
 
@@ -43,7 +43,8 @@ double value_on(const Ramp& ramp, double part) {
 
 Vector3<float> ramp_light(const PatternPlace& place) {
   for (const Ramp& ramp : ramps) {
-    // A bright ground reaches beyond its fields, so that the brightest of them can be told from it, or not.
+    // A bright ground extends beyond its fields, so that it shows whether the brightest field can
+    // be distinguished from it.
     const double margin = ramp.ground_value > 0.0 ? 0.03 : 0.0;
     if (place.up < ramp.bottom - margin || place.up >= ramp.top + margin) {
       continue;
@@ -55,7 +56,7 @@ Vector3<float> ramp_light(const PatternPlace& place) {
   return {0.0F, 0.0F, 0.0F};
 }
 
-//! The value under each field.
+//! Returns labels with the value under each field.
 std::vector<DomeLabel> ramp_labels(const PatternView& projection) {
   std::vector<DomeLabel> labels;
   for (const Ramp& ramp : ramps) {
@@ -82,14 +83,15 @@ Picture grey_ramp_pattern(const PatternView& projection) {
 }
 
 Picture colour_bar_pattern(const PatternView& projection) {
-  // The order of falling luminance, as television has it.
+  // In order of decreasing luminance, as in television.
   constexpr Vector3<float> bars[] = {{1.0F, 1.0F, 1.0F}, {1.0F, 1.0F, 0.0F}, {0.0F, 1.0F, 1.0F}, {0.0F, 1.0F, 0.0F},
                                      {1.0F, 0.0F, 1.0F}, {1.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 1.0F}, {0.0F, 0.0F, 0.0F}};
   const double times_round = projection.kind == ProjectionKind::pinhole ? 1.0 : 4.0;
   return draw_pattern(projection, 2, [&](const PatternPlace& place) {
     const double turn = place.across * times_round + 0.5 * (times_round - 1.0);
     const auto bar = static_cast<int>(8.0 * (turn - std::floor(turn)));
-    // On a screen all of it, on a dome up to where bars become too narrow to tell.
+    // On a screen the bars fill everything; on a dome they end where they become too narrow to
+    // distinguish.
     const double up = std::abs(place.up);
     if (up > 0.85 && times_round > 1.0) {
       return Vector3<float>{0.0F, 0.0F, 0.0F};

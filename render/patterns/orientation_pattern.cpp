@@ -12,7 +12,7 @@ namespace ergodome {
 namespace {
 
 constexpr double spacing_deg = 15.0;
-//! Beyond this elevation only every third line of azimuth goes on to the pole.
+//! Beyond this elevation only every third line of azimuth continues to the pole.
 constexpr double crowded_deg = 75.0;
 
 constexpr Vector3<float> yellow = {1.0F, 0.75F, 0.0F};
@@ -22,14 +22,14 @@ constexpr Vector3<float> red = {1.0F, 0.05F, 0.05F};
 constexpr Vector3<float> white_label = {1.0F, 1.0F, 1.0F};
 constexpr Vector3<float> grey_label = {0.35F, 0.35F, 0.35F};
 
-//! Light of the grid's lines at a place.
+//! Returns the light of the grid's lines at a position.
 float grid_light(const PatternView& projection, const PatternPlace& place) {
   const DomeSteps steps = dome_steps(projection, place);
   const bool crowded = std::abs(place.elevation_deg) > crowded_deg;
   const double circles = 0.12 * line_at(place.elevation_deg, spacing_deg, steps.elevation_deg, 1.5);
   const double lines =
       0.12 * line_at(place.azimuth_deg, crowded ? 3.0 * spacing_deg : spacing_deg, steps.azimuth_deg, 1.5);
-  // Once in 180°: the horizon. The poles are points.
+  // A spacing of 180° yields only the horizon. The poles are points.
   const double horizon = 0.4 * line_at(place.elevation_deg, 180.0, steps.elevation_deg, 2.5);
   const double quarters = 0.4 * line_at(place.azimuth_deg, 90.0, steps.azimuth_deg, 2.0);
   return static_cast<float>(std::max({circles, lines, horizon, quarters}));

@@ -7,12 +7,13 @@
 
 namespace ergodome {
 
-//! FRONT (yellow), RIGHT (green), BACK (blue) and LEFT (red) just above the horizon, ZENITH and NADIR (white), and numbers of degrees (grey).
+//! Returns the labels FRONT (yellow), RIGHT (green), BACK (blue) and LEFT (red) just above the
+//! horizon, ZENITH and NADIR (white), and degrees (gray).
 std::vector<DomeLabel> orientation_labels();
 
-//! A picture that settles arguments about left and right: circles of elevation and lines of azimuth every 15° as a viewer inside has them,
-//! the horizon and the four quarters brighter, labelled. Linear light, coverage in the fourth channel; black where the projection has no
-//! image.
+//! Draws circles of elevation and lines of azimuth every 15° as a viewer inside sees them, with
+//! brighter horizon and quarters, and labels. Shows whether left and right are correct. Linear
+//! light, coverage in the fourth channel; black where the projection has no image.
 Picture orientation_pattern(const PatternView& projection);
 
 }  // namespace ergodome

@@ -13,7 +13,7 @@ namespace {
 
 bool is_screen(const Projection& projection) { return projection.kind == ProjectionKind::pinhole; }
 
-//! Where a turned picture shows its pixel, as a pixel of one that is not.
+//! Converts a pixel of a turned picture to the position where it is shown.
 void shown_at(const PatternView& view, double& x_px, double& y_px) {
   const double right = x_px - 0.5 * view.width_px;
   const double down = y_px - 0.5 * view.height_px;
@@ -108,7 +108,8 @@ DomeSteps dome_steps(const PatternView& projection, const PatternPlace& place) {
   double x_px = place.x_px;
   double y_px = place.y_px;
   shown_at(projection, x_px, y_px);
-  // Steps along the picture and along what is shown are turned against each other, and as long together.
+  // Steps in the picture and steps as shown differ by a rotation, so their combined length is the
+  // same.
   const PixelSteps<double> steps = pixel_steps(projection, x_px, y_px);
   const Vector3<double> n = direction_from_pixel<double>(projection, x_px, y_px);
   const double level = std::max(std::hypot(n.x, n.z), 1e-9);

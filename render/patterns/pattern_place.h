@@ -8,49 +8,54 @@
 
 namespace ergodome {
 
-//! A picture that a pattern is drawn for. Where a dome's projectors show it turned about the dome's own axis, what is level in a leaning dome is not what
-//! is level in the picture: places are then asked for where they come to be, and azimuths counted from where the picture's front does.
+//! The projection for which a pattern is drawn. Projectors may show the picture turned about the
+//! dome's axis; on a tilted dome, horizontal on the dome then differs from horizontal in the
+//! picture. Positions are therefore those where pixels are shown, and azimuths count from where the
+//! picture's front is shown.
 struct PatternView : Projection {
-  //! `turn`: how far the picture is shown turned to the right [rad].
+  //! `turn`: rotation of the shown picture to the right [rad].
   PatternView(const Projection& projection, double turn = 0.0);
 
   double turn_sine;
   double turn_cosine;
 };
 
-//! What a pattern knows of the place that it is asked the light of.
+//! A position for which a pattern computes the light.
 struct PatternPlace {
   double x_px;
   double y_px;
-  Vector3<double> direction;  //!< of the view: x right, y up, z back
+  Vector3<double> direction;  //!< in the view: x right, y up, z back
   double azimuth_deg;         //!< to the right of the front
   double elevation_deg;
-  //! The picture as a sheet that ramps and bars are drawn on, both 0 to 1. A screen is its own sheet; elsewhere `across` is azimuth, from the
-  //! back by the left, the front (0.5) and the right, and `up` goes from the horizon (0) to the zenith, and below 0 to the nadir.
+  //! Position on the sheet on which ramps and bars are drawn, both 0 to 1. A screen is its own
+  //! sheet. Otherwise `across` is the azimuth, from the back over the left, the front (0.5) and the
+  //! right, and `up` runs from the horizon (0) to the zenith (1), and to the nadir (-1).
   double across;
   double up;
 };
 
-//! The place of the picture at pixel coordinates.
+//! Returns the position of a pattern at pixel coordinates.
 PatternPlace pattern_place(const PatternView& projection, double x_px, double y_px);
 
-//! A direction of the sheet, as azimuth and elevation [deg] on the dome: the inverse, above the horizon.
+//! Converts a position on the sheet, above the horizon, to azimuth and elevation on the dome [deg].
 void dome_place(const PatternView& projection, double across, double up, double& azimuth_deg, double& elevation_deg);
 
-//! How many degrees `part` of the sheet's height are, in the middle of it.
+//! Returns the degrees that correspond to `part` of the sheet's height, in its middle.
 double sheet_degrees(const Projection& projection, double part);
 
-//! Light of a place, linear.
+//! Returns the linear light at a position.
 using PatternLight = std::function<Vector3<float>(const PatternPlace&)>;
 
-//! A picture of what `light` says: `samples` x `samples` places a pixel, their mean times the pixel's coverage; black where the projection has
-//! no image. Such a picture is shown as it is, without a curve: 1 is all that the display has.
+//! Draws the picture of a pattern: the mean of `samples` x `samples` positions per pixel, times the
+//! pixel's coverage; black where the projection has no image. Such a picture is shown without a
+//! tone curve: 1 is the display's maximum.
 Picture draw_pattern(const PatternView& projection, int samples, const PatternLight& light);
 
-//! How much of a pixel lines cover that are `width_px` wide, at every `spacing` of a coordinate that changes by `per_px` a pixel.
+//! Returns how much of a pixel is covered by lines `width_px` wide, at every `spacing` of a
+//! coordinate that changes by `per_px` per pixel.
 double line_at(double coordinate, double spacing, double per_px, double width_px);
 
-//! How fast elevation and azimuth change a pixel [deg], whichever way that is.
+//! Changes of elevation and azimuth per pixel [deg], in any direction.
 struct DomeSteps {
   double elevation_deg;
   double azimuth_deg;
@@ -58,7 +63,7 @@ struct DomeSteps {
 
 DomeSteps dome_steps(const PatternView& projection, const PatternPlace& place);
 
-//! Linear light of a display's value, 0 to 255 (sRGB).
+//! Converts a display value, 0 to 255 (sRGB), to linear light.
 float light_of_value(double value);
 
 }  // namespace ergodome

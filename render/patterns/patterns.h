@@ -11,9 +11,9 @@ Picture grey_ramp_pattern(const PatternView& projection);
 Picture colour_bar_pattern(const PatternView& projection);
 Picture resolution_pattern(const PatternView& projection);
 Picture blend_check_pattern(const PatternView& projection);
-//! `left`, `right`: whether that eye's words are in the picture.
+//! Draws the pattern with the texts of the left eye, the right eye or both.
 Picture left_right_pattern(const PatternView& projection, bool left, bool right);
-//! Every pixel of the same grey, linear.
+//! Draws a uniform gray, in linear light.
 Picture even_pattern(const PatternView& projection, float light);
 
 }  // namespace ergodome

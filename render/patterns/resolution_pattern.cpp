@@ -5,17 +5,17 @@
 #include "kernels/core/angles.h"
 #include "render/patterns/patterns.h"
 
-// Patterns of the picture's own pixels. They say whether a pixel of the master arrives: a warp that blurs or shifts by half a pixel
-// turns lines of one pixel to grey.
+// Patterns at the resolution of the picture. They show whether single pixels of the master are
+// visible: a warp that blurs or shifts by half a pixel turns lines of one pixel into gray.
 namespace ergodome {
 
 namespace {
 
 constexpr int wedges = 36;
 
-//! A star of wedges with fields of lines about it, `size_px` wide.
+//! A star of wedges surrounded by fields of lines, `size_px` wide.
 struct Patch {
-  int x_px;  //!< its middle
+  int x_px;  //!< of its middle
   int y_px;
 };
 
@@ -23,7 +23,8 @@ int patch_size(const PatternView& projection) {
   return std::clamp(std::min(projection.width_px, projection.height_px) / 12, 24, 384);
 }
 
-//! Middles that are spread over the image: on a fisheye the zenith, and rings half way out and near the rim; else rows and columns.
+//! Returns the middles of patches, spread over the image: on a fisheye at the zenith and on rings
+//! halfway out and near the rim, otherwise in rows and columns.
 std::vector<Patch> patches(const PatternView& projection) {
   const double width = projection.width_px;
   const double height = projection.height_px;
@@ -51,7 +52,7 @@ std::vector<Patch> patches(const PatternView& projection) {
   return all;
 }
 
-//! Light at an offset from a patch's middle; negative outside of it.
+//! Returns the light at an offset from a patch's middle; negative outside the patch.
 float patch_light(double dx, double dy, int size_px) {
   const double half = 0.5 * size_px;
   const double radius = std::hypot(dx, dy);
@@ -61,7 +62,7 @@ float patch_light(double dx, double dy, int size_px) {
   if (std::abs(dx) >= half || std::abs(dy) >= half || radius < 0.62 * half) {
     return -1.0F;
   }
-  // The corners: upright and level lines, one pixel wide above, two below.
+  // The corners: vertical and horizontal lines, one pixel wide above, two below.
   const auto column = static_cast<long>(std::floor(dx));
   const auto row = static_cast<long>(std::floor(dy));
   const long along = dx < 0.0 ? column : row;
@@ -75,7 +76,7 @@ float patch_light(double dx, double dy, int size_px) {
 Picture resolution_pattern(const PatternView& projection) {
   const int size_px = patch_size(projection);
   const std::vector<Patch> all = patches(projection);
-  // Wedges and gaps there are one pixel wide, together two.
+  // Inside this radius, wedges and gaps are less than one pixel wide.
   const double finest_px = wedges * 2.0 / (2.0 * pi);
   return draw_pattern(projection, 4, [&, finest_px](const PatternPlace& place) -> Vector3<float> {
     for (const Patch& patch : all) {

@@ -21,7 +21,7 @@ constexpr Vector3<float> colours[] = {{0.9F, 0.15F, 0.1F},  {0.1F, 0.5F, 1.0F}, 
                                       {0.95F, 0.6F, 0.05F}, {0.6F, 0.2F, 0.9F}, {0.0F, 0.7F, 0.7F},
                                       {0.9F, 0.3F, 0.6F},   {0.5F, 0.5F, 0.4F}};
 
-//! The value of a mask's first channel at a place of the raster; 1 where there is no mask.
+//! Returns the first channel of a mask at a position of the raster; 1 without a mask.
 float mask_at(const BlendMap& mask, const WarpNode& place) {
   if (mask.width == 0) {
     return 1.0F;
@@ -33,8 +33,9 @@ float mask_at(const BlendMap& mask, const WarpNode& place) {
   return mask.values[sample * static_cast<std::size_t>(mask.channels)];
 }
 
-//! A warp the other way round: where on the raster each part of the master is, at the middles of size x size pixels. Meshes go on beyond a
-//! fisheye's image circle; what the mask leaves no light is not valid.
+//! Inverts a warp: returns the raster position of each part of the master, at the middles of size x
+//! size pixels. Nodes where the mask has no light, and those outside the image circle of a fisheye,
+//! are invalid.
 WarpMesh raster_of_master(const ProjectorPicture& picture, int size_px) {
   WarpMesh turned = picture.warp;
   for (WarpNode& node : turned.nodes) {
@@ -49,7 +50,7 @@ WarpMesh raster_of_master(const ProjectorPicture& picture, int size_px) {
   return raster;
 }
 
-//! How much of a pixel the lines of the raster cover.
+//! Returns how much of a pixel the lines of the raster cover.
 double raster_line(const WarpMesh& raster, int column, int row) {
   const WarpNode& here = raster.at(column, row);
   const WarpNode& right = raster.at(std::min(column + 1, raster.columns - 1), row);
@@ -65,7 +66,8 @@ double raster_line(const WarpMesh& raster, int column, int row) {
                   line_at(static_cast<double>(here.v), spacing, change(here.v, right.v, below.v), 1.0));
 }
 
-//! The projector's number, where the middle of its raster is; nothing where that is not on the dome.
+//! Returns labels with the projectors' numbers in the middle of their rasters, if that is on the
+//! dome.
 std::vector<DomeLabel> numbers_of(const std::vector<WarpMesh>& rasters, const Projection& projection) {
   std::vector<DomeLabel> labels;
   for (std::size_t i = 0; i < rasters.size(); ++i) {
@@ -115,7 +117,7 @@ std::vector<double> lit_parts(const std::vector<ProjectorPicture>& pictures) {
   constexpr int size_px = 256;
   const Projection projection = make_dome_projection(size_px, pi, 0.0);
   const std::vector<WarpMesh> rasters = rasters_of(pictures, size_px);
-  // Areas of the dome, not of its picture.
+  // Weigh pixels by their solid angle on the dome.
   std::vector<double> lit(pictures.size() + 1, 0.0);
   double all = 0.0;
   for (int row = 0; row < size_px; ++row) {

@@ -7,11 +7,13 @@
 
 namespace ergodome {
 
-//! Part of the domemaster's circle that each projector lights, 0 to 1, and that none does, last.
+//! Returns the fraction of the dome that each projector lights, 0 to 1, followed by the fraction
+//! that none lights.
 std::vector<double> lit_parts(const std::vector<ProjectorPicture>& pictures);
 
-//! A drawing of what lights the dome, as a domemaster: each projector has a colour, which is the brighter the more of the light there is its own;
-//! lines are 16 of its raster's columns and rows, its number stands in its middle. What no projector lights is black with a grid.
+//! Draws how projectors light the dome, as a domemaster. Each projector has a color, which is
+//! brighter the larger its share of the light. Lines mark 16 columns and rows of its raster, its
+//! number is in the middle. Parts without light are black with a grid.
 Picture draw_setup(const std::vector<ProjectorPicture>& pictures, int size_px);
 
 }  // namespace ergodome

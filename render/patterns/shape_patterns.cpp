@@ -19,7 +19,8 @@ Vector3<float> grey(double light) {
   return {value, value, value};
 }
 
-//! Lines every 5°, brighter every 10° and 30°; meridians thin out towards the poles, where they would run together.
+//! Returns the light of lines every 5°, brighter every 10° and 30°. Near the poles, where meridians
+//! would merge, there are fewer.
 double polar_light(const PatternView& projection, const PatternPlace& place) {
   const DomeSteps steps = dome_steps(projection, place);
   const double elevation = std::abs(place.elevation_deg);
@@ -67,7 +68,7 @@ Picture polar_grid_pattern(const PatternView& projection) {
 Picture checker_pattern(const PatternView& projection) {
   return draw_pattern(projection, 4, [](const PatternPlace& place) {
     constexpr double field_deg = 10.0;
-    // Rings of an even number of fields, so that white and black take turns all the way round.
+    // Each ring has an even number of fields, so that white and black alternate all the way around.
     const double ring = std::min(std::floor(std::abs(place.elevation_deg) / field_deg), 8.0);
     const double pairs = std::max(1.0, std::round(18.0 * std::cos((ring + 0.5) * field_deg * one_degree)));
     const double field = std::floor((place.azimuth_deg + 180.0) / 360.0 * 2.0 * pairs);
