@@ -4,6 +4,8 @@
 
 #include "render/accuracy/lens_race.h"
 
+// Measures cost and accuracy of rendering a show.
+
 namespace ergodome {
 
 //! Names of all axes, in the order of reports.

@@ -2,6 +2,8 @@
 
 #include "render/accuracy/measurement.h"
 
+// Compares methods at the same error.
+
 namespace ergodome {
 
 //! Which time counts as cost.

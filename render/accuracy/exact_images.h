@@ -5,6 +5,8 @@
 
 #include "render/passes/stars/search/star_finder.h"
 
+// Exact images of stars, as a reference.
+
 namespace ergodome {
 
 //! The exact image of a star.

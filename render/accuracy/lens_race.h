@@ -6,6 +6,8 @@
 #include "render/accuracy/measurement.h"
 #include "render/accuracy/pixel_lens.h"
 
+// Measures methods that find where pixels' light comes from.
+
 namespace ergodome {
 
 //! Receives a sentence about each step of the measurement; returning false stops it with an Error.

@@ -8,6 +8,8 @@
 
 #include "render/accuracy/statistics.h"
 
+// Results of a measurement.
+
 namespace ergodome {
 
 //! Errors over a picture, one per cell of a lattice, top row first; NaN where nothing was compared.

@@ -5,6 +5,8 @@
 #include "render/accuracy/lens_race.h"
 #include "render/frame/show_renderer.h"
 
+// Measures whole pictures.
+
 namespace ergodome {
 
 //! A way to draw whole pictures of a show.

@@ -10,6 +10,8 @@
 #include "render/accuracy/scene.h"
 #include "render/lens/lens_source.h"
 
+// The methods to measure, with a common interface.
+
 namespace ergodome {
 
 //! Directions of the pixels inside a picture, and where their light comes from; for methods that

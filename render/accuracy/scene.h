@@ -8,6 +8,8 @@
 #include "kernels/projection/projection.h"
 #include "render/eyes/eye_camera.h"
 
+// Settings of a measurement, and the moments and pixels that it compares.
+
 namespace ergodome {
 
 //! Extent of a measurement.

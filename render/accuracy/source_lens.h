@@ -6,6 +6,8 @@
 
 #include "render/accuracy/pixel_lens.h"
 
+// Measures the renderer's lens sources.
+
 namespace ergodome {
 
 //! Returns the sky direction that a pixel sees; nothing if the pixel is dark.

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <vector>
 
+// Statistics of errors and times.
+
 namespace ergodome {
 
 //! Summary of a set of errors. NaN counts as an infinite error, so that failures never look

@@ -13,6 +13,8 @@
 #include "kernels/launch/launch_cuda.h"
 #include "kernels/launch/work_counter.h"
 
+// Arrays in a backend's memory, and the order of GPU work.
+
 namespace ergodome {
 
 //! Copies `count` elements from a backend's memory to host memory.

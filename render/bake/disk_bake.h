@@ -9,6 +9,8 @@
 #include "render/passes/disk/disk_camera.h"
 #include "render/passes/disk/disk_pass.h"
 
+// Bakes the layers of a show's disk.
+
 namespace ergodome {
 
 //! Returns the disk of a show at its largest; nothing without a disk whose layers a grid can hold.

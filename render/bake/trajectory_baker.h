@@ -5,6 +5,8 @@
 #include "content/show/show.h"
 #include "content/trajectory/trajectory.h"
 
+// Bakes the stations of a show's camera path.
+
 namespace ergodome {
 
 class TrajectoryJournal;

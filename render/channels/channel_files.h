@@ -9,6 +9,8 @@
 #include "render/channels/pixel_channels.h"
 #include "render/output/frame_format.h"
 
+// Writes channels to EXR and FITS files.
+
 namespace ergodome {
 
 //! A metadata entry of a frame of channels.

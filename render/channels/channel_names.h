@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+// Names, units and descriptions of channels.
+
 namespace ergodome {
 
 //! Groups of channels; each has one name and is requested as a whole.

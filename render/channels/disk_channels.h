@@ -6,6 +6,8 @@
 #include "kernels/disk/disk_emitter.h"
 #include "kernels/disk/equatorial_crossings.h"
 
+// Traces rays to the disk, for the channels of the disk.
+
 namespace ergodome {
 
 //! A point where a ray meets the disk.

@@ -9,6 +9,8 @@
 #include "render/channels/channel_names.h"
 #include "render/eyes/eye_camera.h"
 
+// Computes the channels of a picture in double precision.
+
 namespace ergodome {
 
 //! Accuracy of the rays: as good as doubles allow.

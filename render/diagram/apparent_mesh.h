@@ -7,6 +7,8 @@
 #include "content/mesh/triangle_mesh.h"
 #include "content/objects/object_motion.h"
 
+// Meshes as an observer sees them near a hole without spin.
+
 namespace ergodome {
 
 //! A corner of a mesh with its true and its apparent position.

@@ -9,6 +9,8 @@
 #include "render/passes/objects/object_meshes.h"
 #include "render/passes/objects/object_rays.h"
 
+// Diagrams of a show's light rays, seen from outside.
+
 namespace ergodome {
 
 //! What a diagram shows of light.

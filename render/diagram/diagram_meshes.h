@@ -6,6 +6,8 @@
 #include "render/diagram/apparent_mesh.h"
 #include "render/diagram/diagram_scene.h"
 
+// Adds objects to a diagram.
+
 namespace ergodome {
 
 //! Adds an object at its position, with its own color and checkerboard; textures are omitted.

@@ -7,6 +7,8 @@
 #include "render/diagram/diagram_drawing.h"
 #include "render/passes/objects/polygons/gl_thread.h"
 
+// Draws pictures of diagrams with their texts.
+
 namespace ergodome {
 
 //! A display-referred picture: sRGB, three bytes per pixel, top row first.

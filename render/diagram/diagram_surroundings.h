@@ -4,6 +4,8 @@
 #include "render/diagram/diagram_scene.h"
 #include "render/eyes/eye_camera.h"
 
+// Adds hole, axes and observer to a diagram.
+
 namespace ergodome {
 
 //! Adds the hole: its horizon and the photon sphere or, with spin, the ergosphere's equator.

@@ -6,6 +6,8 @@
 
 #include "kernels/core/vector3.h"
 
+// The camera that views a diagram.
+
 namespace ergodome {
 
 //! The direction from which a diagram is viewed, in flat space.

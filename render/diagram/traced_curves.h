@@ -6,6 +6,8 @@
 #include "render/eyes/eye_camera.h"
 #include "render/passes/objects/object_rays.h"
 
+// Traces the rays of an observer's view, for diagrams.
+
 namespace ergodome {
 
 //! Where the path of a ray traced back from an eye ends.

@@ -5,6 +5,8 @@
 #include "content/show/show.h"
 #include "render/eyes/eye_camera.h"
 
+// The border of an observer's view, for diagrams.
+
 namespace ergodome {
 
 //! Border of an observer's picture: points in pseudo-Cartesian axes relative to the observer, on a

@@ -9,6 +9,8 @@
 #include "render/passes/objects/placed_meshes.h"
 #include "render/passes/objects/polygons/object_outline.h"
 
+// Measures the disparities of a frame.
+
 namespace ergodome {
 
 //! Range of disparities: how far to the right of the left eye's image the right eye sees things.

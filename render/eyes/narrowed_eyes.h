@@ -6,6 +6,8 @@
 #include "content/camera/camera_path.h"
 #include "content/show/show.h"
 
+// Finds where the baseline of stereo has to be reduced.
+
 namespace ergodome {
 
 //! A baseline that had to be reduced because the show's does not fit at the camera position

@@ -10,6 +10,8 @@
 #include "render/lens/spread_point.h"
 #include "render/passes/objects/polygons/object_outline.h"
 
+// Disparities of disk, shells and objects.
+
 namespace ergodome {
 
 //! Calls visit(view) for a lattice of directions across an image, in the view's axes.

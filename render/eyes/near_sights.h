@@ -7,6 +7,8 @@
 #include "render/eyes/eye_camera.h"
 #include "render/passes/objects/placed_meshes.h"
 
+// Finds the points of disk, shells and objects in a direction.
+
 namespace ergodome {
 
 //! A point that a head sees in some direction, on the path of the light.

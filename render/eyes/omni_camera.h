@@ -8,6 +8,8 @@
 #include "render/backend/buffer.h"
 #include "render/eyes/eye_camera.h"
 
+// The cameras of omnidirectional stereo (ODS).
+
 namespace ergodome {
 
 //! Returns the camera of an eye at an offset from the head, in the view's axes (right, up, back)

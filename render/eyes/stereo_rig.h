@@ -2,6 +2,8 @@
 
 #include "kernels/core/vector3.h"
 
+// Places eyes relative to a head.
+
 namespace ergodome {
 
 //! An eye's event and axes, derived from the head's.

@@ -6,6 +6,8 @@
 #include "kernels/projection/projection.h"
 #include "render/frame/eye_renderer.h"
 
+// Cuts a cube's picture into its faces.
+
 namespace ergodome {
 
 //! Returns the name of a face (as in OpenGL): px, nx, py, ny, pz or nz.

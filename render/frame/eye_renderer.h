@@ -20,6 +20,8 @@
 #include "render/passes/stars/star_pass.h"
 #include "render/picture/pixel_values.h"
 
+// Renders the pictures of one eye or two.
+
 namespace ergodome {
 
 //! Ends of a heat map's color bar, in the units that are displayed.
@@ -64,7 +66,7 @@ struct PictureSettings {
 
 //! Returns the rows of a picture that are rendered at a time, which bounds memory at any size.
 int rows_of_a_block(Backend backend, int width_px, int height_px);
-//! Returns the rows of a block that are rendered at a time if both eyes' skies are made
+//! Returns the rows of a block that are rendered at a time if both eyes' skies are rendered
 //! alternately.
 int rows_of_a_strip(int width_px);
 

@@ -18,6 +18,8 @@
 #include "render/passes/sky/show_sky.h"
 #include "render/plan/frame_needs.h"
 
+// Renders the frames of a show.
+
 namespace ergodome {
 
 //! The part of a frame that an image is.

@@ -3,6 +3,8 @@
 #include "content/show/show.h"
 #include "kernels/projection/projection.h"
 
+// Projections of a show's view.
+
 namespace ergodome {
 
 //! Returns whether a view's pictures are the faces of a cube, with a file for each.

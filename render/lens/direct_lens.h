@@ -5,6 +5,8 @@
 #include "render/lens/grid/edge_table.h"
 #include "render/lens/lens_source.h"
 
+// Traces the lens of an eye with one ray per pixel.
+
 namespace ergodome {
 
 //! Returns the camera station at which an eye's rays start.

@@ -6,6 +6,8 @@
 #include "kernels/spacetime/trace/follow_rays.h"
 #include "render/lens/direct_lens.h"
 
+// The lens for heat maps of rays.
+
 namespace ergodome {
 
 //! Selects the rays that a heat map of steps or errors shows.

@@ -3,6 +3,8 @@
 #include "kernels/image/shade_pixels.h"
 #include "kernels/launch/launch.h"
 
+// Rules for choosing the source of a frame's lens.
+
 namespace ergodome {
 
 //! Frames with fewer pixels are faster without a grid; compare dome_frame/direct and

@@ -15,6 +15,8 @@
 #include "render/lens/stations/station_stream.h"
 #include "render/published/quadtree_builder.h"
 
+// Chooses and caches the lens of each frame.
+
 namespace ergodome {
 
 //! Accuracy of a lens, as a displacement on the screen.

@@ -2,6 +2,8 @@
 
 #include "kernels/image/lens_pixels.h"
 
+// The interface of all lens sources.
+
 namespace ergodome {
 
 //! Where the lens of a frame comes from. `automatic` chooses the cheapest source with the requested

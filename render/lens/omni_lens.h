@@ -12,6 +12,8 @@
 #include "render/lens/lens_source.h"
 #include "render/lens/stations/station_blend.h"
 
+// Lenses for omnidirectional stereo (ODS), traced or read from a grid.
+
 namespace ergodome {
 
 //! One eye of omnidirectional stereo (ODS), which turns with the viewing azimuth, and the shadow

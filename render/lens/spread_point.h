@@ -3,8 +3,11 @@
 #include <cmath>
 #include <cstddef>
 
+// Points that fill a square evenly.
+
 namespace ergodome {
 
+//! A point in the unit square.
 struct SquarePoint {
   double x;
   double y;

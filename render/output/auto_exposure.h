@@ -2,6 +2,8 @@
 
 #include "render/frame/eye_renderer.h"
 
+// Automatic exposure.
+
 namespace ergodome {
 
 //! Accumulates the logarithms of pictures' light for their geometric mean. Pictures of both eyes

@@ -5,6 +5,8 @@
 
 #include "render/frame/eye_renderer.h"
 
+// Draws the color bar of a heat map.
+
 namespace ergodome {
 
 //! A text of a color bar, with the middle of its upper edge [px].

@@ -6,6 +6,8 @@
 
 #include "content/timeline/frame_rate.h"
 
+// File formats of frames.
+
 namespace ergodome {
 
 //! PNG with 8 or 16 bits per channel and TIFF with 16 hold display values (tone-mapped, sRGB); EXR

@@ -6,6 +6,8 @@
 
 #include "render/frame/show_renderer.h"
 
+// Paths of frame files.
+
 namespace ergodome {
 
 //! Returns the folder for an eye's own files: L or R; empty if a file belongs to no single eye.

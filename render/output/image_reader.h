@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <vector>
 
+// Reads image files.
+
 namespace ergodome {
 
 //! Display-referred pixels: red, green, blue, and coverage if requested, 16 bits each, top row

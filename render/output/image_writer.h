@@ -9,6 +9,8 @@
 #include "render/frame/eye_renderer.h"
 #include "render/output/frame_format.h"
 
+// Writes image files.
+
 namespace ergodome {
 
 //! Metadata that a frame's file holds, as names and values.

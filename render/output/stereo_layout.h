@@ -3,6 +3,8 @@
 #include "content/show/show.h"
 #include "render/frame/eye_renderer.h"
 
+// Combines two eyes' pictures into one image.
+
 namespace ergodome {
 
 //! Returns whether a layout keeps both eyes' pictures separate: as two files, or as two parts of

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+// Draws text into images.
+
 namespace ergodome {
 
 //! Text as an image of its coverage, 0 to 1 per pixel, top row first.

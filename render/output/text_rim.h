@@ -2,6 +2,8 @@
 
 #include <vector>
 
+// The dark rim around letters.
+
 namespace ergodome {
 
 //! Returns the reach of the dark rim around letters [px] for a line height [px]: at least 2.

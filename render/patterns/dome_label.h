@@ -6,6 +6,8 @@
 #include "kernels/core/vector3.h"
 #include "render/output/text_image.h"
 
+// Texts on the dome.
+
 namespace ergodome {
 
 //! A text on the dome, upright for a viewer inside who faces it.

@@ -5,6 +5,8 @@
 #include "render/patterns/dome_label.h"
 #include "render/patterns/pattern_place.h"
 
+// The test pattern for orientation.
+
 namespace ergodome {
 
 //! Returns the labels FRONT (yellow), RIGHT (green), BACK (blue) and LEFT (red) just above the

@@ -6,6 +6,8 @@
 #include "kernels/projection/projection.h"
 #include "render/frame/eye_renderer.h"
 
+// The framework in which all patterns are drawn.
+
 namespace ergodome {
 
 //! The projection for which a pattern is drawn. Projectors may show the picture turned about the
@@ -27,9 +29,9 @@ struct PatternPlace {
   Vector3<double> direction;  //!< in the view: x right, y up, z back
   double azimuth_deg;         //!< to the right of the front
   double elevation_deg;
-  //! Position on the sheet on which ramps and bars are drawn, both 0 to 1. A screen is its own
-  //! sheet. Otherwise `across` is the azimuth, from the back over the left, the front (0.5) and the
-  //! right, and `up` runs from the horizon (0) to the zenith (1), and to the nadir (-1).
+  //! Position on the sheet on which ramps and bars are drawn. A screen is its own sheet, 0 to 1 both
+  //! ways. Otherwise `across` is the azimuth, from the back (0) over the left, the front (0.5) and the
+  //! right, and `up` runs from the nadir (-1) over the horizon (0) to the zenith (1).
   double across;
   double up;
 };

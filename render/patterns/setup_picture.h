@@ -5,6 +5,8 @@
 #include "calibration/projectors/projector_picture.h"
 #include "render/frame/eye_renderer.h"
 
+// Shows which projector lights which part of the dome.
+
 namespace ergodome {
 
 //! Returns the fraction of the dome that each projector lights, 0 to 1, followed by the fraction

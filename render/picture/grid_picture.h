@@ -5,6 +5,8 @@
 
 #include "content/trajectory/lens_station.h"
 
+// Draws lens grids.
+
 namespace ergodome {
 
 //! Numbers of leaves whose cell was halved equally often.

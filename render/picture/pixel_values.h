@@ -6,6 +6,8 @@
 
 #include "render/backend/kept_memory.h"
 
+// Memory for the pixel values of pictures.
+
 namespace ergodome {
 
 //! Allocator that leaves the elements added by resize() uninitialized, so that all threads touch

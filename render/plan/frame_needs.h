@@ -5,6 +5,8 @@
 #include "content/show/show.h"
 #include "kernels/image/shade_pixels.h"
 
+// Decides which channels and effects a show's pictures need.
+
 namespace ergodome {
 
 //! Channels of LensPixels that a picture needs.

@@ -9,6 +9,8 @@
 #include "kernels/launch/launch.h"
 #include "render/lens/lens_source.h"
 
+// Plans the work of a picture before it is rendered.
+
 namespace ergodome {
 
 //! How often a pass runs or a buffer is allocated.

@@ -28,7 +28,7 @@ class Planner {
   void buffer(const std::string& name, WorkMoment moment, long bytes, const std::string& reason);
   //! Adds a pass over all pixels of all eyes, block by block.
   void pixel_pass(const std::string& name, const std::string& reason, bool if_needed = false);
-  //! Returns whether the two eyes' skies are made alternately, which requires that, at least at
+  //! Returns whether the two eyes' skies are rendered alternately, which requires that, at least at
   //! times, nothing is near the hole.
   [[nodiscard]] bool makes_eyes_in_turn() const;
   [[nodiscard]] int count_strips() const;

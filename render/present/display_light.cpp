@@ -34,7 +34,7 @@ void main() {
 }
 )";
 
-//! Averages over more than 2^n pixels, with n as here, are not needed by any realistic warp.
+//! The coarsest mipmap level: no realistic warp needs averages over more pixels than this (2^n).
 constexpr int coarsest_level = 5;
 
 }  // namespace

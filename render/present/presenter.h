@@ -8,6 +8,8 @@
 #include "render/output/stereo_layout.h"
 #include "render/passes/overlay/caption_layer.h"
 
+// Shows pictures in an OpenGL window.
+
 namespace ergodome {
 
 //! A picture on the GPU: linear light, RGBA32F, top row first.

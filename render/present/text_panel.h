@@ -5,6 +5,8 @@
 
 #include "render/output/text_image.h"
 
+// Draws text panels over a window.
+
 namespace ergodome {
 
 //! Where a panel is in its framebuffer. On a dome the corner is free. `bottom_middle` may be

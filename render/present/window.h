@@ -6,6 +6,8 @@
 
 #include "render/present/desktop.h"
 
+// OpenGL windows and their input events.
+
 namespace ergodome {
 
 //! An input event of a window.

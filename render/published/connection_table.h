@@ -4,6 +4,8 @@
 
 #include "kernels/spacetime/schwarzschild/connection_table.h"
 
+// Tables of rays that connect points with an observer around a hole without spin.
+
 namespace ergodome {
 
 //! Maximum number of orders in a table. Light that circles more often arrives within about 10^-20

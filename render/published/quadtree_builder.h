@@ -5,6 +5,8 @@
 #include "kernels/published/quadtree_look_up.h"
 #include "kernels/spacetime/trace/trace_rays.h"
 
+// Builds the quadtree grid published by VE.
+
 namespace ergodome {
 
 //! The published parameters of VE's grid.

@@ -9,6 +9,8 @@
 #include "render/backend/buffer.h"
 #include "render/eyes/eye_camera.h"
 
+// Tables of the shadow's edge.
+
 namespace ergodome {
 
 //! Points of an edge table: cubic interpolation is accurate to 1e-7 rad, even for the flattened

@@ -6,6 +6,8 @@
 #include "render/lens/grid/grid_tracer.h"
 #include "render/lens/grid/growing_grid.h"
 
+// Builds lens grids.
+
 namespace ergodome {
 
 //! Settings for building a lens grid.

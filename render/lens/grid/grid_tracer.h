@@ -6,6 +6,8 @@
 #include "kernels/lens/grid_build.h"
 #include "render/backend/buffer.h"
 
+// Traces the rays of lens grids while they are built.
+
 namespace ergodome {
 
 //! Ratio of a cubic's error in the middle to its error at the inner checks: (u (1 - u))² at 1/2,

@@ -9,6 +9,8 @@
 #include "render/lens/grid/grid_builder.h"
 #include "render/lens/stations/place_turn.h"
 
+// Builds lens grids on a thread.
+
 namespace ergodome {
 
 //! An order for a grid.

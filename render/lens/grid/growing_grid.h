@@ -7,6 +7,8 @@
 #include "kernels/lens/grid_build.h"
 #include "render/lens/grid/hanging_nodes.h"
 
+// The cell tree of a lens grid while it is built.
+
 namespace ergodome {
 
 //! Counts the work of building a grid.

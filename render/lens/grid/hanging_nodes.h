@@ -6,6 +6,8 @@
 
 #include "content/trajectory/lens_station.h"
 
+// Coordinates of a lens grid, and its hanging nodes: those inside the sides of larger leaves.
+
 namespace ergodome {
 
 //! Finest cells along a side of a root cell. Coordinates in a grid are whole numbers of finest

@@ -6,6 +6,8 @@
 #include "kernels/lens/look_up.h"
 #include "render/lens/stations/place_turn.h"
 
+// Measures the error of a lens on an observer's screen.
+
 namespace ergodome {
 
 //! The observer of a lens: position, motion and screen.

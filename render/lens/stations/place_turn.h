@@ -2,6 +2,8 @@
 
 #include <glm/mat3x3.hpp>
 
+// Camera positions of lenses, and the rotation of the sky between them.
+
 namespace ergodome {
 
 //! Camera position without its azimuth, which only rotates the sky.

@@ -7,6 +7,8 @@
 #include "content/trajectory/lens_station.h"
 #include "render/lens/stations/place_turn.h"
 
+// Derivatives of baked stations along r and θ.
+
 namespace ergodome {
 
 //! Traces the station's nodes, at their (γ, s), for a camera at another position with its own

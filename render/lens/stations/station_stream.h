@@ -14,6 +14,8 @@
 #include "content/trajectory/trajectory_reader.h"
 #include "render/lens/stations/station_blend.h"
 
+// Streams baked stations ahead of the play head.
+
 namespace ergodome {
 
 //! The stations around a moment of a show. `second` is empty where the camera stands still and at

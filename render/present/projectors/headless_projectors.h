@@ -7,6 +7,8 @@
 #include "calibration/projectors/projector_picture.h"
 #include "render/present/projectors/software_projectors.h"
 
+// Draws projector images without a window.
+
 namespace ergodome {
 
 //! The drawing method for projector images without a window. `automatic`: OpenGL on a GPU,

@@ -7,6 +7,8 @@
 #include "render/backend/buffer.h"
 #include "render/frame/eye_renderer.h"
 
+// Light of a domemaster for projectors, computed with kernels.
+
 namespace ergodome {
 
 //! The parts of a master's light that are wanted, by level.

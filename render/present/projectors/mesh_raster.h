@@ -4,6 +4,8 @@
 
 #include "render/present/projectors/projector_mesh.h"
 
+// Samples a projector's mesh at each pixel, on the CPU.
+
 namespace ergodome {
 
 //! Values of a projector's mesh at the middle of a pixel.

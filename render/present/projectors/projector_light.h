@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+// The formula for the values that projectors receive.
+
 namespace ergodome {
 
 //! How a projector changes one color at one position of its raster.

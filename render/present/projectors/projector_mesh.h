@@ -5,6 +5,8 @@
 
 #include "calibration/projectors/projector_picture.h"
 
+// Triangles of a projector's warp.
+
 namespace ergodome {
 
 //! A corner of the triangles in a projector's raster.

@@ -6,6 +6,8 @@
 #include "calibration/dome/dome_setup.h"
 #include "render/present/desktop.h"
 
+// Places projectors' outputs on the desktop.
+
 namespace ergodome {
 
 //! Throws Error, listing the connected monitors, if a setup names a missing monitor or a window

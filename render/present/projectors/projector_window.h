@@ -9,6 +9,8 @@
 #include "render/present/desktop.h"
 #include "render/present/window.h"
 
+// The window of one projector.
+
 namespace ergodome {
 
 //! When a window shows what was drawn: with the display's next refresh, or at once.

@@ -9,6 +9,8 @@
 #include "render/present/presenter.h"
 #include "render/present/window.h"
 
+// Shows a domemaster in the windows of a dome's projectors.
+
 namespace ergodome {
 
 //! Whether warps change. Adjusted warps are drawn by OpenGL from the start, because kernels need a
