@@ -6,11 +6,11 @@
 
 namespace ergodome {
 
-//! The backend for "auto", "cpu" or "cuda". `auto` without a usable GPU says so once on standard error and takes the CPU; "cuda"
-//! without one is an Error.
+//! Returns the backend for "auto", "cpu" or "cuda". Without a usable GPU, `auto` selects the CPU
+//! and prints a note once; "cuda" throws Error.
 Backend choose_backend(const std::string& word);
 
-//! What works, for people: "cpu (avx512, 2 threads)" or "cuda".
+//! Describes a backend: "cpu (avx512, 2 threads)" or "cuda".
 std::string describe(Backend backend);
 
 }  // namespace ergodome

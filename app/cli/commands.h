@@ -6,7 +6,8 @@ class App;
 
 namespace ergodome {
 
-// Each adds one command to the command line; the command runs when it is parsed. Errors leave as ergodome::Error.
+// Each function adds one command to the command line. The command runs when it is parsed, and
+// throws Error if it fails.
 void add_render_command(CLI::App& app);
 void add_play_command(CLI::App& app);
 void add_trace_command(CLI::App& app);

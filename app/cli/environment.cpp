@@ -15,7 +15,7 @@ namespace ergodome {
 
 namespace {
 
-//! What a variable is set to; one that is empty counts as not set.
+//! Returns the value of an environment variable; empty if it is not set.
 std::string_view value_of(const char* variable) {
   const char* const value = std::getenv(variable);
   return value != nullptr ? value : "";

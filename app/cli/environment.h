@@ -2,7 +2,8 @@
 
 namespace ergodome {
 
-//! Throws UsageError where ERGODOME_INSTRUCTION_SET or ERGODOME_THREADS has a value that says nothing, or that this processor does not have. An empty one counts as not set.
+//! Throws UsageError if ERGODOME_INSTRUCTION_SET or ERGODOME_THREADS has an invalid value, or one
+//! that this CPU does not support. An empty value counts as not set.
 void check_environment();
 
 }  // namespace ergodome

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t name_columns = 30;
 constexpr std::size_t text_columns = 120 - name_columns;
 
-//! Breaks a text between words into lines that fit beside the names.
+//! Wraps text into lines that fit beside the names.
 std::string wrapped(const std::string& text) {
   std::istringstream words(text);
   std::string lines;
@@ -31,7 +31,8 @@ std::string wrapped(const std::string& text) {
   return lines;
 }
 
-//! Returns the choices "{a,b,c}" of an option's type as "a, b, c"; empty if it has none or the text lists them.
+//! Returns the choices "{a,b,c}" of an option's type as "a, b, c"; empty if it has none or if the
+//! text lists them.
 std::string choices_of(const std::string& type, const std::string& text) {
   const std::size_t from = type.find('{');
   if (from == std::string::npos) {
@@ -47,7 +48,8 @@ std::string choices_of(const std::string& type, const std::string& text) {
   return listed ? "" : choices;
 }
 
-//! Returns the range "[a - b]" of an option's type as "a to b"; empty if it has none, or one that nobody reaches.
+//! Returns the range "[a - b]" of an option's type as "a to b"; empty if it has none or is
+//! practically unlimited.
 std::string range_of_type(const std::string& type) {
   constexpr double practically_unlimited = 1e6;
   const std::size_t from = type.find('[');
@@ -80,7 +82,7 @@ std::string HelpFormat::make_subcommand(const CLI::App* command) const {
 
 std::string HelpFormat::make_option_name(const CLI::Option* option, bool is_positional) const {
   const std::string name = CLI::Formatter::make_option_name(option, is_positional);
-  return name.substr(0, name.find('{'));  // the value of a flag that is false
+  return name.substr(0, name.find('{'));  // without the false value of a flag
 }
 
 std::string HelpFormat::make_option_opts(const CLI::Option* option) const {

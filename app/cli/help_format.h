@@ -5,7 +5,8 @@
 
 namespace ergodome {
 
-//! Lays out `--help`: each option with a placeholder and its meaning, then its choices or range and its default.
+//! Formats `--help`: each option with a placeholder and its meaning, then its choices or range and
+//! its default.
 class HelpFormat : public CLI::Formatter {
  public:
   HelpFormat();

@@ -12,16 +12,17 @@ class Option;
 
 namespace ergodome {
 
-//! Options of a command that change nothing where another option's value, or the kind of a file, leaves them no use. Where it is enough that another is given
-//! at all, CLI::Option::needs and excludes say the same.
+//! Options of a command that have no effect, given the value of another option or the kind of a
+//! file. If it only matters whether another option is given, use CLI::Option::needs and excludes.
 class IdleOptions {
  public:
-  //! `command` outlives this.
+  //! `command` must outlive this.
   explicit IdleOptions(CLI::App& command) : command_(&command) {}
 
-  //! While `holds`, which is asked once the command line is read, these change nothing `where`: "without --method grid", "of a test pattern".
+  //! Registers options that have no effect while `holds` returns true; it is called after parsing.
+  //! `where` is part of the message: "without --method grid", "of a test pattern".
   void add(const char* where, std::function<bool()> holds, std::initializer_list<const char*> options);
-  //! Throws CLI::ValidationError for the first that is given and changes nothing: such a command line was meant otherwise.
+  //! Throws CLI::ValidationError for the first given option that has no effect.
   void refuse() const;
 
  private:

@@ -2,19 +2,21 @@
 
 namespace ergodome {
 
-//! From now on Ctrl-C (SIGINT) and SIGTERM only ask for a stop; a second one ends the program at once.
+//! Makes SIGINT (Ctrl-C) and SIGTERM request a stop; the second one ends the program at once.
 void catch_interrupts();
 
-//! From now on SIGHUP asks for a stop as well, however often it comes.
+//! Makes SIGHUP request a stop as well, however often it comes.
 void stop_on_hangup();
 
-//! From now on a file that grows beyond the limit that a user may have is one that cannot be written, as on a full disk, and not the end of the program.
+//! Makes writing beyond the user's limit on file sizes fail as on a full disk, instead of ending
+//! the program.
 void fail_at_file_limits();
 
-//! Whether a stop was asked for.
+//! Returns whether a stop was requested.
 bool interrupted();
 
-//! From now on SIGINT and SIGTERM end the program at once, for work that asks nobody whether to go on and writes whole files alone.
+//! Makes SIGINT and SIGTERM end the program at once, for work that cannot be interrupted and writes
+//! only whole files.
 void end_on_interrupts();
 
 }  // namespace ergodome

@@ -5,7 +5,7 @@
 
 namespace ergodome {
 
-//! Facts as JSON for people and programs. What is no UTF-8 in names of a person's files becomes the character that stands for such.
+//! Formats a summary as JSON. Invalid UTF-8, such as in file names, becomes replacement characters.
 inline std::string json_text(const nlohmann::json& facts) {
   return facts.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
 }

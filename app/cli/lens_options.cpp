@@ -21,7 +21,7 @@ namespace ergodome {
 
 namespace {
 
-//! One eye's pictures of a width; 0: the show's own.
+//! Returns the projection of one eye's picture of this width; 0: the show's.
 Projection projection_of(const Show& show, int size_px) {
   return make_projection(show.view, size_px > 0 ? size_px : show.view.size_px, 0.0);
 }
@@ -36,12 +36,12 @@ std::shared_ptr<StationStream> open(const Show& show, const std::filesystem::pat
                                          [tell](const std::string& problem) { tell(problem + " (skipped)"); });
 }
 
-//! Where a show's own trajectory would be.
+//! Returns the default path of a show's trajectory.
 std::filesystem::path trajectory_beside(const Show& show) {
   return std::filesystem::path(show.folder) / (show.name + ".trajectory");
 }
 
-//! What is drawn where stations are too coarse.
+//! Describes what is drawn where stations are too coarse.
 const char* stand_in_for_stream(const Projection& projection, const LensOptions& options, Backend backend) {
   if (lens_choice(options) == LensChoice::streamed) {
     return "frames exceed the budget";
@@ -151,16 +151,17 @@ std::vector<std::string> stream_notes(const StationStream* stream, const Show& s
   const double pixel = pixel_angle(projection);
   const double budget_px = show.quality.budget_px;
   if (!is_fine_enough(*stream, show, size_px)) {
-    // Three digits are near enough: holds_budget() leaves a hundredth.
+    // Three digits are enough, because holds_budget() allows 1 %.
     const std::string finer = budget_px < baked.budget_px ? fmt::format(" --budget {:.3g}", budget_px) : "";
-    // By its name: each sentence is told once, and of an exhibit's shows two may have trajectories that are too coarse alike.
+    // Includes the name, because each note is printed only once, and two shows of an exhibit may
+    // both have a coarse trajectory.
     return {
         fmt::format("{} was baked for {:.3g} px in frames {:.0f} px wide and is too coarse for {:.3g} px at {}: {}; "
                     "bake it again with --size {}{}",
                     trajectory.path().string(), baked.budget_px, width_px * pixel / baked.pixel, budget_px, width_px,
                     stand_in_for_stream(projection, options, backend), width_px, finer)};
   }
-  // What a station's pixel is in this picture.
+  // Ratio of the pixel of the stations to that of this picture.
   const double scale = baked.pixel / pixel;
   const MissedGaps missed = missed_gaps(trajectory.stations(), std::max(budget_px / scale, baked.budget_px));
   if (missed.count == 0) {

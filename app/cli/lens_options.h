@@ -17,44 +17,48 @@ class App;
 
 namespace ergodome {
 
-//! Where the lenses of a show come from, as a person chooses it.
+//! Options that choose the source of a show's lenses.
 struct LensOptions {
   std::string lens = "auto";
-  std::string trajectory;  //!< file; empty: the show's own name with .trajectory beside it, if it is there
+  std::string trajectory;  //!< file; empty: NAME.trajectory in the show's folder, if it exists
   std::optional<int> stream_memory_mib;
 };
 
 constexpr int usual_stream_memory_mib = 256;
 
-//! Adds --lens, --trajectory and --stream-memory to a command, and to its idle options where they change nothing. `options` outlive both.
+//! Adds --lens, --trajectory and --stream-memory to a command, and registers when they have no
+//! effect. `options` must outlive both.
 void add_lens_options(CLI::App& command, LensOptions& options, IdleOptions& idle);
 
 LensChoice lens_choice(const LensOptions& options);
 
-//! Takes a sentence for the person who watches.
+//! Receives a note for the user.
 using Tell = std::function<void(const std::string&)>;
 
-//! Writes it on the terminal; what was written there before is not said again. From any thread.
+//! Prints a note on the terminal unless it was printed before. Thread-safe.
 void tell_on_terminal(const std::string& note);
 
-//! The stream of the show's baked stations; none where there is no trajectory or the choice needs none. Throws Error where a trajectory
-//! that was asked for cannot be used; one that is merely found beside the show is then left alone, with a word about it. `tell` is called from the
-//! stream's thread, too, for stations that cannot be read.
+//! Opens the stream of a show's baked stations. Returns null if there is no trajectory or the
+//! choice needs none. Throws Error if a requested trajectory cannot be used; one that was merely
+//! found in the show's folder is skipped with a note. `tell` is also called from the stream's
+//! thread, for stations that cannot be read.
 std::shared_ptr<StationStream> open_stream(const Show& show, const LensOptions& options, Backend backend,
                                            Tell tell = tell_on_terminal);
 
-//! Throws UsageError where most memory for streamed stations is given, and nothing of the show's is streamed: there is no trajectory.
+//! Throws UsageError if a memory limit for streamed stations is given but the show has no
+//! trajectory to stream.
 void require_used_memory(const Show& show, const LensOptions& options);
 
-//! Whether stations of a trajectory hold the show's budget in pictures of a width (0: the show's own).
+//! Returns whether the stations of a trajectory keep the show's budget in pictures of this width
+//! (0: the show's).
 bool is_fine_enough(const StationStream& stream, const Show& show, int size_px);
 
-//! What is to be known of a stream for pictures of a width (0: the show's own) that a backend makes: that it is too coarse for them, and what becomes of
-//! that, or that some of what it is used for misses the budget. None where there is no stream.
+//! Returns notes on a stream for pictures of this width (0: the show's): that it is too coarse and
+//! what is used instead, or that parts of it exceed the budget. Empty if there is no stream.
 std::vector<std::string> stream_notes(const StationStream* stream, const Show& show, const LensOptions& options,
                                       Backend backend, int size_px);
 
-//! Prints what a stream has done.
+//! Prints statistics of a stream.
 void print_statistics(const StreamStatistics& statistics);
 
 }  // namespace ergodome

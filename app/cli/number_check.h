@@ -9,7 +9,8 @@
 
 namespace ergodome {
 
-//! For an option that takes a number from `least` to `most`: CLI::Range lets "nan" through, and prints six digits of its ends.
+//! Returns a check for an option with a number from `least` to `most`. Unlike CLI::Range, it
+//! rejects "nan" and prints the limits in full.
 inline CLI::Validator number_between(double least, double most) {
   return {[least, most](std::string& text) {
             double value = 0.0;
@@ -19,8 +20,9 @@ inline CLI::Validator number_between(double least, double most) {
           fmt::format("FLOAT in [{:g} - {:g}]", least, most)};
 }
 
-//! For an option that takes a frame rate, as a number or as a fraction of two ("30000/1001"): makes it the number, exact where it is short for 1000/1001 of a
-//! whole rate. For transform(), as check() changes no words.
+//! Returns a check for an option with a frame rate, as a number or as a fraction ("30000/1001").
+//! Converts it to a number, which is exact if it is an abbreviation of 1000/1001 of an integer
+//! rate. For transform(), because check() cannot change the value.
 inline CLI::Validator frame_rate_between(double least, double most) {
   return {[least, most](std::string& text) {
             const std::size_t slash = text.find('/');
@@ -40,7 +42,7 @@ inline CLI::Validator frame_rate_between(double least, double most) {
           fmt::format("FLOAT in [{:g} - {:g}]", least, most)};
 }
 
-//! For times of a show [s] that may lie anywhere.
+//! Returns a check for show times [s] without limits.
 inline CLI::Validator show_time() { return number_between(-1e12, 1e12); }
 
 }  // namespace ergodome

@@ -11,7 +11,7 @@ namespace ergodome {
 void require_other_file(const std::string& option, const std::filesystem::path& written,
                         std::initializer_list<std::filesystem::path> read) {
   for (const std::filesystem::path& each : read) {
-    // Where one of them is not there they are not the same.
+    // Files that do not exist are not equivalent.
     std::error_code not_there;
     if (std::filesystem::equivalent(written, each, not_there)) {
       throw UsageError(option + " " + written.string(), "is also the input file, which would be overwritten",

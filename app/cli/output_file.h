@@ -6,16 +6,19 @@
 
 namespace ergodome {
 
-//! Checks a file that a command is to write before it does any work. `option` names it in messages ("--out"). Throws Error where it is one of the files that
-//! the command reads, under whatever name: that would be lost. Nothing is wrong with names that are empty.
+//! Checks an output file before a command does any work. `option` names it in messages ("--out").
+//! Throws UsageError if it is one of the input files, under any name, which would be overwritten.
+//! Ignores empty names.
 void require_other_file(const std::string& option, const std::filesystem::path& written,
                         std::initializer_list<std::filesystem::path> read);
 
-//! The same for a file whose folder is to be there: throws where it is not. Folders are made where an option names one alone.
+//! Checks an output file as require_other_file() does. Also throws Error if its folder does not
+//! exist: only folders named by an option themselves are created.
 void require_output_file(const std::string& option, const std::filesystem::path& written,
                          std::initializer_list<std::filesystem::path> read);
 
-//! The same for a PNG; throws where the name does not end like one.
+//! Checks an output file as require_output_file() does. Also throws UsageError if the name does not
+//! end in .png.
 void require_other_png(const std::string& option, const std::filesystem::path& written,
                        std::initializer_list<std::filesystem::path> read);
 

@@ -22,7 +22,7 @@ namespace ergodome {
 
 namespace {
 
-//! A word that is no command.
+//! Reports an unknown command, and returns the exit status.
 int refuse_word(const CLI::App& app, const std::string& word) {
   std::vector<std::string> commands;
   for (const CLI::App* command : app.get_subcommands({})) {
@@ -34,7 +34,7 @@ int refuse_word(const CLI::App& app, const std::string& word) {
   return 2;
 }
 
-//! Returns the parser's message, rewritten where an option was given twice.
+//! Returns the parser's message, rewritten if an option was given twice.
 std::string parser_message(const CLI::Error& problem) {
   constexpr std::string_view too_often = ": At Most 1 required but received ";
   const std::string said = problem.what();

@@ -2,8 +2,8 @@
 
 namespace ergodome {
 
-//! The program, from its command line to its exit status: 2 for a command line that makes no sense, 1 for what went wrong, which is told
-//! on the standard error.
+//! Runs the program and returns its exit status: 0, 2 for an invalid command line, 1 for other
+//! errors. Prints errors on stderr.
 int run_program(int argc, char** argv);
 
 }  // namespace ergodome

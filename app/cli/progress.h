@@ -5,8 +5,9 @@
 
 namespace ergodome {
 
-//! The progress of long work on the standard error: on a terminal a bar with the time left, from two seconds on; elsewhere, in a log
-//! for instance, a line after five seconds and then ever more seldom, at last each minute.
+//! Shows the progress of long work on stderr: on a terminal as a bar with the remaining time, after
+//! two seconds; otherwise, such as in a log, as a line after five seconds and then less and less
+//! often, down to once a minute.
 class Progress {
  public:
   Progress(std::string what, long total);

@@ -19,16 +19,16 @@ namespace ergodome {
 
 namespace {
 
-//! In axes that lean to the front by an angle against those that a place is in.
+//! Converts a position to axes tilted to the front by an angle.
 Vector3<double> leaned(const Vector3<double>& place, double angle_deg) {
   const double cosine = std::cos(angle_deg * one_degree);
   const double sine = std::sin(angle_deg * one_degree);
   return {place.x, cosine * place.y + sine * place.z, cosine * place.z - sine * place.y};
 }
 
-//! The setup's viewer in radii of the dome, in the axes of a view that is tilted by `tilt_deg`.
+//! Returns the setup's viewer in radii of the dome, in the axes of a view tilted by `tilt_deg`.
 Vector3<double> viewer_of(const DomeSetup& setup, double tilt_deg) {
-  // What is fixed is the viewer's place in the dome, about whose own axis the picture is turned to the right.
+  // The viewer is fixed in the dome, and the picture rotates to the right about the dome's axis.
   const Vector3<double> own = leaned((1.0 / setup.radius_m) * setup.viewer_m, -setup.tilt_deg);
   const double cosine = std::cos(setup.rotation_deg * one_degree);
   const double sine = std::sin(setup.rotation_deg * one_degree);
@@ -51,7 +51,7 @@ void fit_to_setup(Show& show, const DomeSetup& setup, const std::string& stereo)
   view.tilt_deg = setup.tilt_known && !view.artistic_tilt ? setup.tilt_deg : show.view.tilt_deg;
   view.viewer = viewer_of(setup, view.tilt_deg);
   show.view = view;
-  // Projectors stand still.
+  // Projectors do not move, so the view must not change.
   std::erase_if(show.timeline.animations, [](const Animation& each) { return each.path.starts_with("view."); });
 }
 
@@ -93,7 +93,8 @@ void ProjectorFrames::write(const std::filesystem::path& frame, const Picture& m
 PatternView upright_master(const DomeSetup& setup, int size_px) {
   Show show;
   show.view.tilt_deg = setup.tilt_deg;
-  // Patterns' places are asked for where the turned picture shows them, to which the viewer's place is that of one that is not turned.
+  // Patterns are evaluated in the rotated picture, in which the viewer's position is that of an
+  // unrotated setup.
   DomeSetup unturned = setup;
   unturned.rotation_deg = 0.0;
   fit_to_setup(show, unturned);

@@ -13,32 +13,34 @@
 
 namespace ergodome {
 
-//! Makes a show render the domemaster that warps of a setup look up: 180°, equidistant, uncut, from
-//! inside, correct as seen from the setup's viewer. A tilt that the setup states replaces the show's,
-//! unless that is artistic. Throws Error for layouts that put two eyes into one picture, and UsageError if
-//! the command line's `stereo` (empty: none) asked for one.
+//! Makes a show render the domemaster that the warps of a setup sample: 180°, equidistant,
+//! uncropped, from inside, correct as seen from the setup's viewer. A tilt given in the setup
+//! replaces the show's, unless that is artistic. Throws Error for layouts that put two eyes into
+//! one picture, and UsageError if the layout is `stereo` of the command line (empty: not given).
 void fit_to_setup(Show& show, const DomeSetup& setup, const std::string& stereo = {});
 
-//! The projectors' names for files: what of them is plain, and different for each.
+//! Returns the projectors' names for files, with safe characters only, each different.
 std::vector<std::string> plain_names(const DomeSetup& setup);
 
-//! Writes what the projectors show of numbered frames, without a display.
+//! Writes the projectors' views of numbered frames, without a display.
 class ProjectorFrames {
  public:
   //! Throws Error as HeadlessProjectors does.
   ProjectorFrames(const DomeSetup& setup, const std::vector<ProjectorPicture>& pictures,
                   ProjectorDrawer drawer = ProjectorDrawer::automatic);
 
-  //! Writes a PNG for each projector, named after `frame` (FOLDER/NAME_000001.png becomes FOLDER/NAME_000001_PROJECTOR.png).
+  //! Writes a PNG for each projector, named after `frame` (FOLDER/NAME_000001.png becomes
+  //! FOLDER/NAME_000001_PROJECTOR.png).
   void write(const std::filesystem::path& frame, const Picture& master, const FrameMetadata& metadata = {});
 
-  //! Pixels of all projectors.
+  //! Returns the number of pixels of all projectors.
   [[nodiscard]] std::uintmax_t pixels() const;
 
-  //! These files.
+  //! Returns the files that write() writes for a frame.
   [[nodiscard]] std::vector<std::filesystem::path> paths_of(const std::filesystem::path& frame) const;
 
-  //! Whether all of these files are there and complete, and were asked for alike (FrameMetadata's "request").
+  //! Returns whether all these files exist, are complete and have this fingerprint (FrameMetadata's
+  //! "request").
   [[nodiscard]] bool are_there(const std::filesystem::path& frame, const std::string& request) const;
 
  private:
@@ -53,20 +55,22 @@ class ProjectorFrames {
   HeadlessProjectors projectors_;
 };
 
-//! Test patterns that projectors are to show.
+//! Options for writing test patterns for projectors.
 struct ProjectedPatterns {
-  std::string pattern;                       //!< its name, or "all"
-  StereoLayout layout = StereoLayout::mono;  //!< or `separate`: each eye's own, in L/ and R/
-  int size_px = 0;                           //!< width of the domemaster; 0: enough
+  std::string pattern;                       //!< name of a pattern, or "all"
+  StereoLayout layout = StereoLayout::mono;  //!< or `separate`: one for each eye, in L/ and R/
+  //! Width of the domemaster; 0: sufficient for the projectors.
+  int size_px = 0;
   std::filesystem::path out;
 };
 
-//! Writes what the projectors show of them: PATTERN_PROJECTOR.png, and with all of them a sheet with its number for each,
-//! number_PROJECTOR.png. Patterns stand upright in the dome as it is tilted. Returns how many files.
+//! Writes the projectors' views of test patterns: PATTERN_PROJECTOR.png, and with "all" also a
+//! picture with each projector's number, number_PROJECTOR.png. Patterns are upright in a tilted
+//! dome. Returns the number of files.
 int write_pattern_frames(const ProjectedPatterns& asked, const DomeSetup& setup);
 
-//! A setup's domemaster whose up is straight up where the dome shows it, tilted and turned as it is. Its front is the setup's rotation to the right of the
-//! dome's.
+//! Returns a domemaster of a setup in which up is vertical in the tilted and rotated dome. Its
+//! front is the setup's rotation to the right of the dome's front.
 PatternView upright_master(const DomeSetup& setup, int size_px);
 
 }  // namespace ergodome

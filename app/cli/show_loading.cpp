@@ -22,7 +22,7 @@ namespace ergodome {
 
 namespace {
 
-//! Parses a number. Returns whether the text is nothing but one.
+//! Parses a number. Returns whether the whole text is a number.
 bool is_number(std::string_view text, double& number) {
   const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
   return problem == std::errc() && end == text.data() + text.size();
@@ -40,7 +40,7 @@ std::vector<std::string> built_in_shows(const std::filesystem::path& folder) {
   return names;
 }
 
-//! Reads a show file. What its settings are blamed for is an error of the command line.
+//! Reads a show file. Turns errors caused by --set into usage errors.
 Show read_set_show(const std::filesystem::path& path, const ShowSettings& settings) {
   try {
     return read_show_with_settings(path, settings);
@@ -56,7 +56,7 @@ Show read_set_show(const std::filesystem::path& path, const ShowSettings& settin
 
 Show load_show(const std::string& name_or_path, const ShowSettings& settings) {
   std::error_code problem;
-  // A folder that happens to have a built-in show's name does not hide it.
+  // A folder with the name of a built-in show does not hide it.
   if (std::filesystem::exists(name_or_path, problem) && !std::filesystem::is_directory(name_or_path, problem)) {
     return read_set_show(name_or_path, settings);
   }

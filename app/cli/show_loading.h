@@ -16,58 +16,62 @@ class Option;
 
 namespace ergodome {
 
-//! Reads a show from a path, or a built-in one by its name ("first-light"), with what --set changes in it. Throws UsageError
-//! where that makes no sense.
+//! Reads a show from a path, or a built-in one by its name ("first-light"), with the changes of
+//! --set. Throws UsageError if these are invalid.
 Show load_show(const std::string& name_or_path, const ShowSettings& settings = {});
 
-//! Adds --set, which may be repeated. `settings` outlive the command.
+//! Adds --set, which may be repeated. `settings` must outlive the command.
 CLI::Option* add_set_option(CLI::App& command, ShowSettings& settings);
 
-//! The words for ViewProjection, in its order.
+//! Returns the names of ViewProjection, in its order.
 std::vector<std::string> projection_names();
 
-//! The words for StereoLayout, in its order.
+//! Returns the names of StereoLayout, in its order.
 std::vector<std::string> stereo_names();
 
-//! Puts the projection and stereo layout of the command line (empty: none) in place of the show's.
+//! Replaces the show's projection and stereo layout by those of the command line (empty: not
+//! given).
 void override_view(Show& show, const std::string& projection, const std::string& stereo);
 
-//! Puts a distance of the eyes [M] in place of the show's, and of what changes it with time.
+//! Replaces the show's baseline [M] and removes its animation.
 void override_baseline(Show& show, const std::optional<double>& baseline);
 
-//! Sets the tilt of a show's dome, over the show and over a dome setup. Throws UsageError without a setup if the
-//! show's projection is not a dome.
+//! Sets the tilt of a show's dome, which overrides the show and a dome setup. Throws UsageError
+//! without a setup if the show's projection is not a dome.
 void override_tilt(Show& show, const std::optional<double>& tilt_deg, bool has_setup);
 
-//! Throws UsageError where `option`, which is about two eyes, is given for pictures that nothing but one eye sees.
+//! Throws UsageError if `option`, which is for stereo, is given for a mono show.
 void require_two_eyes(const Show& show, const std::string& option, bool given);
 
-//! Says on the terminal where a show has two eyes that see the same all the time.
+//! Prints a note if a show's two eyes always see the same.
 void tell_equal_eyes(const Show& show);
 
-//! The words for ObjectMethod, in its order.
+//! Returns the names of ObjectMethod, in its order.
 std::vector<std::string> object_method_names();
 
-//! Draws the show's objects by the command line's method (empty: none) in place of the show's. Throws Error where they cannot be drawn so.
+//! Replaces the show's method of drawing objects (empty: not given). Throws Error if they cannot be
+//! drawn with it.
 void override_objects(Show& show, const std::string& method);
 
-//! Throws Error where a time is none of the show's; `option` is what asked for it.
+//! Throws Error if a time is outside the show; `option` names it in the message.
 void require_time(const std::string& option, const Show& show, double time_s);
 
-//! Throws Error naming what the show asks for and this version cannot draw.
+//! Throws Error if the show needs a feature that this version cannot draw.
 void require_features(const Show& show);
 
-//! The words for ViewMode on the command line, and the mode of a word.
+//! Return the names of ViewMode on the command line, and the mode of a name.
 std::vector<std::string> view_mode_names();
 ViewMode view_mode(const std::string& name);
 
-//! The ends of a heat map's colours of "MIN:MAX" (empty: the usual ones). Throws UsageError for what is no range, and for a view that has none.
+//! Parses the color range of a heat map, "MIN:MAX" (empty: the default). Throws UsageError for
+//! malformed text, and for a view without a range.
 std::optional<ViewRange> view_range(const std::string& text, ViewMode mode, bool logarithmic_steps);
 
-//! The words for how rays of a heat map are followed.
+//! Returns the names of the methods for tracing the rays of a heat map.
 std::vector<std::string> follow_method_names();
 
-//! The method of a word (empty: none). Throws Error where pictures of the view and the show have no rays to follow so.
+//! Returns the method with this name (empty: none). Throws Error if the view and the show trace no
+//! rays with it.
 std::optional<TraceMethod> follow_method(const std::string& name, const std::string& view, const Show& show);
 
 }  // namespace ergodome

@@ -6,12 +6,14 @@
 
 namespace ergodome {
 
-//! Throws UsageError where the name of a table that `option` asks for ends in a way that stands for another format. `.csv`,
-//! `.txt` and names without an ending are CSV; `.tsv` has tabs; `.json` is an array of objects.
+//! Throws UsageError if the name of an output table has the ending of another format; `option`
+//! names it. `.csv`, `.txt` and names without an ending mean CSV; `.tsv` means tabs; `.json` means
+//! an array of objects.
 void require_table_ending(const std::string& option, const std::filesystem::path& table);
 
-//! Writes a table in the format of its name's ending. `csv`: its text, with a line that names the columns. Numbers keep their
-//! digits in every format; in JSON the cells of `id` are strings, and empty cells null. Throws Error where it cannot.
+//! Writes a table in the format given by its ending. `csv` is its text, with a header line. Numbers
+//! keep their digits in every format; in JSON, cells of `id` are strings and empty cells null.
+//! Throws Error if it cannot be written.
 void write_table(const std::filesystem::path& table, std::string_view csv);
 
 }  // namespace ergodome

@@ -9,7 +9,8 @@ std::string tilt_note(const DomeSetup& setup, const Mpcdi& mpcdi) {
     return {};
   }
   const bool flat = mpcdi.profile == MpcdiProfile::media_2d;
-  // A tilt that is written beside places in the dome's own axes would tilt them again, and a rotation beside warps turn these again.
+  // Adding tilt_deg would tilt positions in the dome's axes again, and rotation_deg would rotate
+  // warps again.
   const std::string remedy = flat && setup.rotation_deg == 0.0
                                  ? fmt::format("set tilt_deg = {:g} in setups converted from it", setup.tilt_deg)
                                  : std::string("keep the original setup");

@@ -7,8 +7,9 @@
 
 namespace ergodome {
 
-//! What is to be said after the name of a calibration that was made of a setup: that it does not tell how the dome leans, by which test
-//! patterns are level, and the remedy. Empty where the dome does not lean.
+//! Returns a note for a calibration converted from a setup, if the dome is tilted: the file does
+//! not store the tilt, which level test patterns need, and the remedy. The note follows the file's
+//! name. Empty without a tilt.
 std::string tilt_note(const DomeSetup& setup, const Mpcdi& mpcdi);
 
 }  // namespace ergodome

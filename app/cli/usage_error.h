@@ -4,8 +4,8 @@
 
 namespace ergodome {
 
-//! A command line that makes no sense, by itself or for the show that it names: the program ends with status 2, as for what the parser refuses. Its remedy
-//! changes the command line, not a file.
+//! An invalid command line, by itself or for the show that it names. The program exits with status
+//! 2, as for errors of the parser. The remedy changes the command line, not a file.
 class UsageError : public Error {
  public:
   using Error::Error;
