@@ -6,17 +6,17 @@
 
 namespace ergodome {
 
-//! What a person lets a show cost: an error on the screen, a rate of frames, or both.
+//! The cost that the operator allows for a show: an error on the screen, a frame rate, or both.
 struct Budget {
-  //! What directions may be wrong by on the screen, for all but one in a hundred [px of the whole picture].
+  //! 99 % quantile of the displacement of directions on the screen [px of the whole picture].
   std::optional<double> error_px;
-  //! Frames a second that are to be held; where frames are written to files, one over the time that each may take.
+  //! Frame rate to hold; when rendering to files, the inverse of the time allowed per frame.
   std::optional<double> frame_rate_hz;
 
   bool operator==(const Budget&) const = default;
 
   [[nodiscard]] bool empty() const { return !error_px && !frame_rate_hz; }
-  //! Time of a frame [ms]. The budget has a rate.
+  //! Returns the time per frame [ms]. Requires a frame rate.
   [[nodiscard]] double frame_ms() const { return 1000.0 / *frame_rate_hz; }
 };
 
@@ -25,11 +25,12 @@ inline constexpr double most_budget_px = 16.0;
 inline constexpr double least_budget_fps = 1.0;
 inline constexpr double most_budget_fps = 1000.0;
 
-//! The budget that words of the command line tell: "0.25px", "60fps", "0.25px,60fps" or "0.25px 60fps", in as many words as there are. A
-//! number alone has no meaning: it could be either. Throws Error for what is neither, out of bounds or told twice.
+//! Parses a budget from words of the command line: "0.25px", "60fps", "0.25px,60fps" or "0.25px
+//! 60fps", in any number of words. A number needs a unit. Throws Error for words that are
+//! malformed, out of range or repeated.
 Budget parse_budget(const std::vector<std::string>& words);
 
-//! The same as parse_budget() reads: "0.25px,60fps".
+//! Formats a budget as parse_budget() reads it: "0.25px,60fps".
 std::string text_of(const Budget& budget);
 
 }  // namespace ergodome

@@ -8,7 +8,7 @@ namespace ergodome {
 
 namespace {
 
-//! Times and errors are told apart from here on.
+//! Times and errors within this ratio count as equal.
 constexpr double alike = 1.05;
 
 double known_or_infinite(double value) { return std::isnan(value) ? std::numeric_limits<double>::infinity() : value; }
@@ -19,7 +19,8 @@ using SettingNumber = std::function<double(const MeasuredSetting&)>;
 double time_of_setting(const MeasuredSetting& setting) { return known_or_infinite(setting.frame_ms()); }
 double error_of_setting(const MeasuredSetting& setting) { return known_or_infinite(setting.error_px); }
 
-//! Of the settings that `may` be taken, the one with the least `cost`, and among those that cost alike the one with the least `other`.
+//! Returns the setting with the least `cost` among those that satisfy `may`. If costs are almost
+//! equal, the least `other` decides.
 std::optional<std::size_t> least_setting(std::span<const MeasuredSetting> settings, const SettingFilter& may,
                                          const SettingNumber& cost, const SettingNumber& other) {
   double least = std::numeric_limits<double>::infinity();
@@ -27,7 +28,7 @@ std::optional<std::size_t> least_setting(std::span<const MeasuredSetting> settin
     least = may(setting) ? std::min(least, cost(setting)) : least;
   }
   std::optional<std::size_t> best;
-  // Where no cost is known, they come in the order in which they were measured.
+  // If no cost is known, the first one measured wins.
   const bool known = std::isfinite(least);
   for (std::size_t i = 0; i < settings.size(); ++i) {
     if (may(settings[i]) && cost(settings[i]) <= alike * least &&
@@ -38,7 +39,7 @@ std::optional<std::size_t> least_setting(std::span<const MeasuredSetting> settin
   return best;
 }
 
-//! choose_setting(), of settings that `may` be taken.
+//! Implements choose_setting() for the settings that satisfy `may`.
 BudgetChoice choose_of(std::span<const MeasuredSetting> settings, const Budget& budget, BudgetFirst first,
                        const SettingFilter& may) {
   const auto in_error = [&](const MeasuredSetting& setting) {

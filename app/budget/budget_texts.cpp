@@ -8,7 +8,7 @@ namespace ergodome {
 
 namespace {
 
-//! A time to three digits, as people write it.
+//! Formats a time with about three digits.
 std::string milliseconds(double time_ms) {
   return time_ms < 10.0 ? fmt::format("{:.2f} ms", time_ms)
                         : fmt::format("{:.{}f} ms", time_ms, time_ms < 100.0 ? 1 : 0);
@@ -30,7 +30,7 @@ std::string error_text(double error_px, int moments, std::size_t all) {
                      moments_text(moments, static_cast<int>(all)));
 }
 
-//! What is known of frames whose time is not.
+//! Describes what is known about the time of frames that were not timed.
 std::string untimed_text(const SettingsMeasurement& measured) {
   if (!std::isnan(measured.quickest_ms)) {
     return fmt::format("more than {} per frame (measured with a picture {} px wide; there was no time for {})",
@@ -58,7 +58,8 @@ std::string took_text(const SettingsMeasurement& measured) {
                      measured.cut_short ? ", not enough for all settings" : "");
 }
 
-//! What of a budget an error and a frame's time miss, each after a semicolon.
+//! Returns by how much an error and a frame time exceed the budget; each part starts with a
+//! semicolon.
 std::string missed_text(const Budget& budget, const SettingsMeasurement& measured, bool holds_error, double error_px,
                         bool holds_rate, double frame_ms) {
   std::string text;

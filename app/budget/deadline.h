@@ -7,22 +7,24 @@
 
 namespace ergodome {
 
-//! Seconds of a clock that only goes forward.
+//! A monotonic clock [s].
 using SecondsSource = std::function<double()>;
 
-//! Seconds of the machine's steady clock.
+//! Returns the time of the machine's steady clock [s].
 double steady_seconds();
 
-//! What is done before a show begins, a piece at a time.
+//! Kinds of work units before a show starts.
 enum class StartWork { reference, lens, small_picture, picture };
 
-//! A time that work must not pass: no piece is begun that may not end in it, as far as pieces of its kind so far tell.
+//! A time limit for work: no unit of work starts that may exceed it, judging by earlier units of
+//! the same kind.
 class Deadline {
  public:
   Deadline(SecondsSource now, double limit_s) : now_(std::move(now)), begin_s_(now_()), limit_s_(limit_s) {}
 
-  //! Does a piece of work, if it will end within a share of the time; whether it did. `growth`: what it may take of the longest of its
-  //! kind so far; where there was none, `expected_s`, and a quarter of the time at the least.
+  //! Runs a unit of work if it is expected to end within a share of the time. Returns whether it
+  //! ran. It is expected to take `growth` times the longest earlier unit of its kind; for the first
+  //! one, `expected_s`, but at least a quarter of the time.
   bool run(StartWork kind, const std::function<void()>& work, double share = 1.0, double growth = 1.5,
            double expected_s = 0.0) {
     constexpr double unknown_share = 0.25;
@@ -44,9 +46,9 @@ class Deadline {
   }
 
   [[nodiscard]] double elapsed_s() const { return now_() - begin_s_; }
-  //! What the longest piece of a kind took [s]; 0 where there was none.
+  //! Returns the longest time of a unit of this kind [s]; 0 if there was none.
   [[nodiscard]] double longest_s(StartWork kind) const { return longest_s_[static_cast<std::size_t>(kind)]; }
-  //! Whether something was left out.
+  //! Returns whether any work was skipped.
   [[nodiscard]] bool cut_short() const { return cut_short_; }
 
  private:
@@ -55,7 +57,7 @@ class Deadline {
   double limit_s_;
   std::array<double, 4> longest_s_{};
   bool cut_short_ = false;
-  bool over_ = false;  //!< no clock need be asked any more
+  bool over_ = false;  //!< the time is over, so the clock need not be read
 };
 
 }  // namespace ergodome

@@ -11,7 +11,7 @@ namespace ergodome {
 
 namespace {
 
-//! A whole number in part `part` of `parts` of [0, whole).
+//! Returns a random integer in part `part` of `parts` of [0, whole).
 int within_part(std::mt19937_64& random, int part, int parts, int whole) {
   const auto begin = static_cast<std::int64_t>(part) * whole / parts;
   const auto end = static_cast<std::int64_t>(part + 1) * whole / parts;
@@ -64,7 +64,8 @@ std::vector<double> LensErrors::errors(Backend backend, const LensSource& lens, 
     const auto x = static_cast<std::size_t>(samples_.pixels[i]) % width;
     const Vector3<double> sky = {static_cast<double>(seen[width + x]), static_cast<double>(seen[2 * width + x]),
                                  static_cast<double>(seen[3 * width + x])};
-    // A pixel that is dark has no direction; one that failed has one that is no number, and counts as infinitely wrong.
+    // A dark pixel has no direction. A failed pixel has a NaN direction and counts as infinitely
+    // wrong.
     const bool dark = !(seen[x] > 0.0F) || dot(sky, sky) == 0.0;
     if (reference_.counts(i) && (reference_.is_lit(i) || !dark)) {
       const Vector3<double> miss = reference_.miss(i, dark ? std::nullopt : std::optional(sky));

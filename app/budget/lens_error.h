@@ -10,26 +10,28 @@
 
 namespace ergodome {
 
-//! Pixels of some rows of a picture: lenses are asked for whole rows.
+//! Pixels of some rows of a picture; lenses evaluate whole rows.
 struct RowSamples {
   std::vector<int> rows;             //!< in ascending order
-  int columns = 0;                   //!< pixels of each row
-  std::vector<std::int64_t> pixels;  //!< row by row: row times width plus column
+  int columns = 0;                   //!< pixels in each row
+  std::vector<std::int64_t> pixels;  //!< row by row: row * width + column
 };
 
-//! One row at random in each of `rows` bands of a picture, and one pixel at random in each of `columns` parts of each row. The seed means the
-//! same pixels everywhere.
+//! Picks a random row in each of `rows` bands of a picture, and a random pixel in each of `columns`
+//! parts of each row. The same seed gives the same pixels on every machine.
 RowSamples row_samples(const Projection& projection, int rows, int columns, std::uint64_t seed);
 
-//! What some pixels of a picture see exactly, and what lenses miss it by.
+//! Measures lenses against exact rays for some pixels of a picture.
 class LensErrors {
  public:
-  //! `pixel`: the angle that errors are counted in [rad].
+  //! `pixel` is the angle that one pixel of error means [rad].
   LensErrors(const EyeCamera& eye, const Projection& projection, RowSamples samples, double pixel);
 
-  //! Displacements on the screen, of the pixels that see something or should [px]; others say nothing.
+  //! Returns the displacements on the screen [px] of the pixels that see something, in the lens or
+  //! exactly; skips others.
   //!
-  //! `lens`: of the eye, in the memory of `backend`. `need`: what the picture asks of it, too.
+  //! `lens` is the lens of the eye, in the memory of `backend`. `need` is what else the picture
+  //! needs from it.
   [[nodiscard]] std::vector<double> errors(Backend backend, const LensSource& lens, PixelNeed need) const;
 
  private:

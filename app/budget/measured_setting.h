@@ -7,30 +7,34 @@
 
 namespace ergodome {
 
-//! Settings of a picture, and what they were measured to miss by and to take. What was not measured is no number (NaN).
+//! Settings of a picture with their measured error and time; NaN if not measured.
 struct MeasuredSetting {
-  FrameQuality quality;  //!< its budget counts in pixels of the whole picture
-  //! What directions miss by on the screen for all but one in a hundred, at the moment that is worst [px of the whole picture].
+  FrameQuality quality;  //!< its budget is in pixels of the whole picture
+  //! 99 % quantile of the displacement of directions, at the worst of the measured times [px of the
+  //! whole picture].
   double error_px = std::numeric_limits<double>::quiet_NaN();
-  //! What the lens of a new place takes; 0 where the camera stays at its place.
+  //! Time to build the lens for a new camera position; 0 if the camera does not move.
   double lens_ms = std::numeric_limits<double>::quiet_NaN();
-  //! What a picture takes when its lens is there: whatever its size, and by its pixels, for the whole picture.
+  //! Time of a picture whose lens exists: the constant part, and the part proportional to its
+  //! pixels, for the whole picture.
   double fixed_ms = std::numeric_limits<double>::quiet_NaN();
   double pixels_ms = std::numeric_limits<double>::quiet_NaN();
-  //! At which the error was looked at: fewer than all where it was too much at one, or the time was over.
+  //! Number of times at which the error was measured; fewer than all if the error was too large at
+  //! one, or if time ran out.
   int moments = 0;
 
-  //! A picture with a share of the whole one's pixels, whose lens is there [ms].
+  //! Returns the time of a picture with a share of the pixels, whose lens exists [ms].
   [[nodiscard]] double picture_ms(double pixel_share = 1.0) const { return fixed_ms + pixel_share * pixels_ms; }
-  //! A whole frame with all that it needs [ms].
+  //! Returns the time of a whole frame with its lens [ms].
   [[nodiscard]] double frame_ms() const { return lens_ms + picture_ms(); }
 };
 
-//! A setting is within a budget where this share of it is enough: moments that were not measured may be worse than the worst that was, and so
-//! may other pixels of the same moments. Beside a spinning hole that was up to 1.8 times as much.
+//! Safety factor: a setting is within a budget if its measured error is below this share of it,
+//! because unmeasured times and pixels may be worse. Close to a spinning hole they were up to 1.8
+//! times worse.
 inline constexpr double kept_share = 0.5;
 
-//! Whether an error is within a budget, with the share that is kept for moments that were not measured.
+//! Returns whether an error is within a budget, including the safety factor.
 inline bool is_within(double error_px, double budget_px) { return error_px <= kept_share * budget_px; }
 
 }  // namespace ergodome

@@ -10,13 +10,13 @@ namespace ergodome {
 
 namespace {
 
-//! Widths of the pictures that times are told from, where the whole one is wider.
+//! Widths of the pictures from which times are extrapolated if the whole picture is wider.
 constexpr int small_px = 160;
 constexpr int larger_px = 384;
 constexpr int timed_draws = 2;
-//! About the hole's axis, between draws [rad].
+//! Rotation about the hole's axis between draws [rad].
 constexpr double least_turn = 1e-9;
-//! Of a picture's time, this share goes with its pixels at the least.
+//! Minimum share of a picture's time that is proportional to its pixels.
 constexpr double least_by_pixels = 0.3;
 
 }  // namespace
@@ -46,7 +46,8 @@ std::optional<PictureTime> PictureTimer::time(const FrameQuality& quality) {
   if (times_ms.size() < 2) {
     return PictureTime{0.0, by_pixels_ms};
   }
-  // A line through both, which begins above nothing; it rises, whatever else the machine did meanwhile.
+  // Line through both points, with a positive slope and a non-negative offset even if other load
+  // disturbed the measurement.
   const double slope_ms = (times_ms[1] - times_ms[0]) / (shares[1] - shares[0]);
   const double pixels_ms = std::clamp(slope_ms, least_by_pixels * by_pixels_ms, by_pixels_ms);
   return PictureTime{times_ms[1] - pixels_ms * shares[1], pixels_ms};
@@ -56,11 +57,12 @@ std::optional<double> PictureTimer::median_ms(const FrameQuality& quality, int w
   std::vector<double> times_ms;
   for (const TimedMoment& moment : moments_) {
     for (int round = 0; round <= timed_draws; ++round) {
-      // A camera that stands has its stars from the picture before, one that goes round the hole has not.
+      // A static camera reuses the stars of the last picture, but a camera that orbits the hole
+      // does not.
       TimedMoment next = moment;
       next.pose.phi += round * least_turn;
       const std::optional<double> time_ms = draw(next, quality, width_px);
-      // The first makes the lens, and room for the rest.
+      // The first draw builds the lens and allocates memory.
       if (time_ms && round > 0) {
         times_ms.push_back(*time_ms);
       }
@@ -73,7 +75,7 @@ std::optional<double> PictureTimer::draw(const TimedMoment& moment, const FrameQ
   double time_ms = 0.0;
   const auto work = [&] {
     renderer_.apply(moment.time_s);
-    // The angle is what the whole picture's lens is made for, and serves here.
+    // The lens of the whole picture is made for the same angle, and is reused here.
     const double width_share = static_cast<double>(width_px) / whole_px_;
     renderer_.set_quality({width_share * quality.budget_px, quality.lens, quality.filter});
     const Projection projection = make_projection(renderer_.show().view, width_px, 0.0);

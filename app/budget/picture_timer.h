@@ -9,33 +9,36 @@
 
 namespace ergodome {
 
-//! A moment of a show at which pictures are drawn.
+//! A time of a show at which pictures are drawn.
 struct TimedMoment {
   double time_s = 0.0;
   CameraPose pose{};
 };
 
-//! What a whole picture takes, as in MeasuredSetting.
+//! Time of a whole picture, as in MeasuredSetting.
 struct PictureTime {
   double fixed_ms = 0.0;
   double pixels_ms = 0.0;
 };
 
-//! Tells what whole pictures take from those of two small sizes, or of the whole one where that is small.
+//! Estimates the time of whole pictures from pictures of two small sizes, or measures the whole one
+//! if that is small.
 class PictureTimer {
  public:
-  //! `share`: of the deadline, after which nothing is begun.
+  //! `share` is the share of the deadline after which no picture is started.
   PictureTimer(ShowRenderer& renderer, Deadline& deadline, std::vector<TimedMoment> moments, int whole_px,
                double share);
 
-  //! From medians of pictures whose lenses are there; nothing where the time is over. The quality's budget counts in pixels of the whole picture.
+  //! Returns a time from medians of pictures whose lenses exist; nothing if time ran out. The
+  //! budget of `quality` is in pixels of the whole picture.
   [[nodiscard]] std::optional<PictureTime> time(const FrameQuality& quality);
 
-  //! What the quickest of all pictures took that were drawn, and its width: a whole one takes more. NaN where none was.
+  //! Returns the time of the fastest picture drawn, and its width: a lower limit for a whole one.
+  //! NaN if none was drawn.
   [[nodiscard]] double quickest_ms() const { return quickest_ms_; }
   [[nodiscard]] int quickest_px() const { return quickest_px_; }
 
-  //! Widths of the pictures that are drawn.
+  //! Returns the widths of the drawn pictures.
   [[nodiscard]] const std::vector<int>& widths_px() const { return widths_px_; }
 
  private:

@@ -11,16 +11,18 @@ namespace ergodome {
 
 namespace {
 
-//! Of each new interval in the mean that is displayed.
+//! Weight of a new interval in the displayed mean.
 constexpr double smoothing = 0.1;
 constexpr double errors_every_s = 1.0;
-//! Pixels whose errors are remembered: those of the last few measurements.
+//! Number of pixel errors to keep: those of the last few measurements.
 constexpr std::size_t remembered_errors = 1000;
-//! Fewer tell nothing of one in a hundred.
+//! Minimum number of errors for a 99 % quantile.
 constexpr std::size_t telling_errors = 100;
-//! So many are asked for before the lens is changed: of fewer, the largest are chance.
+//! Minimum number of errors before the lens is changed: in a smaller sample, the largest are mostly
+//! chance.
 constexpr std::size_t sure_errors = 500;
-//! Steps of the lens's budget, how far they go, and the share of the error below which one is taken back.
+//! Step factor of the lens's budget, its smallest share, and the share of the allowed error below
+//! which a step is taken back.
 constexpr double finer_step = 0.7;
 constexpr double finest_share = 0.1;
 constexpr double far_within = 0.25;
@@ -51,7 +53,7 @@ PlayBudget::PlayBudget(const PlayPlan& plan) : plan_(plan) {
 
 void PlayBudget::note_picture(double work_ms, std::optional<double> interval_ms) {
   work_ms_ = work_ms;
-  // What stands still is made as fine as it can be, and has all the time that it takes.
+  // Frames of a static camera are refined as far as possible and may take any time.
   if (keeper_ && interval_ms) {
     keeper_->note(work_ms, *interval_ms);
     record_->note(*interval_ms);
@@ -66,7 +68,7 @@ Rung PlayBudget::rung() const {
 }
 
 void PlayBudget::keep_to_error() {
-  // Rungs beyond the error are there for the rate's sake.
+  // Rungs that exceed the error exist to hold the rate.
   const bool kept = plan_.budget.error_px && ladder_rung().error_px <= *plan_.budget.error_px;
   if (!kept || errors_px_.size() < sure_errors) {
     return;
@@ -79,7 +81,7 @@ void PlayBudget::keep_to_error() {
   } else {
     return;
   }
-  // What was measured was another lens.
+  // The measured errors belong to the old lens.
   errors_px_.clear();
 }
 

@@ -7,12 +7,12 @@ namespace ergodome {
 
 namespace {
 
-//! Pictures for a rate's sake get no narrower.
+//! Minimum width of pictures that are reduced to hold a rate.
 constexpr int narrowest_px = 192;
 
-//! One rung for an error alone: the player finds the size by itself.
+//! Returns a single rung for an error alone; the player chooses the size itself.
 std::vector<Rung> single_rung(const SettingsMeasurement& measured, const Budget& budget) {
-  // Either lens may be drawn by, so what is chosen is a setting of the first one's kind.
+  // Both kinds of lens may be used, so choose a setting of the first one's kind.
   std::vector<MeasuredSetting> lenses = measured.settings;
   std::erase_if(
       lenses, [&](const MeasuredSetting& each) { return each.quality.lens != measured.settings.front().quality.lens; });

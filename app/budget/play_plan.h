@@ -5,22 +5,23 @@
 
 namespace ergodome {
 
-//! What a person chose of a show that is to play.
+//! What the operator chose for a show that plays.
 struct PlayChoice {
   Budget budget;
   int size_px = 1024;       //!< width of one eye's whole picture
-  bool size_fixed = false;  //!< no smaller pictures for the rate's sake
+  bool size_fixed = false;  //!< never reduce the size to hold the rate
   LensChoice lens = LensChoice::automatic;
   bool free_flight = false;
 };
 
-//! A plan, and the line that says so.
+//! A plan with the line that describes it.
 struct ToldPlan {
   PlayPlan plan;
   std::string line;
 };
 
-//! Measures a show, which the renderer was made for, and makes the ladder of settings that it will play with.
+//! Measures the show that the renderer was made for, and makes the ladder of settings to play it
+//! with.
 ToldPlan plan_play(ShowRenderer& renderer, const Show& show, const PlayChoice& choice);
 
 }  // namespace ergodome

@@ -9,24 +9,26 @@ namespace ergodome {
 
 namespace {
 
-//! Frames whose median counts; and of frames that are far too slow.
+//! Number of frames for the median; and for the median that detects frames far too slow.
 constexpr std::size_t median_frames = 9;
 constexpr std::size_t few_frames = 3;
-//! Share of a frame's time that drawing may take: the window, and frames slower than the median, need the rest.
+//! Share of the frame time that drawing may take; the rest is for the window and for frames slower
+//! than the median.
 constexpr double most_work = 0.85;
 constexpr double far_too_much_work = 1.5;
-//! The same for a finer rung that is about to be tried. Between the two nothing is changed.
+//! The same for a finer rung before it is tried. Between the two shares nothing changes.
 constexpr double work_to_try = 0.65;
-//! Late by this much counts even where drawing alone fits; but what the window takes by itself no rung helps.
+//! Frames that are late by this factor count even if drawing alone fits, unless drawing takes less
+//! than `work_of_the_window`: then the window itself is slow, and no rung helps.
 constexpr double late_interval = 1.04;
 constexpr double work_of_the_window = 0.5;
 constexpr std::size_t interval_frames = 30;
-//! A finer rung is tried after so many seconds of quick frames at first, and after no more than so many.
+//! Seconds of fast frames before a finer rung is tried: initial value and maximum.
 constexpr double first_patience_s = 1.0;
 constexpr double most_patience_s = 60.0;
-//! A rung has proven itself after so many seconds.
+//! Seconds after which a new rung counts as proven.
 constexpr double proof_s = 2.0;
-//! A finer rung takes so much more where that was not measured.
+//! Assumed time ratio of a finer rung if it was not measured.
 constexpr double unknown_ratio = 1.5;
 
 long frames_in(double seconds, double frame_ms) {
@@ -40,7 +42,7 @@ double median_of_last(const std::deque<double>& values, std::size_t count) {
   return *middle;
 }
 
-//! Mean of all but the longest tenth.
+//! Returns the mean without the longest tenth.
 double mean_but_spikes(const std::deque<double>& values) {
   std::vector<double> sorted(values.begin(), values.end());
   std::sort(sorted.begin(), sorted.end());
@@ -66,7 +68,7 @@ RateKeeper::RateKeeper(std::vector<double> rung_ms, double frame_ms, std::size_t
 void RateKeeper::note(double work_ms, double interval_ms) {
   ++frames_here_;
   if (frames_here_ == 1) {
-    return;  // It made what the rung's later frames find there.
+    return;  // The first frame of a rung also prepares data for later ones.
   }
   keep_last(work_ms_, work_ms, median_frames);
   keep_last(interval_ms_, interval_ms, interval_frames);

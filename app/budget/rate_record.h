@@ -4,7 +4,7 @@
 
 namespace ergodome {
 
-//! What became of a rate: frames that followed one another while something moved.
+//! Statistics of the achieved frame rate, over consecutive frames while something moved.
 class RateRecord {
  public:
   explicit RateRecord(double frame_ms) : frame_ms_(frame_ms) {}
@@ -17,9 +17,9 @@ class RateRecord {
   }
 
   [[nodiscard]] long frames() const { return frames_; }
-  //! Mean rate [Hz]; 0 before the first.
+  //! Returns the mean rate [Hz]; 0 before the first frame.
   [[nodiscard]] double rate_hz() const { return frames_ > 0 ? 1000.0 * static_cast<double>(frames_) / sum_ms_ : 0.0; }
-  //! Share of the frames that came late: by half a frame's time or more.
+  //! Returns the fraction of frames late by at least half a frame time.
   [[nodiscard]] double late() const {
     return frames_ > 0 ? static_cast<double>(late_) / static_cast<double>(frames_) : 0.0;
   }

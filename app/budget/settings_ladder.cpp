@@ -9,11 +9,11 @@ namespace ergodome {
 
 namespace {
 
-//! Widths go down by so much: a third of the pixels.
+//! Factor between widths: a third fewer pixels.
 constexpr double width_step = 0.82;
-//! Without an error in the budget, coarser lenses than this come after smaller pictures [px].
+//! Without an error budget, lenses coarser than this come after smaller pictures [px].
 constexpr double unseen_px = 1.0;
-//! A rung that is not quicker than the one before by so much is none.
+//! A rung must be faster than the one before by this factor.
 constexpr double least_gain = 0.97;
 
 class LadderMaker {
@@ -25,7 +25,7 @@ class LadderMaker {
     Rung rung{lens.quality, size_px, lens.error_px, lens.moments, frame_ms(lens, size_px, plain_look)};
     const MeasuredSetting* const direct = direct_twin(lens);
     if (direct != nullptr && lens.quality.lens == LensChoice::automatic) {
-      // Either may come.
+      // Either lens may be used.
       rung.error_px = std::max(rung.error_px, direct->error_px);
     }
     if (plain_look) {
@@ -40,7 +40,7 @@ class LadderMaker {
   [[nodiscard]] std::vector<Rung> take() { return std::move(ladder_); }
 
  private:
-  //! The same budget by direct rays, if it was measured.
+  //! Returns the setting with the same budget and direct rays, if it was measured.
   [[nodiscard]] const MeasuredSetting* direct_twin(const MeasuredSetting& lens) const {
     const auto found = std::ranges::find_if(settings_, [&](const MeasuredSetting& each) {
       return each.quality == FrameQuality{lens.quality.budget_px, LensChoice::direct, lens.quality.filter};
@@ -48,7 +48,8 @@ class LadderMaker {
     return found != settings_.end() ? &*found : nullptr;
   }
 
-  //! A lens of the kind with a plain look at the map, if one was measured: a lens's budget does not change what that saves.
+  //! Returns a measured setting of this kind of lens with the point filter, if any: the time that
+  //! this filter saves does not depend on the lens's budget.
   [[nodiscard]] const MeasuredSetting* plain_twin(const MeasuredSetting& lens) const {
     const auto found = std::ranges::find_if(settings_, [&](const MeasuredSetting& each) {
       return each.quality.lens == lens.quality.lens && each.quality.filter == SkyFilter::point;
@@ -74,7 +75,8 @@ class LadderMaker {
   std::vector<Rung> ladder_;
 };
 
-//! What the ladder's lenses are: direct rays and plain looks stand beside them; the most accurate first.
+//! Returns the lenses of the ladder, the most accurate first; without the variants by direct rays
+//! and with the point filter.
 std::vector<MeasuredSetting> ladder_lenses(std::span<const MeasuredSetting> settings) {
   std::vector<MeasuredSetting> lenses;
   const FrameQuality first = settings.front().quality;
@@ -94,8 +96,8 @@ std::vector<int> ladder_widths(const LadderLimits& limits) {
   return widths;
 }
 
-//! How many of the lenses come before smaller pictures, of which the last is that of all sizes: the cheapest within the error alone, or all
-//! that are not seen.
+//! Returns the lenses that come before smaller pictures; the last of them is used at all sizes.
+//! With an error budget: only the cheapest within it. Without: all whose errors are invisible.
 std::span<const MeasuredSetting> fine_lenses(std::span<const MeasuredSetting> lenses, const Budget& budget) {
   if (budget.error_px) {
     const BudgetChoice choice = choose_setting(lenses, {budget.error_px, std::nullopt}, BudgetFirst::error);

@@ -23,22 +23,24 @@ namespace ergodome {
 namespace {
 
 constexpr int budget_moments = 6;
-//! Rows of a moment, and pixels of each row; of a moment that stands for all, twice as many of both.
+//! Rows to measure per time, and pixels in each row; twice as many of both if there is only one
+//! time.
 constexpr int sampled_rows = 32;
 constexpr int sampled_columns = 32;
 constexpr std::size_t timed_moments = 2;
-//! Shares of the time after which moments, pictures and lenses leave the rest to what comes after.
+//! Shares of the time limit at which each stage stops, to leave time for the later ones.
 constexpr double moments_share = 0.25;
 constexpr double pictures_share = 0.6;
 constexpr double lenses_share = 0.9;
-//! A lens's budget against the picture's: grids are better than they promise, mostly.
+//! Range of a lens's budget relative to the error budget; grids are mostly better than their
+//! budget.
 constexpr double loosest_lens = 2.0;
 constexpr double finest_lens = 0.03;
-//! Without an error in the budget [px].
+//! Range of a lens's budget without an error in the budget [px].
 constexpr double loosest_px = 0.5;
 constexpr double finest_px = 0.015;
 
-//! One moment of a show.
+//! A time of the show at which errors are measured.
 struct BudgetMoment {
   double time_s = 0.0;
   CameraPose pose{};
@@ -46,7 +48,7 @@ struct BudgetMoment {
   std::unique_ptr<LensErrors> errors;
 };
 
-//! What pictures take that are drawn in one way.
+//! Times of pictures drawn with one kind of lens and filter.
 struct KindTimes {
   LensChoice lens = LensChoice::automatic;
   SkyFilter filter = SkyFilter::ewa;
@@ -69,7 +71,7 @@ class SettingsMeter {
   SettingsMeasurement measure(const Show& show) {
     look_at_moments(show);
     look_at_lens();
-    // Before lenses, for which all the time would not be too much.
+    // Done before measuring lenses, which could use up all the time.
     if (has_objects(show, ObjectMethod::polygon) && renderer_.backend() == Backend::cpu) {
       result_.untimed = UntimedFrames::polygons;
     } else {
@@ -122,7 +124,7 @@ class SettingsMeter {
     return moment;
   }
 
-  //! The budget of the first lens that is looked at, and of the last.
+  //! Return the budget of the first lens to measure, and of the last.
   [[nodiscard]] double loosest_budget() const {
     return order_.budget.error_px ? loosest_lens * *order_.budget.error_px : loosest_px;
   }
@@ -130,7 +132,8 @@ class SettingsMeter {
     return order_.budget.error_px ? finest_lens * *order_.budget.error_px : finest_px;
   }
 
-  //! The budget of the lens after one: finer by as much as that missed, in steps that are neither too long nor too many.
+  //! Returns the budget of the next lens: finer by the ratio of the measured error to the limit,
+  //! within limits on the step.
   [[nodiscard]] double next_budget(const MeasuredSetting& setting) const {
     constexpr double shortest = 0.70710678118654752;
     constexpr double longest = 0.25;
@@ -138,7 +141,7 @@ class SettingsMeter {
     return setting.quality.budget_px * std::clamp(wished, longest, shortest);
   }
 
-  //! From the loosest lens to the first that is within the budget, or as fine as there is time for.
+  //! Measures lenses from the coarsest to the first within the budget, or as fine as time allows.
   void search(LensChoice lens) {
     double budget_px = loosest_budget();
     while (budget_px >= finest_budget()) {
@@ -155,15 +158,15 @@ class SettingsMeter {
       budget_px = next_budget(setting);
     }
     if (result_.settings.empty()) {
-      // Nothing was measured: what the show asks for.
+      // Nothing was measured, so use the show's budget.
       MeasuredSetting setting;
       setting.quality = {std::min(first_quality_.budget_px, loosest_budget()), lens, first_quality_.filter};
       result_.settings.push_back(setting);
     }
   }
 
-  //! Direct rays with the loosest budget that serves, and with the lens's own: one stands in for the lens, the other is what `automatic` draws
-  //! small pictures by.
+  //! Measures direct rays with the coarsest sufficient budget, and with the lens's budget. The
+  //! first is an alternative to the lens; `automatic` draws small pictures with the second.
   void search_direct(double lens_px) {
     if (order_.budget.error_px) {
       search(LensChoice::direct);
@@ -178,7 +181,8 @@ class SettingsMeter {
     }
   }
 
-  //! Errors and the lens's time at all moments, until one is not within the budget. Whether all were looked at, and are within it.
+  //! Measures the error and the time of a lens at all times, until one exceeds the budget. Returns
+  //! whether all were measured and are within it.
   bool measure_lens(MeasuredSetting& setting, double share) {
     std::vector<double> times_ms;
     bool within = true;
@@ -199,7 +203,7 @@ class SettingsMeter {
         break;
       }
       if (order_.budget.error_px && !is_within(setting.error_px, *order_.budget.error_px)) {
-        // Where this lens fails the next one may, too: that moment is asked first.
+        // The next lens may fail at the same time, so measure it there first.
         const auto failed = moments_.begin() + static_cast<std::ptrdiff_t>(i);
         std::rotate(moments_.begin(), failed, failed + 1);
         within = false;
@@ -211,10 +215,11 @@ class SettingsMeter {
     return within;
   }
 
-  //! What is drawn for times. It is coarser than all that is looked at after: a finer grid at hand would stand in for those.
+  //! Returns the budget of pictures drawn for timing. It is coarser than all measured later,
+  //! because the renderer would reuse a finer grid for those.
   [[nodiscard]] double coarse_px() const { return 1.1 * loosest_budget(); }
 
-  //! Looks which lens `automatic` is.
+  //! Determines which lens `automatic` selects.
   void look_at_lens() {
     const auto look = [&] {
       const BudgetMoment& moment = moments_.front();
@@ -226,7 +231,8 @@ class SettingsMeter {
     deadline_.run(StartWork::lens, look);
   }
 
-  //! Times of pictures, for each way to draw them; a lens's budget changes them little.
+  //! Measures the times of pictures for each kind of lens and filter; a lens's budget hardly
+  //! affects them.
   void time_pictures() {
     std::vector<TimedMoment> moments;
     for (std::size_t i = 0; i < std::min(timed_moments, moments_.size()); ++i) {
@@ -256,7 +262,8 @@ class SettingsMeter {
     }
   }
 
-  //! Tells settings the times of pictures that are drawn as theirs are, and adds the one with a plain look at the map, which has its lens's error.
+  //! Copies the times of pictures to the settings of the same kind, and adds a setting with the
+  //! point filter, which has the error of its lens.
   void add_times() {
     for (const KindTimes& times : times_) {
       if (times.filter != first_quality_.filter) {
@@ -281,7 +288,7 @@ class SettingsMeter {
   std::vector<BudgetMoment> moments_;
   std::vector<KindTimes> times_;
   bool moves_ = false;
-  bool automatic_is_direct_ = false;  //!< where the whole picture is not worth a grid
+  bool automatic_is_direct_ = false;  //!< the whole picture has too few pixels for a grid
   SettingsMeasurement result_;
 };
 
@@ -296,7 +303,7 @@ std::vector<double> budget_times(const Show& show, int count) {
     return {0.5 * show.duration_s};
   }
   constexpr int looked_at = 400;
-  // Beside a small horizon, of a fast spin, light is bent in finer detail.
+  // Near the smaller horizon of a fast spin, light bending has finer detail.
   double nearest_s = 0.0;
   double nearest = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= looked_at; ++i) {

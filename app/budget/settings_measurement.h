@@ -10,48 +10,54 @@
 
 namespace ergodome {
 
-//! What is to be measured.
+//! Input of a measurement.
 struct MeasurementOrder {
   Budget budget;
-  int size_px = 0;                          //!< width of one eye's whole picture; 0: as the show says
-  LensChoice lens = LensChoice::automatic;  //!< what the person chose; direct rays are looked at beside `automatic`
-  bool free_flight = false;                 //!< the camera will leave its path: each frame needs a lens of its own
-  double limit_s = 2.0;                     //!< all ends within so many seconds
+  int size_px = 0;  //!< width of one eye's whole picture; 0: the show's
+  //! The operator's choice; with `automatic`, direct rays are measured too.
+  LensChoice lens = LensChoice::automatic;
+  //! The camera will leave its path, so each frame needs a new lens.
+  bool free_flight = false;
+  double limit_s = 2.0;  //!< time limit of the measurement
   SecondsSource now = steady_seconds;
 };
 
-//! Why no time of whole frames was told.
+//! Why the time of whole frames is unknown.
 enum class UntimedFrames {
-  none,      //!< it was
-  for_time,  //!< the time was over before enough pictures were drawn
-  polygons,  //!< OpenGL takes seconds to begin where there is no GPU, and nothing was drawn
+  none,      //!< it is known
+  for_time,  //!< time ran out before enough pictures were drawn
+  polygons,  //!< OpenGL takes seconds to start without a GPU, so nothing was drawn
 };
 
-//! What was measured, and how much of it there was time for.
+//! Result of a measurement, and how much of it was completed.
 struct SettingsMeasurement {
-  std::vector<MeasuredSetting> settings;  //!< at least one; the first has the lens that was ordered
-  std::vector<double> times_s;            //!< of the show, where errors were looked at
+  std::vector<MeasuredSetting> settings;  //!< at least one; the first has the requested lens
+  std::vector<double> times_s;            //!< show times at which errors were measured
   int width_px = 0;                       //!< of one eye's whole picture
-  double height_to_width = 1.0;           //!< of the same
-  std::vector<int>
-      drawn_px;  //!< widths of the pictures whose times whole pictures' were told from; none: nothing was drawn
+  double height_to_width = 1.0;           //!< of one eye's whole picture
+  //! Widths of the drawn pictures from which times were extrapolated; empty: none.
+  std::vector<int> drawn_px;
   UntimedFrames untimed = UntimedFrames::none;
   double quickest_ms = std::numeric_limits<
-      double>::quiet_NaN();  //!< of untimed frames: what a picture took that was drawn; NaN: none was
-  int quickest_px = 0;       //!< width of that picture, up to the whole one's
-  bool cut_short = false;    //!< there was no time for all
+      double>::quiet_NaN();  //!< if untimed: the time of the fastest of the drawn pictures; NaN: none
+  int quickest_px = 0;       //!< width of that picture
+  bool cut_short = false;    //!< time ran out before everything was measured
   double took_s = 0.0;
 };
 
-//! Looks at a few moments of a show, which the renderer was made for, what settings miss by and take: errors of the whole picture's lens, of some of its pixels
-//! against light rays in closed form; times of whole frames, told from pictures of two small sizes.
+//! Measures errors and times of settings at a few times of the show that the renderer was made for.
+//! Errors are those of the whole picture's lens, in some of its pixels, against rays in closed
+//! form; times of whole frames are extrapolated from pictures of two small sizes.
 //!
-//! With an error in the budget lenses get finer until one is within it, with kept_share; with a rate alone as fine as there is time for. What
-//! lies near the hole (disk, shells, objects) has a cost and no error. Polygons take OpenGL seconds to begin on a processor: then nothing is drawn. Of
-//! two eyes the head stands for both. The renderer keeps its first quality. Throws what drawing throws.
+//! With an error in the budget, lenses get finer until one is within it, including kept_share; with
+//! a rate alone, as fine as time allows. Disk, shells and objects add to the time but not to the
+//! error. Polygons take OpenGL seconds to start without a GPU; then no picture is drawn. In stereo,
+//! the head's view represents both eyes. Restores the renderer's quality. Throws what rendering
+//! throws.
 SettingsMeasurement measure_settings(ShowRenderer& renderer, const Show& show, const MeasurementOrder& order);
 
-//! Times of a show at which it is looked at: where the camera is nearest to the hole first, then evenly over it.
+//! Returns the show times to measure at: first where the camera is nearest to the hole, then evenly
+//! spaced.
 std::vector<double> budget_times(const Show& show, int count);
 
 }  // namespace ergodome
