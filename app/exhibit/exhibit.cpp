@@ -6,7 +6,7 @@ namespace ergodome {
 
 namespace {
 
-//! The last seconds of a session are counted down.
+//! Duration of the countdown at the end of a session.
 constexpr double farewell_s = 20.0;
 constexpr double fade_s = 1.0;
 

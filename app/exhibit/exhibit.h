@@ -4,12 +4,12 @@
 
 namespace ergodome {
 
-//! Times of an exhibit.
+//! Time constants of an exhibit.
 struct ExhibitTimes {
-  double idle_s = 60.0;      //!< without input, after which the attract show returns
-  double session_s = 180.0;  //!< maximum flight of one visitor; 0: no limit
+  double idle_s = 60.0;      //!< time without input after which the attract show returns
+  double session_s = 180.0;  //!< maximum duration of a visitor's flight; 0: no limit
   double welcome_s = 8.0;    //!< duration of the welcome text
-  double rest_s = 3.0;       //!< after a session, during which input does not start a new one
+  double rest_s = 3.0;       //!< time after a session during which input does not start another
 };
 
 //! Scene of an exhibit: the attract show or a visitor's flight.
@@ -20,8 +20,8 @@ class Exhibit {
  public:
   explicit Exhibit(const ExhibitTimes& times) : times_(times) {}
 
-  //! Goes on to a time of a clock that never goes back. `touched`: somebody did something since the last call. Returns whether the scene
-  //! became another one.
+  //! Advances to a time of a monotonic clock. `touched` means that there was input since the last
+  //! call. Returns whether the scene changed.
   bool advance(double now_s, bool touched);
 
   [[nodiscard]] ExhibitScene scene() const { return scene_; }
@@ -29,19 +29,19 @@ class Exhibit {
   //! Returns the opacity of the welcome text, 0 to 1: it appears with the visitor and fades.
   [[nodiscard]] double welcome() const;
 
-  //! Returns the remaining time of a session if it is limited and about to end.
+  //! Returns the remaining time of a session if it is limited and about to end [s].
   [[nodiscard]] std::optional<double> ending_in_s() const;
 
  private:
   ExhibitTimes times_;
   ExhibitScene scene_ = ExhibitScene::attract;
   double now_s_ = 0.0;
-  double began_s_ = 0.0;    //!< the scene
-  double touched_s_ = 0.0;  //!< last
+  double began_s_ = 0.0;    //!< start of the scene
+  double touched_s_ = 0.0;  //!< last input
   bool session_over_ = false;
 };
 
-//! A switch that must be held: it lets an operator leave a locked exhibit.
+//! A switch that must be held down, which lets an operator leave a locked exhibit.
 class HeldSwitch {
  public:
   explicit HeldSwitch(double hold_s) : hold_s_(hold_s) {}

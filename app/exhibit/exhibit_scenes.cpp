@@ -43,7 +43,7 @@ void take_over(const TransportCommand& command, const PlayerStatus& status, bool
   if (command.kind == Kind::captions) {
     settings.captions = status.captions;
   }
-  // Shows of one language leave the chosen language unchanged.
+  // In a show with one language, the chosen language stays unchanged.
   const bool chosen =
       command.kind == Kind::next_language || (command.kind == Kind::language && command.text == status.language);
   if (chosen && status.languages.size() > 1) {
@@ -121,7 +121,8 @@ std::vector<Caption> ExhibitScenes::captions(bool pad) const {
   if (exhibit_.welcome() <= 0.0) {
     return {};
   }
-  // Each line is a caption of its own: at 2.4 degrees, the size for domes of 512 pixels, lines of one caption would touch.
+  // Each line is a separate caption: at 2.4 degrees, the size for domes of 512 pixels, lines of one
+  // caption would touch.
   std::vector<LocalText> lines =
       pad ? std::vector{LocalText{{"en", "Left stick: around the hole and toward it"},
                                   {"de", "Linker Stick: um das Loch herum und darauf zu"}},
@@ -226,7 +227,8 @@ void ExhibitScenes::write_settings() {
     problem_.clear();
   } catch (const std::exception& error) {
     refused_s_ = now_s_;
-    // The remedy of a failed write is for people who chose the file's name; this file has a fixed name.
+    // The remedy of a failed write applies if the user chose the file's name, but this file has a
+    // fixed name.
     const Error* const own = dynamic_cast<const Error*>(&error);
     problem_ =
         Error(file.string(), fmt::format("the settings cannot be saved ({})", own ? own->problem() : error.what()),

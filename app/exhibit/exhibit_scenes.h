@@ -12,28 +12,32 @@
 
 namespace ergodome {
 
+//! Options of an exhibit.
 struct ExhibitOptions {
   ExhibitTimes times;
-  std::string attract;          //!< the attract show; empty: the built-in one that fits the visitors' show
+  //! The attract show; empty: the built-in one that suits the visitors' show.
+  std::string attract;
   std::filesystem::path state;  //!< folder of the saved settings; empty: settings are not saved
 };
 
 //! The visitors' show if the command line names none.
 inline constexpr const char* usual_visitor_show = "exhibit";
 
-//! Returns the built-in attract show for displays of a visitors' show: a flat one for flat screens, or one for domes.
+//! Returns the built-in attract show that suits a visitors' show: for flat screens or for domes.
 std::string usual_attract_show(const Show& visitor);
 
-//! Returns why an attract show does not fit the display that visitors' pictures are made for, and what to do; empty where it does.
+//! Returns why an attract show does not suit the display that the visitors' show is for, and what
+//! to do; empty if it does.
 std::string attract_mismatch(const Show& visitor, const Show& attract);
 
-//! Scenes of an exhibit with its captions (welcome, countdown), the operator's exit, and the operator's saved settings.
+//! The scenes of an exhibit with their captions (welcome, countdown), the operator's exit, and the
+//! operator's saved settings.
 class ExhibitScenes {
  public:
-  //! `visitor`: the show that visitors fly through; `attract`: the show that runs without visitors.
+  //! Visitors fly through `visitor`; `attract` runs without visitors.
   ExhibitScenes(ExhibitOptions options, Show visitor, Show attract);
 
-  //! Once a frame, by a clock that never goes back. Returns whether the scene became another one.
+  //! Advances by one frame, to a time of a monotonic clock. Returns whether the scene changed.
   bool advance(double now_s, bool touched, bool chord_held);
 
   [[nodiscard]] ExhibitScene scene() const { return exhibit_.scene(); }
@@ -44,28 +48,32 @@ class ExhibitScenes {
   //! Returns whether an operator has held the exit keys long enough.
   [[nodiscard]] bool left() const { return left_; }
 
-  //! Returns the captions for visitors, and their opacity. `pad`: a pad is connected.
+  //! Returns the captions for visitors, and their opacity. `pad` means that a controller is
+  //! connected.
   [[nodiscard]] std::vector<Caption> captions(bool pad) const;
   [[nodiscard]] double opacity() const;
   //! Takes the lit fraction of a visitor's view, 0 to 1.
   void note_light(double lit_part);
-  //! Returns true once, when nothing but black was in view for a while: the camera is to go back to the start.
+  //! Returns true once, when the view has been black for a while and the camera has to return to
+  //! the start.
   [[nodiscard]] bool take_return();
   //! Returns whether the countdown to the end of the visit is shown.
   [[nodiscard]] bool is_ending() const { return exhibit_.ending_in_s().has_value(); }
 
-  //! Returns the settings saved by the last run as commands, and why there may be none.
+  //! Return the settings saved by the last run as commands, and why they could not be read, if so.
   [[nodiscard]] std::vector<TransportCommand> kept_commands() const;
   [[nodiscard]] const std::string& damage() const { return damage_; }
-  //! Returns why the current settings cannot be saved, and the remedy; empty if they are saved or about to be.
+  //! Returns why the current settings cannot be saved, and the remedy; empty if they are saved or
+  //! about to be.
   [[nodiscard]] const std::string& problem() const { return problem_; }
 
-  //! Records an operator's commands of this frame. Their settings are saved; changes by visitors' keys and pads end with the visit.
+  //! Records an operator's commands of this frame. Their settings are saved; changes by visitors'
+  //! keys and controllers end with the visit.
   void note(const std::vector<TransportCommand>& commands);
   //! Returns the commands of a visitor's reset, which keeps the operator's settings.
   [[nodiscard]] std::vector<TransportCommand> reset_commands() const;
-  //! Saves the settings that recorded commands have changed: at once, but at most once a second. After a failure, problem() gives the reason, and
-  //! the next attempt follows after ten seconds.
+  //! Saves the settings that recorded commands have changed: at once, but at most once a second.
+  //! After a failure, problem() gives the reason, and the next attempt follows after ten seconds.
   void keep(const PlayerStatus& status, bool baseline_set);
   //! Writes settings that keep() has not written yet, at the end of the program.
   void keep_last();
@@ -88,8 +96,8 @@ class ExhibitScenes {
   BlackView black_view_;
   bool left_ = false;
   double now_s_ = 0.0;
-  KeptSettings kept_;   //!< in the file
-  KeptSettings noted_;  //!< now
+  KeptSettings kept_;   //!< as in the file
+  KeptSettings noted_;  //!< current
   std::vector<TransportCommand> asked_;
   double wrote_s_ = -1e300;
   double refused_s_ = -1e300;  //!< time of the last failed write

@@ -16,12 +16,12 @@ struct KeptSettings {
   bool operator==(const KeptSettings&) const = default;
 };
 
-//! Returns the folder for settings and the log: $XDG_STATE_HOME/ergodome, or ~/.local/state/ergodome. Empty where the user
-//! has no home.
+//! Returns the folder for settings and the log: $XDG_STATE_HOME/ergodome, or
+//! ~/.local/state/ergodome. Empty if the user has no home folder.
 std::filesystem::path state_folder();
 
-//! Reads settings. A missing file gives the defaults. So does a damaged file, which is renamed to NAME.bad;
-//! `problem` then gives the reason. An exhibit always starts.
+//! Reads settings. A missing file gives the defaults. So does a damaged file, which is renamed to
+//! NAME.bad; `problem` then gives the reason. An exhibit always starts.
 KeptSettings read_kept_settings(const std::filesystem::path& file, std::string& problem);
 
 //! Writes settings atomically. Throws Error if they cannot be written.

@@ -16,7 +16,7 @@ namespace ergodome {
 namespace {
 
 constexpr std::size_t largest_bytes = 1U << 20U;
-constexpr std::size_t kept_files = 4;  // beside the one that is written
+constexpr std::size_t kept_files = 4;  // in addition to the current one
 
 }  // namespace
 
@@ -36,8 +36,9 @@ std::shared_ptr<spdlog::logger> open_log(const std::filesystem::path& file, std:
   }
   auto log = std::make_shared<spdlog::logger>("ergodome", sinks.begin(), sinks.end());
   log->flush_on(spdlog::level::info);
-  // A full disk must not stop a show; if one sink fails, the others continue. The failure itself goes to stderr, which may be a file on the same
-  // disk, so nothing is thrown if that fails, too.
+  // A full disk must not stop a show. If one sink fails, the others continue. The failure is
+  // printed on stderr, which may be a file on the same disk, so nothing is thrown if that fails
+  // too.
   log->set_error_handler([file, told = std::make_shared<std::atomic_flag>()](const std::string& failure) {
     if (!told->test_and_set()) {
       const std::string line =

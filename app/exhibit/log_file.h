@@ -8,9 +8,10 @@
 
 namespace ergodome {
 
-//! The program's log: lines with time and level, to `sinks` and to a file that is turned over before it outgrows a mebibyte, the last five of
-//! which are kept. An empty path, or one that cannot be opened, leaves the file out; the log says so. Lines that cannot be
-//! written later, on a full disk, are told once on the standard error.
+//! Opens the program's log: lines with time and level, to `sinks` and to a file that is rotated at
+//! 1 MiB, of which the last five are kept. If the path is empty or cannot be opened, there is no
+//! file, which the log notes. Later write errors, such as on a full disk, are reported once on
+//! stderr.
 std::shared_ptr<spdlog::logger> open_log(const std::filesystem::path& file, std::vector<spdlog::sink_ptr> sinks);
 
 }  // namespace ergodome

@@ -11,9 +11,9 @@ namespace ergodome {
 
 namespace {
 
-//! A command that is not repeated for so long is logged,
+//! A command is logged once it has not been repeated for this long,
 constexpr double quiet_s = 1.0;
-//! and one that goes on being repeated after this.
+//! or, if it keeps being repeated, after this time.
 constexpr double longest_wait_of_line_s = 5.0;
 
 std::string argument_text(const CommandRule& rule, const TransportCommand& command) {

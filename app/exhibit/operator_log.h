@@ -9,18 +9,20 @@ namespace ergodome {
 
 //! Produces log lines of operators' commands with the address that they came from.
 //!
-//! A line waits for a second, so that a moving fader gives one line with its last value and many commands do not fill the log.
+//! Lines are delayed by a second, so that a moving fader produces one line with its last value, and
+//! many commands do not fill the log.
 class OperatorLog {
  public:
-  //! Maximum number of commands that wait for their line; beyond it the oldest line is released at once.
+  //! Maximum number of waiting commands. Beyond it, the oldest line is released at once.
   static constexpr std::size_t most_waiting = 32;
 
-  //! Takes commands at a time of a monotonic clock. Commands without a source are the program's own and give no line.
+  //! Adds commands at a time of a monotonic clock. Commands without a source come from the program
+  //! and produce no line.
   void note(const std::vector<TransportCommand>& commands, double now_s);
 
-  //! Returns the lines that are ready.
+  //! Returns the lines that are due.
   [[nodiscard]] std::vector<std::string> take(double now_s);
-  //! Returns all that are left: the program ends.
+  //! Returns all remaining lines at the end of the program.
   [[nodiscard]] std::vector<std::string> take_all();
 
  private:

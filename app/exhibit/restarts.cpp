@@ -26,7 +26,8 @@ constexpr std::chrono::seconds shortest_run{5};
 volatile std::sig_atomic_t stopping = 0;
 volatile pid_t running = 0;
 
-//! A hangup asks the child to end, however often: it may have received the first signal itself.
+//! Forwards signals to the child as hangups, which may be repeated: it may also have received the
+//! first signal itself.
 void pass_on(int /*signal*/) {
   stopping = 1;
   if (running > 0) {
@@ -47,7 +48,7 @@ int wait_for(pid_t child) {
   return status;
 }
 
-//! Ends this process as the child ended.
+//! Ends this process with the signal or exit status of the child.
 [[noreturn]] void end_like(int status) {
   if (WIFSIGNALED(status)) {
     set_handlers(SIG_DFL);
@@ -59,7 +60,7 @@ int wait_for(pid_t child) {
 }  // namespace
 
 void restart_after_crashes() {
-  std::fflush(stdout);  // or both processes would print it
+  std::fflush(stdout);  // otherwise both processes would print it
   while (true) {
     const auto begin = steady_clock::now();
     set_handlers(pass_on);

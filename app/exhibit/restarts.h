@@ -2,10 +2,10 @@
 
 namespace ergodome {
 
-//! Lets the rest of the program run in a child process, and starts it again at once after a crash: a service manager that has
-//! to start the display as well takes several seconds. Returns in the child alone; this process ends when the child ends by
-//! itself, or fails within its first seconds, with its exit status. Signals that ask this process to end are passed on.
-//! Call it before there are other threads.
+//! Runs the rest of the program in a child process, and restarts it at once after a crash: a
+//! service manager that also has to start the display takes several seconds. Returns only in the
+//! child. This process exits with the child's status when the child exits normally, or fails within
+//! its first seconds. Forwards signals that request its end. Call it before other threads start.
 void restart_after_crashes();
 
 }  // namespace ergodome

@@ -19,7 +19,7 @@ void tell_supervisor_alive(double now_s) {
 
 void tell_supervisor(std::string status) {
   static std::string said;
-  // A line would begin another message.
+  // A newline would start another message.
   std::ranges::replace(status, '\n', ' ');
   if (status != said) {
     said = status;
