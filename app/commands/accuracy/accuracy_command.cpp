@@ -46,7 +46,7 @@ AccuracySettings settings_of(const AccuracyOptions& options) {
   return settings;
 }
 
-//! On a terminal the line below tells what is measured.
+//! Runs the measurement. On a terminal, a progress line on stderr shows what is being measured.
 AccuracyReport measure_with_progress(const Show& show, const AccuracySettings& settings) {
   const bool on_terminal = isatty(STDERR_FILENO) != 0;
   const AccuracyReport report = measure_accuracy(show, settings, [&](const std::string& doing) {

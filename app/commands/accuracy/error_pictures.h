@@ -6,14 +6,15 @@
 
 namespace ergodome {
 
-//! Draws where choices of a report miss, as small PNGs in a folder, and puts their names into the report: for those that are on a Pareto
-//! front, and for each method's cheapest within an error, or its most exact.
+//! Draws error pictures of the report's choices as small PNG files in a folder, and stores their
+//! names in the report. Draws those on a Pareto front and, for each method, the cheapest choice
+//! within `most_px`, or its most exact one.
 void draw_error_pictures(AccuracyReport& report, double most_px, const std::filesystem::path& folder);
 
-//! The ends of the pictures' colours, which are logarithmic between [px].
+//! Range of the logarithmic color scale of error pictures [px].
 inline constexpr double least_drawn_px = 1e-4;
 inline constexpr double most_drawn_px = 10.0;
-//! The same for light, of the picture's mean.
+//! The same range for light, relative to the mean of the picture.
 inline constexpr double least_drawn_light = 1e-5;
 inline constexpr double most_drawn_light = 1.0;
 

@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-//! A field of a CSV line: quoted where it holds what separates fields.
+//! Returns a field of a CSV line, quoted if it contains a separator.
 std::string field(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) {
     return text;

@@ -6,11 +6,13 @@
 
 namespace ergodome {
 
-//! The report as a table, a line a choice: axis, method, setting, precision, published, errors (in the axis' unit; light as a part of 1),
-//! times in ms. What was not measured is empty, and an error without bounds `inf`.
+//! Returns the report as CSV, one line per choice: axis, method, setting, precision, published,
+//! errors (in the unit of the axis; light as a fraction), times in ms. A value that was not
+//! measured is empty; an unbounded error is `inf`.
 std::string csv_text(const AccuracyReport& report);
 
-//! All of the report but the error pictures' pixels, with the time of each run. Errors without bounds are null.
+//! Returns the whole report as JSON, with the time of each run, but without the pixels of the error
+//! pictures. An unbounded error is null.
 std::string json_text(const AccuracyReport& report);
 
 }  // namespace ergodome

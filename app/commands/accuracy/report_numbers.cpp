@@ -21,7 +21,7 @@ std::string short_number(double value) {
 }
 
 std::string error_number(const AccuracyAxis& axis, double error) {
-  // Below a millionth of a per cent light differs by the rounding of floats.
+  // Below a millionth of a percent, light differs only by the rounding of floats.
   const bool none = axis.unit == ErrorUnit::light && error < 1e-8;
   return short_number(none ? 0.0 : axis.unit == ErrorUnit::light ? 100.0 * error : error);
 }

@@ -114,7 +114,8 @@ std::string colour_bar(bool light) {
       stops, light ? "0.001 %" : "0.0001 px", light ? "100 %" : "10 px");
 }
 
-//! The numbered legend of an axis: what each method is, in the colour that it has in the plots.
+//! Returns the numbered legend of an axis in HTML: an explanation of each method, in its color in
+//! the plots.
 std::string legend_text(const AccuracyAxis& axis) {
   std::string text;
   std::vector<std::string> explained;
@@ -213,7 +214,7 @@ std::string equal_error_text(const AccuracyAxis& axis, double most_px) {
   return text + "</table></div>\n";
 }
 
-//! What a frame spends its time on, where it was counted.
+//! Returns a table of the time per pass of a frame, for choices that measured it.
 std::string passes_text(const AccuracyAxis& axis) {
   std::string text;
   for (const Measurement& choice : axis.choices) {
@@ -233,7 +234,7 @@ std::string passes_text(const AccuracyAxis& axis) {
                             text + "</table></div></details>\n";
 }
 
-//! The first sentence of each axis.
+//! Returns the summary: the first sentence of each axis with more than five choices.
 std::string in_short(const AccuracyReport& report) {
   std::string text = "<h2>Summary</h2>\n<div class=\"says\">\n";
   for (const AccuracyAxis& axis : report.axes) {

@@ -24,7 +24,7 @@ namespace ergodome {
 
 namespace {
 
-//! Errors below this are as good as none, and are drawn here.
+//! Smaller errors are negligible and are drawn at these values.
 constexpr double least_px = 1e-4;
 constexpr double least_percent = 1e-3;
 
@@ -45,13 +45,14 @@ std::string points_of(const AccuracyAxis& axis, FrameCost cost, const std::vecto
   return text;
 }
 
-//! gnuplot's number of a sign: published methods hollow, float a disk or square, double a triangle.
+//! Returns gnuplot's point type of a series: hollow for published methods; a disk or square for
+//! float, a triangle for double.
 int point_of(const ReportSeries& series) {
   const bool wide = series.choices.front()->precision == "double";
   return series.published ? (wide ? 8 : 4) : (wide ? 9 : 7);
 }
 
-//! Text in gnuplot's double quotes.
+//! Returns text in gnuplot's double quotes, without characters that have a meaning there.
 std::string quoted(const std::string& text) {
   std::string safe = "\"";
   for (const char letter : text) {
@@ -100,7 +101,7 @@ int run_gnuplot(const std::filesystem::path& script, const std::filesystem::path
   int status = 0;
   while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
   }
-  // A shell's answer for a program that is not there, too.
+  // Status 127 is also how a shell reports a missing program.
   return WIFEXITED(status) ? (WEXITSTATUS(status) == 127 ? -1 : WEXITSTATUS(status)) : 1;
 }
 

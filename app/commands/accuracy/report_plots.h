@@ -7,13 +7,15 @@
 
 namespace ergodome {
 
-//! gnuplot's words for the plot of an axis: error over time of a frame, a line a method, the choices that no other beats in rings.
+//! Returns the gnuplot script for the plot of an axis: error over frame time, one line per method,
+//! with rings around the choices on the Pareto front.
 std::string plot_script(const AccuracyAxis& axis, FrameCost cost, const std::filesystem::path& picture);
 
-//! Draws a plot as SVG by gnuplot. Tells whether there is a gnuplot; throws Error where it fails.
+//! Draws a plot as SVG with gnuplot. Returns false if gnuplot is not installed; throws Error if it
+//! fails.
 bool draw_plot(const AccuracyAxis& axis, FrameCost cost, const std::filesystem::path& picture);
 
-//! Whether a plot of an axis says something: it has two choices at least that took a time and missed by something.
+//! Returns whether the plot of an axis is useful: at least two choices have a time and an error.
 bool is_plottable(const AccuracyAxis& axis);
 
 }  // namespace ergodome

@@ -9,7 +9,8 @@ namespace ergodome {
 
 namespace {
 
-//! One colour a method, the same in all plots that have it; those with no name here take turns.
+//! Returns the color of a method, which is the same in all plots. Other methods cycle through a few
+//! colors.
 const char* colour_of(const std::string& method, std::size_t number) {
   constexpr std::array<std::pair<std::string_view, const char*>, 10> known = {{{"conforming grid", "#009e73"},
                                                                                {"quadtree, linear", "#e69f00"},

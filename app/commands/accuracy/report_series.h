@@ -7,9 +7,10 @@
 
 namespace ergodome {
 
-//! The choices of one method in one precision: a line of a plot, and an entry of its numbered legend.
+//! The choices of one method in one precision: a line of a plot, and an entry of its numbered
+//! legend.
 struct ReportSeries {
-  int number = 0;  //!< from 1, the same in plot, legend and table
+  int number = 0;  //!< from 1; the same in plot, legend and table
   std::string name;
   std::string colour;  //!< "#009e73"
   bool published = false;

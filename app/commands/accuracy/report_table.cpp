@@ -13,7 +13,8 @@ namespace ergodome {
 
 namespace {
 
-//! Rows of words, put into columns as wide as the widest; all but the first `left` stand at the right.
+//! Aligns rows of words in columns. The first `left` columns are left-aligned, the others
+//! right-aligned.
 std::string columns_of(const std::vector<std::vector<std::string>>& rows, std::size_t left) {
   std::vector<std::size_t> widths;
   for (const auto& row : rows) {

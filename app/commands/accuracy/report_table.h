@@ -6,10 +6,11 @@
 
 namespace ergodome {
 
-//! The report as aligned text for a terminal. `most_px`: the error at which methods are compared.
+//! Returns the report as aligned text for a terminal. `most_px` is the error at which methods are
+//! compared.
 std::string table_text(const AccuracyReport& report, double most_px);
 
-//! Arcminutes that a displacement on the screen is worth; as text.
+//! Converts a displacement in pixels to arcminutes, as text.
 std::string arcmin_text(const AccuracyReport& report, double error_px);
 
 }  // namespace ergodome

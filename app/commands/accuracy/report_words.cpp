@@ -22,12 +22,13 @@ struct NamedError {
 constexpr NamedError pixel_errors[] = {
     {1.0, "one pixel"}, {0.25, "a quarter pixel"}, {0.1, "a tenth of a pixel"}, {0.01, "a hundredth of a pixel"}};
 
-//! Axes of so few choices are told choice by choice.
+//! Axes with at most so many choices get one sentence per choice.
 constexpr std::size_t few_choices = 5;
-//! And those of so many, where there is no method that others are compared with.
+//! The same limit for axes without a method that others are compared with.
 constexpr std::size_t few_without_base = 9;
 
-//! "A quarter pixel costs 3 ms a frame (...); a tenth of a pixel costs 7 ms (...)." One clause a choice: the finest error that it holds.
+//! Returns the cost of error levels, one clause per choice, for the smallest error that it
+//! achieves: "errors up to a quarter pixel cost 3 ms per frame (...); ...".
 std::string cost_sentence(const AccuracyAxis& axis) {
   std::string text;
   for (std::size_t i = 0; i < std::size(pixel_errors); ++i) {
@@ -49,7 +50,7 @@ std::string cost_sentence(const AccuracyAxis& axis) {
   return text;
 }
 
-//! "ewa (an ellipse): half of all are right within 1.3 %, 99 of 100 within 68 %; 36 ms a frame."
+//! Returns the median and 99 % error of a choice, and its frame time, as a sentence.
 std::string choice_sentence(const AccuracyAxis& axis, const Measurement& choice) {
   std::string text = fmt::format(
       "{} ({}{}): the error is at most {} in half of the samples and at most {} in 99 %; {} ms {}", choice.method,
@@ -62,7 +63,9 @@ std::string choice_sentence(const AccuracyAxis& axis, const Measurement& choice)
   return text + '.';
 }
 
-//! "quadtree, spline (the method of VE) takes 4.2 times as long as taylor to be right within a tenth of a pixel ..."
+//! Compares a published method with the base method at equal error: "quadtree, spline (the method
+//! of VE) takes 4.2 times as long as taylor for errors of at most ...". Empty if the method is not
+//! a published one.
 std::string published_sentence(const AccuracyAxis& axis, const EqualErrorRow& row, const NamedError& error) {
   const Measurement* const any = row.choice;
   if (any == nullptr || any->published.empty() || row.ratio.runs == 0) {

@@ -7,16 +7,17 @@
 
 namespace ergodome {
 
-//! What a report says, in sentences that need no table: what errors of a pixel, a quarter and a tenth cost, and what the published methods do.
+//! Returns the report's results as sentences: the cost of errors of one pixel, a quarter and a
+//! tenth, and the comparison with published methods.
 std::vector<std::string> accuracy_sentences(const AccuracyReport& report);
 
-//! The sentences of one axis alone.
+//! Returns the sentences of one axis.
 std::vector<std::string> axis_sentences(const AccuracyAxis& axis);
 
-//! How well times repeated, and if they did not, that methods cannot be ranked by this report.
+//! Describes how well times repeated, and warns if methods cannot be ranked by this report.
 std::string repeatability_words(const AccuracyReport& report);
 
-//! What a method is, for people who have not met it; empty for one that needs no word.
+//! Explains a method to readers who do not know it; empty if its name is enough.
 std::string method_words(const std::string& method);
 
 }  // namespace ergodome
