@@ -44,10 +44,11 @@ struct CalibrateOptions {
   BlendSettings blend;
   bool live = false;
   bool size_given = false;
-  LiveOptions shown;  //!< with live
+  LiveOptions shown;  //!< for --live
 };
 
-//! A file that the old setup names, as the new one in another folder has to.
+//! Converts a file name relative to the old setup's folder into one relative to the new setup's
+//! folder.
 std::string moved(const std::string& file, const std::filesystem::path& from, const std::filesystem::path& to) {
   return file.empty() ? file : std::filesystem::relative(from / file, to).string();
 }
@@ -59,18 +60,19 @@ void run_live(const CalibrateOptions& options) {
   CalibrationWindow(live).run();
 }
 
-//! A projector's files, made but not yet written.
+//! The files of a projector, computed but not yet written.
 struct ComputedProjector {
-  std::string name;  //!< that of its files begins so
+  std::string name;  //!< prefix of its file names
   std::string mesh;
   std::string mask;
 };
 
-//! Looks at all that can be known to go wrong before anything is written: files that are to be named or written.
+//! Checks everything that can be checked before writing: that files named by the new setup can be
+//! read, and that output files can be written.
 void require_files(const CalibrateOptions& options, const DomeSetup& setup) {
   const std::filesystem::path out = options.out;
   for (std::size_t i = 0; i < setup.projectors.size(); ++i) {
-    // Its warp and mask are made anew; the black level's mask is named again.
+    // The warp and the blend mask are recomputed; the mask of the black level is kept.
     ProjectorSetup stays = setup.projectors[i];
     stays.warp.reset();
     stays.blend_mask.clear();
@@ -85,7 +87,8 @@ void require_files(const CalibrateOptions& options, const DomeSetup& setup) {
   }
 }
 
-//! Says how much of the dome each projector lights, by the meshes and masks that were made (as `inspect` does).
+//! Prints how much of the dome each projector lights, from the computed meshes and masks (as
+//! `inspect` does).
 void tell_lit_parts(const std::vector<ProjectorPicture>& pictures) {
   const std::vector<double> lit = lit_parts(pictures);
   for (std::size_t i = 0; i < pictures.size(); ++i) {
@@ -146,7 +149,7 @@ Mpcdi exact_mpcdi(DomeSetup setup) {
                              [&](long done) { progress.advance_to(done); });
 }
 
-//! Writes warps and masks, and then a setup that names them.
+//! Writes warps and masks, then a setup that names them.
 void write_calibration(const CalibrateOptions& options, DomeSetup setup,
                        const std::vector<ComputedProjector>& computed) {
   const std::filesystem::path out = options.out;
@@ -173,7 +176,8 @@ void write_calibration(const CalibrateOptions& options, DomeSetup setup,
   }
 }
 
-//! Whether a file's folder is there once --out is made: that itself, or one above it.
+//! Returns whether the folder of a file will exist once --out is created: it is that folder or one
+//! of its parents.
 bool is_made_with(const std::filesystem::path& file, const std::filesystem::path& out) {
   const auto plain = [](const std::filesystem::path& folder) {
     return (std::filesystem::absolute(folder) / "").lexically_normal().parent_path();

@@ -20,7 +20,8 @@ namespace ergodome {
 
 namespace {
 
-//! After the patterns of the master comes a sheet with its number for each projector.
+//! Returns the number of patterns: those of the domemaster, and one that shows each projector's
+//! number.
 int pattern_count() { return static_cast<int>(test_pattern_names().size()) + 1; }
 
 constexpr int key_font_px = 14;
@@ -114,7 +115,7 @@ void CalibrationWindow::act(CalibrationAction action) {
 void CalibrationWindow::save() {
   try {
     const DomeSetup& setup = state_.setup();
-    // What cannot be shown could not be opened again.
+    // A setup that cannot be shown could not be opened again.
     pictures_.follow(setup, state_.offsets());
     const bool behind = pictures_.leaves_behind(setup);
     state_.note_saved(save_calibration(options_.setup, pictures_.without_outdated(setup), state_.offsets(),
@@ -124,7 +125,7 @@ void CalibrationWindow::save() {
         behind ? "; patterns use the new tilt, but some warp files still contain the old one:\nrecompute them with the "
                  "program that made them"
                : "";
-    // What is shown from now on is what the files hold.
+    // From here on, the window shows the contents of the saved files.
     pictures_ = DomePictures(state_.setup());
     for (std::size_t i = 0; i < pictures_.pictures().size(); ++i) {
       projectors_.replace(i, pictures_.pictures()[i]);
@@ -132,7 +133,7 @@ void CalibrationWindow::save() {
     told_refusal_.clear();
     print_out("{}\n", message_);
   } catch (const Error& problem) {
-    // What was adjusted is still there, and can be saved once the reason is gone.
+    // The adjustments are kept and can be saved once the cause is removed.
     message_ = std::string("cannot save: ") + problem.what();
     tell_refusal(problem.what());
   }
@@ -198,7 +199,7 @@ bool CalibrationWindow::renew_projectors() {
     }
     return true;
   } catch (const Error& problem) {
-    // The pictures stay as they are until another key leads back.
+    // Keeps the last valid pictures until another key makes the setup valid again.
     message_ = problem.what();
     return false;
   }

@@ -16,21 +16,25 @@
 
 namespace ergodome {
 
+//! Options of a live calibration.
 struct LiveOptions {
-  std::string setup;  //!< file of the setup, which is also saved to
-  int master_px = 0;  //!< width of the test patterns' master; 0: enough for the projectors
+  std::string setup;  //!< the setup file, which is also the file that is saved
+  //! Width of the domemaster of test patterns; 0: sufficient for the projectors.
+  int master_px = 0;
   bool hide_control = false;
-  double for_seconds = 0.0;  //!< ends by itself; 0: when it is closed
-  std::string screenshot;    //!< what the windows showed last, as FILE_PROJECTOR.png for FILE.png; empty: none
+  double for_seconds = 0.0;  //!< closes the windows after this time; 0: when a user closes them
+  //! Last contents of the windows, as FILE_PROJECTOR.png for FILE.png; empty: none.
+  std::string screenshot;
 };
 
-//! Shows test patterns on the projectors of a dome, and lets keys adjust its setup.
+//! Shows test patterns on the projectors of a dome and adjusts its setup by keys.
 class CalibrationWindow {
  public:
-  //! Throws Error for what is wrong with the setup or its files, where there is no display, or a monitor is missing.
+  //! Throws Error if the setup or one of its files is wrong, or if the display or a monitor is
+  //! missing.
   explicit CalibrationWindow(const LiveOptions& options);
 
-  //! Until it is closed.
+  //! Runs until the window is closed.
   void run();
 
  private:
@@ -40,11 +44,11 @@ class CalibrationWindow {
   void repeat_held_key();
   void act(CalibrationAction action);
   void save();
-  //! Says on the terminal why nothing can be saved, unless it said so last.
+  //! Prints why nothing can be saved, unless it is the message printed last.
   void tell_refusal(const std::string& problem);
-  //! Shows what keys have changed since the last time.
+  //! Shows the changes that keys have made since the last call.
   void renew();
-  //! Replaces one of the coarse masks that the window started with. Returns false once there is none.
+  //! Replaces one of the coarse masks that the window started with. Returns false if none is left.
   bool refine();
   void renew_master();
   bool renew_projectors();
@@ -53,16 +57,17 @@ class CalibrationWindow {
   [[nodiscard]] std::string pattern_name() const;
 
   LiveOptions options_;
-  int drawn_px_ = 0;  //!< domemaster width for the next pattern that is drawn
+  int drawn_px_ = 0;  //!< width of the domemaster that the next pattern is drawn at
   LiveCalibration state_;
   DomePictures pictures_;
   Window window_;
   Presenter presenter_;
   TextPanel keys_panel_;
   ProjectorWindows projectors_;
-  std::string message_;                 //!< of the last saving, or why a change cannot be shown
-  std::string told_refusal_;            //!< why nothing could be saved, as the terminal says it last
-  Renewal renewal_ = Renewal::nothing;  //!< what keys since the last drawing ask for
+  //! Result of the last save, or why a change cannot be shown.
+  std::string message_;
+  std::string told_refusal_;            //!< reason last printed for a failed save
+  Renewal renewal_ = Renewal::nothing;  //!< updates requested by keys since the last drawing
   KeyRepeat keys_;
 };
 

@@ -32,7 +32,7 @@ namespace ergodome {
 
 namespace {
 
-//! No size was asked for: a mesh keeps its own, if it has one.
+//! Marks that no size is given: a mesh keeps its size, if it has one.
 constexpr std::pair<int, int> own_size = {std::numeric_limits<int>::min(), std::numeric_limits<int>::min()};
 
 struct ConvertOptions {
@@ -43,7 +43,7 @@ struct ConvertOptions {
   std::pair<int, int> size = own_size;
 };
 
-//! What a file is. A name without an ending is a folder; only kind_of_source() returns `foreign`.
+//! Kinds of files. A name without an ending is a folder; only kind_of_source() returns `foreign`.
 enum class FileKind { setup, mpcdi, bourke, map, foreign, folder, other };
 
 FileKind kind_of(const std::filesystem::path& path) {
@@ -63,8 +63,8 @@ FileKind kind_of(const std::filesystem::path& path) {
   return ending.empty() ? FileKind::folder : FileKind::other;
 }
 
-//! Returns the kind of the source file: by its content if that shows a warp format, otherwise by its
-//! ending. A setup is always recognized by its ending.
+//! Returns the kind of the source file: by its content if that shows a warp format, otherwise by
+//! its ending. A setup is always recognized by its ending.
 FileKind kind_of_source(const std::filesystem::path& path) {
   if (kind_of(path) == FileKind::setup) {
     return FileKind::setup;
@@ -119,7 +119,7 @@ void convert_mpcdi(const ConvertOptions& options) {
              "dome has no tilt");
 }
 
-//! Columns and rows of the map that a mesh becomes.
+//! Returns columns and rows of the map made from a mesh.
 std::pair<int, int> map_size(const ConvertOptions& options, const WarpMesh& mesh) {
   if (options.size != own_size) {
     return options.size;
@@ -127,8 +127,8 @@ std::pair<int, int> map_size(const ConvertOptions& options, const WarpMesh& mesh
   if (mesh.topology == MeshTopology::rectangular) {
     return {mesh.columns, mesh.rows};
   }
-  // Neither triangles nor rings and spokes give columns and rows of a raster. A map is drawn up to its
-  // last known sample, so about 0.3 % of a circle as high as the raster is lost.
+  // Triangles and polar meshes have no columns and rows. A map ends at its last valid sample, so
+  // about 0.3 % of a circle as high as the raster is lost.
   constexpr double shorter_side = 720.0;
   const auto side = [](double samples) {
     return static_cast<int>(std::lround(std::min(samples, static_cast<double>(most_mesh_side))));
@@ -136,7 +136,7 @@ std::pair<int, int> map_size(const ConvertOptions& options, const WarpMesh& mesh
   return {side(shorter_side * std::max(options.aspect, 1.0)), side(shorter_side * std::max(1.0 / options.aspect, 1.0))};
 }
 
-//! Says which of a mesh's intensities are lost in a map, if any are.
+//! Prints a note if a mesh has intensities, which a map cannot store.
 void tell_lost_intensities(const ConvertOptions& options, const WarpMesh& mesh) {
   float least = 1.0F;
   float most = 1.0F;
@@ -176,7 +176,8 @@ FloatMap read_map(const std::filesystem::path& file) {
   return map;
 }
 
-//! Reads a warp of another program. If the file holds a view, converts the warp to one of the domemaster.
+//! Reads a warp of another program. If the file is for a perspective view, converts the warp to one
+//! for the domemaster.
 WarpMesh read_foreign(const std::filesystem::path& file) {
   ForeignWarp warp = read_foreign_warp(file, warp_format_of(file).value());
   for (const std::string& note : warp.notes) {

@@ -5,14 +5,15 @@
 
 namespace ergodome {
 
-//! Which key is held, and when what it does is to be done again.
+//! Tracks the key that is held down and when its action repeats.
 //!
-//! Work that a key asks for may take longer than it is held: due() is asked once all that happened until now has been told.
+//! An action may take longer than the key is held, so report all pending events before calling
+//! due().
 class KeyRepeat {
  public:
   using Time = std::chrono::steady_clock::time_point;
 
-  //! A key went down.
+  //! Records that a key was pressed.
   void press(int key, Time now) {
     held_ = key;
     due_ = now + std::chrono::milliseconds(400);
@@ -24,10 +25,10 @@ class KeyRepeat {
     }
   }
 
-  //! The key that is to do again what it does.
+  //! Returns the key whose action has to be repeated.
   [[nodiscard]] std::optional<int> due(Time now) const { return held_ && now >= due_ ? held_ : std::nullopt; }
 
-  //! It does so.
+  //! Records that the action was repeated.
   void repeated(Time now) { due_ = now + std::chrono::milliseconds(80); }
 
  private:

@@ -15,14 +15,16 @@ constexpr double most_tilt_deg = 90.0;
 constexpr double least_gamma = 0.1;
 constexpr double most_gamma = 10.0;
 constexpr double most_lift = 0.5;
-//! Part of the dome's radius within which the viewer stays: beyond it a master has no direction for much of the dome.
+//! Limit of the viewer's distance from the center, as a fraction of the dome's radius: beyond it, a
+//! domemaster has no direction for much of the dome.
 constexpr double farthest_viewer = 0.95;
 
-//! Range of the gains that keys set. Setups allow gains from 0 to most_gain.
+//! Range of gains that keys can set. Setups allow gains from 0 to most_gain.
 constexpr double least_gain = 0.05;
 constexpr double most_gain = 10.0;
 
-//! Names, units and normal steps, in the order of Adjustable. Grid points move in pixels of the raster.
+//! Names, units and default steps, in the order of Adjustable. Grid points move in pixels of the
+//! raster.
 struct Quantity {
   const char* name;
   const char* unit;
@@ -41,7 +43,7 @@ constexpr Quantity quantities[] = {
 
 const Quantity& quantity_of(Adjustable adjustable) { return quantities[static_cast<std::size_t>(adjustable)]; }
 
-//! To the nearest thousandth of a step, so that many steps there and back leave no crumbs.
+//! Rounds to a thousandth of a step, so that steps back and forth leave no rounding errors.
 double tidy(double value, double step) {
   const double crumb = 1e-3 * step;
   return std::round(value / crumb) * crumb;
@@ -71,7 +73,7 @@ Renewal LiveCalibration::press(CalibrationAction action) {
     case CalibrationAction::previous_projector:
       projector_ = static_cast<std::size_t>(
           next(static_cast<int>(projector_), action == CalibrationAction::next_projector ? 1 : -1, count));
-      // Its grid may have fewer points.
+      // The new projector's grid may have fewer points.
       point_ = std::min(point_, offsets_[projector_].right.size() - 1);
       return Renewal::text;
     case CalibrationAction::finer:
@@ -126,7 +128,7 @@ Renewal LiveCalibration::choose(CalibrationAction action) {
     case CalibrationAction::choose_bottom_left:
       return choose_corner(false, true);
     case CalibrationAction::choose_gain:
-      // Pressing the key again chooses the next color alone.
+      // Pressing the key again selects the next color channel alone.
       gain_color_ = adjustable_ != Adjustable::gain || gain_color_ == 2 ? all_colors : gain_color_ + 1;
       adjustable_ = Adjustable::gain;
       break;
@@ -157,7 +159,7 @@ Renewal LiveCalibration::choose_corner(bool right, bool bottom) {
 
 Renewal LiveCalibration::step_point(int by) {
   const int count = static_cast<int>(offsets_[projector_].right.size());
-  // The first press only chooses the grid.
+  // The first press only selects the grid.
   const int step = adjustable_ == Adjustable::point ? by : 0;
   adjustable_ = Adjustable::point;
   point_ = static_cast<std::size_t>((static_cast<int>(point_) + step + count) % count);
@@ -169,13 +171,13 @@ Renewal LiveCalibration::refine_grid() {
   const auto* const now = std::ranges::find(GridOffsets::sizes, grid.points);
   const bool finest = std::next(now) == GridOffsets::sizes.end();
   const GridOffsets coarse = grid.resized(GridOffsets::sizes.front());
-  // Goes from the finest grid back to the corners, unless that would lose offsets.
+  // From the finest grid, returns to the corners unless that would lose offsets.
   if (finest && !(grid.none() || coarse.resized(grid.points) == grid)) {
     return Renewal::nothing;
   }
   const int before = grid.points;
   grid = finest ? coarse : grid.resized(*std::next(now));
-  // Keeps the position of the chosen point, or chooses the point nearest to it.
+  // Keeps the position of the selected point, or selects the point nearest to it.
   const auto along = [&](std::size_t at) {
     return static_cast<std::size_t>(
         std::lround(static_cast<double>(at) / (before - 1) * static_cast<double>(grid.points - 1)));
@@ -202,7 +204,7 @@ Renewal LiveCalibration::adjust(const Way& way) {
       return Renewal::master;
     case Adjustable::rotation:
       setup_.rotation_deg = turned(tidy(setup_.rotation_deg + more, step()));
-      // In a dome that leans, patterns stay level.
+      // In a tilted dome, the patterns stay level.
       return Renewal::master;
     case Adjustable::viewer:
       return adjust_viewer(way, step());
@@ -236,7 +238,7 @@ Renewal LiveCalibration::adjust_gain(double more) {
 
 Renewal LiveCalibration::adjust_viewer(const Way& way, double step_m) {
   const Vector3<double>& at = setup_.viewer_m;
-  // Up on the screen is to the front of the dome.
+  // Up on the screen is toward the front of the dome.
   const Vector3<double> to = {tidy(at.x + step_m * way.right, step_m), tidy(at.y + step_m * way.upwards, step_m),
                               tidy(at.z - step_m * way.up, step_m)};
   if (!(std::sqrt(dot(to, to)) <= farthest_viewer * setup_.radius_m)) {

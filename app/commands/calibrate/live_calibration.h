@@ -9,7 +9,7 @@
 
 namespace ergodome {
 
-//! What a key does while a dome is being calibrated.
+//! Actions of keys during the calibration of a dome.
 enum class CalibrationAction {
   none,
   quit,
@@ -44,7 +44,7 @@ enum class CalibrationAction {
   choose_gain,
 };
 
-//! What can be changed. The first three belong to the dome, the others to a projector.
+//! Quantities that keys can change. The first three belong to the dome, the others to a projector.
 enum class Adjustable {
   tilt,
   rotation,
@@ -55,17 +55,18 @@ enum class Adjustable {
   gain,
 };
 
-//! What has to be updated after an action. Each value includes all that follow it.
+//! Update needed after an action. Each value includes all that follow it.
 enum class Renewal { master, warps, colours, text, nothing };
 
-//! A dome setup while a person adjusts it: what is chosen, what keys change, by how much, and how far. Knows neither windows nor files.
+//! The state of a live calibration: the setup, the selected projector and quantity, and the steps
+//! and limits of changes. It does not depend on windows or files.
 class LiveCalibration {
  public:
-  //! `patterns`: how many test patterns there are to go through.
+  //! `patterns` is the number of test patterns.
   LiveCalibration(DomeSetup setup, int patterns);
 
-  //! Performs an action and returns what has to be updated. Quitting and saving change nothing here: the
-  //! caller does them.
+  //! Performs an action and returns what has to be updated. Quitting and saving change nothing
+  //! here: the caller does them.
   Renewal press(CalibrationAction action);
 
   //! Takes over the saved setup, whose warps hold the offsets, and resets the offsets to zero.
@@ -79,16 +80,16 @@ class LiveCalibration {
   [[nodiscard]] bool text_shown() const { return text_shown_; }
   [[nodiscard]] bool keys_shown() const { return keys_shown_; }
 
-  //! Returns whether anything differs from what was last read or saved.
+  //! Returns whether the setup differs from the one that was last read or saved.
   [[nodiscard]] bool unsaved() const;
 
-  //! What is being changed, its value and its step, a line each.
+  //! Returns the selected quantity, its value and its step, one line each.
   [[nodiscard]] std::string text() const;
 
  private:
   static constexpr int all_colors = -1;
 
-  //! A step to the right, up the screen, and up the dome; each -1, 0 or 1.
+  //! Steps to the right, up the screen and up the dome; each -1, 0 or 1.
   struct Way {
     int right = 0;
     int up = 0;
@@ -117,7 +118,7 @@ class LiveCalibration {
   std::size_t projector_ = 0;
   int pattern_ = 0;
   Adjustable adjustable_ = Adjustable::tilt;
-  int step_size_ = 1;  //!< 0 fine, 1 usual, 2 coarse
+  int step_size_ = 1;  //!< 0 fine, 1 default, 2 coarse
   bool text_shown_ = true;
   bool keys_shown_ = true;
 };

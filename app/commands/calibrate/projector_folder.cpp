@@ -12,8 +12,8 @@ namespace ergodome {
 
 namespace {
 
-//! A mask that reaches 1, with the lift made smaller by as much: setups take no lift near to full light, which an MPCDI's mask is relative
-//! to.
+//! Scales a mask so that its maximum is 1, and reduces the lift by the same factor: setups limit
+//! the lift, whereas an MPCDI mask is relative to full light.
 void put_scale_into_lift(BlendMap& mask, Vector3<double>& lift) {
   const auto largest = mask.values.empty() ? mask.values.end() : std::ranges::max_element(mask.values);
   if (largest == mask.values.end() || !(*largest > 0.0F)) {
@@ -60,7 +60,7 @@ std::filesystem::path write_projector_folder(const std::filesystem::path& folder
     put_scale_into_lift(black_level, projector.black_level_lift);
     projector.black_level_mask = write_mask(black_level, picture, name + "_black.png");
   }
-  // It is in the meshes by now.
+  // The meshes already contain the rotation.
   setup.rotation_deg = 0.0;
   setup.folder = folder;
   write_dome_setup(folder / file_name, setup);

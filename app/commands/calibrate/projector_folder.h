@@ -8,11 +8,13 @@
 
 namespace ergodome {
 
-//! A file's name for a projector, whatever the setup calls it: its number from 1, and what of its name is plain.
+//! Returns a base name for a projector's files: its number, from 1, and the safe characters of its
+//! name.
 std::string projector_file_name(std::size_t index, const std::string& name);
 
-//! Writes what projectors show into a folder, whatever form it was in: a mesh of Bourke's and masks (PNG, linear) for each, and a setup that
-//! names them. `setup` is the one that the pictures are of; `file_name` what the new one is called. Returns the new setup's path.
+//! Writes what projectors show into a folder: a Bourke mesh and masks (PNG, linear) for each, and a
+//! setup that names them. `setup` is the setup of the pictures; `file_name` is the name of the new
+//! setup. Returns the new setup's path.
 std::filesystem::path write_projector_folder(const std::filesystem::path& folder, const std::string& file_name,
                                              DomeSetup setup, const std::vector<ProjectorPicture>& pictures);
 

@@ -11,7 +11,8 @@ namespace ergodome {
 
 namespace {
 
-//! Writes a mask, moved by the offsets, as a PNG beside the setup. Returns its name.
+//! Writes a mask, moved by the projector's offsets, as a PNG in the folder of the setup. Returns
+//! its name.
 std::string write_mask(const std::filesystem::path& folder, const std::string& name, const ProjectorPicture& picture,
                        const BlendMap& mask) {
   BlendMap moved = moved_mask(picture.offsets, in_shape_of(mask, picture.width_px, picture.height_px));
@@ -22,7 +23,8 @@ std::string write_mask(const std::filesystem::path& folder, const std::string& n
 
 void write_black_level(const std::filesystem::path& folder, const std::string& name, const ProjectorPicture& picture,
                        ProjectorSetup& projector) {
-  // An MPCDI calibration's mask holds the light itself, and setups take no lift of 1: the rest goes into the mask.
+  // The mask of an MPCDI calibration contains the light itself, but setups limit the lift to 0.5:
+  // the remaining factor goes into the mask.
   constexpr double most_of_setups = 0.5;
   const Vector3<double>& lift = picture.black_level_lift;
   const double rest = std::max({1.0, lift.x / most_of_setups, lift.y / most_of_setups, lift.z / most_of_setups});
@@ -34,7 +36,7 @@ void write_black_level(const std::filesystem::path& folder, const std::string& n
   projector.black_level_mask = write_mask(folder, name, picture, mask);
 }
 
-//! Looks whether all that write_moved_files() writes can be written.
+//! Throws Error unless all files that write_moved_files() writes can be written.
 void require_writable_files(const std::filesystem::path& folder, const std::string& name,
                             const ProjectorPicture& picture) {
   require_writable(folder / (name + ".data"));
@@ -46,7 +48,7 @@ void require_writable_files(const std::filesystem::path& folder, const std::stri
   }
 }
 
-//! Warp and masks as the corners take them, which the projector then names.
+//! Writes the warp and the masks, moved by the offsets, and names them in the projector.
 void write_moved_files(const std::filesystem::path& folder, const std::string& name, const ProjectorPicture& picture,
                        ProjectorSetup& projector) {
   write_text_keeping_older(folder / (name + ".data"),
@@ -69,7 +71,7 @@ DomeSetup save_calibration(const std::filesystem::path& file, const DomeSetup& s
                            const std::vector<GridOffsets>& offsets, const std::vector<bool>& anew) {
   DomeSetup saved = setup;
   for (ProjectorSetup& projector : saved.projectors) {
-    // Messages now refer to the new file.
+    // Messages then refer to the new file.
     projector.read_from = file.string();
   }
   require_writable(file);
@@ -93,7 +95,7 @@ DomeSetup save_calibration(const std::filesystem::path& file, const DomeSetup& s
     }
   }
   for (ProjectorSetup& projector : saved.projectors) {
-    // A mask without a lift means nothing, and setups with one are refused.
+    // A mask without a lift has no effect, and the setup reader rejects it.
     if (!(dot(projector.black_level_lift, projector.black_level_lift) > 0.0)) {
       projector.black_level_mask.clear();
     }

@@ -11,7 +11,7 @@ namespace ergodome {
 
 namespace {
 
-//! Adds a vector in the camera's own frame, a number for each component.
+//! Adds a vector in the camera's rest frame, one number per component.
 void add_vector(const std::string& name, const std::string& keyword, const std::string& what, const Vector3<double>& v,
                 std::vector<ChannelFact>& facts) {
   facts.push_back({name + "_r", keyword + "_R", v.x, what + ", along e_r"});
@@ -30,7 +30,7 @@ void add_observer(const Show& show, bool moves_as_told, const EyeCamera& eye, st
   add_vector("velocity", "VEL", "velocity / c", at_rest ? Vector3<double>{} : eye.velocity, facts);
 }
 
-//! A component of a unit vector without the roundings of turns.
+//! Rounds away the rounding errors of rotations from a component of a unit vector.
 double unturned(double component) { return std::round(1e15 * component) / 1e15 + 0.0; }
 
 void add_axes(const EyeCamera& eye, std::vector<ChannelFact>& facts) {

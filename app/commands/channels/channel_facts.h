@@ -7,7 +7,8 @@
 
 namespace ergodome {
 
-//! The parameters that a frame of channels carries. `show`: with its numbers as they are in that frame; frames count from 0.
+//! Returns the parameters stored in a frame of channels. `show` must be evaluated at the time of
+//! the frame; frames count from 0.
 std::vector<ChannelFact> channel_facts(const Show& show, int frame, const ChannelScene& scene);
 
 }  // namespace ergodome

@@ -42,7 +42,7 @@ std::string exr_compression(const RenderOptions& options) {
   return options.compression.empty() ? exr_compression_names().front() : options.compression;
 }
 
-//! Writes the frames of one run.
+//! Writes the channels of frames in one run.
 class ChannelWriter {
  public:
   ChannelWriter(const RenderOptions& options, const Show& show, const FrameRequests& requests)
@@ -59,7 +59,7 @@ class ChannelWriter {
     }
   }
 
-  //! Writes a frame. Returns whether it was there already.
+  //! Writes a frame. Returns true if it already existed.
   bool write(int frame) {
     const fs::path path = path_of(frame);
     if (options_.resume && is_there(path, frame)) {
@@ -120,7 +120,7 @@ class ChannelWriter {
     return scene;
   }
 
-  //! The channels of a frame, in the order in which they were asked for.
+  //! Returns the channels of a frame in the order of --channels.
   [[nodiscard]] std::vector<PixelChannel> channels_at(const ChannelScene& scene, double time_s) {
     PixelChannels traced = trace_channels(scene, traced_, [] { return !interrupted(); });
     if (interrupted()) {
@@ -141,7 +141,7 @@ class ChannelWriter {
     return channels;
   }
 
-  //! Adds the light of the picture.
+  //! Adds the light of the frame.
   void add_light(const Projection& projection, double time_s, std::vector<PixelChannel>& channels) {
     ViewChoice choice;
     choice.size_px = projection.width_px;
@@ -172,9 +172,10 @@ class ChannelWriter {
   const Show& show_;
   const FrameRequests& requests_;
   std::vector<ChannelGroup> groups_;
-  std::vector<ChannelGroup> traced_;        //!< all but the light
-  std::unique_ptr<ShowRenderer> renderer_;  //!< of the light, where it is asked for
-  std::set<fs::path> cleared_;              //!< folders without the files that killed programs have left
+  std::vector<ChannelGroup> traced_;        //!< all groups except the light
+  std::unique_ptr<ShowRenderer> renderer_;  //!< renders the light; null unless requested
+  //! Folders already cleared of files that killed programs left.
+  std::set<fs::path> cleared_;
   long unresolved_ = 0;
 };
 

@@ -6,8 +6,9 @@
 
 namespace ergodome {
 
-//! Writes the numbers of frames [first, last], counted from 0, to files: an EXR or a FITS file a frame. With --resume only those that are not there,
-//! complete, and asked for alike. Throws Error where one cannot be written, and where a person stops it.
+//! Writes the channels of frames [first, last], counted from 0, to an EXR or FITS file per frame.
+//! With --resume, keeps complete frames that were written with the same options. Throws Error if a
+//! file cannot be written or if the user interrupts.
 void write_channel_frames(const RenderOptions& options, const Show& show, const FrameRequests& requests, int first,
                           int last);
 

@@ -23,13 +23,13 @@ std::vector<std::string> format_choices() {
   return choices;
 }
 
-//! Whether a list of channels asks for the picture's light.
+//! Returns whether a list of channels includes the light of the picture.
 bool asks_for_light(const std::string& channels) {
   const std::vector<ChannelGroup> groups = channel_groups(channels);
   return std::ranges::find(groups, ChannelGroup::color) != groups.end();
 }
 
-//! Returns what is wrong with a list of channels; nothing where it is right.
+//! Returns what is wrong with a list of channels; empty if it is valid.
 std::string problem_of_channels(const std::string& list) {
   try {
     static_cast<void>(channel_groups(list));
