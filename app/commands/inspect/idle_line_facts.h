@@ -6,10 +6,10 @@
 
 namespace ergodome {
 
-//! The lines of a show that change nothing, as a list (content/idle_lines.h).
+//! Returns the unused keys of a show as a list (content/show/idle_lines.h).
 nlohmann::json facts_of_idle_lines(const Show& show);
 
-//! Prints such a list for a person; nothing where it is empty.
+//! Prints a list of unused keys; nothing if it is empty.
 void print_idle_lines(const nlohmann::json& lines);
 
 }  // namespace ergodome

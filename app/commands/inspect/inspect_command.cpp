@@ -53,7 +53,7 @@ struct InspectOptions {
   int size_px = 1024;
 };
 
-//! Angular width of the shadow along ±φ from the show's camera at a time [deg].
+//! Returns the angular width of the shadow along ±φ from the show's camera at a time [deg].
 double shadow_width_deg(const Show& show, double time_s) {
   const CameraPose pose = camera_pose(show, time_s);
   const double spin = spin_at(show, time_s);
@@ -129,14 +129,14 @@ std::string text_of_value(const nlohmann::json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-//! Returns the English one of a show's titles by language, otherwise the first; empty if there is none.
+//! Returns the English title of a show, otherwise the first; empty if there is none.
 std::string title_of(const nlohmann::json& titles) {
   return titles.empty() ? "" : titles.value("en", titles.front().get<std::string>());
 }
 
 void print_facts(const nlohmann::json& facts) {
   for (const auto& [name, value] : facts.items()) {
-    // These have lines of their own.
+    // These are printed separately.
     constexpr std::array apart = {"keys",  "fall",          "grid", "timeline", "idle",
                                   "notes", "narrowed_eyes", "maps", "meshes",   "stars"};
     if (std::ranges::find(apart, name) == apart.end()) {
@@ -206,7 +206,7 @@ nlohmann::json facts_of(const EnvironmentImage& image) {
   return facts;
 }
 
-//! The lens grid that a picture of the show would be read from, at the show's budget and size.
+//! Builds the lens grid for a picture of the show, at the show's budget and size.
 LensStation grid_of(const Show& show, double time_s, GridSettings& settings, GridStatistics& statistics) {
   const EyeCamera eye = eye_camera(show_at(show, time_s), camera_pose(show, time_s), 0.0);
   settings.pixel = pixel_angle(make_projection(show.view, show.view.size_px, 0.0));
@@ -215,7 +215,7 @@ LensStation grid_of(const Show& show, double time_s, GridSettings& settings, Gri
   return build_lens_station(eye.spin, eye.r, eye.theta, settings, &statistics);
 }
 
-//! Draws a station's grid, and adds its numbers to the facts.
+//! Draws the grid of a station and adds its statistics to the summary.
 void inspect_grid(const LensStation& station, double budget_px, const InspectOptions& options, nlohmann::json& facts) {
   write_png(options.picture, draw_grid(station, options.size_px, budget_px), options.size_px, options.size_px);
   nlohmann::json& grid = facts["grid"];
@@ -231,7 +231,8 @@ void inspect_grid(const LensStation& station, double budget_px, const InspectOpt
   }
 }
 
-//! Whether a file that is neither a trajectory nor a setup is read as a sky map.
+//! Returns whether a file is inspected as a sky map, given that it is neither a trajectory nor a
+//! setup.
 bool is_image(const std::filesystem::path& file) { return file.has_extension() && file.extension() != ".toml"; }
 
 void run_for_trajectory(const InspectOptions& options) {
@@ -255,7 +256,7 @@ void run_for_trajectory(const InspectOptions& options) {
   }
 }
 
-//! Throws Error where a show names files that could not be shown or heard, which the facts tell one by one.
+//! Throws Error if a show names files that cannot be used. The summary lists them.
 void require_usable_files(const std::string& show, const nlohmann::json& facts) {
   const FaultyFiles files = facts.contains("timeline") ? faulty_files(facts["timeline"]) : FaultyFiles{};
   if (files.faulty > 0) {

@@ -19,7 +19,8 @@ using nlohmann::json;
 
 constexpr std::size_t most_turns_printed = 24;
 
-//! Against the zamo; within the horizon, where there is none, against the rain.
+//! Returns the speed against the ZAMO; inside the horizon, where there is no ZAMO, against the rain
+//! frame.
 double speed_at(const Show& show, double time_s) {
   const CameraPose pose = in_zamo_frame(camera_pose(show, time_s), show.spin);
   const Vector3<double> v = pose.velocity.value_or(Vector3<double>{});

@@ -6,11 +6,12 @@
 
 namespace ergodome {
 
-//! Where a show's fall leads its camera, until it ends or the show does: how near to the hole, how often round it, where the orbit turns and when, and
-//! when time comes to rest. The show has one.
+//! Returns the summary of the free fall of a show's camera until it or the show ends: closest
+//! approach, revolutions, turning points and their times, and where proper time stops. The show
+//! must have a fall.
 nlohmann::json facts_of_fall(const Show& show);
 
-//! Prints those facts.
+//! Prints that summary.
 void print_fall(const nlohmann::json& facts);
 
 }  // namespace ergodome

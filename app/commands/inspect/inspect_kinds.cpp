@@ -15,7 +15,8 @@ namespace ergodome {
 
 namespace {
 
-//! What a file is, and what looks into it, told by the ending of its name.
+//! A kind of file that `inspect` does not support, recognized by its ending, and what to do
+//! instead.
 struct OtherKind {
   std::initializer_list<const char*> endings;
   const char* what;

@@ -4,7 +4,8 @@
 
 namespace ergodome {
 
-//! Throws Error where a file is of a kind that another command looks into, or that a show or a setup names: it says which.
+//! Throws Error if another command handles this kind of file, or if it belongs to a show or a
+//! setup; the message names the command.
 void require_inspectable(const std::filesystem::path& file);
 
 }  // namespace ergodome

@@ -42,8 +42,8 @@ nlohmann::json facts_of(const ProjectorSetup& projector, const ProjectorPicture&
   return facts;
 }
 
-//! Where a rectangular mesh of Bourke's fills its raster from bottom to top, but not from side to side or beyond them: made for a raster of
-//! another shape, as it seems. Empty: not so.
+//! Returns a note if a rectangular Bourke mesh fills the height of its raster but not its width, or
+//! exceeds it: it was probably made for another aspect ratio. Otherwise returns an empty text.
 std::string note_of_shape(const ProjectorSetup& projector, const WarpMesh& mesh) {
   constexpr float tolerance = 0.01F;
   if (!projector.warp || projector.warp->format != WarpFormat::bourke || mesh.topology == MeshTopology::polar) {
@@ -70,7 +70,8 @@ std::string note_of_shape(const ProjectorSetup& projector, const WarpMesh& mesh)
                            projector.warp->file, half_width));
 }
 
-//! Whether light of a projector, which its lens and place tell, comes to the dome from outside its sphere.
+//! Returns whether a projector without a warp, placed by its lens and position, stands outside the
+//! dome's sphere.
 bool stands_outside(const DomeSetup& setup, const ProjectorSetup& projector) {
   const bool placed = !projector.warp && !std::holds_alternative<std::monostate>(projector.lens);
   return placed && ProjectorOptics(setup, projector).outside();
@@ -103,7 +104,7 @@ bool is_dome_setup(const std::string& file) {
     const toml::table table = parse_toml(read_whole_file(file, std::size_t{4} << 20U, ""), file, 4, "dome setup");
     return table.contains("projector") || table.contains("dome");
   } catch (const std::exception&) {
-    // Whatever is wrong, the reader of shows says it.
+    // The show reader reports what is wrong.
     return false;
   }
 }

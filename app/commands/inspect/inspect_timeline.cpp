@@ -25,12 +25,12 @@ json file_facts(const Show& show, const NamedFile& file, const std::map<std::str
 
 json presence_facts(const Presence& presence) { return {{"from_s", presence.from_s}, {"to_s", presence.to_s}}; }
 
-//! Words as they are printed: of bounded length, in one line.
+//! Returns words as printed: on one line, of limited length.
 std::string shown(const LocalText& text) {
   std::string all;
   for (const auto& [tag, words] : text) {
     std::string line = words.substr(0, 200);
-    // What the cut has left of a letter.
+    // Removes the remaining bytes of a UTF-8 character that was cut.
     while (line.size() < words.size() && !line.empty() &&
            (static_cast<unsigned char>(words[line.size()]) & 0xC0U) == 0x80U) {
       line.pop_back();

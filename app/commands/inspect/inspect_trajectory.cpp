@@ -95,7 +95,7 @@ void print_trajectory(const nlohmann::json& facts) {
     const auto error = [&](const char* name) {
       return last ? std::string() : fmt::format("{:.3f}", s[name].get<double>());
     };
-    // Where it is too much, a grid is made anew.
+    // Above the budget, a lens grid is built live instead.
     const bool live = s["disk_gap_error_px"].get<double>() > facts["budget_px"].get<double>();
     print_out(
         "{:>10.3f} {:>12.6g} {:>12.4f} {:>8} {:>10} {:>14}{}\n", s["t_s"].get<double>(), s["r"].get<double>(),
@@ -111,7 +111,7 @@ void print_trajectory(const nlohmann::json& facts) {
 LensStation station_of_trajectory(const std::filesystem::path& file, double time_s) {
   const TrajectoryReader trajectory(file);
   const auto& all = trajectory.stations();
-  // One station is of a camera that stands, at all times.
+  // A single station belongs to a static camera and is valid at all times.
   if (all.size() > 1 && !(time_s >= all.front().time_s && time_s <= all.back().time_s)) {
     throw UsageError("inspect --time", fmt::format("{:.9g} s is outside {}", time_s, file.string()),
                      fmt::format("choose from {:.9g} to {:.9g} s", all.front().time_s, all.back().time_s));

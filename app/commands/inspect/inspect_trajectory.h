@@ -7,18 +7,20 @@
 
 namespace ergodome {
 
-//! Whether a file begins as trajectories do, finished or not.
+//! Returns whether a file begins like a trajectory, finished or not.
 bool is_trajectory(const std::filesystem::path& file);
 
-//! Throws Error where a trajectory is not there, but a bake of it that was stopped.
+//! Throws Error if a trajectory is missing but the journal of an interrupted bake exists.
 void require_finished_trajectory(const std::filesystem::path& file);
 
-//! What is in a trajectory: its provenance, its stations, and which of them cannot be read. All of them are read.
+//! Reads all stations of a trajectory and returns a summary: its provenance, its stations, and
+//! which of them are damaged.
 nlohmann::json facts_of_trajectory(const std::filesystem::path& file);
 
 void print_trajectory(const nlohmann::json& facts);
 
-//! The last station at a show time or before.
+//! Reads the last station at or before a show time [s]. Throws UsageError if the time is outside
+//! the trajectory.
 LensStation station_of_trajectory(const std::filesystem::path& file, double time_s);
 
 }  // namespace ergodome

@@ -9,19 +9,19 @@
 
 namespace ergodome {
 
-//! What is to be known of a mesh's file, in a unit of its own.
+//! A summary of a mesh file, in the file's units.
 struct MeshFacts {
-  std::string file;  //!< as the show names it
+  std::string file;  //!< as named in the show
   long triangles = 0;
   long dropped_triangles = 0;
-  Vector3<double> extent;  //!< along its own axes
+  Vector3<double> extent;  //!< size along the mesh's axes
   std::vector<std::string> remarks;
 };
 
-//! Reads the pictures on a mesh, too, as frames do; throws Error where one cannot be read.
+//! Summarizes a mesh. Reads its textures as frames do; throws Error if one cannot be read.
 MeshFacts facts_of_mesh(const std::string& file, const TriangleMesh& mesh);
 
-//! Those of a show's objects, each in M by the object's size.
+//! Returns the meshes of a show's objects, each scaled to M by the object's size.
 nlohmann::json facts_of_meshes(const Show& show, const std::vector<MeshFacts>& meshes);
 
 void print_meshes(const nlohmann::json& facts);

@@ -6,7 +6,7 @@
 
 namespace ergodome {
 
-//! Where eyes stand closer than was asked, when, and how far apart: where that begins and where they are closest.
+//! Returns where and when the baseline is first reduced, and where it is smallest.
 inline nlohmann::json facts_of(const NarrowedPath& path) {
   const auto facts = [](double time_s, const NarrowedEyes& eyes) {
     return nlohmann::json{{"t_s", time_s}, {"r", eyes.r}, {"asked", eyes.asked}, {"baseline", eyes.baseline}};

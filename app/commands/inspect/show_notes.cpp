@@ -37,7 +37,8 @@ void take_stars(const Show& show, ShowNotes& notes) {
   }
 }
 
-//! Reads a file as the show's frames need it, by the kind of its key; throws Error where they could not.
+//! Reads a file as the show's frames need it, by the kind of its key. Throws Error if it cannot be
+//! used.
 void read_as_shown(const Show& show, const NamedFile& file, ShowNotes& notes) {
   if (file.key == "sky.stars") {
     take_stars(show, notes);
@@ -61,7 +62,7 @@ void read_as_shown(const Show& show, const NamedFile& file, ShowNotes& notes) {
   });
 }
 
-//! What is wrong with a file; empty where nothing is.
+//! Returns why a file cannot be used; empty if it can.
 std::string problem_of(const Show& show, const NamedFile& file, ShowNotes& notes) {
   if (file.key.starts_with("audio")) {
     return sound_problem(fs::path(show.folder) / file.name);
@@ -74,7 +75,7 @@ std::string problem_of(const Show& show, const NamedFile& file, ShowNotes& notes
   return "";
 }
 
-//! Adds what is seen of meshes that could be read.
+//! Adds notes about objects inside the horizon, if all meshes could be read.
 void add_objects_in_horizon(const Show& show, ShowNotes& notes) {
   const bool readable = std::ranges::all_of(
       show.objects, [&](const ObjectSettings& object) { return object.mesh.empty() || is_there(show, object.mesh); });
@@ -92,7 +93,8 @@ void add_objects_in_horizon(const Show& show, ShowNotes& notes) {
   }
 }
 
-//! Tells of the first time, of some, at which eyes converge nearer than they are apart.
+//! Adds a note for the first sampled time at which the convergence distance is smaller than the
+//! baseline.
 void add_crossed_eyes(const Show& show, ShowNotes& notes) {
   constexpr int times = 33;
   for (int i = 0; i < times && eye_count(show.stereo) > 1; ++i) {
@@ -123,7 +125,7 @@ ShowNotes notes_of_files(const Show& show) {
       notes.unusable["sky.stars"] = problem.what();
     }
   }
-  // A logo that comes ten times is read once.
+  // A file that is used several times is read once.
   std::map<std::string, std::string> known;
   for (const NamedFile& file : files_of_show(show)) {
     if (!is_there(show, file.name)) {

@@ -6,7 +6,7 @@
 
 namespace ergodome {
 
-//! Returns how many stars a show's catalogue has, which columns were read, and which rows were left out.
+//! Returns the number of stars in a show's catalogue, the columns read, and the rows left out.
 nlohmann::json facts_of_stars(const Show& show, const ShowNotes& notes);
 
 void print_stars(const nlohmann::json& facts);
