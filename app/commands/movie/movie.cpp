@@ -33,10 +33,11 @@ namespace ergodome {
 namespace {
 
 constexpr const char* encoder = "ffmpeg";
-//! At which the program finds a film's sound.
+//! File descriptor from which ffmpeg reads the film's sound.
 constexpr int sound_handle = 3;
 
-//! A running program that reads what is written to it. What it has to say is kept in memory: a disk may be full.
+//! A running program that reads from a pipe. Its messages are kept in memory, because the disk may
+//! be full.
 class Program {
  public:
   Program(const std::vector<std::string>& arguments, const MovieSound* sound)
@@ -77,10 +78,10 @@ class Program {
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
-  //! False where it reads no more.
+  //! Returns false if the program stopped reading.
   [[nodiscard]] bool write(const char* bytes, std::size_t count) const { return write_all(input_, bytes, count); }
 
-  //! Ends its input, waits for it, and returns its exit status.
+  //! Ends the input, waits for the program to exit, and returns its exit status.
   int finish() {
     if (!status_) {
       ::close(input_);
@@ -92,7 +93,7 @@ class Program {
     return *status_;
   }
 
-  //! What it has said, or the end of that.
+  //! Returns the program's messages, or the last 64 KiB of them.
   [[nodiscard]] std::string messages() const {
     constexpr off_t most = 1 << 16;
     const off_t end = ::lseek(messages_, 0, SEEK_END);
@@ -120,7 +121,7 @@ std::string last_line(const std::string& text) {
   return last.empty() ? "nothing" : last.substr(0, 300);
 }
 
-//! What a disk did to a film, by the program's messages; empty where it did nothing.
+//! Returns the disk error that the messages name; empty if there is none.
 std::string disk_problem(const std::string& messages) {
   for (const int problem : {ENOSPC, EDQUOT, EFBIG, EROFS, EIO}) {
     const std::string words = std::strerror(problem);
@@ -131,7 +132,8 @@ std::string disk_problem(const std::string& messages) {
   return {};
 }
 
-//! Writes a picture's pixels; false where the program reads no more.
+//! Sends the pixels of a frame. Returns false if the program stopped reading. Throws Error if the
+//! frame has another size.
 bool send(const std::filesystem::path& file, bool alpha, const DisplayPixels& size, const Program& program) {
   const DisplayPixels pixels = alpha ? read_covering_pixels(file) : read_display_pixels(file);
   if (pixels.width != size.width || pixels.height != size.height) {
@@ -156,7 +158,7 @@ void encode(const Movie& movie, const std::filesystem::path& partial) {
     throw Error(movie.file.string(), "was not finished", "the frames are complete; continue with --resume");
   }
   const bool ended_well = taken && status == 0;
-  // ffmpeg may end well when a film's last bytes find no room, and only say so.
+  // ffmpeg may exit with status 0 although the disk is full, and only print a message.
   std::string disk = disk_problem(said);
   if (disk.empty() && !ended_well && disk_is_full(partial)) {
     disk = std::strerror(ENOSPC);
@@ -171,7 +173,7 @@ void encode(const Movie& movie, const std::filesystem::path& partial) {
   }
 }
 
-//! The last number of frames that ffmpeg's progress report names ("frame=24"); -1 if it names none.
+//! Returns the last number of frames in ffmpeg's progress report ("frame=24"); -1 if there is none.
 long reported_frames(const std::string& report) {
   constexpr std::string_view key = "frame=";
   const std::size_t found = report.rfind(key);
@@ -184,7 +186,7 @@ long reported_frames(const std::string& report) {
   return frames;
 }
 
-//! Where the sound comes from, and how it is packed.
+//! Adds ffmpeg's arguments for the input and the codec of the sound.
 void add_sound(const Movie& movie, const std::string& ending, std::vector<std::string>& words) {
   if (movie.sound == nullptr) {
     words.emplace_back("-an");
@@ -229,7 +231,7 @@ void require_movie_encoder(const std::filesystem::path& file) {
 
 std::vector<std::string> movie_arguments(const Movie& movie, int width_px, int height_px,
                                          const std::filesystem::path& partial) {
-  // H.264's largest level ends at 8192 px, but decoders in hardware at 4096.
+  // H.264 levels allow widths up to 8192 px, but hardware decoders only up to 4096.
   constexpr int widest_h264_px = 4096;
   const std::string ending = movie_ending(movie.file);
   std::vector<std::string> words = {encoder, "-hide_banner", "-nostdin", "-loglevel", "error", "-xerror", "-y"};
@@ -244,12 +246,12 @@ std::vector<std::string> movie_arguments(const Movie& movie, int width_px, int h
       std::string(movie.alpha ? "rgba64" : "rgb48") + (std::endian::native == std::endian::little ? "le" : "be");
   add({"-f", "rawvideo", "-pix_fmt", pixels.c_str(), "-s", size.c_str(), "-framerate", rate.c_str(), "-i", "pipe:0"});
   add_sound(movie, ending, words);
-  // sRGB's primaries are BT.709's; the matrix must be said, or players guess by the size.
+  // sRGB has the primaries of BT.709. The matrix must be given, or players guess it from the size.
   add({"-color_primaries", "bt709", "-color_trc", "iec61966-2-1"});
   if (ending == ".mkv") {
     add({"-c:v", "ffv1", "-level", "3", "-f", "matroska"});
   } else {
-    // ProRes takes its tags from the pictures, not from the words beside them.
+    // The ProRes encoder takes its color tags from the frames, not from the options.
     const std::string filters =
         std::string("pad=ceil(iw/2)*2:ceil(ih/2)*2:color=black@0,scale=out_color_matrix=bt709:out_range=limited,") +
         "setparams=color_primaries=bt709:color_trc=iec61966-2-1:colorspace=bt709:range=tv";

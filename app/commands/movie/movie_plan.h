@@ -7,16 +7,18 @@
 
 namespace ergodome {
 
-//! Throws Error where no film could be made of the frames that are asked for, or none written, before any is rendered. Nothing is wrong where none is asked for.
+//! Throws Error before rendering if the frames cannot become a film, or if the film cannot be
+//! written. Does nothing without --movie.
 void require_movie(const RenderOptions& options, const Show& show);
 
-//! Says on the terminal what of the eyes is lost in the film that is asked for.
+//! Prints a note about stereo information that the film cannot store.
 void tell_movie_losses(const RenderOptions& options, const Show& show);
 
-//! The film of a part of the frames: eyes of the layout `separate` have one each, FILE_L and FILE_R.
+//! Returns the file of the film of a part of the frames. With the layout `separate`, each eye has
+//! its own film: FILE_L and FILE_R.
 std::filesystem::path movie_path(const std::filesystem::path& file, FramePart part);
 
-//! The parts that have films of their own.
+//! Returns the parts of frames that have separate films.
 std::vector<FramePart> movie_parts(const Show& show);
 
 }  // namespace ergodome

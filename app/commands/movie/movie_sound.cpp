@@ -23,7 +23,8 @@ namespace ergodome {
 
 namespace {
 
-//! Between two looks at where the show is: fades are made of steps so long.
+//! Interval at which the show time is evaluated, in sound samples; fades change in steps of this
+//! length.
 constexpr int step_frames = MovieSound::rate_hz / 100;
 
 Error sound_refused(const std::filesystem::path& folder) {
@@ -31,7 +32,7 @@ Error sound_refused(const std::filesystem::path& folder) {
           "free some space or choose another folder"};
 }
 
-//! A file of a folder that has no name there.
+//! Creates an unnamed temporary file on the disk of a folder.
 int open_nameless(const std::filesystem::path& folder) {
   std::string name = ((folder.empty() ? "." : folder) / ".partial-sound-XXXXXX").string();
   const int file = ::mkostemp(name.data(), O_CLOEXEC);
@@ -42,7 +43,7 @@ int open_nameless(const std::filesystem::path& folder) {
   return file;
 }
 
-//! A file that breaks off is heard as far as it goes.
+//! Prints a note if a sound file is damaged; it is played up to the damage.
 void tell_of_file(const std::filesystem::path& file) {
   const std::string problem = sound_problem(file);
   if (!problem.empty()) {

@@ -7,22 +7,24 @@
 
 namespace ergodome {
 
-//! A stretch of a show's sound, mixed as `play` does it, but as fast as the machine can: two channels of floating point side by side, in a file without
-//! a name, which is gone when this is.
+//! A section of a show's sound, mixed as `play` does, but as fast as possible: two interleaved
+//! channels of float samples in an unnamed file, which is deleted with this object.
 class MovieSound {
  public:
   static constexpr int rate_hz = 48000;
 
-  //! Mixes from a time of the show on [s], for as long as given [s]. `language`: whose narration is heard; empty: as `play` chooses it. `folder`: on whose
-  //! disk the file is. Tracks that cannot be played are left out, and told on the terminal. Throws Error where the disk refuses.
+  //! Mixes the sound from a show time [s] for a duration [s]. `language` chooses the narration; if
+  //! empty, it is chosen as `play` does. `folder` is on the disk that stores the file. Leaves out
+  //! tracks that cannot be played, with a note. Throws Error if the disk is full or cannot be
+  //! written.
   MovieSound(const Show& show, const std::string& language, double from_s, double length_s,
              const std::filesystem::path& folder);
 
-  //! The file's handle, to be read from its start.
+  //! Returns the file descriptor, positioned at the start.
   [[nodiscard]] int rewound() const;
 
  private:
-  //! Closes its file in the end.
+  //! An unnamed file that is closed by the destructor.
   struct NamelessFile {
     explicit NamelessFile(const std::filesystem::path& folder);
     ~NamelessFile();

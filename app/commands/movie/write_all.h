@@ -7,7 +7,7 @@
 
 namespace ergodome {
 
-//! Writes all bytes to an open file or pipe; false, with errno, where it takes no more.
+//! Writes all bytes to an open file or pipe. Returns false, with errno set, on failure.
 inline bool write_all(int handle, const char* bytes, std::size_t count) {
   while (count > 0) {
     const ssize_t written = ::write(handle, bytes, count);

@@ -32,14 +32,15 @@ struct ConnectOptions {
   int columns = 512;
 };
 
-//! What is written of a ray.
+//! Output values of a ray.
 struct Answer {
   double xi = 0.0;           //!< [rad]
   double travel_time = 0.0;  //!< [M]
 };
 
 std::vector<Answer> connect_in_closed_form(const std::vector<PairRow>& rows) {
-  constexpr std::size_t run = 100'000;  // a second's work: progress and Ctrl-C
+  // About a second of work, between checks for progress and Ctrl-C.
+  constexpr std::size_t run = 100'000;
   std::vector<Answer> answers(rows.size());
   Progress progress("connecting", static_cast<long>(std::max<std::size_t>(rows.size(), 1)));
   for (std::size_t begin = 0; begin < rows.size(); begin += run) {
@@ -58,7 +59,8 @@ std::vector<Answer> connect_in_closed_form(const std::vector<PairRow>& rows) {
   return answers;
 }
 
-//! Rows of one observer, whose table reaches over Müller, Schulz & Weiskopf's radii and as far beyond as its points.
+//! Returns the settings of the table for one observer. It covers the range of radii of Müller,
+//! Schulz & Weiskopf, extended to the radii of the rows.
 ConnectionTableSettings table_settings(const std::vector<PairRow>& rows, const std::vector<std::size_t>& of_observer,
                                        const ConnectOptions& options) {
   ConnectionTableSettings settings;

@@ -16,18 +16,19 @@ namespace ergodome {
 
 namespace {
 
-//! Rays that are followed out so far beyond the camera cross the plane no more, but for those that run along it.
+//! Beyond this distance outside the camera, rays no longer cross the plane, except those that run
+//! along it.
 constexpr double farthest = 1e6;
 constexpr int step_limit = 100'000;
 constexpr int rays_at_a_time = 16;
 
-//! φ in (-π, π].
+//! Returns φ of a crossing, in (-π, π].
 double azimuth_of(const EquatorialCrossing<double>& crossing) {
   const double phi = std::remainder(std::atan2(crossing.y, crossing.x) + crossing.drag, 2.0 * pi);
   return phi <= -pi ? pi : phi;
 }
 
-//! Nothing where the ray does not converge.
+//! Returns the lines of a ray; nothing if it does not converge.
 std::optional<std::string> lines_of(const RayRow& row, const CameraStation& camera, const DiskFlow<double>& flow,
                                     const CrossingTableOptions& options) {
   const NearRay<double> ray = start_near_ray(camera, row.direction);

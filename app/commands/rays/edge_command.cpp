@@ -38,7 +38,7 @@ void append_points(const CameraStation& camera, const ShadowChart& chart, const 
 void run_edge(const EdgeOptions& options) {
   std::vector<RayRow> rows = read_ray_table(options.rays);
   if (options.points > 0) {
-    // Points are of cameras, wherever their rows stand.
+    // Points belong to cameras, so rows are grouped by camera.
     rows = grouped_by_camera(std::move(rows)).rows;
   }
   std::string text = options.points > 0 ? "id,point,n_r,n_theta,n_phi\n" : "id,edge_distance\n";

@@ -20,7 +20,7 @@ namespace {
 
 using LinesOf = std::function<std::string(std::span<const RayRow>)>;
 
-//! Writes a head and the lines of each camera's rays.
+//! Writes a header line and the lines of each camera's rays.
 void write_lines(const RayFiles& files, const char* head, const LinesOf& lines) {
   const std::vector<RayRow> rows = read_ray_table(files.rays);
   std::string text = head;

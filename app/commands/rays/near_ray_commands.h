@@ -14,27 +14,28 @@ class Option;
 
 namespace ergodome {
 
-//! What stands near the hole and `trace` may follow rays to, in place of the sky.
+//! Options of `trace` for targets near the hole instead of the sky.
 struct NearRayOptions {
   bool disk = false;
   bool plunging = false;
   std::optional<double> shell_r;
-  std::string objects;  //!< a show whose objects are looked for; empty: none
-  ShowSettings set;     //!< keys of that show that --set changes
-  double time_s = 0.0;  //!< of that show
+  std::string objects;  //!< a show whose objects are hit; empty: none
+  ShowSettings set;     //!< keys of that show changed by --set
+  double time_s = 0.0;  //!< time in that show
 };
 
-//! Tables to read and to write.
+//! Input and output tables of `trace`.
 struct RayFiles {
   std::string rays;
   std::string out;
-  double tolerance;  //!< 0: the finest
+  double tolerance;  //!< tolerance of the integrator; 0: the smallest supported one
 };
 
-//! Adds --disk, --shell and --objects to a command; each excludes the others, and the options that are named.
+//! Adds --disk, --shell and --objects to a command. Each excludes the others and the options in
+//! `excluded`.
 std::shared_ptr<NearRayOptions> add_near_ray_options(CLI::App& command, const std::vector<CLI::Option*>& excluded);
 
-//! Follows the rays to what was asked for; false where nothing was.
+//! Traces the rays to the requested target. Returns false if none was requested.
 bool run_near_rays(const NearRayOptions& options, const RayFiles& files);
 
 }  // namespace ergodome

@@ -54,7 +54,7 @@ CameraStation station_of(const RayRow& row) {
   return make_camera_station(row.spin, row.r, row.theta, 0.0, row.motion, row.velocity);
 }
 
-//! Arrays of one batch: inputs and outputs of the rays that share a camera.
+//! Inputs and outputs of a batch of rays that share a camera.
 template <class S>
 struct BatchArrays {
   std::vector<S> n[3], sky[3], g, status, steps, error_estimate;
@@ -70,7 +70,8 @@ struct BatchArrays {
   }
 };
 
-//! The batch of rows [begin, end), which share a camera, and its arrays.
+//! Fills the arrays with rows [begin, end), which share a camera, and returns a batch that refers
+//! to them.
 template <class S>
 RayBatch<S> batch_of(const std::vector<RayRow>& rows, std::size_t begin, BatchArrays<S>& arrays) {
   RayBatch<S> batch{};
@@ -93,13 +94,14 @@ RayBatch<S> batch_of(const std::vector<RayRow>& rows, std::size_t begin, BatchAr
   return batch;
 }
 
-//! What is written: a line for each ray.
+//! Output of `trace`: one line per ray.
 struct SkyTable {
   std::vector<std::string> lines;
   std::size_t unresolved = 0;  //!< rays that did not converge
 };
 
-//! Appends a line for each ray of a batch that starts at row `begin`; of one that did not converge nothing says how far it is off.
+//! Appends a line for each ray of a batch that starts at row `begin`. The error estimate is empty
+//! for rays that did not converge.
 template <class S>
 void append_rays(const std::vector<RayRow>& rows, std::size_t begin, const BatchArrays<S>& arrays, SkyTable& table) {
   constexpr const char* words[] = {"escaped", "captured", "not_converged"};
@@ -119,8 +121,9 @@ void append_rays(const std::vector<RayRow>& rows, std::size_t begin, const Batch
   }
 }
 
-//! Of a method that none is given for: the finest that it reaches in float or in double, but the published tracer's own (`rk34_step(0.01, ...)`), which with a
-//! fine one would take more steps than anybody waits for.
+//! Returns the default tolerance of a method: the smallest that it reaches in float or double. For
+//! the published tracer it is that tracer's own value (`rk34_step(0.01, ...)`), because smaller
+//! ones take far too many steps.
 double usual_tolerance(const std::string& method, bool in_float) {
   if (method == "baseline_rk34") {
     return 0.01;
@@ -139,14 +142,15 @@ void trace_group(const std::vector<RayRow>& rows, std::size_t begin, std::size_t
   RayBatch<S> batch = batch_of(rows, begin, arrays);
   batch.settings = {tolerance, 1'000'000};
   if (options.method == "baseline_rk34") {
-    batch.settings.step_limit = 20'000;  // ten times the published tracer's limit
+    batch.settings.step_limit = 20'000;  // 10 times the published tracer's limit
   }
   batch.method = methods.at(options.method);
   trace_rays(Backend::cpu, batch);
   append_rays(rows, begin, arrays, table);
 }
 
-//! Reads rows [begin, end), which share a camera, from a lens grid built for it, and appends a line for each.
+//! Reads rows [begin, end), which share a camera, from a lens grid built for it, and appends a line
+//! for each.
 void look_up_group(const std::vector<RayRow>& rows, std::size_t begin, std::size_t end, const RayOptions& options,
                    SkyTable& table) {
   const RayRow& row = rows[begin];
@@ -174,7 +178,8 @@ void look_up_group(const std::vector<RayRow>& rows, std::size_t begin, std::size
       statistics.flagged_leaves, statistics.flagged_px, time.count());
 }
 
-//! Reads rows [begin, end), which share a camera, from the published quadtree grid, and appends a line for each.
+//! Reads rows [begin, end), which share a camera, from the published quadtree grid, and appends a
+//! line for each.
 void read_quadtree_group(const std::vector<RayRow>& rows, std::size_t begin, std::size_t end, const RayOptions& options,
                          SkyTable& table) {
   const RayRow& row = rows[begin];
@@ -182,7 +187,8 @@ void read_quadtree_group(const std::vector<RayRow>& rows, std::size_t begin, std
   settings.coarsest_level = std::min(settings.coarsest_level, options.level);
   settings.finest_level = options.level;
   const bool mirrored = quadtree_is_mirrored(row.theta, row.velocity);
-  // One grid here, or one half the distance nearer and one half the distance farther.
+  // One grid at the camera, or with --blend one half the distance nearer and one half the distance
+  // farther.
   std::vector<CameraStation> cameras;
   for (const double side : {-0.5, 0.5}) {
     if (cameras.empty() || options.blend > 0.0) {
@@ -213,7 +219,7 @@ void read_quadtree_group(const std::vector<RayRow>& rows, std::size_t begin, std
 }
 
 void run_trace(const RayOptions& options) {
-  // A grid is built once for each camera, wherever its rows stand.
+  // Groups the rows so that a grid is built only once for each camera.
   const GroupedRows grouped = grouped_by_camera(read_ray_table(options.rays));
   const std::vector<RayRow>& rows = grouped.rows;
   SkyTable table;

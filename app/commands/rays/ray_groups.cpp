@@ -14,7 +14,7 @@ namespace ergodome {
 
 namespace {
 
-//! What tells cameras apart.
+//! Returns the values that distinguish cameras.
 auto camera_of(const RayRow& row) {
   return std::tuple(row.spin, row.r, row.theta, row.motion, row.velocity.x, row.velocity.y, row.velocity.z);
 }

@@ -8,20 +8,21 @@
 
 namespace ergodome {
 
-//! Rows in an order in which those of one camera stand together, cameras as they come first.
+//! Rows sorted by camera; cameras are in order of their first row.
 struct GroupedRows {
   std::vector<RayRow> rows;
-  std::vector<std::size_t> place;  //!< where each of them stood before
+  std::vector<std::size_t> place;  //!< original index of each row
 };
 GroupedRows grouped_by_camera(std::vector<RayRow> rows);
 
-//! Lines, one for each grouped row, as one text in the order that the rows had before.
+//! Joins lines, one for each grouped row, in the original order of the rows.
 std::string joined_in_place(const std::vector<std::string>& lines, const std::vector<std::size_t>& place);
 
-//! Returns what `trace` and `edge` say of their tables in --help: columns, axes, units.
+//! Returns the description of tables in the help of `trace` and `edge`: columns, axes, units.
 std::string ray_table_help();
 
-//! Calls work(begin, end) for each run of rows with one camera; runs are bounded so that progress and Ctrl-C work. Throws Error when stopped.
+//! Calls work(begin, end) for each run of rows with one camera. Long runs are split so that
+//! progress and Ctrl-C work. Throws Error when interrupted.
 void for_each_camera(const std::vector<RayRow>& rows, const std::function<void(std::size_t, std::size_t)>& work);
 
 }  // namespace ergodome

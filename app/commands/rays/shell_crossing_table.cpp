@@ -19,7 +19,7 @@ namespace {
 constexpr int shell_step_limit = 100'000;
 constexpr int shell_rays_at_a_time = 16;
 
-//! Writes a ray's crossings down as it makes them.
+//! Writes a line for each crossing of a ray while it is traced.
 struct LineWriter {
   const RayRow& row;
   const NearRay<double>& ray;
@@ -44,7 +44,7 @@ struct LineWriter {
   [[nodiscard]] static bool done() { return false; }
 };
 
-//! Nothing where the ray does not converge.
+//! Returns the lines of a ray; nothing if it does not converge.
 std::optional<std::string> lines_of(const RayRow& row, const CameraStation& camera, const ShellTableOptions& options) {
   const NearRay<double> ray = start_near_ray(camera, row.direction);
   const double u = 1.0 / options.r;
