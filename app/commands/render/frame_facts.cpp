@@ -15,7 +15,8 @@ namespace {
 
 std::string number_text(double number) { return fmt::format("{:.12g}", number); }
 
-//! An axis of the view in the camera's own (e_r, e_θ, e_φ), without the roundings of turns.
+//! Returns an axis of the view in the camera's frame (e_r, e_θ, e_φ), without the rounding errors
+//! of rotations.
 std::string axis_of_view(const CameraPose& pose, const glm::dvec3& axis) {
   const glm::dvec3 own = glm::round(1e12 * (pose.orientation * axis)) / 1e12 + 0.0;
   return fmt::format("{:.12g} {:.12g} {:.12g}", own.x, own.y, own.z);
@@ -74,7 +75,7 @@ FrameMetadata frame_facts(const Show& show, const FrameFile& file) {
   facts.emplace_back("face", file.face ? cube_face_name(*file.face) : "none");
   facts.emplace_back("stereo", stereo_layout_names[static_cast<std::size_t>(show.stereo.layout)]);
   facts.emplace_back("version", ERGODOME_VERSION);
-  // The colours of heat maps are their own.
+  // Heat maps have their own color scale.
   if (file.mode == ViewMode::sky) {
     add_tone(show.tone, facts);
   }

@@ -7,16 +7,16 @@
 
 namespace ergodome {
 
-//! A file of a frame, as its facts tell of it.
+//! Properties of one file of a frame that its metadata contains.
 struct FrameFile {
   int frame = 0;          //!< counted from 0
-  double baseline = 0.0;  //!< how far the eyes are apart [M]
+  double baseline = 0.0;  //!< baseline [M]
   FramePart part = FramePart::whole;
   std::optional<CubeFace> face{};
   ViewMode mode = ViewMode::sky;
 };
 
-//! What a frame's file says of it. `show`: with its numbers as they are in that frame.
+//! Returns the metadata of a frame's file. `show` must be evaluated at the time of the frame.
 FrameMetadata frame_facts(const Show& show, const FrameFile& file);
 
 }  // namespace ergodome

@@ -14,7 +14,8 @@ namespace ergodome {
 
 namespace {
 
-//! A plain decimal number, not negative; nothing else, not even a sign, an exponent or blanks.
+//! Parses a non-negative decimal number without sign, exponent or blanks. Returns nothing for other
+//! text.
 std::optional<double> decimal_of(std::string_view text) {
   double number = 0.0;
   const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number, std::chars_format::fixed);
@@ -23,7 +24,8 @@ std::optional<double> decimal_of(std::string_view text) {
   return plain && whole && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
-//! Seconds of "1:30" or "1:02:03.5", whose parts after the first are below 60 and whose last alone has a fraction.
+//! Parses "1:30" or "1:02:03.5" into seconds. All parts but the first must be below 60, and only
+//! the last may have a fraction.
 std::optional<double> seconds_of_clock(std::string_view text) {
   double seconds = 0.0;
   for (int parts = 1; parts <= 3; ++parts) {
@@ -48,7 +50,7 @@ std::optional<double> seconds_with_unit(std::string_view text) {
     std::string_view name;
     double seconds;
   };
-  // "ms" comes before "s", with which it ends.
+  // "ms" comes before "s" because it also ends with "s".
   for (const Unit& unit : {Unit{"ms", 1e-3}, Unit{"s", 1.0}, Unit{"min", 60.0}}) {
     if (text.ends_with(unit.name)) {
       const std::optional<double> number = decimal_of(text.substr(0, text.size() - unit.name.size()));
@@ -58,7 +60,7 @@ std::optional<double> seconds_with_unit(std::string_view text) {
   return std::nullopt;
 }
 
-//! The number of frames that begin before a time.
+//! Returns the number of frames that begin before a time.
 std::int64_t frames_before(ShowTime time, FrameRate rate) {
   return time.count() > 0 ? frame_at(time - ShowTime(1), rate) + 1 : 0;
 }

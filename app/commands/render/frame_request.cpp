@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-//! Names of files, with what tells one state of each from another.
+//! Returns the names of the referenced files with fingerprints of their contents.
 std::string states_of_files(const RenderOptions& options, const Show& show, const std::optional<DomeSetup>& setup) {
   std::string states;
   const auto add = [&](const fs::path& folder, const fs::path& name) {
@@ -54,15 +54,15 @@ std::string states_of_files(const RenderOptions& options, const Show& show, cons
   return states;
 }
 
-//! Whether pictures may hang on how long the show is: falls are followed to its end, budgets are measured all over it, and a trajectory is left alone where it
-//! is not as long.
+//! Returns whether frames may depend on the length of the show: falls are followed to its end,
+//! budgets are measured over all of it, and a trajectory of another length is ignored.
 bool length_counts(const RenderOptions& options, const Show& show) {
   std::error_code problem;
   return show.camera.fall || !options.budget.empty() || !options.lens.trajectory.empty() ||
          std::filesystem::exists(fs::path(show.folder) / (show.name + ".trajectory"), problem);
 }
 
-//! The show without what its pictures do not show, or not all of them.
+//! Returns the show without the parts that frames do not show, or that only some frames show.
 Show drawn_part(const RenderOptions& options, Show show) {
   show.timeline.captions.clear();
   show.timeline.chapters.clear();
@@ -80,13 +80,13 @@ FrameRequests::FrameRequests(const RenderOptions& options, const Show& show, con
   const std::string written =
       fmt::format("{} {} {} {} {} {} {} {}", options.format, options.compression, options.alpha, options.size_px,
                   options.view, options.view_range, options.method, options.channels);
-  // A readout has no other words that tell languages apart.
+  // The readout's words identify the language.
   const std::string words = show.readout ? text_in(readout_text(0.0, 0.0, 0.0), options.language) : "";
   const std::string light = fmt::format("{} {}", options.lens.lens, fmt::join(options.budget, " "));
   of_all_ = fingerprint(fmt::format("{}\n{}\n{}\n{}\n{}\n{}{}", ERGODOME_VERSION, to_toml(drawn_part(options, show)),
                                     setup ? to_toml(*setup) : "", written, light, states_of_files(options, show, setup),
                                     words));
-  // Heat maps have none.
+  // Heat maps have no captions.
   if (view_mode(options.view) == ViewMode::sky) {
     captions_ = show.timeline.captions;
   }

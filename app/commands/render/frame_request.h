@@ -10,18 +10,20 @@
 
 namespace ergodome {
 
-//! Fingerprints of all that a run's frames are made by, which each of them carries: the show, the setup and the options as they were asked for, what the
-//! files that they name hold, and the program's version. Where it is computed, and where frames are put, makes no difference; nor does what no picture shows
-//! (sound, chapters, the show's length where nothing hangs on it), or not that frame: captions that are not seen at its time, or in its language.
+//! Computes fingerprints of everything that a run's frames depend on; each frame stores its own.
+//! They cover the show, the setup and the options, the contents of the files that these name, and
+//! the program's version. They do not depend on the backend or the output folder, nor on things
+//! that a frame does not show: sound, chapters, the show's length unless it matters, and captions
+//! invisible at its time or in its language.
 class FrameRequests {
  public:
   FrameRequests(const RenderOptions& options, const Show& show, const std::optional<DomeSetup>& setup);
 
-  //! Of the frame at a time of the show [s].
+  //! Returns the fingerprint of the frame at a show time [s].
   [[nodiscard]] std::string at(double time_s) const;
 
  private:
-  std::string of_all_;  //!< of what all frames are made by
+  std::string of_all_;  //!< fingerprint of what all frames share
   std::vector<Caption> captions_;
   std::string language_;
 };

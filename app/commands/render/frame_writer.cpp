@@ -30,9 +30,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-//! What a frame's file says of exposure that follows the light: the stops that it was shown with [1].
+//! Metadata key of the automatic exposure of a frame: the stops that were applied [1].
 constexpr const char* followed_stops_fact = "followed_stops";
-//! And the stops of the frame before that it went on from, or that it began anew.
+//! Metadata key of the previous frame's stops, from which the exposure continued, or the word for a
+//! restart.
 constexpr const char* followed_from_fact = "followed_from";
 constexpr const char* anew = "anew";
 
@@ -45,7 +46,7 @@ std::optional<double> number_of(const std::string& text) {
                                                                                              : std::nullopt;
 }
 
-//! Frames beside a run's that are looked at: on a disk of another machine each takes some milliseconds.
+//! Maximum number of other frames to check: on a network disk each takes some milliseconds.
 constexpr std::size_t most_asked_otherwise = 4096;
 
 }  // namespace
@@ -245,7 +246,7 @@ void FrameWriter::delete_frames() {
 
 void FrameWriter::write_facts(int first, int last) const {
   const Show& show = renderer_.show();
-  // Long shows are rendered in parts, one beside the other.
+  // Long shows may be rendered in several adjacent parts.
   while (first > 0 && was_asked_alike(first - 1)) {
     --first;
   }
@@ -293,7 +294,8 @@ std::vector<std::string> FrameWriter::run_notes(int next, int last) {
 }
 
 std::string FrameWriter::cost_note(int next, int last) {
-  // The first frame prepares what all frames share. If it is quick, the second one tells more of the others.
+  // The first frame also prepares data that all frames share. Unless it is slow, the second one
+  // gives a better estimate.
   const bool measured = written_ > 1 || (written_ == 1 && frame_cost_.seconds >= slow_frame_s);
   if (!measured || next > last || std::exchange(told_cost_, true)) {
     return "";
@@ -306,7 +308,8 @@ std::string FrameWriter::cost_note(int next, int last) {
 
 std::string FrameWriter::new_room_note(int next, int last) {
   largest_bytes_ = std::max(largest_bytes_, frame_cost_.bytes);
-  // Again and again, ever more seldom: the first frames of many a show are black, and small.
+  // Checks again after 1, 2, 4, 8, ... frames: the first frames of many shows are black, and their
+  // files small.
   if (told_room_ || !std::has_single_bit(static_cast<unsigned>(written_)) ||
       std::exchange(looked_at_room_after_, written_) == written_) {
     return "";
@@ -325,7 +328,7 @@ std::string FrameWriter::early_room_note(int first, int last) const {
 std::string FrameWriter::room_note_for(int next, int last, const std::string& what, double frame_bytes) const {
   std::error_code problem;
   const fs::space_info space = fs::space(options_.out, problem);
-  // Frames that are there already are overwritten.
+  // Existing frames are overwritten.
   const double needed = problem ? 0.0 : frame_bytes * static_cast<double>(missing(next, last));
   return room_note(options_.out, what, static_cast<std::uintmax_t>(std::min(needed, 1e18)), space.available);
 }
@@ -358,7 +361,8 @@ std::filesystem::path FrameWriter::path_of(int frame, FramePart part, std::optio
 
 bool FrameWriter::is_there(int frame) const {
   const Show& show = renderer_.show();
-  // What went on from other stops than the frame before has now would jump.
+  // The exposure would jump if the frame continued from other stops than those of the frame before
+  // it.
   if (followed_stops() && fact_of_image(first_file_of(frame), followed_from_fact) != stops_before(frame)) {
     return false;
   }

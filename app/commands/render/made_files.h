@@ -6,15 +6,17 @@
 
 namespace ergodome {
 
-//! The files and folders that a run has made, which it may remove again: nothing else, and no file that was changed or replaced since.
+//! The files and folders that a run has created and may remove again. Never removes other files, or
+//! files that were changed since.
 class MadeFiles {
  public:
-  //! Makes a folder, with those above it, and remembers which of them are new. Throws Error where that cannot be.
+  //! Creates a folder and its parents, and records which of them are new. Throws Error if that
+  //! fails.
   void make_folder(const std::filesystem::path& folder);
-  //! Remembers a file that the run has just written.
+  //! Records a file that the run has just written.
   void add(const std::filesystem::path& file);
 
-  //! Removes the files that are as the run wrote them. Returns how many those were.
+  //! Removes the files that have not changed since the run wrote them. Returns their number.
   int remove_files();
   //! Removes the new folders that are empty.
   void remove_folders();

@@ -14,7 +14,7 @@ namespace ergodome {
 
 namespace {
 
-//! One pattern as the layout has it: in one picture, or in two.
+//! Draws a pattern for a stereo layout, as one picture or as two.
 std::vector<FrameImage> pattern_images(TestPattern pattern, const Projection& projection,
                                        const StereoSettings& stereo) {
   if (stereo.layout == StereoLayout::mono) {

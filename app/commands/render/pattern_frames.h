@@ -7,15 +7,16 @@
 
 namespace ergodome {
 
-//! Test patterns for a show's view and stereo layout, as files.
+//! Options for writing test patterns as files for a show's view and stereo layout.
 struct PatternFrames {
-  std::string pattern;  //!< its name, or "all"
+  std::string pattern;  //!< name of a pattern, or "all"
   std::string out;      //!< folder
   FrameFormat format;
-  int size_px = 0;  //!< width of one eye's picture; 0: as the show says
+  int size_px = 0;  //!< width of one eye's picture; 0: the show's
 };
 
-//! Writes NAME.png for each pattern, both eyes as the show's stereo layout has them. Returns how many files.
+//! Writes NAME.png for each pattern, with both eyes in the show's stereo layout. Returns the number
+//! of files.
 int write_pattern_frames(const PatternFrames& frames, const Show& show);
 
 }  // namespace ergodome

@@ -15,7 +15,7 @@ namespace ergodome {
 
 namespace {
 
-//! The first of the moments that are looked at; those of the start-up are not random.
+//! Seed of the random times at which --check measures.
 constexpr std::uint64_t check_seed = 20;
 
 const char* word_of(LensChoice choice) {
@@ -55,7 +55,7 @@ bool use_render_budget(RenderOptions& options, Show& show, const std::optional<D
     return true;
   }
   const Backend backend = choose_backend(options.backend);
-  // A renderer of its own: exposure that follows the light would remember what was looked at here.
+  // Uses a separate renderer, because automatic exposure would remember the frames measured here.
   ShowRenderer renderer(show, backend, lens_choice(options.lens), open_stream(show, options.lens, backend));
   MeasurementOrder order;
   order.budget = budget;

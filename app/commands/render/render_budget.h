@@ -4,11 +4,13 @@
 
 namespace ergodome {
 
-//! Chooses what --budget leaves open for frames that are written to files, puts it into the show and the options, and says so in a line. Nothing
-//! happens where there is no budget. Throws Error for a budget that cannot be read.
+//! Chooses the settings that --budget leaves open for rendering to files, stores them in the show
+//! and the options, and prints them. Does nothing without a budget. Throws Error for a malformed
+//! budget.
 //!
-//! With --check the chosen settings are measured at random moments of the show; throws Error where one is beyond the budget. Whether frames are
-//! to be written then: not where they were only checked.
+//! With --check, measures the chosen settings at random times of the show, and throws Error if one
+//! exceeds the budget. Returns false if only a check was requested, so that no frames are to be
+//! written.
 bool use_render_budget(RenderOptions& options, Show& show, const std::optional<DomeSetup>& setup);
 
 }  // namespace ergodome

@@ -36,7 +36,7 @@ namespace ergodome {
 
 namespace {
 
-//! Whether files can hold what the layout makes.
+//! Throws UsageError if the files cannot hold the stereo layout.
 void require_file_layout(const RenderOptions& options, const Show& show) {
   if (show.stereo.layout == StereoLayout::multiview && options.format != "exr") {
     throw UsageError("stereo layout multiview", "writes two views to one file, which only EXR supports",
@@ -48,7 +48,8 @@ void require_file_layout(const RenderOptions& options, const Show& show) {
   }
 }
 
-//! The show, or for patterns without one a dome of 180°, with what the command line says instead.
+//! Loads the show and applies the options of the command line. Patterns without a show use a dome
+//! of 180°.
 Show chosen_show(const RenderOptions& options) {
   if (options.show.empty() && options.pattern.empty()) {
     throw UsageError("render", "has nothing to render", "name a show file or a built-in show, or add --pattern");
@@ -66,7 +67,7 @@ Show chosen_show(const RenderOptions& options) {
   return show;
 }
 
-//! The dome whose projectors' frames are asked for, if any are.
+//! Returns the dome setup if frames for its projectors are requested.
 std::optional<DomeSetup> chosen_setup(const RenderOptions& options) {
   if (options.setup.empty()) {
     return std::nullopt;
@@ -78,7 +79,7 @@ std::optional<DomeSetup> chosen_setup(const RenderOptions& options) {
   return read_dome_setup(options.setup);
 }
 
-//! Throws UsageError where options have no use for this show.
+//! Throws UsageError if an option has no effect on this show.
 void require_used_options(const RenderOptions& options, const Show& show) {
   static_cast<void>(follow_method(options.method, options.view, show));
   static_cast<void>(view_range(options.view_range, view_mode(options.view), !options.method.empty()));
@@ -116,7 +117,8 @@ int write_patterns(const RenderOptions& options, const Show& show, const std::op
   return write_pattern_frames({options.pattern, options.out, format_of(options), options.size_px}, show);
 }
 
-//! The sheet of facts of the frames first to last, if these are any and are the master's.
+//! Writes the metadata summary of frames [first, last]. Writes none for projectors or an empty
+//! range.
 void write_facts(const RenderOptions& options, const FrameWriter& writer, int first, int last) {
   if (options.setup.empty() && last >= first) {
     writer.write_facts(first, last);
@@ -131,11 +133,11 @@ void tell_frames(const RenderOptions& options, const FrameWriter& writer) {
             there > 0 ? fmt::format("; skipped {} from an earlier run", counted(there, "frame")) : "");
 }
 
-//! Ends a run that somebody has stopped.
+//! Ends an interrupted run by throwing Error.
 [[noreturn]] void stop(const RenderOptions& options, const FrameWriter& writer, int first, int last) {
   std::string unwritten;
   try {
-    // The sheet of an earlier run may tell of other frames.
+    // The summary of an earlier run may describe other frames.
     write_facts(options, writer, first, last);
   } catch (const Error& problem) {
     unwritten = fmt::format(" (and {})", problem.what());
@@ -200,17 +202,18 @@ void run(RenderOptions options) {
   require_movie(options, show);
   tell_movie_losses(options, show);
   tell_language(options, show);
-  // Files hold the title in one language.
+  // Files store the title in one language.
   show.title = {{"", text_in(show.title, options.language)}};
   const auto [first, last] = options.frames.empty() ? frames_between(options.from, options.to, show)
                                                     : frame_range(options.frames, frame_count(show));
-  // What a budget leaves open is chosen by times that are others in each run.
+  // Computed before the budget is applied: its choices depend on measured times, which differ in
+  // each run.
   const FrameRequests requests(options, show, setup);
   if (!use_render_budget(options, show, setup)) {
     return;
   }
   if (!options.movie.empty()) {
-    // Before the frames, which may need the room.
+    // Done first because the frames may need the space.
     remove_abandoned_files(std::filesystem::path(options.movie).parent_path());
   }
   FrameWriter writer(options, show, setup, requests);
@@ -230,7 +233,7 @@ void run(RenderOptions options) {
   }
 }
 
-//! Options that say something else than what projectors' frames, test patterns and checks are.
+//! Registers the options that have no effect on projector frames, test patterns or checks.
 void add_idle_options(const std::shared_ptr<RenderOptions>& options, IdleOptions& idle) {
   idle.add("with --setup, which fixes the view", [options] { return !options->setup.empty(); }, {"--from-outside"});
   idle.add("with --setup, which fixes the projection",
@@ -252,7 +255,7 @@ void add_idle_options(const std::shared_ptr<RenderOptions>& options, IdleOptions
             "--resume", "--language"});
 }
 
-//! What --pattern takes.
+//! Returns the values that --pattern accepts.
 std::vector<std::string> pattern_choices() {
   std::vector<std::string> choices = test_pattern_names();
   choices.emplace_back("all");

@@ -8,14 +8,14 @@
 
 namespace ergodome {
 
-//! What a person asks of `render`.
+//! Options of `render`.
 struct RenderOptions {
   std::string show;
-  ShowSettings set;  //!< keys of the show that --set changes
+  ShowSettings set;  //!< keys of the show changed by --set
   std::string out = "frames";
   std::string frames;
-  std::string from;  //!< a time; frames from there on
-  std::string to;    //!< a time; frames before that
+  std::string from;  //!< a time; renders frames from there on
+  std::string to;    //!< a time; renders frames before it
   int size_px = 0;
   std::string projection;
   std::string objects;
@@ -30,18 +30,19 @@ struct RenderOptions {
   bool alpha = false;
   double frame_rate_hz = 0.0;
   std::string movie;
-  bool delete_frames = false;  //!< once the film of them is checked
+  bool delete_frames = false;  //!< after the film was checked
   std::string view = "sky";
-  std::string view_range;  //!< ends of a heat map's colours, "MIN:MAX"; empty: as usual
-  std::string channels;    //!< numbers to write instead of pictures, separated by commas; empty: pictures
+  std::string view_range;  //!< range of a heat map's colors, "MIN:MAX"; empty: the default
+  std::string channels;    //!< channels to write instead of light, separated by commas; empty: none
   std::string method;
   std::string setup;
-  std::string language;  //!< of captions, by its tag
+  std::string language;  //!< language tag of captions
   LensOptions lens;
   bool resume = false;
   std::string pattern;
   std::vector<std::string> budget;  //!< words of --budget
-  int checked_moments = 0;          //!< at which the budget is checked, in place of writing frames; 0: none
+  //! Number of times at which the budget is checked instead of writing frames; 0: none.
+  int checked_moments = 0;
 };
 
 }  // namespace ergodome

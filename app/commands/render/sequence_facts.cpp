@@ -19,7 +19,8 @@ namespace {
 
 using Facts = nlohmann::ordered_json;
 
-//! A number of the show in these frames; of one that changes, its values in the first and the last, and the least and the greatest in all.
+//! Returns a number of the show in these frames. For an animated number, returns its first, last,
+//! least and greatest values.
 Facts number_in(const Show& show, const char* path, double unchanging, FrameSpan frames) {
   const Animation* const animation = find_animation(show, path);
   if (animation == nullptr) {
@@ -35,8 +36,9 @@ Facts number_in(const Show& show, const char* path, double unchanging, FrameSpan
   return {{"first", value_in(frames.first)}, {"last", value_in(frames.last)}, {"least", least}, {"greatest", greatest}};
 }
 
-//! How far eyes are apart in these frames: where more does not fit, closer than the show asks [M]. Eyes of one model alone fit everywhere; the others are asked
-//! in a few hundred frames of a long sequence, as each may take as long as its lens.
+//! Returns the baseline in these frames [M], reduced where the show's does not fit. It is reduced
+//! only in stereo models other than `physical`; these are evaluated in at most a few hundred
+//! frames, because each evaluation may take as long as a lens.
 Facts baselines_in(const Show& show, FrameSpan frames) {
   if (show.stereo.model == StereoModel::physical) {
     return number_in(show, "stereo.baseline", show.stereo.baseline, frames);
@@ -109,7 +111,7 @@ void add_format(const FrameFormat& format, Facts& facts) {
   }
 }
 
-//! The files of a frame: one, or one for each eye or each face of a cube.
+//! Returns the files of a frame: one, or one for each eye or each face of a cube.
 Facts files_of(const Show& show, const FrameFormat& format, int frame) {
   const bool separate = show.stereo.layout == StereoLayout::separate;
   std::vector<std::string> files;

@@ -14,9 +14,11 @@ struct FrameSpan {
   int last = 0;
 };
 
-//! Writes NAME.json and NAME.txt into the folder of a sequence: what a dome's staff must know to play the numbered frames that lie there
-//! (rate, count, size, projection, stereo, colour), as a machine and as a person reads it. Of numbers that change it says what they are in the first and in the last of `frames`, and
-//! the bounds of what they are in all; the distance of the eyes is the one that fitted. `size_px`: width of one eye's picture.
+//! Writes NAME.json and NAME.txt into the folder of a sequence: what the staff of a dome must know
+//! to play the existing numbered frames (rate, count, size, projection, stereo, color), for
+//! programs and for people. For animated numbers, it contains their values in the first and last of
+//! `frames` and their range. The baseline is the one that was applied. `size_px` is the width of
+//! one eye's picture.
 void write_sequence_facts(const std::filesystem::path& folder, const Show& show, const FrameFormat& format,
                           FrameSpan frames, int size_px);
 
