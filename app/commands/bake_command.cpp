@@ -46,7 +46,7 @@ struct BakeOptions {
   bool replace = false;
 };
 
-//! K and N of "K/N"; none of anything else.
+//! Parses "K/N" into K and N. Returns nothing for other text, and unless 1 <= K <= N <= 1000.
 std::optional<std::pair<int, int>> part_of(const std::string& text) {
   int part = 0;
   int parts = 0;
@@ -60,7 +60,7 @@ std::optional<std::pair<int, int>> part_of(const std::string& text) {
 
 BakeSettings settings_of(const BakeOptions& options, const Show& show) {
   BakeSettings settings;
-  // A field of view that changes is baked for where it looks most closely.
+  // A changing field of view is baked at its finest pixel scale.
   const ViewSettings view = show_at_least(show).view;
   const Projection projection = make_projection(view, options.size_px > 0 ? options.size_px : view.size_px, 0.0);
   settings.pixel = pixel_angle(projection);
@@ -78,7 +78,7 @@ fs::path journal_path(const BakeOptions& options, const BakeSettings& settings) 
                              : fs::path(fmt::format("{}.part-{}-of-{}", options.out, settings.part, settings.parts));
 }
 
-//! Files beside the output whose names begin so.
+//! Returns the sorted files in the folder of the output whose names have this beginning and end.
 std::vector<fs::path> beside(const fs::path& out, const std::string& beginning, const std::string& end) {
   std::vector<fs::path> found;
   std::error_code problem;
@@ -105,7 +105,8 @@ bool is_baked(const fs::path& out, const TrajectoryProvenance& provenance) {
   }
 }
 
-//! Throws Error where the output is there and no bake of this show's, whatever its settings are: it may have taken hours.
+//! Throws Error if the output exists and is not a bake of this show with any settings: it may have
+//! taken hours.
 void require_own(const fs::path& out, const Show& show) {
   std::error_code problem;
   if (!fs::exists(out, problem)) {
@@ -120,7 +121,8 @@ void require_own(const fs::path& out, const Show& show) {
   try {
     require_path_of(show, TrajectoryReader(out));
   } catch (const Error& error) {
-    // One that is damaged, or of another version, is of no use to this program either, but may be to another.
+    // A trajectory that is damaged or of another version cannot be used here, but another version
+    // of the program may need it.
     refuse("already exists and does not belong to this show: " + error.problem());
   }
 }
@@ -136,7 +138,8 @@ BakeResult bake(const Show& show, const BakeSettings& settings, TrajectoryJourna
   });
 }
 
-//! The disk's part of what blending misses by, where the disk's layers are blended: ", the disk by 0.196".
+//! Returns the disk's part of the blending error, if the disk's layers are blended: " in the sky,
+//! 0.196 px in the disk".
 std::string disk_text(const TrajectoryReader& trajectory) {
   double worst_px = 0.0;
   for (const StationEntry& station : trajectory.stations()) {
@@ -204,7 +207,7 @@ void run(const BakeOptions& options) {
               settings.part, settings.parts, counted(journal.station_count(), "station"));
     return;
   }
-  // A bake that was killed while it sealed has left a partial file.
+  // A bake that was killed while sealing leaves a partial file.
   remove_abandoned_files(fs::absolute(behind_links(out)).parent_path());
   journal.seal(out, result.times_s);
   for (const fs::path& done : journals) {

@@ -26,7 +26,8 @@ struct CatalogueOptions {
   bool replace = false;
 };
 
-//! Throws Error where the output is there and no catalogue of the project's own form: a person's table, or a show.
+//! Throws Error if the output exists and is not an Ergodome catalogue, such as a user's table or a
+//! show.
 void require_star_file(const CatalogueOptions& options) {
   std::error_code problem;
   if (!options.replace && std::filesystem::exists(options.out, problem) && !is_star_file(options.out)) {

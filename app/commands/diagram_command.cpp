@@ -41,10 +41,11 @@ struct DiagramOptions {
 
 constexpr int least_diagram_px = 64;
 constexpr int most_diagram_px = 8192;
-//! Moments of a film whose places its camera has in the picture.
+//! Number of times of a film at which the scene must fit into the picture.
 constexpr int framed_moments = 9;
 
-//! The numbers of a list with commas or another sign between them; empty where it is none.
+//! Parses a list of finite numbers separated by `between`. Returns an empty list if the text is
+//! malformed.
 std::vector<double> numbers_of(const std::string& text, char between) {
   std::vector<double> numbers;
   for (std::size_t at = 0; at <= text.size();) {
@@ -78,7 +79,8 @@ std::pair<int, int> size_of(const std::string& text) {
   return {static_cast<int>(sides[0]), static_cast<int>(height)};
 }
 
-//! Orders of images, each once, from the first.
+//! Parses the image orders of --images; removes duplicates and sorts. Throws UsageError if the list
+//! is malformed.
 std::vector<int> images_of(const std::string& text) {
   std::vector<int> images;
   if (text.empty()) {
@@ -99,11 +101,13 @@ std::vector<int> images_of(const std::string& text) {
   return images;
 }
 
-//! Beside the observer, a little above the plane: what lies between observer and hole is seen at its length.
+//! Returns the direction of the diagram's camera. The default is to the side of the observer and
+//! slightly above the equatorial plane, where the distance between observer and hole is not
+//! foreshortened.
 OutsideDirection outside_direction_of(const DiagramOptions& options, const Show& show, double time_s) {
   constexpr double beside = 65.0 * one_degree;
   constexpr double above = 24.0 * one_degree;
-  constexpr double nearest = 2.5;  // No hole reaches so far.
+  constexpr double nearest = 2.5;  // farther out than any horizon
   if (options.from.empty()) {
     return {camera_pose(show, time_s).phi - beside, above, std::nullopt};
   }
@@ -139,7 +143,7 @@ void draw_picture(const DiagramOptions& options, const Show& show, const Diagram
   }
 }
 
-//! One camera for a whole film: its picture has in it what is there at some of its moments.
+//! Returns one camera for a whole film. It frames the scene at several times of the film.
 OutsideCamera film_camera(const DiagramOptions& options, const Show& show, const Diagram& diagram,
                           const DiagramPicture& picture, std::pair<int, int> frames) {
   std::vector<Vector3<double>> framed;

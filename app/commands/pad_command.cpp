@@ -36,7 +36,8 @@ struct PadOptions {
   std::string fixture;
 };
 
-//! Real time; if a fixture is played and the output is not a terminal, time that runs as fast as lines are written.
+//! The time of live output: real time, or, when a fixture is played and the output is not a
+//! terminal, time that advances as fast as lines are written.
 class Pace {
  public:
   explicit Pace(bool hurry) : hurry_(hurry), start_(Clock::now()) {}
@@ -124,7 +125,8 @@ class LiveLines {
   std::vector<std::string> shown_;
 };
 
-//! Returns how long a command runs: --for, otherwise the default; 10 s for a fixture whose output is not a terminal.
+//! Returns how long a command runs: --for, otherwise the default; 10 s for a fixture whose output
+//! is not a terminal.
 double duration_s(const PadOptions& options, bool hurry, double otherwise) {
   return options.for_s > 0.0 ? options.for_s : hurry ? 10.0 : otherwise;
 }
@@ -145,7 +147,8 @@ const PadSession* session_of(const PadHub& hub, int number) {
   return index < hub.sessions().size() ? hub.sessions()[index].get() : nullptr;
 }
 
-//! Returns the profile of this pad alone; creates it from the profile that applied before if it is missing.
+//! Returns the profile of this pad alone; creates it from the profile that applied before if it is
+//! missing.
 PadProfile& own_profile(PadSettings& settings, const PadIdentity& pad) {
   const std::string device = device_id(pad.vendor, pad.product);
   const auto found = std::find_if(settings.pads.begin(), settings.pads.end(), [&](const PadProfile& profile) {

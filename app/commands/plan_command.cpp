@@ -48,7 +48,7 @@ struct PlanOptions {
   bool json = false;
 };
 
-//! What a picture has taken: the first one at its place, and one more there.
+//! Work counts of the first frame at a camera position, and of one more there.
 struct Measured {
   std::map<std::string, WorkCount> first;
   std::map<std::string, WorkCount> next;
@@ -81,7 +81,8 @@ struct RunEstimate {
   [[nodiscard]] std::uintmax_t bytes() const { return frame.bytes * static_cast<std::uintmax_t>(frames); }
 };
 
-//! Whether a picture's buffers of known size fit in half of the memory of this machine.
+//! Returns whether the buffers of a frame, as far as their size is known, fit in half of this
+//! machine's memory.
 bool fits_in_memory(const FramePlan& plan) {
   double bytes = 0.0;
   for (const PlannedBuffer& buffer : plan.buffers) {
@@ -90,7 +91,8 @@ bool fits_in_memory(const FramePlan& plan) {
   return bytes <= 0.5 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-//! Measures a frame in the middle of the show and assumes that all frames cost as much. Returns nothing, after a note, if that fails.
+//! Measures a frame in the middle of the show and assumes that all frames cost the same. Returns
+//! nothing, after a note, if that fails.
 std::optional<RunEstimate> estimate(const PlanOptions& options, const Show& show, Backend backend,
                                     std::shared_ptr<StationStream> stream, const FramePlan& plan) {
   if (!fits_in_memory(plan)) {
@@ -129,7 +131,7 @@ nlohmann::json json_of(const WorkCount& count) {
   return {{"runs", count.runs}, {"elements", count.elements}, {"ms", static_cast<double>(count.time_ns) * 1e-6}};
 }
 
-//! Counts that a plan leaves open are null.
+//! Writes null for a count that the plan leaves open.
 nlohmann::json known(long number) { return number > 0 ? nlohmann::json(number) : nlohmann::json(nullptr); }
 
 nlohmann::json json_of(const Show& show, const FramePlan& plan) {

@@ -53,7 +53,7 @@ struct PlayArguments {
   PlayOptions options;
 };
 
-//! The keys, a line each, for --help.
+//! Returns the keys for --help, one line each.
 std::string key_help() {
   std::string text = "Keys:\n";
   std::istringstream lines(Controls().help_text({.pads = false}));
@@ -64,7 +64,7 @@ std::string key_help() {
   return text;
 }
 
-//! Reads the setup whose projectors are to show the pictures.
+//! Reads the dome setup for the projectors.
 void use_setup(PlayArguments& arguments) {
   PlayOptions& options = arguments.options;
   options.setup = read_dome_setup(arguments.setup);
@@ -75,7 +75,7 @@ void use_setup(PlayArguments& arguments) {
   }
 }
 
-//! A show as the command line wants it.
+//! Loads a show and applies the options of the command line.
 Show loaded_show(const PlayArguments& arguments, const std::string& name) {
   Show show = load_show(name, arguments.set);
   override_view(show, arguments.projection, arguments.stereo);
@@ -83,7 +83,7 @@ Show loaded_show(const PlayArguments& arguments, const std::string& name) {
   override_tilt(show, arguments.tilt_deg, arguments.options.setup.has_value());
   override_objects(show, arguments.objects);
   if (has_face_files(show.view)) {
-    // A window has them in one picture.
+    // A window shows all faces in one image.
     show.view.cube_files = CubeFiles::cross;
   }
   show.stereo.tint_eyes = show.stereo.tint_eyes || arguments.tint_eyes;
@@ -94,7 +94,8 @@ Show loaded_show(const PlayArguments& arguments, const std::string& name) {
   return show;
 }
 
-//! Of an exhibit's records the oldest go: a show that has the name of one would go with them. Throws UsageError.
+//! Throws UsageError if the show file has the name of a recording: an exhibit deletes its oldest
+//! recordings, and would delete the show.
 void require_no_record(const std::string& record, const std::string& show) {
   std::error_code problem;
   const auto folder = [](const std::filesystem::path& file) {
@@ -112,7 +113,7 @@ std::filesystem::path exhibit_log() {
   return folder.empty() ? folder : folder / "ergodome.log";
 }
 
-//! An exhibit keeps its settings and its log, and says nothing on the terminal that nobody sees.
+//! Prepares an exhibit, which stores its settings and its log in files.
 void use_exhibit(PlayArguments& arguments, const Show& visitor) {
   PlayOptions& options = arguments.options;
   if (arguments.exhibit_options.attract.empty()) {
@@ -126,8 +127,8 @@ void use_exhibit(PlayArguments& arguments, const Show& visitor) {
   options.exhibit = arguments.exhibit_options;
 }
 
-//! Measures the show, chooses what the budget leaves open, and says so. The renderer that this was done with, for the show to begin with; none
-//! without a budget.
+//! Measures the show, chooses the settings that the budget leaves open, and prints them. Returns
+//! the renderer used for this, so that the show can start with it; null without a budget.
 std::shared_ptr<ShowRenderer> use_budget(PlayArguments& arguments, const Show& show, const RendererLoader::Make& make) {
   const Budget budget = parse_budget(arguments.budget);
   if (budget.empty()) {
@@ -181,7 +182,7 @@ void run(PlayArguments arguments) {
                stereo_layout_names[static_cast<std::size_t>(show.stereo.layout)]);
   }
   const Backend backend = choose_backend(arguments.backend);
-  // Of a budget's pictures its own line tells.
+  // With a budget, its own line reports on the frames.
   const RendererLoader::Make make =
       renderer_maker({backend, arguments.backend == "auto", arguments.lens, options.size_px, arguments.budget.empty(),
                       options.notes, arguments.options.language});
@@ -189,7 +190,7 @@ void run(PlayArguments arguments) {
   Player(show, with_first(make, show.name, std::move(first)), options).run();
 }
 
-//! The same; an exhibit comes back after crashes, and its log says why it does not begin.
+//! Runs the player. In an exhibit, restarts after crashes and logs why it cannot start.
 void run_logged(const PlayArguments& arguments) {
   if (arguments.exhibit) {
     restart_after_crashes();
@@ -204,7 +205,7 @@ void run_logged(const PlayArguments& arguments) {
   }
 }
 
-//! Throws UsageError where the show's time comes by OSC, and nothing listens to it.
+//! Throws UsageError if the show follows a clock from OSC but no OSC port is open.
 void require_osc_port(const ServiceOptions& services) {
   if (services.clock == "osc" && !services.remote.osc_port) {
     throw UsageError("--clock osc", "needs an OSC port", "add --osc PORT");

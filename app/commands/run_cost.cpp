@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-//! A new folder that is removed with all that is in it.
+//! A new folder that is removed with its contents.
 class ScratchFolder {
  public:
   ScratchFolder() {
@@ -65,7 +65,7 @@ RunFrameCost cost_of(ShowRenderer& renderer, const ViewChoice& choice, const Fra
   return cost;
 }
 
-//! A count with commas between thousands, whatever the locale is.
+//! Formats a count with commas between thousands, in any locale.
 std::string grouped(long count) {
   std::string digits = std::to_string(count);
   for (std::size_t end = digits.size(); end > 3;) {
@@ -75,7 +75,7 @@ std::string grouped(long count) {
   return digits;
 }
 
-//! Two digits, without an exponent.
+//! Rounds to two significant digits, or to an integer from 10 on; without an exponent.
 std::string rounded(double number) {
   return number >= 9.95 ? fmt::format("{:.0f}", number) : fmt::format("{:.2g}", number);
 }

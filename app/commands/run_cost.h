@@ -9,36 +9,40 @@
 
 namespace ergodome {
 
-//! Time and size of one frame, with all its files.
+//! Time and size of one frame with all its files.
 struct RunFrameCost {
   double seconds = 0.0;
   std::uintmax_t bytes = 0;
 };
 
-//! Duration of a frame [s] from which on the first frame of a run counts as measured; it also prepares data that all frames share.
+//! Minimum duration [s] of the first frame of a run to count as measured; the first frame also
+//! prepares data that all frames share.
 inline constexpr double slow_frame_s = 2.0;
 
-//! A size with three digits: "25 kB", "1.1 GB"; powers of 1000, as disks are sold.
+//! Formats a size with three digits: "25 kB", "1.1 GB"; in powers of 1000, as disks are sold.
 std::string size_text(std::uintmax_t bytes);
 
-//! A duration in the two largest of its units: "0.25 s", "45 s", "30 min", "2 h 10 min", "3 d 4 h".
+//! Formats a duration in its two largest units: "0.25 s", "45 s", "30 min", "2 h 10 min", "3 d 4
+//! h".
 std::string duration_text(double seconds);
 
-//! Time and disk space of a run: "1,800 frames, about 1 s each: 30 min, 1.1 GB".
+//! Describes the time and disk space of a run: "1,800 frames, about 1 s each: 30 min, 1.1 GB".
 std::string run_cost_text(long frames, const RunFrameCost& frame);
 
-//! Returns a warning if `needed_bytes` do not fit on the disk of `folder`, which has `left_bytes` free; else an empty text. `what` needs
-//! them: "the rest of the run".
+//! Returns a warning if `needed_bytes` do not fit on the disk of `folder`, which has `left_bytes`
+//! free; otherwise an empty text. `what` names what needs the space: "the rest of the run".
 std::string room_note(const std::string& folder, const std::string& what, std::uintmax_t needed_bytes,
                       std::uintmax_t left_bytes);
 
-//! Free bytes on the disk of a folder, or of the first folder above it that exists. Throws std::filesystem::filesystem_error.
+//! Returns the free bytes on the disk of a folder, or of its first parent that exists. Throws
+//! std::filesystem::filesystem_error.
 std::uintmax_t free_bytes(const std::filesystem::path& folder);
 
-//! Smallest part of its uncompressed size that a frame is expected to take on disk, before any was written. Uncompressed EXR takes all of it.
+//! Returns the smallest expected ratio of compressed to uncompressed size of a frame, before any is
+//! written; 1 for uncompressed EXR.
 double least_compressed_part(const FrameFormat& format);
 
-//! Bytes of pictures with this many pixels in all, without compression.
+//! Returns the uncompressed size of pictures with this total number of pixels.
 std::uintmax_t uncompressed_bytes(const FrameFormat& format, std::uintmax_t pixels);
 
 //! A frame and its cost.
@@ -47,9 +51,10 @@ struct MeasuredFrame {
   RunFrameCost cost;
 };
 
-//! Measures a frame, counted from 0: renders it, writes its files into a temporary folder, and removes them. The frame before it is rendered
-//! first, as it prepares data that all frames share; if that takes at least `slow_s`, its cost is returned instead. Throws Error if files
-//! cannot be written.
+//! Measures a frame, counted from 0: renders it, writes its files into a temporary folder, and
+//! removes them. Renders the previous frame first, because it prepares data that all frames share;
+//! if that takes at least `slow_s`, returns its cost instead. Throws Error if files cannot be
+//! written.
 MeasuredFrame measured_frame(ShowRenderer& renderer, const ViewChoice& choice, const FrameFormat& format, int frame,
                              double slow_s = slow_frame_s);
 
