@@ -81,8 +81,8 @@ constexpr SteerFacts steering[] = {
     {&Steering::faster, "faster", "LeftShift pad.right_trigger", "move faster", "schneller bewegen"},
 };
 
-//! Multiplies a speed by a factor, within 1/16 to 16 times the normal speed. A speed that a command has set beyond these limits stays there
-//! rather than go the other way.
+//! Multiplies a speed by a factor, limited to 1/16 to 16 times the normal speed. A speed that a
+//! command has set outside these limits is not moved in the opposite direction.
 double changed_speed(double speed, double factor) {
   constexpr double least = 1.0 / 16.0;
   constexpr double most = 16.0;

@@ -11,7 +11,7 @@
 
 namespace ergodome {
 
-//! What a key or a button does, once, when it is pressed.
+//! Actions of a key or button, performed once when it is pressed.
 enum class KeyAction {
   none,
   quit,
@@ -60,35 +60,36 @@ enum class KeyAction {
   leave_exhibit
 };
 
-//! Who an action is for: visitors with a pad reach theirs without a keyboard.
+//! Users of an action: visitors with a controller reach theirs without a keyboard.
 enum class ActionUser { visitor, presenter };
 
-//! An action as files and the help call it.
+//! Names of an action in files and in the help.
 struct ActionFacts {
   KeyAction action;
   const char* name;
   ActionUser user;
-  const char* inputs;  //!< what it is bound to unless a file says otherwise, with blanks between
+  const char* inputs;  //!< default inputs, separated by blanks
   const char* english;
   const char* german;
 };
 
-//! All actions that may be bound, in the order of control files. The help groups them itself.
+//! Returns all actions that may be bound, in the order of control files. The help groups them
+//! itself.
 std::span<const ActionFacts> all_actions();
 
-//! A component of steering as files and the help call it.
+//! Names of a steering component in files and in the help.
 struct SteerFacts {
   double Steering::*component;
   const char* name;
-  const char* inputs;  //!< with a sign or a factor in front
+  const char* inputs;  //!< default inputs, with a sign or a factor in front
   const char* english;
   const char* german;
 };
 
 std::span<const SteerFacts> all_steering();
 
-//! What an action asks of a running show; nothing where it is no matter of the show's transport, or one that takes more than the status to
-//! answer (captions).
+//! Returns the transport command of an action. Returns nothing if the action does not concern the
+//! transport, or if the status is not enough to determine the command (captions).
 std::optional<TransportCommand> transport_command(KeyAction action, const PlayerStatus& status);
 
 }  // namespace ergodome

@@ -19,7 +19,8 @@ unsigned modifiers_of(const std::set<int>& held_keys) {
   return held;
 }
 
-//! Whether a key that steers does so with these modifiers: Shift asks for speed and is no hindrance.
+//! Returns whether a held steering key acts with these modifiers. Shift requests speed and is
+//! ignored.
 bool steers(const Input& input, const std::set<int>& held_keys, unsigned modifiers) {
   if (!held_keys.contains(input.code)) {
     return false;
@@ -29,7 +30,7 @@ bool steers(const Input& input, const std::set<int>& held_keys, unsigned modifie
   return (others | shift_held) == (input.modifiers | shift_held) && (input.modifiers & ~others) == 0;
 }
 
-//! Rate from -1 to 1 of a binding that is held.
+//! Returns the rate of a held binding, from -1 to 1.
 double rate_of(const Input& input, const std::set<int>& held_keys, unsigned modifiers, const MouseState& mouse,
                const PadState& pad) {
   switch (input.kind) {
@@ -46,7 +47,7 @@ double rate_of(const Input& input, const std::set<int>& held_keys, unsigned modi
   }
 }
 
-//! What a mouse moved at once: angles, or steps of its wheel.
+//! Returns the relative motion of a mouse: angles, or steps of its wheel.
 double amount_of(const Input& input, const MouseState& mouse) {
   switch (input.kind) {
     case Input::Kind::mouse_axis:

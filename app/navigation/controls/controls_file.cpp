@@ -24,7 +24,8 @@ struct Use {
   bool steers = false;
 };
 
-//! Returns whether two uses conflict: the same input, or a steering key that an action uses with Shift.
+//! Returns whether two uses conflict: the same input, or a steering key that an action uses with
+//! Shift.
 bool clash(const Use& a, const Use& b) {
   if (a.input == b.input) {
     return true;

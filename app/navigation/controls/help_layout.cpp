@@ -11,7 +11,7 @@ namespace ergodome {
 namespace {
 
 constexpr int least_px = 6;
-constexpr std::size_t between_cells = 2;  // letters
+constexpr std::size_t between_cells = 2;  // characters
 constexpr std::size_t between_columns = 4;
 
 std::vector<std::string> parts_of(const std::string& text, char end) {
@@ -35,7 +35,8 @@ void widen(std::string& line, std::size_t letters) {
   line.append(letters - std::min(letters, count_letters(line)), ' ');
 }
 
-//! Lines of one column: its cells filled up to the longest of their column, but for the last of a line; empty columns take no room.
+//! Aligns the lines of one column: pads cells, except the last of a line, to the width of their
+//! column. Empty columns take no space.
 std::vector<std::string> aligned(const std::vector<std::string>& lines) {
   std::vector<std::vector<std::string>> rows;
   std::vector<std::size_t> widths;
@@ -60,7 +61,7 @@ std::vector<std::string> aligned(const std::vector<std::string>& lines) {
   return all;
 }
 
-//! Groups of lines, without the empty lines between them.
+//! Splits a list into groups of lines at empty lines.
 std::vector<std::vector<std::string>> groups_of(const std::string& list) {
   std::vector<std::vector<std::string>> groups;
   bool begun = false;
@@ -79,7 +80,7 @@ std::vector<std::vector<std::string>> groups_of(const std::string& list) {
 
 using Groups = std::span<const std::vector<std::string>>;
 
-//! Lines of a column of groups, an empty one between them.
+//! Joins groups to one column, separated by empty lines.
 std::vector<std::string> column_of(Groups groups) {
   std::vector<std::string> lines;
   for (const std::vector<std::string>& group : groups) {
@@ -91,7 +92,7 @@ std::vector<std::string> column_of(Groups groups) {
   return lines;
 }
 
-//! How many groups the first of two columns has, so that the longer one is shortest.
+//! Returns the number of groups in the first of two columns that minimizes the longer one.
 std::size_t first_column(Groups groups) {
   std::size_t best = groups.size();
   std::size_t least = column_of(groups).size();
@@ -134,7 +135,7 @@ std::string in_columns(const std::string& list, int columns) {
 
 FittedText fit_list(const std::string& list, const TextSize& window, int usual_px, const MeasureText& measure) {
   FittedText fitted = {in_columns(list, 2), least_px};
-  // The largest that fits, by halves.
+  // Bisects for the largest size that fits.
   for (int too_large = usual_px + 1; too_large - fitted.letter_px > 1;) {
     const int between = (fitted.letter_px + too_large) / 2;
     const TextSize size = measure(fitted.text, between);

@@ -6,9 +6,10 @@
 
 namespace ergodome {
 
-// Lists of lines whose cells are parted by tabs, and whose groups are parted by empty lines, for letters of one width.
+// Layout of lists for monospaced fonts. Cells are separated by tabs, groups of lines by empty
+// lines.
 
-//! Lines of text, and the height of the letters that they are drawn with.
+//! Lines of text, and the letter height to draw them with.
 struct FittedText {
   std::string text;
   int letter_px = 0;
@@ -21,17 +22,18 @@ struct TextSize {
   bool operator==(const TextSize&) const = default;
 };
 
-//! How large a text is with letters of a height [px].
+//! Measures a text at a letter height [px].
 using MeasureText = std::function<TextSize(const std::string& text, int letter_px)>;
 
-//! Letters of a text in UTF-8: bytes that do not go on with one.
+//! Counts the characters of a UTF-8 text: bytes that do not continue one.
 std::size_t count_letters(const std::string& text);
 
-//! A list in one column, or in two beside each other, as equally long as whole groups allow. Cells of a column stand below each other.
+//! Lays out a list in one column, or in two side by side, as balanced as whole groups allow. Cells
+//! are aligned.
 std::string in_columns(const std::string& list, int columns);
 
-//! The list in two columns (one, if it is one group), with letters as large as fit into a window: at most `usual_px`, and at least 6, where smaller windows
-//! cut it off.
+//! Lays out a list in two columns (one if it has one group) with the largest letters that fit the
+//! window, at most `usual_px` and at least 6; smaller windows crop it.
 FittedText fit_list(const std::string& list, const TextSize& window, int usual_px, const MeasureText& measure);
 
 }  // namespace ergodome

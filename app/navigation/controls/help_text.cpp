@@ -13,9 +13,10 @@ namespace ergodome {
 
 namespace {
 
-//! Removes keys from the front of a list and returns them: as many as fit in a column, at least one.
+//! Removes keys from the front of a list and returns them: as many as fit in a column, at least
+//! one.
 std::string taken_from(std::string& keys) {
-  constexpr std::size_t room = 26;  // bytes: names of keys are short
+  constexpr std::size_t room = 26;  // bytes; names of keys are short
   std::size_t end = keys.size() <= room ? keys.size() : keys.rfind(", ", room);
   end = end == std::string::npos ? std::min(keys.find(", "), keys.size()) : end;
   std::string taken = keys.substr(0, end);
@@ -23,7 +24,7 @@ std::string taken_from(std::string& keys) {
   return keys.empty() ? taken : taken + ",";
 }
 
-//! Subjects of the help, in their order.
+//! Subjects of the help, in order.
 enum class HelpGroup { flight, camera, picture, show, stereo, program };
 
 struct GroupName {
@@ -34,11 +35,11 @@ constexpr std::array group_names = {GroupName{"Flight", "Flug"},   GroupName{"Ca
                                     GroupName{"Picture", "Bild"},  GroupName{"Show", "Vorführung"},
                                     GroupName{"Stereo", "Stereo"}, GroupName{"Program", "Programm"}};
 
-//! Actions of one line of the help: one, or two that belong together.
+//! A line of the help: one action, or two that belong together.
 struct HelpRow {
   HelpGroup group;
   std::array<KeyAction, 2> actions;  //!< the second may be KeyAction::none
-  const char* english = nullptr;     //!< null: as the action's own facts have it
+  const char* english = nullptr;     //!< null: the action's own description
   const char* german = nullptr;
 };
 
@@ -86,7 +87,8 @@ std::span<const HelpRow> help_rows() {
   return rows;
 }
 
-//! Steering that moves the camera is flight; the rest turns it.
+//! Returns the subject of a steering component: `flight` if it moves the camera, otherwise
+//! `camera`.
 HelpGroup group_of(const SteerFacts& facts) {
   const auto moves = {&Steering::right, &Steering::up, &Steering::forward, &Steering::faster};
   return std::ranges::find(moves, facts.component) != moves.end() ? HelpGroup::flight : HelpGroup::camera;
@@ -96,14 +98,14 @@ const ActionFacts& facts_of(KeyAction action) {
   return *std::ranges::find(all_actions(), action, &ActionFacts::action);
 }
 
-//! A line: keys and mouse, pad, what they do.
+//! Cells of a line: keys and mouse, controller, description.
 using HelpLine = std::array<std::string, 3>;
 
 class HelpLines {
  public:
   explicit HelpLines(const HelpChoice& choice) : choice_(choice) {}
 
-  //! Lines that follow belong to a subject.
+  //! Starts the lines of a subject.
   void begin_group(const char* english, const char* german) {
     groups_.push_back({choice_.language == "de" ? german : english, {}});
   }
@@ -112,7 +114,7 @@ class HelpLines {
 
   void add(const Input& input) {
     const bool of_pad = input.kind == Input::Kind::pad_button || input.kind == Input::Kind::pad_axis;
-    // 3D mice and paddles are left out for lack of room.
+    // 3D mice and paddles are omitted for lack of space.
     const bool puck = input.kind == Input::Kind::pad_axis && input.code >= static_cast<int>(PadAxis::move_right);
     const bool paddle = input.kind == Input::Kind::pad_button && input.code >= static_cast<int>(PadButton::capture);
     if (puck || paddle || (of_pad && !choice_.pads)) {
@@ -156,7 +158,7 @@ class HelpLines {
     return text;
   }
 
-  //! Subjects with an empty line between them, each under its name.
+  //! Returns the subjects with their names, separated by empty lines.
   [[nodiscard]] std::string in_cells() const {
     std::string text;
     for (const Group& group : groups_) {
@@ -184,7 +186,7 @@ class HelpLines {
   std::vector<Group> groups_;
 };
 
-//! Adds one line for what several actions do.
+//! Adds one line for several actions.
 void add_actions(HelpLines& lines, const Controls& controls, std::span<const KeyAction> actions, const char* english,
                  const char* german) {
   lines.begin(english, german);
@@ -196,7 +198,7 @@ void add_actions(HelpLines& lines, const Controls& controls, std::span<const Key
   lines.end();
 }
 
-//! Adds a row: one line, or one for each of its actions where another has no input.
+//! Adds a row: one line, or one per action if one of them has no input.
 void add_row(HelpLines& lines, const Controls& controls, const HelpRow& row) {
   const bool bound = std::ranges::all_of(
       row.actions, [&](KeyAction action) { return action == KeyAction::none || !controls.inputs_of(action).empty(); });

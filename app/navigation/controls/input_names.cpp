@@ -24,14 +24,14 @@ struct NamedKey {
   int key;
   const char* name;
   const char* label;
-  const char* german = nullptr;  //!< as DIN 2137 has it; none: the same
+  const char* german = nullptr;  //!< label on DIN 2137 keyboards; null: the same
 };
 
-//! Of a pad.
+//! A button or axis of a controller.
 struct NamedPart {
   const char* name;
   const char* label;
-  const char* german = nullptr;  //!< none: the same
+  const char* german = nullptr;  //!< null: the same
 };
 
 constexpr NamedKey special_keys[] = {
@@ -86,7 +86,7 @@ constexpr NamedKey special_keys[] = {
     {GLFW_KEY_MENU, "Menu", "Menu", "Menü"},
 };
 
-//! In the order of PadButton: name, and what is printed on the pads of two makers.
+//! Names and labels of two manufacturers, in the order of PadButton.
 constexpr std::array<NamedPart, pad_button_count> pad_buttons = {{
     {"south", "A / Cross", "A / Kreuz"},
     {"east", "B / Circle", "B / Kreis"},
@@ -113,7 +113,7 @@ constexpr std::array<NamedPart, pad_button_count> pad_buttons = {{
     {"paddle_4", "paddle 4", "Paddel 4"},
 }};
 
-//! In the order of PadAxis.
+//! Names and labels in the order of PadAxis.
 constexpr std::array<NamedPart, pad_axis_count> pad_axes = {{
     {"left_x", "left stick sideways", "linker Stick seitwärts"},
     {"left_y", "left stick up, down", "linker Stick auf, ab"},

@@ -7,12 +7,13 @@
 
 namespace ergodome {
 
-//! Something that can be pressed, turned or moved.
+//! An input: something that can be pressed, turned or moved.
 struct Input {
   enum class Kind { key, mouse_button, mouse_axis, wheel, wheel_step, pad_button, pad_axis };
   Kind kind = Kind::key;
-  int code =
-      0;  //!< a key by GLFW's number; a mouse's button from 0; x, y; a wheel's step up or down; the place in PadButton or PadAxis
+  //! GLFW key code; mouse button from 0; mouse axis 0 or 1; wheel step up or down; index in
+  //! PadButton or PadAxis.
+  int code = 0;
   unsigned modifiers = 0;  //!< of a key
 
   auto operator<=>(const Input&) const = default;
@@ -22,19 +23,21 @@ inline constexpr unsigned shift_held = 1;
 inline constexpr unsigned ctrl_held = 2;
 inline constexpr unsigned alt_held = 4;
 
-//! An input by its name: "Space", "Ctrl+R", "mouse.left", "wheel.up", "pad.south", "pad.left_x"; nothing where there is none of that name.
+//! Returns the input with a name such as "Space", "Ctrl+R", "mouse.left", "wheel.up", "pad.south"
+//! or "pad.left_x"; nothing if there is none.
 std::optional<Input> input_of(std::string_view name);
 
-//! The name of an input as input_of reads it.
+//! Returns the name of an input as input_of() reads it.
 std::string name_of(const Input& input);
 
-//! What is printed on it, or it is called, in a language of the help ("de"; else English): "[", "A / Cross", "Leertaste", "Strg+R".
+//! Returns the label of an input in a language of the help ("de", otherwise English): "[",
+//! "Leertaste", "A / Cross", "Strg+R".
 std::string label_of(const Input& input, std::string_view language = "en");
 
-//! Every name, without modifiers.
+//! Returns all names, without modifiers.
 const std::vector<std::string>& input_names();
 
-//! The modifiers among held keys, by GLFW's numbers.
+//! Returns the modifier flag of a key with this GLFW key code; 0 for other keys.
 unsigned modifier_of(int key);
 
 }  // namespace ergodome

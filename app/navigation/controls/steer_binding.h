@@ -9,13 +9,14 @@
 
 namespace ergodome {
 
-//! The words of a text, between blanks.
+//! Splits a text at blanks.
 std::vector<std::string> words_of(std::string_view text);
 
-//! An input that steers, with a sign or a factor up to 100 in front: "D", "-A", "0.5*pad.left_x"; nothing where it is none.
+//! Parses a steering input with an optional sign or factor up to 100: "D", "-A", "0.5*pad.left_x".
+//! Returns nothing for other text.
 std::optional<Controls::SteerBinding> steer_binding_of(std::string_view text);
 
-//! The same as a text.
+//! Formats a binding as steer_binding_of() reads it.
 std::string text_of(const Controls::SteerBinding& binding);
 
 }  // namespace ergodome

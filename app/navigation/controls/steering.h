@@ -2,16 +2,17 @@
 
 namespace ergodome {
 
-//! What a person asks of a camera right now, by keys, mouse and pads together: rates from -1 to 1 in the camera's own axes.
+//! Current steering of a camera by keys, mouse and controllers together: rates from -1 to 1 along
+//! the camera's axes.
 struct Steering {
   double right = 0.0;
   double up = 0.0;
   double forward = 0.0;
   double yaw = 0.0;     //!< to the right
-  double pitch = 0.0;   //!< upwards
+  double pitch = 0.0;   //!< up
   double roll = 0.0;    //!< clockwise
-  double zoom = 0.0;    //!< positive: a smaller field of view
-  double faster = 0.0;  //!< 0 to 1: up to the largest speed that comfort allows
+  double zoom = 0.0;    //!< positive: smaller field of view
+  double faster = 0.0;  //!< 0 to 1: up to the maximum comfortable speed
 
   bool operator==(const Steering&) const = default;
 };
