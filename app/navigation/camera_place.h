@@ -6,30 +6,33 @@
 
 namespace ergodome {
 
-//! Where a camera is and how it is turned, without a pole: Boyer-Lindquist coordinates as directions of a space that does not turn
-//! (z along the spin axis). A pose changes by jumps where the camera goes over the axis; this does not.
+//! Position and orientation of a camera without a coordinate pole: Boyer-Lindquist coordinates as
+//! directions in a non-rotating space (z along the spin axis). Continuous where the camera crosses
+//! the axis, unlike a pose.
 struct CameraPlace {
-  double r = 10.0;                      //!< [M]
-  glm::dvec3 towards{1.0, 0.0, 0.0};    //!< unit vector from the hole to the camera
-  glm::dquat view{1.0, 0.0, 0.0, 0.0};  //!< from the view's axes (x right, y up, z back) to the directions
+  double r = 10.0;                    //!< [M]
+  glm::dvec3 towards{1.0, 0.0, 0.0};  //!< unit vector from the hole to the camera
+  //! From the view's axes (x right, y up, z back) to the directions.
+  glm::dquat view{1.0, 0.0, 0.0, 0.0};
 };
 
 CameraPlace place_of(const CameraPose& pose);
 
-//! φ comes out between -π and π, and 0 on the axis.
+//! Returns the pose with φ in [-π, π], and 0 on the axis.
 CameraPose pose_of(const CameraPlace& place);
 
-//! Unit vector to the east; any that is level on the axis.
+//! Returns the unit vector to the east; on the axis, any horizontal one.
 glm::dvec3 east_at(const glm::dvec3& towards);
 
-//! Moves a unit vector along a great circle: `step` is across it, in radians.
+//! Moves a unit vector along a great circle by `step`, a perpendicular vector in radians.
 glm::dvec3 moved_on_sphere(const glm::dvec3& towards, const glm::dvec3& step);
 
-//! Rotation by an axis times an angle [rad], and back: the short way round.
+//! Convert between an axis times an angle [rad] and a rotation; turn_of() returns the shorter way.
 glm::dquat rotation(const glm::dvec3& turn);
 glm::dvec3 turn_of(const glm::dquat& rotation);
 
-//! The shortest rotation from one unit vector to another; about a level axis where they are opposite.
+//! Returns the shortest rotation from one unit vector to another; about a horizontal axis if they
+//! are opposite.
 glm::dquat shortest_rotation(const glm::dvec3& from, const glm::dvec3& to);
 
 }  // namespace ergodome

@@ -7,18 +7,18 @@
 
 namespace ergodome {
 
-//! A vector no longer than `most`.
+//! Limits the length of a vector to `most`.
 inline glm::dvec3 shortened(const glm::dvec3& v, double most) {
   const double length = glm::length(v);
   return length > most ? v * (most / length) : v;
 }
 
-//! Whether nobody would see something go at a rate.
+//! Returns whether a rate is too small to be visible.
 inline bool at_rest(const glm::dvec3& rate) { return glm::length(rate) <= 1e-6; }
 
-//! Brings a rate towards a wish, softly, but by no more than `most`; returns the length of the change.
+//! Moves a rate smoothly toward a target, by at most `most`. Returns the length of the change.
 //!
-//! The way there is the straight one: a rate and a wish that are both within a limit stay within it.
+//! The path is straight, so if rate and target are within a convex limit, the rate stays within it.
 inline double follow(glm::dvec3& rate, const glm::dvec3& wish, double seconds, double most) {
   constexpr double softness_s = 0.12;
   constexpr double at_rest = 1e-7;

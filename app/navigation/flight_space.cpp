@@ -10,18 +10,21 @@ namespace ergodome {
 
 namespace {
 
-//! Part of the guard's radius that is added to the height above it, where speeds are counted in it.
+//! Fraction of the guard's radius added to the height above it in the unit of speeds.
 constexpr double leeway = 0.05;
-//! A camera at the guard stays this part of its radius above it: enough for a radius to be told from the guard's.
+//! Minimum height of a camera above the guard, as a fraction of the guard's radius: enough to
+//! distinguish the two radii.
 constexpr double least_height = 1e-9;
-//! How far outside the horizon its guard is [M].
+//! Height of the guard above the horizon [M].
 constexpr double above_horizon = 0.02;
 
-//! Lengths per coordinate at a place: along the radius and the meridian, and how much shorter steps to the east are than those.
+//! Coordinate change per proper length at a position: along the radius, the meridian and the circle
+//! of latitude.
 struct LocalScale {
   double radial;    //!< dr per proper length
   double southern;  //!< angle per proper length [1/M]
-  double eastern;   //!< the same along the circle of latitude; equal on the axis
+  //! Angle per proper length along the circle of latitude [1/M]; equal to `southern` on the axis.
+  double eastern;
 };
 
 LocalScale local_scale(double spin, const CameraPlace& place) {
@@ -30,7 +33,8 @@ LocalScale local_scale(double spin, const CameraPlace& place) {
   return {std::sqrt(std::max(f.delta, 0.0) / f.sigma), 1.0 / std::sqrt(f.sigma), 1.0 / f.circumference_factor};
 }
 
-//! The same for who may be on both sides of the horizon, where lengths are those of r and of angles times r.
+//! Returns the same for cameras that may cross the horizon. There, lengths are coordinate lengths:
+//! r, and angles times r.
 LocalScale scale_at(double spin, const CameraPlace& place, bool through_horizon) {
   return through_horizon ? LocalScale{1.0, 1.0 / place.r, 1.0 / place.r} : local_scale(spin, place);
 }
@@ -77,7 +81,7 @@ double FlightSpace::slowing(double r, double speed) const {
 double FlightSpace::moved_radius(double r, double speed, double seconds) const {
   const double lowest = guard_r_ * (1.0 + least_height);
   if (r < lowest) {
-    // A show's path may lead where visitors may not go.
+    // A show's path may go where visitors may not.
     const double out = std::max(speed, fastest_ * (lowest - r + leeway * guard_r_));
     return r + out * seconds;
   }

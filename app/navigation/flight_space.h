@@ -5,36 +5,42 @@
 
 namespace ergodome {
 
-//! The space that a visitor's camera may be in, and what a length is there.
+//! The region that a visitor's camera may enter, with its measure of lengths.
 //!
-//! Speeds are counted in distances from the guard, so that a flight is as fast far out as it is careful near the hole. However long a
-//! camera flies towards the guard, and whatever the time between pictures, it only comes ever nearer to it.
+//! Speeds are in units of distance(), which grows with the distance from the guard, so a flight is
+//! fast far out and slow near the hole. A camera that flies toward the guard approaches it
+//! asymptotically, for any time step.
 class FlightSpace {
  public:
   FlightSpace(double spin, const FlightSettings& settings);
 
-  //! The space of who falls through the horizon: its guard is the deepest place that falls lead to, and the coordinates that lengths are
-  //! counted in are those of ingoing Kerr, r and angles times r, for proper lengths have no meaning there.
+  //! Returns the space of a camera that falls through the horizon: its guard is at the smallest
+  //! radius that falls reach. Lengths are in ingoing Kerr coordinates, r and angles times r,
+  //! because proper lengths have no meaning there.
   static FlightSpace through_horizon(double spin, const FlightSettings& settings);
 
   [[nodiscard]] double spin() const { return spin_; }
-  //! No camera comes nearer than this [M].
+  //! Returns the minimum radius of cameras [M].
   [[nodiscard]] double guard_r() const { return guard_r_; }
 
-  //! What a speed of 1 is, as a proper length a second [M]; some of it is left at the guard, to get away and around.
+  //! Returns the unit of speed at a radius, as proper length per second [M]. It is positive at the
+  //! guard, so that cameras can leave it.
   [[nodiscard]] double distance(double r) const;
 
-  //! The radius after `seconds` at dr/dt = `speed` [M/s], slowed as it nears its limits. A camera inside the guard is brought out.
+  //! Returns the radius after `seconds` at dr/dt = `speed` [M/s], slowed down near the limits. A
+  //! camera inside the guard moves out.
   [[nodiscard]] double moved_radius(double r, double speed, double seconds) const;
 
-  //! Fraction of a way inwards or outwards at dr/dt = `speed` that keeps to moved_radius's limits.
+  //! Returns the factor on a motion at dr/dt = `speed` that keeps it within the limits of
+  //! moved_radius().
   [[nodiscard]] double slowing(double r, double speed) const;
 
-  //! Moves a camera that does not turn by `seconds` at a velocity [distances/s] of the local space of the zero-angular-momentum observer,
-  //! whose e_r, e_θ, e_φ are `towards`, south and east.
+  //! Moves a camera without rotation for `seconds`, at a velocity [distances/s] in the local space
+  //! of the zero-angular-momentum observer, whose e_r, e_θ, e_φ are `towards`, south and east.
   void move(CameraPlace& place, const glm::dvec3& velocity, double seconds) const;
 
-  //! The velocity [distances/s] of a camera whose radius and direction change at these rates.
+  //! Returns the velocity [distances/s] of a camera whose radius and direction change at these
+  //! rates.
   [[nodiscard]] glm::dvec3 velocity(const CameraPlace& place, double r_rate, const glm::dvec3& towards_rate) const;
 
  private:
@@ -47,15 +53,16 @@ class FlightSpace {
   bool through_horizon_;
 };
 
-//! Radius of the guard [M]: just outside the horizon, or outside every orbit of light; further out where the settings say so.
+//! Returns the radius of the guard [M]: just outside the horizon, or outside all photon orbits;
+//! larger if the settings say so.
 double guard_radius(double spin, const FlightSettings& settings);
 
-//! Whether a camera is within the horizon, or so near to it that there is nothing but to fall on: there the frames of who moves otherwise are
-//! boosted from the falling one's so fast that few digits of them are left.
+//! Returns whether a camera is inside the horizon, or so close to it that it can only fall: frames
+//! of other observers are boosted so strongly against the infalling one that few digits remain.
 bool is_beyond_return(double spin, double r);
 
-//! Whether orbits that fall into the hole lead a visitor of a show through its horizon: where all that the show has can be seen from within
-//! (kept_outside), and what it guards is the horizon alone.
+//! Returns whether infalling orbits take a visitor of a show through the horizon: if everything in
+//! the show can be seen from inside (kept_outside) and its guard is the horizon.
 bool may_fall_through_horizon(const Show& show);
 
 }  // namespace ergodome

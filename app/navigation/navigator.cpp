@@ -14,14 +14,15 @@ namespace {
 constexpr double longest_frame_s = 0.1;
 constexpr double longest_step_s = 1.0 / 240.0;
 constexpr glm::dvec3 axis_of_spin(0.0, 0.0, 1.0);
-//! Speed without `faster`, as a part of the largest.
+//! Default speed without `faster`, as a fraction of the maximum.
 constexpr double usual_part = 0.5;
 
-//! Parts of the acceleration of turns that looking and going around may take; the rest is what they do to each other.
+//! Fractions of the angular acceleration for looking and for going around; the rest is for their
+//! coupling.
 constexpr double head_part = 0.4;
 constexpr double around_part = 0.3;
 
-//! The rate at which to go a way that is left so as to be at rest at its end.
+//! Returns the rate that covers the remaining way and comes to rest at its end.
 glm::dvec3 braked(const glm::dvec3& left, double most, double acceleration) {
   constexpr double delay_s = 0.3;
   const double distance = glm::length(left);
@@ -38,15 +39,16 @@ Steering sane(const Steering& s, double most) {
           sane(s.pitch, most), sane(s.roll, most), sane(s.zoom, most),    std::max(sane(s.faster, 1.0), 0.0)};
 }
 
-//! Turns about the view's axes: up, to the right and clockwise are about x, -y and -z.
+//! Returns a turn about the view's axes: up, right and clockwise are about x, -y and -z.
 glm::dvec3 head_turn(const Steering& s) { return {s.pitch, -s.yaw, -s.roll}; }
 
 bool same(const CameraPose& a, const CameraPose& b) {
   return a.r == b.r && a.theta == b.theta && a.phi == b.phi && a.orientation == b.orientation;
 }
 
-//! Whether a path leapt between two frames: somebody sought in the show. Near the horizon Boyer-Lindquist's azimuth of what falls in leaps by
-//! itself, and that of ingoing Kerr coordinates of what does not.
+//! Returns whether a path jumped between two frames, because of a seek. Checks two azimuths: near
+//! the horizon, the Boyer-Lindquist azimuth of infalling cameras changes fast, and the ingoing Kerr
+//! azimuth of others.
 bool leapt(double spin, const CameraPose& from, const CameraPose& to) {
   const double way = std::min(glm::distance(place_of(from).towards, place_of(to).towards),
                               glm::distance(ingoing_place(from, spin).towards, ingoing_place(to, spin).towards));
@@ -155,7 +157,8 @@ Navigator::Wish Navigator::wish(const Steering& s, double seconds) {
   if (mode_ == FlightMode::fly) {
     wish.fly = settings_.max_speed * (place_.view * glm::dvec3(way.x, way.y, -way.z));
   } else if (mode_ == FlightMode::orbit) {
-    // Near the axis a step to the east is nothing but a turn; it fades, and on the other side it is one to the west.
+    // Near the axis, a step to the east is only a rotation. It fades out, and becomes a step to the
+    // west on the other side.
     constexpr double near_axis = 0.15;
     const double sine = glm::dot(place_.towards, glm::cross(east_, axis_of_spin));
     const double eastward = sine / std::hypot(sine, near_axis);
@@ -172,7 +175,7 @@ void Navigator::follow_wish(const Wish& wish, double seconds) {
     const bool there = glm::length(mouse_turn_) < 1e-4 && glm::length(head_) < 1e-3;
     mouse_turn_ = there ? glm::dvec3(0.0) : mouse_turn_;
   }
-  // The two angles and the way outwards have limits of their own.
+  // The two angles and the radial motion have separate limits.
   glm::dvec3 angles(around_.x, around_.y, 0.0);
   follow(angles, {wish.around.x, wish.around.y, 0.0}, seconds, around_part * turn_change);
   glm::dvec3 outward(0.0, 0.0, around_.z);
@@ -219,14 +222,14 @@ void Navigator::move_on_orbit(double hurry, double seconds, glm::dvec3& turn) {
   fly_ = shortened(ride_->space().velocity(before, (place_.r - before.r) / seconds, way), settings_.max_speed);
 }
 
-//! Turns the view, and holds the limits of comfort whatever was asked for.
+//! Turns the view within the limits of comfort.
 void Navigator::turn_view(const glm::dvec3& wanted, double seconds) {
   const glm::dvec3 missing = shortened(wanted, limits_.total) - turn_;
   turn_ += shortened(missing, limits_.acceleration * seconds);
   place_.view = glm::normalize(rotation(seconds * turn_) * place_.view);
 }
 
-//! Makes `east_` level and across the direction to the camera again.
+//! Makes `east_` horizontal and perpendicular to the direction to the camera.
 void Navigator::level_east() {
   const glm::dvec3 east = glm::cross(axis_of_spin, place_.towards);
   const double sine = glm::length(east);
@@ -235,7 +238,7 @@ void Navigator::level_east() {
   }
 }
 
-//! East is to the right, or north is up, for a camera that looks at the hole.
+//! Sets `east_` so that east is to the right, or north is up, in the view of the hole.
 void Navigator::take_east_from_view() {
   east_ = east_at(place_.towards);
   const double upright = glm::dot(place_.view * glm::dvec3(0.0, 1.0, 0.0), glm::cross(place_.towards, east_));

@@ -1,4 +1,5 @@
-// Where a camera is going, and how: between a show's path and free flight, and between the ways to fly.
+// Changes of the camera's course: between the show's path and free flight, and between flight
+// modes.
 #include <array>
 
 #include "app/navigation/navigator.h"
@@ -63,7 +64,7 @@ void Navigator::return_to_path() {
   if (course_ != Course::free) {
     return;
   }
-  // From within the horizon no way leads out, and none leads in that a ship could go.
+  // A ship can neither leave the horizon nor enter it.
   if (committed() || !(path_.r > horizon_radius(spin_))) {
     reset();
     course_ = Course::path;
@@ -77,7 +78,7 @@ void Navigator::return_to_path() {
 
 void Navigator::advance_return(double seconds) {
   place_ = return_->advance(seconds, in_zamo_frame(path_, spin_));
-  // As long as the way still takes, so long the clock takes to come to the path's.
+  // The clock converges to the path's within the remaining time of the way.
   const double left_s = std::max(return_->left_s(), 0.0);
   clock_lead_ += (path_.clock_lead - clock_lead_) * (seconds / std::max(left_s + seconds, 1e-9));
   if (return_->arrived()) {
@@ -92,7 +93,7 @@ void Navigator::set_mode(FlightMode mode) {
     return;
   }
   if (mode != mode_) {
-    end_ride();  // the velocity that it had is the ship's now
+    end_ride();  // its velocity becomes the ship's
     take_east_from_view();
   }
   mode_ = mode;

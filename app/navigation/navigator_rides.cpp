@@ -1,4 +1,4 @@
-// How falls begin and end, and what the screen says about them.
+// Begin and end of falls, and their descriptions on the screen.
 #include "app/navigation/comfort.h"
 #include "app/navigation/navigator.h"
 #include "content/fall/rain_pose.h"
@@ -25,13 +25,15 @@ CameraPose Navigator::pose() const {
   return pose;
 }
 
-//! How fast directions of ingoing azimuths turn against those of Boyer-Lindquist's on a ride outside the horizon [rad/s].
+//! Returns how fast ingoing azimuths rotate relative to Boyer-Lindquist azimuths during a ride
+//! outside the horizon [rad/s].
 glm::dvec3 Navigator::turn_of_azimuth() const {
   const KerrFunctions f = kerr_functions(spin_, place_.r, 0.0);
   return {0.0, 0.0, spin_ / f.delta * ride_->radial_speed()};
 }
 
-//! A ride begins at rest, or as the camera goes already. Where its orbit falls into the hole, it leads through the horizon if it may.
+//! Starts a ride from rest, or at the camera's velocity. An infalling orbit leads through the
+//! horizon if allowed.
 void Navigator::begin_ride() {
   if (coasting() && !(asked_velocity_ && at_rest(around_))) {
     return;
@@ -58,7 +60,8 @@ void Navigator::begin_ride() {
   }
 }
 
-//! A ride through the horizon that ends outside of it leaves the camera to directions and axes as other flights have them.
+//! Ends a ride. One through the horizon that ends outside converts the camera to the azimuths and
+//! axes of other flights.
 void Navigator::end_ride() {
   if (falls_through()) {
     CameraPose before = pose_of_ingoing(before_, spin_);
@@ -72,7 +75,7 @@ void Navigator::end_ride() {
   ride_.reset();
 }
 
-//! Whether the path falls along an orbit that a visitor may go on along through the horizon.
+//! Returns whether the path falls along an orbit that a visitor may continue through the horizon.
 bool Navigator::may_fall_on() const {
   if (!leads_through_ || !path_falls_ || !path_.velocity || !path_.velocity_in_rain) {
     return false;
@@ -80,7 +83,8 @@ bool Navigator::may_fall_on() const {
   return !(path_.r > horizon_radius(spin_)) || OrbitRide::through_horizon(spin_, settings_, path_).falls_into_hole();
 }
 
-//! Goes on along the orbit of a path that falls through the horizon, as fast as the path does, on either side of the horizon.
+//! Continues along the orbit of a path that falls through the horizon, as fast as the path, inside
+//! or outside.
 void Navigator::fall_on() {
   place_ = ingoing_place(path_, spin_);
   before_ = ingoing_place(in_rain_frame(path_before_, spin_), spin_);
@@ -120,7 +124,8 @@ ObserverView Navigator::observer_on_ride(std::string_view language) const {
   ObserverView view = observer_of(ObserverMotion::velocity, ride_->velocity(), spin_, here.r, here.theta, language);
   view.name = german ? "auf freier Umlaufbahn" : "in free orbit";
   view.sentence = view.name + view.sentence.substr(view.sentence.rfind(','));
-  constexpr double near = 2.0;  // so many radii of the guard away who falls is told where that ends
+  // Within so many guard radii, the observer's description tells where the fall ends.
+  constexpr double near = 2.0;
   if (kept_outside_ && here.r < near * space_.guard_r() && ride_->falls_into_hole()) {
     view.sentence +=
         " (" + text_in(*kept_outside_, language) + (german ? ": der Fall endet davor)" : ": the fall ends outside it)");

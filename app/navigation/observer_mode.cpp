@@ -14,7 +14,7 @@ constexpr double fade_s = 1.0;
 
 struct Words {
   const char* name;
-  const char* stand_in;  //!< what is said where there is none
+  const char* stand_in;  //!< added if another observer stands in for it
 };
 
 constexpr std::array<Words, 6> english = {{
@@ -56,7 +56,7 @@ NearestVelocity nearest_velocity(ObserverMotion motion, double spin, double r, d
     return {observer_velocity(motion, spin, r, theta, {}), false};
   }
   if (!(std::abs(std::sin(theta)) > 0.0)) {
-    return {};  // on the axis nothing goes round
+    return {};  // on the axis nothing orbits
   }
   const double along = observer_velocity(motion, spin, r, theta, {}).z;
   if (std::isnan(along)) {
@@ -151,7 +151,8 @@ ObserverView ObserverFade::advance(double seconds, const ObserverView& wanted, d
     shown_ = there;
     return wanted;
   }
-  // Velocities below that of light are a ball: the straight way from one to another stays in it.
+  // Velocities below that of light form a ball, so a straight path between two of them stays
+  // inside.
   const double s = elapsed_s_ / fade_s;
   shown_ = glm::mix(from_, there, s * s * (3.0 - 2.0 * s));
   const glm::dvec3 local = glm::conjugate(frame) * shown_;

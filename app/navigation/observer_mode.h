@@ -9,71 +9,76 @@
 
 namespace ergodome {
 
-//! Who looks, as a visitor chooses: the motion that goes with the way of flying, or one of the others wherever the camera is.
+//! The observer that a visitor chooses: that of the flight mode, or one of the others at any
+//! position.
 enum class ObserverMode { natural, zamo, fixed, geodesic, retrograde, rain };
 
-//! The next of them, round and round.
+//! Returns the next mode, cyclically.
 ObserverMode next_observer(ObserverMode mode);
 
-//! An observer's velocity in the ZAMO frame, and whether another one stands in for it.
+//! An observer's velocity in the ZAMO frame, and whether it replaces an impossible one.
 struct NearestVelocity {
   Vector3<double> velocity{};
   bool nearest = false;
 };
 
-//! Speed [c] in the ZAMO frame that stand-ins have.
+//! Speed [c] in the ZAMO frame of replacements for impossible observers.
 inline constexpr double fastest_stand_in = 0.99;
 
-//! The velocity of an observer, or the nearest to it that is possible.
+//! Returns the velocity of an observer, or the nearest possible one.
 //!
-//! Where none can be as it should (at rest against the stars in the ergosphere, on a circular orbit inside that of light), the velocity
-//! in the frame of the space that is dragged along is cut to 0.99 c in the same direction. Of all that are that slow this one is nearest
-//! to what it stands in for: inside the ergosphere it is the one that the stars see turn most slowly. It sets in a little before the
-//! border (γ = 7), so that a camera that crosses it sees no jump.
+//! If an observer cannot exist (at rest relative to the stars in the ergosphere, on a circular
+//! orbit inside the photon orbit), its velocity in the ZAMO frame is limited to 0.99 c in the same
+//! direction. Of all velocities with this limit it is the closest: inside the ergosphere, the one
+//! that sees the stars rotate most slowly. The limit starts slightly before the border (γ = 7), so
+//! that a camera that crosses it sees no jump.
 NearestVelocity nearest_velocity(ObserverMotion motion, double spin, double r, double theta);
 
-//! What the renderer has to be told, and what the screen says.
+//! The observer for the renderer, and its description for the screen.
 struct ObserverView {
   ObserverMotion motion = ObserverMotion::zamo;
   Vector3<double> velocity{};  //!< in the ZAMO frame, for ObserverMotion::velocity
-  bool nearest = false;        //!< stands in for one that cannot be
+  bool nearest = false;        //!< replaces an impossible observer
   std::string name;            //!< "static observer"
-  std::string sentence;        //!< the name, the speed, and what stands in for what
+  std::string sentence;        //!< the name, the speed, and whether it is a replacement
 };
 
-//! The observer at a place. `shown` is the show's, for ObserverMode::natural, unless `own` says how the camera itself moves
-//! (on an orbit, hovering). `language`: "de", or English.
+//! Returns the observer at a position. `shown` is the show's, for ObserverMode::natural, unless
+//! `own` gives the motion of the camera itself (on an orbit, hovering). `language`: "de", otherwise
+//! English.
 ObserverView observer_view(ObserverMode mode, const CameraSettings& shown, const std::optional<ObserverView>& own,
                            double spin, double r, double theta, std::string_view language = "en");
 
-//! An observer by its motion, as observer_view has them.
+//! Returns the observer with a motion, as observer_view() does.
 ObserverView observer_of(ObserverMotion motion, const Vector3<double>& given, double spin, double r, double theta,
                          std::string_view language = "en");
 
-//! The observer of a camera that a show lets fall, at its velocity in the ZAMO frame.
+//! Returns the observer of a camera in a show's free fall, at its velocity in the ZAMO frame.
 ObserverView falling_observer(const Vector3<double>& velocity, std::string_view language = "en");
 
-//! The same within the horizon, where there is no ZAMO.
+//! Returns the same inside the horizon, where there is no ZAMO.
 ObserverView falling_within(std::string_view language = "en");
 
-//! The observer of a visitor's camera that falls into the hole, at a radius [M] outside the horizon or within it. `in_zamo` is its velocity
-//! outside, `left` its own time to the deepest place, where that is known [M].
+//! Returns the observer of a visitor's camera that falls into the hole, at a radius [M] outside or
+//! inside the horizon. `in_zamo` is its velocity outside, `left` its proper time to the smallest
+//! radius, if known [M].
 ObserverView falling_into_hole(double r, double spin, const Vector3<double>& in_zamo, std::optional<double> left,
                                std::string_view language = "en");
 
-//! Brings an observer's velocity from one to the next within a second: the sky slides where it would jump.
+//! Blends an observer's velocity to the next one's within a second, so that the sky does not jump.
 class ObserverFade {
  public:
-  //! Call once a frame with the observer that is wanted where the camera is. The motion is `velocity` while it fades, and what it was given
-  //! before and after. Observers are told apart by their names.
+  //! Returns the observer to render; call it once per frame with the wanted observer at the
+  //! camera's position. The motion is `velocity` during a fade, otherwise that of `wanted`.
+  //! Observers are distinguished by their names.
   ObserverView advance(double seconds, const ObserverView& wanted, double spin, const CameraPose& pose);
 
-  //! Whether the last of them was not yet the one that was wanted.
+  //! Returns whether the last observer was not yet the wanted one.
   [[nodiscard]] bool fading() const;
 
  private:
   std::string name_;
-  glm::dvec3 shown_{0.0};  //!< in directions that do not turn, for a camera that goes over the axis meanwhile
+  glm::dvec3 shown_{0.0};  //!< in fixed directions, so that the camera may cross the axis meanwhile
   glm::dvec3 from_{0.0};
   double elapsed_s_ = 1e9;
 };

@@ -12,12 +12,13 @@ namespace ergodome {
 
 namespace {
 
-//! A round takes this long, unless a visitor hurries.
+//! Duration of one revolution, unless the visitor hurries.
 constexpr double round_s = 40.0;
-//! And a fall through the horizon so long until 1/e of its own time is left, but for the last of it [M].
+//! Time in which the remaining proper time of a fall through the horizon decreases to 1/e, except
+//! for its last part [M].
 constexpr double fall_s = 6.0;
 constexpr double last_own_time = 0.01;
-//! Part of the acceleration that comfort allows which the orbit itself may take.
+//! Fraction of the comfortable acceleration that the orbit itself may take.
 constexpr double bend_part = 0.3;
 constexpr double tolerance = 1e-11;
 constexpr int step_limit = 400;
@@ -33,7 +34,8 @@ OrbitState orbit_at(double spin, const CameraPlace& place, const Vector3<double>
   return make_orbit(spin, pose.r, pose.theta, pose.phi, velocity);
 }
 
-//! The turn from Boyer-Lindquist's azimuth to that of ingoing Kerr coordinates for poses: none within the horizon [rad].
+//! Returns the rotation from the Boyer-Lindquist azimuth of a pose to the ingoing Kerr azimuth
+//! [rad]; 0 inside the horizon, where poses have the latter.
 double ingoing_turn_of_pose(double spin, double r) { return r > horizon_radius(spin) ? ingoing_turn(spin, r) : 0.0; }
 
 }  // namespace
@@ -104,7 +106,8 @@ double OrbitRide::clock_along(const CameraPlace& place, const glm::dvec3& veloci
 }
 
 bool OrbitRide::take_over(const CameraPlace& place, const glm::dvec3& velocity) {
-  constexpr double across_at_most = 0.02;  // nobody sees a camera change so little [distances/s]
+  // An invisible change of the camera's velocity [distances/s].
+  constexpr double across_at_most = 0.02;
   if (!(glm::length(velocity - clock_along(place, velocity) * way(place)) <= across_at_most)) {
     return false;
   }
@@ -123,18 +126,19 @@ void OrbitRide::take_clock_of(const OrbitRide& other) {
 }
 
 double OrbitRide::usual_clock() const {
-  // In a fall through the horizon what is left goes by ever more slowly: near its end there is most to see in the least time.
+  // A fall through the horizon slows down in proportion to the remaining time: near its end, most
+  // is to be seen in the least proper time.
   return left_ ? (*left_ + last_own_time) / fall_s : 2.0 * pi * begin_r_ * std::sqrt(begin_r_) / round_s;
 }
 
 double OrbitRide::comfortable_clock(double reach, double usual) const {
   const OrbitState now = rate();
   const double turn = std::sqrt(dot(now.m, now.m)) + std::abs(now.drag);
-  // The orbit's own bend, and the scale of distances that changes on the way, take a part of the acceleration.
+  // The curvature of the orbit and the changing scale of distances take part of the acceleration.
   const double bend = (1.0 / reach + 2.0 * turn) / reach;
   const double fastest =
       std::min({fastest_turn_ / std::max(turn, 1e-12), fastest_ * reach, std::sqrt(bend_part * accel_ / bend)});
-  // An orbit that falls far out may be watched; what it comes near to slows it.
+  // Orbits far out may be accelerated; they slow down when they approach the hole.
   return std::min(fastest, 1e6 * usual);
 }
 
@@ -152,7 +156,8 @@ void OrbitRide::tell_left(double r) {
   left_told_r_ = r;
 }
 
-//! Follows the orbit ahead, in steps as long as they may be.
+//! Integrates the orbit ahead with a coarse tolerance to the smallest radius. Returns nothing if
+//! that takes too many steps.
 std::optional<double> OrbitRide::time_to_deepest() const {
   constexpr double coarse = 1e-8;
   constexpr int most_steps = 2000;
@@ -195,7 +200,7 @@ void OrbitRide::advance(double seconds, double hurry, CameraPlace& place) {
     held_ = true;
   } else if (left_) {
     left_ = std::max(*left_ - clock_ * seconds, 0.0);
-    // Errors of a long way are long times near its end.
+    // Recomputed on the way, because a small relative error of a long time is large near its end.
     constexpr double nearer = 0.7;
     if (1.0 / orbit_.u < nearer * left_told_r_) {
       tell_left(1.0 / orbit_.u);

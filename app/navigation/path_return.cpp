@@ -14,16 +14,16 @@ namespace {
 
 constexpr double longest_s = 30.0;
 
-//! From 1 to 0 on [0, 1], with two derivatives of 0 at both ends.
+//! Decreases from 1 to 0 on [0, 1], with vanishing first and second derivatives at both ends.
 double fading(double s) { return 1.0 - eased(s); }
 
-//! From 0 to 0 with a slope of 1 at the start, and two derivatives of 0 at the end.
+//! Starts at 0 with slope 1 and ends at 0 with vanishing first and second derivatives.
 double coasting(double s) { return s * (1.0 + s * s * (-6.0 + s * (8.0 - 3.0 * s))); }
 
-//! The steepest slope of `fading`.
+//! The maximum slope of `fading`.
 constexpr double steepest = 1.875;
 
-//! The turn by the same rotation that is nearest to another turn.
+//! Of the two axis-angle vectors of a rotation, returns the one closer to another vector.
 glm::dvec3 nearest_turn(const glm::dvec3& turn, const glm::dvec3& to) {
   const double angle = glm::length(turn);
   if (!(angle > 0.0)) {
@@ -55,7 +55,7 @@ PathReturn::PathReturn(const FlightSpace& space, const FlightSettings& settings,
       radial_speed_((camera[1].r - camera[0].r) / seconds) {
   const double fastest_turn = one_degree * settings.comfort.turn_deg_s;
   const Offset before = offset(camera[0], path[0]);
-  // Where an offset is nearly half a turn round, its rate says little; a limit keeps that harmless.
+  // Near half a turn, the rate of an offset is unreliable; the limit keeps it harmless.
   rate_ = {shortened((start_.direction - nearest_turn(before.direction, start_.direction)) / seconds, fastest_turn),
            shortened((start_.view - nearest_turn(before.view, start_.view)) / seconds, fastest_turn)};
   const double turn = glm::length(start_.direction) + glm::length(start_.view);

@@ -5,18 +5,19 @@
 
 namespace ergodome {
 
-//! The way of a camera back to a show's path that goes on meanwhile.
+//! The way of a camera back to a show's path, which continues meanwhile.
 //!
-//! It begins with the camera's own velocity and ends with the path's. The direction and the view are those of the path, turned by what
-//! is left of the difference; the height above the horizon is a mean of the path's and of what the camera coasts to, and so never below
-//! both.
+//! It begins with the camera's velocity and ends with the path's. Direction and view are those of
+//! the path, rotated by the remaining difference. The height above the horizon is a mean of the
+//! path's and of the height that the camera coasts to, so it is never below both.
 class PathReturn {
  public:
-  //! Two instants that are `seconds` apart, of the camera and of the path; a camera that is at rest has two that are the same.
+  //! Takes two instants of the camera and of the path that are `seconds` apart. For a camera at
+  //! rest both are equal.
   PathReturn(const FlightSpace& space, const FlightSettings& settings, const CameraPlace (&camera)[2],
              const CameraPose (&path)[2], double seconds);
 
-  //! Goes on by some time, towards where the path is then.
+  //! Advances by a time toward the path's current pose. Returns the new position.
   CameraPlace advance(double seconds, const CameraPose& path);
 
   [[nodiscard]] bool arrived() const { return elapsed_s_ >= duration_s_; }
@@ -24,7 +25,8 @@ class PathReturn {
   [[nodiscard]] double left_s() const { return duration_s_ - elapsed_s_; }
 
  private:
-  //! What is between a camera and the path: rotations of the direction and of the view, as axis times angle in the path's local frame.
+  //! Difference between a camera and the path: rotations of the direction and of the view, as axis
+  //! times angle in the path's local frame.
   struct Offset {
     glm::dvec3 direction{0.0};
     glm::dvec3 view{0.0};
