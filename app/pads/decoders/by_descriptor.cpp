@@ -13,22 +13,23 @@ namespace ergodome {
 
 namespace {
 
-//! A field that is read, and where its number goes.
+//! A field to read from a report, and the target of its value.
 struct Read {
   HidField field;
   enum class As { axis, hat, numbered_button, button_array, button } as = As::axis;
-  std::size_t index = 0;  //!< of the raw axis, the (first) numbered button, or the PadButton
+  //! Index of the raw axis or of the (first) numbered button, or the PadButton.
+  std::size_t index = 0;
 };
 
-//! Finds out where a trigger rests, which descriptors leave open: at its minimum, or in the middle of its range as a stick does. It
-//! rests in the middle as long as nothing well below that was reported.
+//! Determines where a trigger rests, which descriptors do not state: at its minimum, or in the
+//! middle of its range like a stick. Assumes the middle until a value well below it is reported.
 class TriggerRest {
  public:
   explicit TriggerRest(const RawAxis& range) : least_(range.least), middle_(range.centre) {}
 
-  //! Takes a value, sets the axis' range by it, and returns whether the range was another one before.
+  //! Takes a value and sets the range of the axis accordingly. Returns whether the range changed.
   bool take(std::int32_t value, RawAxis& axis) {
-    // Rest is uncertain by an eighth of the whole range.
+    // The rest position is uncertain by an eighth of the whole range.
     const std::int64_t below = std::int64_t{middle_} - value;
     rests_at_least_ = rests_at_least_ || 4 * below > std::int64_t{middle_} - least_;
     axis.centre = rests_at_least_ ? least_ : middle_;
@@ -78,7 +79,7 @@ class ByDescriptor : public PadDecoder {
     }
     const std::uint8_t id = has_ids_ ? report[0] : 0;
     const auto bits = report_bits_.find(id);
-    // Some devices fill up their reports; what the descriptor speaks of must be there.
+    // Some devices pad their reports, so a report may be longer than described, but not shorter.
     if (bits == report_bits_.end() || (report.size() - start) * 8 < bits->second) {
       return PadReport::refused;
     }
@@ -99,7 +100,7 @@ class ByDescriptor : public PadDecoder {
   }
 
  private:
-  //! Returns whether the range of the axis has become another one.
+  //! Returns whether the range of the axis changed.
   bool find_rest(const Read& read, const RawPad& pad) {
     const auto trigger = read.as == Read::As::axis ? triggers_.find(read.index) : triggers_.end();
     return trigger != triggers_.end() && trigger->second.take(pad.values[read.index], layout_.axes[read.index]);
@@ -111,7 +112,8 @@ class ByDescriptor : public PadDecoder {
         reads_.push_back({field, Read::As::button_array, field.usage.usage});
       }
     } else if (const char* const name = generic_axis_name(field.usage); name != nullptr) {
-      // Relative axes report changes, not positions. 3D mice are the exception: they mark positions as relative.
+      // Relative axes report changes, not positions. 3D mice are an exception: they mark positions
+      // as relative.
       if (!field.is_relative || is_puck_) {
         add_axis(field, name);
       }
@@ -137,7 +139,7 @@ class ByDescriptor : public PadDecoder {
                             inside(field.greatest), std::nullopt, false});
   }
 
-  //! "slider", then "slider_2".
+  //! Returns a free name: "slider", then "slider_2".
   [[nodiscard]] std::string unused_name(const std::string& name) const {
     std::string candidate = name;
     const auto is_taken = [&](const RawAxis& axis) { return axis.name == candidate; };
@@ -149,7 +151,7 @@ class ByDescriptor : public PadDecoder {
     return candidate;
   }
 
-  //! The buttons that a report speaks of; other reports' stay.
+  //! Releases the buttons of this report; keeps those of other reports.
   void release_buttons(std::uint8_t id, RawPad& pad) const {
     for (const Read& read : reads_) {
       if (read.field.report_id != id) {
@@ -209,8 +211,8 @@ class ByDescriptor : public PadDecoder {
     return selects ? std::optional(static_cast<std::size_t>(number - 1)) : std::nullopt;
   }
 
-  //! Returns the nearest of eight directions, clockwise from the least number, up. Hats count four or eight, or the parts of a full turn;
-  //! all else is none.
+  //! Returns the nearest of eight directions, clockwise from up, which is the smallest value; -1 if
+  //! no direction. Hats have four or eight values, or divide a full turn.
   static int direction_of(const HidField& field, std::int64_t value) {
     const std::int64_t parts = field.greatest - field.least + 1;
     if (value < field.least || value > field.greatest || parts % 4 != 0) {
@@ -223,7 +225,7 @@ class ByDescriptor : public PadDecoder {
   bool is_puck_ = false;
   std::map<std::uint8_t, std::uint32_t> report_bits_;
   std::vector<Read> reads_;
-  std::map<std::size_t, TriggerRest> triggers_;  //!< by their raw axes
+  std::map<std::size_t, TriggerRest> triggers_;  //!< by raw axis
   RawLayout layout_;
 };
 

@@ -7,17 +7,18 @@
 
 namespace ergodome {
 
-// Decoders of known pads. Layouts: the comments in their files, and tests/data/hid.
+// Decoders of known controllers. Their layouts are described in their files and in tests/data/hid.
 std::unique_ptr<PadDecoder> make_dualshock4(HidBus bus);
 std::unique_ptr<PadDecoder> make_dualsense(HidBus bus);
-//! `shares`: the pad has a share button where others have view (Series X|S).
+//! `shares`: the controller has a share button in place of view (Series X|S).
 std::unique_ptr<PadDecoder> make_xbox_bluetooth(bool shares);
 std::unique_ptr<PadDecoder> make_switch_pro(HidBus bus);
 std::unique_ptr<PadDecoder> make_logitech_f310();
 std::unique_ptr<PadDecoder> make_space_mouse();
-//! `otherwise` reads what is in none of the vendor's own layouts; may be empty.
+//! `otherwise` reads reports that are not in one of the vendor's layouts; may be null.
 std::unique_ptr<PadDecoder> make_8bitdo(std::unique_ptr<PadDecoder> otherwise);
-//! Any device by its report descriptor; empty where that has no axis or button of a pad. Throws Error where it is malformed.
+//! Makes a decoder from a device's report descriptor. Returns null if that has no axis or button of
+//! a controller. Throws Error if it is malformed.
 std::unique_ptr<PadDecoder> make_by_descriptor(std::span<const std::uint8_t> descriptor);
 
 }  // namespace ergodome

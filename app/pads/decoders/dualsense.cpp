@@ -36,7 +36,8 @@ class DualSense : public PadDecoder {
     return PadReport::refused;
   }
 
-  //! Reading the pairing makes the pad send full reports until it is switched off.
+  //! Reading the pairing information makes the controller send full reports until it is switched
+  //! off.
   [[nodiscard]] std::vector<PadRequest> mode_switch() const override {
     if (bus_ != HidBus::bluetooth) {
       return {};
@@ -47,7 +48,7 @@ class DualSense : public PadDecoder {
   }
 
  private:
-  //! Sticks, triggers, a counter, hat and face, shoulders, the rest.
+  //! Order: sticks, triggers, a counter, hat and face, shoulders, others.
   static PadReport take_full(ReportBytes data, RawPad& pad) {
     pad.buttons.reset();
     take_bytes(pad, 0, data, 0, 6);
@@ -56,7 +57,7 @@ class DualSense : public PadDecoder {
     press_bits(pad, data[9],
                {{0x01, PadButton::guide},
                 {0x02, PadButton::touch},
-                {0x04, PadButton::capture},  // Mutes the microphone.
+                {0x04, PadButton::capture},  // mutes the microphone
                 {0x10, PadButton::paddle_3},
                 {0x20, PadButton::paddle_4},
                 {0x40, PadButton::paddle_1},
@@ -65,7 +66,7 @@ class DualSense : public PadDecoder {
     return PadReport::state;
   }
 
-  //! As DualShock 4's: sticks, hat and face, shoulders, PS and touch, triggers.
+  //! Order as in DualShock 4: sticks, hat and face, shoulders, PS and touch, triggers.
   static PadReport take_simple(ReportBytes data, RawPad& pad) {
     pad.buttons.reset();
     take_bytes(pad, 0, data, 0, 4);

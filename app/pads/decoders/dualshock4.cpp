@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::size_t dualshock4_usb_length = 64;
 constexpr std::size_t dualshock4_simple_length = 10;
-//! Of the reports 0x11 to 0x19 over Bluetooth, as the pad's descriptor has them: the larger ones carry sound behind the state.
+//! Lengths of the reports 0x11 to 0x19 over Bluetooth, as in the controller's descriptor: the
+//! longer ones have sound after the state.
 constexpr std::array<std::size_t, 9> full_lengths = {78, 142, 206, 270, 334, 398, 462, 526, 547};
 
 class DualShock4 : public PadDecoder {
@@ -28,7 +29,7 @@ class DualShock4 : public PadDecoder {
     if (report[0] == 0x01 && (report.size() == dualshock4_usb_length || report.size() == dualshock4_simple_length)) {
       const bool is_full = report.size() == dualshock4_usb_length;
       streams_ = streams_ || is_full;
-      // A wireless receiver goes on reporting when no pad is with it.
+      // A wireless receiver keeps reporting without a controller.
       return is_full && (report[31] & 0x04) != 0 ? PadReport::absent : take(report.subspan(1), pad);
     }
     if (report[0] < 0x11 || report[0] > 0x19 || report.size() != full_lengths[report[0] - 0x11U] ||
@@ -36,13 +37,13 @@ class DualShock4 : public PadDecoder {
       return PadReport::refused;
     }
     if ((report[1] & 0x80) == 0) {
-      return PadReport::other;  // Sound alone.
+      return PadReport::other;  // sound only
     }
     streams_ = true;
     return take(report.subspan(3), pad);
   }
 
-  //! Reading a calibration makes the pad send full reports until it is switched off.
+  //! Reading the calibration makes the controller send full reports until it is switched off.
   [[nodiscard]] std::vector<PadRequest> mode_switch() const override {
     if (bus_ != HidBus::bluetooth) {
       return {};
@@ -53,7 +54,8 @@ class DualShock4 : public PadDecoder {
   }
 
  private:
-  //! From the left stick's x on: sticks, hat and face, shoulders, PS and touch, triggers.
+  //! Order, starting with the left stick's x: sticks, hat and face, shoulders, PS and touch,
+  //! triggers.
   static PadReport take(ReportBytes data, RawPad& pad) {
     pad.buttons.reset();
     take_bytes(pad, 0, data, 0, 4);

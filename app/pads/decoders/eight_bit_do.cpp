@@ -8,10 +8,10 @@ namespace ergodome {
 namespace {
 
 constexpr std::size_t old_length = 9;
-constexpr std::size_t least_new_length = 15;  //!< as far as the battery
+constexpr std::size_t least_new_length = 15;  //!< up to the battery
 constexpr std::size_t most_new_length = 64;
 
-//! 8BitDo's own reports; whatever else such a pad sends is read by its descriptor.
+//! Reads reports in 8BitDo's layouts; all others are read by the descriptor.
 class EightBitDo : public PadDecoder {
  public:
   explicit EightBitDo(std::unique_ptr<PadDecoder> otherwise) : otherwise_(std::move(otherwise)) {
@@ -62,7 +62,7 @@ class EightBitDo : public PadDecoder {
                 {0x40, PadButton::right_stick}});
   }
 
-  //! Face, triggers as switches and middle, hat, sticks.
+  //! Order: face, triggers as switches and middle, hat, sticks.
   PadReport take_old(ReportBytes report, RawPad& pad) const {
     clear(pad);
     press_face(pad, report[0]);
@@ -75,7 +75,7 @@ class EightBitDo : public PadDecoder {
     return PadReport::state;
   }
 
-  //! Hat, sticks, right and left trigger, face, middle, two more paddles.
+  //! Order: hat, sticks, right and left trigger, face, middle, two more paddles.
   PadReport take_new(ReportBytes report, RawPad& pad) const {
     clear(pad);
     press_hat(pad, report[1]);
@@ -108,7 +108,7 @@ class EightBitDo : public PadDecoder {
     return kind;
   }
 
-  //! Everything at rest: kinds of reports may change, and what one speaks of the other does not.
+  //! Resets everything: the kind of report may change, and each omits values of the others.
   void clear(RawPad& pad) const { pad = at_rest(layout_); }
 
   static constexpr std::size_t own_axes = 6;

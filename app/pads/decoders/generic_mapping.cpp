@@ -18,7 +18,7 @@ struct NamedUsage {
   const char* name;
 };
 
-// HID Usage Tables 1.4: generic desktop_page (1), simulation (2).
+// HID Usage Tables 1.4: generic desktop (page 1), simulation (2).
 constexpr std::array<NamedUsage, 15> axis_usages = {{{{0x01, 0x30}, "x"},
                                                      {{0x01, 0x31}, "y"},
                                                      {{0x01, 0x32}, "z"},
@@ -40,7 +40,7 @@ struct ButtonUsage {
   PadButton button;
 };
 
-// Generic desktop_page: D-pad; consumer (12): home, back, record.
+// Generic desktop: D-pad; consumer (page 12): home, back, record.
 constexpr std::array<ButtonUsage, 7> button_usages = {{{{0x01, 0x90}, PadButton::dpad_up},
                                                        {{0x01, 0x91}, PadButton::dpad_down},
                                                        {{0x01, 0x92}, PadButton::dpad_right},
@@ -54,7 +54,8 @@ bool has_application(const HidLayout& hid, std::uint16_t usage) {
          hid.applications.end();
 }
 
-//! Android asks of pads that their triggers be a car's pedals; those follow its order of buttons, too.
+//! Returns whether the triggers are a car's pedals, as Android requires of game pads; these also
+//! use its order of buttons.
 bool has_pedals(const HidLayout& hid) {
   constexpr HidUsage accelerator = {0x02, 0xC4};
   return has_application(hid, game_pad) &&
@@ -71,7 +72,7 @@ class AxisMap {
     return found == axes_.end() ? nullptr : &*found;
   }
 
-  //! Whether all of them are there, and count alike.
+  //! Returns whether all these axes exist and have the same range.
   bool alike(std::initializer_list<std::string_view> names) {
     const RawAxis* const first = find(*names.begin());
     return std::all_of(names.begin(), names.end(), [&](std::string_view name) {
@@ -100,7 +101,7 @@ void map_puck(AxisMap& map) {
   map.move("rz", PadAxis::turn_yaw);
 }
 
-//! Two sticks, and what is left as triggers.
+//! Maps two sticks, and the remaining axes as triggers.
 void map_pad(AxisMap& map) {
   const bool right_is_z = map.find("z") != nullptr && map.find("rz") != nullptr &&
                           (map.alike({"x", "z", "rz"}) || map.find("rx") == nullptr || map.find("ry") == nullptr);
@@ -158,15 +159,16 @@ void map_generic_axes(const HidLayout& hid, std::vector<RawAxis>& axes) {
 
 std::vector<std::optional<PadButton>> generic_buttons(const HidLayout& hid, std::size_t count) {
   using enum PadButton;
-  // Linux' BTN_GAMEPAD on: A, B, C, X, Y, Z, TL, TR, TL2, TR2, SELECT, START, MODE, THUMBL, THUMBR.
+  // Linux order from BTN_GAMEPAD: A, B, C, X, Y, Z, TL, TR, TL2, TR2, SELECT, START, MODE, THUMBL,
+  // THUMBR.
   const std::vector<std::optional<PadButton>> by_kernel = {
       south,        east,          std::nullopt, west,  north, std::nullopt, left_shoulder, right_shoulder,
       left_trigger, right_trigger, select,       start, guide, left_stick,   right_stick};
-  // Logitech's and Sony's, and most of those without a name.
+  // Order of Logitech, Sony and most unbranded controllers.
   const std::vector<std::optional<PadButton>> by_logitech = {
       west,   south, east,       north,       left_shoulder, right_shoulder, left_trigger, right_trigger,
       select, start, left_stick, right_stick, guide,         touch,          capture};
-  // As the decoder of pucks.
+  // Order of the decoder of 3D mice.
   const std::vector<std::optional<PadButton>> by_puck = {south,         east,           west,   north,
                                                          left_shoulder, right_shoulder, select, start};
   std::vector<std::optional<PadButton>> found = by_logitech;

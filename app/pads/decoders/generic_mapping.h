@@ -8,24 +8,29 @@
 
 namespace ergodome {
 
-//! Whether one of the applications is a joystick (1:4), a game pad (1:5) or a multi-axis controller (1:8).
+//! Returns whether an application is a joystick (1:4), a game pad (1:5) or a multi-axis controller
+//! (1:8).
 bool has_pad(const HidLayout& hid);
 bool is_pad_usage(const HidUsage& usage);
 
-//! Whether one of the applications is a multi-axis controller (1:8), such as a 3D mouse.
+//! Returns whether an application is a multi-axis controller (1:8), such as a 3D mouse.
 bool is_puck(const HidLayout& hid);
 
-//! "x" to "rz", "slider", "dial", "wheel", "throttle", "brake", ...; nullptr where a usage is no axis of a pad.
+//! Returns the name of an axis: "x" to "rz", "slider", "dial", "wheel", "throttle", "brake", ...;
+//! nullptr if the usage is not an axis of a controller.
 const char* generic_axis_name(const HidUsage& usage);
 
-//! Buttons that have a usage of their own: the four of a directional pad, and those of Microsoft's pads on the consumer page.
+//! Returns the button with a specific usage: the four of a directional pad, and those of
+//! Microsoft's controllers on the consumer page.
 std::optional<PadButton> generic_button(const HidUsage& usage);
 
-//! Says what raw axes move, by the names above and their ranges: two sticks and triggers of a pad; of a flight stick x, y and the twist,
-//! because its throttle rests anywhere; the six of a puck.
+//! Maps raw axes by these names and their ranges: two sticks and the triggers of a game pad; x, y
+//! and twist of a flight stick, without its throttle, which rests anywhere; the six axes of a 3D
+//! mouse.
 void map_generic_axes(const HidLayout& hid, std::vector<RawAxis>& axes);
 
-//! What HID button 1, 2, ... is: game pads of 15 and more with pedals for triggers count as Android and Linux do, others as Logitech's.
+//! Returns the meaning of HID buttons 1, 2, ...: the order of Android and Linux for game pads with
+//! at least 15 buttons and pedals as triggers, otherwise Logitech's.
 std::vector<std::optional<PadButton>> generic_buttons(const HidLayout& hid, std::size_t count);
 
 }  // namespace ergodome

@@ -5,7 +5,8 @@ namespace ergodome {
 
 namespace {
 
-//! With its switch at D; at X it is no HID device. Eight bytes without an id: sticks, hat and face, shoulders, two of the vendor's.
+//! Reads the controller with its switch at D; at X it is not a HID device. Reports have eight bytes
+//! without an id: sticks, hat and face, shoulders, two vendor bytes.
 class LogitechF310 : public PadDecoder {
  public:
   LogitechF310() { layout_.axes = stick_axes(0, 128, 255); }

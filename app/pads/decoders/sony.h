@@ -4,7 +4,8 @@
 
 namespace ergodome {
 
-//! Whether the last four bytes of a report over Bluetooth are the CRC-32 of 0xA1 (the transport's header) and all before them.
+//! Returns whether the last four bytes of a Bluetooth report are the CRC-32 of 0xA1 (the transport
+//! header) and all bytes before them.
 inline bool sony_checksum_holds(ReportBytes report) {
   const std::size_t end = report.size() - 4;
   const auto told =
@@ -12,7 +13,7 @@ inline bool sony_checksum_holds(ReportBytes report) {
   return crc32_after(0xA1, report.first(end)) == told;
 }
 
-//! Hat in the low nibble, the four face buttons above it.
+//! Reads the hat from the low nibble and the four face buttons from the high one.
 inline void press_sony_face(RawPad& pad, std::uint8_t byte) {
   press_hat(pad, byte & 0x0F);
   press_bits(pad, byte,
@@ -31,7 +32,8 @@ inline void press_sony_shoulders(RawPad& pad, std::uint8_t byte) {
               {0x80, PadButton::right_stick}});
 }
 
-//! Sticks whose triggers are switches press the button and leave the axis at 0.
+//! Sets the axis of a pressed trigger to full if it is 0: some controllers have switches as
+//! triggers.
 inline void pull_pressed_triggers(RawPad& pad, std::uint8_t shoulders, std::size_t left, std::size_t right) {
   if ((shoulders & 0x04) != 0 && pad.values[left] == 0) {
     pad.values[left] = 255;

@@ -8,8 +8,9 @@ namespace {
 
 constexpr std::int32_t full_deflection = 350;
 
-//! 3Dconnexion's pucks. They count to the right, towards the person and downwards, and turn by the right-hand rule about these: the nose
-//! up, clockwise as seen from behind is negative, to the right.
+//! 3D mice of 3Dconnexion. Axes point to the right, toward the user and down. Rotations follow the
+//! right-hand rule about them: nose up is positive; clockwise as seen from behind is negative; to
+//! the right is positive.
 class SpaceMouse : public PadDecoder {
  public:
   SpaceMouse() {
@@ -26,7 +27,8 @@ class SpaceMouse : public PadDecoder {
 
   [[nodiscard]] std::string_view model() const override { return "SpaceMouse"; }
   [[nodiscard]] const RawLayout& layout() const override { return layout_; }
-  //! Reports come in a stream as long as the puck is moved, and zeros after that; should those be lost, it is not for ever.
+  //! Reports arrive continuously while the puck moves, followed by zeros; the timeout applies if
+  //! those are lost.
   [[nodiscard]] double silent_after_s() const override { return 0.5; }
 
   PadReport decode(ReportBytes report, RawPad& pad) override {
@@ -41,14 +43,15 @@ class SpaceMouse : public PadDecoder {
       case 0x03:
         return take_buttons(report, pad);
       case 0x17:
-        return report.size() >= 2 && report.size() <= 8 ? PadReport::other : PadReport::refused;  // The battery.
+        // Battery.
+        return report.size() >= 2 && report.size() <= 8 ? PadReport::other : PadReport::refused;
       default:
         return PadReport::refused;
     }
   }
 
  private:
-  //! Three axes or, of newer pucks, all six.
+  //! Reads three axes, or all six of newer models.
   static PadReport take_axes(ReportBytes report, std::size_t first, RawPad& pad) {
     if (report.size() != 7 && report.size() != 13) {
       return PadReport::refused;
@@ -59,7 +62,7 @@ class SpaceMouse : public PadDecoder {
     return PadReport::state;
   }
 
-  //! The left one, the right one, and on larger models further ones in order.
+  //! Reads the left and right buttons, and further ones of larger models in order.
   static PadReport take_buttons(ReportBytes report, RawPad& pad) {
     if (report.size() < 2 || report.size() > 16) {
       return PadReport::refused;

@@ -7,7 +7,8 @@
 
 namespace ergodome {
 
-//! The raw axes of a pad with two sticks that count right and down, in the order left x, left y, right x, right y.
+//! Returns the raw axes of a controller with two sticks that count right and down: left x, left y,
+//! right x, right y.
 inline std::vector<RawAxis> stick_axes(std::int32_t least, std::int32_t centre, std::int32_t greatest) {
   return {{"left_x", least, centre, greatest, PadAxis::left_x, false},
           {"left_y", least, centre, greatest, PadAxis::left_y, true},
@@ -15,7 +16,7 @@ inline std::vector<RawAxis> stick_axes(std::int32_t least, std::int32_t centre, 
           {"right_y", least, centre, greatest, PadAxis::right_y, true}};
 }
 
-//! The same with two triggers after them, from 0 to `full`.
+//! Returns the same axes followed by two triggers, from 0 to `full`.
 inline std::vector<RawAxis> stick_and_trigger_axes(std::int32_t least, std::int32_t centre, std::int32_t greatest,
                                                    std::int32_t full) {
   std::vector<RawAxis> axes = stick_axes(least, centre, greatest);
@@ -24,14 +25,14 @@ inline std::vector<RawAxis> stick_and_trigger_axes(std::int32_t least, std::int3
   return axes;
 }
 
-//! Takes bytes of a report, from `at` on, as the raw axes from `first` on.
+//! Copies `count` bytes of a report from `at` on to the raw axes from `first` on.
 inline void take_bytes(RawPad& pad, std::size_t first, ReportBytes report, std::size_t at, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     pad.values[first + i] = report[at + i];
   }
 }
 
-//! The same for words of 16 bits.
+//! Copies 16-bit words in the same way.
 inline void take_words(RawPad& pad, std::size_t first, ReportBytes report, std::size_t at, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     pad.values[first + i] = u16_at(report, at + 2 * i);

@@ -6,12 +6,13 @@ namespace ergodome {
 namespace {
 
 constexpr std::size_t switch_simple_length = 12;
-constexpr std::size_t least_full_length = 12;  //!< as far as the sticks; the rest is motion
-constexpr std::size_t most_full_length = 64;   //!< USB pads its reports to this; Bluetooth sends 49
+constexpr std::size_t least_full_length = 12;  //!< up to the sticks; motion data follows
+//! USB pads its reports to this length; Bluetooth sends 49.
+constexpr std::size_t most_full_length = 64;
 constexpr std::uint32_t factory_sticks = 0x603D;
 constexpr std::uint32_t user_sticks = 0x8010;
 
-//! Two numbers of 12 bits in three bytes.
+//! Two 12-bit numbers in three bytes.
 struct Pair {
   std::int32_t x = 0;
   std::int32_t y = 0;
@@ -21,7 +22,7 @@ Pair pair_at(ReportBytes bytes, std::size_t at) {
   return {bytes[at] | ((bytes[at + 1] & 0x0F) << 8), (bytes[at + 1] >> 4) | (bytes[at + 2] << 4)};
 }
 
-//! Where a stick rests and how far it goes, of three pairs.
+//! Rest position and range of a stick, from three pairs.
 struct StickRange {
   Pair centre;
   Pair above;
@@ -36,11 +37,13 @@ void set_range(RawAxis& axis, std::int32_t centre, std::int32_t above, std::int3
   }
 }
 
-//! Nintendo's: 0x3F simple (Bluetooth, until asked), 0x30 full, 0x21 full with an answer, 0x81 answers over USB.
+//! Reports of Nintendo: 0x3F simple (Bluetooth, by default), 0x30 full, 0x21 full with an answer,
+//! 0x81 answers over USB.
 class SwitchPro : public PadDecoder {
  public:
   explicit SwitchPro(HidBus bus) : bus_(bus) {
-    // Sticks reach some 3/4 of their 12 bits; the pad's own calibration says it exactly. Full reports count up, not down.
+    // Sticks use about 3/4 of their 12 bits; the controller's calibration has the exact range. Full
+    // reports count up, not down.
     layout_.axes = stick_axes(548, 2048, 3548);
     layout_.axes[1].inverted = false;
     layout_.axes[3].inverted = false;
@@ -72,7 +75,8 @@ class SwitchPro : public PadDecoder {
     }
   }
 
-  //! USB: handshake, 3 Mbit/s, handshake, no time-out. Then the sticks' calibrations, and full reports.
+  //! Over USB: handshake, 3 Mbit/s, handshake, no timeout. Then reads the sticks' calibrations and
+  //! requests full reports.
   [[nodiscard]] std::vector<PadRequest> mode_switch() const override {
     std::vector<PadRequest> requests;
     if (bus_ == HidBus::usb) {
@@ -96,14 +100,14 @@ class SwitchPro : public PadDecoder {
     return {PadRequest::Kind::write, std::move(bytes)};
   }
 
-  //! Output report 0x01: a counter, rumble at rest, the subcommand.
+  //! Returns output report 0x01: a counter, rumble off, the subcommand.
   [[nodiscard]] PadRequest subcommand(std::uint8_t counter, std::initializer_list<std::uint8_t> command) const {
     std::vector<std::uint8_t> bytes = {0x01, counter, 0x00, 0x01, 0x40, 0x40, 0x00, 0x01, 0x40, 0x40};
     bytes.insert(bytes.end(), command);
     return padded(std::move(bytes));
   }
 
-  //! Puts axes at rest that the other kind of report speaks of.
+  //! Centers the axes that belong to the other kind of report.
   void rest(RawPad& pad, std::size_t first) const {
     for (std::size_t i = first; i < first + 4; ++i) {
       pad.values[i] = layout_.axes[i].centre;
@@ -168,7 +172,7 @@ class SwitchPro : public PadDecoder {
     return PadReport::state;
   }
 
-  //! State, and from byte 13: acknowledgement, subcommand, address (4), length, data.
+  //! Reads the state, and from byte 13: acknowledgment, subcommand, address (4), length, data.
   PadReport take_answer(ReportBytes report, RawPad& pad) {
     const PadReport state = take_full(report, pad);
     if (report.size() < 20 || report[14] != 0x10) {
@@ -195,7 +199,7 @@ class SwitchPro : public PadDecoder {
     return state;
   }
 
-  //! Each stick's nine bytes stand behind 0xB2 0xA1 where there are any.
+  //! Reads the user's calibration: nine bytes per stick after 0xB2 0xA1, if present.
   PadReport take_user_calibration(ReportBytes data) {
     const bool has_left = u16_at(data, 0) == 0xA1B2;
     const bool has_right = u16_at(data, 11) == 0xA1B2;
@@ -221,7 +225,7 @@ class SwitchPro : public PadDecoder {
   HidBus bus_;
   RawLayout layout_;
   bool streams_ = false;
-  bool user_left_ = false;  //!< a person's calibration beats the factory's
+  bool user_left_ = false;  //!< the user's calibration has priority over the factory's
   bool user_right_ = false;
 };
 

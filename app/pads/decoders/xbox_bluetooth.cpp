@@ -9,10 +9,11 @@ namespace ergodome {
 namespace {
 
 constexpr std::size_t xbox_old_length = 16;
-//! One S with newer firmware and Series X|S; Elite 2 by firmware.
+//! Lengths for One S with newer firmware and Series X|S; Elite 2 depending on firmware.
 constexpr std::array<std::size_t, 5> new_lengths = {17, 19, 33, 39, 55};
 
-//! Pads of Microsoft over Bluetooth; over USB they are no HID devices. Axes have 16 bits about 0x8000, triggers 10.
+//! Microsoft's controllers over Bluetooth; over USB they are not HID devices. Axes have 16 bits
+//! around 0x8000, triggers 10.
 class XboxBluetooth : public PadDecoder {
  public:
   explicit XboxBluetooth(bool shares) : shares_(shares) {
@@ -29,7 +30,7 @@ class XboxBluetooth : public PadDecoder {
       return PadReport::state;
     }
     if (report.size() == 2 && report[0] == 0x04) {
-      return PadReport::other;  // The battery.
+      return PadReport::other;  // battery
     }
     if (report.empty() || report[0] != 0x01) {
       return PadReport::refused;
@@ -84,7 +85,7 @@ class XboxBluetooth : public PadDecoder {
   }
 
   bool shares_;
-  bool guide_ = false;  //!< older firmware tells it in a report of its own
+  bool guide_ = false;  //!< older firmware reports it separately
   RawLayout layout_;
 };
 
