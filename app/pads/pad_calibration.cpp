@@ -9,7 +9,7 @@ namespace ergodome {
 
 namespace {
 
-//! More than this part of an axis' range is motion, less is noise.
+//! A larger fraction of an axis' range is motion, a smaller one is noise.
 constexpr double motion = 0.04;
 constexpr double least_travel = 0.5;
 
@@ -79,7 +79,8 @@ std::vector<std::string> PadCalibrator::unmoved() const {
   return names;
 }
 
-//! How far from its middle an axis was found at rest, as a part of its half range.
+//! Returns the largest deviation of an axis at rest from its center, as a fraction of half its
+//! range.
 double PadCalibrator::wander(std::size_t axis) const {
   const double middle = rest_[axis].middle();
   const double farthest =
@@ -98,7 +99,7 @@ void PadCalibrator::set_dead_zone(PadCurve& curve, PadAxis x, PadAxis y) const {
     }
   }
   if (any) {
-    // Springs do not bring a stick back to the same place each time: half as much again, and a little.
+    // Springs do not return a stick to exactly the same position, so a margin is added.
     const double dead_zone = std::clamp(0.05 + 1.5 * std::sqrt(square), 0.05, 0.4);
     curve.dead_zone = std::round(dead_zone * 1000.0) / 1000.0;
     curve.full_at = std::max(curve.full_at, curve.dead_zone + 0.1);

@@ -8,23 +8,24 @@
 
 namespace ergodome {
 
-//! Measures the range and the center of each raw axis, and the dead zones, while a person moves all sticks round, presses the
-//! triggers, and releases everything.
+//! Measures the range and center of each raw axis, and the dead zones, while the user moves all
+//! sticks in circles, presses the triggers, and releases everything.
 class PadCalibrator {
  public:
-  //! It is done when nothing has moved for `rest_s` after something was moved.
+  //! Calibration is done when nothing has moved for `rest_s` after something was moved.
   explicit PadCalibrator(RawLayout layout, double rest_s = 2.0);
 
   void take(const RawPad& pad, double now_s);
   [[nodiscard]] bool is_done(double now_s) const;
 
-  //! Returns the profile with the measured values. Axes that moved through less than half of their range stay unchanged.
+  //! Returns the profile with the measured values. Axes that moved through less than half of their
+  //! range stay unchanged.
   [[nodiscard]] PadProfile applied_to(PadProfile profile) const;
   //! Returns the names of the unchanged axes.
   [[nodiscard]] std::vector<std::string> unmoved() const;
 
  private:
-  //! From where to where an axis went.
+  //! The range of values of an axis.
   struct Range {
     std::int32_t least = 0;
     std::int32_t greatest = 0;

@@ -20,31 +20,48 @@ struct Known {
 };
 
 constexpr std::array known_pads = std::to_array<Known>({
-    {0x054C, 0x05C4, Model::dualshock4},   {0x054C, 0x09CC, Model::dualshock4},
-    {0x054C, 0x0BA0, Model::dualshock4},                                        // The wireless receiver.
-    {0x054C, 0x0CE6, Model::dualsense},    {0x054C, 0x0DF2, Model::dualsense},  // Edge.
-    {0x045E, 0x02E0, Model::xbox},                                              // One S.
-    {0x045E, 0x02FD, Model::xbox},         {0x045E, 0x0B20, Model::xbox},
-    {0x045E, 0x0B05, Model::xbox},                                               // Elite 2.
-    {0x045E, 0x0B22, Model::xbox},         {0x045E, 0x0B0C, Model::xbox},        // Adaptive.
-    {0x045E, 0x0B21, Model::xbox},         {0x045E, 0x0B13, Model::xbox_share},  // Series X|S.
-    {0x057E, 0x2009, Model::switch_pro},   {0x046D, 0xC216, Model::f310},
-    {0x046D, 0xC625, Model::space_mouse},  // Pilot; then Navigator, Explorer, Navigator for notebooks, Pilot Pro, Pro.
-    {0x046D, 0xC626, Model::space_mouse},  {0x046D, 0xC627, Model::space_mouse},
-    {0x046D, 0xC628, Model::space_mouse},  {0x046D, 0xC629, Model::space_mouse},
-    {0x046D, 0xC62B, Model::space_mouse},  {0x256F, 0xC62E, Model::space_mouse},  // Wireless.
-    {0x256F, 0xC62F, Model::space_mouse},  {0x256F, 0xC63A, Model::space_mouse},
-    {0x256F, 0xC631, Model::space_mouse},  // Pro Wireless.
-    {0x256F, 0xC632, Model::space_mouse},  {0x256F, 0xC638, Model::space_mouse},
-    {0x256F, 0xC633, Model::space_mouse},   // Enterprise.
-    {0x256F, 0xC635, Model::space_mouse},   // Compact.
-    {0x256F, 0xC636, Model::space_mouse},   // Module.
-    {0x256F, 0xC652, Model::space_mouse},   // The receiver for all of them.
-    {0x2DC8, 0x6000, Model::eight_bit_do},  // SF30 Pro, SN30 Pro, Pro 2, Pro 3, Ultimate 2 Wireless, Ultimate 3.
-    {0x2DC8, 0x6100, Model::eight_bit_do}, {0x2DC8, 0x6001, Model::eight_bit_do},
-    {0x2DC8, 0x6101, Model::eight_bit_do}, {0x2DC8, 0x6003, Model::eight_bit_do},
-    {0x2DC8, 0x6006, Model::eight_bit_do}, {0x2DC8, 0x6009, Model::eight_bit_do},
-    {0x2DC8, 0x6012, Model::eight_bit_do}, {0x2DC8, 0x202F, Model::eight_bit_do},
+    {0x054C, 0x05C4, Model::dualshock4},
+    {0x054C, 0x09CC, Model::dualshock4},
+    {0x054C, 0x0BA0, Model::dualshock4},  // wireless receiver
+    {0x054C, 0x0CE6, Model::dualsense},
+    {0x054C, 0x0DF2, Model::dualsense},  // Edge
+    {0x045E, 0x02E0, Model::xbox},       // One S
+    {0x045E, 0x02FD, Model::xbox},
+    {0x045E, 0x0B20, Model::xbox},
+    {0x045E, 0x0B05, Model::xbox},  // Elite 2
+    {0x045E, 0x0B22, Model::xbox},
+    {0x045E, 0x0B0C, Model::xbox},  // Adaptive
+    {0x045E, 0x0B21, Model::xbox},
+    {0x045E, 0x0B13, Model::xbox_share},  // Series X|S
+    {0x057E, 0x2009, Model::switch_pro},
+    {0x046D, 0xC216, Model::f310},
+    // Pilot; then Navigator, Explorer, Navigator for notebooks, Pilot Pro, Pro.
+    {0x046D, 0xC625, Model::space_mouse},
+    {0x046D, 0xC626, Model::space_mouse},
+    {0x046D, 0xC627, Model::space_mouse},
+    {0x046D, 0xC628, Model::space_mouse},
+    {0x046D, 0xC629, Model::space_mouse},
+    {0x046D, 0xC62B, Model::space_mouse},
+    {0x256F, 0xC62E, Model::space_mouse},  // Wireless
+    {0x256F, 0xC62F, Model::space_mouse},
+    {0x256F, 0xC63A, Model::space_mouse},
+    {0x256F, 0xC631, Model::space_mouse},  // Pro Wireless
+    {0x256F, 0xC632, Model::space_mouse},
+    {0x256F, 0xC638, Model::space_mouse},
+    {0x256F, 0xC633, Model::space_mouse},  // Enterprise
+    {0x256F, 0xC635, Model::space_mouse},  // Compact
+    {0x256F, 0xC636, Model::space_mouse},  // Module
+    {0x256F, 0xC652, Model::space_mouse},  // universal receiver
+    // SF30 Pro, SN30 Pro, Pro 2, Pro 3, Ultimate 2 Wireless, Ultimate 3.
+    {0x2DC8, 0x6000, Model::eight_bit_do},
+    {0x2DC8, 0x6100, Model::eight_bit_do},
+    {0x2DC8, 0x6001, Model::eight_bit_do},
+    {0x2DC8, 0x6101, Model::eight_bit_do},
+    {0x2DC8, 0x6003, Model::eight_bit_do},
+    {0x2DC8, 0x6006, Model::eight_bit_do},
+    {0x2DC8, 0x6009, Model::eight_bit_do},
+    {0x2DC8, 0x6012, Model::eight_bit_do},
+    {0x2DC8, 0x202F, Model::eight_bit_do},
 });
 
 const Known* known_of(const HidDeviceInfo& info) {
@@ -54,7 +71,7 @@ const Known* known_of(const HidDeviceInfo& info) {
   return found == known_pads.end() ? nullptr : found;
 }
 
-//! By its descriptor; empty where that is malformed or speaks of no pad.
+//! Makes a decoder from the descriptor; null if that is malformed or not of a controller.
 std::unique_ptr<PadDecoder> by_descriptor(std::span<const std::uint8_t> descriptor) {
   try {
     return make_by_descriptor(descriptor);
@@ -96,7 +113,8 @@ RawPad at_rest(const RawLayout& layout) {
 }
 
 bool is_pad(const HidDeviceInfo& info) {
-  // A known pad's other interfaces (keyboards of larger pucks, receivers) are none.
+  // Other interfaces of a known device (keyboards of larger 3D mice, receivers) are not
+  // controllers.
   return info.usages.empty() ? known_of(info) != nullptr
                              : std::any_of(info.usages.begin(), info.usages.end(), is_pad_usage);
 }

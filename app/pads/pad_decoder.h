@@ -11,22 +11,23 @@
 
 namespace ergodome {
 
-//! What a report was.
+//! Result of decoding a report.
 enum class PadReport {
-  state,    //!< the pad's state
-  other,    //!< known, and not about the state: a battery, an answer
-  absent,   //!< a receiver says that no pad is with it
-  changed,  //!< the layout is another now
-  refused   //!< unknown id, wrong length, wrong checksum
+  state,    //!< the controller's state
+  other,    //!< known, but not a state: a battery level, an answer
+  absent,   //!< a receiver reports that it has no controller
+  changed,  //!< the layout changed
+  refused   //!< unknown id, wrong length or wrong checksum
 };
 
-//! A message that asks a pad for another kind of reports.
+//! A message that makes a controller send another kind of report.
 struct PadRequest {
   enum class Kind { write, get_feature } kind = Kind::write;
-  std::vector<std::uint8_t> bytes;  //!< of get_feature: the id, and room for the answer
+  std::vector<std::uint8_t> bytes;  //!< for get_feature: the id, and space for the answer
 };
 
-//! Reads the reports of one kind of pads. Whatever the bytes are, it reads none beyond a report's end.
+//! Reads the reports of one kind of controller. Never reads beyond the end of a report, whatever
+//! its bytes are.
 class PadDecoder {
  public:
   PadDecoder() = default;
@@ -34,24 +35,29 @@ class PadDecoder {
   PadDecoder& operator=(const PadDecoder&) = delete;
   virtual ~PadDecoder() = default;
 
-  //! Returns the model that the decoder is for: "DualSense"; for unknown devices "described by its report descriptor".
+  //! Returns the model that the decoder is for: "DualSense"; for unknown devices "described by its
+  //! report descriptor".
   [[nodiscard]] virtual std::string_view model() const = 0;
   [[nodiscard]] virtual const RawLayout& layout() const = 0;
-  //! Takes a report into `pad`, which holds what the last ones said; a refused report leaves it as it was.
+  //! Updates `pad`, which holds the state after earlier reports. A refused report leaves it
+  //! unchanged.
   virtual PadReport decode(ReportBytes report, RawPad& pad) = 0;
-  //! After so long without a report the pad counts as let go [s]; 0: it reports changes alone.
+  //! Returns the time without reports [s] after which the controller counts as released; 0 if it
+  //! reports only changes.
   [[nodiscard]] virtual double silent_after_s() const { return 0.0; }
-  //! What asks the pad for its full reports; empty where there is nothing to ask.
+  //! Returns the messages that request full reports; empty if none are needed.
   [[nodiscard]] virtual std::vector<PadRequest> mode_switch() const { return {}; }
 };
 
-//! All raw axes at rest, no button pressed.
+//! Returns a state with all raw axes at rest and no button pressed.
 RawPad at_rest(const RawLayout& layout);
 
-//! Whether a device is a pad, joystick, or puck that is read, by its vendor, product and usages.
+//! Returns whether a device is a supported controller, joystick or 3D mouse, according to its
+//! vendor, product and usages.
 bool is_pad(const HidDeviceInfo& info);
 
-//! The decoder of a device that is one; empty where its reports cannot be read (`descriptor` is empty or says nothing of axes).
+//! Makes the decoder of a controller. Returns null if its reports cannot be read (`descriptor` is
+//! empty or has no axes).
 std::unique_ptr<PadDecoder> make_pad_decoder(const HidDeviceInfo& info, std::span<const std::uint8_t> descriptor);
 
 }  // namespace ergodome

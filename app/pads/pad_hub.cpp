@@ -13,7 +13,7 @@ namespace {
 constexpr double scan_every_s = 1.0;
 constexpr std::size_t longest_report = 65'536;
 constexpr std::size_t most_pads = 16;
-//! One pad is waited for; of several none may be kept waiting by another.
+//! Waiting times for reports. With several controllers they are short, so that none delays another.
 constexpr int one_pad_wait_ms = 8;
 constexpr int several_pads_wait_ms = 2;
 constexpr int no_pad_wait_ms = 200;
@@ -155,7 +155,7 @@ void PadHub::poll(int wait_ms) {
     next_scan_s_ = now + scan_every_s;
   }
   if (pump(wait_ms)) {
-    // One is gone; it may be somewhere else by now.
+    // A controller is gone; it may already have reappeared elsewhere.
     next_scan_s_ = std::min(next_scan_s_, now + 0.25);
   }
   publish(now_s_());
@@ -205,7 +205,7 @@ void PadHub::open(const HidDeviceInfo& info, double now_s) {
                                                    profile, settings_.stuck_after_s, now_s));
 }
 
-//! True when a pad is gone.
+//! Reads all controllers. Returns true if one is gone.
 bool PadHub::pump(int wait_ms) {
   const std::size_t before = sessions_.size();
   std::erase_if(sessions_, [&](const auto& session) {
@@ -270,7 +270,7 @@ void PadHub::publish(double now_s) {
     add(view.presses, session->take_presses());
   }
   views_.insert(views_.end(), denied_.begin(), denied_.end());
-  // Where nobody asks for snapshots, pads that are gone must not gather.
+  // If no snapshots are taken, removed controllers must not accumulate.
   while (views_.size() > 4 * most_pads) {
     const auto gone = std::find_if(views_.begin(), views_.end(), [](const PadView& view) { return !view.connected; });
     if (gone == views_.end()) {

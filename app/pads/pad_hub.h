@@ -8,60 +8,62 @@
 
 namespace ergodome {
 
-//! A pad as a frame sees it.
+//! A controller in one frame.
 struct PadView {
   std::shared_ptr<const PadIdentity> identity;
-  int number = 0;              //!< from 1; a pad that comes back takes the least that is free
-  bool connected = false;      //!< false: gone since the last snapshot, or not to be opened
-  bool absent = false;         //!< a receiver without its pad
-  bool stuck = false;          //!< an axis is left out because it does not move
-  PadState state;              //!< after the settings; at rest once it is gone
+  int number = 0;              //!< from 1; a controller that returns takes the lowest free number
+  bool connected = false;      //!< false: gone since the last snapshot, or could not be opened
+  bool absent = false;         //!< a receiver without its controller
+  bool stuck = false;          //!< an axis is ignored because it does not move
+  PadState state;              //!< after applying the settings; at rest after it is gone
   PadPresses presses{};        //!< since the last snapshot
-  double last_report_s = 0.0;  //!< of the hub's clock
-  double last_input_s = 0.0;   //!< when the state changed last; minus infinity: never
+  double last_report_s = 0.0;  //!< by the hub's clock
+  double last_input_s = 0.0;   //!< when the state last changed; minus infinity: never
   long reports = 0;
-  long refused = 0;     //!< reports that were not understood
-  std::string problem;  //!< why it cannot be read, and what to do; empty: nothing is wrong
+  long refused = 0;     //!< malformed reports
+  std::string problem;  //!< why it cannot be read, and what to do; empty: no problem
 };
 
-//! All pads at one instant.
+//! All controllers at one instant.
 struct PadSnapshot {
-  double time_s = 0.0;  //!< of the hub's clock
+  double time_s = 0.0;  //!< by the hub's clock
   std::vector<PadView> pads;
-  std::string problem;  //!< of the whole library; empty: none
+  std::string problem;  //!< of the library; empty: none
 
-  //! All pads as one: of each axis the strongest, of buttons any.
+  //! Merges all controllers: the strongest value of each axis, and buttons pressed on any.
   [[nodiscard]] PadState merged() const;
-  //! How often a button went down on any pad since the last snapshot.
+  //! Returns how often a button was pressed on any controller since the last snapshot.
   [[nodiscard]] int presses(PadButton button) const;
-  //! When any pad's state changed last [s]; minus infinity: never.
+  //! Returns when any controller's state last changed [s]; minus infinity: never.
   [[nodiscard]] double last_input_s() const;
 };
 
-//! Finds, opens and reads pads on a thread of its own. Pads come and go, and nothing here throws once it runs.
+//! Finds, opens and reads controllers on a separate thread. They may come and go at any time;
+//! nothing throws once it runs.
 class PadHub {
  public:
-  //! `now_s` tells seconds from any beginning; by default those of the steady clock since the hub was made.
+  //! `now_s` returns seconds from an arbitrary origin; by default, those since construction by the
+  //! steady clock.
   explicit PadHub(std::unique_ptr<HidApi> api, PadSettings settings = {}, std::function<double()> now_s = {});
   ~PadHub();
   PadHub(const PadHub&) = delete;
   PadHub& operator=(const PadHub&) = delete;
 
-  //! Starts the thread; call once.
+  //! Starts the thread. Call it once.
   void start();
   void stop();
 
-  //! What the thread does over and over: looks for pads once a second, reads, publishes. For tests and for commands without a thread;
-  //! waits at most `wait_ms`.
+  //! Runs one iteration of the thread: looks for controllers once a second, reads, publishes. For
+  //! tests and for commands without a thread. Waits at most `wait_ms`.
   void poll(int wait_ms = 0);
 
-  //! The pads now. Takes the presses, so it is for one reader.
+  //! Returns the current controllers. Resets the presses, so there must be only one reader.
   PadSnapshot snapshot();
 
-  //! Uses other settings from now on: every pad is opened anew.
+  //! Switches to other settings and reopens every controller.
   void use(PadSettings settings);
 
-  //! Sessions of open pads, for calibration; only where there is no thread.
+  //! Returns the sessions of open controllers, for calibration; only without a thread.
   [[nodiscard]] const std::vector<std::unique_ptr<PadSession>>& sessions() const { return sessions_; }
 
  private:
@@ -88,7 +90,7 @@ class PadHub {
   double next_scan_s_ = 0.0;
   std::string problem_;
 
-  mutable std::mutex mutex_;  //!< of what follows
+  mutable std::mutex mutex_;  //!< guards the members below
   std::condition_variable wake_;
   bool stopping_ = false;
   std::vector<PadView> views_;
@@ -99,10 +101,11 @@ class PadHub {
   std::thread thread_;
 };
 
-//! The controllers that could be read, and how they call themselves: name, connection, path.
+//! Returns the identity of a device: name, connection and path as reported, and the decoder's
+//! model.
 PadIdentity identity_of(const HidDeviceInfo& info, std::string_view model);
 
-//! Returns the message about a pad that may not be opened.
+//! Returns the message about a controller that may not be opened.
 std::string permission_remedy(const HidDeviceInfo& info);
 
 }  // namespace ergodome

@@ -18,7 +18,7 @@ std::string live_line(const PadView& pad) {
   if (!pad.connected) {
     return line + " unplugged";
   }
-  // Plus zero makes a negative zero, of a stick at rest just below its middle, positive.
+  // Adding zero turns negative zero, of a stick at rest just below its center, into positive zero.
   const auto axis = [&](PadAxis which) { return pad.state.axis(which) + 0.0F; };
   fmt::format_to(std::back_inserter(line), " left {:+.2f} {:+.2f}  right {:+.2f} {:+.2f}  triggers {:.2f} {:.2f}",
                  axis(PadAxis::left_x), axis(PadAxis::left_y), axis(PadAxis::right_x), axis(PadAxis::right_y),

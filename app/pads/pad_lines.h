@@ -6,7 +6,8 @@
 
 namespace ergodome {
 
-//! A pad's live values on a line: "1 Wireless Controller (USB): left -0.12 +0.98  right +0.00 +0.00  triggers 0.00 0.50  south".
+//! Formats a controller's live values on a line: "1 Wireless Controller (USB): left -0.12 +0.98
+//! right +0.00 +0.00  triggers 0.00 0.50  south".
 std::string live_line(const PadView& pad);
 
 }  // namespace ergodome

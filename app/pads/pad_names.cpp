@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, pad_button_count> button_names = {
     "select",     "start",   "guide", "left_stick", "right_stick",   "dpad_up",        "dpad_down",    "dpad_left",
     "dpad_right", "capture", "touch", "paddle_1",   "paddle_2",      "paddle_3",       "paddle_4"};
 
-// As app/pads/decoders name them.
+// The names used in app/pads/decoders.
 constexpr std::array<std::string_view, 13> known_raw_axes = {"left_x",
                                                              "left_y",
                                                              "right_x",
@@ -36,7 +36,8 @@ constexpr std::array<std::string_view, 15> usage_raw_axes = {"x",        "y",   
                                                              "rz",       "slider",      "dial",  "wheel",  "rudder",
                                                              "throttle", "accelerator", "brake", "clutch", "steering"};
 
-//! "slider" of "slider_2"; the whole name where it ends in no number that a raw axis can have.
+//! Returns "slider" for "slider_2"; the whole name if it does not end in a number that a raw axis
+//! can have.
 std::string_view without_number(std::string_view name) {
   const std::size_t bar = name.rfind('_');
   if (bar == std::string_view::npos || name.substr(bar + 1).starts_with('0')) {

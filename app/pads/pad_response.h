@@ -7,22 +7,25 @@
 
 namespace ergodome {
 
-//! What a deflection from 0 to 1 becomes.
+//! Applies a response curve to a deflection from 0 to 1.
 double shaped(double deflection, const PadCurve& curve);
 
-//! Shapes a vector's length and keeps its direction; no longer than 1.
+//! Applies a response curve to the length of a vector, limited to 1; keeps the direction.
 void shape_radially(std::span<float> vector, const PadCurve& curve);
 
-//! Turns a device's numbers into a PadState: calibration, mapping, inversion, dead zones and curves of a profile.
+//! Converts raw values to a PadState: calibration, mapping, inversion, dead zones and curves of a
+//! profile.
 class PadResponse {
  public:
   PadResponse(const RawLayout& layout, const PadProfile& profile);
 
-  //! `ignored` raw axes count as at rest. Triggers count as buttons, too: from half way down, until 0.4 (what they are in `before`).
+  //! Converts raw values. `ignored` raw axes count as at rest. Triggers also count as buttons:
+  //! pressed from one half, released below 0.4; `before` is the last state.
   [[nodiscard]] PadState apply(const RawPad& raw, const std::bitset<most_raw_axes>& ignored,
                                const PadState& before) const;
 
-  //! Where a raw axis is, before dead zones: -1 to 1, triggers 0 to 1; 0 where it moves nothing.
+  //! Returns the position of a raw axis before dead zones: -1 to 1, triggers 0 to 1; 0 if it
+  //! controls nothing.
   [[nodiscard]] double position(std::size_t raw_axis, std::int32_t value) const;
 
  private:

@@ -9,7 +9,7 @@ namespace ergodome {
 
 namespace {
 
-//! What counts as deflected, and as moved, of a whole axis.
+//! Thresholds of deflection and of motion, as fractions of the whole axis.
 constexpr double deflected = 0.2;
 constexpr double moved = 0.05;
 
@@ -90,7 +90,7 @@ void PadSession::note_motion(double now_s) {
     if (raw_.values[i] == still.value) {
       continue;
     }
-    // A stuck axis that trembles is still stuck: what it is compared with stays.
+    // A stuck axis that jitters is still stuck, so its reference value is kept.
     if (ignored_[i] && std::abs(response_.position(i, raw_.values[i]) - response_.position(i, still.value)) < moved) {
       continue;
     }
@@ -139,7 +139,7 @@ void PadSession::watch(double now_s) {
     any = look_after(i, now_s) || any;
   }
   if (any) {
-    // What a stuck axis stops saying is no input.
+    // An axis that becomes ignored is not an input.
     state_ = response_.apply(raw_, ignored_, state_);
   }
 }

@@ -9,27 +9,28 @@
 
 namespace ergodome {
 
-//! How often each button went down.
+//! How often each button was pressed.
 using PadPresses = std::array<std::uint16_t, pad_button_count>;
 
-//! A pad that is open: reads its reports, keeps its state, counts presses, and lets go what is stuck or silent. Not for several threads.
+//! An open controller: reads its reports, keeps its state, counts presses, and releases it if it is
+//! stuck or silent. Not thread-safe.
 class PadSession {
  public:
-  //! `stuck_after_s` as in PadSettings.
+  //! `stuck_after_s` is that of PadSettings.
   PadSession(PadIdentity identity, std::unique_ptr<HidDevice> device, std::unique_ptr<PadDecoder> decoder,
              const PadProfile& profile, double stuck_after_s, double now_s);
 
-  //! Reads what has come, at most `most_reports`, and waits up to `wait_ms` for the first. How many reports; -1 once the pad is gone.
-  //! `buffer` is for a report.
+  //! Reads the pending reports, at most `most_reports`, and waits up to `wait_ms` for the first.
+  //! Returns their number; -1 if the device is gone. `buffer` is for one report.
   int pump(std::span<std::uint8_t> buffer, const std::function<double()>& now_s, int wait_ms);
 
-  //! Looks after axes that are stuck and pads that are silent.
+  //! Detects stuck axes and silent controllers.
   void watch(double now_s);
 
-  //! All at rest: the pad is gone.
+  //! Resets everything to rest, because the controller is gone.
   void release();
 
-  //! Presses since the last call.
+  //! Returns the presses since the last call.
   PadPresses take_presses();
 
   [[nodiscard]] const std::shared_ptr<const PadIdentity>& identity() const { return identity_; }
@@ -52,7 +53,7 @@ class PadSession {
   void update(double now_s);
   bool look_after(std::size_t axis, double now_s);
 
-  //! Since when a raw axis has counted the same.
+  //! The value of a raw axis, and since when it is unchanged.
   struct Still {
     std::int32_t value = 0;
     double since_s = 0.0;

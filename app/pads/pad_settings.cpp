@@ -11,7 +11,8 @@ namespace ergodome {
 
 namespace {
 
-//! How well a profile fits: 0 not at all; one that names a serial beats one that names a device, which beats a name.
+//! Returns how well a profile fits; 0 if not at all. A serial has priority over a device, and a
+//! device over a name.
 int fit(const PadProfile& profile, const PadIdentity& pad) {
   if ((!profile.device.empty() && profile.device != device_id(pad.vendor, pad.product)) ||
       (!profile.name.empty() && profile.name != pad.name) ||
@@ -59,7 +60,7 @@ void write_pad_settings(const std::filesystem::path& path, const PadSettings& se
 
 std::filesystem::path default_pad_settings_path() {
   std::filesystem::path folder = folder_in_environment("XDG_CONFIG_HOME");
-  if (!folder.is_absolute()) {  // The XDG specification: relative paths are invalid and to be ignored.
+  if (!folder.is_absolute()) {  // relative paths are invalid and ignored (XDG specification)
     folder = folder_in_environment("HOME");
     if (!folder.is_absolute()) {
       return {};

@@ -12,10 +12,12 @@
 
 namespace ergodome {
 
-//! Response curve of a stick, trigger or puck: 0 up to `dead_zone`, then rising without a step,
-//! 1 from `full_at` on. With t from 0 to 1 between the two: s = t^exponent, then (1 - expo) s + expo s^3.
+//! Response curve of a stick, trigger or 3D mouse: 0 up to `dead_zone`, then rising continuously, 1
+//! from `full_at` on.
+//! With t from 0 to 1 between the two: s = t^exponent, then (1 - expo) s + expo s^3.
 struct PadCurve {
-  double dead_zone = 0.0;  //!< of the full deflection; of sticks and pucks radial, so that directions stay
+  //! Fraction of full deflection; radial for sticks and 3D mice, which keeps the direction.
+  double dead_zone = 0.0;
   double full_at = 1.0;
   double exponent = 1.0;
   double expo = 0.0;
@@ -34,7 +36,7 @@ struct AxisCalibration {
 
 //! The axis that a raw axis controls instead of its default.
 struct AxisTarget {
-  std::optional<PadAxis> axis;  //!< nothing: it moves nothing
+  std::optional<PadAxis> axis;  //!< nothing: disabled
   bool inverted = false;
 
   bool operator==(const AxisTarget&) const = default;
@@ -45,10 +47,10 @@ struct PadIdentity {
   std::uint16_t vendor = 0;
   std::uint16_t product = 0;
   std::string name;
-  std::string serial;      //!< empty where it has none
+  std::string serial;      //!< empty if it has none
   std::string connection;  //!< "USB", "Bluetooth" or "other"
-  std::string path;        //!< where the system has it, as /dev/hidraw3
-  std::string model;       //!< which decoder reads it: "DualSense"
+  std::string path;        //!< system path, such as /dev/hidraw3
+  std::string model;       //!< model of its decoder: "DualSense"
 
   bool operator==(const PadIdentity&) const = default;
 };
@@ -59,14 +61,15 @@ struct PadProfile {
   std::string name;    //!< name reported by the controller; empty: any
   std::string serial;  //!< empty: any
   bool ignore = false;
-  bool mode_switch = false;  //!< ask for full reports, once; leave it to the kernel's driver where there is one
+  //! Request full reports once; leave it to the kernel's driver if there is one.
+  bool mode_switch = false;
   PadCurve left_stick{.dead_zone = 0.15, .full_at = 0.98, .exponent = 1.5};
   PadCurve right_stick{.dead_zone = 0.15, .full_at = 0.98, .exponent = 1.5};
   PadCurve triggers{.dead_zone = 0.05, .full_at = 0.98};
   PadCurve puck{.dead_zone = 0.05, .full_at = 1.0, .exponent = 1.5};
-  std::bitset<pad_axis_count> inverted;                 //!< on top of everything else
-  std::map<std::string, AxisTarget, std::less<>> axes;  //!< by the raw axis' name
-  std::vector<std::optional<PadButton>> buttons;        //!< HID button 1, 2, ...; empty: by default
+  std::bitset<pad_axis_count> inverted;                 //!< applied last
+  std::map<std::string, AxisTarget, std::less<>> axes;  //!< by the name of the raw axis
+  std::vector<std::optional<PadButton>> buttons;        //!< HID buttons 1, 2, ...; empty: default
   std::map<std::string, AxisCalibration, std::less<>> calibration;
 
   bool operator==(const PadProfile&) const = default;
@@ -74,33 +77,39 @@ struct PadProfile {
 
 //! The file pads.toml.
 struct PadSettings {
-  double stuck_after_s =
-      120.0;  //!< a stick that is deflected and counts exactly the same for so long is left out until it moves; 0: never
-  PadProfile otherwise;  //!< table [default]: for controllers that no [[pad]] is about, and what a [[pad]] starts from
+  //! A deflected stick with an exactly constant value for this long is ignored until it moves; 0:
+  //! never.
+  double stuck_after_s = 120.0;
+  //! Table [default]: for controllers without a [[pad]], and the base of each [[pad]].
+  PadProfile otherwise;
   std::vector<PadProfile> pads;
 
   bool operator==(const PadSettings&) const = default;
 };
 
-//! Reads settings. Throws Error with file and line; an unknown key is an error that names the nearest.
+//! Parses settings. Throws Error with file and line; for an unknown key it suggests the nearest
+//! one.
 PadSettings parse_pad_settings(std::string_view text, const std::string& file);
 
-//! Reads a settings file. Throws Error.
+//! Reads a settings file. Throws Error if it is missing or invalid.
 PadSettings load_pad_settings(const std::filesystem::path& path);
 
 //! Returns the settings as the text of a file, with comments.
 std::string to_toml(const PadSettings& settings);
 
-//! Writes a settings file, atomically; an older one is kept as NAME.bak. Makes its folder. Throws Error.
+//! Writes a settings file atomically and creates its folder; keeps an older file as NAME.bak.
+//! Throws Error if that fails.
 void write_pad_settings(const std::filesystem::path& path, const PadSettings& settings);
 
-//! $XDG_CONFIG_HOME/ergodome/pads.toml, or below ~/.config; empty where there is neither.
+//! Returns $XDG_CONFIG_HOME/ergodome/pads.toml, or the same below ~/.config; empty if neither
+//! folder is known.
 std::filesystem::path default_pad_settings_path();
 
-//! Returns the profile of a controller: one with its serial, else its device, else its name, else `otherwise`.
+//! Returns the profile of a controller: one with its serial, else its device, else its name, else
+//! `otherwise`.
 const PadProfile& profile_for(const PadSettings& settings, const PadIdentity& pad);
 
-//! "054c:0ce6".
+//! Formats an id: "054c:0ce6".
 std::string device_id(std::uint16_t vendor, std::uint16_t product);
 
 }  // namespace ergodome

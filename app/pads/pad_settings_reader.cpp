@@ -19,7 +19,7 @@ class ProfileReader {
   ProfileReader(const toml::table& table, const std::string& file, const std::string& path, PadProfile start)
       : table_(table, file, path), file_(file), profile_(std::move(start)) {}
 
-  //! Which controllers it is about.
+  //! Reads which controllers the profile applies to.
   void read_identity() {
     profile_.device = table_.text("device", "");
     profile_.name = table_.text("name", "");
@@ -34,7 +34,8 @@ class ProfileReader {
     }
   }
 
-  //! Refuses one that is about the same controllers as an earlier one: it would never be taken.
+  //! Throws Error if an earlier profile applies to the same controllers, so that this one would
+  //! never be used.
   void refuse_repetition(const std::vector<PadProfile>& earlier) const {
     const auto same = std::find_if(earlier.begin(), earlier.end(), [&](const PadProfile& profile) {
       return profile.device == profile_.device && profile.name == profile_.name && profile.serial == profile_.serial;
@@ -86,7 +87,7 @@ class ProfileReader {
     table.refuse_unknown_keys();
   }
 
-  //! The words of a list of texts.
+  //! Reads a list of texts.
   std::vector<std::string> words(std::string_view key, std::size_t most) {
     std::vector<std::string> found;
     const toml::node* const node = table_.node(key);

@@ -6,8 +6,8 @@
 
 namespace ergodome {
 
-//! What a person moves on any controller. Sticks: right and up are positive, -1 to 1. Triggers: 0 to 1. The six of a puck that is pushed
-//! and turned: right, up, forward; nose up, nose to the right, clockwise; -1 to 1.
+//! Axes of any controller. Sticks: right and up are positive, -1 to 1. Triggers: 0 to 1. The six
+//! axes of a 3D mouse: right, up, forward; nose up, nose to the right, clockwise; -1 to 1.
 enum class PadAxis {
   left_x,
   left_y,
@@ -24,7 +24,7 @@ enum class PadAxis {
 };
 inline constexpr std::size_t pad_axis_count = 12;
 
-//! Buttons by where they are; `south` is the one nearest to the person.
+//! Buttons by position; `south` is closest to the user.
 enum class PadButton {
   south,
   east,
@@ -52,7 +52,7 @@ enum class PadButton {
 };
 inline constexpr std::size_t pad_button_count = 23;
 
-//! A controller at one instant; at rest where nothing is known.
+//! The state of a controller at one instant; initially at rest.
 struct PadState {
   std::array<float, pad_axis_count> axes{};
   std::bitset<pad_button_count> buttons;

@@ -8,9 +8,10 @@
 
 namespace ergodome {
 
+//! Kinds of connections of a HID device.
 enum class HidBus { usb, bluetooth, other };
 
-//! A usage of a device's collections: page and number, as 1:5 for a game pad.
+//! A usage of a device's collections: page and number, such as 1:5 for a game pad.
 struct HidUsage {
   std::uint16_t page = 0;
   std::uint16_t usage = 0;
@@ -18,15 +19,15 @@ struct HidUsage {
   bool operator==(const HidUsage&) const = default;
 };
 
-//! A device that is there, whether it may be opened or not.
+//! A connected device, which may lack permissions.
 struct HidDeviceInfo {
   std::string path;
   std::uint16_t vendor = 0;
   std::uint16_t product = 0;
   std::string name;
-  std::string serial;  //!< empty where there is none
+  std::string serial;  //!< empty if there is none
   HidBus bus = HidBus::other;
-  std::vector<HidUsage> usages;  //!< of its collections; empty where the system does not tell
+  std::vector<HidUsage> usages;  //!< of its collections; empty if the system does not report them
 };
 
 //! An open device.
@@ -37,27 +38,27 @@ class HidDevice {
   HidDevice& operator=(const HidDevice&) = delete;
   virtual ~HidDevice() = default;
 
-  //! One input report, beginning with its id where the device has ids: its bytes, cut at the end of `into`; 0 where none came in that
-  //! time; -1 where the device is gone.
+  //! Reads an input report, starting with its id if the device has ids, truncated to the size of
+  //! `into`. Returns its size, 0 on timeout, and -1 if the device is gone.
   virtual int read_timeout(std::span<std::uint8_t> into, int milliseconds) = 0;
-  //! An output report, beginning with its id; false where it did not go.
+  //! Sends an output report, starting with its id. Returns false on failure.
   virtual bool write(std::span<const std::uint8_t> report) = 0;
-  //! A feature report, beginning with its id; false where it did not go.
+  //! Sends a feature report, starting with its id. Returns false on failure.
   virtual bool send_feature(std::span<const std::uint8_t> report) = 0;
-  //! Asks for the feature report whose id is report[0]: its bytes; -1 where there is none.
+  //! Requests the feature report with the id report[0]. Returns its size; -1 if there is none.
   virtual int get_feature(std::span<std::uint8_t> report) = 0;
-  //! The report descriptor; empty where it cannot be had.
+  //! Returns the report descriptor; empty if it is not available.
   virtual std::vector<std::uint8_t> descriptor() = 0;
 };
 
-//! What came of opening a device.
+//! Result of opening a device.
 struct HidOpening {
-  std::unique_ptr<HidDevice> device;  //!< empty where it could not be opened
-  bool denied = false;                //!< for want of permission
+  std::unique_ptr<HidDevice> device;  //!< null on failure
+  bool denied = false;                //!< failed because of missing permissions
   std::string problem;
 };
 
-//! The part of hidapi that is used, so that recorded reports can take its place.
+//! Interface to the used part of hidapi, so that recorded reports can replace it.
 class HidApi {
  public:
   HidApi() = default;
@@ -65,16 +66,17 @@ class HidApi {
   HidApi& operator=(const HidApi&) = delete;
   virtual ~HidApi() = default;
 
-  //! Must come first. What went wrong; empty: nothing.
+  //! Initializes the library; call it first. Returns the problem; empty on success.
   virtual std::string init() = 0;
-  //! All devices, each once.
+  //! Returns all devices, each once.
   virtual std::vector<HidDeviceInfo> enumerate() = 0;
   virtual HidOpening open_path(const std::string& path) = 0;
-  //! A number that changes when devices come, go or change their permissions, much cheaper than enumerate(); 0: not known.
+  //! Returns a number that changes when devices come, go or change their permissions; 0 if unknown.
+  //! Much faster than enumerate().
   virtual std::uint64_t change_mark() = 0;
 };
 
-//! hidapi itself (Linux: hidraw).
+//! Makes the implementation by hidapi (Linux: hidraw).
 std::unique_ptr<HidApi> make_hid_library();
 
 }  // namespace ergodome

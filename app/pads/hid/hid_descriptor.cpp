@@ -15,11 +15,11 @@ constexpr std::size_t longest_descriptor = 4096;
 constexpr std::uint32_t longest_report_bits = 65'536U * 8U;
 constexpr std::uint32_t widest_field = 32;
 constexpr std::size_t deepest = 32;
-//! Of one input item; a range of usages may name 65,536.
+//! Limit per input item; a range of usages may name 65,536.
 constexpr std::uint32_t most_fields_of_item = 256;
 constexpr std::size_t most_fields = 2048;
 
-//! An item's type and tag, as the upper six bits of its first byte, and size in the lower two.
+//! Type and tag of an item, in the upper six bits of its first byte; the lower two are its size.
 enum Item : unsigned {
   input = 0x80,
   output = 0x90,
@@ -47,12 +47,12 @@ constexpr unsigned is_relative = 0x04;
 struct UsageRange {
   std::uint32_t first = 0;  //!< page and number
   std::uint32_t last = 0;
-  bool has_own_page = false;  //!< its items hold the page, and no item before or after them
+  bool has_own_page = false;  //!< its items contain the page; later usage pages do not apply
 };
 
 struct Globals {
   std::uint16_t page = 0;
-  std::uint32_t least_bits = 0;  //!< as they stand in the descriptor
+  std::uint32_t least_bits = 0;  //!< as stored in the descriptor
   std::size_t least_size = 0;
   std::uint32_t greatest_bits = 0;
   std::size_t greatest_size = 0;
@@ -95,7 +95,7 @@ class Parser {
     return {"report descriptor", fmt::format("byte {}: {}", at_, what), "this controller cannot be used"};
   }
 
-  //! Size, type and tag, then up to four bytes, the low one first.
+  //! Reads an item: size, type and tag, then up to four bytes, low byte first.
   void take_item() {
     const unsigned head = bytes_[at_];
     if (head == long_item) {
@@ -153,10 +153,10 @@ class Parser {
           take_global(item, value, size);
         }
         if ((item & 0x0CU) != 0x00U) {
-          return;  // Globals and the locals that are not read.
+          return;  // global items, and local items that are not used
         }
     }
-    // Locals hold until the next main item.
+    // Local items apply until the next main item.
     usages_.clear();
     range_first_ = 0;
   }
@@ -205,7 +205,7 @@ class Parser {
     }
   }
 
-  //! A usage of four bytes has its own page in the upper two.
+  //! Returns a usage with its page: four-byte usages have it in the upper two bytes.
   static std::uint32_t full(std::uint32_t value, std::size_t size) { return size == 4 ? value : value & 0xFFFFU; }
 
   static constexpr std::uint32_t page_shift = 16;
@@ -221,8 +221,9 @@ class Parser {
     }
   }
 
-  //! Gives the last usages the page of the main item, where that page was set behind them (HID 1.11, 6.2.2.8). Usages before the last one
-  //! with that page keep the pages that held when they were named, as Linux has it: pads change the page within an item.
+  //! Gives the last usages the page of the main item, if that page was set after them (HID 1.11,
+  //! 6.2.2.8). Usages before the last one with that page keep the pages at the time they were
+  //! named, as in Linux: some controllers change the page within an item.
   void complete_usages() {
     for (auto range = usages_.rbegin(); range != usages_.rend(); ++range) {
       if (range->has_own_page) {
@@ -269,7 +270,8 @@ class Parser {
     length += static_cast<std::uint32_t>(bits);
   }
 
-  //! One field for each usage that there is room for. (Numbers beyond the last usage repeat it, and tell nothing new.)
+  //! Adds one field for each usage within the limits. Values beyond the last usage repeat it and
+  //! are skipped.
   void add_fields(std::uint32_t offset, bool relative) {
     HidField field = field_of_globals();
     field.is_relative = relative;
@@ -289,8 +291,8 @@ class Parser {
     }
   }
 
-  //! Adds the elements of an array, each of which selects one usage of a range (HID 1.11, 6.2.2.5). Lists of single usages are left
-  //! out: no pad has its buttons so.
+  //! Adds the elements of an array, each of which selects one usage of a range (HID 1.11, 6.2.2.5).
+  //! Skips lists of single usages, which no controller uses for buttons.
   void add_array(std::uint32_t offset) {
     if (usages_.size() != 1 || usages_.front().first == usages_.front().last) {
       return;
@@ -315,8 +317,9 @@ class Parser {
     return field;
   }
 
-  //! Sets the logical range. Limits are signed, by their size; but many devices write 255 in one byte beside a minimum of 0. Limits
-  //! that are swapped, missing, or beyond what the field's bits can hold, are corrected.
+  //! Sets the logical range. Limits are signed, according to their size; but many devices store 255
+  //! in one byte with a minimum of 0. Corrects limits that are swapped, missing, or beyond the
+  //! range of the field's bits.
   void set_range(HidField& field) const {
     field.least = as_signed(globals_.least_bits, globals_.least_size);
     field.greatest = as_signed(globals_.greatest_bits, globals_.greatest_size);

@@ -7,7 +7,8 @@
 
 namespace ergodome {
 
-//! A device while it is played. Times are the clock's; a repeated timeline's events are counted on from round to round.
+//! A device during playback. Times are the clock's. In a repeated timeline, indices of events
+//! continue from one repetition to the next.
 struct FixturePlayer::Playing {
   FixtureDevice device;
   std::function<double()> now_s;
@@ -26,7 +27,7 @@ struct FixturePlayer::Playing {
     return device.timeline.empty() || (device.repeat_s <= 0.0 && index >= device.timeline.size());
   }
 
-  //! The first event that is not before a time.
+  //! Returns the first event at or after a time.
   [[nodiscard]] std::size_t first_from(double t_s) const {
     const std::size_t round = device.repeat_s > 0.0 && t_s > 0.0 ? static_cast<std::size_t>(t_s / device.repeat_s) : 0;
     std::size_t index = round * device.timeline.size();
@@ -43,7 +44,7 @@ struct FixturePlayer::Playing {
     std::uint64_t changes = 0;
   };
 
-  //! What all events up to now have made of it.
+  //! Returns the state of the device after all events up to now.
   [[nodiscard]] Situation situation() const {
     Situation now{device.present, device.allowed, device.info.path, 0};
     const double t = now_s();

@@ -9,13 +9,13 @@
 
 namespace ergodome {
 
-//! An event of a device of a fixture.
+//! An event of a device in a fixture.
 struct HidEvent {
   double t_s = 0.0;
   enum class Kind { report, disconnect, connect, error, deny, allow } kind = Kind::report;
-  std::vector<std::uint8_t> bytes;  //!< of a report
-  std::string path;                 //!< of connect: where the device comes back; empty: where it was
-  std::string expect;               //!< for tests: what the pad's state is then
+  std::vector<std::uint8_t> bytes;  //!< for `report`
+  std::string path;                 //!< for `connect`: the new path of the device; empty: unchanged
+  std::string expect;               //!< for tests: the expected state of the controller
 };
 
 struct FixtureDevice {
@@ -25,16 +25,18 @@ struct FixtureDevice {
   bool allowed = true;
   double repeat_s = 0.0;  //!< period of the timeline; 0: it plays once
   std::vector<HidEvent> timeline;
-  std::vector<std::vector<std::uint8_t>> features;  //!< answers to get_feature, beginning with their ids
+  //! Answers to get_feature, starting with their ids.
+  std::vector<std::vector<std::uint8_t>> features;
 };
 
-//! Recorded or made-up reports of devices, and when they come.
+//! Recorded or synthetic reports of devices, with their times.
 struct HidFixture {
-  std::string source;  //!< where its bytes are from
+  std::string source;  //!< origin of its bytes
   std::vector<FixtureDevice> devices;
 };
 
-//! Reads a fixture (tests/data/hid/README.md has the format). Throws Error with file and line.
+//! Parses a fixture (tests/data/hid/README.md describes the format). Throws Error with file and
+//! line.
 HidFixture parse_hid_fixture(std::string_view text, const std::string& file);
 HidFixture load_hid_fixture(const std::filesystem::path& path);
 
@@ -49,7 +51,8 @@ class FixturePlayer : public HidApi {
   HidOpening open_path(const std::string& path) override;
   std::uint64_t change_mark() override;
 
-  //! Output and feature reports that a device was sent, and feature reports it was asked for (their ids alone), in order.
+  //! Returns the output and feature reports sent to a device, and the ids of requested feature
+  //! reports, in order.
   [[nodiscard]] const std::vector<std::vector<std::uint8_t>>& sent_to(std::size_t device) const;
 
  private:
@@ -58,7 +61,7 @@ class FixturePlayer : public HidApi {
   std::vector<std::shared_ptr<Playing>> devices_;
 };
 
-//! A fixture from a file, by the time since now.
+//! Plays a fixture from a file, starting now.
 std::unique_ptr<HidApi> play_hid_fixture(const std::filesystem::path& path);
 
 }  // namespace ergodome

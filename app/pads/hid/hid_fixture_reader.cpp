@@ -83,7 +83,7 @@ class FixtureReader {
     const double every_s = table.number("every_ms", 1.0, 0.0, longest_ms) / 1000.0;
     set_kind(table, event);
     table.refuse_unknown_keys();
-    // Repetitions of a large report would be large.
+    // Repeating a large report uses much memory.
     expanded_bytes_ += (sizeof(HidEvent) + event.bytes.size() + event.expect.size()) * static_cast<std::size_t>(count);
     if (expanded_bytes_ > (std::size_t{64} << 20U) || device.timeline.size() + count > most_events) {
       throw table.error_at("count", "produces too many events",
@@ -133,7 +133,7 @@ class FixtureReader {
     return static_cast<std::uint16_t>(value);
   }
 
-  //! Bytes in hex, blanks anywhere between digits.
+  //! Reads bytes in hex, with blanks anywhere between digits.
   static std::vector<std::uint8_t> read_hex(TomlTable& table, std::string_view key) {
     const toml::node* const node = table.node(key);
     std::vector<std::uint8_t> bytes;
@@ -164,7 +164,7 @@ class FixtureReader {
     return bytes;
   }
 
-  //! "1:5", or several with blanks between.
+  //! Reads "1:5", or several usages separated by blanks.
   static std::vector<HidUsage> read_usages(TomlTable& table) {
     std::vector<HidUsage> usages;
     const std::string text = table.text("usage", "");

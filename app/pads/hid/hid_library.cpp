@@ -31,7 +31,8 @@ HidBus bus_of(hid_bus_type bus) {
   }
 }
 
-//! hidapi 0.13 has no call for the descriptor; Linux shows it to everybody, as /sys/class/hidraw/hidraw3/device/report_descriptor.
+//! Reads the descriptor from sysfs, because hidapi 0.13 has no call for it:
+//! /sys/class/hidraw/hidraw3/device/report_descriptor.
 std::vector<std::uint8_t> descriptor_of(const std::string& path) {
   const fs::path node = fs::path("/sys/class/hidraw") / fs::path(path).filename() / "device" / "report_descriptor";
   std::ifstream file(node, std::ios::binary);
@@ -107,7 +108,7 @@ class Library : public HidApi {
   }
 
  private:
-  //! hidapi lists a device once for each of its usages.
+  //! Adds a device or its usage; hidapi lists a device once per usage.
   static void merge(std::vector<HidDeviceInfo>& found, const hid_device_info& at) {
     auto known =
         std::find_if(found.begin(), found.end(), [&](const HidDeviceInfo& info) { return info.path == at.path; });

@@ -5,11 +5,11 @@
 
 namespace ergodome {
 
-//! A device's text as UTF-8, at most 120 characters, without control characters, blanks about it, or what is no character; "" for a
-//! null pointer.
+//! Converts a device's text to UTF-8 with at most 120 characters. Removes control characters,
+//! surrounding blanks and invalid characters; returns "" for a null pointer.
 std::string text_of(const wchar_t* text);
 
-//! The same for text that is UTF-8 already, of a fixture.
+//! Does the same for text that is already UTF-8, from a fixture.
 std::string without_controls(std::string_view text);
 
 }  // namespace ergodome

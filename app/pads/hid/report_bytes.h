@@ -9,16 +9,17 @@
 
 namespace ergodome {
 
+// Helpers with which decoders read the bytes of reports.
 using ReportBytes = std::span<const std::uint8_t>;
 
-//! 16 bits, the low byte first. The caller has checked that they are there.
+//! Read 16 bits, low byte first. The caller checks the size.
 inline std::uint16_t u16_at(ReportBytes report, std::size_t at) {
   return static_cast<std::uint16_t>(report[at] | (report[at + 1] << 8U));
 }
 
 inline std::int16_t i16_at(ReportBytes report, std::size_t at) { return static_cast<std::int16_t>(u16_at(report, at)); }
 
-//! A bit of a byte, and the button that it is.
+//! A bit of a byte, with its button.
 struct ButtonBit {
   std::uint8_t mask;
   PadButton button;
@@ -35,7 +36,8 @@ inline void press_bits(RawPad& pad, std::uint8_t byte, std::initializer_list<But
   }
 }
 
-//! A hat's eight directions, clockwise from 0, up; anything else is none.
+//! Presses the directional buttons of a hat: eight directions, clockwise from 0, which is up. Other
+//! values press none.
 inline void press_hat(RawPad& pad, int direction) {
   if (direction < 0 || direction > 7) {
     return;
@@ -54,7 +56,7 @@ inline void press_hat(RawPad& pad, int direction) {
   }
 }
 
-//! CRC-32 (IEEE 802.3, as of zlib) of bytes, after the one byte `seed` before them.
+//! Computes the CRC-32 (IEEE 802.3, as in zlib) of the byte `seed` followed by bytes.
 std::uint32_t crc32_after(std::uint8_t seed, ReportBytes bytes);
 
 }  // namespace ergodome
