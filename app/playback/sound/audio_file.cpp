@@ -17,7 +17,7 @@ namespace ergodome {
 
 namespace {
 
-//! A floating point file may hold anything.
+//! Clamps a sample; floating-point files may contain any value.
 float tame(float sample) { return std::isfinite(sample) ? std::clamp(sample, -4.0F, 4.0F) : 0.0F; }
 
 std::string first_bytes(const std::filesystem::path& path, std::size_t count) {
@@ -28,7 +28,7 @@ std::string first_bytes(const std::filesystem::path& path, std::size_t count) {
   return bytes;
 }
 
-//! True if a file begins with an ID3 tag, or with a frame of MPEG audio of layer I to III.
+//! Returns whether a file begins with an ID3 tag or with an MPEG audio frame of layer I to III.
 bool begins_as_mp3(const std::filesystem::path& path) {
   const std::string head = first_bytes(path, 4);
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(head[i]); };
@@ -36,7 +36,8 @@ bool begins_as_mp3(const std::filesystem::path& path) {
          (head.size() == 4 && byte(0) == 0xFFU && (byte(1) & 0xE0U) == 0xE0U && (byte(1) & 0x06U) != 0);
 }
 
-//! Returns whether a file is an Ogg stream of FLAC, some of which libsndfile cannot read (RFC 9639, 10.1).
+//! Returns whether a file is an Ogg stream of FLAC, some of which libsndfile cannot read (RFC 9639,
+//! 10.1).
 bool is_ogg_flac(const std::filesystem::path& path) {
   constexpr std::size_t page_head_bytes = 28;
   const std::string head = first_bytes(path, page_head_bytes + 5);
@@ -46,7 +47,7 @@ bool is_ogg_flac(const std::filesystem::path& path) {
              "FLAC";
 }
 
-//! Returns the name of a format that neither library reads; empty for all others.
+//! Returns the name of a format that neither library supports; empty for all others.
 std::string unsupported_kind(const std::filesystem::path& path) {
   using namespace std::string_view_literals;
   const std::string head = first_bytes(path, 16);
@@ -109,7 +110,7 @@ AudioFile::AudioFile(const std::filesystem::path& path) {
   if (!file_ && !mp3_) {
     std::string why = sf_strerror(nullptr);
     why.erase(why.find_last_not_of(" .\n") + 1);
-    // So its reader of MP3 says of whatever it does not know; the file is there.
+    // libsndfile's MP3 reader reports this for any unknown content, although the file exists.
     why = why.starts_with("File does not exist") ? "it contains no sound" : why;
     if (is_ogg_flac(path)) {
       throw Error(path.string(), "is FLAC in an Ogg container, which cannot be read", "convert it to a .flac file");
@@ -125,7 +126,8 @@ AudioFile::AudioFile(const std::filesystem::path& path) {
   channels_ = info.channels;
   rate_hz_ = info.samplerate;
   frames_ = info.frames;
-  // FLAC that was written to a pipe does not contain its length; the library then reports the largest number there is.
+  // FLAC written to a pipe does not contain its length; the library then reports the largest
+  // number.
   constexpr sf_count_t most_frames = sf_count_t{1} << 40;
   if (file_ && frames_ > most_frames && (info.format & SF_FORMAT_TYPEMASK) == SF_FORMAT_FLAC) {
     frames_ = counted_frames(path.string());
@@ -139,7 +141,8 @@ AudioFile::~AudioFile() = default;
 
 std::int64_t AudioFile::counted_frames(const std::string& place) const {
   constexpr sf_count_t frames_at_once = 4096;
-  // More than an hour of stereo at 48 kHz, decoded in a few seconds. A short file can expand to years of silence.
+  // More than an hour of stereo at 48 kHz, decoded in a few seconds. A short file can expand to
+  // years of silence.
   constexpr std::int64_t most_samples = 400'000'000;
   std::vector<float> samples(static_cast<std::size_t>(frames_at_once) * static_cast<std::size_t>(channels_));
   std::int64_t frames = 0;

@@ -18,7 +18,7 @@ void silence_sound_libraries() {
   static std::once_flag once;
   std::call_once(once, [] {
     snd_lib_error_set_handler(say_nothing);
-    // OpenAL Soft reads it when it is first used. What a person has set stays.
+    // OpenAL Soft reads this variable on first use. A user's value is kept.
     ::setenv("ALSOFT_LOGLEVEL", "0", 0);
   });
 }

@@ -13,7 +13,7 @@ namespace ergodome {
 
 namespace {
 
-//! Tracks begin this much before they are heard, in silence.
+//! Tracks start this long before they are heard, in silence.
 constexpr double run_up_s = 0.25;
 constexpr std::size_t most_tracks = 64;
 
@@ -38,7 +38,7 @@ double track_gain(const AudioTrack& track, double length_s, double show_duration
 
 struct AudioMixer::Voice {
   AudioTrack track;
-  std::unique_ptr<AudioVoice> sound;  //!< nullptr once it has failed
+  std::unique_ptr<AudioVoice> sound;  //!< nullptr after a failure
   bool heard = false;
 };
 
@@ -96,9 +96,9 @@ void AudioMixer::play(Voice& voice, const AudioCue& cue, bool jumped) {
     }
     return;
   }
-  // During the run up the file is silence, and its gain must not be in the way of its first sound.
+  // During the run-up the file is silent, so its gain is already that of its first sound.
   const double gain = track_gain(track, length_s, soundtrack_.duration_s, std::max(now_s, track.from_s));
-  // Taken as a difference of whole nanoseconds: exact however long the show has run.
+  // Difference of integer nanoseconds, so that it is exact after any running time.
   const ShowTime place = instant.time - show_time(track.from_s) - show_time(later_s_ * speed);
   voice.heard = true;
   if (!voice.sound->play({seconds_of(place), speed, gain, instant.now, jumped}, output_.latency_s())) {

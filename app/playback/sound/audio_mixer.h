@@ -15,32 +15,34 @@ namespace ergodome {
 //! State of the running show that the sound follows.
 struct AudioCue {
   ShowInstant instant;
-  double volume = 1.0;   //!< factor
+  double volume = 1.0;   //!< volume factor
   std::string language;  //!< language of the narration
 };
 
-//! A show's sound, without its pictures.
+//! A show's sound tracks.
 struct Soundtrack {
   std::vector<AudioTrack> tracks;
-  std::filesystem::path folder;  //!< where their files' relative paths start
-  double duration_s = 0.0;       //!< of the show; 0: it does not end
+  std::filesystem::path folder;  //!< base folder of the files' relative paths
+  double duration_s = 0.0;       //!< of the show; 0: endless
 };
 
-//! Returns the volume factor of a track at a time of the show from its gain and fades; 0 if it does not play.
+//! Returns the volume factor of a track at a time of the show from its gain and fades; 0 if it does
+//! not play.
 double track_gain(const AudioTrack& track, double length_s, double show_duration_s, double time_s);
 
-//! Plays a show's tracks on an output: all calls on one thread.
+//! Plays a show's tracks on an output. All calls are on one thread.
 //!
-//! Between two cues the show is taken to run on as the last one said. Sound follows speeds from a half to twice, its pitch with them;
-//! at others, backwards and when the show stands it is silent. What is heard and where the show is are compared all the time: up
-//! to 40 ms are made good by playing up to 1 % faster or slower, more by a new beginning.
+//! Between two cues the show is assumed to continue as in the last one. Sound follows speeds from
+//! 0.5 to 2, including its pitch; it is silent at other speeds, backward and when paused. Sound and
+//! show are compared continuously: offsets up to 40 ms are corrected by playing up to 1 % faster or
+//! slower, larger ones by restarting.
 class AudioMixer {
  public:
-  //! `later_s`: by how much sound is to be heard after its picture, for displays that take their time.
+  //! `later_s` is the delay of the sound after its picture, for slow displays.
   AudioMixer(const AudioOutput& output, Soundtrack soundtrack, TimeSource source = steady_time, double later_s = 0.0);
   ~AudioMixer();
 
-  //! Some 50 times a second. A track that fails is silent from then on.
+  //! Updates the tracks; call it about 50 times a second. A track that fails stays silent.
   void update(const AudioCue& cue);
 
   //! Returns the problems of tracks since the last call, each once.

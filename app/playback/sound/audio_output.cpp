@@ -44,7 +44,7 @@ std::unique_ptr<AudioOutput> AudioOutput::open(void* device, const int* attribut
 }
 
 std::unique_ptr<AudioOutput> AudioOutput::open_device() {
-  // Two channels for a room are not to be mixed for headphones.
+  // Disables HRTF: stereo for a room must not be processed for headphones.
   const int attributes[] = {ALC_HRTF_SOFT, ALC_FALSE, 0};
   return open(alcOpenDevice(nullptr), attributes);
 }

@@ -11,7 +11,7 @@ class AudioOutput {
  public:
   //! Opens the default device; returns nullptr if there is none.
   static std::unique_ptr<AudioOutput> open_device();
-  //! Two channels in memory that `render` fills, as fast as it is asked.
+  //! Opens a stereo output in memory, which `render` fills as fast as it is called.
   static std::unique_ptr<AudioOutput> open_memory(int rate_hz);
 
   ~AudioOutput();
@@ -22,15 +22,15 @@ class AudioOutput {
   void make_current() const;
   //! Returns the name given by the audio library.
   [[nodiscard]] const std::string& name() const { return name_; }
-  //! False once a device has been unplugged.
+  //! Returns false after the device was unplugged.
   [[nodiscard]] bool connected() const;
-  //! How long it takes until what is mixed now is heard [s], as far as the device tells.
+  //! Returns the latency of the output [s], as far as the device reports it.
   [[nodiscard]] double latency_s() const;
-  //! The next frames of an output in memory, left and right side by side.
+  //! Returns the next frames of an output in memory, left and right interleaved.
   [[nodiscard]] std::vector<float> render(int frames) const;
 
  private:
-  //! The library's handles, whose types are not called alike in all its versions.
+  //! The library's handles, whose type names differ between its versions.
   struct Handles;
   explicit AudioOutput(std::unique_ptr<Handles> handles);
   static std::unique_ptr<AudioOutput> open(void* device, const int* attributes);

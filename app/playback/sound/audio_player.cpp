@@ -14,13 +14,13 @@ const std::string no_device = "no sound device was found; the show continues wit
 
 constexpr auto pace = std::chrono::milliseconds(20);
 constexpr auto between_looks = std::chrono::seconds(5);
-//! A player that says nothing for so long hangs; its sound ends.
+//! If the player sends no cue for this long, it hangs, and the sound stops.
 constexpr auto most_silence = std::chrono::seconds(10);
 
 }  // namespace
 
 AudioPlayer::AudioPlayer(double later_s) : later_s_(later_s) {
-  // It sets the environment, which is safer before there is one more thread.
+  // Sets environment variables, which is safer before another thread exists.
   silence_sound_libraries();
   thread_ = std::thread([this] { run(); });
 }
@@ -67,7 +67,7 @@ std::string AudioPlayer::state() const {
 }
 
 void AudioPlayer::say(std::string problem) {
-  // Nobody may be there to read them.
+  // The messages may never be read.
   constexpr std::size_t most = 100;
   const std::lock_guard lock(mutex_);
   problem_ = problem;
@@ -99,7 +99,7 @@ void AudioPlayer::find_output() {
   }
   looked_at_ = now;
   output_ = AudioOutput::open_device();
-  // The audio library's own stand-in for a device: it takes sound at the right pace, and nobody hears it.
+  // The audio library's null device: it consumes sound at the right pace, but is silent.
   const bool stand_in = output_ && output_->name() == "No Output";
   if (!output_ || stand_in) {
     set_state("no sound device");
@@ -107,7 +107,7 @@ void AudioPlayer::find_output() {
     if (!std::exchange(said_silent_, true)) {
       say(no_device);
     } else {
-      // The log has it; it is this show's problem as it was the last one's.
+      // Already logged; it is also this show's problem.
       const std::lock_guard lock(mutex_);
       problem_ = no_device;
     }
@@ -170,7 +170,7 @@ void AudioPlayer::run() {
         mix(*cue);
       }
     } catch (const std::exception& problem) {
-      // A show does not end for its sound.
+      // A show continues without sound.
       say(problem.what());
       soundtrack_.tracks.clear();
       mixer_.reset();

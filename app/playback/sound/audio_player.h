@@ -13,10 +13,10 @@
 
 namespace ergodome {
 
-//! Plays a show's sound on the machine's device, from a thread of its own.
+//! Plays a show's sound on the machine's device, on a separate thread.
 //!
-//! Without a device, or when it is unplugged, the show continues without sound, which is reported once; the player retries every
-//! few seconds.
+//! Without a device, or when it is unplugged, the show continues without sound, which is reported
+//! once; the player retries every few seconds.
 class AudioPlayer {
  public:
   explicit AudioPlayer(double later_s = 0.0);
@@ -26,12 +26,12 @@ class AudioPlayer {
 
   //! Replaces the soundtrack by that of another show, or another version of the show.
   void set_soundtrack(Soundtrack soundtrack);
-  //! Once a frame: where the show is. Returns at once.
+  //! Sets the state of the show; called once per frame. Returns at once.
   void follow(const AudioCue& cue);
 
   //! Returns messages about problems since the last call, each once.
   std::vector<std::string> take_problems();
-  //! Returns the latest problem of this show's sound; empty if there is none any more.
+  //! Returns the latest problem of this show's sound; empty if there is none.
   [[nodiscard]] std::string problem() const;
   //! Returns the name of the device, or that there is none, for the status.
   [[nodiscard]] std::string state() const;
@@ -56,14 +56,16 @@ class AudioPlayer {
   std::string problem_;
   std::string state_ = "no sound yet";
 
-  // The thread's own.
+  // Used only by the thread.
   Soundtrack soundtrack_;
   std::unique_ptr<AudioOutput> output_;
   std::unique_ptr<AudioMixer> mixer_;
   std::optional<MonotonicTime> looked_at_;
   bool said_silent_ = false;
-  bool looked_at_files_ = false;  //!< of this soundtrack, for want of a device that would show what is wrong with them
-  std::set<std::string> said_of_files_;  //!< once each, however often a show comes again
+  //! Whether the files of this soundtrack were checked, without a device to play them.
+  bool looked_at_files_ = false;
+  //! Problems of files already reported, so that each is reported once.
+  std::set<std::string> said_of_files_;
   std::thread thread_;
 };
 

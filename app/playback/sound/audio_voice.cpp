@@ -12,24 +12,26 @@ namespace ergodome {
 
 namespace {
 
-//! Beyond this a file is brought back in step at once, and before it by playing a little faster or slower.
+//! Offsets above this are corrected by a restart, smaller ones by playing slightly faster or
+//! slower.
 constexpr double steerable_s = 0.04;
-//! What may stand right after a beginning.
+//! Allowed offset right after a start.
 constexpr double tolerable_s = 0.01;
-//! What no stutter of a machine's answers comes to.
+//! Offset beyond any jitter of the measurement.
 constexpr double lost_s = 0.15;
 constexpr double steering_s = 1.0;
 constexpr double most_steering = 0.01;
-//! A machine that cannot keep step is left alone for a while between two attempts.
+//! Pause between two restarts, for a machine that cannot keep up.
 constexpr auto rest = std::chrono::milliseconds(500);
 constexpr std::size_t first_buffers = 3;
 
 struct Layout {
-  int channels;  //!< that the audio library gets
+  int channels;  //!< passed to the audio library
   ALenum format;
 };
 
-//! One channel is heard from both sides, and numbers of channels that have no name are cut down to two.
+//! Returns the layout for a number of channels. Mono is played on both sides; unsupported numbers
+//! of channels are reduced to two.
 Layout layout_of(int channels) {
   switch (channels) {
     case 4:
@@ -45,7 +47,7 @@ Layout layout_of(int channels) {
   }
 }
 
-//! Channels side by side to two.
+//! Reduces interleaved channels to two.
 std::vector<float> to_stereo(const std::vector<float>& samples, int channels) {
   const auto width = static_cast<std::size_t>(channels);
   std::vector<float> stereo;
@@ -67,7 +69,7 @@ AudioVoice::AudioVoice(std::unique_ptr<AudioFile> file, bool loop, TimeSource so
   alGenSources(1, &voice_);
   alGenBuffers(buffer_count, buffers_.data());
   alSourcei(voice_, AL_SOURCE_RELATIVE, AL_TRUE);
-  // Left is left: no loudspeakers are imitated by others.
+  // Plays left and right directly, without virtual loudspeakers.
   alSourcei(voice_, AL_DIRECT_CHANNELS_SOFT, layout.channels == 2 ? AL_TRUE : AL_FALSE);
 }
 
@@ -105,7 +107,7 @@ void AudioVoice::start(const Wish& wish, double latency_s) {
     queue(buffers_[i]);
   }
   alSourcef(voice_, AL_PITCH, static_cast<float>(wish.speed));
-  // Reading took time: that much of the beginning is left out.
+  // Skips the part of the beginning that became late while reading.
   const auto late = std::llround((wished_now_s(wish) + ahead_s) * file_->rate_hz()) - queue_start_;
   alSourcei(voice_, AL_SAMPLE_OFFSET,
             static_cast<ALint>(std::clamp<std::int64_t>(late, 0, queue_end_ - queue_start_ - 1)));

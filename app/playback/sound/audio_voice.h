@@ -11,7 +11,7 @@
 
 namespace ergodome {
 
-//! The mean of the last measurements of something noisy.
+//! The mean of the last ten values of a noisy measurement.
 class RecentMean {
  public:
   void add(double value) { values_[count_++ % values_.size()] = value; }
@@ -31,18 +31,19 @@ class RecentMean {
   std::size_t count_ = 0;
 };
 
-//! One file on its way to the loudspeakers: keeps some tenths of a second of it queued, and what is heard at the place it is told.
+//! Plays one file: keeps some tenths of a second queued, and keeps the sound at the requested
+//! position.
 //!
-//! All calls are made on one thread, with the output current.
+//! All calls are on one thread, with the output current.
 class AudioVoice {
  public:
-  //! What is to be heard, at the time that the source of time tells.
+  //! Requested sound at a time of the time source.
   struct Wish {
-    double place_s = 0.0;  //!< of the file; below 0: it begins so much later
+    double place_s = 0.0;  //!< position in the file; negative: starts that much later
     double speed = 1.0;    //!< 0.5 to 2
     double gain = 1.0;
-    MonotonicTime at{};   //!< when that is so
-    bool jumped = false;  //!< the place was set, and not run to
+    MonotonicTime at{};   //!< when this is valid
+    bool jumped = false;  //!< the position was set
   };
 
   AudioVoice(std::unique_ptr<AudioFile> file, bool loop, TimeSource source);
@@ -50,23 +51,24 @@ class AudioVoice {
   AudioVoice(const AudioVoice&) = delete;
   AudioVoice& operator=(const AudioVoice&) = delete;
 
-  //! Goes on, or begins. `latency_s` is the output's. False where the file turns out to be damaged.
+  //! Continues or starts playing. `latency_s` is the output's. Returns false if the file is
+  //! damaged.
   bool play(const Wish& wish, double latency_s);
   void stop();
 
   [[nodiscard]] const AudioFile& file() const { return *file_; }
-  //! How much later than what is wished is what is heard; 0 where nothing has been measured [s].
+  //! Returns how much later than requested the sound is [s]; 0 if not measured.
   [[nodiscard]] double lateness_s() const { return -ahead_s_.mean(); }
-  //! How often it had to begin anew because it was out of step.
+  //! Returns how often playing restarted because it was out of sync.
   [[nodiscard]] long restarts() const { return restarts_; }
 
  private:
   void start(const Wish& wish, double latency_s);
   void refill();
   void queue(unsigned int buffer);
-  //! How far ahead of the wish is what is heard [s].
+  //! Returns how far the sound is ahead of the request [s].
   [[nodiscard]] double measure(const Wish& wish) const;
-  //! Change of speed that brings the sound back in step, or a new beginning.
+  //! Returns the change of speed that restores synchronization, or restarts.
   double keep_in_step(const Wish& wish, double latency_s);
   [[nodiscard]] double wished_now_s(const Wish& wish) const;
 
@@ -81,11 +83,11 @@ class AudioVoice {
   int buffer_frames_ = 0;
   bool playing_ = false;
   bool damaged_ = false;
-  std::int64_t queue_start_ = 0;  //!< frame of the file with which the queue begins
+  std::int64_t queue_start_ = 0;  //!< frame of the file at the start of the queue
   std::int64_t queue_end_ = 0;
   RecentMean ahead_s_;
-  bool settled_ = false;  //!< measured after its beginning, and found in step
-  double lead_s_ = 0.0;   //!< by which beginnings have been found late, beside the latency that is told
+  bool settled_ = false;  //!< was measured to be in sync after its start
+  double lead_s_ = 0.0;   //!< by how much starts were late, in addition to the reported latency
   MonotonicTime started_{};
   long restarts_ = 0;
 };

@@ -6,13 +6,13 @@
 
 namespace ergodome {
 
-//! Fades between 0 and 1, and turns round in the middle of a fade from where it is.
+//! Fades between 0 and 1. A fade can reverse at any point.
 class Fader {
  public:
-  //! `whole` is the time from one end to the other; 0 switches.
+  //! `whole` is the duration of a full fade; 0 switches at once.
   explicit Fader(std::chrono::nanoseconds whole, double value = 1.0) : whole_(whole), from_(value), target_(value) {}
 
-  //! Sets out for 0 or 1.
+  //! Starts a fade to 0 or 1.
   void go(double target, MonotonicTime now) {
     from_ = place(now);
     since_ = now;
@@ -27,14 +27,14 @@ class Fader {
   [[nodiscard]] double target() const { return target_; }
   [[nodiscard]] std::chrono::nanoseconds whole() const { return whole_; }
 
-  //! Slow at both ends: 3 p² - 2 p³ of the way p.
+  //! Returns the value, which is slow at both ends: 3 p² - 2 p³ of the progress p.
   [[nodiscard]] double value(MonotonicTime now) const {
     const double p = place(now);
     return p * p * (3.0 - 2.0 * p);
   }
 
  private:
-  //! The way, which time moves evenly.
+  //! Returns the progress, which is linear in time.
   [[nodiscard]] double place(MonotonicTime now) const {
     if (whole_ <= std::chrono::nanoseconds{}) {
       return target_;

@@ -10,7 +10,7 @@ namespace {
 
 enum class ByteOrder { little, big };
 
-//! The bytes from a place on, fewer at the end of the file.
+//! Returns the bytes from a position on, fewer at the end of the file.
 std::string bytes_at(std::istream& file, std::uint64_t place, std::size_t count) {
   std::string bytes(count, '\0');
   file.clear();
@@ -20,7 +20,7 @@ std::string bytes_at(std::istream& file, std::uint64_t place, std::size_t count)
   return bytes;
 }
 
-//! Four bytes as a number; 0 where they are not there.
+//! Returns four bytes as a number; 0 if they are missing.
 std::uint32_t word_at(std::string_view bytes, std::size_t place, ByteOrder order) {
   if (bytes.size() < place + 4) {
     return 0;
@@ -33,14 +33,15 @@ std::uint32_t word_at(std::string_view bytes, std::size_t place, ByteOrder order
   return value;
 }
 
-//! Where the chunk of samples ends; 0 where there is none, or its size was not known when it was written.
+//! Returns the end of the chunk of samples; 0 if there is none, or if its size was unknown when it
+//! was written.
 std::uint64_t end_of_chunk(std::istream& file, std::string_view samples, ByteOrder order) {
-  // Programs that write to a pipe put the largest size there, or one a little below 2 GiB.
+  // Programs that write to a pipe store the largest size, or one slightly below 2 GiB.
   constexpr std::uint32_t unknown = 0x7FFFF000;
   constexpr std::uint64_t most_bytes = std::uint64_t{1} << 50U;
   constexpr int most_chunks = 1000;
   std::uint64_t place = 12;
-  std::uint64_t large = 0;  // the size in RF64, which is for more than 4 GiB
+  std::uint64_t large = 0;  // size in RF64, the format for more than 4 GiB
   for (int i = 0; i < most_chunks; ++i) {
     const std::string head = bytes_at(file, place, 8);
     if (head.size() < 8) {
@@ -54,20 +55,21 @@ std::uint64_t end_of_chunk(std::istream& file, std::string_view samples, ByteOrd
       const std::string sizes = bytes_at(file, place + 16, 8);
       large = word_at(sizes, 0, order) | std::uint64_t{word_at(sizes, 4, order)} << 32U;
     }
-    // Chunks begin at even places.
+    // Chunks start at even positions.
     place += 8 + std::uint64_t{size} + size % 2;
   }
   return 0;
 }
 
-//! Eight bytes as a number.
+//! Returns eight bytes as a number.
 std::uint64_t long_at(std::string_view bytes, std::size_t place, ByteOrder order) {
   const std::uint64_t first = word_at(bytes, place, order);
   const std::uint64_t second = word_at(bytes, place + 4, order);
   return order == ByteOrder::big ? first << 32U | second : second << 32U | first;
 }
 
-//! Where the samples of an AU file end: its head has their place and their size; 0 where that was not known.
+//! Returns the end of the samples of an AU file, from the position and size in its header; 0 if the
+//! size is unknown.
 std::uint64_t end_of_au(std::istream& file, ByteOrder order) {
   constexpr std::uint32_t unknown = 0xFFFFFFFF;
   const std::string head = bytes_at(file, 0, 12);
@@ -75,8 +77,9 @@ std::uint64_t end_of_au(std::istream& file, ByteOrder order) {
   return size == unknown ? 0 : std::uint64_t{word_at(head, 4, order)} + size;
 }
 
-//! Where the chunk of samples of a Wave64 file ends; 0 where there is none, or its size was not known. Chunks have names of sixteen bytes, the first four of
-//! which are those of WAV, and sizes that count their heads; they begin at places that eight divides.
+//! Returns the end of the chunk of samples of a Wave64 file; 0 if there is none or its size is
+//! unknown. Chunks have 16-byte names, which start with the four bytes of WAV, and sizes that
+//! include their headers; they start at multiples of eight.
 std::uint64_t end_of_wave64(std::istream& file) {
   constexpr std::uint64_t head_bytes = 24;
   constexpr std::uint64_t most_bytes = std::uint64_t{1} << 50U;
@@ -96,7 +99,7 @@ std::uint64_t end_of_wave64(std::istream& file) {
   return 0;
 }
 
-//! The bytes of an ID3 tag at the start of a file; its size is in sevens of bits.
+//! Returns the size of an ID3 tag at the start of a file, stored with seven bits per byte.
 std::uint64_t tag_bytes(std::string_view head) {
   if (head.size() < 10 || !head.starts_with("ID3")) {
     return 0;
@@ -108,7 +111,7 @@ std::uint64_t tag_bytes(std::string_view head) {
   return size + 10;
 }
 
-//! Where the stream of an MP3 ends by the Xing header in its first frame; 0 without one.
+//! Returns the end of an MP3 stream according to the Xing header in its first frame; 0 without one.
 std::uint64_t end_of_mp3(std::istream& file) {
   const std::uint64_t start = tag_bytes(bytes_at(file, 0, 10));
   const std::string frame = bytes_at(file, start, 64);
@@ -124,7 +127,7 @@ std::uint64_t end_of_mp3(std::istream& file) {
   constexpr std::uint32_t has_bytes = 2;
   const std::uint32_t flags = word_at(frame, header + 4, ByteOrder::big);
   const std::size_t place = header + 8 + ((flags & has_frames) != 0 ? 4 : 0);
-  // Encoders do not agree on which frames count; the library, too, lets a hundredth pass.
+  // Encoders disagree about which frames count, so 1 % is allowed, as in the library.
   const std::uint64_t size = word_at(frame, place, ByteOrder::big);
   return (flags & has_bytes) != 0 ? start + size - size / 100 : 0;
 }
@@ -132,7 +135,7 @@ std::uint64_t end_of_mp3(std::istream& file) {
 }  // namespace
 
 bool is_chained_ogg(std::istream& file) {
-  // A page that begins a stream, after pages that do not, begins the next link of a chain.
+  // A page that begins a stream, after pages that do not, starts the next link of a chain.
   constexpr std::size_t head_bytes = 27;
   constexpr unsigned begins_stream = 0x02;
   bool after_begin = false;
