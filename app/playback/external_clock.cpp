@@ -7,7 +7,8 @@ namespace ergodome {
 
 namespace {
 
-//! From the show's time to what the other clock says, the shorter way round where the show loops.
+//! Returns the difference from the show's time to the external clock's; in a loop, the shorter way
+//! around.
 ShowTime error_of(const ShowClock& clock, ShowTime own, ShowTime other) {
   const ShowTime duration = clock.duration();
   if (duration <= ShowTime{}) {

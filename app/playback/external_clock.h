@@ -12,15 +12,18 @@ namespace ergodome {
 //! Show time as received from another machine.
 struct ClockFix {
   ShowTime show_time{};
-  double speed = 1.0;        //!< show seconds in a second; 0: it stands there, until it says otherwise
-  MonotonicTime right_at{};  //!< when the show's time was that one, by the clock that the show's own clock runs by
-  MonotonicTime heard{};     //!< when its word came, by the same: silence is counted from here
+  //! Show seconds per second; 0: paused until the clock reports otherwise.
+  double speed = 1.0;
+  MonotonicTime right_at{};  //!< when the show time was valid, by the same clock as the show's
+  //! When the fix arrived, by the same clock; silence is counted from here.
+  MonotonicTime heard{};
 };
 
-//! A clock that the show follows: a receiving thread posts fixes, the player reads them.
+//! A clock that the show follows. A receiving thread posts fixes; the player reads them.
 class ExternalClock {
  public:
-  //! `name` is for people ("MIDI time code"). `patience`: how long a fix that runs is believed without another one.
+  //! `name` is for display ("MIDI time code"). `patience` is how long a running fix stays valid
+  //! without another one.
   ExternalClock(std::string name, std::chrono::nanoseconds patience) : name_(std::move(name)), patience_(patience) {}
 
   void post(const ClockFix& fix) {
@@ -44,21 +47,25 @@ class ExternalClock {
 };
 
 struct ChaseSettings {
-  std::chrono::nanoseconds jump = std::chrono::milliseconds(100);  //!< errors beyond this are jumped over
-  std::chrono::nanoseconds slew = std::chrono::milliseconds(500);  //!< smaller ones fall to 1/e in this time
-  double most_slew = 0.1;                                          //!< greatest change of speed for it, as a part
+  //! Larger errors are corrected at once.
+  std::chrono::nanoseconds jump = std::chrono::milliseconds(100);
+  //! Time constant of the correction of smaller errors.
+  std::chrono::nanoseconds slew = std::chrono::milliseconds(500);
+  //! Maximum relative change of speed.
+  double most_slew = 0.1;
 };
 
-//! State of following a clock: nothing received yet; following; running on alone for a moment; stopped because nothing
-//! arrives any more.
+//! State of following a clock: nothing received yet; following; running on alone for a moment;
+//! stopped because nothing arrives.
 enum class ChaseState { waiting, following, freewheeling, held };
 
-//! Makes a show's clock follow another one.
+//! Makes a show's clock follow an external one.
 class ClockChaser {
  public:
   explicit ClockChaser(ChaseSettings settings = {}) : settings_(settings) {}
 
-  //! Once a frame, before the clock is read. After half of `patience` without a word the clock is said to run freely.
+  //! Updates the clock once per frame, before it is read. After half of `patience` without a fix,
+  //! the state is freewheeling.
   ChaseState follow(ShowClock& clock, const std::optional<ClockFix>& fix, std::chrono::nanoseconds patience);
 
  private:

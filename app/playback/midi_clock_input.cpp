@@ -16,7 +16,8 @@ namespace {
 
 void say_nothing(RtMidiError::Type /*type*/, const std::string& /*text*/, void* /*nothing*/) {}
 
-//! RtMidi writes to the terminal where a machine has no sequencer, before it can be told not to.
+//! Returns whether the machine has a MIDI sequencer. RtMidi would print an error without one,
+//! before it can be silenced.
 bool has_sequencer() {
   silence_sound_libraries();
   snd_seq_t* sequencer = nullptr;
@@ -70,7 +71,8 @@ MidiClockInput::MidiClockInput(std::shared_ptr<ExternalClock> clock, const std::
                               : fmt::format("choose from: {}", fmt::join(names, ", ")));
   }
   port_ = *found;
-  // Time code is what the library leaves out unless asked: system exclusive, timing, not sensing.
+  // By default the library drops the messages that time code needs. Enables system exclusive and
+  // timing, not active sensing.
   input_->ignoreTypes(false, false, true);
   input_->setCallback(receive, this);
   input_->openPort(static_cast<unsigned int>(found - names.begin()), "time code");

@@ -11,14 +11,14 @@ class RtMidiIn;
 
 namespace ergodome {
 
-//! Returns the names of the MIDI inputs of this machine; empty if there are none.
+//! Returns the names of the machine's MIDI inputs; empty if it has no inputs.
 std::vector<std::string> midi_input_names();
 
-//! Receives MIDI time code on an input, on a thread of the MIDI library, and posts clock fixes.
+//! Receives MIDI time code from an input, on a thread of the MIDI library, and posts clock fixes.
 class MidiClockInput {
  public:
-  //! `port` is part of the input's name, or empty for the first one. Throws Error, which lists the inputs, if none matches.
-  //! `start`: the time code at which the show's time is 0.
+  //! `port` is part of the input's name, or empty for the first one. `start` is the time code at
+  //! which the show's time is 0. Throws Error with a list of the inputs if none matches.
   MidiClockInput(std::shared_ptr<ExternalClock> clock, const std::string& port, std::optional<TimeCode> start,
                  TimeSource source = steady_time);
   ~MidiClockInput();
@@ -38,7 +38,8 @@ class MidiClockInput {
   std::string port_;
 };
 
-//! The clock that MIDI time code drives: believed for a second after the last quarter frame.
+//! Returns the clock driven by MIDI time code. It stays valid for a second after the last quarter
+//! frame.
 std::shared_ptr<ExternalClock> make_midi_clock();
 
 }  // namespace ergodome

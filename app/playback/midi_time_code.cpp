@@ -20,7 +20,7 @@ int frames_a_second(CodeRate rate) {
 }
 
 std::int64_t frames_a_day(CodeRate rate) {
-  // Drop frame counting leaves out 108 an hour.
+  // Drop frame counting skips 108 frame numbers per hour.
   return 24 * (std::int64_t{3600} * frames_a_second(rate) - (rate == CodeRate::drop ? 108 : 0));
 }
 
@@ -82,7 +82,7 @@ std::vector<MidiTimeCodeReader::Reading> MidiTimeCodeReader::read(std::span<cons
 
 std::optional<MidiTimeCodeReader::Reading> MidiTimeCodeReader::read_byte(std::uint8_t byte) {
   if (byte >= first_realtime) {
-    return std::nullopt;  // may stand within any other message
+    return std::nullopt;  // may occur within any other message
   }
   if (byte < 0x80) {
     if (in_exclusive_) {
@@ -91,7 +91,7 @@ std::optional<MidiTimeCodeReader::Reading> MidiTimeCodeReader::read_byte(std::ui
       }
       return std::nullopt;
     }
-    // Quarter frames have no running status: further data without a status belong to nothing.
+    // Quarter frames have no running status: ignores further data bytes without a status byte.
     return std::exchange(awaits_quarter_, false) ? read_quarter(byte) : std::nullopt;
   }
   const bool ends_exclusive = in_exclusive_ && byte == exclusive_end;
@@ -113,7 +113,7 @@ std::optional<MidiTimeCodeReader::Reading> MidiTimeCodeReader::read_quarter(std:
   const int piece = data >> 4U;
   const int step = piece_ < 0 ? 0 : piece == (piece_ + 1) % 8 ? 1 : piece_ == (piece + 1) % 8 ? -1 : 0;
   if (step == 0 || (direction_ != 0 && step != direction_)) {
-    // A piece was lost, or the tape turned round: what is known of the code is not known any more.
+    // A piece was lost or the tape reversed, so the code so far is invalid.
     lose_code();
   }
   direction_ = in_row_ > 0 ? step : 0;
@@ -126,7 +126,7 @@ std::optional<MidiTimeCodeReader::Reading> MidiTimeCodeReader::read_quarter(std:
   const int first = direction_ > 0 ? 0 : 7;
   const int last = 7 - first;
   if (piece == first && code_) {
-    // Eight quarters make two frames.
+    // Eight quarter frames span two frames.
     const std::int64_t day = frames_a_day(rate_);
     *code_ = (*code_ + 2 * direction_ + day) % day;
   }
@@ -161,12 +161,14 @@ bool MidiTimeCodeReader::follows_from_the_codes_before(std::int64_t code, CodeRa
   if (code_) {
     return code == *code_ && rate == rate_;
   }
-  // Between two runs of quarters the tape may have moved a little; wrong codes are wrong by more.
+  // Between two runs of quarter frames the tape may have moved a little; wrong codes deviate by
+  // more.
   return !place_ || (rate == rate_ && 2 * std::abs(code - *place_) < frames_a_second(rate));
 }
 
 std::optional<MidiTimeCodeReader::Reading> MidiTimeCodeReader::read_full_frame() {
-  // F0 7F DEVICE 01 01 HOURS MINUTES SECONDS FRAMES F7: universal, real time, to whatever device.
+  // F0 7F DEVICE 01 01 HOURS MINUTES SECONDS FRAMES F7: universal real time message, for any
+  // device.
   if (exclusive_.size() != 8 || exclusive_[0] != 0x7F || exclusive_[2] != 0x01 || exclusive_[3] != 0x01) {
     return std::nullopt;
   }
@@ -190,7 +192,7 @@ ClockFix TimeCodeFilter::filter(const MidiTimeCodeReader::Reading& reading, Mono
     start.rate = reading.rate;
     quarters -= 4 * frame_number(start);
   }
-  // The day ends at midnight, the show that runs through it does not.
+  // The time code wraps at midnight, but a show that runs through midnight continues.
   const std::int64_t half_day = 2 * frames_a_day(reading.rate);
   quarters = quarters < -half_day ? quarters + 2 * half_day : quarters;
   const ShowTime time = time_of_frame(quarters, {4 * rate.frames, rate.seconds});
@@ -234,7 +236,7 @@ ClockFix TimeCodeFilter::line(double usual_speed) const {
     xx += x * x;
     xy += x * (seconds_of(point.time - last.time) - mean_y);
   }
-  // Few points tell the place, and the speed only badly: they are taken to run as time does.
+  // A few points determine the position but not the speed, so the nominal speed is used.
   constexpr std::size_t enough = 24;
   const double speed = points_.size() >= enough && xx > 0.0 ? xy / xx : usual_speed;
   return {last.time + show_time(mean_y - speed * mean_x), speed, last.received, last.received};

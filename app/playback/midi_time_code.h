@@ -12,11 +12,11 @@
 
 namespace ergodome {
 
-//! How a time code counts frames, as MIDI numbers them. `drop` is 29.97 frames a second, whose counting leaves out two numbers in
-//! most minutes.
+//! Frame counting of a time code, numbered as in MIDI. `drop` is 29.97 frames per second and skips
+//! two numbers in most minutes.
 enum class CodeRate { fps24, fps25, drop, fps30 };
 
-//! A label of one frame: hours, minutes, seconds, frames.
+//! The label of a frame: hours, minutes, seconds, frames.
 struct TimeCode {
   int hours = 0;
   int minutes = 0;
@@ -27,37 +27,40 @@ struct TimeCode {
   bool operator==(const TimeCode&) const = default;
 };
 
-//! Whether there is such a label: within its ranges, and none that drop frame counting leaves out.
+//! Returns whether the label exists: within its ranges, and not skipped by drop frame counting.
 bool is_valid(const TimeCode& code);
 
-//! Frames from 00:00:00:00 to a valid code.
+//! Returns the number of frames from 00:00:00:00 to a valid code.
 std::int64_t frame_number(const TimeCode& code);
 
-//! What a code's frames run at: 24, 25, 30000/1001, 30.
+//! Returns the frame rate of a code: 24, 25, 30000/1001 or 30.
 FrameRate frame_rate_of(CodeRate rate);
 
-//! Reads "01:00:00:00"; 24 hours at most. Nothing where that is no valid label.
+//! Parses "01:00:00:00", at most 24 hours. Returns nothing for an invalid label.
 std::optional<TimeCode> parse_time_code(std::string_view text, CodeRate rate);
 
-//! Reads MIDI time code out of a stream of bytes: quarter frames and full frame messages, between whatever else is sent, forth and back.
+//! Reads MIDI time code from a stream of bytes: quarter frames and full frame messages between
+//! other messages, forward and backward.
 //!
-//! MIDI 1.0 Detailed Specification, MIDI time code (RP-004, RP-008). Eight quarter frames make a code, which is that of the frame in
-//! which the first of them (the last, backwards) was sent; so piece k of a code stands for a quarter of k frames more.
+//! Source: MIDI 1.0 Detailed Specification, MIDI time code (RP-004, RP-008). Eight quarter frames
+//! make a code. It belongs to the frame in which the first of them (backward: the last) was sent,
+//! so piece k of a code is k quarter frames later.
 //!
-//! Some senders do not hold a code while they send it: where a second ends, its pieces are of two frames, and it is wrong by a second, a
-//! minute or an hour. So one code that does not follow from those before it is passed over; the next one is taken as it is.
+//! Some senders change the code while they send it: at the end of a second, its pieces belong to
+//! two frames, and it is wrong by a second, a minute or an hour. Therefore a single code that does
+//! not follow from those before is ignored; the next one is accepted.
 class MidiTimeCodeReader {
  public:
-  //! A place of the time code that bytes told.
+  //! A position of the time code.
   struct Reading {
     std::int64_t quarter_frames = 0;  //!< since 00:00:00:00
     CodeRate rate = CodeRate::fps25;
-    int direction = 0;  //!< 1 runs, -1 runs backwards, 0: a full frame message put it there
+    int direction = 0;  //!< 1: forward, -1: backward, 0: set by a full frame message
 
     bool operator==(const Reading&) const = default;
   };
 
-  //! The readings that more bytes complete, in order.
+  //! Reads more bytes and returns the readings that they complete, in order.
   std::vector<Reading> read(std::span<const std::uint8_t> bytes);
 
  private:
@@ -71,20 +74,23 @@ class MidiTimeCodeReader {
   static constexpr std::size_t longest_message = 16;
   bool awaits_quarter_ = false;
   bool in_exclusive_ = false;
-  std::vector<std::uint8_t> exclusive_;  //!< of a system exclusive message, up to the longest that is of interest
+  //! Bytes of a system exclusive message, up to the maximum length needed.
+  std::vector<std::uint8_t> exclusive_;
 
   std::array<std::uint8_t, 8> pieces_{};
-  int piece_ = -1;                     //!< that came last; -1: none
-  int direction_ = 0;                  //!< of the pieces
-  int in_row_ = 0;                     //!< pieces that came one after the other, up to the eight of a code
-  std::optional<std::int64_t> code_;   //!< frames of the code whose pieces are coming, from the one before
-  std::optional<std::int64_t> place_;  //!< frames of the last code or full frame message that was believed
-  bool doubted_ = false;               //!< the last code did not follow from those before it
+  int piece_ = -1;     //!< last piece; -1: none
+  int direction_ = 0;  //!< direction of the pieces
+  int in_row_ = 0;     //!< consecutive pieces, up to the eight of a code
+  //! Frame number of the code being received, from the one before.
+  std::optional<std::int64_t> code_;
+  //! Frame number of the last accepted code or full frame message.
+  std::optional<std::int64_t> place_;
+  bool doubted_ = false;  //!< the last code did not follow from those before
   CodeRate rate_ = CodeRate::fps25;
 };
 
-//! Turns readings of a time code and when they came into fixes: a straight line through the last second of them, so that the jitter of a
-//! cable or a driver does not reach the picture.
+//! Converts readings of a time code and their arrival times to fixes: a straight line through the
+//! last second of them removes the jitter of cables and drivers.
 class TimeCodeFilter {
  public:
   //! `start` is the time code at which the show's time is 0.

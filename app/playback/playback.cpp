@@ -18,7 +18,7 @@ bool has_language(const std::vector<std::string>& languages, const std::string& 
   return std::ranges::find(languages, language) != languages.end();
 }
 
-//! Returns the word of the status for how the show stands to the clock that it follows.
+//! Returns the status word of a chase state.
 const char* name_of(ChaseState state) {
   switch (state) {
     case ChaseState::waiting:
@@ -173,7 +173,7 @@ CommandOutcome Playback::go_to_next_chapter() {
 }
 
 CommandOutcome Playback::go_to_previous_chapter() {
-  // Soon after its start one means the chapter before; later on, this one from its start.
+  // Shortly after its start, goes to the chapter before; later, to the start of the current one.
   constexpr auto soon = std::chrono::seconds(2);
   instant_ = clock_.read();
   const int now = chapter();
@@ -270,7 +270,7 @@ void Playback::fill_clock(PlayerStatus& status) const {
   status.clock_state = external_ ? name_of(chase_state_) : "own";
   status.clock_silence_s.reset();
   if (const std::optional<ClockFix> fix = external_ ? external_->latest() : std::nullopt) {
-    // Another thread may have heard it after this frame began.
+    // Another thread may have received the fix after this frame began.
     status.clock_silence_s = std::max(0.0, seconds_of(instant_.now - fix->heard));
   }
 }

@@ -14,8 +14,10 @@
 
 namespace ergodome {
 
+//! Settings of the playback of a show.
 struct PlaybackSettings {
-  std::string language;  //!< the person's choice; empty: English where there is any, or the first
+  //! The operator's choice; empty: English if available, otherwise the first.
+  std::string language;
   std::chrono::nanoseconds blackout_fade = std::chrono::seconds(1);
   TimeSource source = steady_time;
 };
@@ -23,53 +25,58 @@ struct PlaybackSettings {
 //! Result of a command.
 enum class CommandOutcome {
   done,
-  elsewhere,  //!< is for others: free flight, the way back, a reload; `reset` has been done as far as it is here
-  refused     //!< cannot be; Playback::refusal says why
+  //! For others: free flight, return to the path, reload; `reset` is done as far as it concerns
+  //! playback.
+  elsewhere,
+  refused  //!< not possible; Playback::refusal gives the reason
 };
 
-//! Returns a note if a show has neither captions nor sound in the chosen language or a wider one ("de"
-//! for "de-AT"); otherwise empty.
+//! Returns a note if a show has neither captions nor sound in the chosen language or a wider one
+//! ("de" for "de-AT"); otherwise empty.
 std::string language_note(const std::string& show, const Timeline& heard, const std::string& language);
 
-//! A show's transport: its clock and what an operator sets, as commands say. No window, no threads.
+//! A show's transport: its clock and the operator's settings, controlled by commands. Has no window
+//! and no threads.
 class Playback {
  public:
   explicit Playback(const Show& show, PlaybackSettings settings = {});
 
-  //! Replaces the show by another version; time, speed and settings stay.
+  //! Replaces the show by another version; keeps time, speed and settings.
   void set_show(const Show& show);
-  //! Makes the show follow an external clock; nullptr: its own again.
+  //! Makes the show follow an external clock; nullptr: its own clock.
   void follow(std::shared_ptr<ExternalClock> clock);
 
   CommandOutcome apply(const TransportCommand& command);
   [[nodiscard]] const std::string& refusal() const { return refusal_; }
 
-  //! Once a frame, before anything asks for the time: all of a frame sees this one instant.
+  //! Advances by one frame. Call it before reading the time, so that all parts of a frame use the
+  //! same instant.
   const ShowInstant& advance();
   [[nodiscard]] const ShowInstant& instant() const { return instant_; }
-  //! The picture of the latest instant, or an earlier one, was shown: what went by without counts as dropped.
+  //! Records that the picture of the latest or an earlier instant was shown. Frames skipped since
+  //! the last one count as dropped.
   void note_shown(const ShowInstant& instant) { clock_.note_shown(instant); }
 
-  //! Blacks out at once, for a show that follows one that was blacked out.
+  //! Blacks out at once, for a show that follows a blacked-out one.
   void darken();
   //! Returns whether the show is blacked out or fading to black.
   [[nodiscard]] bool dark() const { return fader_.target() < 0.5; }
 
-  //! Factor on the display's light.
+  //! Returns the factor on the display's light.
   [[nodiscard]] double light() const { return light_; }
   //! Returns the index of the current chapter; -1 before the first.
   [[nodiscard]] int chapter() const;
   [[nodiscard]] double exposure_stops() const { return exposure_stops_; }
-  //! What was set in place of the show's [M].
+  //! Returns the baseline that replaces the show's [M], if any.
   [[nodiscard]] std::optional<double> baseline() const { return baseline_; }
-  //! From now on the show's own holds again.
+  //! Restores the show's baseline.
   void forget_baseline() { baseline_.reset(); }
   [[nodiscard]] const std::string& language() const { return language_; }
   [[nodiscard]] bool captions() const { return captions_; }
   [[nodiscard]] AudioCue audio_cue() const { return {instant_, volume_, language_}; }
   [[nodiscard]] ChaseState chase_state() const { return chase_state_; }
 
-  //! Writes what is known here; the rest stays as it is.
+  //! Fills in the fields that playback determines; leaves the others unchanged.
   void fill(PlayerStatus& status) const;
 
  private:
@@ -81,7 +88,7 @@ class Playback {
   void choose_next_language();
   bool adjust(const TransportCommand& command);
   CommandOutcome refuse(std::string english, std::string german);
-  //! That, or that there are no chapters at all.
+  //! Refuses a chapter with this reason, or because there are no chapters.
   CommandOutcome refuse_chapter(std::string english, std::string german);
   [[nodiscard]] std::string clock_text() const;
   void fill_clock(PlayerStatus& status) const;
@@ -109,7 +116,7 @@ class Playback {
   std::string refusal_;
 };
 
-//! What the mixer needs of a show.
+//! Returns the input of the mixer for a show.
 Soundtrack soundtrack_of(const Show& show);
 
 }  // namespace ergodome

@@ -39,7 +39,7 @@ void ShowClock::anchor(MonotonicTime now) {
     } else if (length > 0) {
       stop_at_ends();
     } else {
-      // No end to stop at; time that no ShowTime can hold any more is past 146 years.
+      // Without an end, the only limit is that of ShowTime, about 146 years.
       position_ = std::clamp(position_, Fixed{0}, fixed(ShowTime::max() / 2));
     }
   }
@@ -65,7 +65,7 @@ void ShowClock::jump(ShowTime time) {
 void ShowClock::play() {
   anchor(source_());
   if (!playing_ && duration_ > ShowTime{}) {
-    // From an end there is no way but to begin again.
+    // At an end, playing starts over.
     if (speed_ > 0 && time() >= duration_) {
       jump(ShowTime{});
     } else if (speed_ < 0 && time() <= ShowTime{}) {
@@ -133,7 +133,7 @@ ShowInstant ShowClock::read() {
   anchor(source_());
   std::int64_t frame = frame_at(time(), rate_);
   if (duration_ > ShowTime{}) {
-    // The end itself, where a show without a loop rests, still shows its last frame.
+    // At the end itself, where a show without a loop stops, the last frame is still shown.
     frame = std::min(frame, frames_a_pass() - 1);
   }
   return {anchored_at_, time(), frame, pass_, playing_ ? speed() : 0.0, playing_, jumps_};

@@ -7,41 +7,43 @@ namespace ergodome {
 //! A show's clock at one instant.
 struct ShowInstant {
   MonotonicTime now{};     //!< when the clock was read
-  ShowTime time{};         //!< of the show
+  ShowTime time{};         //!< show time
   std::int64_t frame = 0;  //!< of the show, from 0
-  std::int64_t pass = 0;   //!< how often the show has begun anew by running on, since the last jump
-  double speed = 0.0;      //!< show seconds in a second; 0 where it stands
+  std::int64_t pass = 0;   //!< number of loop restarts since the last jump
+  double speed = 0.0;      //!< show seconds per second; 0: paused
   bool playing = false;
-  long jumps = 0;  //!< how often the time was set, and not run to
+  long jumps = 0;  //!< number of times that the time was set
 };
 
 //! The time of a show.
 //!
-//! It is where the show was when it last was told something, plus the time since then times the speed, in fixed point: nothing is
-//! added up from frame to frame, so that a stall of the machine drops frames and never makes the show late, and nothing is
-//! rounded but the answer. A show of duration 0 stands still, and its clock runs on.
+//! It equals the time at the last change plus the elapsed time multiplied by the speed, in fixed
+//! point. Nothing accumulates from frame to frame, so a stall drops frames but never delays the
+//! show, and only the result is rounded. A show of duration 0 is static, and its clock keeps
+//! running.
 class ShowClock {
  public:
   ShowClock(double duration_s, double frame_rate_hz, TimeSource source = steady_time);
 
   void play();
   void pause();
-  //! To a time of the show; beyond its ends, to the end.
+  //! Jumps to a show time; limited to the show.
   void seek(ShowTime time);
-  //! Forth and back from here: round in a loop, to the ends otherwise.
+  //! Jumps by a difference: wraps around in a loop, otherwise limited to the show.
   void seek_by(ShowTime difference);
-  //! To the start of the frame so many frames from this one; pauses.
+  //! Jumps by a number of frames, to the start of a frame, and pauses.
   void step(std::int64_t frames);
-  //! Any factor from -1000 to 1000, to 2^-32. What is not a number is ignored.
+  //! Sets the speed, a factor from -1000 to 1000 with a resolution of 2^-32. Ignores NaN.
   void set_speed(double speed);
   void set_loop(bool loop);
-  //! Another version of the show; time and speed stay.
+  //! Replaces the show by another version; keeps time and speed.
   void set_show(double duration_s, double frame_rate_hz);
 
-  //! Where the show is now. Without a loop it stops at its ends by itself.
+  //! Returns the current instant. Without a loop, stops at the ends.
   ShowInstant read();
 
-  //! Says that the picture of an instant was shown: frames since the last one said, whose time went by without, are dropped ones.
+  //! Records that the picture of an instant was shown. Frames skipped since the last one count as
+  //! dropped.
   void note_shown(const ShowInstant& instant);
   [[nodiscard]] long dropped_frames() const { return dropped_frames_; }
 
@@ -57,9 +59,9 @@ class ShowClock {
   __extension__ using Fixed = __int128;
 
   [[nodiscard]] static Fixed fixed(ShowTime time) { return Fixed{time.count()} * (Fixed{1} << 32U); }
-  //! From now on time runs from here.
+  //! Makes time run from the current position.
   void anchor(MonotonicTime now);
-  //! Puts the time somewhere, within the show.
+  //! Sets the time, within the show.
   void jump(ShowTime time);
   void stop_at_ends();
   [[nodiscard]] std::int64_t frames_a_pass() const;
@@ -72,8 +74,8 @@ class ShowClock {
   bool loop_ = true;
   std::int64_t speed_ = std::int64_t{1} << 32U;  //!< in 2^-32
   MonotonicTime anchored_at_{};
-  Fixed position_ = 0;     //!< at that moment, within the show
-  std::int64_t pass_ = 0;  //!< at that moment
+  Fixed position_ = 0;     //!< position at anchored_at_, within the show
+  std::int64_t pass_ = 0;  //!< pass at anchored_at_
   long jumps_ = 0;
 
   long dropped_frames_ = 0;

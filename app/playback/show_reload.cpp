@@ -19,7 +19,7 @@ std::int64_t nanoseconds_of(FileWatch::WallTime time) {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(time.time_since_epoch()).count();
 }
 
-//! Throws Error where a show's file holds nothing to read.
+//! Throws Error if a show's file is missing or empty.
 void require_version(const std::filesystem::path& file) {
   const auto stamp = stamp_of(file);
   if (!stamp || stamp->bytes == 0) {
@@ -39,13 +39,13 @@ std::optional<FileStamp> stamp_of(const std::filesystem::path& path) {
 }
 
 void FileWatch::watch(const std::vector<std::filesystem::path>& paths, WallTime read_at) {
-  // File systems date changes by a clock that ticks some milliseconds apart.
+  // Time stamps of file systems have a resolution of some milliseconds.
   const std::int64_t known_ns = nanoseconds_of(read_at - std::chrono::milliseconds(10));
   std::vector<File> files;
   for (const std::filesystem::path& path : paths) {
     const auto before = std::ranges::find(files_, path, &File::path);
     if (before != files_.end()) {
-      // What has changed while the files were read is still to be told.
+      // Keeps changes made while the files were read; they are not reported yet.
       files.push_back(*before);
     } else {
       const auto stamp = stamp_of(path);

@@ -19,26 +19,28 @@ namespace ergodome {
 //! Identifies a version of a file without reading it.
 struct FileStamp {
   std::int64_t modified_ns = 0;
-  std::int64_t changed_ns = 0;  //!< when its content, name or rights did
+  std::int64_t changed_ns = 0;  //!< when its content, name or permissions changed
   std::int64_t bytes = 0;
   std::uint64_t inode = 0;
 
   bool operator==(const FileStamp&) const = default;
 };
 
-//! Returns nothing if there is no regular file.
+//! Returns the stamp of a file; nothing if it is not a regular file.
 std::optional<FileStamp> stamp_of(const std::filesystem::path& path);
 
-//! Watches files by looking at them now and then, and tells when one has become another and then stood still.
+//! Watches files by polling, and reports when one has changed and then stayed the same for a while.
 //!
-//! Editors empty a file and fill it, or take it away before another gets its name: what is told is a state that lasted, longer for a file that is gone, or
-//! empty.
+//! Editors truncate and rewrite a file, or delete it before another gets its name, so only states
+//! that last are reported; missing and empty files must last longer.
 class FileWatch {
  public:
   struct Settings {
     std::chrono::nanoseconds look_every = std::chrono::milliseconds(250);
-    std::chrono::nanoseconds settle = std::chrono::milliseconds(200);  //!< for which a new version stands still
-    std::chrono::nanoseconds gone = std::chrono::seconds(2);           //!< for which a file is missing, or empty
+    //! How long a new version must stay unchanged.
+    std::chrono::nanoseconds settle = std::chrono::milliseconds(200);
+    //! How long a file must be missing or empty.
+    std::chrono::nanoseconds gone = std::chrono::seconds(2);
   };
 
   FileWatch() : FileWatch(Settings{}) {}
@@ -46,17 +48,18 @@ class FileWatch {
 
   using WallTime = std::chrono::system_clock::time_point;
 
-  //! From now on these files, as they are now; what was changed after `read_at`, when they were read, is still to be told.
+  //! Watches these files from their current state. Changes after `read_at`, when they were read,
+  //! are still to be reported.
   void watch(const std::vector<std::filesystem::path>& paths, WallTime read_at);
-  //! Whether a file has changed since it was watched or last told.
+  //! Returns whether a file has changed since it was watched or last reported.
   bool changed(MonotonicTime now);
 
  private:
   struct File {
     std::filesystem::path path;
-    std::optional<FileStamp> known;      //!< the version that has been told
-    std::optional<FileStamp> seen;       //!< when last looked at
-    std::optional<MonotonicTime> since;  //!< the version that was seen has been there
+    std::optional<FileStamp> known;      //!< the version last reported
+    std::optional<FileStamp> seen;       //!< when last polled
+    std::optional<MonotonicTime> since;  //!< when the seen version appeared
   };
   bool look(File& file, MonotonicTime now) const;
 
@@ -65,24 +68,25 @@ class FileWatch {
   std::optional<MonotonicTime> looked_at_;
 };
 
-//! Reads a running show again after its file, or one of the files it names, has been saved. It reads on a thread of its own:
-//! the player goes on drawing, however long a file takes.
+//! Rereads a running show after its file, or one of the files it names, was saved. It reads on a
+//! separate thread, so that the player keeps drawing.
 class ShowReload {
  public:
   using Loader = std::function<Show(const std::filesystem::path&)>;
 
-  //! A new version of the show, or why the running one stays.
+  //! A new version of the show, or why the running one is kept.
   struct Result {
     std::optional<Show> show;
     std::string problem;
   };
 
-  //! `running` is the show as it was read from `file` at `read_at`. `load` reads and checks a file, on another thread, and
-  //! throws where the show cannot be played.
+  //! `running` is the show read from `file` at `read_at`. `load` reads and checks a file, on
+  //! another thread, and throws if the show cannot be played.
   ShowReload(std::filesystem::path file, const Show& running, FileWatch::WallTime read_at, Loader load,
              FileWatch::Settings settings = {});
 
-  //! Returns what was read since the last call; call it once a frame. Each broken version is reported once.
+  //! Returns what was read since the last call; called once per frame. Each broken version is
+  //! reported once.
   std::optional<Result> poll(MonotonicTime now);
   //! Reads the show again, whether it changed or not; poll() returns the result.
   void request() { requested_ = true; }

@@ -8,26 +8,27 @@
 
 namespace ergodome {
 
-//! Time of a show from its start. Whole nanoseconds: as exact after 1e9 s as at the start, where a double knows 1e-7 s.
+//! Show time in integer nanoseconds: as exact after 1e9 s, where a double has a resolution of 1e-7
+//! s, as at the start.
 using ShowTime = std::chrono::nanoseconds;
 
-//! Time that only goes forward, since a moment that does not matter.
+//! Monotonic time from an arbitrary origin.
 using MonotonicTime = std::chrono::nanoseconds;
 using TimeSource = std::function<MonotonicTime()>;
 
-//! The machine's steady clock.
+//! Returns the time of the machine's steady clock.
 MonotonicTime steady_time();
 
-//! Seconds to the nearest nanosecond; what is not a number is 0, and what lies beyond 4e9 s is taken as that.
+//! Rounds seconds to the nearest nanosecond. NaN becomes 0; values are clamped to 4e9 s.
 ShowTime show_time(double seconds);
 
-//! The nearest double.
+//! Converts to the nearest double.
 double seconds_of(std::chrono::nanoseconds time);
 
-//! The frame that is shown at a time, counted from 0.
+//! Returns the frame shown at a time, counted from 0.
 std::int64_t frame_at(ShowTime time, FrameRate rate);
 
-//! The first nanosecond of a frame: frame_at of it is the frame again.
+//! Returns the first nanosecond of a frame; frame_at() of it is that frame.
 ShowTime time_of_frame(std::int64_t frame, FrameRate rate);
 
 }  // namespace ergodome

@@ -9,7 +9,7 @@
 
 namespace ergodome {
 
-//! What may be asked of a running show: by keys, a pad, OSC, the page in a browser.
+//! A command for a running show, from keys, a controller, OSC or the status page.
 struct TransportCommand {
   enum class Kind {
     play,
@@ -17,37 +17,38 @@ struct TransportCommand {
     toggle_pause,
     seek,     //!< value: show time [s]
     seek_by,  //!< value: seconds
-    step,     //!< value: frames, back where negative; pauses
-    speed,    //!< value: factor, backwards where negative
+    step,     //!< value: frames, negative: backward; pauses
+    speed,    //!< value: factor, negative: backward
     chapter,  //!< value: index from 0
     next_chapter,
     previous_chapter,
     loop,      //!< value: 0 or 1
     blackout,  //!< value: 1 dark, 0 light; faded
     toggle_blackout,
-    exposure,  //!< value: stops on top of the show's
-    baseline,  //!< value: distance of the eyes [M]
-    language,  //!< text: its tag
+    exposure,  //!< value: stops in addition to the show's
+    baseline,  //!< value: baseline [M]
+    language,  //!< text: language tag
     next_language,
     captions,  //!< value: 0 or 1
     volume,    //!< value: factor, 0 to 1
     free_flight,
     return_to_path,
     reset,
-    reload  //!< reads the show's file again
+    reload  //!< rereads the show's file
   };
   Kind kind = Kind::play;
   double value = 0.0;
   std::string text;
-  std::string source{};  //!< who asked, for the log: "web 192.168.1.20"; empty: this program
+  std::string source{};  //!< sender, for the log: "web 192.168.1.20"; empty: this program
 
-  //! Whether two commands do the same, whoever asked for them.
+  //! Returns whether two commands do the same, regardless of their sources.
   bool operator==(const TransportCommand& other) const {
     return kind == other.kind && value == other.value && text == other.text;
   }
 };
 
-//! Whether a command moves the show's time, which a clock from outside does alone.
+//! Returns whether a command changes the show's time, which is not allowed while an external clock
+//! sets it.
 constexpr bool moves_time(TransportCommand::Kind kind) {
   using Kind = TransportCommand::Kind;
   switch (kind) {
@@ -67,7 +68,8 @@ constexpr bool moves_time(TransportCommand::Kind kind) {
   }
 }
 
-//! Commands on their way from other threads to the player, in order. Bounded: a flood loses its oldest.
+//! Queues commands from other threads for the player, in order. The size is limited; when full, it
+//! drops the oldest.
 class CommandQueue {
  public:
   void push(TransportCommand command) {
@@ -89,7 +91,7 @@ class CommandQueue {
   std::deque<TransportCommand> commands_;
 };
 
-//! A controller as an operator sees it.
+//! The status of a controller, for operators.
 struct PadStatus {
   std::string name;
   std::string connection;  //!< "USB", "Bluetooth"
@@ -98,11 +100,11 @@ struct PadStatus {
 
 struct ChapterStatus {
   double time_s = 0.0;
-  std::string title;                //!< in the language that is heard
-  std::vector<std::string> titles;  //!< in all of the show's
+  std::string title;                //!< in the current language
+  std::vector<std::string> titles;  //!< in all languages of the show
 };
 
-//! What the player tells the world, once a frame.
+//! State of the player, published once per frame.
 struct PlayerStatus {
   std::string title;
   double time_s = 0.0;
@@ -113,20 +115,21 @@ struct PlayerStatus {
   bool loop = true;
   bool blackout = false;
   double exposure_stops = 0.0;
-  double baseline = 0.0;       //!< that is asked for [M]
-  double baseline_used = 0.0;  //!< of the last picture: less, where more does not fit [M]
+  double baseline = 0.0;       //!< requested [M]
+  double baseline_used = 0.0;  //!< of the last frame; smaller where it had to be reduced [M]
   bool stereo = false;
   double volume = 1.0;
   std::string language;
   std::vector<std::string> languages;
   bool captions = true;
-  int chapter = -1;  //!< index of the one that is running
+  int chapter = -1;  //!< index of the current chapter
   std::vector<ChapterStatus> chapters;
-  std::string clock;                //!< what the show's time follows, and how: "own", "MIDI time code"
-  std::string follows;              //!< the clock from outside that moves its time alone; empty: none does
+  //! Source of the show time, for display: "own", "MIDI time code".
+  std::string clock;
+  std::string follows;              //!< external clock that alone sets the time; empty: none
   std::string clock_state = "own";  //!< "own", "waiting", "following", "running_on" or "stopped"
-  std::optional<double>
-      clock_silence_s;   //!< since the clock from outside was last heard; nothing: never, or none is followed
+  //! Since the external clock was last heard; nothing: never, or there is none.
+  std::optional<double> clock_silence_s;
   std::string sound;     //!< the audio device, or that there is none
   std::string observer;  //!< the mode of the camera's motion
   std::string lens;
@@ -136,10 +139,10 @@ struct PlayerStatus {
   long frames = 0;
   long dropped_frames = 0;
   std::vector<PadStatus> pads;
-  std::string problem;  //!< what went wrong last; empty: all is well
+  std::string problem;  //!< the last problem; empty: none
 };
 
-//! The latest status, for threads that show it.
+//! Stores the latest status for other threads.
 class StatusBoard {
  public:
   void post(PlayerStatus status) {
