@@ -32,7 +32,8 @@ Show bare_path(const Show& scene) {
   return show;
 }
 
-//! Lets a path's camera fall past the given moments, and adds their marks, the first of them where the keys let go. Nothing where they are not passed.
+//! Gives a path a fall past the given moments and adds their marks; the first is where the keys
+//! release the camera. Returns nothing if no such fall exists.
 std::optional<RecordedFall> add_fall(const std::vector<FallMoment>& moments, Show& show, std::vector<PathMark>& marks) {
   const double before_s = marks.empty() ? moments.front().time_s - shortest_s : marks.back().key.time_s;
   std::optional<RecordedFall> fall = recorded_fall(show.spin, moments, before_s);
@@ -49,7 +50,7 @@ std::optional<RecordedFall> add_fall(const std::vector<FallMoment>& moments, Sho
     return std::nullopt;
   }
   const auto key_of = [&](double time_s, const CameraPose& pose) {
-    // The fall's keys look in a frame that it takes along.
+    // The keys of a fall are relative to a frame carried along with it.
     CameraPose look = {fall->start.r, fall->start.theta, fall->start.phi, {}};
     look.orientation = glm::normalize(glm::conjugate(show.camera.orbit->at(time_s).frame) * pose.orientation);
     return key_at(time_s, look);
@@ -70,7 +71,8 @@ std::optional<RecordedFall> add_fall(const std::vector<FallMoment>& moments, Sho
   return fall;
 }
 
-//! Where among its samples a flight falls through the horizon: from `begin` on, where who looks falls along that orbit, to before `end`.
+//! The samples of a flight that fall through the horizon: from `begin`, where the observer follows
+//! that orbit, to before `end`.
 struct FallingPart {
   std::size_t begin;
   std::size_t beyond;  //!< the first that is beyond return
@@ -81,13 +83,14 @@ FallMoment moment_of(const FlightSample& sample) { return {sample.time_s, sample
 
 bool is_beyond(const FlightSample& sample) { return sample.falling && sample.falling->beyond_return; }
 
-//! Whether who falls at one moment falls on to the other, in the same hole.
+//! Returns whether one moment leads to the other by free fall, around the same hole.
 bool is_one_fall(const FlightSample& before, const FlightSample& after) {
   return before.falling && after.falling && before.spin == after.spin &&
          falls_on(before.spin, moment_of(before), moment_of(after));
 }
 
-//! All three are the number of samples where nobody falls so far.
+//! Returns the falling part of a flight. All three members are the number of samples if nothing
+//! falls so far.
 FallingPart falling_part(const std::vector<FlightSample>& samples) {
   const auto at = static_cast<std::size_t>(std::ranges::find_if(samples, is_beyond) - samples.begin());
   FallingPart part = {at, at, at};
@@ -110,7 +113,8 @@ std::vector<FallMoment> moments_of(std::span<const FlightSample> samples, double
   return moments;
 }
 
-//! Marks of samples outside the horizon: without velocities where the scene's observer has them all.
+//! Returns marks of samples outside the horizon. They have no velocities if all samples have the
+//! scene's observer.
 std::vector<PathMark> marks_of(std::span<const FlightSample> samples, double first_s) {
   const bool as_observer = std::ranges::all_of(samples, &FlightSample::as_observer);
   std::vector<PathMark> marks;
@@ -124,7 +128,7 @@ std::vector<PathMark> marks_of(std::span<const FlightSample> samples, double fir
   return marks;
 }
 
-//! A fall may begin before the first note.
+//! Shifts the path to begin at 0 s, because a fall may begin before the first sample.
 void begin_at_0(RecordedPath& path) {
   const double first_s = path.keys.empty() ? 0.0 : path.keys.front().time_s;
   for (CameraKey& key : path.keys) {
@@ -154,7 +158,8 @@ void FlightRecorder::note(FlightSample sample) {
   }
   sample.pose.orientation = glm::normalize(sample.pose.orientation);
   if (!samples_.empty()) {
-    // Azimuths go on from each other: a camera that crosses 2 pi, or flies over the axis, has not been round the hole.
+    // Keeps azimuths continuous: a camera that crosses 2 pi, or flies over the axis, has not gone
+    // around the hole.
     const double before = samples_.back().pose.phi;
     sample.pose.phi += 2.0 * pi * std::round((before - sample.pose.phi) / (2.0 * pi));
   }
@@ -193,7 +198,7 @@ Show recorded_show(const Show& scene, RecordedPath path, const std::string& titl
   if (path.fall) {
     put_fall(*path.fall, show);
     if (show.stereo.model == StereoModel::flat) {
-      show.stereo.model = StereoModel::physical;  // as the player has it there
+      show.stereo.model = StereoModel::physical;  // as in the player
     }
   }
   const auto place = [&](std::string& file) {

@@ -10,52 +10,56 @@
 
 namespace ergodome {
 
-//! What is noted of a camera that falls through the horizon, or on its way there.
+//! State of a camera that falls through the horizon, or is on its way there.
 struct FallingNote {
-  double own_time;     //!< of the camera, from any beginning [M]
+  double own_time;     //!< proper time of the camera, from any origin [M]
   bool beyond_return;  //!< is_beyond_return()
 };
 
 //! One moment of a flight.
 struct FlightSample {
   double time_s;
-  CameraPose pose;                     //!< with the velocity of who looks
-  double spin;                         //!< of the hole at that moment
-  bool as_observer;                    //!< whether who looks moves as the scene's observer does
-  std::optional<FallingNote> falling;  //!< where who looks is who falls, whose pose has a velocity in the rain's frame
+  CameraPose pose;   //!< with the observer's velocity
+  double spin;       //!< of the hole at that time
+  bool as_observer;  //!< whether the observer moves as the scene's observer does
+  //! Present if the observer is infalling; the pose then has a velocity in the rain frame.
+  std::optional<FallingNote> falling;
 };
 
-//! A flight as a show has it: camera keys, and the fall through the horizon that they end in.
+//! A flight in the form of a show: camera keys, and the fall through the horizon that ends them, if
+//! any.
 struct RecordedPath {
   std::vector<CameraKey> keys;
   std::optional<RecordedFall> fall;
 };
 
-//! Writes down a flight, so that it becomes the camera path of a show.
+//! Records a flight as the camera path of a show.
 class FlightRecorder {
  public:
-  //! Notes a moment of a time that grows. A time that does not grow, or a place or velocity that is none, is passed over. Thirty a second are kept
-  //! at most, for an hour; then it is full.
+  //! Adds a sample. Ignores samples whose time does not increase, or with a non-finite position or
+  //! velocity. Keeps at most thirty per second, for an hour; then it is full.
   //!
-  //! Where a fall has been beyond return, the record ends with it, at the first moment that is not later on the same orbit of the same hole: to
-  //! other places no path of a show leads from there.
+  //! After a fall is beyond return, the recording ends at the first sample that is not later on the
+  //! same orbit around the same hole: no path of a show leads elsewhere from there.
   void note(FlightSample sample);
 
-  //! Ends the record: nothing is noted any more.
+  //! Ends the recording: later samples are ignored.
   void end() { ended_ = true; }
 
   [[nodiscard]] bool empty() const { return samples_.size() < 2; }
   [[nodiscard]] bool full() const;
-  //! Whether the last note is of a fall that does not come out again.
+  //! Returns whether the last sample belongs to a fall that cannot escape.
   [[nodiscard]] bool beyond_return() const;
-  //! Whether a fall through the horizon was left, or somebody ended the record.
+  //! Returns whether the recording has ended, by leaving a fall through the horizon or by end().
   [[nodiscard]] bool ended() const { return ended_; }
 
-  //! The flight as few camera keys: camera_pose() of them is within the tolerance of every note. The first is at 0 s. They have
-  //! velocities unless all notes are as the scene's observer.
+  //! Returns the flight with as few camera keys as possible: camera_pose() of them is within the
+  //! tolerance of every sample. The first is at 0 s. They have velocities unless all samples have
+  //! the scene's observer.
   //!
-  //! Where the camera fell through the horizon, the keys have it as far as where that fall began, and then but where it looked; a fall whose
-  //! beginning cannot be found, or that was into a hole of another spin than the scene's, ends the path there.
+  //! If the camera fell through the horizon, the keys control its position only up to the beginning
+  //! of that fall, and afterwards only its orientation. The path ends there if the beginning cannot
+  //! be found, or if the hole had another spin than the scene's.
   [[nodiscard]] RecordedPath path(const Show& scene, const RecordTolerance& tolerance = {}) const;
 
  private:
@@ -63,7 +67,8 @@ class FlightRecorder {
   bool ended_ = false;
 };
 
-//! A show of a scene that follows a recorded path; its files are named so that it may stand in another folder.
+//! Returns a show of a scene that follows a recorded path. Its file names are valid from other
+//! folders.
 Show recorded_show(const Show& scene, RecordedPath path, const std::string& title);
 
 }  // namespace ergodome

@@ -14,7 +14,8 @@ namespace ergodome {
 
 namespace {
 
-//! Of numbers, as frames have them: files are in order where their names are, and a year or a date is none.
+//! Format of the numbers, like those of frames: files sort by name, and a year or a date is not
+//! mistaken for a number.
 constexpr std::size_t number_digits = 6;
 constexpr long greatest_number = 999'999;
 
@@ -22,7 +23,7 @@ std::filesystem::path folder_of(const std::filesystem::path& record) {
   return record.has_parent_path() ? record.parent_path() : std::filesystem::path(".");
 }
 
-//! Those that are there, by their numbers.
+//! Returns the existing recordings by number. Throws Error if the folder cannot be read.
 std::multimap<long, std::filesystem::path> records_of(const std::filesystem::path& record) {
   std::multimap<long, std::filesystem::path> found;
   std::error_code problem;

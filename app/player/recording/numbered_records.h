@@ -6,15 +6,17 @@
 
 namespace ergodome {
 
-//! The number that a file has among the records of `record`: flight.toml's are flight-000001.toml, flight-000002.toml and so on, beside it, with six digits each.
-//! Nothing where its name is none of a record.
+//! Returns the number of a file among the recordings of `record`: for flight.toml these are
+//! flight-000001.toml, flight-000002.toml, ... in the same folder, with six digits. Returns nothing
+//! if the name is not that of a recording.
 std::optional<long> record_number(const std::filesystem::path& record, const std::filesystem::path& file);
 
-//! The name of the next record: its number is above those of all that are there, and nothing has that name. Throws Error where the folder cannot be read,
-//! and behind number 999999.
+//! Returns the name of the next recording: its number is above all existing ones, and no file has
+//! that name. Throws Error if the folder cannot be read, and after number 999999.
 std::filesystem::path next_record(const std::filesystem::path& record);
 
-//! Removes the records of the least numbers but for the last `most`; what cannot be removed stays.
+//! Removes the recordings with the lowest numbers, keeping the last `most`. Ignores files that
+//! cannot be removed.
 void remove_oldest_records(const std::filesystem::path& record, std::size_t most);
 
 }  // namespace ergodome

@@ -19,7 +19,7 @@ RainOrbit orbit_of(double spin, const CameraPose& falls) {
   return make_rain_orbit(spin, ingoing.r, ingoing.theta, ingoing.phi, *falls.velocity);
 }
 
-//! Place and velocity of a body, without a view.
+//! Returns position and velocity of an infalling body, without an orientation.
 CameraPose pose_on_orbit(double spin, const OrbitConstants& constants, const OrbitState& s) {
   const double c = std::cos(s.drag);
   const double d = std::sin(s.drag);
@@ -31,7 +31,8 @@ CameraPose pose_on_orbit(double spin, const OrbitConstants& constants, const Orb
   return pose;
 }
 
-//! Whether a fall of a show may begin there: slow enough for the ZAMO that nothing is lost in rounding.
+//! Returns whether a show's fall may begin there: outside the horizon, and slow enough against the
+//! ZAMO to avoid rounding errors.
 bool may_begin_at(double spin, const CameraPose& falls) {
   constexpr double fastest = 0.99;
   if (!(falls.r > horizon_radius(spin))) {
@@ -42,17 +43,18 @@ bool may_begin_at(double spin, const CameraPose& falls) {
 }
 
 struct FallBeginning {
-  CameraPose pose;  //!< in the rain's frame
-  double own_time;  //!< before the first moment, 0 or less [M]
+  CameraPose pose;  //!< in the rain frame
+  double own_time;  //!< proper time relative to the first moment, at most 0 [M]
 };
 
-//! Follows the orbit back to where a fall may begin.
+//! Integrates the orbit backward to where a fall may begin. Returns nothing if there is no such
+//! point.
 std::optional<FallBeginning> beginning_of(double spin, const CameraPose& first) {
   if (may_begin_at(spin, first)) {
     return FallBeginning{first, 0.0};
   }
   constexpr double tolerance = 1e-13;
-  constexpr double longest_step = 0.02;  // radii
+  constexpr double longest_step = 0.02;  // in units of the radius
   constexpr int most_steps = 2000;
   const RainOrbit orbit = orbit_of(spin, first);
   OrbitState state = orbit.state;
@@ -77,7 +79,7 @@ struct OwnTimeAt {
   double own_time;
 };
 
-//! A clock that runs evenly from key to key, with as few keys as have the own times within the tolerance.
+//! Returns a piecewise linear clock with as few keys as keep the proper times within the tolerance.
 std::vector<NumberKey> clock_through(const std::vector<OwnTimeAt>& times) {
   std::vector<NumberKey> keys;
   std::size_t from = 0;
@@ -100,7 +102,7 @@ std::vector<NumberKey> clock_through(const std::vector<OwnTimeAt>& times) {
     keys.push_back({times[from].time_s, std::max(rate, 0.0), Ease::hold});
     from = to;
   }
-  // Beyond the record time rests, as the camera of a show does after its last key.
+  // Proper time stops after the recording, as a show's camera stops after its last key.
   keys.push_back({times.back().time_s, 0.0, Ease::hold});
   return keys;
 }

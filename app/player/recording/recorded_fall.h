@@ -8,29 +8,32 @@
 
 namespace ergodome {
 
-//! A camera that falls through the horizon, at one moment.
+//! A sample of a camera that falls through the horizon.
 struct FallMoment {
   double time_s = 0.0;
-  CameraPose pose;        //!< with a velocity in the rain's frame
-  double own_time = 0.0;  //!< of the camera, from any beginning [M]
+  CameraPose pose;        //!< with a velocity in the rain frame
+  double own_time = 0.0;  //!< proper time of the camera, from any origin [M]
 };
 
-//! A fall as [camera.fall] and its clock say it.
+//! A fall in the form of [camera.fall] and its clock.
 struct RecordedFall {
-  CameraKey start;  //!< where the keys let go of the camera; its angles are yet to be chosen
+  CameraKey start;  //!< where the keys release the camera; its angles are not set
   FallSettings settings;
-  std::vector<NumberKey> clock;  //!< camera.fall.clock: has the own times at all moments, to 1e-8 M
+  //! Camera.fall.clock: matches the proper times at all moments to 1e-8 M.
+  std::vector<NumberKey> clock;
 };
 
-//! Whether who falls at the first moment is at the second one by falling on: energy, angular momentum and Carter's constant are the same, and
-//! time has not run back.
+//! Returns whether free fall leads from the first moment to the second: energy, angular momentum
+//! and Carter constant are equal, and proper time does not decrease.
 bool falls_on(double spin, const FallMoment& before, const FallMoment& after);
 
-//! The fall that passes the given moments of one orbit. It begins at the first; where the camera is too near to the horizon or within it by then, at a
-//! place of the orbit further out, between `before_s` and the first moment. Nothing where the orbit leads from no such place.
+//! Returns the fall through the given moments of one orbit. It begins at the first moment; if the
+//! camera is too close to the horizon or inside it there, at a point of the orbit farther out,
+//! between `before_s` and the first moment. Returns nothing if there is no such point.
 std::optional<RecordedFall> recorded_fall(double spin, std::span<const FallMoment> moments, double before_s);
 
-//! The show's camera with keys up to the fall's start, let go there. The show is as long as it is to be.
+//! Puts the fall into the show's camera, whose keys lead up to its start. The show must already
+//! have its final length.
 void put_fall(const RecordedFall& fall, Show& show);
 
 }  // namespace ergodome

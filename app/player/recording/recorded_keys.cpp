@@ -13,12 +13,12 @@ glm::dvec3 direction_of_pose(const CameraPose& pose) {
   return {std::sin(pose.theta) * std::cos(pose.phi), std::sin(pose.theta) * std::sin(pose.phi), std::cos(pose.theta)};
 }
 
-//! Worst deviation of a path from a note, in tolerances.
+//! Returns the largest deviation of a path from a sample, in units of the tolerance.
 double deviation(const CameraPose& path, const CameraPose& note, const RecordTolerance& tolerance) {
   const double turned =
       2.0 * std::acos(std::min(1.0, std::abs(glm::dot(glm::normalize(path.orientation), note.orientation))));
   if (note.velocity_in_rain) {
-    return turned / tolerance.turn_rad;  // an orbit leads it, not the keys
+    return turned / tolerance.turn_rad;  // an orbit determines the position, not the keys
   }
   const double moved = glm::length(direction_of_pose(path) - direction_of_pose(note));
   const double radius = std::abs(path.r / note.r - 1.0);
@@ -40,7 +40,7 @@ CameraKey key_at(double time_s, const CameraPose& pose) {
   key.theta = pose.theta;
   key.phi = pose.phi;
   key.velocity = pose.velocity;
-  // The columns of yaw * pitch * roll, as key_orientation() multiplies them.
+  // Columns of yaw * pitch * roll, in the order of key_orientation().
   const glm::dmat3 m = glm::mat3_cast(glm::normalize(glm::inverse(key_orientation(CameraKey())) * pose.orientation));
   const glm::dvec3& back = m[2];
   const double sine = std::clamp(-back.y, -1.0, 1.0);
@@ -49,7 +49,7 @@ CameraKey key_at(double time_s, const CameraPose& pose) {
     key.yaw = -std::atan2(back.x, back.z);
     key.roll = -std::atan2(m[0].y, m[1].y);
   } else {
-    // Straight up or down, yaw and roll turn about the same axis.
+    // Straight up or down, yaw and roll rotate about the same axis.
     key.yaw = -std::atan2(-m[0].z, m[0].x);
   }
   return key;
@@ -68,7 +68,7 @@ std::vector<CameraKey> fewest_keys(const std::vector<PathMark>& marks, std::size
     for (const std::size_t i : chosen) {
       path.camera.keys.push_back(marks[i].key);
     }
-    // The worst note of every span becomes a key, until there is none that is bad.
+    // Makes the worst mark of every span a key, until all are within the tolerance.
     std::vector<std::size_t> more;
     for (std::size_t span = 0; span + 1 < chosen.size(); ++span) {
       double worst = 1.0;

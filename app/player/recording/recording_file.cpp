@@ -33,7 +33,7 @@ bool RecordingFile::save(const PlayerSession& session) {
     return true;
   }
   if (names_ == Names::numbered) {
-    // First, so that there is room; and what was being written when the program was killed.
+    // Makes room first, and removes partial files left by a killed program.
     remove_oldest_records(path_, most_records - 1);
     remove_abandoned_files(path_.has_parent_path() ? path_.parent_path() : std::filesystem::path("."));
   }

@@ -7,26 +7,28 @@
 
 namespace ergodome {
 
-//! The show files that flights are written to, again and again, for the case that the program is stopped hard.
+//! Writes flights to show files, repeatedly, so that little is lost if the program is killed.
 class RecordingFile {
  public:
   enum class Names {
-    one,      //!< the file itself; what is there from before is kept as NAME.bak
-    numbered  //!< a file beside it for each flight (next_record()), of which the last thousand are kept
+    one,  //!< the file itself; an older one is kept as NAME.bak
+    //! A numbered file per flight in the same folder (next_record()); the last thousand are kept.
+    numbered
   };
 
-  //! An empty path: nothing is recorded.
+  //! An empty path disables recording.
   RecordingFile(std::filesystem::path path, Names names) : path_(std::move(path)), names_(names) {}
 
   [[nodiscard]] bool wanted() const { return !path_.empty(); }
 
-  //! What comes is another flight.
+  //! Begins another flight.
   void begin();
 
-  //! Once a frame: save(), if that is due.
+  //! Calls save() if it is due; called once per frame.
   bool keep(const PlayerSession& session);
 
-  //! Writes what was flown so far, where the session records and has flown, and says whether it was written. Throws Error where the file cannot be.
+  //! Writes the flight so far, if the session records and has flown. Returns whether it was
+  //! written. Throws Error if the file cannot be written.
   bool save(const PlayerSession& session);
 
  private:
@@ -34,7 +36,7 @@ class RecordingFile {
 
   std::filesystem::path path_;
   Names names_;
-  std::filesystem::path written_;  //!< the flight's own file; empty while there is none
+  std::filesystem::path written_;  //!< the file of the current flight; empty if there is none yet
   Clock::time_point saved_{};
 };
 
