@@ -17,14 +17,14 @@ namespace ergodome {
 
 using Clock = std::chrono::steady_clock;
 
-//! What the thread and its owner share; the thread holds it, too, so that it may outlive the owner.
+//! State shared by the thread and its owner. The thread holds it too, so it may outlive the owner.
 struct FrameSource::Worker {
   Render render;
   std::mutex mutex;
   std::condition_variable wake;
   std::optional<PictureRequest> request;
   std::optional<PictureAnswer> answer;
-  std::optional<Clock::time_point> began;  //!< while a picture is in work
+  std::optional<Clock::time_point> began;  //!< start of the picture being rendered, if any
   bool ended = false;
   std::thread thread;
 
@@ -50,17 +50,17 @@ PictureAnswer answer_to(const FrameSource::Render& render, const PictureRequest&
 
 namespace {
 
-//! Largest width of a caption layer for projectors [px]. Drawing it takes 16 bytes a pixel.
+//! Maximum width of a caption layer for projectors [px]. Drawing it takes 16 bytes per pixel.
 constexpr int widest_master_captions_px = 4096;
 
-//! Returns the width of the caption layer for projectors, or 0 if they need none: the domemaster is as fine as they are and contains its
-//! captions.
+//! Returns the width of the caption layer for projectors. Returns 0 if they need none, because the
+//! domemaster is as fine as they are and contains its captions.
 int projectors_caption_px(const PictureRequest& request) {
   const int width_px = std::min(request.projectors_px, widest_master_captions_px);
   return width_px > request.size_px ? width_px : 0;
 }
 
-//! Brings a show's renderer to a frame.
+//! Sets up a show's renderer for a frame.
 void set_up(ShowRenderer& renderer, const PictureRequest& request) {
   const PlayerFrame& frame = request.frame;
   renderer.apply(frame.time_s);
@@ -85,7 +85,8 @@ EyesInWindow eyes_in_window(StereoLayout layout) {
                                                : EyesInWindow::in_rows;
 }
 
-//! Width of an eye's captions that have a pixel for each of the window's, along both sides [px].
+//! Returns the width of an eye's captions at which they have at least one pixel per window pixel in
+//! both directions [px].
 int caption_width_px(const ImageSize& window, StereoLayout layout, const Projection& eye) {
   constexpr double widest_px = 8192.0;
   const EyeGrid grid = eye_grid(layout);
@@ -97,8 +98,8 @@ int caption_width_px(const ImageSize& window, StereoLayout layout, const Project
   return static_cast<int>(std::lround(std::clamp(std::max(across, along), 1.0, widest_px)));
 }
 
-//! Joining eyes copies both of them, and a window need not: where light is shown they go up one by one. Colour bars lie across both, but
-//! where each eye fills the window.
+//! Renders stereo for a window. Joining the eyes would copy both of them, so light is uploaded eye
+//! by eye. Color bars extend across both eyes, except if each eye fills the window.
 void show_eyes(ShowRenderer& renderer, const PlayerFrame& frame, const Projection& projection, const ShowMoment& moment,
                PictureAnswer& answer) {
   if (frame.mode != ViewMode::sky && !fills_window_by_eye(frame.stereo.layout)) {
@@ -125,12 +126,13 @@ PictureAnswer render_for_window(const PictureRequest& request) {
   const PlayerFrame& frame = request.frame;
   set_up(renderer, request);
   const Projection projection = make_projection(renderer.show().view, request.size_px, frame.field_of_view_deg);
-  // A seek shows something soon, streamed or not, and a grid that takes longer is for the next picture.
+  // After a seek, a picture is shown soon, streamed or not; a grid that takes longer is for the
+  // next picture.
   const ShowMoment moment = {frame.path_time_s, request.patience_s};
   PictureAnswer answer;
   if (request.light_asked_s) {
     const auto begun = Clock::now();
-    // Before the picture itself, which may stay in the renderer's memory.
+    // Measured before the picture, which may stay in the renderer's memory.
     answer.light = ViewLight{*request.light_asked_s, lit_part_of_view(renderer, request, moment)};
     answer.measuring_ms += std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
   }

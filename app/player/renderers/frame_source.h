@@ -17,80 +17,90 @@
 
 namespace ergodome {
 
-//! A picture that the player wants to show.
+//! A request for a picture to show.
 struct PictureRequest {
-  std::shared_ptr<ShowRenderer> renderer;  //!< of the show that is on
+  std::shared_ptr<ShowRenderer> renderer;  //!< renderer of the current show
   PlayerFrame frame;
-  std::vector<Caption> captions;  //!< that do not come from the show
+  std::vector<Caption> captions;  //!< captions that are not part of the show
   double captions_opacity = 0.0;
   int size_px = 0;  //!< width of one eye's image
-  //! Of the window that the picture is for, where captions are laid over it there; none: they are drawn in the picture.
+  //! Size of the window that captions are laid over; absent: they are drawn in the picture.
   std::optional<ImageSize> window;
-  int projectors_px = 0;  //!< width of a domemaster as fine as the projectors that it is for [px]; 0: it is for none
+  //! Width of a domemaster as fine as the projectors [px]; 0: no projectors.
+  int projectors_px = 0;
   bool disparity_asked = false;
-  std::optional<FrameQuality>
-      quality;  //!< in place of the show's; its budget counts in pixels of a picture `whole_px` wide
+  //! Replaces the show's; its budget is in pixels of a picture `whole_px` wide.
+  std::optional<FrameQuality> quality;
   int whole_px = 0;
-  double patience_s = 0.02;  //!< how long the picture waits for its lens before it takes an older one
+  //! How long the picture waits for its lens before it uses an older one.
+  double patience_s = 0.02;
   bool errors_asked = false;
-  std::uint64_t error_seed = 0;         //!< of the pixels that are looked at
-  std::optional<double> light_asked_s;  //!< asks for the lit part of the view, at this time; none: does not
+  std::uint64_t error_seed = 0;  //!< selects the pixels to measure
+  //! Requests the lit part of the view, with this time; absent: not requested.
+  std::optional<double> light_asked_s;
 };
 
-//! How the pictures of eyes fill a window: as one picture, or each by itself, in the buffer of each or in every other row.
+//! How the eyes' pictures fill a window: as one picture, each in a separate buffer, or in
+//! alternating rows.
 enum class EyesInWindow { as_one, in_buffers, in_rows };
 
-//! How much of a view is lit.
+//! The lit part of a view.
 struct ViewLight {
   double asked_s = 0.0;   //!< PictureRequest::light_asked_s
-  double lit_part = 0.0;  //!< of the image's pixels, without words over it
+  double lit_part = 0.0;  //!< fraction of the image's pixels, without captions
 };
 
-//! A finished picture and what it took.
+//! A finished picture, with its cost and measurements.
 struct PictureAnswer {
-  Picture picture;                           //!< or the left eye's
-  std::optional<Picture> right_eye;          //!< where both eyes are shown whole
-  bool eyes_above = false;                   //!< the left one above the right, not beside it
-  EyesInWindow eyes = EyesInWindow::as_one;  //!< each by itself: side by side until then
-  EyeGrid eye_grid;                          //!< how the eyes share the picture that is shown
-  LaidCaptions captions;                     //!< of each eye, at the window's resolution; none where there are none
-  std::optional<DevicePicture> on_device;    //!< in place of the picture's pixels, until the next request
+  Picture picture;                   //!< or the left eye's
+  std::optional<Picture> right_eye;  //!< if both eyes are shown at full size
+  bool eyes_above = false;           //!< the left eye is above the right one, not beside it
+  //! If not as_one, the eyes are side by side in `picture`.
+  EyesInWindow eyes = EyesInWindow::as_one;
+  EyeGrid eye_grid;  //!< how the eyes divide the shown picture
+  //! Of each eye, at the window's resolution; may be empty.
+  LaidCaptions captions;
+  //! Replaces the picture's pixels, until the next request.
+  std::optional<DevicePicture> on_device;
   double time_ms = 0.0;
   int size_px = 0;
-  std::optional<Disparity> disparity;            //!< where it was asked for, of two eyes
-  std::optional<std::vector<double>> errors_px;  //!< where they were asked for (app/player/picture_error.h)
-  std::optional<ViewLight> light;                //!< where it was asked for
-  std::optional<NarrowedEyes> narrowed;          //!< where eyes stand closer than the request has them
-  double measuring_ms = 0.0;                     //!< what they took; not in time_ms
-  std::string problem;                           //!< why there is none; the last good one stays on the screen
+  std::optional<Disparity> disparity;  //!< if requested, for two eyes
+  //! If requested (app/player/renderers/picture_error.h).
+  std::optional<std::vector<double>> errors_px;
+  std::optional<ViewLight> light;        //!< if requested
+  std::optional<NarrowedEyes> narrowed;  //!< if the requested baseline had to be reduced
+  double measuring_ms = 0.0;             //!< time of the measurements; not part of time_ms
+  //! Why there is no picture; the last good one stays on the screen.
+  std::string problem;
 };
 
-//! One picture as the request's stereo layout has it on a window: eyes that it keeps apart come side by side, and so do those of which each
-//! fills the window. Throws Error.
+//! Renders a picture in the request's stereo layout for a window. Eyes that the layout stores
+//! separately, or that each fill the window, are side by side. Throws Error if rendering fails.
 PictureAnswer render_for_window(const PictureRequest& request);
 
-//! Renders in a thread of its own, so that the window answers at once whatever a picture costs. Only the latest request counts.
+//! Renders on a separate thread, so that the window stays responsive. Only the latest request
+//! counts.
 class FrameSource {
  public:
   using Render = std::function<PictureAnswer(const PictureRequest&)>;
 
   explicit FrameSource(Render render = render_for_window);
 
-  //! Waits for the picture that is being rendered; not for those that were abandoned.
+  //! Waits for the current picture, but not for abandoned ones.
   ~FrameSource();
   FrameSource(const FrameSource&) = delete;
   FrameSource& operator=(const FrameSource&) = delete;
 
-  //! Whether nothing is being rendered or waiting.
+  //! Returns whether no request is being rendered or waiting.
   [[nodiscard]] bool idle();
   void ask(const PictureRequest& request);
   std::optional<PictureAnswer> take();
 
-  //! How long the picture in work has been so; zero where there is none.
+  //! Returns how long the current picture has been rendering; zero if there is none.
   [[nodiscard]] std::chrono::duration<double> working_for();
 
-  //! Leaves the picture in work to itself, whose thread may never end, and goes on with a new thread. What it renders with must not be
-  //! used again.
+  //! Abandons the current picture and its thread, which may never end, and continues with a new
+  //! thread. The renderer of that picture must not be used again.
   void abandon();
 
  private:

@@ -8,7 +8,7 @@ namespace ergodome {
 
 namespace {
 
-//! So few that a frame is not late by them.
+//! Few enough not to delay a frame.
 constexpr int error_rows = 8;
 constexpr int error_columns = 16;
 

@@ -7,11 +7,13 @@ namespace ergodome {
 
 namespace {
 
-//! A picture may take this long while something moves: ten a second, with room for the rest of the machine.
+//! Maximum time of a picture while something moves: ten per second, with time left for the rest of
+//! the machine.
 constexpr double moving_budget_ms = 70.0;
 constexpr int smallest_px = 192;
 
-//! A picture that takes so much longer than the last one let expect has hung; the first one builds what later ones use.
+//! A picture that takes this much longer than expected from the last one has hung. The first one
+//! also prepares data for later ones.
 constexpr double least_hang_s = 1.5;
 constexpr double first_hang_s = 60.0;
 constexpr double hang_factor = 10.0;
@@ -92,10 +94,10 @@ PictureNews PictureFlow::receive() {
   if (!answer->problem.empty()) {
     return PictureNews::problem;
   }
-  // Where the camera is by now is still to be shown.
+  // The picture at the current camera position is still to be shown.
   pending_ = pending_ || answer->picture.behind;
   refining_ = true;
-  // Time goes with the number of pixels; a damped step towards the width that fits.
+  // Time is proportional to the number of pixels. Takes a damped step toward the width that fits.
   const double wished = answer->size_px * std::sqrt(moving_budget_ms / std::max(answer->time_ms, 1.0));
   moving_size_px_ =
       std::clamp(static_cast<int>(0.5 * (moving_size_px_ + wished)), std::min(smallest_px, finest_px_), finest_px_);

@@ -10,52 +10,57 @@
 
 namespace ergodome {
 
-//! What became of the pictures so far.
+//! Statistics of the pictures so far.
 struct PictureReport {
   double frame_time_ms = 0.0;
   int size_px = 0;        //!< width of one eye's image in the last picture; 0: none yet
-  const char* lens = "";  //!< where the last picture's lens came from
+  const char* lens = "";  //!< source of the last picture's lens
   std::optional<Disparity> disparity;
-  std::optional<ViewLight> light;        //!< of the last view for which it was asked
-  std::optional<NarrowedEyes> narrowed;  //!< where the last picture's eyes stand closer than was asked
-  std::string problem;                   //!< why the last request made none
+  std::optional<ViewLight> light;        //!< of the last view for which it was requested
+  std::optional<NarrowedEyes> narrowed;  //!< if the last picture's baseline was reduced
+  std::string problem;                   //!< why the last request produced no picture
   long pictures = 0;
-  //! Since the picture before, where something moved in both; none where nothing did.
+  //! Time since the previous picture, if something moved in both.
   std::optional<double> interval_ms;
-  std::optional<std::vector<double>> errors_px;  //!< of some of the last picture's pixels, where they were asked for
-  long hangs = 0;                                //!< pictures that were given up because they did not come to an end
+  //! Errors of some pixels of the last picture, if requested.
+  std::optional<std::vector<double>> errors_px;
+  //! Number of pictures abandoned because they did not finish.
+  long hangs = 0;
 };
 
-//! How pictures come while something moves, where that is not for PictureFlow to find.
+//! Fixed size and pace of pictures while something moves, instead of those that PictureFlow
+//! chooses.
 struct PictureHold {
   int size_px = 0;       //!< width of one eye's image
-  double frame_s = 0.0;  //!< a picture is begun when so much time has passed since the one before was to begin
+  double frame_s = 0.0;  //!< interval between the starts of pictures
 
   bool operator==(const PictureHold&) const = default;
 };
 
-//! What a call of PictureFlow::advance brought.
+//! Result of PictureFlow::advance.
 enum class PictureNews { none, picture, problem, hang };
 
-//! Brings pictures to a screen: they are rendered beside the caller's thread.
+//! Brings pictures to a screen; they are rendered on another thread.
 //!
-//! On the CPU they are as wide as the time allows while something moves (10 pictures a second or more), then finer and finer while all
-//! stands still. On a GPU each picture is rendered whole.
+//! On the CPU, pictures are as wide as time allows while something moves (at least 10 per second),
+//! and get finer when nothing moves. On a GPU, each picture is rendered at full size.
 class PictureFlow {
  public:
-  //! `show`: hands a finished picture to the screen, on the caller's thread. `finest_px`: width of one eye's image when the picture
-  //! stands still.
+  //! `show` passes a finished picture to the screen, on the caller's thread. `finest_px` is the
+  //! width of one eye's image when nothing moves.
   PictureFlow(std::function<void(const PictureAnswer&)> show, int finest_px,
               FrameSource::Render render = render_for_window, SecondsSource now = steady_seconds)
       : show_(std::move(show)), finest_px_(finest_px), source_(std::move(render)), now_(std::move(now)) {}
 
-  //! Moving pictures come in this size and at this pace from now on.
+  //! Fixes the size and pace of moving pictures.
   void hold(const PictureHold& hold);
 
-  //! Call it for every frame of the window: takes what is finished, and asks for what is wished (whose size it chooses itself).
+  //! Takes a finished picture and requests the next one; call it for every frame of the window. The
+  //! size in `wish` is chosen here.
   //!
-  //! `changed`: the wish is another one than the last; `moving`: it will change again at once, so nothing is refined. After a `hang` the
-  //! wish's renderer is lost and must be made anew before the next call; the last good picture stays on the screen.
+  //! `changed`: the request differs from the last. `moving`: it will change again at once, so
+  //! nothing is refined. After a `hang`, the request's renderer is lost and must be rebuilt before
+  //! the next call; the last good picture stays on the screen.
   PictureNews advance(const PictureRequest& wish, bool changed, bool moving);
 
   [[nodiscard]] const PictureReport& report() const { return report_; }
@@ -69,15 +74,15 @@ class PictureFlow {
   std::function<void(const PictureAnswer&)> show_;
   int finest_px_;
   FrameSource source_;
-  bool pending_ = true;       //!< something changed that no picture has been asked for
-  bool refining_ = false;     //!< the last picture is of what is wished, but may be finer
-  int moving_size_px_ = 256;  //!< what keeps ten pictures a second
+  bool pending_ = true;       //!< a change was not requested yet
+  bool refining_ = false;     //!< the last picture is current but may become finer
+  int moving_size_px_ = 256;  //!< width that gives ten pictures per second
   int asked_size_px_ = 0;
   SecondsSource now_;
   std::optional<PictureHold> hold_;
-  std::optional<FramePace> pace_;        //!< where there is one to hold
-  bool asked_moving_ = false;            //!< something moved when the picture in work was asked for
-  std::optional<double> last_moving_s_;  //!< when the last such picture came, if the last one was such
+  std::optional<FramePace> pace_;        //!< the pace to hold, if any
+  bool asked_moving_ = false;            //!< something moved when the current picture was requested
+  std::optional<double> last_moving_s_;  //!< when the last picture came, if something moved in it
   PictureReport report_;
 };
 

@@ -9,7 +9,7 @@ namespace ergodome {
 namespace {
 
 constexpr int view_light_px = 96;
-//! Half of the first step of an sRGB display of eight bits.
+//! Half of the first step of an 8-bit sRGB display.
 constexpr float darkest_lit = 0.5F / 255.0F / 12.92F;
 
 }  // namespace
@@ -26,7 +26,7 @@ double lit_part(const Picture& picture, const Tone& tone) {
 
 double lit_part_of_view(ShowRenderer& renderer, const PictureRequest& request, const ShowMoment& moment) {
   const PlayerFrame& frame = request.frame;
-  // An operator who darkens a display does not make a view black.
+  // A view is not black because an operator darkened the display.
   Tone tone = renderer.tone();
   tone.gain *= static_cast<float>(std::exp2(-frame.exposure_stops));
   const Projection projection = make_projection(renderer.show().view, view_light_px, frame.field_of_view_deg);

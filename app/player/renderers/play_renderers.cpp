@@ -14,7 +14,7 @@ namespace {
 
 std::shared_ptr<ShowRenderer> made_renderer(const Show& show, Backend backend, const RendererWish& wish) {
   const auto reading = std::make_shared<std::set<std::string>>();
-  // The stream's thread tells of stations that it cannot read as long as there is the stream.
+  // The stream's thread reports unreadable stations as long as the stream exists.
   const Tell tell = [board = wish.notes, reading](const std::string& note) { board->add(reading, note); };
   std::shared_ptr<StationStream> stream = open_stream(show, wish.lens, backend, tell);
   if (wish.tells_misses) {

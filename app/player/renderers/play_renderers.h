@@ -9,21 +9,23 @@
 
 namespace ergodome {
 
-//! How the renderers of a player's shows are made.
+//! How to make the renderers of a player's shows.
 struct RendererWish {
   Backend backend;
-  bool may_fall_back;  //!< to the CPU, where the GPU is lost
+  bool may_fall_back;  //!< use the CPU if the GPU is lost
   LensOptions lens;
   int size_px;
-  bool tells_misses;  //!< notes say what of a show its trajectory is too coarse for
+  bool tells_misses;  //!< add notes on parts of a show for which its trajectory is too coarse
   std::shared_ptr<NoteBoard> notes;
-  std::string language;  //!< that somebody asked for, or none
+  std::string language;  //!< requested language; empty: none
 };
 
-//! Makes a show's renderer, with the stream of its trajectory, and posts what is to be known of both. Throws Error where it cannot be made.
+//! Returns a function that makes a show's renderer with the stream of its trajectory, and posts
+//! notes about both. It throws Error if the renderer cannot be made.
 RendererLoader::Make renderer_maker(const RendererWish& wish);
 
-//! `make`, but for the first time that the show of this name is asked for: then `first`, which something was measured with, serves.
+//! Wraps `make`: for the first request of the show with this name, returns `first`, which already
+//! exists because it was used for a measurement.
 RendererLoader::Make with_first(RendererLoader::Make make, const std::string& name,
                                 std::shared_ptr<ShowRenderer> first);
 

@@ -10,16 +10,16 @@
 
 namespace ergodome {
 
-//! What a player's screen is to show at one instant.
+//! Contents of a player's screen at one instant.
 struct PlayerFrame {
-  double time_s = 0.0;  //!< of the show, for numbers that change with it
+  double time_s = 0.0;  //!< show time, for animated numbers
   CameraPose pose{};
   ObserverView observer;
   ViewMode mode = ViewMode::sky;
   double field_of_view_deg = 0.0;
-  std::optional<double> path_time_s;  //!< where the camera is on the show's path; none off it
+  std::optional<double> path_time_s;  //!< position on the show's path; absent off the path
   StereoSettings stereo;
-  double exposure_stops = 0.0;  //!< on top of the show's
+  double exposure_stops = 0.0;  //!< in addition to the show's
   std::string language;
   bool captions = true;
   double light = 1.0;  //!< factor on the display's light

@@ -31,7 +31,7 @@ std::optional<RendererLoader::Loaded> RendererLoader::take() {
   }
   Loaded loaded = work_.get();
   if (next_) {
-    // What was asked for later stands for what was asked for before.
+    // A later request replaces an earlier one.
     begin(*std::exchange(next_, std::nullopt));
     return std::nullopt;
   }

@@ -10,35 +10,36 @@
 
 namespace ergodome {
 
-//! Makes renderers of shows beside the player's thread: skies take a second to load, and the window must not wait.
+//! Makes renderers of shows on another thread: skies take a second to load, and the window must not
+//! wait.
 class RendererLoader {
  public:
   using Make = std::function<std::shared_ptr<ShowRenderer>(const Show&)>;
 
-  //! What is to be loaded: a show that runs, or another version of it.
+  //! The show to load: one that runs, or another version of it.
   struct Order {
     Show show;
     bool version = false;
   };
 
-  //! A renderer, or why there is none, of what was ordered.
+  //! The result of an order: a renderer, or why there is none.
   struct Loaded {
     std::shared_ptr<ShowRenderer> renderer;
     std::string problem;
     Order order;
   };
 
-  //! `make` may throw; it is called in other threads, once at a time.
+  //! `make` may throw. It is called in other threads, one call at a time.
   explicit RendererLoader(Make make) : make_(std::move(make)) {}
 
-  //! Begins to load a show, after what is being loaded. Only the latest that waits counts.
+  //! Starts to load a show after the current load. Of waiting orders, only the latest is kept.
   void load(Order order);
 
-  //! What was loaded since the last call; nothing while it is in work.
+  //! Returns the result of a load that finished since the last call; nothing while loading.
   [[nodiscard]] std::optional<Loaded> take();
 
   [[nodiscard]] bool busy() const { return work_.valid() || next_.has_value(); }
-  //! Whether what take() will give next is another version of a show.
+  //! Returns whether the next result of take() is another version of a show.
   [[nodiscard]] bool loads_version() const { return next_ ? next_->version : work_.valid() && version_; }
 
  private:
@@ -46,7 +47,7 @@ class RendererLoader {
 
   Make make_;
   std::future<Loaded> work_;
-  bool version_ = false;  //!< is in work
+  bool version_ = false;  //!< the current load is a version
   std::optional<Order> next_;
 };
 

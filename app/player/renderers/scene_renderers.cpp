@@ -8,7 +8,7 @@ namespace ergodome {
 
 namespace {
 
-//! What cannot be made now may be possible later, but not in the next frame.
+//! Time between attempts: what fails now may succeed later, but not in the next frame.
 constexpr std::chrono::seconds patience{1};
 
 bool is_same_file(const Show& a, const Show& b) { return a.name == b.name && a.folder == b.folder; }
@@ -51,7 +51,7 @@ SceneRenderers::News SceneRenderers::advance(const Show& show) {
     return {};
   }
   RendererLoader::Order& order = loaded->order;
-  // What was loaded for a scene that is over is of no use.
+  // Discards what was loaded for a scene that has ended.
   const bool own = is_same_file(order.show, show);
   std::optional<Show> version;
   if (own && order.version) {

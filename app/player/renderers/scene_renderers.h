@@ -11,38 +11,42 @@
 
 namespace ergodome {
 
-//! The renderers of a player's scenes. One is in use; those of other scenes wait, so that no visitor does; those that are lost are made anew
-//! beside the player's thread.
+//! The renderers of a player's scenes. One is in use; those of other scenes are kept ready, so that
+//! visitors need not wait. Lost renderers are rebuilt in another thread.
 class SceneRenderers {
  public:
   explicit SceneRenderers(RendererLoader::Make make) : make_(make), loader_(std::move(make)) {}
 
-  //! Makes a scene's renderer now. Throws what making it throws.
+  //! Makes the renderer of a scene immediately. Throws what `make` throws.
   void prepare(ExhibitScene scene, const Show& show) { of_scenes_[scene] = make_(show); }
 
-  //! From now on this scene is shown, with the renderer that it has, or with one that begins to be made.
+  //! Shows this scene, with its renderer if there is one; otherwise starts to make one.
   void enter(ExhibitScene scene, const Show& show);
 
-  //! Makes a renderer for another version of the scene's show; the old one is in use until it is there.
+  //! Makes a renderer for another version of the scene's show. The old one stays in use until it is
+  //! ready.
   void renew(const Show& show) { loader_.load({show, true}); }
-  //! Whether such a version is on its way.
+  //! Returns whether such a version is being loaded.
   [[nodiscard]] bool renews() const { return loader_.loads_version(); }
 
-  //! Gives up the renderer in use, which fails or hangs, and begins to make another one, if none is on its way.
+  //! Discards the current renderer, which failed or hung, and starts to make another one unless one
+  //! is being made.
   void lose(const Show& show);
 
-  //! Once a frame: takes what was made for `show`, or for another version of it. Whether there is another renderer in use now; or why there is none,
-  //! a sentence each time. Renderers that other scenes have of a show that has another version are given up.
+  //! Takes what was made for `show`, or for another version of it; called once per frame. Reports
+  //! whether another renderer is in use, or why there is none. Discards renderers that other scenes
+  //! have for an older version.
   struct News {
     bool another = false;
     std::string problem;
-    std::optional<Show> version{};  //!< the one that is in use from now on, or, with a problem, cannot be
+    //! The version that became current, or, with a problem, cannot be used.
+    std::optional<Show> version{};
   };
   News advance(const Show& show);
 
-  //! Null while a lost one is made anew.
+  //! Returns the current renderer; null while a lost one is rebuilt.
   [[nodiscard]] const std::shared_ptr<ShowRenderer>& current() const { return current_; }
-  //! Where the one in use, or the last one, makes pictures; for people.
+  //! Returns a description of the backend of the current renderer, or of the last one.
   [[nodiscard]] const std::string& backend() const { return backend_; }
 
  private:
@@ -56,7 +60,7 @@ class SceneRenderers {
   std::map<ExhibitScene, std::shared_ptr<ShowRenderer>> of_scenes_;
   std::shared_ptr<ShowRenderer> current_;
   std::string backend_;
-  std::optional<Clock::time_point> again_;  //!< when to try once more what failed
+  std::optional<Clock::time_point> again_;  //!< when to retry after a failure
 };
 
 }  // namespace ergodome
