@@ -10,13 +10,15 @@
 
 namespace ergodome {
 
-//! Tells that eyes stand closer than was asked: once of a show, and once more of each distance and model that a person has chosen since.
+//! Decides when to report that the baseline was reduced: once per show, and again for each baseline
+//! and stereo model that the operator has chosen since.
 class EyeNotice {
  public:
-  //! Of another show from now on.
+  //! Starts again for another show.
   void begin() { told_.clear(); }
 
-  //! Whether the eyes of a picture are to be told of. `chosen`: a person's distance in place of the show's [M].
+  //! Returns whether to report the eyes of a frame. `chosen` is the operator's baseline instead of
+  //! the show's [M].
   bool tells(const std::optional<NarrowedEyes>& eyes, const std::optional<double>& chosen) {
     return eyes && told_.emplace(eyes->model, chosen).second;
   }
@@ -25,10 +27,11 @@ class EyeNotice {
   std::set<std::pair<StereoModel, std::optional<double>>> told_;
 };
 
-//! A line about it for the screen, in a language (tag).
+//! Returns the line for the screen, in a language (tag).
 std::string line_of(const NarrowedEyes& eyes, const std::string& language);
 
-//! A sentence about it for the log, with the show's line where the distance is the show's own. `time_s`: of the show.
+//! Returns the sentence for the log, with the line of the show file if the baseline is the show's.
+//! `time_s` is the show time.
 std::string note_of(const Show& show, double time_s, const NarrowedEyes& eyes, const std::optional<double>& chosen);
 
 }  // namespace ergodome

@@ -10,11 +10,11 @@
 
 namespace ergodome {
 
-//! Sentences for the log from where shows are loaded, in whatever thread: each is told once, however often a show is read again, and anew where it had
-//! gone and comes again.
+//! Collects notes for the log from loading shows, in any thread. Reports each once, however often a
+//! show is read again, and again if it had disappeared and returns.
 class NoteBoard {
  public:
-  //! What there is to tell of a show as it was read once. Threads that go on reading may keep it and add to it.
+  //! The notes of one reading of a show. Threads that continue to read may keep it and add to it.
   using Reading = std::shared_ptr<std::set<std::string>>;
 
   void add(const Reading& reading, const std::string& note) {
@@ -25,13 +25,13 @@ class NoteBoard {
     reading->insert(note);
   }
 
-  //! A show has been read: what there was to tell of it before stands no more.
+  //! Replaces the notes of a show with those of a newer reading.
   void take_place(const std::string& show, Reading reading) {
     const std::lock_guard lock(mutex_);
     standing_[show] = std::move(reading);
   }
 
-  //! All that there is to tell of a show as it was loaded now, in place of what there was before.
+  //! Replaces the notes of a show with these.
   void post(const std::string& show, const std::vector<std::string>& notes) {
     auto reading = std::make_shared<std::set<std::string>>();
     for (const std::string& note : notes) {
@@ -40,14 +40,14 @@ class NoteBoard {
     take_place(show, std::move(reading));
   }
 
-  //! Those since the last call.
+  //! Returns the notes since the last call.
   std::vector<std::string> take() {
     const std::lock_guard lock(mutex_);
     return std::exchange(waiting_, {});
   }
 
  private:
-  //! Shows of an exhibit may have the same to tell.
+  //! Returns whether any show has this note: several shows of an exhibit may have the same one.
   [[nodiscard]] bool stands(const std::string& note) const {
     for (const auto& [show, notes] : standing_) {
       if (notes->contains(note)) {
@@ -58,7 +58,7 @@ class NoteBoard {
   }
 
   std::mutex mutex_;
-  std::map<std::string, Reading> standing_;  //!< by the shows' names
+  std::map<std::string, Reading> standing_;  //!< by the name of the show
   std::vector<std::string> waiting_;
 };
 

@@ -20,10 +20,11 @@ namespace ergodome {
 
 namespace {
 
-//! So many pictures that fail one after another, and their renderer is made anew.
+//! Number of consecutive failed frames after which the renderer is rebuilt.
 constexpr int most_failures = 5;
 
-//! The window for pictures of a show; eyes that layouts keep apart are side by side there, and those of quad_buffer and rows fill it.
+//! Returns the options of the window for a show. Eyes that layouts store separately are side by
+//! side in the window; those of quad_buffer and rows each fill it.
 ScreenOptions screen_options(const Show& show, const PlayOptions& options) {
   const Projection projection = make_projection(show.view, options.size_px, 0.0);
   const StereoLayout layout = show.stereo.layout;
@@ -48,7 +49,8 @@ std::unique_ptr<HidApi> hid_api(const PlayOptions& options) {
   return options.pad_fixture.empty() ? make_hid_library() : play_hid_fixture(options.pad_fixture);
 }
 
-//! Returns what `load` reads. An exhibit has to start: there, what is damaged is left out, and `damage` says so.
+//! Returns the result of `load`. An exhibit has to start, so there an error is added to `damage`
+//! and the default is returned.
 template <class Load>
 auto read_or_usual(bool exhibit, std::vector<std::string>& damage, const Load& load) -> decltype(load()) {
   try {
@@ -117,12 +119,12 @@ Player::Player(const Show& show, const RendererLoader::Make& make, const PlayOpt
 Player::~Player() = default;
 
 void Player::begin(const Show& show, bool free_flight) {
-  // An operator's, which no visitor may end.
+  // A blackout was set by an operator, so visitors cannot end it.
   const bool dark = exhibit_ && session_ && session_->playback().dark();
   session_.emplace(show, session_options(options_, free_flight, screen_.window().buffers()));
   eye_notice_.begin();
   session_->show_times(options_.times_shown);
-  // The attract show is nobody's flight.
+  // The attract show is not a visitor's flight.
   if (recording_.wanted() && (!exhibit_ || exhibit_->scene() == ExhibitScene::visitor)) {
     recording_.begin();
     session_->record();
@@ -149,7 +151,7 @@ void Player::run() {
     tell_supervisor_alive(session_->now_s());
   }
   if (exhibit_) {
-    // The log has the end, too, where the disk is full.
+    // Logs the end even if the disk is full.
     keep_recording(RecordingMoment::end);
     exhibit_->keep_last();
     services_.log_changes(operator_log_.take_all());
@@ -165,14 +167,14 @@ void Player::run() {
   if (exhibit_) {
     services_.tell(spdlog::level::info, end_text());
   }
-  // Nobody waits for what other threads may still load.
+  // Does not wait for other threads that are still loading.
   stop_reading();
 }
 
 bool Player::draws_now() {
   constexpr double longest_s = 0.04;
   const double now_s = session_->now_s();
-  // What draws the window takes its time from the next picture's.
+  // Drawing the window takes time from the next frame.
   const bool rate = budget_ && budget_->plan().budget.frame_rate_hz;
   if (rate && drawn_pictures_ == pictures_.report().pictures && now_s < drawn_s_ + longest_s) {
     return false;
@@ -331,7 +333,8 @@ void Player::keep_recording(RecordingMoment moment) {
   } catch (const std::exception& error) {
     problem = error.what();
   }
-  // Once: it is tried again and again. Where nothing was flown, nothing is known of the next flight.
+  // Logs each problem once, because saving is retried. Only a written flight proves that it works
+  // again.
   if (!problem.empty() && problem != recording_problem_) {
     services_.tell(spdlog::level::err, problem);
     recording_problem_ = problem;

@@ -23,30 +23,35 @@
 
 namespace ergodome {
 
+//! Options of `play`.
 struct PlayOptions {
   bool full_screen = false;
   bool free_flight = false;
-  int size_px = 1024;                 //!< width of one eye's image when the picture stands still
-  bool quiet = false;                 //!< says nothing on the screen but what keys ask for
-  std::optional<double> for_seconds;  //!< ends by itself this long after the first picture; absent: when it is closed
-  bool times_shown = false;           //!< writes the frame time and the lens over the picture
-  std::string screenshot;             //!< what the window showed last, as a PNG; empty: none
-  std::optional<DomeSetup> setup;     //!< of a dome whose projectors show the pictures, too
-  std::vector<ProjectorPicture> projectors;  //!< of the setup
-  int projectors_px = 0;                     //!< enough_master_px() of them
-  bool hide_control = false;                 //!< with a setup: the projectors' windows alone are to be seen
+  int size_px = 1024;  //!< width of one eye's image while nothing moves
+  bool quiet = false;  //!< shows only text that keys request
+  //! Ends this long after the first frame [s]; absent: runs until it is closed.
+  std::optional<double> for_seconds;
+  bool times_shown = false;                  //!< shows the frame time and the lens over the picture
+  std::string screenshot;                    //!< last contents of the window (PNG); empty: none
+  std::optional<DomeSetup> setup;            //!< a dome whose projectors also show the picture
+  std::vector<ProjectorPicture> projectors;  //!< projectors of the setup
+  int projectors_px = 0;                     //!< enough_master_px() of the projectors
+  bool hide_control = false;                 //!< with a setup: shows only the projectors' windows
   std::string language;
-  std::string
-      record;  //!< a show file that the flight is written to, an exhibit's each to one of its own beside it; empty: none
-  std::string controls;      //!< a map of controls; empty: the user's own
-  std::string pad_settings;  //!< empty: the user's own
-  std::string pad_fixture;   //!< recorded pads in place of those that are plugged in
+  //! Show file to record the flight to; in an exhibit, each flight gets a numbered file in the same
+  //! folder; empty: none.
+  std::string record;
+  std::string controls;      //!< file of controls; empty: the user's
+  std::string pad_settings;  //!< empty: the user's
+  std::string pad_fixture;   //!< recorded controllers that replace connected ones
   ServiceOptions services;   //!< sound, clocks, remote control
   std::optional<ExhibitOptions> exhibit;
   std::optional<PlayPlan> budget;
-  std::shared_ptr<NoteBoard> notes = std::make_shared<NoteBoard>();  //!< what loading shows has to tell, for the log
-  std::function<Show(const std::string&)> load;  //!< reads a show's file and makes it what the command line asks for
-  //! Shows are as their files were then, or later.
+  //! Notes from loading shows, for the log.
+  std::shared_ptr<NoteBoard> notes = std::make_shared<NoteBoard>();
+  //! Reads a show file and applies the options of the command line.
+  std::function<Show(const std::string&)> load;
+  //! When the files of the shows were read, at the earliest.
   std::chrono::system_clock::time_point read_at = std::chrono::system_clock::now();
 };
 
@@ -64,13 +69,13 @@ class Player {
  private:
   using Clock = std::chrono::steady_clock;
 
-  //! Goes on with a show, from its start.
+  //! Starts a show from its beginning.
   void begin(const Show& show, bool free_flight);
   void advance();
   void answer_requests();
   void reload(bool now);
   void take_renderer();
-  //! A version of the show is the one that runs from now on, or cannot be.
+  //! Handles a new version of the show's file that has become current, or that cannot be used.
   void take_version(const Show& show);
   void refuse_version(const std::string& problem);
   void tell_notes();
@@ -79,36 +84,39 @@ class Player {
   void tell_narrowed_eyes();
   void advance_exhibit(PlayerInput& input);
   void change_scene();
-  //! Whether the window is to be drawn: at once, but for a rate only with each new picture, and now and then for its texts.
+  //! Returns whether to draw the window. Without a frame rate budget, always; with one, for each
+  //! new picture, and sometimes for the texts.
   bool draws_now();
-  //! Puts the window's size into a wish; whether it is another one than before.
+  //! Adds the size of the window to a request. Returns whether it changed.
   bool add_window(PictureRequest& wish);
-  //! Puts what the budget asks of the next picture into a wish.
+  //! Adds the settings of the budget for the next frame to a request.
   void add_budget(PictureRequest& wish);
   void note_budget();
-  //! Asks for the lit part of a visitor's view where it changed since that was last measured, at most once a second. Returns whether it did.
+  //! Requests the lit part of a visitor's view if the view changed since the last measurement, at
+  //! most once a second. Returns whether it did.
   bool add_light(PictureRequest& wish);
   void note_light();
-  //! Puts what visitors are to read into the picture; whether that is something else than before.
+  //! Adds the captions for visitors to a request. Returns whether they changed.
   bool add_words(PictureRequest& wish);
   [[nodiscard]] std::string help_text(HelpForm form) const;
   void update_texts();
   void post_status();
-  //! Keeps what an operator has set; why that cannot be is told in the log, and in the status where there is no other problem.
+  //! Stores the operator's settings. A problem is logged, and also put into the status if that has
+  //! no other problem.
   void keep_settings(PlayerStatus& status);
   enum class RecordingMoment { frame, end };
-  //! What cannot be written is told in the log.
+  //! Saves the recording; logs a failure.
   void keep_recording(RecordingMoment moment);
   void end_in_time();
-  //! Closes the window, and keeps why.
+  //! Closes the window and stores the reason.
   void end(std::string why);
-  //! For an exhibit's log: what begins, and why it has ended.
+  //! Return what an exhibit's log says at the start and at the end.
   [[nodiscard]] std::string start_text() const;
   [[nodiscard]] std::string end_text() const;
   void print_statistics() const;
 
   PlayOptions options_;
-  std::vector<std::string> damage_;  //!< of files that were left out at the start
+  std::vector<std::string> damage_;  //!< errors of files that were ignored at the start
   PlayerScreen screen_;
   SceneRenderers renderers_;
   EyeNotice eye_notice_;
@@ -120,21 +128,22 @@ class Player {
   PlayerServices services_;
   std::optional<ExhibitScenes> exhibit_;
   OperatorLog operator_log_;
-  double view_changed_s_ = 0.0;  //!< when the session last asked for another picture
+  double view_changed_s_ = 0.0;  //!< when the session last requested another picture
   double scene_began_s_ = 0.0;
   double light_noted_s_ = -1e300;  //!< ViewLight::asked_s of the last answer
-  std::vector<LocalText> words_;   //!< in the picture, for visitors
+  std::vector<LocalText> words_;   //!< captions for visitors in the picture
   double words_opacity_ = 0.0;
-  std::optional<ImageSize> window_;  //!< as it was last seen
-  int failures_ = 0;                 //!< pictures that failed in a row
+  std::optional<ImageSize> window_;  //!< its last size
+  int failures_ = 0;                 //!< consecutive frames that failed
   FrameTimes frame_times_;
-  std::optional<Clock::time_point> first_answer_;  //!< when the first picture, or the reason why there is none, came
+  //! When the first frame, or the error instead of it, came.
+  std::optional<Clock::time_point> first_answer_;
   RecordingFile recording_;
   std::string recording_problem_;  //!< why the last flight could not be written
   std::optional<PlayBudget> budget_;
-  std::string why_ended_;     //!< where the program closed the window itself
-  long drawn_pictures_ = -1;  //!< of which the last is in the window
-  double drawn_s_ = 0.0;      //!< when the window was drawn
+  std::string why_ended_;     //!< reason if the program closed the window itself
+  long drawn_pictures_ = -1;  //!< number of frames when the window was last drawn
+  double drawn_s_ = 0.0;      //!< when the window was last drawn
 };
 
 }  // namespace ergodome

@@ -5,7 +5,7 @@
 #include "app/cli/interrupt.h"
 #include "app/player/player.h"
 
-// What a player does for an exhibit alone.
+// The parts of Player that only exhibits need.
 namespace ergodome {
 
 void Player::advance_exhibit(PlayerInput& input) {
@@ -17,7 +17,7 @@ void Player::advance_exhibit(PlayerInput& input) {
     end("an operator ended it with keys or buttons");
   }
   if (exhibit_->scene() == ExhibitScene::attract) {
-    input.actions.clear();  // the show is nobody's to change
+    input.actions.clear();  // nobody controls the attract show
     input.steering = {};
   }
   exhibit_->note(input.commands);
@@ -56,7 +56,7 @@ void Player::note_light() {
   const std::optional<ViewLight>& light = pictures_.report().light;
   if (exhibit_ && light && light->asked_s > light_noted_s_) {
     light_noted_s_ = light->asked_s;
-    // A picture that was asked for before the scene changed is of the other one.
+    // A measurement requested before the scene changed belongs to the other scene.
     if (light->asked_s >= scene_began_s_) {
       exhibit_->note_light(light->lit_part);
     }
@@ -67,7 +67,7 @@ void Player::change_scene() {
   const bool visitor = exhibit_->scene() == ExhibitScene::visitor;
   keep_recording(RecordingMoment::end);
   if (renderers_.renews()) {
-    // It is read again when its scene is there again.
+    // The version is read again when its scene returns.
     services_.forget_version();
   }
   renderers_.enter(exhibit_->scene(), exhibit_->show());

@@ -10,7 +10,7 @@ namespace ergodome {
 
 namespace {
 
-//! A stick that is moved so far is moved by a person.
+//! Threshold of an axis beyond which a visitor is considered to move it.
 constexpr float deliberate = 0.15F;
 
 bool is_for_visitors(KeyAction action) {
@@ -50,7 +50,7 @@ void PlayerInputs::take(const WindowEvent& event, MouseState& mouse, PlayerInput
       held_buttons_.erase(event.key);
       break;
     case WindowEvent::Kind::pointer:
-      // A pointer that is only passing, or a table that is bumped, steers nothing.
+      // A passing pointer, or a bumped table, steers nothing.
       if (!held_buttons_.empty()) {
         mouse.right_px += event.dx;
         mouse.down_px += event.dy;
@@ -75,7 +75,7 @@ void PlayerInputs::press(int key, PlayerInput& input) {
 
 void PlayerInputs::take_pads(const PadSnapshot& pads, PlayerInput& input) {
   const PadState now = pads.merged();
-  // A button that went down and up between two frames was pressed all the same.
+  // Counts a button that was pressed and released between two frames.
   PadState released = now;
   PadState pressed = now;
   for (std::size_t i = 0; i < pad_button_count; ++i) {
@@ -94,7 +94,7 @@ void PlayerInputs::take_pads(const PadSnapshot& pads, PlayerInput& input) {
 
 void PlayerInputs::find_chord(const PadState& pad) {
   const auto holds = [&](int left, int right) { return held_keys_.contains(left) || held_keys_.contains(right); };
-  // A map of controls may have other keys for it, and must not lock an operator in.
+  // Always available, so that a custom map of controls cannot lock an operator in.
   const bool keys = held_keys_.contains(GLFW_KEY_Q) && holds(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL) &&
                     holds(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT);
   const bool bound = std::ranges::any_of(held_keys_, [&](int key) {
@@ -118,7 +118,7 @@ PlayerInput PlayerInputs::gather(std::span<const WindowEvent> events, const PadS
   take_pads(pads, input);
   touched_ = touched_ || !held_keys_.empty() || !held_buttons_.empty();
   find_chord(pad_before_);
-  // What was pressed as Ctrl + R is no R when Ctrl goes first.
+  // A key pressed as Ctrl + R does not act as R when Ctrl is released first.
   std::set<int> steering_keys;
   std::ranges::set_difference(held_keys_, spent_keys_, std::inserter(steering_keys, steering_keys.end()));
   input.steering = controls_.steering(steering_keys, mouse, pad_before_);

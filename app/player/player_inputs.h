@@ -11,23 +11,26 @@
 
 namespace ergodome {
 
-//! Who may do what: everybody everything, or visitors of an exhibit what is for them.
+//! Which actions inputs may trigger: all, or only those for visitors of an exhibit.
 enum class InputLock { open, visitors };
 
-//! Makes of windows' events and of pads what a session understands.
+//! Converts the events of windows and controllers to the input of a session.
 class PlayerInputs {
  public:
   explicit PlayerInputs(Controls controls) : controls_(std::move(controls)) {}
 
   void set_lock(InputLock lock) { lock_ = lock; }
 
-  //! What came since the last frame. `radians_per_px`: angle of the view that a pixel of the window is.
+  //! Returns the input since the last frame. `radians_per_px` is the angle of view per pixel of the
+  //! window.
   [[nodiscard]] PlayerInput gather(std::span<const WindowEvent> events, const PadSnapshot& pads, double radians_per_px);
 
-  //! Whether somebody did anything in the last frame, bound or not: a visitor is there.
+  //! Returns whether there was any input in the last frame, bound or not, which means that a
+  //! visitor is present.
   [[nodiscard]] bool touched() const { return touched_; }
 
-  //! Whether the operator's chord is held: Ctrl + Alt + Q, keys that are bound to leaving the exhibit, or select, start and both shoulders of a pad.
+  //! Returns whether the operator's chord is held: Ctrl + Alt + Q, keys bound to leaving the
+  //! exhibit, or select, start and both shoulder buttons of a controller.
   [[nodiscard]] bool chord_held() const { return chord_held_; }
 
   [[nodiscard]] const Controls& controls() const { return controls_; }
@@ -42,7 +45,7 @@ class PlayerInputs {
   Controls controls_;
   InputLock lock_ = InputLock::open;
   std::set<int> held_keys_;
-  std::set<int> spent_keys_;  //!< those of them that went down for an action
+  std::set<int> spent_keys_;  //!< those held keys whose press triggered an action
   std::set<int> held_buttons_;
   PadState pad_before_;
   bool touched_ = false;

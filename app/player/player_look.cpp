@@ -1,4 +1,4 @@
-// What a session shows at an instant: where the camera is, who looks, and how.
+// What a session shows at an instant: camera, observer and stereo.
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +12,7 @@ namespace ergodome {
 
 namespace {
 
-constexpr double wheel_zoom = 0.1;  //!< logarithm of the field of view for a step
+constexpr double wheel_zoom = 0.1;  //!< change of ln(field of view) per step
 constexpr double narrowest_deg = 0.01;
 constexpr double widest_screen_deg = 170.0;
 constexpr double widest_dome_deg = 360.0;
@@ -29,7 +29,8 @@ bool PlayerSession::has_words_at(double time_s) const {
 void PlayerSession::look(double seconds, double shown_time_s) {
   const double time_s = show_.duration_s > 0.0 ? seconds_of(playback_.instant().time) : 0.0;
   const std::string& language = playback_.language();
-  // Off its path one time of many a show is like another, and a picture that is there need not be made again.
+  // Off the show's path, a picture need not be rendered again if nothing in the scene changes with
+  // time.
   const bool alike = flying() && !changes_by_itself(show_) && !has_words_at(time_s) && !has_words_at(shown_time_s);
   frame_.time_s = alike ? shown_time_s : time_s;
   frame_.pose = navigator_->pose();
@@ -47,7 +48,7 @@ void PlayerSession::look(double seconds, double shown_time_s) {
 }
 
 void PlayerSession::observe(double seconds, double time_s) {
-  // Within the horizon nobody but who falls is there to look.
+  // Inside the horizon, only infalling observers exist.
   const bool within = !(frame_.pose.r > horizon_radius(show_now_.spin));
   const ObserverMode mode = within ? ObserverMode::natural : observer_;
   const CameraPose in_zamo = in_zamo_frame(frame_.pose, show_now_.spin);
@@ -61,7 +62,7 @@ void PlayerSession::observe(double seconds, double time_s) {
   if (mode != ObserverMode::natural || (falls_off_path && !within && observer_fade_.fading())) {
     look_as_other(in_zamo);
   } else if (!flying()) {
-    // Baked lenses are the show's observer's, who need not be told.
+    // Baked lenses are for the show's observer.
     frame_.observer.motion = show_.camera.motion;
     frame_.observer.velocity = show_.camera.velocity;
   }
@@ -75,7 +76,8 @@ std::optional<ObserverView> PlayerSession::own_observer(const CameraPose& in_zam
   if (!(in_zamo.r > horizon_radius(show_now_.spin))) {
     return falling_within(language);
   }
-  // On the way back to a path that has velocities who looks moves as that does already, so that nothing jumps where it is met.
+  // While returning to a path with velocities, the observer already moves as the path does, so that
+  // nothing jumps when the path is reached.
   const std::optional<Vector3<double>> moves = navigator_->course() == Navigator::Course::returning
                                                    ? in_zamo_frame(camera_pose(show_, time_s), show_now_.spin).velocity
                                                    : in_zamo.velocity;
@@ -130,7 +132,7 @@ StereoSettings PlayerSession::stereo_now() const {
   }
   const bool may_be_within = leads_within(show_) || navigator_->pose().velocity_in_rain;
   if (may_be_within && stereo.model == StereoModel::flat) {
-    stereo.model = StereoModel::physical;  // flat eyes know nothing of the inside
+    stereo.model = StereoModel::physical;  // flat eyes are undefined inside the horizon
   }
   return stereo;
 }

@@ -1,4 +1,4 @@
-// How a session writes down where its camera goes.
+// Recording of a session's camera path.
 #include <utility>
 
 #include "app/navigation/flight_space.h"
@@ -32,7 +32,7 @@ void PlayerSession::note_flight() {
   if (const std::optional<double> own_time = own_time_of_fall()) {
     falling = {*own_time, beyond_return};
   } else if (beyond_return) {
-    return;  // keys do not lead there
+    return;  // keys cannot lead there
   }
   const ObserverView& seen = frame_.observer;
   const bool as_observer =

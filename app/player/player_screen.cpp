@@ -11,7 +11,7 @@ namespace ergodome {
 
 namespace {
 
-//! Largest window that opens by itself: a screen's, and beside projectors a part of it.
+//! Maximum initial size of the window [px]: alone, and in addition to projectors.
 constexpr int widest_px = 1600;
 constexpr int highest_px = 1000;
 constexpr int beside_projectors_px = 700;
@@ -91,7 +91,7 @@ void PlayerScreen::set_text(PanelPlace place, const std::string& text) {
     const TextSize room = room_for_text();
     const int usual_px = std::clamp(std::min(room.width_px, room.height_px) / 50, 11, 36);
     if (place == PanelPlace::middle) {
-      // Help is a list in columns, and as large as the window lets it.
+      // Help is a list in columns, as large as the window allows.
       const FittedText& list = fitted_help(text, room, usual_px);
       panel.panel.set(list.text, list.letter_px, TextFace::monospaced);
     } else {
@@ -118,7 +118,7 @@ const FittedText& PlayerScreen::fitted_help(const std::string& list, const TextS
 
 void PlayerScreen::draw_window(int width, int height) {
   const bool help = help_shown();
-  // Nothing is read through the help.
+  // Hides the captions while help is shown.
   presenter_.lay_over(help ? LaidCaptions() : captions_, grid_);
   const auto draw_part = [&](WindowEye eye, PicturePart part) {
     window_.draw_into(eye);

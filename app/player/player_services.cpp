@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::chrono::seconds osc_patience{2};
 
-//! Lines on the terminal look like the program's other messages.
+//! Formats log lines on the terminal like the program's other messages.
 spdlog::sink_ptr terminal_sink() {
   auto sink = std::make_shared<spdlog::sinks::stderr_sink_mt>();
   sink->set_pattern("ergodome: %v");
@@ -39,7 +39,7 @@ PlayerServices::PlayerServices(const ServiceOptions& options, const Show& show)
   } else if (options.clock.starts_with("mtc")) {
     clock_ = make_midi_clock();
     const std::string port = options.clock.size() > 4 ? options.clock.substr(4) : "";
-    // The time code's own rate counts its frames later; here they are read as of the rate that has most.
+    // The rate of the time code is not known yet, so frames are parsed at the highest rate.
     const std::optional<TimeCode> start = parse_time_code(options.clock_start, CodeRate::fps30);
     midi_ = std::make_unique<MidiClockInput>(clock_, port, start);
     tell(spdlog::level::info, fmt::format("the show follows MIDI time code on {}", midi_->port()));
@@ -57,7 +57,7 @@ PlayerServices::PlayerServices(const ServiceOptions& options, const Show& show)
   remote_ = std::make_unique<RemoteControl>(options.remote, queue_, board_, ring_, std::move(listeners));
   tell(spdlog::level::warn, remote_->warning());
   for (const std::string& line : remote_->greeting()) {
-    // For the person who started the show; it may hold the token, so it goes to no log.
+    // For the user who started the show; may contain the token, so it must not be logged.
     print_out("{}\n", line);
   }
   std::fflush(stdout);

@@ -16,66 +16,74 @@
 
 namespace ergodome {
 
+//! Options of the services of a running show: remote control, clock, sound and log.
 struct ServiceOptions {
   RemoteOptions remote;
-  std::string clock = "own";  //!< "mtc", "mtc:PORT" or "osc": what the show's time follows
-  std::string clock_start;    //!< the time code at which the show begins ("01:00:00:00"); empty: midnight
+  std::string clock = "own";  //!< source of the show time: "own", "mtc", "mtc:PORT" or "osc"
+  //! The time code at which the show begins ("01:00:00:00"); empty: midnight.
+  std::string clock_start;
   bool sound = true;
-  double sound_later_s = 0.0;      //!< for displays that take their time
+  double sound_later_s = 0.0;      //!< delay that compensates for slow displays
   std::filesystem::path log_file;  //!< empty: none
   bool log_on_terminal = true;
 };
 
-//! What a running show has beside its pictures: sound, a clock from outside, remote control, a log, and an eye on its file.
+//! The services of a running show besides rendering: sound, external clock, remote control, log,
+//! and watching its files.
 class PlayerServices {
  public:
-  //! Throws Error where a port is in use or a clock's input is missing.
+  //! Throws Error if a port is in use or if a clock's input is missing.
   PlayerServices(const ServiceOptions& options, const Show& show);
 
-  //! Another show, read at `read_at`: its files are looked at, to be read again when they change.
+  //! Switches to another show, read at `read_at`, and watches its files, to reload it when they
+  //! change.
   void set_show(const Show& show, FileWatch::WallTime read_at, ShowReload::Loader load);
-  //! The files of a show that waits for its scene are looked at, too.
+  //! Also watches the files of a show that waits for its scene.
   void watch(const Show& show, FileWatch::WallTime read_at, ShowReload::Loader load) {
     shows_.add(show, read_at, std::move(load));
   }
-  //! Another version of the show is the one that runs now.
+  //! Makes another version of the show the current one.
   void take_version(const Show& show);
-  //! The version that was read last did not come to run: it is to be read again when its show runs again.
+  //! Discards the version that was read last, because it did not become current. It is read again
+  //! when its show runs again.
   void forget_version() { shows_.forget_version(); }
-  //! Why the version that was read last cannot be the one that runs.
+  //! Records why the version that was read last cannot become current.
   void refuse_version(const std::string& problem) { shows_.refuse_version(problem); }
 
-  //! Makes the session's clock follow what the options say.
+  //! Makes the session's clock follow the source given in the options.
   void drive(Playback& playback) const { playback.follow(clock_); }
 
-  //! What OSC and the page asked for since the last call.
+  //! Returns the commands from OSC and the status page since the last call.
   [[nodiscard]] std::vector<TransportCommand> commands();
 
-  //! Once a frame: sound goes where the show is.
+  //! Synchronizes the sound with the show; called once per frame.
   void follow(const Playback& playback);
-  //! Writes what is known here: sound, and what is wrong with shows' files or with sound where pictures have no problem.
+  //! Adds the state of the sound, and, unless rendering has a problem, problems of show files or of
+  //! the sound.
   void fill(PlayerStatus& status) const;
   void post(PlayerStatus status) { board_.post(std::move(status)); }
 
-  //! Where the status page and OSC listen; without the token, so that it may be logged.
+  //! Returns where the status page and OSC listen, without the token, so that it may be logged.
   [[nodiscard]] std::string remote_text() const;
 
-  //! What was posted last.
+  //! Returns the status that was posted last.
   [[nodiscard]] PlayerStatus status() const { return board_.read(); }
 
-  //! A version of the show's file that was saved since the last call, or why there is none; `now` reads it, changed or not.
+  //! Returns a version of the show that was saved since the last call, or why it cannot be read.
+  //! `now` reads it even if it has not changed.
   [[nodiscard]] std::optional<ShowReload::Result> reloaded(bool now);
-  //! Once a frame: looks at the files of shows that wait, and logs what became of them.
+  //! Checks the files of waiting shows and logs the result; called once per frame.
   void look_at_waiting_shows();
 
-  //! Writes lines to the log, whatever was written before.
+  //! Writes lines to the log, even if they repeat.
   void log_changes(const std::vector<std::string>& lines);
 
-  //! Writes a line to the log, unless it is the one that was written last.
+  //! Writes a line to the log unless it equals the last one.
   void tell(spdlog::level::level_enum level, const std::string& message);
 
  private:
-  //! Commands of chapters and languages may come before the first picture does.
+  //! Publishes the chapters and languages of a show before the first frame, because commands may
+  //! arrive earlier.
   void tell_of_the_show(const Show& show);
 
   std::shared_ptr<LogRing> ring_;
@@ -83,11 +91,11 @@ class PlayerServices {
   std::string told_;
   CommandQueue queue_;
   StatusBoard board_;
-  std::shared_ptr<ExternalClock> clock_;  //!< none: the show's own
+  std::shared_ptr<ExternalClock> clock_;  //!< null: the show's own clock
   std::unique_ptr<MidiClockInput> midi_;
   std::unique_ptr<AudioPlayer> sound_;
   WatchedShows shows_;
-  std::unique_ptr<RemoteControl> remote_;  //!< last: its threads use what stands above
+  std::unique_ptr<RemoteControl> remote_;  //!< last, because its threads use the members above
 };
 
 }  // namespace ergodome

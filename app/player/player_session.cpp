@@ -26,7 +26,7 @@ bool same_observer(const ObserverView& a, const ObserverView& b) {
   return a.motion == b.motion && same_vector(a.velocity, b.velocity);
 }
 
-//! Whether two frames want the same picture. The display's light is no matter of pictures.
+//! Returns whether two frames need the same picture. The display's light does not affect pictures.
 bool same_picture(const PlayerFrame& a, const PlayerFrame& b) {
   return a.time_s == b.time_s && same_pose(a.pose, b.pose) && same_observer(a.observer, b.observer) &&
          a.mode == b.mode && a.field_of_view_deg == b.field_of_view_deg && a.path_time_s == b.path_time_s &&
@@ -36,7 +36,7 @@ bool same_picture(const PlayerFrame& a, const PlayerFrame& b) {
 
 bool does_something(const Steering& steering) { return steering != Steering(); }
 
-//! Whether the camera is to go anywhere, or to turn.
+//! Returns whether the camera is to move or turn.
 bool steers(Steering steering) {
   steering.zoom = 0.0;
   steering.faster = 0.0;
@@ -103,7 +103,7 @@ void PlayerSession::advance(const PlayerInput& input) {
 }
 
 void PlayerSession::navigate(const PlayerInput& input, double seconds) {
-  // A show that stands still does not change, however long its clock runs.
+  // A show without duration does not change with time.
   const double time_s = show_.duration_s > 0.0 ? seconds_of(playback_.instant().time) : 0.0;
   animate(show_now_, time_s);
   zoom_steps_ += input.steering.amounts.zoom + 5.0 * seconds * std::clamp(input.steering.rates.zoom, -1.0, 1.0);
@@ -200,7 +200,7 @@ void PlayerSession::press_view(KeyAction action) {
       navigator_->let_go();
       break;
     case KeyAction::next_observer:
-      // Within the horizon there is but one.
+      // Inside the horizon there is only one.
       observer_ = frame_.pose.r > horizon_radius(show_now_.spin) ? next_observer(observer_) : observer_;
       break;
     default:
@@ -216,7 +216,7 @@ void PlayerSession::adjust_stereo(KeyAction action) {
   const StereoSettings before = chosen_stereo();
   const StereoSettings after = adjusted(before, action, show_now_.stereo, frame_.pose.r);
   if (action == KeyAction::baseline_reset) {
-    // What changes with time changes again.
+    // Animated values apply again.
     playback_.forget_baseline();
     convergence_.reset();
     stereo_ = show_.stereo;

@@ -8,14 +8,15 @@
 
 namespace ergodome {
 
-//! Frame time, size, lens and backend of the last picture; in stereo what its eyes see, too.
+//! Returns frame time, size, lens and backend of the last picture, and for stereo the disparity.
 std::string times_text(const PictureReport& report, const StereoSettings& stereo, const std::string& backend,
                        const std::string& language);
 
-//! A window's title: the show, the hole, where the camera is, and what the last picture took.
+//! Returns the window's title: the show, the hole, the camera's position, and the time of the last
+//! frame.
 std::string title_text(const PictureReport& report, const PlayerSession& session, const std::string& backend);
 
-//! A help that is to be read on a dome, where no text lies over a window.
+//! Returns the help as a caption for a dome, where no text can be laid over a window.
 Caption help_caption(const std::string& help);
 
 }  // namespace ergodome

@@ -2,7 +2,7 @@
 
 #include "app/player/player.h"
 
-// What a player does where its show's file, or one that this names, has been saved.
+// Handling of saved changes to the show's file, or to files that it names.
 namespace ergodome {
 
 void Player::reload(bool now) {
@@ -11,7 +11,7 @@ void Player::reload(bool now) {
     return;
   }
   if (result->show) {
-    // What runs goes on until all of the new version is there.
+    // The current version runs until the new one is loaded completely.
     renderers_.renew(*result->show);
   } else {
     services_.tell(spdlog::level::err, result->problem);

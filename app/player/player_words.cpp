@@ -22,7 +22,7 @@ bool Player::add_words(PictureRequest& wish) {
     wish.captions_opacity = 1.0;
     wish.frame.captions = false;
   } else if (!session_->help_shown() || exhibit_->is_ending()) {
-    // The help that lies over a window would lie over the welcome, and says more.
+    // Help over the window would cover the welcome caption, and contains more.
     wish.captions = exhibit_->captions(!pad_snapshot_.pads.empty());
     wish.captions_opacity = exhibit_->opacity();
   }
@@ -46,7 +46,7 @@ std::string Player::help_text(HelpForm form) const {
 
 void Player::update_texts() {
   if (session_->playback().dark()) {
-    // A blackout is dark, for whoever sits before it.
+    // A blackout hides all text.
     for (const PanelPlace place : {PanelPlace::top_left, PanelPlace::bottom_middle, PanelPlace::middle}) {
       screen_.set_text(place, "");
     }
@@ -62,8 +62,8 @@ void Player::update_texts() {
     times += budget_ ? fmt::format("\n{}", budget_->display_text()) : "";
   }
   screen_.set_text(PanelPlace::top_left, times);
-  // What visitors are to read stands there too, and comes first. Of the attract show there is nothing to be told to whoever passes by, nor of a flight
-  // whose pictures are yet to come: those that are to be seen are still the attract show's.
+  // Captions for visitors use the same location and have priority. Nothing is shown in the attract
+  // show, nor before the first picture of a flight, while the attract show's last picture remains.
   const bool quiet = options_.quiet || !words_.empty() ||
                      (exhibit_ && (exhibit_->scene() == ExhibitScene::attract || !renderers_.current()));
   screen_.set_text(PanelPlace::bottom_middle, quiet ? "" : session_->caption());

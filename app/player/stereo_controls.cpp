@@ -13,7 +13,7 @@ namespace {
 constexpr double step = 1.25;
 constexpr double least_baseline = 1e-4;
 constexpr double most_baseline = 100.0;
-//! Where keys begin that come from 0 and from infinity: a step from there is seen.
+//! Values of the first step from 0 and from infinity, large enough to be seen.
 constexpr double first_baseline = 0.01;
 constexpr double first_convergence = 3.0;
 constexpr double nearest_convergence = 0.01;
@@ -34,7 +34,7 @@ StereoLayout after(StereoLayout layout) {
   return last ? window_layouts.front() : *(here + 1);
 }
 
-//! Rounded so that nothing is printed as -0.0.
+//! Rounds to tenths; never returns -0.0.
 double tenths(double value) { return 0.1 * std::round(10.0 * value) + 0.0; }
 
 }  // namespace
@@ -105,8 +105,8 @@ std::string disparity_caption(const StereoSettings& stereo, const std::optional<
       fmt::format("\n{} {:+.1f} {} {:+.1f} px, {:+.1f} {} {:+.1f} {}", german ? "Disparität" : "disparity",
                   tenths(disparity->least_px), to, tenths(disparity->greatest_px), tenths(disparity->least_arcmin), to,
                   tenths(disparity->greatest_arcmin), german ? "Bogenminuten" : "arcmin");
-  // One degree is the stereographers' rule of thumb (Lambooij, IJsselsteijn, Fortuin & Heynderickx, Journal of Imaging Science and Technology
-  // 53 (2009) 030201), after Percival's zone of comfort.
+  // One degree is the usual limit (Lambooij, IJsselsteijn, Fortuin & Heynderickx, Journal of
+  // Imaging Science and Technology 53 (2009) 030201), after Percival's zone of comfort.
   if (disparity->range_deg() > stereo.comfort_deg) {
     caption += fmt::format("\n{} {:.4g}{}", german ? "unbequem: Disparität über" : "uncomfortable: disparity exceeds",
                            stereo.comfort_deg, german ? "°" : " deg");
