@@ -46,7 +46,8 @@ double wait_s(const OscMessage& message, const OscInstant& now) {
   return std::max(wait, 0.0);
 }
 
-//! Returns the word that an unknown address may have meant; empty if none is close. A foreign address must end in one of our words.
+//! Returns the word that an unknown address may have meant; empty if none is close. An address with
+//! another prefix must end in a known word.
 std::string meant_word(const std::string& address) {
   if (address.starts_with(root)) {
     return nearest_command(address.substr(root.size()), own_words);
@@ -72,7 +73,8 @@ CommandArgument argument_at(const OscMessage& message, std::size_t index) {
   return index < message.arguments.size() ? message.arguments[index] : CommandArgument{};
 }
 
-//! Returns an argument as a number if it is a text that holds one, as some show controllers send; else as it is.
+//! Converts an argument to a number if it is a text that contains one, as some show controllers
+//! send; otherwise returns it unchanged.
 CommandArgument numeric(CommandArgument argument) {
   if (const std::string* const text = std::get_if<std::string>(&argument)) {
     double number = 0.0;
@@ -92,7 +94,8 @@ bool takes_number(Argument argument) {
 
 bool is_pattern(const std::string& address) { return address.find_first_of("*?[{") != std::string::npos; }
 
-//! Returns the rules of the commands that an address or an address pattern of OSC names. Throws Error if there are none.
+//! Returns the rules of the commands that match an address or OSC address pattern. Throws Error if
+//! none matches.
 std::vector<const CommandRule*> rules_at(const std::string& address) {
   if (!is_pattern(address)) {
     return {&rule_at(address)};
@@ -116,7 +119,8 @@ void expect_at_most(const OscMessage& message, std::size_t count) {
   }
 }
 
-//! Buttons of control surfaces send 1 when pressed and 0 when released; commands without an argument ignore the release.
+//! Returns whether a value means release. Buttons of control surfaces send 1 when pressed and 0
+//! when released; commands without an argument ignore the release.
 bool is_release(const CommandArgument& argument) {
   const double* const number = std::get_if<double>(&argument);
   const bool* const flag = std::get_if<bool>(&argument);
@@ -137,7 +141,8 @@ double number_at(const OscMessage& message, std::size_t index, std::string_view 
 std::vector<OscDatagram> OscHandler::receive(std::span<const std::byte> packet, const NetAddress& from,
                                              const OscInstant& now) {
   std::vector<OscDatagram> answers;
-  // The sender of a packet may be forged, so an address never receives more bytes than it sent without subscribing.
+  // The sender of a packet may be forged, so an address never receives more bytes than it sent
+  // without subscribing.
   std::size_t bytes_left = subscribers_.is_trusted(from) ? std::numeric_limits<std::size_t>::max() : packet.size();
   const auto answer = [&](const NetAddress& to, const OscOutput& message) {
     std::vector<char> bytes = osc_packet({&message, 1});
@@ -202,7 +207,7 @@ void OscHandler::command(const OscMessage& message, const NetAddress& from, cons
 
 void OscHandler::command(const CommandRule& rule, const OscMessage& message, const NetAddress& from,
                          const OscInstant& now) {
-  // Further arguments are ignored, as OSC's receivers do: control surfaces add coordinates or names.
+  // Ignores further arguments, as OSC receivers do: control surfaces add coordinates or names.
   CommandArgument argument = argument_at(message, 0);
   argument = takes_number(rule.argument) ? numeric(std::move(argument)) : std::move(argument);
   if (rule.argument == Argument::none && is_release(argument)) {
@@ -234,7 +239,7 @@ void OscHandler::follow_clock(const OscMessage& message, const OscInstant& now) 
   if (message.arguments.size() >= 2) {
     fix.speed = number_at(message, 1, "clock", -greatest_speed, greatest_speed);
   }
-  // The time tag of a bundle is the moment when its clock value was right, in the past or the future.
+  // The time tag of a bundle is when its clock value is valid, in the past or the future.
   const double ahead_s = message.time == osc_at_once ? 0.0 : osc_difference_s(message.time, now.of_day);
   if (!(std::abs(ahead_s) <= longest_wait_s)) {
     throw Error("clock",
@@ -317,7 +322,7 @@ std::vector<OscDatagram> OscHandler::tick(steady_clock::time_point now) {
     for (const NetAddress& to : subscribers_.addresses()) {
       feedback.push_back({to, packet});
     }
-    // After a long stall the feedback goes on from now instead of catching up.
+    // After a long stall, feedback continues from now instead of catching up.
     next_feedback_ = std::max(next_feedback_ + feedback_interval, now);
   }
   return feedback;

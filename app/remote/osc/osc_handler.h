@@ -18,12 +18,12 @@ namespace ergodome {
 
 //! Receivers of OSC input other than commands; called on the remote control's thread.
 struct OscListeners {
-  std::function<void(const ClockFix&)>
-      clock;  //!< receives the time of a master clock; empty: clock messages are refused
-  std::function<void(const std::string&)> warning;  //!< a line for the log; may be empty
+  //! Receives the time of a master clock; empty: clock messages are refused.
+  std::function<void(const ClockFix&)> clock;
+  std::function<void(const std::string&)> warning;  //!< receives a line for the log; may be empty
 };
 
-//! The same instant by the clock that never jumps and by the time of day.
+//! An instant by the steady clock and by the time of day.
 struct OscInstant {
   std::chrono::steady_clock::time_point steady;
   OscTime of_day = osc_at_once;
@@ -35,28 +35,28 @@ struct OscDatagram {
   std::vector<char> bytes;
 };
 
-//! Executes OSC messages (see reference/osc.md); it has no socket and no clock of its own.
+//! Executes OSC messages (see reference/osc.md). Has no socket and no clock.
 //!
-//! The number of scheduled commands, of subscribers and of answers a second is limited.
+//! Limits the number of scheduled commands, of subscribers and of answers per second.
 class OscHandler {
  public:
   static constexpr std::size_t most_waiting = 256;
   static constexpr double longest_wait_s = 60.0;
   static constexpr std::chrono::milliseconds feedback_interval{100};
 
-  //! `listed` receive feedback without asking.
+  //! `listed` receive feedback without subscribing.
   OscHandler(CommandQueue& commands, const StatusBoard& board, OscListeners listeners,
              std::vector<NetAddress> listed = {})
       : commands_(commands), board_(board), listeners_(std::move(listeners)), subscribers_(std::move(listed)) {}
 
-  //! Executes a packet and returns the answers. To hosts that are not trusted, these are never longer than the packet.
-  //! Never throws because of a packet.
+  //! Executes a packet and returns the answers. Answers to untrusted hosts are never longer than
+  //! the packet. Never throws because of a packet.
   std::vector<OscDatagram> receive(std::span<const std::byte> packet, const NetAddress& from, const OscInstant& now);
 
   //! Executes scheduled commands that are due and returns feedback that is due.
   std::vector<OscDatagram> tick(std::chrono::steady_clock::time_point now);
 
-  //! When `tick` is to be called next; empty where nothing waits.
+  //! Returns when `tick` has to be called next; empty if nothing is pending.
   [[nodiscard]] std::optional<std::chrono::steady_clock::time_point> next_tick() const;
 
  private:
@@ -85,7 +85,7 @@ class OscHandler {
   OscSubscribers subscribers_;
   std::chrono::steady_clock::time_point next_feedback_;
   RateLimit complaints_{10.0, 10.0};
-  RateLimit warnings_{1.0, 10.0};  // fewer: the log's other lines are to stay in sight
+  RateLimit warnings_{1.0, 10.0};  // a lower rate, so that other log lines stay visible
 };
 
 //! Returns the feedback that a subscriber receives ten times a second.

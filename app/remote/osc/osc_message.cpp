@@ -16,7 +16,7 @@ namespace ergodome {
 namespace {
 
 constexpr std::string_view bundle_head{"#bundle\0", 8};
-constexpr std::size_t bundle_head_bytes = 16;  // with its time tag
+constexpr std::size_t bundle_head_bytes = 16;  // including the time tag
 constexpr int most_arguments = 16;
 
 struct FreeMessage {
@@ -61,7 +61,7 @@ std::string problem_of(int code) {
   }
 }
 
-//! Reads a number from a packet, where it may be aligned to four bytes although its type needs eight.
+//! Reads a number from a packet, where it may be aligned to only four bytes.
 template <class Number>
 double number_at(const void* place) {
   Number number;
@@ -87,7 +87,7 @@ OscArgument argument_of(char type, const void* place) {
     case LO_FALSE:
       return false;
     case LO_NIL:
-    case LO_INFINITUM:  // A trigger without a value.
+    case LO_INFINITUM:  // a trigger without a value
       return std::monostate{};
     default:
       refuse(fmt::format("has a first argument of the unsupported type '{}'",
@@ -95,8 +95,8 @@ OscArgument argument_of(char type, const void* place) {
   }
 }
 
-//! True if a message is an address and nothing else: older senders leave out the type tags of messages without arguments, and OSC
-//! 1.0 asks receivers to accept that.
+//! Returns whether a message consists only of an address: older senders omit the type tags of
+//! messages without arguments, and OSC 1.0 requires receivers to accept that.
 bool is_bare_address(std::span<const std::byte> bytes) {
   const auto end = std::ranges::find(bytes, std::byte{0});
   const auto length = static_cast<std::size_t>(end - bytes.begin());
@@ -105,7 +105,8 @@ bool is_bare_address(std::span<const std::byte> bytes) {
          std::all_of(end, bytes.end(), [](std::byte byte) { return byte == std::byte{0}; });
 }
 
-//! The size of a text that ends with a zero and is filled up to four bytes, from `at` on; 0 where it does not end.
+//! Returns the size of a zero-terminated text padded to four bytes, from `at` on; 0 if it is not
+//! terminated.
 std::size_t text_size(std::span<const std::byte> bytes, std::size_t at) {
   const auto rest = bytes.subspan(std::min(at, bytes.size()));
   const auto end = std::ranges::find(rest, std::byte{0});
@@ -114,8 +115,9 @@ std::size_t text_size(std::span<const std::byte> bytes, std::size_t at) {
 
 constexpr char colour = 'r';
 
-//! Returns the type tags of a message without the brackets of arrays, whose elements stand one after the other all the same; and leaves in
-//! the message tags that liblo knows, for it refuses arrays and colours, which have four bytes.
+//! Returns the type tags of a message without the brackets of arrays, whose elements are stored
+//! consecutively. Replaces unsupported tags in the message: liblo rejects arrays and colors, which
+//! have four bytes.
 std::string take_tags(std::vector<std::byte>& message) {
   const std::size_t start = text_size(message, 0);
   const std::size_t size = text_size(message, start);
@@ -142,7 +144,7 @@ OscMessage message_of(std::span<const std::byte> bytes, OscTime time) {
   if (bytes[0] != std::byte{'/'}) {
     refuse("has an address that does not begin with /");
   }
-  // liblo changes the byte order in a copy of its own, but takes a pointer that is not to constants.
+  // liblo converts the byte order in its own copy, but takes a non-const pointer.
   std::vector<std::byte> copy(bytes.begin(), bytes.end());
   if (is_bare_address(bytes)) {
     copy.insert(copy.end(), {std::byte{','}, std::byte{0}, std::byte{0}, std::byte{0}});
@@ -159,11 +161,11 @@ OscMessage message_of(std::span<const std::byte> bytes, OscTime time) {
   }
   OscMessage result;
   result.time = time;
-  // The packet begins with its address, which liblo has found to end within the packet.
+  // The packet starts with its address; liblo has checked that it ends within the packet.
   result.address = reinterpret_cast<const char*>(copy.data());
   lo_arg** const arguments = lo_message_get_argv(message.get());
   for (std::size_t i = 0; i < std::min(types.size(), static_cast<std::size_t>(count)); ++i) {
-    // Further arguments are often ignored, whatever they are.
+    // Further arguments are usually ignored, so any type is accepted.
     const bool is_ignored = i > 0 && !is_understood(types[i]);
     result.arguments.push_back(is_ignored ? OscArgument() : argument_of(types[i], arguments[i]));
   }
@@ -174,7 +176,7 @@ bool is_bundle(std::span<const std::byte> bytes) {
   return bytes.size() >= bundle_head_bytes && std::memcmp(bytes.data(), bundle_head.data(), bundle_head.size()) == 0;
 }
 
-//! Adds the messages of an element, a message or a bundle at a depth.
+//! Adds the messages of an element: a message, or a bundle at a nesting depth.
 void add_messages(std::span<const std::byte> bytes, OscTime time, int depth, std::vector<OscMessage>& messages) {
   if (!is_bundle(bytes)) {
     if (messages.size() >= most_osc_messages) {
@@ -223,7 +225,7 @@ OscTime osc_now() {
 }
 
 double osc_difference_s(OscTime a, OscTime b) {
-  // The difference of unsigned numbers wraps as the era of 2036 does.
+  // The unsigned difference wraps like the era of 2036.
   return static_cast<double>(static_cast<std::int64_t>(a - b)) / 4294967296.0;
 }
 

@@ -8,7 +8,7 @@ namespace ergodome {
 
 namespace {
 
-//! Packets that are read before the clock is looked at again, so that a flood cannot keep feedback from going out.
+//! Packets to read before the clock is checked again, so that a flood cannot block feedback.
 constexpr int packets_at_once = 64;
 
 OscInstant now() { return {std::chrono::steady_clock::now(), osc_now()}; }
@@ -44,7 +44,7 @@ void OscServer::serve() {
 }
 
 void OscServer::receive_some() {
-  // A byte more than is allowed, so that what is too long is seen to be.
+  // One byte more than the limit, to detect longer packets.
   std::array<std::byte, largest_osc_packet + 1> packet;
   for (int i = 0; i < packets_at_once; ++i) {
     sockaddr_storage from = {};
@@ -52,7 +52,7 @@ void OscServer::receive_some() {
     const ssize_t size = ::recvfrom(socket_.get(), packet.data(), packet.size(), MSG_DONTWAIT,
                                     reinterpret_cast<sockaddr*>(&from), &from_size);
     if (size < 0) {
-      // Nothing is left, or a subscriber's port is closed (ICMP tells of it here).
+      // No more packets, or a subscriber's port is closed (reported here by ICMP).
       return;
     }
     send(handler_.receive({packet.data(), static_cast<std::size_t>(size)}, NetAddress::of(from, from_size), now()));
@@ -61,7 +61,7 @@ void OscServer::receive_some() {
 
 void OscServer::send(const std::vector<OscDatagram>& datagrams) {
   for (const OscDatagram& datagram : datagrams) {
-    // Where the network is full the packet is lost; the next feedback repeats it.
+    // If the network is congested, the packet is lost; the next feedback repeats it.
     ::sendto(socket_.get(), datagram.bytes.data(), datagram.bytes.size(), MSG_DONTWAIT | MSG_NOSIGNAL,
              datagram.to.get(), datagram.to.size());
   }

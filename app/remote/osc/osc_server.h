@@ -7,12 +7,14 @@
 
 namespace ergodome {
 
-//! OSC over UDP, on a thread of its own.
+//! OSC over UDP, on a separate thread.
 //!
-//! liblo reads and writes the messages; the socket is ours, because liblo 0.31 listens at every address of the machine, whatever it is told.
+//! liblo reads and writes the messages. The socket is ours, because liblo 0.31 always listens on
+//! all addresses of the machine.
 class OscServer {
  public:
-  //! `subscribers` receive feedback without asking. Throws Error where the address cannot be had.
+  //! `subscribers` receive feedback without subscribing. Throws Error if the address cannot be
+  //! bound.
   OscServer(const NetAddress& address, CommandQueue& commands, const StatusBoard& board, OscListeners listeners,
             std::vector<NetAddress> subscribers = {});
   ~OscServer();

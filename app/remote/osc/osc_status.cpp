@@ -13,7 +13,7 @@ const std::string prefix = "/ergodome/status/";
 
 float as_float(double value) { return static_cast<float>(value); }
 
-//! Short, and without bytes that end a string of OSC.
+//! Returns a shortened text without zero bytes, which end OSC strings.
 std::string within_a_packet(const std::string& text) {
   const std::string_view part = shortened(text, longest_text);
   return {part.begin(), std::find(part.begin(), part.end(), '\0')};

@@ -13,7 +13,7 @@ namespace ergodome {
 
 namespace {
 
-//! A nonce of this period or the one before is valid.
+//! Returns the period of a time. Nonces of the current and the previous period are valid.
 std::int64_t period_of(OscSubscribers::Instant now) {
   return now.time_since_epoch() / (OscSubscribers::nonce_lifetime / 2);
 }

@@ -9,12 +9,13 @@
 
 namespace ergodome {
 
-//! Who receives feedback over OSC.
+//! The receivers of OSC feedback.
 //!
-//! UDP packets can carry a forged sender, so a single message must not start a stream to its supposed sender. Addresses on
-//! this machine and those that the command line lists are trusted. Any other address first receives a number, and has to send
-//! it back: only who receives packets there can do that. The numbers are computed from the address and a secret, so that
-//! unanswered requests take no memory.
+//! UDP packets can have a forged sender, so a single message must not start a stream to its
+//! supposed sender. Addresses on this machine and those listed on the command line are trusted. Any
+//! other address first receives a nonce and has to send it back, which proves that it receives
+//! packets. Nonces are computed from the address and a secret, so that unanswered requests need no
+//! memory.
 class OscSubscribers {
  public:
   using Instant = std::chrono::steady_clock::time_point;
@@ -26,14 +27,15 @@ class OscSubscribers {
   //! `listed` receive feedback as long as the player runs.
   explicit OscSubscribers(std::vector<NetAddress> listed = {});
 
-  //! Whether answers may go to a host that are longer than its messages.
+  //! Returns whether answers to a host may be longer than its messages.
   [[nodiscard]] bool is_trusted(const NetAddress& host) const;
 
-  //! Returns the number that an address has to send back within a minute: from 1 to 2^24 - 1, which a float holds exactly.
+  //! Returns the nonce that an address has to send back within a minute: from 1 to 2^24 - 1, exact
+  //! as a float.
   [[nodiscard]] std::int32_t nonce(const NetAddress& to, Instant now) const;
   [[nodiscard]] bool is_nonce(double number, const NetAddress& to, Instant now) const;
 
-  //! Adds an address or renews its time. Throws Error where there are too many.
+  //! Adds an address or renews its subscription. Throws Error if there are too many.
   void add(const NetAddress& to, Instant now);
   void remove(const NetAddress& to);
   void remove_expired(Instant now);
