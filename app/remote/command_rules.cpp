@@ -22,7 +22,7 @@ using Kind = TransportCommand::Kind;
 
 constexpr double most_chapters = 10'000;
 constexpr double most_steps = 1e6;
-constexpr std::size_t longest_tag = 35;  // BCP 47 advises buffers of that size.
+constexpr std::size_t longest_tag = 35;  // size of buffers that BCP 47 recommends
 
 constexpr std::array rules = {
     CommandRule{Kind::play, "play"},
@@ -50,7 +50,7 @@ constexpr std::array rules = {
     CommandRule{Kind::reload, "reload"},
 };
 
-//! Returns a text without case differences (all scripts); text that is not UTF-8 stays unchanged.
+//! Returns a text without case differences (all scripts). Text that is not UTF-8 stays unchanged.
 std::string without_case(const std::string& text) {
   if (g_utf8_validate(text.data(), static_cast<gssize>(text.size()), nullptr) == FALSE) {
     return text;
@@ -120,7 +120,8 @@ std::string spoken_language(std::string_view place, const CommandArgument& argum
               spoken.empty() ? "it has only one language" : fmt::format("choose from {}", fmt::join(spoken, ", ")));
 }
 
-//! Returns the index of the chapter with a title: first an exact match, then regardless of case; first in the current language, then in others.
+//! Returns the index of the chapter with a title: first an exact match, then ignoring case; first
+//! in the current language, then in others.
 double index_of_title(std::string_view place, const std::string& title, const std::vector<ChapterStatus>& chapters) {
   const auto as_it_is = [](const std::string& text) { return text; };
   const auto find = [&](const auto& change, bool all) {

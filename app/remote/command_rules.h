@@ -13,10 +13,10 @@ namespace ergodome {
 enum class Argument {
   none,
   number,        //!< within [least, greatest]
-  whole,         //!< the same without a fraction; 1 where it is absent
+  whole,         //!< an integer within the range; default 1
   flag,          //!< true or false, 1 or 0
   language_tag,  //!< letters, digits, - and _
-  chapter        //!< its index from 0, or its title
+  chapter        //!< index from 0, or title
 };
 
 //! Name and argument of a command, as accepted by OSC and by the status page.
@@ -34,26 +34,27 @@ std::span<const CommandRule> command_rules();
 //! Returns the rule of a command's name, or nullptr.
 const CommandRule* rule_of(std::string_view name);
 
-//! Returns the known name, or other word, that is closest to a word; empty if none is close.
+//! Returns the command, or one of `others`, that is closest to a word; empty if none is close.
 std::string nearest_command(std::string_view word, std::span<const std::string_view> others = {});
 
-//! The argument that came with a command: nothing, a Boolean, a number or a text.
+//! The argument sent with a command: nothing, a Boolean, a number or a text.
 using CommandArgument = std::variant<std::monostate, bool, double, std::string>;
 
-//! The command, with its argument held to the rule; titles of chapters are looked up in the status. Throws Error with the command's name as
-//! its place where the argument is missing, of another type, not finite or out of range, and where the show as it runs cannot do it: its time
-//! follows a clock from outside, it has no such chapter or language.
+//! Returns the command with its argument checked against the rule. Looks up titles of chapters in
+//! the status. Throws Error, located at the command's name, if the argument is missing, of another
+//! type, not finite or out of range, or if the running show cannot perform the command: its time
+//! follows an external clock, or it has no such chapter or language.
 TransportCommand checked_command(const CommandRule& rule, const CommandArgument& argument, const PlayerStatus& status);
 
-//! Returns why the show as it runs refuses a command, whatever comes with it; empty if it does not.
+//! Returns why the running show refuses a command with any argument; empty if it does not.
 std::string refusal_now(const CommandRule& rule, const PlayerStatus& status);
 
 //! Returns the number; throws Error if it is NaN, infinite or out of range.
 double checked_number(std::string_view place, double number, double least, double greatest);
 
-//! Greatest distance of show times from zero [s]: beyond it the show's clock has none.
+//! Limit of show times in both directions [s], which is the range of the show's clock.
 inline constexpr double greatest_show_time_s = 4e9;
-//! Greatest speed, forwards and backwards.
+//! Maximum speed, forward and backward.
 inline constexpr double greatest_speed = 100.0;
 
 }  // namespace ergodome

@@ -6,7 +6,7 @@
 
 namespace ergodome {
 
-//! An open file descriptor that closes itself; -1 is none.
+//! An owned file descriptor, closed by the destructor; -1: none.
 class Descriptor {
  public:
   Descriptor() = default;

@@ -11,7 +11,7 @@ namespace ergodome {
 
 namespace {
 
-//! The ring has a lock of its own, so the sink needs none.
+//! The ring has its own lock, so the sink needs none.
 class RingSink : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
  public:
   explicit RingSink(std::shared_ptr<LogRing> ring) : ring_(std::move(ring)) {}

@@ -14,24 +14,26 @@
 
 namespace ergodome {
 
+//! A line of the log.
 struct LogLine {
-  std::uint64_t number = 0;  //!< from 1, without gaps
+  std::uint64_t number = 0;  //!< from 1, consecutive
   std::chrono::system_clock::time_point time;
   spdlog::level::level_enum level = spdlog::level::info;
   std::string text;
 };
 
-//! The last lines of the log, for people who look on. Bounded in lines and in their length; any thread may use it.
+//! The last lines of the log, for the status page. Limited in number and length of lines.
+//! Thread-safe.
 class LogRing {
  public:
-  static constexpr std::size_t most_bytes = 1000;  //!< of a line; the rest is cut off
+  static constexpr std::size_t most_bytes = 1000;  //!< per line; longer lines are truncated
 
   explicit LogRing(std::size_t most_lines = 500) : most_lines_(most_lines) {}
 
-  //! Control characters become spaces, so that one message stays one line.
+  //! Adds a line. Control characters become spaces, so that each message stays on one line.
   void push(spdlog::level::level_enum level, std::string_view text, std::chrono::system_clock::time_point time);
 
-  //! Lines with numbers above one, oldest first; 0 gives all that are left.
+  //! Returns the lines with higher numbers, oldest first; 0 returns all that are kept.
   [[nodiscard]] std::vector<LogLine> after(std::uint64_t number) const;
 
  private:
@@ -41,7 +43,7 @@ class LogRing {
   std::deque<LogLine> lines_;
 };
 
-//! A sink for spdlog that feeds a ring.
+//! Makes a sink for spdlog that writes to a ring.
 spdlog::sink_ptr log_ring_sink(std::shared_ptr<LogRing> ring);
 
 }  // namespace ergodome

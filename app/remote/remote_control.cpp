@@ -25,7 +25,8 @@ NetAddress address_of(const std::string& host, int port, const std::string& opti
   return *address;
 }
 
-//! The addresses that --osc-subscriber names, for a socket at `bound`.
+//! Returns the addresses of --osc-subscriber, for a socket bound to `bound`. Throws UsageError if
+//! they are malformed or unreachable.
 std::vector<NetAddress> subscribers_of(const RemoteOptions& options, const NetAddress& bound) {
   std::vector<NetAddress> subscribers;
   for (const std::string& text : options.osc_subscribers) {
@@ -43,7 +44,8 @@ std::vector<NetAddress> subscribers_of(const RemoteOptions& options, const NetAd
   return subscribers;
 }
 
-//! Returns the token that is kept from start to start, or a new one where it cannot be kept; `warning` says why. A show must start.
+//! Returns the token saved by earlier runs, or a new one if it cannot be saved; `warning` gives the
+//! reason. Never throws, because a show must start.
 std::string kept_token(const std::filesystem::path& file, std::string& warning) {
   if (file.empty()) {
     return new_web_token();
@@ -60,7 +62,8 @@ std::string kept_token(const std::filesystem::path& file, std::string& warning) 
   }
 }
 
-//! Returns the token that others have to give; none is needed where nobody else can reach the page.
+//! Returns the token that other machines have to send; empty if no other machine can reach the
+//! page.
 std::string token_of(const RemoteOptions& options, const NetAddress& address, std::string& warning) {
   if (!options.web_token.empty()) {
     return checked_web_token(options.web_token, "--web-token");
@@ -73,7 +76,7 @@ std::string token_of(const RemoteOptions& options, const NetAddress& address, st
   return address.is_loopback() ? "" : kept_token(options.kept_token_file, warning);
 }
 
-//! Addresses that a person can type: all of the machine's where the server listens at any.
+//! Returns addresses that a user can type: all of the machine's if the server listens on any.
 std::vector<NetAddress> reachable(const NetAddress& bound) {
   if (!bound.is_any()) {
     return {bound};

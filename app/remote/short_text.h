@@ -4,7 +4,7 @@
 
 namespace ergodome {
 
-//! The text within a number of bytes, not cut inside a character of UTF-8.
+//! Truncates a text to a number of bytes, without splitting a UTF-8 character.
 inline std::string_view shortened(std::string_view text, std::size_t most_bytes) {
   if (text.size() <= most_bytes) {
     return text;

@@ -22,7 +22,8 @@ bool is_header(std::string_view line, std::string_view name) {
                     [](char a, char b) { return a == (b >= 'A' && b <= 'Z' ? static_cast<char>(b - 'A' + 'a') : b); });
 }
 
-//! What the page has no use for: ranges and compressions make much work of a short request.
+//! Returns whether to drop a header that the page does not need: ranges and compression turn short
+//! requests into much work.
 bool is_left_out(std::string_view line) {
   return is_header(line, "range") || is_header(line, "accept-encoding") || is_header(line, "expect");
 }
@@ -73,7 +74,7 @@ std::string_view HttpStream::head() const {
 void HttpStream::refuse(std::string_view answer) {
   static_cast<void>(::send(socket_.get(), answer.data(), answer.size(), MSG_DONTWAIT | MSG_NOSIGNAL));
   ::shutdown(socket_.get(), SHUT_WR);
-  // Bytes that are left unread would make the system cut the answer off.
+  // Unread bytes would make the system reset the connection and cut off the answer.
   std::array<char, 4096> rest;
   for (int i = 0; i < 4 && ::recv(socket_.get(), rest.data(), rest.size(), MSG_DONTWAIT) > 0; ++i) {
   }
@@ -105,7 +106,8 @@ bool HttpStream::keep_plain_lines(std::size_t end) {
   for (std::size_t lines = 0; !rest.empty(); ++lines) {
     const std::size_t length = rest.find("\r\n") + 2;
     const std::string_view line = rest.substr(0, length);
-    // A body without a length has no use here; like an odd end of a line it is where two readers of one head fall out of step.
+    // Rejects bodies without a length, which are not needed. Like malformed line ends, they could
+    // make two parsers interpret a request differently.
     const bool odd = line.find_first_of(std::string_view("\r\n\0", 3)) != length - 2;
     if (lines > most_head_lines || odd || is_header(line, "transfer-encoding")) {
       return false;

@@ -10,8 +10,9 @@
 
 namespace ergodome {
 
-//! A connection as httplib reads and writes it, with what httplib has no bounds for: the head of a request is read whole, within a size
-//! and a time, before httplib sees it; a client that takes nothing for a while is given up; and everything ends with the stop signal.
+//! A connection for httplib, with the limits that httplib lacks: the head of a request is read
+//! completely, within a size and a time, before httplib sees it; a client that does not read for a
+//! while is disconnected; and everything ends with the stop signal.
 class HttpStream : public httplib::Stream {
  public:
   static constexpr std::size_t most_head_bytes = 8192;
@@ -26,7 +27,7 @@ class HttpStream : public httplib::Stream {
 
   enum class Head { incomplete, complete, failed };
 
-  //! Reads what has arrived of the first request's head, without waiting.
+  //! Reads the available part of the first request's head, without waiting.
   Head poll_head();
   //! Returns the head that poll_head() found complete, as it was sent.
   [[nodiscard]] std::string_view head() const;
@@ -34,11 +35,11 @@ class HttpStream : public httplib::Stream {
   void refuse(std::string_view answer);
   void close() { socket_.reset(); }
 
-  //! Waits for the next request, as long as an idle connection may be kept, and reads its head. False where there is none, or none that is
-  //! worth an answer.
+  //! Waits for the next request, as long as an idle connection may be kept, and reads its head.
+  //! Returns false if there is none, or none that deserves an answer.
   bool read_head(std::chrono::milliseconds idle_time);
 
-  //! Whether a body follows, according to the head that was read last.
+  //! Returns whether a body follows, according to the last head.
   [[nodiscard]] bool has_body() const { return has_body_; }
   [[nodiscard]] const NetAddress& peer() const { return peer_; }
 
@@ -60,8 +61,8 @@ class HttpStream : public httplib::Stream {
   Descriptor socket_;
   NetAddress peer_;
   const StopSignal& stop_;
-  std::string buffer_;        // received
-  std::size_t position_ = 0;  // of what httplib reads next
+  std::string buffer_;        // received bytes
+  std::size_t position_ = 0;  // position of httplib in it
   Instant body_deadline_;
   bool has_body_ = false;
 };

@@ -17,7 +17,7 @@ using nlohmann::json;
 
 const std::string form = R"(send {"kind": "seek", "value": 12.5} or {"kind": "language", "text": "de"})";
 
-//! The object, without anything nested in it: what is deeper than one level is not kept while it is read.
+//! Parses an object without nested values. Deeper levels are discarded while parsing.
 json flat_object(std::string_view text) {
   if (text.size() > largest_json_command) {
     throw Error("command", fmt::format("longer than {} bytes", largest_json_command), form);

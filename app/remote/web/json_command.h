@@ -6,11 +6,12 @@
 
 namespace ergodome {
 
-//! Largest command that is read [bytes].
+//! Maximum size of a command [bytes].
 inline constexpr std::size_t largest_json_command = 4096;
 
-//! A command as the page in a browser sends it: {"kind": "seek", "value": 12.5}, {"kind": "language", "text": "de"}. `kind` is a name of
-//! command_rules(); `value` a number or a truth. Throws Error where it is not that: other keys, other types, too long, too deep.
+//! Parses a command sent by the status page: {"kind": "seek", "value": 12.5}, {"kind": "language",
+//! "text": "de"}. `kind` is a name in command_rules(); `value` is a number or a Boolean. Throws
+//! Error for other keys, other types, and commands that are too long or nested.
 TransportCommand parse_json_command(std::string_view text, const PlayerStatus& status);
 
 }  // namespace ergodome

@@ -5,7 +5,7 @@
 
 namespace ergodome {
 
-//! Lets `burst` things pass at once and `per_s` a second in the long run. One thread's.
+//! Limits a rate to `per_s` per second on average, with bursts of `burst`. Not thread-safe.
 class RateLimit {
  public:
   RateLimit(double per_s, double burst) : per_s_(per_s), burst_(burst), left_(burst) {}

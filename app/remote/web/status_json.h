@@ -8,15 +8,16 @@
 
 namespace ergodome {
 
-//! The status as a JSON object whose keys are the members' names, with `refused` beside them: the commands that the show as it runs cannot
-//! do, and why. Numbers that are not finite become null, bytes that are no UTF-8 the
-//! replacement character.
+//! Returns the status as a JSON object with the names of its members as keys, and `refused`: the
+//! commands that the running show cannot perform, with the reasons. Non-finite numbers become null,
+//! invalid UTF-8 the replacement character.
 std::string status_json(const PlayerStatus& status);
 
-//! Lines of the log as a JSON array of {"number", "time_ms", "level", "text"}; `time_ms` is since 1970.
+//! Returns log lines as a JSON array of {"number", "time_ms", "level", "text"}; `time_ms` is since
+//! 1970.
 std::string log_json(const std::vector<LogLine>& lines);
 
-//! {"error": "..."}, or {"ok": true} where the text is empty.
+//! Returns {"error": "..."}, or {"ok": true} if the text is empty.
 std::string answer_json(const std::string& error);
 
 }  // namespace ergodome

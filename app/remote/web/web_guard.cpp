@@ -20,7 +20,7 @@ std::string name_in_lower_case(std::string text) {
   return text;
 }
 
-//! The host of "HOST:PORT", "[HOST]:PORT" or "HOST", in lower case.
+//! Returns the host of "HOST:PORT", "[HOST]:PORT" or "HOST", in lower case.
 std::string host_without_port(const std::string& header) {
   if (header.starts_with('[')) {
     const std::size_t end = header.find(']');
@@ -29,7 +29,7 @@ std::string host_without_port(const std::string& header) {
   return name_in_lower_case(header.substr(0, header.find(':')));
 }
 
-//! The value of our cookie in "a=1; ergodome_token=...; b=2".
+//! Returns the value of our cookie in "a=1; ergodome_token=...; b=2".
 std::string_view token_cookie(std::string_view header) {
   while (!header.empty()) {
     const std::size_t end = std::min(header.find(';'), header.size());
@@ -43,7 +43,7 @@ std::string_view token_cookie(std::string_view header) {
   return {};
 }
 
-//! The value of a header, whose name is given in lower case; empty where there is none.
+//! Returns the value of a header; `name` is in lower case. Empty if it is missing.
 std::string_view header_value(std::string_view head, std::string_view name) {
   while (!head.empty()) {
     std::string_view line = head.substr(0, head.find("\r\n"));
@@ -73,7 +73,8 @@ bool is_json(const std::string& content_type) {
 }  // namespace
 
 bool same_in_constant_time(std::string_view a, std::string_view b) {
-  // The loop depends on the length of the given text, which its sender knows, and not on that of the token.
+  // The loop depends on the length of the given text, which its sender knows, but not on that of
+  // the token.
   unsigned difference = a.size() == b.size() ? 0U : 1U;
   for (std::size_t i = 0; i < a.size(); ++i) {
     const unsigned char other = b.empty() ? 0 : static_cast<unsigned char>(b[i % b.size()]);
@@ -120,7 +121,8 @@ WebVerdict WebGuard::judge(const WebAsker& asker) const {
     return WebVerdict::no_token;
   }
   const bool foreign_origin = !asker.origin.empty() && asker.origin != "http://" + asker.host;
-  // A link on another site may lead to the page, but may neither do anything there nor take its streams.
+  // A link on another site may lead to the page, but may neither change anything nor read its
+  // streams.
   const bool foreign_use = (asker.changes_something || asker.for_programs) && !asker.fetch_site.empty() &&
                            asker.fetch_site != "same-origin" && asker.fetch_site != "none";
   if (!is_known_host(asker.host, local) || foreign_origin || foreign_use) {

@@ -7,45 +7,48 @@
 
 namespace ergodome {
 
-//! What a request says about where it comes from.
+//! The parts of a request that show where it comes from.
 struct WebAsker {
   NetAddress peer;
-  bool changes_something = false;  //!< anything but GET
+  bool changes_something = false;  //!< any method except GET and HEAD
   bool for_programs = false;       //!< a path below /api/
   std::string host;                //!< header Host
-  std::string origin;              //!< header Origin; empty where there is none
+  std::string origin;              //!< header Origin; empty if missing
   std::string fetch_site;          //!< header Sec-Fetch-Site
   std::string content_type;
   std::string authorization;
   std::string cookie;
-  std::string url_token;  //!< parameter `token` of the URL
+  std::string url_token;  //!< URL parameter `token`
 };
 
 enum class WebVerdict {
   welcome,
-  welcome_by_url,  //!< the URL's token is right: to be kept in a cookie, so that it leaves the address bar
-  no_token,        //!< 401
-  wrong_site,      //!< 403: another web site asks through a browser here
-  wrong_type       //!< 415
+  //! The URL's token is valid: it is moved to a cookie, so that it disappears from the address bar.
+  welcome_by_url,
+  no_token,    //!< 401
+  wrong_site,  //!< 403: another web site sent the request through a browser on this machine
+  wrong_type   //!< 415
 };
 
-//! Who may see the status page and use it.
+//! Decides who may see and use the status page.
 //!
-//! From this machine's loopback address, anyone; from anywhere else, who has the token. A browser may be made to ask by a page of
-//! another site, even on this machine: so `Host` must be an address in digits, localhost or (with the token) this machine's name,
-//! which no foreign name resolves past (DNS rebinding); `Origin` must be this page; and what changes something must come as JSON, which
-//! no form of another site can send.
+//! The loopback address of this machine is always allowed; other addresses need the token. A page
+//! of another site may make a browser send requests, even on this machine. Therefore `Host` must be
+//! a numeric address, localhost or (with the token) this machine's name, which defeats DNS
+//! rebinding; `Origin` must be this page; and requests that change something must be JSON, which
+//! forms of other sites cannot send.
 class WebGuard {
  public:
-  //! An empty token lets nobody in but from loopback.
+  //! With an empty token, only loopback is allowed.
   explicit WebGuard(std::string token);
 
   [[nodiscard]] WebVerdict judge(const WebAsker& asker) const;
 
-  //! Whether the head of a request (request line and headers, as they were sent) carries the token in any of its places.
+  //! Returns whether the head of a request (request line and headers, as sent) contains the token
+  //! in any of its locations.
   [[nodiscard]] bool has_token(std::string_view head) const;
 
-  //! Header Set-Cookie that keeps the token.
+  //! Returns the header Set-Cookie that stores the token.
   [[nodiscard]] std::string set_cookie() const;
 
  private:
@@ -56,17 +59,17 @@ class WebGuard {
   std::string machine_;
 };
 
-//! What a browser shows in place of the page, where it has no valid token.
+//! The text that a browser shows instead of the page without a valid token.
 inline constexpr std::string_view no_token_text =
     "Ergodome: this page requires an access token; open the address with ?token=... that the player printed at its "
     "start.\n";
 
-//! The whole answer (401) to a request without the token; `head` is that of the request.
+//! Returns the complete answer (401) to a request without the token; `head` is that of the request.
 std::string no_token_answer(std::string_view head);
-//! The whole answer (503) where all threads are busy.
+//! Returns the complete answer (503) for when all threads are busy.
 std::string busy_answer();
 
-//! Whether two texts are the same, in a time that tells nothing of where they differ.
+//! Compares two texts in a time that does not depend on where they differ.
 bool same_in_constant_time(std::string_view a, std::string_view b);
 
 }  // namespace ergodome

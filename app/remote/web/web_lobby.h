@@ -11,15 +11,16 @@ struct pollfd;
 
 namespace ergodome {
 
-//! Connections whose first request has not arrived yet. They wait without a thread: only a request from this machine, or one
-//! that carries the token, goes on to the threads that answer. So clients who send nothing, or have no token, cannot take
-//! those threads from an operator. Used by one thread.
+//! Connections whose first request has not arrived yet. They wait without a thread: only requests
+//! from this machine, or with the token, are passed to the answering threads. So clients that send
+//! nothing, or have no token, cannot occupy the threads that an operator needs. Not thread-safe.
 class WebLobby {
  public:
   using Instant = std::chrono::steady_clock::time_point;
 
   static constexpr std::size_t most_waiting = 64;
-  //! For a request from another machine; one from this machine may take as long as an idle connection.
+  //! Time limit for requests from other machines, and for those from this machine, which may take
+  //! as long as an idle connection.
   static constexpr std::chrono::milliseconds outside_time{1000};
   static constexpr std::chrono::milliseconds loopback_time{5000};
   //! Delay of the answer to a request without the token, which limits guesses.
@@ -27,10 +28,12 @@ class WebLobby {
 
   explicit WebLobby(const WebGuard& guard) : guard_(guard) {}
 
-  //! Takes a new connection. Where the lobby is full, the oldest connection of the host that has most here is closed.
+  //! Adds a connection. If the lobby is full, closes the oldest connection of the host with the
+  //! most connections.
   void enter(std::unique_ptr<HttpStream> stream, Instant now);
 
-  //! Reads what has arrived. Returns the connections whose request may be answered; answers or closes the others in time.
+  //! Reads what has arrived. Returns the connections whose request may be answered; answers or
+  //! closes the others when due.
   std::vector<std::unique_ptr<HttpStream>> admit(Instant now);
 
   //! Adds the sockets that admit() waits for.

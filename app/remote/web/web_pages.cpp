@@ -21,8 +21,8 @@ constexpr int most_requests_a_connection = 200;
 const char* const json_type = "application/json; charset=utf-8";
 const char* const html_type = "text/html; charset=utf-8";
 
-//! A page that leads on to the status page. A redirection would not do: a cookie that is kept from other sites' requests is not sent along
-//! one that begins at a link in a mail.
+//! A page that redirects to the status page. An HTTP redirect does not work: browsers do not send a
+//! same-site cookie after a redirect that starts at a link in a mail.
 const char* const lead_on = "<!doctype html><meta http-equiv=\"refresh\" content=\"0;url=/\"><title>Ergodome</title>";
 
 const char* content_type_of(std::string_view name) {
@@ -45,7 +45,7 @@ httplib::Headers safe_headers() {
 
 WebAsker asker_of(const httplib::Request& request) {
   WebAsker asker;
-  // Digits that came from the system: they can be read.
+  // The system supplied a numeric address, so parsing succeeds.
   asker.peer = NetAddress::parse(request.remote_addr, request.remote_port).value_or(NetAddress());
   asker.changes_something = request.method != "GET" && request.method != "HEAD";
   asker.for_programs = request.path.starts_with("/api/");
@@ -59,7 +59,7 @@ WebAsker asker_of(const httplib::Request& request) {
   return asker;
 }
 
-//! A pattern that a path alone fits.
+//! Returns a pattern that matches only this path.
 std::string pattern_of(std::string_view path) {
   std::string pattern;
   for (const char c : path) {
@@ -71,7 +71,8 @@ std::string pattern_of(std::string_view path) {
   return pattern;
 }
 
-//! The line of the log that a request wants those after; 0 where it does not say. Throws Error where that is no number.
+//! Returns the number of the log line after which the request wants lines; 0 if missing. Throws
+//! Error if it is not a number.
 std::uint64_t line_before(const httplib::Request& request) {
   std::uint64_t number = 0;
   if (request.has_param("after")) {
@@ -89,7 +90,8 @@ std::uint64_t line_before(const httplib::Request& request) {
 WebPages::WebPages(const WebGuard& guard, CommandQueue& commands, const StatusBoard& board,
                    std::shared_ptr<const LogRing> log, const StopSignal& stop)
     : guard_(guard), commands_(commands), board_(board), log_(std::move(log)), stop_(stop) {
-  // httplib writes long answers only while it has a listening socket; ours is elsewhere, and the stop signal ends them.
+  // httplib writes long answers only while it has a listening socket. Ours is elsewhere, and the
+  // stop signal ends them.
   svr_sock_ = 0;
   keep_alive_timeout_sec_ = idle_time.count() / 1000;
   keep_alive_max_count_ = most_requests_a_connection;
@@ -112,7 +114,7 @@ WebPages::WebPages(const WebGuard& guard, CommandQueue& commands, const StatusBo
 
 void WebPages::serve(HttpStream& stream) {
   for (int i = 1; i <= most_requests_a_connection && stream.read_head(idle_time); ++i) {
-    // A body that is refused unread would be taken for the next request.
+    // A refused, unread body would be parsed as the next request.
     const bool is_last = i == most_requests_a_connection || stream.has_body();
     bool closed = false;
     if (!process_request(stream, is_last, closed, nullptr) || closed || is_last) {

@@ -15,17 +15,18 @@
 
 namespace ergodome {
 
-//! Answers the requests of the status page (see reference/http.md). httplib parses and writes; the caller supplies connections.
+//! Answers the requests of the status page (see reference/http.md). httplib parses and writes; the
+//! caller supplies connections.
 class WebPages : private httplib::Server {
  public:
-  static constexpr int most_event_streams = 12;  //!< of this machine, and as many of others
+  static constexpr int most_event_streams = 12;  //!< from this machine, and as many from others
   static constexpr std::chrono::milliseconds event_interval{100};
 
   //! `guard` and `stop` must outlive this.
   WebPages(const WebGuard& guard, CommandQueue& commands, const StatusBoard& board, std::shared_ptr<const LogRing> log,
            const StopSignal& stop);
 
-  //! Answers the requests of a connection until it ends, or the stop signal is raised.
+  //! Answers the requests of a connection until it ends or the stop signal is raised.
   void serve(HttpStream& stream);
 
  private:

@@ -18,10 +18,10 @@ namespace {
 
 using std::chrono::steady_clock;
 
-//! Connections that the system keeps until they are accepted: more than a crowd of clients opens between two turns of the
-//! accepting thread.
+//! Number of connections that the system queues: more than many clients open between two iterations
+//! of the accepting thread.
 constexpr int backlog = 512;
-//! Connections that are accepted before those that wait have their turn.
+//! Number of connections to accept before waiting ones are handled.
 constexpr int accepted_at_once = 32;
 
 }  // namespace
@@ -75,7 +75,7 @@ void WebServer::accept_some() {
         ::accept4(socket_.get(), reinterpret_cast<sockaddr*>(&from), &size, SOCK_CLOEXEC | SOCK_NONBLOCK));
     if (!socket.is_open()) {
       if (errno != EAGAIN && errno != EWOULDBLOCK) {
-        // Out of descriptors, perhaps: without a pause this thread would spin.
+        // Possibly out of descriptors; without a pause this thread would spin.
         static_cast<void>(stop_.sleep_until(steady_clock::now() + std::chrono::milliseconds(10)));
       }
       return;
@@ -102,7 +102,7 @@ void WebServer::begin_to_serve(std::unique_ptr<HttpStream> stream) {
       connection->done = true;
     });
   } catch (const std::system_error&) {
-    // The system has no thread left: the client may try again.
+    // The system has no thread left; the client may retry.
     connection->done = true;
   }
 }

@@ -18,16 +18,17 @@ namespace ergodome {
 
 class WebPages;
 
-//! The status page's server: one thread accepts connections and waits for their first requests, a few more answer them.
+//! The status page's server: one thread accepts connections and waits for their first requests;
+//! others answer them.
 //!
-//! Half of the answering threads are for this machine, the other half for clients that have the token: neither can keep out
-//! the other.
+//! Half of the answering threads are for this machine, the other half for clients with the token,
+//! so neither can block the other.
 class WebServer {
  public:
   static constexpr std::size_t most_local_connections = 16;
   static constexpr std::size_t most_outside_connections = 16;
 
-  //! An empty token lets nobody in but from loopback. Throws Error where the address cannot be had.
+  //! With an empty token, only loopback is allowed. Throws Error if the address cannot be bound.
   WebServer(const NetAddress& address, const std::string& token, CommandQueue& commands, const StatusBoard& board,
             std::shared_ptr<const LogRing> log);
   //! Ends open connections, whatever their clients do.
@@ -38,7 +39,7 @@ class WebServer {
   [[nodiscard]] NetAddress address() const { return local_address(socket_.get()); }
 
  private:
-  //! A thread that answers one connection; it can be used again when it is done.
+  //! A thread that answers one connection; it can be reused when done.
   struct Connection {
     std::thread thread;
     std::atomic<bool> done = true;

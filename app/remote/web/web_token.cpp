@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t shortest_token = 16;
 constexpr std::size_t longest_token = 128;
 
-//! Writes a file that nobody but its owner may read from its first byte on.
+//! Writes a file that only its owner can read, from its first byte on.
 void write_privately(const std::filesystem::path& file, const std::string& text) {
   write_atomically(file, [&](const std::filesystem::path& partial) {
     const Descriptor handle(::open(partial.c_str(), O_WRONLY | O_CLOEXEC));

@@ -5,16 +5,19 @@
 
 namespace ergodome {
 
-//! 128 random bits in 32 hexadecimal digits, from the system's generator.
+//! Returns a new token: 128 random bits from the system's generator, as 32 hexadecimal digits.
 std::string new_web_token();
 
-//! A token that a person chose: 16 to 128 letters, digits, - . _ ~, which need no escape in a URL or cookie. Throws Error otherwise.
+//! Returns a token chosen by the user: 16 to 128 letters, digits, - . _ ~, which need no escape in
+//! a URL or cookie. Throws Error for other tokens.
 std::string checked_web_token(const std::string& token, const std::string& place);
 
-//! The token in a file; where there is none, one is made and written there for the owner's eyes alone (mode 0600).
+//! Returns the token in a file. If the file is missing, writes a new token to it, readable only by
+//! its owner (mode 0600).
 std::string web_token_in(const std::filesystem::path& file);
 
-//! Returns what is wrong with the permissions of a token's file, and the remedy: empty where only its owner may read it.
+//! Returns what is wrong with the permissions of a token's file, and the remedy; empty if only its
+//! owner can read it.
 std::string web_token_exposure(const std::filesystem::path& file);
 
 }  // namespace ergodome
