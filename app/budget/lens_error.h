@@ -24,7 +24,7 @@ RowSamples row_samples(const Projection& projection, int rows, int columns, std:
 //! Measures lenses against exact rays for some pixels of a picture.
 class LensErrors {
  public:
-  //! `pixel` is the angle that one pixel of error means [rad].
+  //! `pixel` is the angle of one pixel of error [rad].
   LensErrors(const EyeCamera& eye, const Projection& projection, RowSamples samples, double pixel);
 
   //! Returns the displacements on the screen [px] of the pixels that see something, in the lens or

@@ -17,7 +17,7 @@ struct PlayPlan {
   Budget budget;
   std::vector<Rung> ladder;  //!< at least one
   std::size_t first = 0;
-  int whole_px = 0;           //!< width of a whole picture, whose pixels errors are in
+  int whole_px = 0;           //!< width of a whole picture; errors are in its pixels
   double patience_ms = 20.0;  //!< LadderLimits::patience_ms
 };
 

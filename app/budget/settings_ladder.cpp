@@ -97,7 +97,7 @@ std::vector<int> ladder_widths(const LadderLimits& limits) {
 }
 
 //! Returns the lenses that come before smaller pictures; the last of them is used at all sizes.
-//! With an error budget: only the cheapest within it. Without: all whose errors are invisible.
+//! With an error budget: only the cheapest within it. Without: all with invisible errors.
 std::span<const MeasuredSetting> fine_lenses(std::span<const MeasuredSetting> lenses, const Budget& budget) {
   if (budget.error_px) {
     const BudgetChoice choice = choose_setting(lenses, {budget.error_px, std::nullopt}, BudgetFirst::error);

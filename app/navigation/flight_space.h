@@ -53,8 +53,8 @@ class FlightSpace {
   bool through_horizon_;
 };
 
-//! Returns the radius of the guard [M]: just outside the horizon, or outside all photon orbits;
-//! larger if the settings say so.
+//! Returns the radius of the guard [M]: just outside the horizon, or outside all photon orbits; at
+//! least `settings.least_r`.
 double guard_radius(double spin, const FlightSettings& settings);
 
 //! Returns whether a camera is inside the horizon, or so close to it that it can only fall: frames

@@ -39,7 +39,7 @@ class Navigator {
   void set_spin(double spin);
 
   //! Takes the camera off the path with its velocity; if the path is a fall, in free fall along its
-  //! orbit, also inside the horizon. Starts from the show's first key if the show says so.
+  //! orbit, also inside the horizon. Starts from the show's first key if the show is set so.
   void leave_path();
   //! Flies back to the path and then follows it; jumps there if the camera or the path is inside
   //! the horizon. Does nothing on the path.
@@ -134,7 +134,7 @@ class Navigator {
   CameraPose path_;         //!< in the last frame
   CameraPose path_before_;  //!< in the frame before
   CameraPlace before_;
-  double frame_s_ = 0.0;  //!< time between the two
+  double frame_s_ = 0.0;  //!< time between the last two frames
   bool begun_ = false;
   bool moved_ = true;
   glm::dvec3 head_{0.0};  //!< rates as in Wish

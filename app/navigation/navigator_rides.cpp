@@ -124,7 +124,7 @@ ObserverView Navigator::observer_on_ride(std::string_view language) const {
   ObserverView view = observer_of(ObserverMotion::velocity, ride_->velocity(), spin_, here.r, here.theta, language);
   view.name = german ? "auf freier Umlaufbahn" : "in free orbit";
   view.sentence = view.name + view.sentence.substr(view.sentence.rfind(','));
-  // Within so many guard radii, the observer's description tells where the fall ends.
+  // Within so many guard radii, the observer's description includes where the fall ends.
   constexpr double near = 2.0;
   if (kept_outside_ && here.r < near * space_.guard_r() && ride_->falls_into_hole()) {
     view.sentence +=

@@ -17,7 +17,7 @@ void Player::advance_exhibit(PlayerInput& input) {
     end("an operator ended it with keys or buttons");
   }
   if (exhibit_->scene() == ExhibitScene::attract) {
-    input.actions.clear();  // nobody controls the attract show
+    input.actions.clear();  // visitors cannot control the attract show
     input.steering = {};
   }
   exhibit_->note(input.commands);

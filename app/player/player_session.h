@@ -132,7 +132,7 @@ class PlayerSession {
   std::optional<FlightRecorder> recorder_;
   //! The show at the time when a fall through the horizon ended the recording.
   std::optional<Show> ended_record_scene_;
-  //! Proper time of a camera taken over from a falling path [M].
+  //! Proper time of a fall before a ride continues it [M].
   double own_time_before_ride_ = 0.0;
 
   ViewMode mode_ = ViewMode::sky;

@@ -125,7 +125,7 @@ std::string NetAddress::text() const {
 Descriptor bound_socket(int type, const NetAddress& address, const std::string& what, const std::string& option) {
   Descriptor socket(::socket(address.family(), type | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
   if (socket.is_open() && type == SOCK_STREAM) {
-    // Allows to reuse a TCP port whose connections have just ended. With UDP, two programs could
+    // Allows reuse of a TCP port whose connections have just ended. With UDP, two programs could
     // share the port.
     const int on = 1;
     ::setsockopt(socket.get(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);

@@ -18,9 +18,8 @@ inline constexpr const char* crossing_table_head = "id,order,r_hit,phi_hit,delay
 
 //! Returns a line for each of the first three crossings of the equatorial plane, for rays that
 //! share a camera: r_hit [M], phi_hit in (-π, π], delay (coordinate time from emission to the
-//! camera [M]), and g_kepler = ν_observed / ν_emitted for matter on a circular geodesic along +φ.
-//! g_kepler is empty inside the ISCO, where there is no such geodesic, unless `plunging`. Throws
-//! Error for rays that do not converge.
+//! camera [M]), and g_kepler = ν_observed / ν_emitted for matter on a circular geodesic along +φ,
+//! which is empty inside the ISCO unless `plunging`. Throws Error for rays that do not converge.
 std::string crossing_lines(std::span<const RayRow> rows, const CrossingTableOptions& options);
 
 }  // namespace ergodome

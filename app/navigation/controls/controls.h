@@ -81,9 +81,9 @@ class Controls {
   std::vector<std::vector<SteerBinding>> steering_;  //!< in the order of all_steering()
 };
 
-//! Parses a file of controls. What it names is bound as it says; other bindings keep their
-//! defaults, except inputs that the file uses elsewhere. Throws Error with file and line for
-//! unknown names, and for an input bound twice.
+//! Parses a file of controls. Binds the inputs that it names; other bindings keep their defaults,
+//! except inputs that the file uses elsewhere. Throws Error with file and line for unknown names,
+//! and for an input bound twice.
 Controls parse_controls(std::string_view text, const std::string& file);
 Controls read_controls(const std::filesystem::path& path);
 

@@ -55,7 +55,7 @@ struct PictureAnswer {
   Picture picture;                   //!< or the left eye's
   std::optional<Picture> right_eye;  //!< if both eyes are shown at full size
   bool eyes_above = false;           //!< the left eye is above the right one, not beside it
-  //! If not as_one, the eyes are side by side in `picture`.
+  //! How the window shows the eyes. If not as_one, they are side by side up to that point.
   EyesInWindow eyes = EyesInWindow::as_one;
   EyeGrid eye_grid;  //!< how the eyes divide the shown picture
   //! Of each eye, at the window's resolution; may be empty.

@@ -66,7 +66,7 @@ inline constexpr std::string_view no_token_text =
 
 //! Returns the complete answer (401) to a request without the token; `head` is that of the request.
 std::string no_token_answer(std::string_view head);
-//! Returns the complete answer (503) for when all threads are busy.
+//! Returns the complete answer (503) if all threads are busy.
 std::string busy_answer();
 
 //! Compares two texts in a time that does not depend on where they differ.
