@@ -3,7 +3,7 @@
 #include "render/backend/kept_memory.h"
 #include "tests/bench/cuda_bench.h"
 
-//! Benchmarks run with memory as the program does.
+//! Runs benchmarks with the memory settings of the program.
 int main(int argc, char** argv) {
   ergodome::keep_freed_memory();
   benchmark::Initialize(&argc, argv);

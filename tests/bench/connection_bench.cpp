@@ -10,9 +10,10 @@
 #include "kernels/launch/parallel_for.h"
 #include "render/published/connection_table.h"
 
-// Tables of connecting rays of the size and for the observers of Müller, Schulz & Weiskopf's table 2 (10, 20 and 30 Schwarzschild radii): 256
-// rows and 512 columns an order, r from 2.5 to 30 M. Counters: errors against the closed form at 1e5 random pairs, evenly in 1/r and φ. And
-// single rays in closed form.
+// Tables of connecting rays with the size and the observers of table 2 in Müller, Schulz & Weiskopf
+// (10, 20 and 30 Schwarzschild radii): 256 rows and 512 columns per order, r from 2.5 to 30 M.
+// Counters: errors against the closed form for 1e5 random pairs, uniform in 1/r and φ. Also single
+// rays in closed form.
 namespace {
 
 using namespace ergodome;

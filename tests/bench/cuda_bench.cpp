@@ -15,16 +15,18 @@
 #include "render/frame/show_renderer.h"
 #include "tests/bench/published_sky.h"
 
-// Whole frames on a GPU, as a window shows them: the picture stays on the device. Nothing is registered where there is none.
+// Whole frames on a GPU, as a window shows them: the picture stays on the device. Registers no
+// benchmarks without a GPU.
 namespace {
 
 using namespace ergodome;
 
-//! What a frame's camera does: it stands, turns by two degrees a frame, so that stars are on other pixels, goes round the hole by a hair, so that they are
-//! sought, or comes to a new place.
+//! The camera's motion from frame to frame: it stands still; turns by two degrees, which moves
+//! stars to other pixels; goes around the hole by a tiny angle, which requires a new star search;
+//! or moves to a new position.
 enum class CameraWay { stands, turns, goes_round, moves };
 
-//! How a frame's lens comes about.
+//! The lens and the camera's motion in a benchmark.
 struct FrameWay {
   LensChoice lens;
   CameraWay camera;
@@ -34,8 +36,9 @@ Show built_in(const char* name) {
   return read_show(built_in_content_folder() / "shows" / (std::string(name) + ".toml"));
 }
 
-//! What the processor spent more than a twentieth of a millisecond of each picture with. A device that works in order is waited for where something is
-//! read: its own times are not among them, and the search for stars goes on beside it.
+//! Lists the CPU work that takes more than 0.05 ms per picture. The CPU waits for an in-order
+//! device where it reads results, so device times are not listed, and the star search overlaps
+//! them.
 std::string times_of(const std::map<std::string, WorkCount>& work, long pictures) {
   std::string words;
   for (const auto& [name, count] : work) {
@@ -67,7 +70,7 @@ void cuda_frame(benchmark::State& state, const Show& show, const FrameWay& way) 
   state.SetLabel(std::string(lens) + times_of(work_between(before, work_done()), state.iterations()));
 }
 
-//! The same, brought back to the processor.
+//! Renders frames on the GPU and copies them back to the CPU.
 void cuda_picture(benchmark::State& state, const Show& show) {
   const int size = static_cast<int>(state.range(0));
   ShowRenderer renderer(show, Backend::cuda, LensChoice::automatic);
@@ -77,7 +80,7 @@ void cuda_picture(benchmark::State& state, const Show& show) {
   }
 }
 
-//! A dome five M from a fast hole.
+//! Returns a dome show 5 M from a fast-spinning hole.
 Show dome(const std::string& sky, const std::string& effects = {}) {
   return parse_show(
       "[hole]\nspin = 0.999\n[camera]\nobserver = \"geodesic\"\n[[camera.key]]\nr = 5\npitch_deg = -25\n[view]\n"
@@ -86,7 +89,7 @@ Show dome(const std::string& sky, const std::string& effects = {}) {
       "bench.toml");
 }
 
-//! Both eyes of one, side by side.
+//! Returns the dome show with both eyes, side by side.
 Show two_eyes() {
   Show show = dome("");
   show.stereo.layout = StereoLayout::side_by_side;

@@ -2,13 +2,13 @@
 
 namespace ergodome {
 
-//! Adds the benchmarks of frames on a GPU, where there is one.
+//! Registers the benchmarks of frames on a GPU, if there is one.
 void add_cuda_benchmarks();
 
-//! Those of objects by rays, where there is a GPU.
+//! Registers the benchmarks of objects by traced rays, if there is a GPU.
 void add_cuda_object_benchmarks();
 
-//! Those of projectors that show what CUDA has rendered; only where there is a GPU.
+//! Registers the benchmarks of projectors that show frames rendered by CUDA, if there is a GPU.
 void add_cuda_projector_benchmarks();
 
 }  // namespace ergodome

@@ -11,18 +11,19 @@
 #include "render/passes/disk/disk_layers.h"
 #include "render/passes/near_field/near_field.h"
 
-// A disk over pixels, memory to memory, without a sky: by a ray for each pixel that may see it (rays), read from a grid that is there already (kept),
-// from one that each picture builds anew (live), or from baked layers that each picture blends anew (streamed).
+// A disk drawn over pixels, memory to memory, without a sky. Its light comes from a ray for each
+// pixel that may see it (rays), from an existing grid (kept), from a grid that each picture builds
+// (live), or from baked layers that each picture blends (streamed).
 namespace {
 
 using namespace ergodome;
 
 enum class DiskLens { rays, kept_grid, live_grid, streamed };
 
-//! What is beside the plain disk.
+//! What the scene has in addition to the plain disk.
 enum class Beside { nothing, clouds, ball };
 
-//! The built-in show's disk and view.
+//! Returns a show with the disk and the view of the built-in show.
 Show disk_show(Beside beside) {
   return parse_show(std::string("[hole]\nspin = 0.999\n[camera]\nobserver = \"zamo\"\n[[camera.key]]\nr = 60\n"
                                 "theta_deg = 83\n[sky]\nmap = \"milky_way\"\n[effects]\nredshift = true\n"
@@ -35,7 +36,7 @@ Show disk_show(Beside beside) {
                     "bench.toml");
 }
 
-//! Layers of two places as a bake has them, a gap of the built-in show apart.
+//! Returns the baked disk layers of two stations, as far apart as in the bake of the built-in show.
 std::shared_ptr<const JoinedDisk> baked_pair(const Show& show, const DiskLook& disk, double pixel) {
   const auto station = [&](double r) {
     CameraPose pose = camera_pose(show, 0.0);

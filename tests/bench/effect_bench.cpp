@@ -10,9 +10,10 @@
 #include "render/frame/show_renderer.h"
 #include "render/lens/direct_lens.h"
 
-// What effects cost that a scene does not call for: frames of a program that knows them, over the same frames written out by hand from
-// the passes that are needed, which know of none. Both are timed in turn; the median ratio should be 1.00 within noise. And what an
-// effect costs where it is called for.
+// Measures the cost of effects that a scene does not use: frames of the full renderer relative to
+// frames written out by hand from only the passes that are needed, which have no support for
+// effects. Both are timed in turn; the median ratio should be 1.00 within noise. Also measures the
+// cost of each effect in scenes that use it.
 namespace {
 
 using namespace ergodome;
@@ -32,7 +33,7 @@ double seconds_of(const std::function<void()>& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-//! The passes that a scene without effects needs, and no others.
+//! Only the passes that a scene without effects needs.
 class MinimalFrame {
  public:
   explicit MinimalFrame(const Show& show)
@@ -73,7 +74,7 @@ class MinimalFrame {
     if (stars_) {
       stars_->draw(stars_->find(eye, projection_, {}), projection_, 0, size_px, picture.data());
     }
-    // As every picture does: rays that failed are counted.
+    // Counts failed rays, as every picture does.
     benchmark::DoNotOptimize(
         std::count_if(pixels.error_estimate, pixels.error_estimate + shade.count, [](float e) { return e < 0.0F; }));
     benchmark::DoNotOptimize(picture.data());
@@ -88,7 +89,8 @@ class MinimalFrame {
   std::unique_ptr<StarPass> stars_;
 };
 
-//! Frames of a scene with something added to its text, over the scene's minimal frames.
+//! Measures frames of a scene with `added` appended to its text, relative to the minimal frames of
+//! the scene.
 void effect_cost(benchmark::State& state, const char* scene, const char* added) {
   const Show plain = parse_show(scene, "scene.toml");
   const Show show = parse_show(std::string(scene) + added, "scene.toml");
@@ -118,7 +120,7 @@ void timed(benchmark::internal::Benchmark* benchmark) {
   benchmark->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(41);
 }
 
-// Absent: not named in the scene, or named without strength.
+// Absent: not named in the scene, or named with zero strength.
 BENCHMARK_CAPTURE(effect_cost, sky_no_effect, sky_scene, "")->Apply(timed);
 BENCHMARK_CAPTURE(effect_cost, sky_redshift_absent, sky_scene, "[effects]\nredshift = false\n")->Apply(timed);
 BENCHMARK_CAPTURE(effect_cost, sky_bloom_absent, sky_scene, "[effects]\nbloom = { strength = 0 }\n")->Apply(timed);

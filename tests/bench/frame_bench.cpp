@@ -6,13 +6,14 @@
 #include "render/lens/grid/edge_table.h"
 #include "render/lens/grid/grid_builder.h"
 
-// Whole frames, memory to memory: the lens with its footprints, the shadow's soft edge, and the filtered sky. The lens is traced (a
-// ray a pixel), or read from a grid that is there already (kept), or from one that each frame builds anew (live).
+// Whole frames, memory to memory: the lens with its footprints, the shadow's soft edge and the
+// filtered sky. The lens is traced (one ray per pixel), read from an existing grid (kept), or read
+// from a grid that each frame builds (live).
 namespace {
 
 using namespace ergodome;
 
-//! `more`: further lines, of the sky's table and after.
+//! Returns a dome show; `more` is appended to its text, starting inside the [sky] table.
 Show dome_show(const std::string& more = {}) {
   return parse_show(
       "[hole]\nspin = 0.999\n[camera]\n[[camera.key]]\nr = 5\npitch_deg = -25\n"
@@ -48,7 +49,7 @@ BENCHMARK_CAPTURE(dome_frame, image_order, ViewMode::image_order, LensChoice::di
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
-//! The same frame with other ways to look at the map, its lens read from a kept grid.
+//! Renders the same frame with other settings of the sky filter; its lens is read from a kept grid.
 void sky_look(benchmark::State& state, const char* more) {
   ShowRenderer renderer(dome_show(more), Backend::cpu, LensChoice::live);
   const Projection projection = make_projection(renderer.show().view, 1024, 0.0);
@@ -70,7 +71,8 @@ BENCHMARK_CAPTURE(sky_look, ewa_blackbody_fit, "shift = \"blackbody_fit\"\n[effe
     ->Apply(in_milliseconds);
 BENCHMARK_CAPTURE(sky_look, ewa_brightening, "brightening = true\n")->Apply(in_milliseconds);
 
-//! A grid for the camera of the frames: budget in hundredths of a pixel of a 4096² dome, traced in float or double.
+//! Builds a grid for the camera of the frames. The budget is in hundredths of a pixel of a 4096²
+//! dome; rays are traced in float or, if `fine`, in double.
 void grid_build(benchmark::State& state, bool fine) {
   GridSettings settings;
   settings.budget_px = 0.01 * static_cast<double>(state.range(0));

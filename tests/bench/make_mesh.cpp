@@ -6,8 +6,10 @@
 
 #include "kernels/core/angles.h"
 
-// Writes a mesh of any size, to see what large ones take: ergodome_make_mesh TRIANGLES FILE.obj|FILE.glb
-// It is a ball of radius 1 with bumps, closed, without normals: the reader has to make them.
+// Writes a mesh of any size, for measuring what large meshes cost:
+//   ergodome_make_mesh TRIANGLES FILE.obj|FILE.glb
+// The mesh is a closed ball of radius 1 with bumps and without normals, so the reader has to
+// compute them.
 
 namespace {
 
@@ -18,7 +20,8 @@ struct Ball {
 
   [[nodiscard]] std::uint32_t vertex_count() const { return segments * (rings - 1) + 2; }
 
-  //! Corner `at`: the north pole, the rings from north to south, the south pole.
+  //! Computes corner `at`; the order is the north pole, the rings from north to south, the south
+  //! pole.
   void place(std::uint32_t at, float (&p)[3]) const {
     const bool pole = at == 0 || at + 1 == vertex_count();
     const std::uint32_t ring = at == 0 ? 0 : at + 1 == vertex_count() ? rings : (at - 1) / segments + 1;
@@ -31,7 +34,7 @@ struct Ball {
     p[2] = static_cast<float>(r * std::cos(theta));
   }
 
-  //! Calls each(a, b, c) for its triangles, counterclockwise as seen from outside.
+  //! Calls each(a, b, c) for all triangles, counterclockwise as seen from outside.
   template <class Each>
   void triangles(const Each& each) const {
     const auto corner = [&](std::uint32_t ring, std::uint32_t segment) {

@@ -11,14 +11,15 @@
 #include "render/passes/objects/traced_objects.h"
 #include "tests/bench/cuda_bench.h"
 
-// The sequences of Müller, Schulz & Weiskopf's table 3 by the built-in shows of their scenes: a triangle (300 frames), a sphere (360) and a disk
-// (180), each at three widths, without sky and without image files. A run draws the next of frames spread evenly over the sequence; its time is
-// that of one frame.
+// The sequences of table 3 in Müller, Schulz & Weiskopf, from the built-in shows of their scenes: a
+// triangle (300 frames), a sphere (360) and a disk (180), each at three widths, without sky and
+// without writing image files. Each iteration draws the next of several frames spread evenly over
+// the sequence; the result is the time of one frame.
 namespace {
 
 using namespace ergodome;
 
-//! The same by exact rays, shadows and all.
+//! Renders frames of a sequence by exact rays, including shadows.
 void traced_frame(benchmark::State& state, const std::string& name, int frames, Backend backend = Backend::cpu) {
   constexpr int shown = 12;
   const Show show = read_show(built_in_content_folder() / "shows" / (name + ".toml"));
@@ -54,7 +55,7 @@ void object_frame(benchmark::State& state, const std::string& name, int frames) 
   state.counters["triangles"] = static_cast<double>(pass.triangle_count());
 }
 
-//! A width, twice that, and four times.
+//! Runs a benchmark at a width, twice that, and four times.
 template <int Least>
 void from_width(benchmark::internal::Benchmark* frames) {
   frames->Arg(Least)->Arg(2 * Least)->Arg(4 * Least)->Iterations(12)->Unit(benchmark::kMillisecond)->UseRealTime();

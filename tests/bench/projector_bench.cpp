@@ -20,14 +20,16 @@
 #include "render/present/projectors/software_projectors.h"
 #include "tests/bench/cuda_bench.h"
 
-// What a projector adds to a frame: the master is rendered by the CPU, then warped and blended by OpenGL, on the GPU or by Mesa's software,
-// and by the CPU; or, where there is CUDA, all of it on the device.
+// The cost that a projector adds to a frame. The CPU renders the master; then OpenGL (on the GPU or
+// by Mesa's software renderer) and the CPU each warp and blend it. With CUDA, everything runs on
+// the device.
 namespace {
 
 using namespace ergodome;
 using Clock = std::chrono::steady_clock;
 
-//! A projector of 2560 x 1600 that fills a fifth of the dome, its blend and warp computed from its place.
+//! Returns a 2560 x 1600 projector that fills a fifth of the dome, its blend and warp computed from
+//! its pose.
 ProjectorPicture wide_projector() {
   DomeSetup setup;
   setup.radius_m = 8.0;
@@ -43,7 +45,7 @@ ProjectorPicture wide_projector() {
   return projector_pictures(setup).front();
 }
 
-//! A dome five M from a fast hole, whose lens is kept.
+//! Returns the renderer of a dome 5 M from a fast-spinning hole, with a kept lens.
 ShowRenderer master_renderer(Backend backend) {
   return {parse_show("[hole]\nspin = 0.999\n[camera]\n[[camera.key]]\nr = 5\npitch_deg = -25\n"
                      "[view]\nprojection = \"dome\"\ntilt_deg = 30\n[sky]\nmap = \"milky_way\"\n",
@@ -64,7 +66,7 @@ double seconds(const auto& action) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-//! The same in the time of processors, of all threads: other programs do not count.
+//! Measures an action in CPU time of all threads, so that other programs do not count.
 double processor_seconds(const auto& action) {
   const auto now = [] {
     std::timespec time{};
@@ -76,9 +78,10 @@ double processor_seconds(const auto& action) {
   return now() - start;
 }
 
-//! Means over the run: the master's rendering; by OpenGL its upload, its tone and averages (once for all projectors), and the projector's
-//! drawing; by the CPU tone and averages of what the projector shows, and its drawing. Shares: tone, averages and drawing over the rendering;
-//! the CPU's, each frame by itself and in processor time, with the least and the greatest.
+//! Reports means over the run. Master: its rendering. OpenGL: upload, tone and averages (once for
+//! all projectors), and the projector's drawing. CPU: tone and averages of the part that the
+//! projector shows, and its drawing. Shares: tone, averages and drawing relative to the rendering;
+//! the CPU shares are computed frame by frame in CPU time, with minimum and maximum.
 void projector(benchmark::State& state) {
   std::unique_ptr<HeadlessContext> context;
   try {
@@ -117,7 +120,7 @@ void projector(benchmark::State& state) {
       glFinish();
     });
     if (shares.empty()) {
-      software.show(master);  // works the warp out
+      software.show(master);  // computes the warp
     }
     shares.push_back(processor_seconds([&] {
                        sums[4] += seconds([&] { software.show(master); });
@@ -138,7 +141,8 @@ void projector(benchmark::State& state) {
 
 BENCHMARK(projector)->Arg(1024)->Arg(2048)->Arg(4096)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-//! Masters that CUDA renders one after the other and leaves on the device, with a camera that goes round by a hair.
+//! Masters that CUDA renders in sequence and keeps on the device, with a camera that goes around
+//! the hole by a tiny angle each time.
 class DeviceMasters {
  public:
   explicit DeviceMasters(int size_px)
@@ -146,7 +150,7 @@ class DeviceMasters {
         projection_(make_projection(renderer_.show().view, size_px, 0.0)),
         pose_(camera_pose(renderer_.show(), 0.0)) {}
 
-  //! How long the next one took.
+  //! Renders the next master and returns the time [s].
   double next() {
     pose_.phi += 1e-9;
     return seconds([&] {
@@ -168,7 +172,7 @@ class DeviceMasters {
 
 constexpr int frames_beside = 20;
 
-//! The same by OpenGL: handing the master over, its tone and averages, and the drawing.
+//! Measures the same with OpenGL: transfer of the master, tone and averages, and drawing.
 void draw_by_opengl(DeviceMasters& masters, benchmark::State& state) {
   const OffscreenFrame raster(2560, 1600);
   Presenter presenter;
@@ -176,7 +180,8 @@ void draw_by_opengl(DeviceMasters& masters, benchmark::State& state) {
   ProjectorDrawing drawing(wide_projector());
   raster.bind();
   double sums[4] = {};
-  // The driver does some of its work when it is asked first.
+  // Starts with three frames that do not count, because the driver defers some of its work to the
+  // first calls.
   for (int i = -3; i < frames_beside; ++i) {
     double parts[4] = {masters.next()};
     const MasterPicture master = masters.picture();
@@ -204,15 +209,16 @@ void draw_by_opengl(DeviceMasters& masters, benchmark::State& state) {
   state.counters["gl_share"] = (sums[2] + sums[3]) / sums[0];
 }
 
-//! Means over the run: the master's rendering, and tone, averages and drawing of the projector on the same device, which is waited for once; of that
-//! by itself, afterwards, tone and averages. Shares: tone, averages and drawing over the rendering, of each frame by itself.
+//! Reports means over the run: the master's rendering, and the tone, averages and drawing of the
+//! projector on the same device, with a single synchronization; then tone and averages measured
+//! separately. Shares: tone, averages and drawing relative to the rendering, frame by frame.
 void cuda_projector(benchmark::State& state) {
   DeviceMasters masters(static_cast<int>(state.range(0)));
   SoftwareProjectors projectors({wide_projector()}, Backend::cuda);
   const auto light = [&] { projectors.show_in_place(masters.picture()); };
   for (int i = 0; i < 3; ++i) {
     masters.next();
-    light();  // works the warp out
+    light();  // computes the warp
     projectors.draw_in_place();
   }
   double sums[2] = {};

@@ -7,8 +7,9 @@
 #include "kernels/projection/make_projection.h"
 #include "render/passes/stars/star_pass.h"
 
-// Finding and drawing the images of stars on a 1024² dome, down to a magnitude: the grid and its turning round, as each new place of the
-// camera needs them, apart from what each picture needs.
+// Finding and drawing the lensed images of stars on a 1024² dome, down to a given magnitude. The
+// grid and the star search, needed for each new camera position, are measured separately from the
+// work that each picture needs.
 namespace {
 
 using namespace ergodome;
@@ -38,7 +39,8 @@ StarSettings settings_to(double faintest_mag, long thousandths_of_px = 250) {
   return settings;
 }
 
-//! For a number of stars and a show's lens budget [1e-3 px]. Memory is that of the place before, as where a camera moves.
+//! Measures the work per camera position, for a number of stars and a show's lens budget [1e-3 px].
+//! Reuses the memory of the previous position, as for a moving camera.
 void star_place(benchmark::State& state) {
   const BlackbodyColours colours(Backend::cpu);
   const StarField field = field_of(state.range(0), colours);
@@ -52,7 +54,7 @@ void star_place(benchmark::State& state) {
   }
 }
 
-//! The same, and pictures of a width.
+//! Measures pictures of a given width with these stars.
 void star_picture(benchmark::State& state) {
   const BlackbodyColours colours(Backend::cpu);
   const StarField field = field_of(state.range(0), colours);
@@ -73,7 +75,8 @@ void star_picture(benchmark::State& state) {
   state.SetLabel(std::to_string(thread_count()) + " threads");
 }
 
-//! The same stars by the published way: what each pixel covers on the sky.
+//! Draws the same stars by the published method: gathering the stars that each pixel covers on the
+//! sky.
 void star_gathered_picture(benchmark::State& state) {
   const BlackbodyColours colours(Backend::cpu);
   const StarField field = field_of(state.range(0), colours);
@@ -90,8 +93,10 @@ void star_gathered_picture(benchmark::State& state) {
 //! How a camera changes from picture to picture.
 enum class Way { turns, goes_round, goes_round_in_sizes };
 
-//! Stars of a window's pictures one after the other, drawn: a camera that turns on its spot by two degrees a picture, goes round the hole, or does so
-//! while pictures are as wide as the time allows; with what was found for about such pixels, or for each picture's own.
+//! Draws the stars of consecutive window pictures. The camera turns on the spot by two degrees per
+//! picture, goes around the hole, or does that while the picture's width is adapted to the
+//! available time. Lensed images are reused from pixels of about the same size, or searched for
+//! each picture.
 void star_pictures(benchmark::State& state, Way way, PixelMatch match) {
   Show show;
   show.sky.stars = state.range(0) > 10'000 ? "all_stars" : "bright_stars";
@@ -119,7 +124,7 @@ void star_pictures(benchmark::State& state, Way way, PixelMatch match) {
   }
 }
 
-//! Of bright stars, and of all.
+//! Runs a benchmark with the bright stars and with all stars.
 void of_both_catalogues(benchmark::internal::Benchmark* benchmark) {
   benchmark->Arg(8874)->Arg(118'216)->Unit(benchmark::kMillisecond)->UseRealTime();
 }

@@ -12,7 +12,7 @@
 #include "render/eyes/eye_disparity.h"
 #include "render/frame/show_renderer.h"
 
-// Frames of both eyes beside those of one, memory to memory.
+// Frames of both eyes compared with frames of one eye, memory to memory.
 namespace {
 
 using namespace ergodome;
@@ -29,7 +29,7 @@ constexpr const char* physical_eyes = "layout = \"separate\"\nbaseline = 0.1\n";
 constexpr const char* flat_eyes = "layout = \"separate\"\nbaseline = 0.1\nmodel = \"flat\"\n";
 constexpr const char* omni_eyes = "layout = \"separate\"\nbaseline = 0.1\nmodel = \"omni\"\n";
 
-//! Takes a camera to its next place.
+//! Moves a camera to its next position.
 using CameraStep = void (*)(CameraPose& pose);
 
 void stereo_frames(benchmark::State& state, const char* stereo, CameraStep step) {
@@ -45,12 +45,12 @@ void stereo_frames(benchmark::State& state, const char* stereo, CameraStep step)
   state.SetLabel(std::string(name_of(active_instruction_set())) + ", " + std::to_string(thread_count()) + " threads");
 }
 
-//! Of a camera that comes nearer all the time: nothing is kept from frame to frame.
+//! Measures a camera that comes steadily closer, so that no grid can be reused.
 void stereo_frame(benchmark::State& state, const char* stereo) {
   stereo_frames(state, stereo, [](CameraPose& pose) { pose.r -= 1e-6; });
 }
 
-//! Of a camera that goes round and keeps looking at the hole: its grids are kept.
+//! Measures a camera that goes around the hole and keeps facing it, so that its grids are reused.
 void stereo_round(benchmark::State& state, const char* stereo) {
   stereo_frames(state, stereo, [](CameraPose& pose) { pose.phi += 0.0031; });
 }
@@ -68,7 +68,7 @@ BENCHMARK_CAPTURE(stereo_round, physical, physical_eyes)->Apply(stereo_sizes);
 BENCHMARK_CAPTURE(stereo_round, flat, flat_eyes)->Apply(stereo_sizes);
 BENCHMARK_CAPTURE(stereo_round, omni, omni_eyes)->Apply(stereo_sizes);
 
-//! Both eyes of the built-in disk's show, with the camera at rest: grids are kept.
+//! Renders both eyes of the built-in disk show with the camera at rest, so that grids are reused.
 void stereo_disk(benchmark::State& state, const char* stereo, const char* pattern) {
   const Show show = parse_show(
       std::string("[hole]\nspin = 0.999\n[camera]\nobserver = \"zamo\"\n[[camera.key]]\nr = 60\ntheta_deg = 83\n"
@@ -98,7 +98,8 @@ BENCHMARK_CAPTURE(stereo_disk, mono_clouds, "", clouds)->Apply(disk_pair_width);
 BENCHMARK_CAPTURE(stereo_disk, physical_clouds, physical_eyes, clouds)->Apply(disk_pair_width);
 BENCHMARK_CAPTURE(stereo_disk, flat_clouds, flat_eyes, clouds)->Apply(disk_pair_width);
 
-//! Both eyes of a ball behind a spinning hole, traced; how far apart they are in hundredths of M.
+//! Renders both eyes of a ball behind a spinning hole by traced rays; the argument is the baseline
+//! in hundredths of M.
 void stereo_objects(benchmark::State& state, const char* model) {
   const Show show = parse_show(
       "[hole]\nspin = 0.9\n[[camera.key]]\nr = 24\ntheta_deg = 75\n[sky]\nmap = \"black\"\n[[objects]]\nmethod = "
@@ -125,7 +126,7 @@ void object_baselines(benchmark::internal::Benchmark* benchmark) {
 BENCHMARK_CAPTURE(stereo_objects, physical, "physical")->Apply(object_baselines);
 BENCHMARK_CAPTURE(stereo_objects, flat, "flat")->Apply(object_baselines);
 
-//! What the read-out of a pair's disparity takes.
+//! Measures the computation of the disparity of an eye pair.
 void stereo_disparity(benchmark::State& state, const char* things, const char* model) {
   Show show = parse_show(
       std::string("[hole]\nspin = 0.9\n[camera]\n[[camera.key]]\nr = 24\ntheta_deg = 75\n[sky]\nmap = \"black\"\n"
@@ -133,7 +134,7 @@ void stereo_disparity(benchmark::State& state, const char* things, const char* m
           things + "[stereo]\nlayout = \"separate\"\nbaseline = 0.1\nmodel = \"" + model + "\"\n",
       "bench.toml");
   const ShowRenderer renderer(show, Backend::cpu);
-  show.sky.map = "milky_way";  // a black sky is not looked at
+  show.sky.map = "milky_way";  // disparity ignores a black sky
   const CameraPose pose = camera_pose(show, 0.0);
   const Projection projection = make_projection(show.view, 1024, 0.0);
   for (auto _ : state) {
@@ -152,7 +153,7 @@ BENCHMARK_CAPTURE(stereo_disparity, disk_and_shell, disk_and_shell, "physical")-
 BENCHMARK_CAPTURE(stereo_disparity, disk_and_shell_omni, disk_and_shell, "omni")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(stereo_disparity, disk_and_shell_flat, disk_and_shell, "flat")->Unit(benchmark::kMillisecond);
 
-//! Seconds of processor time that all threads have taken: other programs do not count.
+//! Returns the CPU time of all threads [s], so that other programs do not count.
 double processor_s() {
   std::timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
@@ -166,8 +167,8 @@ double middle(std::vector<double> values) {
 
 double clock_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-//! Frames of each model in turn: middle time of one eye's, and the middle, least and greatest of the ratios of each round, of processor time
-//! and of time on the clock.
+//! Renders frames of each stereo model in turn. Reports the median time of one eye's frame, and the
+//! median, minimum and maximum of the ratios per round, in CPU time and in wall-clock time.
 void stereo_in_turn(benchmark::State& state) {
   const int size = static_cast<int>(state.range(0));
   constexpr const char* models[] = {"", physical_eyes, flat_eyes, omni_eyes};

@@ -50,7 +50,8 @@ struct ZipMember {
         stated_crc(crc32(bytes)) {}
 };
 
-//! A zip archive (PKWARE APPNOTE 4.3): local headers with their data, the central directory, and its end.
+//! A zip archive (PKWARE APPNOTE 4.3): local headers with their data, the central directory, and
+//! its end.
 inline std::string zip_by_hand(const std::vector<ZipMember>& members) {
   std::string archive;
   std::string directory;
@@ -74,7 +75,8 @@ inline std::string png_chunk(const std::string& type, const std::string& data) {
   return big(static_cast<std::uint32_t>(data.size()), 4) + type + data + big(crc32(type + data), 4);
 }
 
-//! A PNG of grey (1 channel) or colour (3) with 8 or 16 bits, its rows unfiltered in one stored block of deflate.
+//! A PNG of grey (1 channel) or colour (3) with 8 or 16 bits, its rows unfiltered in one stored
+//! block of deflate.
 inline std::string png_by_hand(std::uint32_t width, std::uint32_t height, int channels, int bits,
                                const std::vector<std::uint32_t>& samples) {
   std::string rows;

@@ -6,7 +6,8 @@
 #include "calibration/warps/warp_conversion.h"
 #include "kernels/core/error.h"
 
-// Any text is either a mesh, which then reads back from its own text and can be drawn, or an Error.
+// Any text is either a mesh that can be drawn and that survives a round trip through its text, or
+// throws an Error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     const ergodome::WarpMesh mesh =

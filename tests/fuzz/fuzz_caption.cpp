@@ -4,7 +4,7 @@
 
 #include "render/passes/overlay/caption_image.h"
 
-// The first byte chooses where lines are broken, the rest is the text.
+// The first byte chooses the width at which lines are broken; the rest is the text.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) {
     return 0;

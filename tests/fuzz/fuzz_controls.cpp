@@ -6,7 +6,7 @@
 #include "app/navigation/controls/controls.h"
 #include "kernels/core/error.h"
 
-// Any text is either a map of controls, which then reads back from its own text to the same map, or an Error.
+// Any text is either a control map that survives a round trip through its text, or throws an Error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::string text;
   try {

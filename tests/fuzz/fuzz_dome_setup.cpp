@@ -6,7 +6,7 @@
 #include "calibration/dome/dome_setup.h"
 #include "kernels/core/error.h"
 
-// Any text is either a setup, which then reads back from its own text, or an Error.
+// Any text is either a setup that survives a round trip through its text, or throws an Error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using ergodome::NamedFiles;
   std::string text;

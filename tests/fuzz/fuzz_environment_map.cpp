@@ -6,7 +6,8 @@
 #include "content/sky/environment_image.h"
 #include "kernels/core/error.h"
 
-// The first byte chooses the format, the rest is the file. Images of more than 256 px are left to the size check of the reader.
+// The first byte chooses the format; the rest is the file. The reader's size check rejects images
+// larger than 256 px.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) {
     return 0;

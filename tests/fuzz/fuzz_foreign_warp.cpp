@@ -8,8 +8,8 @@
 #include "calibration/warps/warp_conversion.h"
 #include "kernels/core/error.h"
 
-// A file is of the format that its content shows, or of the one that its first byte chooses. It is a warp that can be drawn and written,
-// or an Error.
+// The format of a file is detected from its content, or chosen by its first byte. Any file is
+// either a warp that can be drawn and written, or throws an Error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using ergodome::WarpFormat;
   constexpr WarpFormat formats[] = {WarpFormat::domeprojection, WarpFormat::obj,    WarpFormat::sciss,

@@ -7,8 +7,9 @@
 #include "app/pads/pad_response.h"
 #include "kernels/core/error.h"
 
-// Two bytes say how long the descriptor is; then come the descriptor and reports, each behind its length. Any descriptor is either read,
-// and then any report is decoded to numbers in range, or an Error.
+// Two bytes give the length of the descriptor; then follow the descriptor and reports, each
+// preceded by its length. Any descriptor is either parsed, and any report then decodes to numbers
+// in range, or throws an Error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size < 2) {
     return 0;

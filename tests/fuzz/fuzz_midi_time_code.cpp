@@ -5,8 +5,8 @@
 
 #include "app/playback/midi_time_code.h"
 
-// Whatever comes down a cable: places stay within a day (and the two frames that are guessed after its last code), and the filter
-// makes times of them that a clock can follow.
+// For any bytes from a MIDI cable, positions stay within a day (plus the two frames that are
+// extrapolated after the last code), and the filter turns them into times that a clock can follow.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace ergodome;
   MidiTimeCodeReader reader;

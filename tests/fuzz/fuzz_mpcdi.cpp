@@ -14,7 +14,8 @@ namespace {
 using ergodome::Mpcdi;
 using ergodome::RowOrder;
 
-//! A small map or mask for whatever name a description asks for, so that what is behind it is reached.
+//! Returns a small map or mask for any name that a description refers to, so that the code behind
+//! the lookup is reached.
 std::string small_file(const std::string& name, std::size_t) {
   using namespace std::string_literals;
   if (name.ends_with(".png")) {
@@ -31,7 +32,7 @@ Mpcdi parsed(std::uint8_t kind, std::span<const std::byte> input) {
                                            small_file, RowOrder::bottom_up);
 }
 
-//! What was read has a meaning, or an Error says why not.
+//! Anything that was parsed has a meaning, or throws an Error.
 void look_at(const Mpcdi& mpcdi) {
   for (const ergodome::MpcdiBuffer& buffer : mpcdi.buffers) {
     for (const ergodome::MpcdiRegion& region : buffer.regions) {
@@ -48,7 +49,8 @@ void look_at(const Mpcdi& mpcdi) {
 
 }  // namespace
 
-// The first byte chooses between an archive and a description alone. What was accepted is written and read once more.
+// The first byte chooses between an archive and a bare description. Accepted input is written and
+// read again.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) {
     return 0;

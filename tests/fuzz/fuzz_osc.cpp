@@ -13,7 +13,7 @@ ergodome::PlayerStatus show_with_chapters() {
   return status;
 }
 
-//! A number that is worth nothing to a player must not come through.
+//! Traps if a number is not a valid show time.
 void expect_finite(double number) {
   if (!(number >= -ergodome::greatest_show_time_s && number <= ergodome::greatest_show_time_s)) {
     __builtin_trap();
@@ -22,7 +22,8 @@ void expect_finite(double number) {
 
 }  // namespace
 
-// A packet goes through liblo and the handler, with an answer to it and what comes due; what reaches the player is finite.
+// A packet passes through liblo and the handler, including the reply and scheduled messages; all
+// numbers that reach the player are finite.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   ergodome::CommandQueue commands;
   ergodome::StatusBoard board;
@@ -39,7 +40,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::span<const std::byte> packet = std::as_bytes(std::span(data, size));
   for (const ergodome::OscDatagram& answer :
        handler.receive(packet, *ergodome::NetAddress::parse("127.0.0.1", 9000), now)) {
-    // What we send can be read.
+    // Our own replies must be readable.
     ergodome::parse_osc(std::as_bytes(std::span(answer.bytes)));
   }
   handler.tick(now.steady + std::chrono::minutes(2));

@@ -7,8 +7,9 @@
 #include "app/pads/pad_decoder.h"
 #include "app/pads/pad_response.h"
 
-// The first byte chooses a pad and its bus, the rest are reports, each behind its length (0: of 256 bytes and more, as long as two bytes
-// say). No report makes a decoder read beyond its end or an axis leave its range.
+// The first byte chooses a pad and its bus; the rest are reports, each preceded by its length (0:
+// the length follows in two bytes, for reports of 256 bytes and more). No report makes a decoder
+// read beyond its end or moves an axis out of range.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   struct Kind {
     std::uint16_t vendor;

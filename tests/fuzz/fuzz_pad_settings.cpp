@@ -6,7 +6,7 @@
 #include "app/pads/pad_settings.h"
 #include "kernels/core/error.h"
 
-// Any text is either settings, which then read back the same from their own text, or an Error.
+// Any text is either settings that survive a round trip through their text, or throws an Error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   ergodome::PadSettings settings;
   try {

@@ -11,7 +11,8 @@
 
 namespace {
 
-//! Whatever a show's text was, what it does with time can be asked for, and it reads back from its own text.
+//! Evaluates everything in a show that depends on time; then writes the show as text and reads it
+//! back.
 void use(const ergodome::Show& show) {
   for (const double time_s : {0.0, 0.5 * show.duration_s, 1e9}) {
     const ergodome::CameraPose pose = ergodome::camera_pose(show, time_s);
@@ -29,7 +30,7 @@ void use(const ergodome::Show& show) {
 
 }  // namespace
 
-// Any text is either a show, which then reads back from its own text, or an Error.
+// Any text is either a show that survives a round trip through its text, or throws an Error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   ergodome::Show show;
   try {

@@ -12,7 +12,8 @@
 
 namespace {
 
-//! A show's file that is saved again and again, in memory where the system has a folder for that.
+//! Returns the path of a show file that is saved repeatedly, in memory if the system has a folder
+//! for that.
 const std::filesystem::path& show_file() {
   static const std::filesystem::path file = [] {
     const std::filesystem::path memory = "/dev/shm";
@@ -25,7 +26,8 @@ const std::filesystem::path& show_file() {
 
 }  // namespace
 
-// Any text that is saved over a running show becomes the next version or a problem, read as the player does.
+// Any text that is saved over a running show becomes either its next version or a reported problem,
+// through the player's reader.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::ofstream(show_file(), std::ios::binary)
       .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));

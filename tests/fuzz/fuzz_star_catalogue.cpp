@@ -17,7 +17,8 @@ using Input = std::span<const std::byte>;
 
 std::uint64_t checksum(Input bytes) { return XXH3_64bits(bytes.data(), bytes.size()); }
 
-//! A file of the project's own form whose sums are right, so that what is behind them is reached: a count, then the packed part.
+//! Builds a file in the project's format with correct checksums, so that the code behind them is
+//! reached: a count, then the packed part.
 ergodome::Bytes star_file(Input input) {
   ergodome::ByteReader from(input, "fuzz");
   const auto count = from.number<std::uint32_t>();

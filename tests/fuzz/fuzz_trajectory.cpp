@@ -18,7 +18,7 @@ namespace {
 using ergodome::Bytes;
 using Input = std::span<const std::byte>;
 
-//! A station that was accepted is safe to read anywhere.
+//! Any accepted station can be read in every direction.
 void read_all_over(const ergodome::LensStation& station) {
   const ergodome::LensGrid grid = ergodome::grid_view(station);
   const float widest = station.mirrored ? 0.5F : 1.0F;
@@ -36,7 +36,7 @@ void read_all_over(const ergodome::LensStation& station) {
   ergodome::flagged_leaves(station);
 }
 
-//! The same of disk layers.
+//! Any accepted disk layer can be read in every direction.
 void read_all_over(const ergodome::DiskStation& disk) {
   const ergodome::DiskGrid grid = ergodome::disk_grid_view(disk);
   for (int i = 0; i < 64; ++i) {
@@ -87,7 +87,8 @@ void try_file(Input input) {
 
 }  // namespace
 
-// The first byte chooses a layer, so that checksums do not keep what lies behind them from being tried.
+// The first byte chooses a layer of the format, so that checksums do not shield the code behind
+// them.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size < 2) {
     return 0;

@@ -5,7 +5,7 @@
 
 #include "app/remote/web/web_guard.h"
 
-// No head of a request opens the page without the token, and each is answered whole.
+// No request head opens the page without the token, and every request gets a complete response.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const ergodome::WebGuard guard("0123456789abcdef");
   const std::string_view head(reinterpret_cast<const char*>(data), size);

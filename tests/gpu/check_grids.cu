@@ -8,11 +8,13 @@ namespace ergodome::gpu_check {
 
 namespace {
 
-// A power of two: the edge between its points is a cubic, whose slope leaps at them, and nodes lie on the same side of each on all machines.
+// A power of two. The edge between its points is a cubic whose slope jumps at the points, and nodes
+// must lie on the same side of each point on all machines.
 constexpr int columns = 128;
 constexpr int rows = 64;
 
-//! A grid of equal cells, no hierarchy: enough to compare every kernel that traces and reads grids.
+//! A grid of equal cells without hierarchy: enough to compare every kernel that traces and reads
+//! grids.
 struct UniformGrid {
   Twin<float> edge{1024};
   Twin<float> gamma_turns{columns * (rows + 1)};
@@ -79,8 +81,8 @@ bool check_nodes(UniformGrid& grid) {
                                       grid.s.device(), grid.nodes.device()};
   const double device_ms = run_on_device_ms("trace_nodes", TraceNodes<float>{on_device}, count);
   const double host_ms = run_on_host_ms(TraceNodes<float>{on_host}, count);
-  // Derivatives along s are large near the edge, and float's rounding of the place with them: each machine has its own, about as large as the
-  // other's.
+  // Derivatives along s are large near the edge, where float rounding of the position matters: each
+  // machine has its own error, about as large as that of the other.
   Twin<float> exact(grid.nodes.host.size());
   const NodeBatch<double> in_double = {{converted_station<double>(grid.rain), grid.chart, {1e-12, 400, true}},
                                        count,

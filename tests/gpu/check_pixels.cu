@@ -11,7 +11,8 @@ namespace ergodome::gpu_check {
 
 namespace {
 
-//! A cube map with a smooth pattern; its borders are as good as its inside for comparing two machines.
+//! Returns a cube map with a smooth pattern. Its borders are not filled from neighboring faces;
+//! that does not matter for comparing two machines.
 CubeMap patterned_cube(Twin<float>& texels, int face_size) {
   CubeMap map{};
   map.face_size = face_size;
@@ -27,14 +28,15 @@ CubeMap patterned_cube(Twin<float>& texels, int face_size) {
   return map;
 }
 
-//! How a check looks at the sky.
+//! Settings with which a check samples the sky.
 struct SkyLook {
   SkyFilter filter = SkyFilter::ewa;
   SkyShift shift = SkyShift::none;
   bool brightening = false;
 };
 
-//! Colours of blackbodies; a smooth curve is as good as Planck's for comparing two machines.
+//! Fills a table of blackbody colors with a smooth curve, which serves as well as Planck's law for
+//! comparing two machines.
 BlackbodyTable smooth_colours(Twin<float>& entries) {
   const int count = static_cast<int>(entries.host.size() / 4);
   for (int i = 0; i < count; ++i) {

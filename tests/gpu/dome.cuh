@@ -23,7 +23,7 @@ inline LensPixels lens_at(float* store, std::size_t pixels) {
   return lens;
 }
 
-//! Solves the edge of a camera's shadow and puts it on both sides.
+//! Solves the edge of a camera's shadow and copies it to the device.
 inline void solve_edge(const CameraStation& camera, const ShadowChart& chart, Twin<float>& edge) {
   const auto count = static_cast<double>(edge.host.size());
   for (std::size_t i = 0; i < edge.host.size(); ++i) {
@@ -33,7 +33,7 @@ inline void solve_edge(const CameraStation& camera, const ShadowChart& chart, Tw
   edge.upload();
 }
 
-//! The edge as the host's kernels read it.
+//! Returns the edge as kernels on the host read it.
 inline EdgeCurve edge_curve(const ShadowChart& chart, const Twin<float>& edge_table) {
   const auto narrow = [](const Vector3<double>& v) {
     return Vector3<float>{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
@@ -48,7 +48,8 @@ inline EdgeCurve edge_curve(const ShadowChart& chart, const Twin<float>& edge_ta
           *most};
 }
 
-//! A dome at r = 5 M of a fast hole, as a show would ask for it.
+//! Returns the batch of a dome picture at r = 5 M from a fast-spinning hole, as a show would
+//! request it.
 inline PixelBatch dome_batch(int size, const Twin<float>& edge_table, const ShadowChart& chart) {
   PixelBatch batch{};
   batch.camera = converted_station<float>(make_camera_station(0.999, 5.0, 1.5707963, 0.0, ObserverMotion::zamo));

@@ -1,4 +1,5 @@
-// Compares kernels on GPU and CPU and times both. Exit status: 0 passed or no GPU, 1 a difference or a CUDA error.
+// Compares kernels on GPU and CPU and times both. Exit status: 0 passed or no GPU, 1 a difference
+// or a CUDA error.
 
 #include <cstdio>
 #include <exception>
@@ -20,7 +21,7 @@ void print_device(int device) {
 
 int main() {
   int devices = 0;
-  // Any error means no usable GPU, and then leaves a nonsense count.
+  // Any error means that there is no usable GPU, and then the count is undefined.
   if (cudaGetDeviceCount(&devices) != cudaSuccess || devices < 1) {
     std::puts("GPU check skipped: no usable GPU");
     return 0;

@@ -14,7 +14,7 @@
 
 namespace ergodome::gpu_check {
 
-//! An array on both sides.
+//! An array with a copy on the host and one on the device.
 template <class T>
 class Twin {
  public:
@@ -39,7 +39,8 @@ class Twin {
   T* device_ = nullptr;
 };
 
-//! Calls functor(i) for all i on the CPU's threads: the same source, compiled for the host.
+//! Calls functor(i) for all i on CPU threads; the functor is the same source, compiled for the
+//! host. Returns the time [ms].
 template <class Functor>
 double run_on_host_ms(const Functor& functor, int count) {
   const auto start = std::chrono::steady_clock::now();
@@ -58,7 +59,7 @@ double run_on_host_ms(const Functor& functor, int count) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-//! The median of several launches, by CUDA events, after one to warm up.
+//! Returns the median time of several launches [ms] from CUDA events, after a warm-up launch.
 template <class Launch>
 double time_on_device_ms(const Launch& launch) {
   launch();
@@ -87,13 +88,14 @@ double run_on_device_ms(const char* name, const Functor& functor, int count) {
   return time_on_device_ms([&] { launch_cuda(name, count, functor); });
 }
 
-//! The same for the pixels of a square image, as pictures launch them.
+//! Launches a functor over the pixels of a square image, as pictures do, and returns the time [ms].
 template <class Functor>
 double run_on_pixels_ms(const char* name, const Functor& functor, int size) {
   return time_on_device_ms([&] { launch_cuda_on_pixels(name, size, size, functor); });
 }
 
-//! How far two results are apart: the given quantile of |a - b| / max(1, |b|), and whether that is within the tolerance.
+//! The difference of two results: the given quantile of |a - b| / max(1, |b|), and whether it is
+//! within the tolerance.
 struct Comparison {
   double quantile;
   bool good;

@@ -1,8 +1,9 @@
 #include "kernels/core/angles.h"
 #include "tests/hard_cases/ray_sets.h"
 
-// The list. Columns of what is allowed: rays in double [rad on the sky], rays in float [rad on the screen], live grid, streamed stations
-// and the published quadtree [px of a dome of 4096²]; see Allowed.
+// The list. Columns of what is allowed: rays in double [rad on the sky], rays in float [rad on the
+// screen], live grid, streamed stations and the published quadtree [px of a dome of 4096²]; see
+// Allowed.
 namespace ergodome::test {
 
 namespace {
@@ -11,8 +12,8 @@ using enum ObserverMotion;
 
 constexpr double r_plus = 1.435889894354067;  // of a = 0.9
 
-//! Ten times the tolerance asked for; a few roundings of float; the budget of 0.1 px at 99 of 100 rays and a fifth for the chance of the
-//! sample; half as much again between stations.
+//! Ten times the tolerance asked for; a few roundings of float; the budget of 0.1 px at 99 of 100
+//! rays and a fifth for the chance of the sample; half as much again between stations.
 constexpr Allowed usual = {1e-11, 2e-6, 0.12, 0.15, 0.2};
 const char* const as_anywhere = "nothing is harder here than elsewhere";
 
@@ -28,7 +29,8 @@ const char* const no_float =
     "nearer than float tells directions: rays in float may say that they do not converge, or take the other side; "
     "grids keep the edge from double";
 
-//! Within the horizon, and next to where it ends for cameras. Streamed stations are for places that are asked about outside, and angles end at the horizon.
+//! Within the horizon, and next to where it ends for cameras. Streamed stations are for places that
+//! are asked about outside, and angles end at the horizon.
 constexpr Allowed within = {1e-10, 5e-5, 0.12, not_asked, not_asked};
 constexpr Allowed deep_within = {2e-8, 2e-4, 0.12, not_asked, not_asked};
 const char* const more_caustics =

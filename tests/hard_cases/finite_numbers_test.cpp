@@ -14,7 +14,8 @@
 #include "tests/support/sanitized.h"
 #include "tests/support/tiny_sky.h"
 
-// No NaN and no infinity leaves a kernel: what looks for them finds one that is planted, and finds none in the built-in shows.
+// No NaN and no infinity leaves a kernel: what looks for them finds one that is planted, and finds
+// none in the built-in shows.
 namespace ergodome::test {
 namespace {
 

@@ -23,8 +23,8 @@ inline CameraStation station_at(const Place& place) {
 
 using Directions = std::vector<Vector3<double>>;
 
-//! What a case may miss by. Of a method that is not asked anything else (`unbounded`) there must still be unit vectors or none, and no
-//! NaN; it may say that it did not converge.
+//! What a case may miss by. Of a method that is not asked anything else (`unbounded`) there must
+//! still be unit vectors or none, and no NaN; it may say that it did not converge.
 struct Allowed {
   double sky;  //!< rays in double: error of the sky direction, beside what rounding of the input makes of it [rad]
   double float_ray;    //!< rays in float: greatest displacement on the observer's screen [rad]

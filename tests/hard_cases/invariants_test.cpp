@@ -10,7 +10,8 @@
 #include "tests/hard_cases/ray_walk.h"
 #include "tests/support/sanitized.h"
 
-// The first integrals of rays by chance, all the way from the camera to the sky: in all a million rays a run.
+// The first integrals of rays by chance, all the way from the camera to the sky: in all a million
+// rays a run.
 namespace ergodome::test {
 namespace {
 
@@ -33,11 +34,13 @@ std::string words_with(const Place& place, const Vector3<double>& n) {
   return words.str();
 }
 
-//! Whether light may wind along the horizon too often to count. What chance has lost so far, it lost within 1e-7 of the extremal spin.
+//! Whether light may wind along the horizon too often to count. What chance has lost so far, it
+//! lost within 1e-7 of the extremal spin.
 bool is_extremal(const Place& place) { return 1.0 - std::abs(place.spin) < 1e-6; }
 
-//! Whether rounding decides from which side of the shadow's edge a ray comes: the value whose sign tells is one of a few roundings of numbers
-//! near 1. Chance lost a ray that the horizon's own barrier turns back at 3 roundings, about a hole with 1 - |a| = 1.4e-6.
+//! Whether rounding decides from which side of the shadow's edge a ray comes: the value whose sign
+//! tells is one of a few roundings of numbers near 1. Chance lost a ray that the horizon's own
+//! barrier turns back at 3 roundings, about a hole with 1 - |a| = 1.4e-6.
 template <class S>
 bool is_on_edge(const CameraStationOf<S>& camera, const RayStart<S>& start) {
   return std::abs(darkness(camera.spin, camera.horizon_r, start)) < S(16) * std::numeric_limits<S>::epsilon();
@@ -94,7 +97,8 @@ Found sweep(Seed seed, S tolerance, double least_height, double nearest) {
   return all;
 }
 
-//! Rays that may be lost along extremal horizons. A sanitized run walks a few hundred, of which chance may well lose one.
+//! Rays that may be lost along extremal horizons. A sanitized run walks a few hundred, of which
+//! chance may well lose one.
 long most_lost(long walked) { return walked / 10'000 + 3; }
 
 class Invariants : public testing::TestWithParam<Seed> {};

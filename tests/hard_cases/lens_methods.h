@@ -12,7 +12,8 @@ struct SeenSky {
   std::vector<double> status;
 };
 
-//! Rays of their own, in double or in float; what is traced in float starts from the same directions, rounded.
+//! Rays of their own, in double or in float; what is traced in float starts from the same
+//! directions, rounded.
 SeenSky by_rays(const Place& place, const Directions& rays, TraceMethod method, double tolerance);
 SeenSky by_float_rays(const Place& place, const Directions& rays, TraceMethod method, double tolerance);
 
@@ -25,7 +26,8 @@ SeenSky by_lens(const LensBlend& lens, const Place& place, const Directions& ray
 //! Read from a grid that is built for the place with a budget of 0.1 px of a dome of 4096².
 SeenSky by_live_grid(const Place& place, const Directions& rays, Nodes nodes);
 
-//! Read from two stations to both sides of the place, each packed and unpacked as in a trajectory file.
+//! Read from two stations to both sides of the place, each packed and unpacked as in a trajectory
+//! file.
 SeenSky by_streamed_stations(const Place& place, const Directions& rays);
 
 //! Read from the published quadtree grid (splines).

@@ -15,9 +15,10 @@
 #include "tests/hard_cases/random_places.h"
 #include "tests/support/sanitized.h"
 
-// Cameras that move for long, or through what is singular: nothing on the screen leaps from one frame to the next at 60 frames a second.
-// Measured on the lens: where fixed directions of the view see the sky. What moves smoothly moves from frame to frame as three frames
-// before tell, by a parabola; the rest, as the eye sees it on the screen, is a leap.
+// Cameras that move for long, or through what is singular: nothing on the screen leaps from one
+// frame to the next at 60 frames a second. Measured on the lens: where fixed directions of the view
+// see the sky. What moves smoothly moves from frame to frame as three frames before tell, by a
+// parabola; the rest, as the eye sees it on the screen, is a leap.
 namespace ergodome::test {
 namespace {
 
@@ -166,7 +167,8 @@ TEST(LongRun, SpinComesToOneAndGoesBack) {
   }
 }
 
-//! On the sphere r = 6 over the north pole, or `beside` radians past it, 0.05 rad a second, with axes that keep their directions there.
+//! On the sphere r = 6 over the north pole, or `beside` radians past it, 0.05 rad a second, with
+//! axes that keep their directions there.
 EyeCamera over_the_axis(double time_s, double beside) {
   const double x = 0.05 * time_s;
   EyeCamera eye{0.9, 6.0, std::hypot(x, beside), std::atan2(beside, x), ObserverMotion::zamo, {}, {}, 6.0, 0.0};

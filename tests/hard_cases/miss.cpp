@@ -19,7 +19,8 @@ struct LensThere {
   Vector3<double> along[2];  //!< derivatives along two axes of the camera's sky
 };
 
-//! By a Taylor series of order 20, whose values the closed form confirms in every case that it can be asked in.
+//! By a Taylor series of order 20, whose values the closed form confirms in every case that it can
+//! be asked in.
 LensThere lens_at(const CameraStation& camera, const Vector3<double>& n) {
   using D = Dual<double>;
   LensThere there{};

@@ -8,7 +8,8 @@ namespace ergodome::test {
 
 inline double length(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
 
-//! What a ray should have seen, by elliptic functions, and its derivatives, by a Taylor series of order 20.
+//! What a ray should have seen, by elliptic functions, and its derivatives, by a Taylor series of
+//! order 20.
 struct ExactRay {
   bool bright;
   Vector3<double> sky;
@@ -21,8 +22,9 @@ std::vector<ExactRay> exact_rays(const CameraStation& camera, const Directions& 
 //! The displacement on the camera's sky [rad] that makes a small error of the sky direction.
 double displacement(const ExactRay& exact, const Vector3<double>& miss);
 
-//! Where the sky is stretched by more than this it goes round the hole within 1e-4 rad of the screen, a tenth of a pixel: whatever the
-//! sky, it is next to where it should be, and displacements say nothing.
+//! Where the sky is stretched by more than this it goes round the hole within 1e-4 rad of the
+//! screen, a tenth of a pixel: whatever the sky, it is next to where it should be, and
+//! displacements say nothing.
 inline constexpr double winding_stretch = 1e4;
 
 //! By how much a method missed.

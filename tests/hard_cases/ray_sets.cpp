@@ -31,7 +31,8 @@ Vector3<double> sky_of(const CameraStation& camera, const Vector3<double>& n) {
   return trace_closed_form(camera.spin, start).sky;
 }
 
-//! Directions whose light comes from where a function of the sky vanishes: by bisection along great circles of the camera's sky.
+//! Directions whose light comes from where a function of the sky vanishes: by bisection along great
+//! circles of the camera's sky.
 template <class Function>
 void add_zeros(Directions& all, const CameraStation& camera, const Function& function, int circles) {
   constexpr int steps = 90;
@@ -122,7 +123,8 @@ Directions without_angular_momentum(const CameraStation& camera) {
 }
 
 Directions towards_sky_poles(const CameraStation& camera) {
-  // Both components across the axis vanish: nested bisection is not needed, zeros of y along circles near the pole come close.
+  // Both components across the axis vanish: nested bisection is not needed, zeros of y along
+  // circles near the pole come close.
   Directions all;
   add_zeros(
       all, camera, [](const Vector3<double>& sky) { return std::abs(sky.z) > 0.9 ? sky.x : 0.0; }, sanitized ? 3 : 24);

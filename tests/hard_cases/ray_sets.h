@@ -28,7 +28,8 @@ Directions about_principal_rays(const CameraStation& camera);
 //! Light without angular momentum, which passes through the axis, and 1e-12 ... 1e-3 rad beside it.
 Directions without_angular_momentum(const CameraStation& camera);
 
-//! Light that comes from a pole of the sky, or from φ = ±π, within what can be told, and from beside it.
+//! Light that comes from a pole of the sky, or from φ = ±π, within what can be told, and from
+//! beside it.
 Directions towards_sky_poles(const CameraStation& camera);
 Directions towards_sky_seam(const CameraStation& camera);
 

@@ -9,7 +9,8 @@
 // A ray step by step, as trace_taylor goes, with somebody who looks on.
 namespace ergodome::test {
 
-//! By how much the first integrals of a ray are missed where it is, each as a part of its largest term.
+//! By how much the first integrals of a ray are missed where it is, each as a part of its largest
+//! term.
 struct IntegralMisses {
   double radial = 0.0;   //!< u'² = U(u)
   double polar = 0.0;    //!< |m'|² = C + a² m_z²
@@ -62,7 +63,8 @@ struct Walk {
   IntegralMisses misses;
 };
 
-//! Follows a ray that comes from the sky as trace_taylor does, with a look at the middle and the end of every step.
+//! Follows a ray that comes from the sky as trace_taylor does, with a look at the middle and the
+//! end of every step.
 template <int Order, class S>
 Walk<S> walk(S spin, const RayStart<S>& start, S tolerance, int step_limit) {
   const S polar_speed = safe_sqrt(std::max(start.polar_constant, S(0))) + S(1);

@@ -11,15 +11,16 @@
 #include "tests/hard_cases/random_places.h"
 #include "tests/support/sanitized.h"
 
-// What must hold for any camera and any ray, on cameras and rays by chance: symmetries and limits of Kerr's spacetime, the closed form,
-// and a thousand grids.
+// What must hold for any camera and any ray, on cameras and rays by chance: symmetries and limits
+// of Kerr's spacetime, the closed form, and a thousand grids.
 namespace ergodome::test {
 namespace {
 
 Vector3<double> sky_of(const SeenSky& seen, std::size_t i) { return {seen.sky[0][i], seen.sky[1][i], seen.sky[2][i]}; }
 
-//! Where double cannot do better: 1e-13 rad of the direction over the distance from the edge, and rounding of 1 / Δ in the frame dragging of
-//! a camera next to the horizon; along an extremal horizon both are worse, or beyond telling: 1.
+//! Where double cannot do better: 1e-13 rad of the direction over the distance from the edge, and
+//! rounding of 1 / Δ in the frame dragging of a camera next to the horizon; along an extremal
+//! horizon both are worse, or beyond telling: 1.
 class Rounding {
  public:
   explicit Rounding(const Place& place)
@@ -53,8 +54,8 @@ constexpr int sweep_rays = sanitized ? 20 : 300;
 
 SeenSky traced(const Place& place, const Directions& rays) { return by_rays(place, rays, TraceMethod::taylor, 1e-12); }
 
-//! Traces rays and what a symmetry makes of camera and rays, and compares the skies as that makes them of each other. Rays that light takes
-//! too often round to count may be lost on either side.
+//! Traces rays and what a symmetry makes of camera and rays, and compares the skies as that makes
+//! them of each other. Rays that light takes too often round to count may be lost on either side.
 void expect_symmetric(std::mt19937_64& random, double room, Place (*place_of)(const Place&),
                       Vector3<double> (*ray_of)(const Vector3<double>&),
                       Vector3<double> (*sky_as)(const Vector3<double>&)) {
@@ -119,8 +120,9 @@ long expect_two_ways_agree(const Place& place, const Directions& rays, double ro
   const Rounding rounding(place);
   long compared = 0;
   for (std::size_t k = 0; k < rays.size(); ++k) {
-    // Beside principal rays (every eighth here) the closed form's two turning points in θ meet, and it loses half of its
-    // digits; beside the axis they are told by the distance from it, and other rays may be principal there, too.
+    // Beside principal rays (every eighth here) the closed form's two turning points in θ meet, and
+    // it loses half of its digits; beside the axis they are told by the distance from it, and other
+    // rays may be principal there, too.
     const bool beside_axis = std::sin(place.theta) < 1e-6;
     const double meeting = k % 8 == 4 || beside_axis ? 1e-7 / std::sin(place.theta) : 0.0;
     const double allowed = room * (20.0 * rounding.of(rays[k]) + 1e-8 + meeting);
@@ -225,8 +227,9 @@ TEST_P(Sweeps, FarAwayLightIsBentByTwoMOverItsDistance) {
   }
 }
 
-//! Half of the grids' nodes in double, half in float: for a dome of 512², two budgets wide. Of the sky one ray in a hundred may miss by
-//! more than the budget; here a quarter of the rays are next to the shadow's edge, where misses are, and two may.
+//! Half of the grids' nodes in double, half in float: for a dome of 512², two budgets wide. Of the
+//! sky one ray in a hundred may miss by more than the budget; here a quarter of the rays are next
+//! to the shadow's edge, where misses are, and two may.
 TEST_P(Sweeps, GridsKeepTheirBudgetAndTheShadow) {
   constexpr int grids = sanitized ? 8 : 510;
   constexpr int rays_a_grid = 40;

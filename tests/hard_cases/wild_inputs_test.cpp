@@ -10,7 +10,8 @@
 #include "tests/hard_cases/lens_methods.h"
 #include "tests/hard_cases/ray_sets.h"
 
-// NaN and infinity in every input of a ray and of a show: refused, or answered by "no sky"; never by a wrong sky that looks like one.
+// NaN and infinity in every input of a ray and of a show: refused, or answered by "no sky"; never
+// by a wrong sky that looks like one.
 namespace ergodome::test {
 namespace {
 

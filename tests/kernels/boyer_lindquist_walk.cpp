@@ -11,7 +11,8 @@ namespace {
 enum Part : std::size_t { radius, polar, radial_rate, polar_rate, azimuth, coordinate_time, part_count };
 using State = std::array<double, part_count>;
 
-//! The geodesic's equations in Mino time that runs backwards: Carter's, once more differentiated where they hold square roots.
+//! The geodesic's equations in Mino time that runs backwards: Carter's, once more differentiated
+//! where they hold square roots.
 class Walk {
  public:
   Walk(double spin, const NearRay<double>& ray) : a_(spin), ray_(ray), horizon_r_(1.0 + std::sqrt(1.0 - spin * spin)) {}

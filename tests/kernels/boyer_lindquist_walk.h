@@ -14,8 +14,9 @@ struct WalkedCrossing {
   double time;   //!< Mino time [1/M]
 };
 
-//! Follows a ray by many small steps of the classical Runge-Kutta method in r, θ, φ and t, and finds where it crosses r = `shell_r`: no
-//! series, no u, no vectors, to check those who use them. It ends at the horizon, or where r is beyond `farthest_r`.
+//! Follows a ray by many small steps of the classical Runge-Kutta method in r, θ, φ and t, and
+//! finds where it crosses r = `shell_r`: no series, no u, no vectors, to check those who use them.
+//! It ends at the horizon, or where r is beyond `farthest_r`.
 std::vector<WalkedCrossing> walk_to_shell(double spin, const NearRay<double>& ray, double shell_r, double farthest_r);
 
 }  // namespace ergodome::test

@@ -13,7 +13,8 @@ inline Vector3<float> soft_colours(double u, double v) {
           static_cast<float>(0.1 + 2.0 * u * v)};
 }
 
-//! A curved warp over most of a small raster, with intensities, a hole, coloured masks and all the rest.
+//! A curved warp over most of a small raster, with intensities, a hole, coloured masks and all the
+//! rest.
 inline ProjectorPicture curved_picture() {
   ProjectorPicture picture;
   picture.name = "curved";

@@ -42,8 +42,8 @@ class LensAbout {
   LensAbout(const EyeCamera& eye, const Projection& projection, double least_edge_px)
       : eye_(eye), projection_(projection), shadow_(camera_of(eye)), least_edge_px_(least_edge_px) {}
 
-  //! How much the map's magnification changes across a pixel about each place, as a part of its least; infinite where it turns over,
-  //! and near the shadow's edge.
+  //! How much the map's magnification changes across a pixel about each place, as a part of its
+  //! least; infinite where it turns over, and near the shadow's edge.
   [[nodiscard]] std::vector<double> changes(const std::vector<PlaceOnScreen>& asked) const {
     constexpr double step = 0.05;
     // Corners of the pixel about the place; at each a ray, and one to its right and below it.

@@ -9,7 +9,8 @@
 
 namespace ergodome::test {
 
-//! An eye's place by words: to the right of where one looks, faded by the cosine of the elevation between 60 and 90 degrees.
+//! An eye's place by words: to the right of where one looks, faded by the cosine of the elevation
+//! between 60 and 90 degrees.
 inline Vector3<double> omni_place(const Vector3<double>& view, double offset) {
   const double azimuth = std::atan2(view.x, -view.z);
   const double level = std::hypot(view.x, view.z) / std::cos(pi / 3.0);

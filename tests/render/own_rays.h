@@ -16,7 +16,8 @@ struct StarSpot {
   double y_px;
 };
 
-//! The picture of an eye that turns with the direction, by nothing but single rays from each direction's own camera.
+//! The picture of an eye that turns with the direction, by nothing but single rays from each
+//! direction's own camera.
 class OwnRays {
  public:
   OwnRays(const EyePlace& eye_at, double offset, double convergence, const Projection& projection)
@@ -94,7 +95,8 @@ class OwnRays {
   const Projection& projection_;
 };
 
-//! The least that the sky moves by when a pixel's worth is gone in the picture [rad]: the smaller singular value.
+//! The least that the sky moves by when a pixel's worth is gone in the picture [rad]: the smaller
+//! singular value.
 inline double least_move_of(const OwnRays::Map& map) {
   const double sum = dot(map.along_x, map.along_x) + dot(map.along_y, map.along_y);
   const double d = map.determinant();

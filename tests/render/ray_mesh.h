@@ -35,7 +35,8 @@ class ShadowDistance {
   ShadowChart chart_;
 };
 
-//! Directions all over a camera's sky, from a distance of the shadow's edge on, with the sky that rays see there: a mesh of triangles.
+//! Directions all over a camera's sky, from a distance of the shadow's edge on, with the sky that
+//! rays see there: a mesh of triangles.
 class RayMesh {
  public:
   RayMesh(const EyeCamera& eye, double least_distance, int columns, int rows) : columns_(columns), rows_(rows) {

@@ -1,6 +1,8 @@
-// Months of an exhibit in minutes: visitors who come and go, pads that are unplugged, a show file that breaks, a baked station that is
-// damaged. Time is made up; pictures are small, and made by the processor. Ends with 1 where something grows, hangs or reaches the screen.
-//   ergodome_soak [FRAMES]   200000 unless given
+// Simulates months of an exhibit in minutes: visitors come and go, pads are unplugged, a show file
+// breaks, a baked station is damaged. Time is simulated; pictures are small and rendered by the
+// CPU. Exits with status 1 if resources grow, the exhibit hangs or a problem reaches the screen.
+//
+//   ergodome_soak [FRAMES]   default: 200000
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -51,11 +53,11 @@ to_s = 6
 text = { en = "words", de = "Wörter" }
 )";
 
-constexpr int settled_frame = 20'000;  //!< from here on nothing may grow
+constexpr int settled_frame = 20'000;  //!< resources must not grow after this frame
 constexpr double most_growth = 1.01;
 constexpr int picture_px = 24;
 
-//! What the program holds.
+//! The resources that the process holds.
 struct Held {
   double resident_mib = 0.0;
   long handles = 0;
@@ -74,7 +76,8 @@ Held held_now() {
           entries_of("/proc/self/task")};
 }
 
-//! A pad that is plugged in for 500 frames and gone for as many, and whose sticks never rest.
+//! Returns a pad that is plugged in for 500 frames, then absent for 500, and whose sticks never
+//! rest.
 HidFixture restless_pad() {
   FixtureDevice pad;
   pad.info.path = "soak";
@@ -120,7 +123,7 @@ class Soak {
     pads_.poll();
     const PadSnapshot pads = pads_.snapshot();
     PlayerInput input = inputs_.gather({}, pads, 1e-3);
-    // Times in which nobody comes, and times of visitors.
+    // Alternates between times without visitors and times with them.
     const bool visited = (number / 750) % 2 == 1;
     if (exhibit_.advance(seconds(), visited && inputs_.touched(), false)) {
       begin();
@@ -134,7 +137,7 @@ class Soak {
       }
     }
     session_->advance(input);
-    static_cast<void>(session_->take_requests());  // nobody may leave
+    static_cast<void>(session_->take_requests());  // visitors may not quit
     if (const auto read = reload_.poll(now_)) {
       ++(read->show ? reloads_ : refused_);
       log_->info("reload: {}", read->problem);

@@ -10,7 +10,8 @@
 
 namespace ergodome::test {
 
-//! From r = 9 to 7 in ten seconds before the grid sky, for small pictures.
+//! Returns a show whose camera goes from r = 9 to 7 in ten seconds in front of the grid sky, for
+//! small pictures.
 inline Show approaching_show() {
   return parse_show(
       "duration_s = 10\n[hole]\nspin = 0.9\n[camera]\n[[camera.key]]\nt_s = 0\nr = 9\ntheta_deg = 70\nyaw_deg = 30\n"
@@ -19,7 +20,8 @@ inline Show approaching_show() {
       "show.toml");
 }
 
-//! The same with a disk beyond its orbits of stable matter, seen from outside.
+//! Returns a similar show with a disk outside the innermost stable orbit, seen from outside the
+//! disk.
 inline Show show_with_disk(bool clouds = false) {
   Show show = parse_show(
       "duration_s = 10\n[hole]\nspin = 0.9\n[camera]\n[[camera.key]]\nt_s = 0\nr = 30\ntheta_deg = 70\n"
@@ -30,7 +32,8 @@ inline Show show_with_disk(bool clouds = false) {
   return show;
 }
 
-//! Bakes a show for pictures of a width, and errors up to a budget, to a finished file.
+//! Bakes a show into a finished trajectory file, for pixels of angle `pixel` [rad] and errors up to
+//! `budget_px`.
 inline void bake_to(const Show& show, const std::filesystem::path& file, double pixel, bool derivatives = true,
                     double budget_px = 0.25) {
   BakeSettings settings;
@@ -43,7 +46,7 @@ inline void bake_to(const Show& show, const std::filesystem::path& file, double 
   std::filesystem::remove(part);
 }
 
-//! Changes a byte in the middle of a station of a trajectory's file.
+//! Flips a bit in the middle of a station in a trajectory file.
 inline void damage_station(const std::filesystem::path& file, const StationEntry& station) {
   std::fstream raw(file, std::ios::binary | std::ios::in | std::ios::out);
   const auto at = static_cast<std::streamoff>(station.offset + station.bytes / 2);

@@ -10,16 +10,17 @@
 
 namespace ergodome::test {
 
-//! A program that runs beside the test, in a process group that ends with this object.
+//! A program that runs in parallel with the test; its process group is killed by the destructor.
 class ChildProcess {
  public:
-  //! Looks the program up in PATH; its output comes back through a pipe.
+  //! Starts the program, found in PATH; a pipe carries its output back.
   explicit ChildProcess(const std::vector<std::string>& command);
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  //! What it has written until a text appeared in it, it ended, or the time was over.
+  //! Returns the output once `text` has appeared in it, the program has ended or the time has run
+  //! out.
   std::string output_until(const std::string& text, std::chrono::milliseconds most);
 
  private:

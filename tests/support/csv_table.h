@@ -11,10 +11,11 @@
 
 namespace ergodome::test {
 
-//! Cells of a row by the name of their column.
+//! Cells of a row, by column name.
 using CsvRow = std::map<std::string, std::string>;
 
-//! The rows of a CSV file without quotes, whose first line names the columns; missing cells are empty. Throws where there is no file.
+//! Reads the rows of a CSV file without quotes, whose first line names the columns; missing cells
+//! are empty. Throws std::runtime_error if the file cannot be opened.
 inline std::vector<CsvRow> read_csv(const std::filesystem::path& path) {
   std::ifstream file(path);
   if (!file) {

@@ -6,7 +6,7 @@
 
 namespace ergodome::test {
 
-//! The message of the Error that an action throws; empty when it throws none.
+//! Returns the message of the Error that an action throws, or an empty string if it throws none.
 template <class Action>
 std::string error_of(const Action& action) {
   try {

@@ -12,7 +12,8 @@
 
 namespace ergodome::test {
 
-//! A show of two minutes with three chapters and two languages, as a player describes it.
+//! Returns the status of a player that plays a show of two minutes with three chapters and two
+//! languages.
 inline PlayerStatus example_status() {
   PlayerStatus status;
   status.title = "Once around";
@@ -33,7 +34,7 @@ inline PlayerStatus example_status() {
   return status;
 }
 
-//! Does to a status what a player would do to its show.
+//! Applies a command to a status as a player would.
 inline void obey(const TransportCommand& command, PlayerStatus& status) {
   using Kind = TransportCommand::Kind;
   switch (command.kind) {
@@ -88,7 +89,8 @@ inline void obey(const TransportCommand& command, PlayerStatus& status) {
   }
 }
 
-//! A thread that takes commands, lets time go by and posts its status sixty times a second.
+//! A stand-in for the player: a thread that takes commands, advances the time and posts its status
+//! sixty times a second.
 class FakePlayer {
  public:
   FakePlayer() : status_(example_status()) {
@@ -102,7 +104,7 @@ class FakePlayer {
   FakePlayer(const FakePlayer&) = delete;
   FakePlayer& operator=(const FakePlayer&) = delete;
 
-  //! Changes what the player says of itself.
+  //! Changes the status that the player posts.
   void change(const std::function<void(PlayerStatus&)>& change) {
     const std::lock_guard lock(mutex_);
     change(status_);
@@ -146,7 +148,7 @@ class FakePlayer {
   std::thread thread_;
 };
 
-//! Whether something becomes true within a while, asked again and again.
+//! Polls a condition; returns whether it became true before the time ran out.
 inline bool becomes_true(const std::function<bool()>& condition,
                          std::chrono::milliseconds while_long = std::chrono::seconds(10)) {
   const auto deadline = std::chrono::steady_clock::now() + while_long;

@@ -9,7 +9,7 @@
 
 namespace ergodome::test {
 
-//! A FITS file, read by CFITSIO. What goes wrong throws.
+//! Reads a FITS file with CFITSIO. Throws std::runtime_error on any error.
 class FitsReader {
  public:
   explicit FitsReader(const std::string& path) { check(fits_open_diskfile(&file_, path.c_str(), READONLY, &status_)); }
@@ -26,7 +26,7 @@ class FitsReader {
     return count;
   }
 
-  //! Goes to the primary header, or to the extension of a name.
+  //! Goes to the primary header, or to the extension with the given name.
   void go_to_primary() { check(fits_movabs_hdu(file_, 1, nullptr, &status_)); }
   void go_to(const std::string& name) {
     check(fits_movnam_hdu(file_, IMAGE_HDU, const_cast<char*>(name.c_str()), 0, &status_));
@@ -55,7 +55,7 @@ class FitsReader {
     return data == 1 && all == 1;
   }
 
-  //! The pixels of the current image, the lowest row first.
+  //! Returns the pixels of the current image, the lowest row first.
   std::vector<double> pixels() {
     std::array<long, 2> axes{};
     int type = 0;
@@ -65,7 +65,7 @@ class FitsReader {
       throw std::runtime_error("pixels are no doubles");
     }
     std::vector<double> values(static_cast<std::size_t>(axes[0] * axes[1]));
-    // Without a value for undefined pixels, NaN stays NaN.
+    // CFITSIO keeps NaN if no value for undefined pixels is given.
     check(fits_read_img(file_, TDOUBLE, 1, static_cast<LONGLONG>(values.size()), nullptr, values.data(), nullptr,
                         &status_));
     return values;

@@ -10,7 +10,7 @@
 
 namespace ergodome::test {
 
-//! A test with a folder of its own, gone when it ends.
+//! A test with a temporary folder, which is deleted when the test ends.
 class FolderTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -19,7 +19,7 @@ class FolderTest : public testing::Test {
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  //! What a file of the folder holds; empty where it is not there.
+  //! Returns the content of a file in the folder, or an empty string if the file does not exist.
   [[nodiscard]] std::string text(const std::string& name) const {
     std::ifstream file(folder_ / name, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};

@@ -2,7 +2,8 @@
 
 namespace ergodome::test {
 
-//! To be set before a test loads an OpenGL driver: such keep memory, and are unloaded before the leak checker could tell whose it is.
+//! Set this before a test loads an OpenGL driver: drivers leak memory and are unloaded before the
+//! leak checker can attribute the leaks to them.
 inline bool driver_was_loaded = false;
 
 }  // namespace ergodome::test

@@ -11,8 +11,10 @@
 
 namespace ergodome::test {
 
-//! Writes again and again, in a process of its own that is killed (kill -9) at any moment, and checks what is there then; twenty times. `write`
-//! is given a number that grows, from 0 in each process. Writes once more in the end without being killed: on a slow machine that may be all that is ever written.
+//! Calls `write` repeatedly in a child process that is killed (kill -9) at a random moment, then
+//! `check`; twenty times. `write` gets a number that counts up from 0 in each process. At the end
+//! it calls `write` once without a kill, because on a slow machine no earlier call may have
+//! finished.
 inline void kill_while_writing(const std::function<void(int)>& write, const std::function<void()>& check) {
   for (int round = 0; round < 20; ++round) {
     const pid_t child = ::fork();

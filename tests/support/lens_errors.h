@@ -11,7 +11,8 @@
 #include "kernels/spacetime/shadow/shadow_chart.h"
 #include "tests/support/sanitized.h"
 
-// How far a lens is from traced rays, on the screen and over random directions, by other means than the builders use.
+// Measures how far a lens deviates from traced rays, on the screen and over random directions, by
+// other means than the lens builders use.
 namespace ergodome::test {
 
 struct Rays {
@@ -38,7 +39,7 @@ inline Rays random_rays(std::size_t count, unsigned seed) {
   return rays;
 }
 
-//! Reads rays of a camera through a lens.
+//! Looks up the rays of a camera in a lens.
 inline void read_through(const LensBlend& lens, const CameraStation& camera, const Aberration& observer, Rays& rays) {
   LookUpRaysBatch<double> batch{};
   batch.rays.camera = camera;
@@ -55,7 +56,8 @@ inline void read_through(const LensBlend& lens, const CameraStation& camera, con
   look_up_rays(Backend::cpu, batch);
 }
 
-//! Displacement on the observer's screen [rad] that turns the exact sky of direction n into `seen`, by the exact Jacobian.
+//! Returns the displacement on the observer's screen [rad] that turns the exact sky direction of
+//! `n` into `seen`, from the exact Jacobian.
 inline double displacement(const CameraStation& camera, const Vector3<double>& n, const Vector3<double>& seen) {
   using D = Dual<double>;
   const Vector3<double> aside = std::abs(n.x) < 0.7 ? Vector3<double>{1.0, 0.0, 0.0} : Vector3<double>{0.0, 1.0, 0.0};
@@ -77,15 +79,15 @@ inline double displacement(const CameraStation& camera, const Vector3<double>& n
 
 struct Errors {
   std::vector<double> px;  //!< sorted
-  double traced = 0.0;     //!< share of the rays that the lens left to tracing
+  double traced = 0.0;     //!< fraction of the rays that the lens left to tracing
 
   [[nodiscard]] double at(double share) const {
     return px[std::min(px.size() - 1, static_cast<std::size_t>(share * static_cast<double>(px.size())))];
   }
 };
 
-//! Errors on the screen [px of the given angle] over random directions that see the sky, those in the cut-off and the traced ones
-//! included.
+//! Returns the errors on the screen [in pixels of angle `pixel`] over random directions that see
+//! the sky, including those in the cut-off and those that were traced.
 inline Errors screen_errors(const LensBlend& lens, const CameraStation& camera, const Aberration& observer,
                             double pixel, std::size_t count) {
   count /= sanitized ? 50 : 1;

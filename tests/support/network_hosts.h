@@ -14,8 +14,8 @@
 
 namespace ergodome::test {
 
-//! Gives this thread, and those that it starts later, a network of their own with nothing but loopback. Returns false where
-//! the system does not allow that.
+//! Moves this thread, and the threads that it starts later, into a network namespace that has only
+//! a loopback interface. Returns false if the system does not allow that.
 inline bool enter_own_network() {
   const auto user = ::geteuid();
   if (user != 0 && ::unshare(CLONE_NEWUSER) == 0) {
@@ -24,8 +24,9 @@ inline bool enter_own_network() {
   return ::unshare(CLONE_NEWNET) == 0 && std::system("ip link set lo up 2>/dev/null") == 0;
 }
 
-//! Another host on the network of the test: a thread in a network namespace of its own, joined to the test's by a virtual
-//! cable. The test is 10.213.N.1 on that cable, the host 10.213.N.2.
+//! Another host on the network of the test: a thread in its own network namespace, joined to that
+//! of the test by a virtual cable. The test has the address 10.213.N.1 on that cable, the host
+//! 10.213.N.2.
 class NetworkHost {
  public:
   explicit NetworkHost(int number) : number_(number) {}
@@ -39,7 +40,7 @@ class NetworkHost {
 
   [[nodiscard]] std::string address_of_test() const { return "10.213." + std::to_string(number_) + ".1"; }
 
-  //! Makes the host and runs `work` on it. Returns false where there can be no such host.
+  //! Creates the host and runs `work` on it. Returns false if the host cannot be created.
   bool run(std::function<void()> work) {
     std::promise<long> id;
     std::promise<void> cable;

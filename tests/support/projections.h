@@ -9,7 +9,7 @@
 #include "kernels/core/angles.h"
 #include "kernels/projection/make_projection.h"
 
-// Pictures of every kind for tests, and places in them.
+// Projections of every kind for tests, and sample positions in their images.
 namespace ergodome::test {
 
 struct NamedProjection {
@@ -27,7 +27,8 @@ inline Projection lens_of(LensLaw law, double field_of_view_deg, int size_px = 1
   return make_dome_projection(size_px, view);
 }
 
-//! A measured lens: close to equidistant, a little tighter towards its rim; about the circle's size at 90°.
+//! Returns a measured lens: close to equidistant, slightly compressed towards its rim; 90° lies
+//! about at the radius of the image circle.
 inline DomeView measured_lens() {
   DomeView view;
   view.law = LensLaw::polynomial;
@@ -76,7 +77,7 @@ struct ImagePlace {
   double y_px;
 };
 
-//! Whether a place is in the image, not merely the pixel that it lies in.
+//! Returns whether a position, not just the pixel that contains it, is inside the image.
 inline bool is_in_image(const Projection& p, const ImagePlace& place) {
   if (p.kind == ProjectionKind::dome_fisheye) {
     return image_coverage(p, place.x_px, place.y_px) >= 0.5;
@@ -85,11 +86,12 @@ inline bool is_in_image(const Projection& p, const ImagePlace& place) {
          image_coverage(p, place.x_px, place.y_px) > 0.0;
 }
 
-//! A lattice, the middle, and places `inside` pixels within corners, sides and, of a fisheye, the rim: those that are in the image.
+//! Returns a lattice of positions, the middle, and positions `inside` pixels from the corners, the
+//! sides and, for a fisheye, the rim; omits those outside the image.
 inline std::vector<ImagePlace> image_places(const Projection& p, double inside) {
   const double right = p.width_px - inside;
   const double bottom = p.height_px - inside;
-  // The middle of a cube's picture lies between two faces.
+  // The middle of a cube's picture lies on the edge between two faces.
   const double x = 0.5 * p.width_px + (p.kind == ProjectionKind::cube ? 0.7 : 0.0);
   const double y = 0.5 * p.height_px;
   std::vector<ImagePlace> found = {{x, y},           {inside, inside},  {right, inside},

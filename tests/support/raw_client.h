@@ -11,7 +11,7 @@
 
 namespace ergodome::test {
 
-//! A TCP client that sends what no honest one would.
+//! A TCP client that can send malformed requests.
 class RawClient {
  public:
   explicit RawClient(const NetAddress& server) : socket_(::socket(server.family(), SOCK_STREAM | SOCK_CLOEXEC, 0)) {
@@ -22,7 +22,8 @@ class RawClient {
 
   void send(const std::string& bytes) { ::send(socket_.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL); }
 
-  //! What comes until a text appeared, the server closed, or the time was over.
+  //! Returns the data received until `text` has appeared, the server has closed the connection or
+  //! the time has run out.
   std::string receive_until(const std::string& text, std::chrono::milliseconds most = std::chrono::seconds(10)) {
     const auto deadline = std::chrono::steady_clock::now() + most;
     std::string received;

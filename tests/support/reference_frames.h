@@ -12,19 +12,21 @@
 
 #include "render/output/image_writer.h"
 
-// Frames that a person has looked at, in tests/data/frames. With ERGODOME_RENEW_REFERENCES=1 in the environment tests write them anew
-// instead of comparing: look at each before it is committed.
+// Reference frames in tests/data/frames, each checked by a person. With ERGODOME_RENEW_REFERENCES=1
+// in the environment, tests overwrite them instead of comparing: check each by eye before you
+// commit it.
 namespace ergodome::test {
 
-//! RGB bytes, the top row first.
+//! An 8-bit RGB frame, the top row first.
 struct SeenFrame {
   int width;
   int height;
   std::vector<std::uint8_t> rgb;
 };
 
-//! Compares a frame with its reference as an eye would: a pixel may be off by a tenth of full where edges and letters lie (drivers and fonts
-//! round differently), but not one in fifty, and all of them together by a two-hundredth on average.
+//! Compares a frame with its reference, tolerating differences that the eye does not see. Drivers
+//! and fonts round differently at edges and letters, so a pixel may differ by a tenth of the full
+//! range; but fewer than one in fifty may, and the mean difference must stay below 1/200.
 inline void expect_like_reference(const std::filesystem::path& path, const SeenFrame& frame) {
   const char* const renew = std::getenv("ERGODOME_RENEW_REFERENCES");
   if (renew != nullptr && std::string(renew) == "1") {

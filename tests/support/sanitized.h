@@ -2,7 +2,8 @@
 
 namespace ergodome::test {
 
-//! Whether the sanitizers look on: tests that measure take fewer samples then, because their numbers are asserted elsewhere.
+//! True in builds with sanitizers: tests that measure take fewer samples there, because other
+//! builds assert the numbers.
 #if defined(ERGODOME_SANITIZED)
 inline constexpr bool sanitized = true;
 #else

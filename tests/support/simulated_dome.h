@@ -11,10 +11,11 @@
 #include "calibration/formats/warps/bourke_mesh.h"
 #include "kernels/core/angles.h"
 
-// A dome that is there only in numbers, and its projectors.
+// A simulated dome with its projectors.
 namespace ergodome::test {
 
-//! A dome of 7 m with projectors about its middle that look outwards, and one that looks up if `cap`.
+//! Returns the setup of a 7 m dome with projectors around its center that point outwards, and one
+//! that points upwards if `cap`.
 inline DomeSetup ring_of(int count, double half_width_deg, double up_deg, double pitch_deg, bool cap, int raster_px) {
   DomeSetup setup;
   setup.radius_m = 7.0;
@@ -51,7 +52,8 @@ struct WarpAccuracy {
   double tolerance_px;
 };
 
-//! Computes warps and masks of a setup and writes them to a folder, as Bourke's meshes and PNG.
+//! Computes the warps and masks of a setup and writes them to a folder, as Bourke meshes and PNG
+//! images.
 inline DomeSetup calibrated_in(const std::filesystem::path& folder, DomeSetup setup, const WarpAccuracy& accuracy) {
   setup.folder = folder;
   const DomeScreen screen = {setup.tilt_deg, 180.0};
@@ -75,7 +77,8 @@ inline DomeSetup calibrated_in(const std::filesystem::path& folder, DomeSetup se
   return setup;
 }
 
-//! Point `i` of `count` that lie evenly over a setup's hemisphere, but for the last half degree at its rim [m].
+//! Returns point `i` [m] of `count` points spread evenly over the hemisphere of a setup, except for
+//! the last half degree at its rim.
 inline Vector3<double> dome_point(const DomeSetup& setup, int i, int count) {
   const double up = 1.0 - (1.0 - std::sin(0.5 * pi / 180.0)) * (i + 0.5) / count;
   const double azimuth = 2.39996322972865332 * i;

@@ -8,7 +8,8 @@
 
 namespace ergodome::test {
 
-//! A map of the sky of few pixels, gone when the program ends: to load the built-in ones takes longer than these tests.
+//! A sky map of a few pixels, deleted when the program ends. Loading the built-in maps takes longer
+//! than the tests themselves.
 class TinySky {
  public:
   TinySky() : file_(std::filesystem::temp_directory_path() / ("ergodome-sky-" + std::to_string(::getpid()) + ".ppm")) {
@@ -33,7 +34,7 @@ class TinySky {
   std::filesystem::path file_;
 };
 
-//! Its path.
+//! Returns the path of the map.
 inline std::string tiny_sky() {
   static const TinySky sky;
   return sky.path();

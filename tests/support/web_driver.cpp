@@ -13,21 +13,21 @@ namespace {
 
 using nlohmann::json;
 
-//! The name under which WebDriver hands elements out.
+//! Key of an element reference in WebDriver's JSON.
 const char* const element_key = "element-6066-11e4-a52e-4f735466cecf";
 
 json capabilities() {
   json arguments = {"--headless=new",         "--disable-gpu",     "--disable-dev-shm-usage",
                     "--window-size=1280,900", "--hide-scrollbars", "--no-first-run"};
   if (::geteuid() == 0) {
-    // Chromium's sandbox does not work for root, as whom containers run.
+    // Chromium's sandbox does not work for root, which is the user in containers.
     arguments.push_back("--no-sandbox");
   }
   return {
       {"capabilities", {{"alwaysMatch", {{"browserName", "chrome"}, {"goog:chromeOptions", {{"args", arguments}}}}}}}};
 }
 
-//! Bytes of base64 as WebDriver sends pictures.
+//! Decodes base64, in which WebDriver sends pictures.
 std::string from_base64(const std::string& text) {
   const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string bytes;
@@ -82,7 +82,7 @@ WebDriver::~WebDriver() {
       ask("DELETE", "/session/" + session_);
     }
   } catch (const std::exception&) {
-    // The process group is killed next.
+    // Ignores errors here: the process group is killed next.
   }
 }
 

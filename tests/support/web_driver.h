@@ -10,28 +10,29 @@
 
 namespace ergodome::test {
 
-//! A headless Chromium, driven through chromedriver by the WebDriver protocol (W3C). Every call fails with std::runtime_error where the
-//! browser says that it cannot.
+//! A headless Chromium, driven through chromedriver by the WebDriver protocol (W3C). Every call
+//! throws std::runtime_error if the browser reports an error.
 class WebDriver {
  public:
-  //! Starts chromedriver and a browser; `why_not` tells why there is none.
+  //! Starts chromedriver and a browser. Returns null if that fails, with the reason in `why_not`.
   static std::unique_ptr<WebDriver> start(std::string& why_not);
   ~WebDriver();
   WebDriver(const WebDriver&) = delete;
   WebDriver& operator=(const WebDriver&) = delete;
 
   void open(const std::string& url);
-  //! What a script returns; `arguments` is an array.
+  //! Runs a script and returns its result; `arguments` is an array.
   nlohmann::json run(const std::string& script, const nlohmann::json& arguments = nlohmann::json::array());
-  //! The visible text of what a CSS selector finds first.
+  //! Returns the visible text of the first element that matches a CSS selector.
   std::string text(const std::string& selector);
   void click(const std::string& selector);
-  //! Types into what has the focus.
+  //! Types into the element that has the focus.
   void press(const std::string& key);
-  //! Presses the pointer on a range at a part of its width, moves it to another and, unless it is to be held, lets it go.
+  //! Presses the pointer on a range input at a fraction of its width, moves it to another and, if
+  //! `release`, releases it.
   void drag(const std::string& selector, double from, double to, bool release = true);
   void release();
-  //! The size of what the page has to itself, as on a tablet.
+  //! Sets the size of the viewport, for instance to that of a tablet.
   void set_size(int width_px, int height_px);
   void screenshot(const std::filesystem::path& png);
 

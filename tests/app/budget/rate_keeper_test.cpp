@@ -24,8 +24,9 @@ std::vector<double> even_ladder(double first_ms, int rungs) {
   return times_ms;
 }
 
-//! A machine that plays: how much slower it is than foretold, by the number of the frame. The window looks for finished pictures every
-//! `poll_ms`, as the player does; all by a clock of its own.
+//! A machine that plays: how much slower it is than foretold, by the number of the frame. The
+//! window looks for finished pictures every `poll_ms`, as the player does; all by a clock of its
+//! own.
 class SimulatedShow {
  public:
   //! `foretold_ms`: what the keeper is told of the ladder.

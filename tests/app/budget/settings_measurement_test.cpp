@@ -175,7 +175,8 @@ INSTANTIATE_TEST_SUITE_P(BuiltIn, BudgetOfShow, testing::Values("once-around", "
                          });
 
 TEST(SettingsMeasurement, SaysWhereNoLensIsWithinAnError) {
-  // Image after image of the sky within a few pixels of the shadow's edge: more than float can tell apart.
+  // Image after image of the sky within a few pixels of the shadow's edge: more than float can tell
+  // apart.
   Show show = read_show(built_in_content_folder() / "shows" / "prograde-edge.toml");
   show.sky.map = test::small_dome().sky.map;
   ShowRenderer renderer(show, Backend::cpu);

@@ -12,13 +12,16 @@ namespace ergodome::test {
 //! The program as a person runs it.
 class CommandLine : public FolderTest {
  protected:
-  //! Puts a sky of few pixels into the folder, sky.ppm: to load the built-in ones takes longer than most pictures of a test.
+  //! Puts a sky of few pixels into the folder, sky.ppm: to load the built-in ones takes longer than
+  //! most pictures of a test.
   void SetUp() override;
 
-  //! Runs the program in the test's folder, in a process of its own; all that it prints goes to output_.
+  //! Runs the program in the test's folder, in a process of its own; all that it prints goes to
+  //! output_.
   int run(const std::string& arguments);
 
-  //! The same for what loads an OpenGL driver: such keep memory, and the leak checker is off. Starts the program itself.
+  //! The same for what loads an OpenGL driver: such keep memory, and the leak checker is off.
+  //! Starts the program itself.
   int run_with_driver(const std::string& arguments);
 
   //! The same on a virtual display of its own; `environment` stands before the program.

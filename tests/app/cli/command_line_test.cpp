@@ -115,7 +115,8 @@ TEST_F(CommandLine, RenderWritesEveryStereoLayoutAndResumesIt) {
   };
   expect_image("multiview", " --format exr", 64, 64);
   expect_image("top_bottom", "", 64, 128);
-  // Under sanitizers each start of the program takes a second, and the same code has been through there with test frames.
+  // Under sanitizers each start of the program takes a second, and the same code has been through
+  // there with test frames.
   for (const char* layout : {"half_side_by_side", "half_top_bottom", "rows", "anaglyph", "dubois"}) {
     if (!test::sanitized || std::string_view(layout) == "rows") {
       expect_image(layout, "", 64, 64);

@@ -27,7 +27,8 @@ std::string part_of_page(const std::string& page, const std::string& heading) {
   return from == std::string::npos ? "" : page.substr(from, page.find("\n## ", from + 1) - from);
 }
 
-//! First words of the indented lines of a help text that begin with `start`, from the line `after` on.
+//! First words of the indented lines of a help text that begin with `start`, from the line `after`
+//! on.
 std::vector<std::string> words_of_help(const std::string& help, const std::string& after, const std::string& start) {
   std::vector<std::string> words;
   std::istringstream lines(help.substr(std::min(help.find(after), help.size())));

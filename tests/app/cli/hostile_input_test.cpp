@@ -19,7 +19,8 @@
 #include "tests/support/folder_test.h"
 #include "tests/support/sanitized.h"
 
-// Files that are made to harm: each ends the command within two seconds and 256 MiB, with one line that says why.
+// Files that are made to harm: each ends the command within two seconds and 256 MiB, with one line
+// that says why.
 namespace ergodome {
 namespace {
 
@@ -82,7 +83,8 @@ class HostileInput : public test::FolderTest {
             text("errors")};
   }
 
-  //! Runs a command on a file that is refused, and checks what that takes. `says` is a part of its message.
+  //! Runs a command on a file that is refused, and checks what that takes. `says` is a part of its
+  //! message.
   void expect_refused(const std::vector<std::string>& arguments, const std::string& says) const {
     const std::string command = fmt::format("{}", fmt::join(arguments, " "));
     const Outcome outcome = run(arguments);

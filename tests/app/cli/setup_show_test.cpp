@@ -31,8 +31,8 @@ DomeSetup leaning_dome(double tilt_deg, double rotation_deg) {
   return setup;
 }
 
-//! The farthest that the elevation and azimuth of a pattern are off from those of the dome's places where the projector shows them, azimuths
-//! counted from the setup's rotation [deg].
+//! The farthest that the elevation and azimuth of a pattern are off from those of the dome's places
+//! where the projector shows them, azimuths counted from the setup's rotation [deg].
 double worst_pattern_error_deg(const DomeSetup& setup) {
   constexpr int size_px = 1024;
   const PatternView master = upright_master(setup, size_px);
@@ -59,8 +59,9 @@ double worst_pattern_error_deg(const DomeSetup& setup) {
   return worst;
 }
 
-//! How far the directions of a show's master are off, at the most, from where the viewer sees its places where the projector shows them; all of the sky
-//! is turned with the picture about the dome's own axis [deg].
+//! How far the directions of a show's master are off, at the most, from where the viewer sees its
+//! places where the projector shows them; all of the sky is turned with the picture about the
+//! dome's own axis [deg].
 double worst_show_error_deg(const DomeSetup& setup, double view_tilt_deg) {
   constexpr int size_px = 1024;
   Show show;
@@ -139,7 +140,8 @@ TEST(UprightMaster, IsLevelForAViewerBesideTheMiddle) {
 TEST(UprightMaster, HasLinesAsWideTurnedAsNot) {
   const Projection projection = make_dome_projection(512, pi, 0.4);
   const PatternView turned(projection, 0.5 * pi);
-  // A quarter turn to the right: what the turned picture has below its middle is shown on the right.
+  // A quarter turn to the right: what the turned picture has below its middle is shown on the
+  // right.
   const DomeSteps steps = dome_steps(turned, pattern_place(turned, 256.0, 400.0));
   const DomeSteps expected = dome_steps(projection, pattern_place(projection, 400.0, 256.0));
   EXPECT_NEAR(steps.elevation_deg, expected.elevation_deg, 1e-9);

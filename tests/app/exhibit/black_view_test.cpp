@@ -50,7 +50,8 @@ double visitors_lit_part(double r, double yaw_deg, double exposure_stops = 0.0) 
 }
 
 TEST(LitPart, IsNothingWhereAVisitorHoversCloseToTheHorizonAndLooksDown) {
-  // The horizon of spin 0.9 lies at 1.4359 M; from 0.01 M above it the sky is a narrow cone overhead.
+  // The horizon of spin 0.9 lies at 1.4359 M; from 0.01 M above it the sky is a narrow cone
+  // overhead.
   EXPECT_LT(visitors_lit_part(1.446, 0.0), BlackView::least_lit_part);
 }
 

@@ -130,8 +130,8 @@ void signal_one(pid_t process, int number) {
   }
 }
 
-//! Returns the process of an exhibit with this command line that shows pictures: the one whose parent has the same
-//! command line. Returns -1 if there is none.
+//! Returns the process of an exhibit with this command line that shows pictures: the one whose
+//! parent has the same command line. Returns -1 if there is none.
 pid_t showing_process(const std::string& command_line) {
   const auto line_of = [](const std::string& process) {
     std::ifstream file("/proc/" + process + "/cmdline");

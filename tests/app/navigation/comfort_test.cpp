@@ -12,13 +12,15 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): flights of tests
 
-//! The view in directions that do not turn; in a fall through the horizon in those of ingoing azimuths.
+//! The view in directions that do not turn; in a fall through the horizon in those of ingoing
+//! azimuths.
 glm::dquat steady_view(const Navigator& navigator) {
   const CameraPose pose = navigator.pose();
   return (pose.velocity_in_rain ? ingoing_place(pose, navigator.space().spin()) : place_of(pose)).view;
 }
 
-//! Holds one thing after another and looks at the fastest turn, its fastest change, and those of a ship's velocity.
+//! Holds one thing after another and looks at the fastest turn, its fastest change, and those of a
+//! ship's velocity.
 struct Worst {
   double turn = 0.0;
   double turn_change = 0.0;

@@ -31,7 +31,8 @@ struct Follower {
   double time_s = 0.0;
 };
 
-//! How far a flight is off a show's orbit, wherever on it: in place, over r, and in the velocity of who looks.
+//! How far a flight is off a show's orbit, wherever on it: in place, over r, and in the velocity of
+//! who looks.
 double off_orbit(const Show& show, const Navigator& navigator) {
   const CameraPose here = navigator.pose();
   const Vector3<double> moves = navigator.own_observer()->velocity;

@@ -10,7 +10,8 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): flights of tests
 
-//! A camera that falls through the horizon of a hole of spin 0.9, and sideways; the horizon is at 1.4359 M.
+//! A camera that falls through the horizon of a hole of spin 0.9, and sideways; the horizon is at
+//! 1.4359 M.
 Show falling_through(double clock) {
   return parse_show("duration_s = 200\n[hole]\nspin = 0.9\n[camera.fall]\nclock = " + std::to_string(clock) +
                         "\nvelocity = { beta = 0.4, toward = [-1, 0.4, 0.7] }\nleast_r = 0.8\n[[camera.key]]\nr = 8\n"
@@ -70,7 +71,8 @@ TEST(FlightThroughHorizon, ReturnsToTheViewOfThePath) {
   EXPECT_LT(greatest, 0.03);
 }
 
-//! How far a flight is off a show's orbit, wherever on it: in place, over r, and in velocity and view.
+//! How far a flight is off a show's orbit, wherever on it: in place, over r, and in velocity and
+//! view.
 double off_the_orbit(const Show& show, const CameraPose& here) {
   double least = 1e9;
   for (double time_s = 0.0; time_s < 60.0; time_s += 0.002) {

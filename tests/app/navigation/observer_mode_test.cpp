@@ -55,7 +55,8 @@ TEST(NearestVelocity, IsTheObserversOwnWhereThereIsOne) {
   EXPECT_EQ(fixed.velocity.z, observer_velocity(ObserverMotion::fixed, 0.9, 3.0, 1.0, {}).z);
 }
 
-// dφ/dt = ω + v_φ Σ √Δ / (A sinθ): a stand-in turns against the hole's sense as fast as its speed allows.
+// dφ/dt = ω + v_φ Σ √Δ / (A sinθ): a stand-in turns against the hole's sense as fast as its speed
+// allows.
 TEST(NearestVelocity, InTheErgosphereTurnsMoreSlowlyThanTheSpaceAboutIt) {
   const double r = 1.7;
   const NearestVelocity view = nearest_velocity(ObserverMotion::fixed, 0.9, r, pi / 2);

@@ -10,7 +10,8 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): flights of tests
 
-//! Plays the path, leaves it, flies, goes back; the largest changes of velocity (of the place, over r, and of the view) from frame to frame.
+//! Plays the path, leaves it, flies, goes back; the largest changes of velocity (of the place, over
+//! r, and of the view) from frame to frame.
 struct Journey {
   double place_change = 0.0;
   double view_change = 0.0;
@@ -63,7 +64,8 @@ TEST(PathReturn, BeginsAndEndsWithTheSameVelocityAndArrivesInTime) {
   for (const Steering& away :
        {Steering{}, Steering{1.0, 0.0, -1.0}, Steering{0.0, 1.0, 1.0, 0.5, 0.2}, Steering{-1.0, -1.0, 0.4, -1.0}}) {
     const Journey back = journey(moving_show(), away, 4.0);
-    // A leap would change a velocity by its own size, some 0.3 a second; what the limits and the blend allow in a frame is far less.
+    // A leap would change a velocity by its own size, some 0.3 a second; what the limits and the
+    // blend allow in a frame is far less.
     EXPECT_LT(back.place_change, 0.05);
     EXPECT_LT(back.view_change, 0.05);
     EXPECT_LT(back.time_back_s, 12.0);

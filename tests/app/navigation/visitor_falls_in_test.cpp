@@ -92,7 +92,8 @@ TEST(VisitorFallsIn, ComesToRestAtTheDeepestPlaceAndSaysSo) {
                              HasSubstr("time is stopped")));
 }
 
-// From rest at r0 about a hole without spin: r = r0 (1 + cos η) / 2 at the own time (r0³ / 8)^(1/2) (η + sin η).
+// From rest at r0 about a hole without spin: r = r0 (1 + cos η) / 2 at the own time (r0³ / 8)^(1/2)
+// (η + sin η).
 TEST(VisitorFallsIn, KnowsTheOwnTimeThatIsLeftByTheClosedForm) {
   constexpr double r0 = 4.0;
   CameraPose rests = camera_pose(show_at(0.0, r0), 0.0);
@@ -102,7 +103,8 @@ TEST(VisitorFallsIn, KnowsTheOwnTimeThatIsLeftByTheClosedForm) {
   EXPECT_NEAR(ride.left().value(), std::sqrt(r0 * r0 * r0 / 8.0) * (eta + std::sin(eta)), 1e-5);
 }
 
-//! What of the sky a camera sees in a direction of its view: energy, angular momentum and azimuth of the light's way, regular at the horizon.
+//! What of the sky a camera sees in a direction of its view: energy, angular momentum and azimuth
+//! of the light's way, regular at the horizon.
 struct Seen {
   double energy;
   double axial;
@@ -260,7 +262,8 @@ TEST(VisitorFallsIn, SeesWhatStandsOutsideGoOnInTime) {
   constexpr double spin = 0.7;
   Visitor visitor(show_at(spin, 5.0, 60.0));
   visitor.flier.hold({}, frame_s);
-  // What is seen is as old as light is late by Boyer-Lindquist's time, and that lags without end at the horizon.
+  // What is seen is as old as light is late by Boyer-Lindquist's time, and that lags without end at
+  // the horizon.
   const auto since_let_go = [&] { return visitor.pose().clock_lead - outer_lag(spin, visitor.pose().r); };
   const double first = since_let_go();
   EXPECT_NEAR(visitor.pose().clock_lead, 0.0, 1e-3);

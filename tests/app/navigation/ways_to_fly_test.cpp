@@ -57,7 +57,8 @@ TEST(Navigator, FarStarsKeepTheirPlaceInAShipThatPassesThePole) {
   EXPECT_GT(angle_between(local, flier.navigator.pose().orientation), 3.0);  // the local frame has turned round
 }
 
-//! A length in the space of the zero-angular-momentum observer, by the metric (Bardeen, Press & Teukolsky 1972, eq. 2.3).
+//! A length in the space of the zero-angular-momentum observer, by the metric (Bardeen, Press &
+//! Teukolsky 1972, eq. 2.3).
 double proper_length(double spin, const CameraPose& a, const CameraPose& b) {
   const double r = 0.5 * (a.r + b.r);
   const double theta = 0.5 * (a.theta + b.theta);

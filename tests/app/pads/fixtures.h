@@ -24,7 +24,8 @@ inline PadProfile straight_profile() {
   return profile;
 }
 
-//! What an event of a fixture says in `expect`: the words of a kind of report, buttons, and axes as in left_x=-0.5.
+//! What an event of a fixture says in `expect`: the words of a kind of report, buttons, and axes as
+//! in left_x=-0.5.
 struct Expectation {
   PadReport kind = PadReport::state;
   PadState state;

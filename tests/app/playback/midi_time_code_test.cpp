@@ -151,7 +151,8 @@ struct Stream {
   int step = 1;
   bool holds_codes = true;  //!< false: each piece is of the frame that runs while it is sent, as some senders do
 
-  //! What the reader makes of quarters `from` on (from the end on, backwards), each beside its true number.
+  //! What the reader makes of quarters `from` on (from the end on, backwards), each beside its true
+  //! number.
   [[nodiscard]] std::vector<std::pair<Reading, std::int64_t>> read(int from = 0) const {
     std::vector<TimeCode> labels = {first};
     while (static_cast<int>(labels.size()) <= quarters / 4) {
@@ -249,7 +250,8 @@ struct Machine {
   double speed;
   double jitter_s;
 
-  //! Runs the filter for a while and gives the greatest error of its fixes after the first 16 quarters.
+  //! Runs the filter for a while and gives the greatest error of its fixes after the first 16
+  //! quarters.
   double greatest_error_s(TimeCodeFilter& filter, double seconds) const {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> late_s(0.0, jitter_s);

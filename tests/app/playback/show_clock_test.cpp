@@ -87,7 +87,8 @@ TEST(ShowClock, ChangesOfSpeedLeaveNoRoundingBehind) {
   FakeTime time;
   ShowClock clock(0.0, 60.0, time.source());
   clock.play();
-  // A speed that changes 100,000 times, between two whose mean is 1, in steps whose parts are no whole nanoseconds.
+  // A speed that changes 100,000 times, between two whose mean is 1, in steps whose parts are no
+  // whole nanoseconds.
   for (int i = 0; i < 100'000; ++i) {
     clock.set_speed(i % 2 == 0 ? 0.75 : 1.25);
     time.now += 16'666'667ns;

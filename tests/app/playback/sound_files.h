@@ -16,7 +16,8 @@ struct SoundFile {
 void write_sound(const std::filesystem::path& path, const SoundFile& file,
                  const std::function<double(double, int)>& sample);
 
-//! A file in floating point that tells where one is in it: left over right is the time over the length.
+//! A file in floating point that tells where one is in it: left over right is the time over the
+//! length.
 void write_ramp(const std::filesystem::path& path, int rate_hz, double length_s);
 
 }  // namespace ergodome::test

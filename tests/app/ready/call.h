@@ -15,7 +15,8 @@ struct Call {
   std::array<int, 3> streams{};          //!< standard input, output and error
 };
 
-//! A socket to, or of, the server of that name, for which no file stands; -1 where it is not there or cannot be.
+//! A socket to, or of, the server of that name, for which no file stands; -1 where it is not there
+//! or cannot be.
 int connect_to(const std::string& name);
 int listen_as(const std::string& name);
 

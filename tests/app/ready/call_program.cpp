@@ -1,4 +1,5 @@
-// Has the server that ERGODOME_READY names run this command line, and ends with its status; 125 where there is none.
+// Has the server that ERGODOME_READY names run this command line, and ends with its status; 125
+// where there is none.
 #include <unistd.h>
 
 #include <cstdio>

@@ -1,6 +1,6 @@
-// The program, with OpenImageIO loaded, waiting for command lines: each runs in a process of its own that is forked off here. To load that
-// library's hundreds takes half a second of a processor, and tests start the program some five hundred times.
-//   ergodome_ready NAME
+// The program, with OpenImageIO loaded, waiting for command lines: each runs in a process of its
+// own that is forked off here. To load that library's hundreds takes half a second of a processor,
+// and tests start the program some five hundred times.   ergodome_ready NAME
 #include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -27,7 +27,8 @@ constexpr int no_program = 125;  //!< status where nothing could be run
 //! A test that is killed takes with it what it has started, and what that has.
 void end_with_parent() { ::prctl(PR_SET_PDEATHSIG, SIGKILL); }
 
-//! Ends a worker. What is left to do at exit would wait for threads that loaded libraries have started, and that a fork does not have.
+//! Ends a worker. What is left to do at exit would wait for threads that loaded libraries have
+//! started, and that a fork does not have.
 [[noreturn]] void end(int status) {
   std::cout.flush();
   std::fflush(nullptr);

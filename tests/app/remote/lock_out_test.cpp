@@ -57,7 +57,8 @@ class Nuisance {
 
 constexpr int requests = 100;
 
-//! Times of requests, each on a connection of its own, in rising order. Empty where one was not answered as it should be.
+//! Times of requests, each on a connection of its own, in rising order. Empty where one was not
+//! answered as it should be.
 std::vector<double> times_ms(const NetAddress& server, const std::string& headers) {
   std::vector<double> times;
   for (int i = 0; i < requests; ++i) {
@@ -75,8 +76,8 @@ std::vector<double> times_ms(const NetAddress& server, const std::string& header
   return times;
 }
 
-//! 200 silent, slow or unauthenticated clients at three hosts; an operator on this machine, and one at a fourth host who has
-//! the token.
+//! 200 silent, slow or unauthenticated clients at three hosts; an operator on this machine, and one
+//! at a fourth host who has the token.
 TEST(LockOut, OperatorsAreServedAtOnceWhateverTwoHundredStrangersDo) {
   if (!test::enter_own_network()) {
     GTEST_SKIP() << "needs network namespaces: run as root, with iproute2 and nsenter";

@@ -36,7 +36,8 @@ t_s = 30
 title = "Nearer"
 )";
 
-//! A person with a browser in front of the program itself, which plays on a virtual display with a pad plugged in that nobody touches.
+//! A person with a browser in front of the program itself, which plays on a virtual display with a
+//! pad plugged in that nobody touches.
 class PlayerInABrowser : public test::FolderTest {
  protected:
   void SetUp() override {

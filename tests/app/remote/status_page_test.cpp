@@ -90,7 +90,8 @@ TEST_F(StatusPage, SeeksByTheArrowKeysWithinTheBar) {
 
 TEST_F(StatusPage, ChangesTheExposure) {
   browser->drag("#exposure", 0.5, 0.7);
-  // The knob is as wide as a finger, so that a part of the bar is somewhat more than that part of the stops.
+  // The knob is as wide as a finger, so that a part of the bar is somewhat more than that part of
+  // the stops.
   EXPECT_TRUE(player_becomes(
       [](const PlayerStatus& status) { return status.exposure_stops > 1.9 && status.exposure_stops < 2.8; }));
   EXPECT_TRUE(becomes_true([&] { return shows("#exposure-value", "+2."); }));

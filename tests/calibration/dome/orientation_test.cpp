@@ -46,7 +46,8 @@ TEST(Orientation, PitchComesAfterYaw) {
 }
 
 TEST(Orientation, RollComesLastAndLeavesTheAxisInPlace) {
-  // After yaw and pitch of 90° and 45° up is (-√½, √½, 0) and right (0, 0, 1); a quarter turn puts up where right was.
+  // After yaw and pitch of 90° and 45° up is (-√½, √½, 0) and right (0, 0, 1); a quarter turn puts
+  // up where right was.
   const ProjectorAxes axes = axes_of({90, 45, 90});
   expect_vector(axes.forward, std::sqrt(0.5), std::sqrt(0.5), 0);
   expect_vector(axes.up, 0, 0, 1);

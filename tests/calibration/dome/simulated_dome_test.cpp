@@ -26,7 +26,8 @@ using namespace test;  // NOLINT(google-build-using-namespace): the fixtures of 
 
 constexpr int master_px = 1024;
 
-//! What a projector is fed, in linear light: a domemaster that holds its own coordinates, warped, and its brightness.
+//! What a projector is fed, in linear light: a domemaster that holds its own coordinates, warped,
+//! and its brightness.
 struct Frame {
   int width;
   int height;
@@ -108,7 +109,8 @@ class SimulatedDome : public FolderTest {
     return with;
   }
 
-  //! `optics`: the projectors as they stand; `frames`: what they are fed; `most_off_px`: of the master.
+  //! `optics`: the projectors as they stand; `frames`: what they are fed; `most_off_px`: of the
+  //! master.
   static void expect_master(const DomeSetup& optics, const std::vector<Frame>& frames, double most_off_px = 0.5) {
     std::vector<ProjectorOptics> projectors;
     projectors.reserve(optics.projectors.size());
@@ -158,8 +160,8 @@ TEST_F(SimulatedDome, ThreeProjectorsShowTheMaster) {
   expect_master(setup, frames_of(setup));
 }
 
-//! Returns the largest error [px of the projector] of a warp that was read back, at the pixels that see the
-//! master.
+//! Returns the largest error [px of the projector] of a warp that was read back, at the pixels that
+//! see the master.
 double farthest_off_px(const ProjectorPicture& meant, const WarpMesh& read) {
   const WarpMesh exact = resampled_warp(meant.warp, meant.width_px, meant.height_px);
   const WarpMesh found = resampled_warp(read, meant.width_px, meant.height_px);

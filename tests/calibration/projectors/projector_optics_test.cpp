@@ -79,7 +79,8 @@ TEST(ProjectorOptics, AFisheyesRimIsHalfItsFieldFromTheAxis) {
   EXPECT_NEAR(std::acos(rim->y / 5.0), 70.0 * pi / 180.0, 1e-12);
 }
 
-//! Light that falls on a mirror from above is turned by twice the slope of the mirror where it meets it.
+//! Light that falls on a mirror from above is turned by twice the slope of the mirror where it
+//! meets it.
 TEST(ProjectorOptics, AMirrorTurnsLightByTwiceItsSlope) {
   constexpr double radius = 0.4;
   constexpr double high = 1e3;
@@ -124,7 +125,8 @@ TEST_P(OpticsOf, PlacesComeBackFromTheDome) {
 }
 
 TEST_P(OpticsOf, TheSpreadSumsToTheAreaThatIsLit) {
-  // Of triangles on the sphere between neighbouring places, against the sum of the spread in the middles of their squares.
+  // Of triangles on the sphere between neighbouring places, against the sum of the spread in the
+  // middles of their squares.
   const ProjectorOptics optics(dome(7.0), GetParam());
   constexpr int side = 200;
   double spread = 0.0;

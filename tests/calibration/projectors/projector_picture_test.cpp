@@ -39,7 +39,8 @@ LoadedProjector square_warp(float least, float most) {
 TEST(MasterWarp, IsTurnedToTheRight) {
   DomeSetup setup = plain_dome();
   LoadedProjector loaded = square_warp(0.0F, 1.0F);
-  // What the master has in front (bottom) is shown on the right after a quarter turn: the node on the right reads the front.
+  // What the master has in front (bottom) is shown on the right after a quarter turn: the node on
+  // the right reads the front.
   std::get<WarpMesh>(loaded.warp).at(1, 0) = {1.0F, 0.5F, 1.0F, 0.5F};
   setup.rotation_deg = 90.0;
   const WarpNode node = master_warp(setup, setup.projectors[0], loaded).at(1, 0);

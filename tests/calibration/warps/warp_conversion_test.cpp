@@ -16,8 +16,8 @@ using testing::HasSubstr;
 
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 
-//! A mesh over the whole raster that shows u = 0.1 + 0.8 x, v = 0.9 - 0.5 y + 0.2 x at intensity 1 - x / 2: linear, so that every way to
-//! interpolate has the same values.
+//! A mesh over the whole raster that shows u = 0.1 + 0.8 x, v = 0.9 - 0.5 y + 0.2 x at intensity 1
+//! - x / 2: linear, so that every way to interpolate has the same values.
 WarpMesh linear_mesh(int columns, int rows) {
   WarpMesh mesh{MeshTopology::rectangular, columns, rows, {}};
   for (int row = 0; row < rows; ++row) {
@@ -113,7 +113,8 @@ TEST(WarpConversion, CellsWithACornerThatIsNotDrawnStayEmpty) {
 }
 
 TEST(WarpConversion, PolarMeshIsClosed) {
-  // A ring about the middle of the raster; its last column joins the first across the positive x axis.
+  // A ring about the middle of the raster; its last column joins the first across the positive x
+  // axis.
   WarpMesh ring{MeshTopology::polar, 12, 2, {}};
   for (const double radius : {0.1, 0.4}) {
     for (int i = 0; i < 12; ++i) {

@@ -22,7 +22,8 @@ const std::string glide_keys =
     "[[camera.key]]\nt_s = 30\nr = 40\ntheta_deg = 60\nphi_deg = 500\npitch_deg = -10\n"
     "[[camera.key]]\nt_s = 50\nr = 60\ntheta_deg = 50\nphi_deg = 900\n";
 
-//! A show of 60 s about a hole of spin 0.9, whose camera falls from 4 s on with the given lines, and has the given keys.
+//! A show of 60 s about a hole of spin 0.9, whose camera falls from 4 s on with the given lines,
+//! and has the given keys.
 Show ending_show(const std::string& fall, const std::string& keys = begin_keys + turn_keys + glide_keys,
                  const std::string& observer = "zamo") {
   return parse_show("duration_s = 60\n[hole]\nspin = 0.9\n[camera]\nobserver = \"" + observer +
@@ -63,7 +64,8 @@ TEST(FallEnd, HasNoLeapInPlaceRateVelocityOrView) {
   for (double time_s = fall_ends_s - 2.0; time_s < fall_ends_s + 12.0; time_s += step_s) {
     const CameraPose p[3] = {camera_pose(show, time_s), camera_pose(show, time_s + step_s),
                              camera_pose(show, time_s + 2.0 * step_s)};
-    // Accelerations [1/s²] are those of a clock that stops within a second, here at some 0.4 a second, and of glide_keys.
+    // Accelerations [1/s²] are those of a clock that stops within a second, here at some 0.4 a
+    // second, and of glide_keys.
     const auto acceleration = [&](auto value) {
       return std::abs(value(p[2]) - 2.0 * value(p[1]) + value(p[0])) / (step_s * step_s);
     };

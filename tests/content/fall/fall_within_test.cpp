@@ -44,8 +44,8 @@ TEST(FallWithin, RainAboutAHoleWithoutSpinFallsAsItsClosedFormThroughTheHorizon)
   }
 }
 
-//! Azimuth that rain leaves on its way from infinity to r, in ingoing Kerr's: ∫ a dr / ((r² + a²)(1 + √(2r / (r² + a²)))), by Simpson's rule in
-//! 1/√r.
+//! Azimuth that rain leaves on its way from infinity to r, in ingoing Kerr's: ∫ a dr / ((r² + a²)(1
+//! + √(2r / (r² + a²)))), by Simpson's rule in 1/√r.
 double rain_turn_to(double spin, double r) {
   const auto rate = [&](double w) {
     const double at = 1.0 / (w * w);

@@ -12,7 +12,8 @@
 namespace ergodome {
 namespace {
 
-//! A clock of one M a second that runs from the first instant on: the show's time is the camera's own.
+//! A clock of one M a second that runs from the first instant on: the show's time is the camera's
+//! own.
 FallSettings own_time() {
   FallSettings settings;
   settings.clock = 1.0;
@@ -58,7 +59,8 @@ TEST(FreeFall, MeetsTheHorizonWhenItsClosedFormDoes) {
   EXPECT_NEAR(*fall.horizon_s(), (std::pow(20.0, 1.5) - std::pow(2.0, 1.5)) / (1.5 * std::sqrt(2.0)), 2e-6);
 }
 
-// Bardeen, Press & Teukolsky (1972), eqs. 2.12 and 2.16: dφ/dτ = 1 / √(r³ - 3 r² ± 2 a r^(3/2)), along the orbit.
+// Bardeen, Press & Teukolsky (1972), eqs. 2.12 and 2.16: dφ/dτ = 1 / √(r³ - 3 r² ± 2 a r^(3/2)),
+// along the orbit.
 TEST(FreeFall, StaysOnCircularOrbitsAndTurnsAtTheirRate) {
   for (const double spin : {0.0, 0.5, 0.998, 1.0, -0.9}) {
     for (const double sense : {1.0, -1.0}) {
@@ -75,7 +77,8 @@ TEST(FreeFall, StaysOnCircularOrbitsAndTurnsAtTheirRate) {
   }
 }
 
-// Of a slightly eccentric orbit about a hole that does not spin, up to the square of the eccentricity.
+// Of a slightly eccentric orbit about a hole that does not spin, up to the square of the
+// eccentricity.
 TEST(FreeFall, AdvancesItsPeriapsisAsItShould) {
   const double e = 1e-4;
   for (const double p : {7.0, 12.0, 60.0}) {

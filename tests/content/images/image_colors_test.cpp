@@ -138,8 +138,9 @@ TEST_F(ImageColors, FilesOfOtherProgramsHoldTheLightThatTheySay) {
 }
 
 TEST_F(ImageColors, PrimariesOfOpenExrAreConvertedToRec709) {
-  // ACES AP0 and AP1 (ACEScg) to Rec. 709 with Bradford's adaptation from D60 to D65 (Academy S-2014-004; the matrices of the
-  // ACES Output Transforms), and Rec. 2020 to Rec. 709 (ITU-R BT.2087).
+  // ACES AP0 and AP1 (ACEScg) to Rec. 709 with Bradford's adaptation from D60 to D65 (Academy
+  // S-2014-004; the matrices of the ACES Output Transforms), and Rec. 2020 to Rec. 709 (ITU-R
+  // BT.2087).
   constexpr std::array<float, 8> ap0 = {0.7347F, 0.2653F, 0.0F, 1.0F, 0.0001F, -0.077F, 0.32168F, 0.33767F};
   constexpr std::array<float, 8> ap1 = {0.713F, 0.293F, 0.165F, 0.830F, 0.128F, 0.044F, 0.32168F, 0.33767F};
   constexpr std::array<float, 8> rec_2020 = {0.708F, 0.292F, 0.170F, 0.797F, 0.131F, 0.046F, 0.3127F, 0.3290F};
@@ -203,7 +204,8 @@ TEST_F(ImageColors, CodePointsOfPngOverrideTheRest) {
       light_of_png({0.4, 0.3, 0.35}, others + cicp(9, 8)),
       near(1.6605F * 0.4F - 0.5876F * 0.3F - 0.0728F * 0.35F, -0.1246F * 0.4F + 1.1329F * 0.3F - 0.0083F * 0.35F,
            -0.0182F * 0.4F - 0.1006F * 0.3F + 1.1187F * 0.35F));
-  // The perceptual quantizer: 58.0689 % is 203 cd/m² (ITU-R BT.2408, table 1: 58 %), 100 % is 10,000 cd/m².
+  // The perceptual quantizer: 58.0689 % is 203 cd/m² (ITU-R BT.2408, table 1: 58 %), 100 % is
+  // 10,000 cd/m².
   EXPECT_THAT(light_of_png({0.580689, 0.580689, 1.0}, cicp(1, 16)), near(1.0F, 1.0F, 10'000.0F / 203.0F, 0.01F));
   // Rec. 709's curve: 0.5 is ((0.5 + 0.099) / 1.099)^(1 / 0.45).
   EXPECT_THAT(light_of_png({0.5, 0.04, 1.0}, cicp(1, 1)), near(0.25965F, 0.04F / 4.5F, 1.0F));

@@ -65,7 +65,8 @@ TEST_F(ImageLibraryFiles, SaysThatAJpegIsTornWhereverItBreaksOff) {
   }
 }
 
-//! What is said of a PNG when it is opened and read through, and what the library of PNG says of it on stderr.
+//! What is said of a PNG when it is opened and read through, and what the library of PNG says of it
+//! on stderr.
 std::pair<std::string, std::string> said_of_png(const std::string& name, const ImageLibrary::Wishes& wishes) {
   std::string problem;
   testing::internal::CaptureStderr();

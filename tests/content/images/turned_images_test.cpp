@@ -24,9 +24,9 @@ int shown_number(int u, int v) {
   return v < shown_height / 2 ? (u < shown_width / 2 ? 30 : 90) : (u < shown_width / 2 ? 150 : 220);
 }
 
-//! Pixels of the shown picture in the order in which a file of an orientation stores them. Exif 2.3, tag 274, says on which side of
-//! the picture row 0 and column 0 lie: 1 top left, 2 top right, 3 bottom right, 4 bottom left, 5 left top, 6 right top, 7 right bottom,
-//! 8 left bottom.
+//! Pixels of the shown picture in the order in which a file of an orientation stores them. Exif
+//! 2.3, tag 274, says on which side of the picture row 0 and column 0 lie: 1 top left, 2 top right,
+//! 3 bottom right, 4 bottom left, 5 left top, 6 right top, 7 right bottom, 8 left bottom.
 struct Stored {
   explicit Stored(int orientation)
       : across(orientation >= 5),
@@ -144,8 +144,9 @@ TEST_F(TurnedImages, TheExposureOfRadiancePicturesIsTakenOut) {
   EXPECT_NEAR(image.rgb[2], 0.125, 0.01);
 }
 
-// Equal parts of X, Y and Z are white, as Radiance's ra_xyze has it. The other color is that of Bradford's
-// adaptation from illuminant E to D65 and sRGB's matrix as published by Lindbloom (brucelindbloom.com).
+// Equal parts of X, Y and Z are white, as Radiance's ra_xyze has it. The other color is that of
+// Bradford's adaptation from illuminant E to D65 and sRGB's matrix as published by Lindbloom
+// (brucelindbloom.com).
 TEST_F(TurnedImages, RadiancePicturesInXyzBecomeRgb) {
   const std::vector<int> numbers(shown_width * shown_height, 128);
   const auto light_of = [&](const std::string& header) {

@@ -24,7 +24,8 @@ Vector3<double> position(const TriangleMesh& mesh, std::size_t index) {
   return {p[0], p[1], p[2]};
 }
 
-//! Six times the volume that the triangles enclose: positive where they run counterclockwise as seen from outside.
+//! Six times the volume that the triangles enclose: positive where they run counterclockwise as
+//! seen from outside.
 double signed_volume(const TriangleMesh& mesh) {
   double sum = 0.0;
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
@@ -33,7 +34,8 @@ double signed_volume(const TriangleMesh& mesh) {
   return sum / 6.0;
 }
 
-//! How often each edge is run through one way less the other: 0 for all in a surface without a border.
+//! How often each edge is run through one way less the other: 0 for all in a surface without a
+//! border.
 bool is_closed(const TriangleMesh& mesh) {
   const auto key = [](const Vector3<double>& v) {
     return std::array{std::lround(v.x * 1e4), std::lround(v.y * 1e4), std::lround(v.z * 1e4)};
@@ -96,7 +98,8 @@ TEST(BuiltInMeshes, HoldTenMillionTriangles) {
   EXPECT_EQ(mesh.parts.front().index_count, mesh.indices.size());
 }
 
-//! Looks at a tree from a node on: whether its box holds what is below it; counts the triangles of its leaves.
+//! Looks at a tree from a node on: whether its box holds what is below it; counts the triangles of
+//! its leaves.
 bool boxes_hold(const TriangleBoxes& tree, std::size_t at, int depth, std::vector<int>& met) {
   const TreeNode& node = tree.nodes[at];
   bool holds = depth <= deepest_tree;

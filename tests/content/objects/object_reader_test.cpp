@@ -191,7 +191,8 @@ TEST(ObjectMotion, AnOrbitIsRunThroughOnceInKeplersPeriod) {
 }
 
 TEST(ObjectMotion, AnOrbitAboutASpinningHoleIsRunThroughAsMatterInFreeFallDoes) {
-  // Bardeen, Press & Teukolsky (1972), eq. 2.16: 1 / (r^1.5 + a) with the hole, 1 / (r^1.5 - a) against it.
+  // Bardeen, Press & Teukolsky (1972), eq. 2.16: 1 / (r^1.5 + a) with the hole, 1 / (r^1.5 - a)
+  // against it.
   const auto rate_of = [](const char* orbit) {
     return orbit_rate(
         *show_of(std::string("[[objects]]\nshape = \"sphere\"\nmethod = \"trace\"\norbit = ") + orbit + "\n", "0.9")

@@ -27,8 +27,8 @@ constexpr int side = 64;
 
 using Axis = std::array<double, 3>;
 
-//! A face in a cell of an image: the directions of its middle, of its right and of its lower edge, as right, up and forward of a
-//! viewer in the cube.
+//! A face in a cell of an image: the directions of its middle, of its right and of its lower edge,
+//! as right, up and forward of a viewer in the cube.
 struct Cell {
   int column, row;
   Axis middle, right, down;
@@ -103,7 +103,8 @@ class CubeMaps : public test::FolderTest {
 //! Half a texel at a face's edge.
 constexpr float tolerance = 1.2F / side;
 
-//! The faces of OpenGL in their order: +X, -X, +Y, -Y, +Z, -Z, whose X, Y and Z are right, up and forward (OpenGL 4.6, table 8.19).
+//! The faces of OpenGL in their order: +X, -X, +Y, -Y, +Z, -Z, whose X, Y and Z are right, up and
+//! forward (OpenGL 4.6, table 8.19).
 std::vector<Cell> opengl_faces(bool in_a_row) {
   std::vector<Cell> cells = {{0, 0, to_right, backward, downward}, {1, 0, to_left, forward, downward},
                              {2, 0, upward, to_right, forward},    {3, 0, downward, to_right, backward},

@@ -70,7 +70,8 @@ TEST_F(EnvironmentImageFile, AGifHasTheLightOfItsGrey) {
 }
 
 TEST_F(EnvironmentImageFile, AnExrIsPutIntoItsDisplayWindow) {
-  // Pixels from (-2, 3) of a window of 16 x 8 that begins at (1, 1): what is left of it is cut off, what is not filled black.
+  // Pixels from (-2, 3) of a window of 16 x 8 that begins at (1, 1): what is left of it is cut off,
+  // what is not filled black.
   OIIO::ImageSpec spec(10, 4, 1, OIIO::TypeDesc::FLOAT);
   spec.x = -2;
   spec.y = 3;
@@ -137,7 +138,8 @@ TEST_F(EnvironmentImageFile, EightPixelsWideIsEnoughAndFewerAreNot) {
 }
 
 TEST_F(EnvironmentImageFile, ThirtyTwoThousandPixelsWideIsAveragedDownToTheRightLight) {
-  // Columns alternate between 0 and 1, so the mean is one half wherever blocks of columns meet. The sanitizers see the same code with less.
+  // Columns alternate between 0 and 1, so the mean is one half wherever blocks of columns meet. The
+  // sanitizers see the same code with less.
   constexpr int width = test::sanitized ? 8192 : 32768;
   OIIO::ImageSpec spec(width, width / 2, 1, OIIO::TypeDesc::HALF);
   spec.attribute("compression", "rle");

@@ -37,7 +37,8 @@ double light_at(const EnvironmentImage& image, double ra_deg, double dec_deg) {
 TEST(SkyMap, MilkyWayHasTheMagellanicCloudsAndTheGalacticCentreInTheirPlaces) {
   const EnvironmentImage image = load_sky_map(Show{});
   EXPECT_EQ(image.width, 2048);
-  // LMC (80.9°, -69.8°) outshines the sky at the same declination on the other side and its mirror images.
+  // LMC (80.9°, -69.8°) outshines the sky at the same declination on the other side and its mirror
+  // images.
   const double lmc = light_at(image, 80.9, -69.8);
   EXPECT_GT(lmc, 3.0 * light_at(image, 80.9, 69.8));
   EXPECT_GT(lmc, 3.0 * light_at(image, -10.0, -60.0));

@@ -89,7 +89,8 @@ TEST(ForeignStars, GaiaIsInDegreesEvenBelow24AndHasVAndColourOfItsOwnBands) {
   for (const char* const name : {"gaia_archive.csv", "vizier_gaia.tsv"}) {
     const StarCatalogue read = foreign_stars(name);
     ASSERT_FALSE(read.stars.empty()) << name;
-    // A star of the Sun's colours: BP-RP 0.823 is B-V 0.650 (Mamajek), and G-V = -0.15340 (Riello et al. 2021).
+    // A star of the Sun's colours: BP-RP 0.823 is B-V 0.650 (Mamajek), and G-V = -0.15340 (Riello
+    // et al. 2021).
     expect_star(read.stars[0], 10.6847, 41.2688, 10.15340, 0.650);
     EXPECT_THAT(read.read_as, HasSubstr(" in degrees")) << name;
   }

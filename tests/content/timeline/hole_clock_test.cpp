@@ -11,7 +11,8 @@
 namespace ergodome {
 namespace {
 
-//! The hole's time of rain about a hole without spin, but for a constant [M]: t - 2 r_+ W, through the horizon.
+//! The hole's time of rain about a hole without spin, but for a constant [M]: t - 2 r_+ W, through
+//! the horizon.
 double time_of_rain(double r) {
   return -std::sqrt(2.0) / 3.0 * std::pow(r, 1.5) - 2.0 * std::sqrt(2.0 * r) + 4.0 * std::log1p(std::sqrt(2.0 / r));
 }

@@ -79,7 +79,8 @@ TEST(CrossingLayers, AreSmoothAcrossTheShadowsEdge) {
       };
       ASSERT_TRUE(trace(edge - 1e-9, within) && trace(edge + 1e-9, outside)) << spin << " " << gamma;
       for (int order = 0; order < crossing_orders; ++order) {
-        // The change grows e^π times from order to order, and light goes on for long at a fast hole's edge.
+        // The change grows e^π times from order to order, and light goes on for long at a fast
+        // hole's edge.
         EXPECT_NEAR(within[order].u, outside[order].u, 1e-4) << spin << " " << gamma << " " << order;
       }
     }

@@ -89,7 +89,8 @@ TEST(DiskCrossings, AreWhereThePicturesFloatSeesThem) {
 }
 
 TEST(DiskCrossings, LieInThePlaneByTheClosedFormOfThePolarMotion) {
-  // An elliptic function knows the polar position at any Mino time; the crossing's is the integral of the radial motion.
+  // An elliptic function knows the polar position at any Mino time; the crossing's is the integral
+  // of the radial motion.
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   const CameraStation camera = make_camera_station(0.9, 12.0, 1.2, 0.0, ObserverMotion::zamo);
@@ -105,7 +106,8 @@ TEST(DiskCrossings, LieInThePlaneByTheClosedFormOfThePolarMotion) {
     const RayStart<double> plain = start_ray(camera, n);
     const double slowness = std::sqrt(radial_potential(camera.spin, plain, crossings[0].u));
     EXPECT_NEAR(std::abs(crossings[0].u_rate) / ray.energy, slowness, 1e-9 * (1.0 + slowness));
-    // φ without dragging at the Mino time of the crossing, which the closed form finds by bisection.
+    // φ without dragging at the Mino time of the crossing, which the closed form finds by
+    // bisection.
     double low = 0.0;
     double high = 2.0 / std::sqrt(plain.polar_constant);
     while (polar_position(camera.spin, plain, high).z > 0.0) {
@@ -174,7 +176,8 @@ TEST(DiskCrossings, AreFoundBesideTheHorizonByLongStepsAsByShortOnes) {
 }
 
 TEST(DiskCrossings, EndWithTheFirstBehindTheHorizon) {
-  // What light meets later there is no neighbour of what it meets outside: a straight footprint would lead from one to the other.
+  // What light meets later there is no neighbour of what it meets outside: a straight footprint
+  // would lead from one to the other.
   std::mt19937 random(9);
   std::uniform_real_distribution<double> part(-1.0, 1.0);
   int behind = 0;
@@ -224,8 +227,8 @@ TEST(DiskFlow, FallsWithoutAJumpFromTheLastStableOrbit) {
 }
 
 TEST(DiskFlow, SeesItsOwnFrequencyByTheMetric) {
-  // Light straight inwards (principal null, L = a E) onto matter that falls into a hole without spin: ν = (E_m + √(E_m² - f (1 + L²/r²))) / f
-  // for light that goes outwards, f = 1 - 2/r.
+  // Light straight inwards (principal null, L = a E) onto matter that falls into a hole without
+  // spin: ν = (E_m + √(E_m² - f (1 + L²/r²))) / f for light that goes outwards, f = 1 - 2/r.
   const DiskFlow<double> flow = make_disk_flow(0.0);
   const double r = 4.0;
   const double f = 1.0 - 2.0 / r;
@@ -234,7 +237,8 @@ TEST(DiskFlow, SeesItsOwnFrequencyByTheMetric) {
   EXPECT_NEAR(plunging_frequency(flow, {r, 1.0, 0.0, 0.0, false}), (flow.energy - fall) / f, 1e-12);
 }
 
-//! plunging_frequency() as it is written down, of light that goes inwards: it cancels beside the horizon.
+//! plunging_frequency() as it is written down, of light that goes inwards: it cancels beside the
+//! horizon.
 double frequency_by_difference(const DiskFlow<double>& flow, const DiskLight<double>& light) {
   const double a = flow.spin;
   const double delta = light.r * light.r - 2.0 * light.r + a * a;
@@ -256,7 +260,8 @@ TEST(DiskFlow, IsSeenInFloatAsItIsBesideTheHorizon) {
     const DiskFlow<double> flow = make_disk_flow(spin);
     const double horizon = horizon_radius(spin);
     for (int i = 0; i < 4000; ++i) {
-      // Light of any energy at infinity, the ergosphere's, too, that comes from outside: X > 0 at the horizon.
+      // Light of any energy at infinity, the ergosphere's, too, that comes from outside: X > 0 at
+      // the horizon.
       const double energy = 2.0 * part(random) - 1.0;
       const double brink = std::pow(10.0, -2.0 * part(random));
       const double most_above = 0.9 * (flow.stable_r - horizon);

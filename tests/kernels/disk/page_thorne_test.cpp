@@ -7,8 +7,9 @@
 namespace ergodome {
 namespace {
 
-//! The defining integral, Page & Thorne eq. 12: f = -Ω' / (E - ΩL)² ∫ (E - ΩL) L' dr from the innermost stable orbit, as a sum of
-//! (E - ΩL) over steps of L, of second order and extrapolated once.
+//! The defining integral, Page & Thorne eq. 12: f = -Ω' / (E - ΩL)² ∫ (E - ΩL) L' dr from the
+//! innermost stable orbit, as a sum of (E - ΩL) over steps of L, of second order and extrapolated
+//! once.
 double integrated_function(double spin, double r) {
   const double inner = innermost_stable_radius(spin, 1.0);
   const auto rotation = [&](double at) { return 1.0 / (at * std::sqrt(at) + spin); };

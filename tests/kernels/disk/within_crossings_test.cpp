@@ -77,7 +77,8 @@ TEST(CrossingsFromWithin, ShowADiskShiftedAsTheReferenceSays) {
   }
 }
 
-//! By the layers of a disk's grid, of whichever order: those count what is crossed within the horizon, too.
+//! By the layers of a disk's grid, of whichever order: those count what is crossed within the
+//! horizon, too.
 std::optional<OuterPlace> layer_crossing(const ReferenceCrossing& row) {
   const double near_u = 1.0 / (horizon_radius(row.a) + 1e-3);
   const LayerLimits<double> limits = {near_u, 1e-4, 10.0, -1.0, 1e-15, 4000};
@@ -150,7 +151,8 @@ TEST(CrossingsFromWithin, AreOnThePathsOfObjects) {
   }
 }
 
-//! The first crossing by azimuth and time of ingoing Kerr coordinates at the camera; r is 0 where there is none.
+//! The first crossing by azimuth and time of ingoing Kerr coordinates at the camera; r is 0 where
+//! there is none.
 OuterPlace crossing_by_ingoing_clock(double spin, double r, const Vector3<double>& n) {
   const CameraStation camera = make_camera_station(spin, r, 1.2, 0.0, ObserverMotion::rain);
   EquatorialCrossing<double> found[crossing_orders];

@@ -69,7 +69,8 @@ TEST(LampLight, ReachesASurfaceThatFacesAwayRoundTheHoleAlone) {
 }
 
 TEST(LampLight, RoundTheHoleMeetsNothingThatItPasses) {
-  // It comes back past where it set out, 5 M beside the ball that a place a hundredth off the surface would send it into.
+  // It comes back past where it set out, 5 M beside the ball that a place a hundredth off the
+  // surface would send it into.
   const LitPoint at = {{13.0, 0.0, 0.0}, {40.0, 0.0, 0.0}};
   const Placed ball(make_sphere({}), {15.0, 0.0, 0.0}, 1.99);
   const MeshScene scene = {&ball.mesh, 1, 12.0, 18.0};
@@ -98,8 +99,9 @@ TEST(LampLight, FarFromTheHoleFadesWithTheSquareOfTheDistance) {
   }
 }
 
-//! Photons that a lamp of strength 1 on the axis sends through the sphere of radius r, by the light on its outside, over those that it sends into a unit of solid
-//! angle: each of time and area of an observer without angular momentum.
+//! Photons that a lamp of strength 1 on the axis sends through the sphere of radius r, by the light
+//! on its outside, over those that it sends into a unit of solid angle: each of time and area of an
+//! observer without angular momentum.
 double photons_through_sphere(double spin, double r, double lamp_r) {
   const Elsewhere elsewhere;
   constexpr int count = 400;
@@ -114,7 +116,8 @@ double photons_through_sphere(double spin, double r, double lamp_r) {
     const KerrFunctions f = kerr_functions(spin, r, theta);
     for (int way = 0; way < 2; ++way) {
       if (light.strength[way] > 0.0) {
-        // Of their number the observer sees e_R / e_L in a unit of time, of which there are α e_L in one of the lamp's.
+        // Of their number the observer sees e_R / e_L in a unit of time, of which there are α e_L
+        // in one of the lamp's.
         const double energy = 1.0 / detail::evaluate(light.frame.camera.energy, light.direction[way]);
         sum += 2.0 * pi * (pi / count) * std::sin(theta) * std::sqrt(f.area) * std::sqrt(f.sigma * f.delta / f.area) *
                energy * light.strength[way] * meeting(light, normal, light.direction[way]);
@@ -143,7 +146,8 @@ TEST(LampLight, ThroughASphereAboutAHoleThatSpinsIsAllOfItsShadowButTheLightOfFu
   EXPECT_NEAR(through, 0.992 * captured, 2e-3 * captured);
 }
 
-//! Illuminance of a surface that moves, measured by itself, from the four-vectors of light, surface and matter.
+//! Illuminance of a surface that moves, measured by itself, from the four-vectors of light, surface
+//! and matter.
 double met_by_moving(const Vector3<double>& v, const Vector3<double>& n, const Vector3<double>& d) {
   using Four = std::array<double, 4>;
   const auto product = [](const Four& a, const Four& b) {
@@ -152,7 +156,8 @@ double met_by_moving(const Vector3<double>& v, const Vector3<double>& n, const V
   const double gamma = 1.0 / std::sqrt(1.0 - dot(v, v));
   const Four u = {gamma, gamma * v.x, gamma * v.y, gamma * v.z};
   const Four k = {1.0, -d.x, -d.y, -d.z};
-  // The normal in space is across the surface's tangents; in space and time it is across its velocity, too.
+  // The normal in space is across the surface's tangents; in space and time it is across its
+  // velocity, too.
   Four normal = {dot(n, v), n.x, n.y, n.z};
   EXPECT_NEAR(product(normal, u), 0.0, 1e-12);
   const double size = std::sqrt(product(normal, normal));

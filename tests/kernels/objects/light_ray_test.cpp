@@ -73,7 +73,8 @@ TEST(LightRay, TakesAsLongBackwardsAboutAHoleThatSpinsTheOtherWay) {
   }
 }
 
-//! The spread without spin, r² r_L² b |du/dφ| |du_L/dφ| sinψ |dψ/db|, with the derivative by differences of the closed form.
+//! The spread without spin, r² r_L² b |du/dφ| |du_L/dφ| sinψ |dψ/db|, with the derivative by
+//! differences of the closed form.
 double closed_spread(const LitPoint& at, int order) {
   const ConnectionPlane plane = connection_plane(at.lamp, at.point);
   const double angle = image_angle(plane.phi, order);
@@ -102,7 +103,8 @@ TEST(LightRay, SpreadsWithoutSpinAsTheClosedFormHasIt) {
   }
 }
 
-//! Where and when a ray from a lamp first comes to a radius, inward or outward as asked: θ, φ sinθ and t by the middle ray's θ.
+//! Where and when a ray from a lamp first comes to a radius, inward or outward as asked: θ, φ sinθ
+//! and t by the middle ray's θ.
 struct Crossing {
   Vector3<double> place{};
   double time = 0.0;
@@ -123,8 +125,10 @@ struct Crossing {
   [[nodiscard]] static bool done() { return false; }
 };
 
-//! The cross-section of a bundle of rays from the lamp by differences of five of them, in the frame of an observer without angular momentum at the point, over
-//! their solid angle and the square of their energy: from the lamp's end, in the hole's time run backwards, whichever end is nearer to the hole.
+//! The cross-section of a bundle of rays from the lamp by differences of five of them, in the frame
+//! of an observer without angular momentum at the point, over their solid angle and the square of
+//! their energy: from the lamp's end, in the hole's time run backwards, whichever end is nearer to
+//! the hole.
 double spread_by_differences(double spin, const LitPoint& at, const Vector3<double>& emitted, const LightRay& ray) {
   const LocalFrame lamp = local_frame(-spin, at.lamp);
   const double r = length(at.point);
@@ -166,7 +170,8 @@ TEST(LightRay, SpreadsAboutAHoleThatSpinsAsBundlesFromTheLampDo) {
       if (std::abs(ray.direction.x) < 0.05) {
         continue;  // It grazes the sphere that the neighbours are looked for on.
       }
-      // Where the ray leaves the lamp to: that of the lamp's light seen at the point, in time run backwards.
+      // Where the ray leaves the lamp to: that of the lamp's light seen at the point, in time run
+      // backwards.
       RayCorrection correction = {};
       LightRay back{};
       const LocalFrame lamp = local_frame(-spin, at.lamp);

@@ -81,7 +81,8 @@ TEST(MeshRays, MeetAPlaneAboutASpinningHoleWhereTheReferenceTableHasItsCrossings
   EXPECT_GT(compared, 30);
 }
 
-//! Light that passes the hole at r = 5, symmetric about the x axis, beyond whose nearest place x = 5 - 1.5 φ².
+//! Light that passes the hole at r = 5, symmetric about the x axis, beyond whose nearest place x =
+//! 5 - 1.5 φ².
 struct GrazingLight {
   static constexpr double turn_r = 5.0;
   double camera_r = 12.0;
@@ -145,7 +146,8 @@ TEST(MeshRays, StopAtTheNearerOfTwoMeshes) {
 }
 
 TEST(MeshRays, SeeAMeshThatIsTurned) {
-  // A triangle in the plane x = 0 of its own, turned a quarter about z and back: rows are columns for what is seen.
+  // A triangle in the plane x = 0 of its own, turned a quarter about z and back: rows are columns
+  // for what is seen.
   Placed placed(triangle_about({0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}), {10.0, 0.0, 0.0}, 0.5);
   const CameraStation camera = make_camera_station(0.0, 30.0, 0.5 * pi, 0.0, ObserverMotion::fixed);
   const double c = std::cos(1.0);

@@ -198,7 +198,8 @@ TEST_P(EveryProjection, ShowsSimdLanesWhatItShowsSinglePixels) {
   }
 }
 
-//! At the very rim of a sphere or hemisphere angles grow without end; half a pixel within they are counted.
+//! At the very rim of a sphere or hemisphere angles grow without end; half a pixel within they are
+//! counted.
 TEST_P(EveryProjection, HasNoPixelLargerThanItsLargest) {
   const Projection& p = projection();
   const double largest = largest_pixel_angle(p);

@@ -67,7 +67,8 @@ Vector3<double> on_sphere(double theta, double phi) {
 Vector3<double> unit(const Vector3<double>& v) { return (1.0 / length(v)) * v; }
 
 TEST(ShellCrossings, AtARadiusWhereLightMeetsTheEquatorLieThereByTheReferenceTable) {
-  // The table knows places in the equatorial plane, 113 bits deep: a shell of such a radius is crossed there, among others.
+  // The table knows places in the equatorial plane, 113 bits deep: a shell of such a radius is
+  // crossed there, among others.
   for (const ReferenceCrossing& row : reference_crossings()) {
     double nearest = 1.0;
     double delay = 0.0;
@@ -220,7 +221,8 @@ TEST(ShellCrossings, JustAboveTheHorizonAreWhereManySmallStepsFindThem) {
       const auto walked = walk_to_shell(spin, start_near_ray(camera, n), shell_r, 20.0);
       ASSERT_EQ(found.size(), 1U);
       ASSERT_EQ(walked.size(), 1U) << spin << " " << n.y;
-      // About an extremal hole space is dragged round a million times down there, and the rounding of 1/r leaves parts of 1e-9 of that open.
+      // About an extremal hole space is dragged round a million times down there, and the rounding
+      // of 1/r leaves parts of 1e-9 of that open.
       const double part = std::abs(spin) < 1.0 ? 1e-9 : 5e-9;
       const double open = 1e-7 + part * std::abs(found[0].place.drag);
       EXPECT_LT(length(direction_of(found[0].place) - on_sphere(walked[0].theta, walked[0].phi)), open) << spin;
@@ -254,7 +256,8 @@ TEST(ShellCrossings, OfACameraOnAShellAreNoneWhereItStands) {
 }
 
 TEST(ShellCrossings, OnTheAxisFollowTheCameraAsItComesThere) {
-  // A camera a little beside the axis sees what one on it does, turned by nothing: both stand at φ = 0.
+  // A camera a little beside the axis sees what one on it does, turned by nothing: both stand at φ
+  // = 0.
   const Vector3<double> n = unit(Vector3<double>{-1.0, 0.4, 0.2});
   const auto on = cross(make_camera_station(0.9, 10.0, 0.0, 0.0, ObserverMotion::zamo), n, {6.0, 14.0});
   const auto beside = cross(make_camera_station(0.9, 10.0, 1e-9, 0.0, ObserverMotion::zamo), n, {6.0, 14.0});

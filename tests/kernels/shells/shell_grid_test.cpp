@@ -24,7 +24,8 @@ ShellFootprint footprint(double theta, double phi, float width) {
           in_float(Vector3<double>{-std::sin(phi), std::cos(phi), 0.0}, width)};
 }
 
-//! The part of a footprint's points that lie within half a line's width of a circle or of a meridian, by true angles.
+//! The part of a footprint's points that lie within half a line's width of a circle or of a
+//! meridian, by true angles.
 double counted_coverage(double theta, double phi, double size, double spacing, double width) {
   constexpr int points = 400;
   int covered = 0;
@@ -78,7 +79,8 @@ TEST(ShellGrid, IsEvenAndFiniteAtThePoles) {
     // Where meridians touch, all is line.
     EXPECT_EQ(grid_coverage(footprint(theta, 1.0, 1e-6F), spacing, line_deg), 1.0F) << theta;
   }
-  // Seen in pixels as wide as the spacing, the tone does not depend on where between the meridians one looks.
+  // Seen in pixels as wide as the spacing, the tone does not depend on where between the meridians
+  // one looks.
   const float here = grid_coverage(footprint(0.02, 0.0, 0.05F), spacing, line_deg);
   EXPECT_NEAR(grid_coverage(footprint(0.02, 0.13, 0.05F), spacing, line_deg), here, 0.02F);
 }

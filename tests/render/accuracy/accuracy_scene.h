@@ -8,7 +8,8 @@
 
 namespace ergodome::test {
 
-//! A show on a small dome, a fast hole at r = 6 M; `more` are further lines, of the view's table and after.
+//! A show on a small dome, a fast hole at r = 6 M; `more` are further lines, of the view's table
+//! and after.
 inline Show small_dome(const std::string& more = {}) {
   Show show = parse_show(
       "[hole]\nspin = 0.9\n[camera]\n[[camera.key]]\nr = 6\ntheta_deg = 80\nphi_deg = 30\npitch_deg = -20\n[sky]\nmap "

@@ -52,7 +52,8 @@ TEST_F(PixelReferenceOfADome, FindsNothingWrongWithExactRays) {
 }
 
 TEST_F(PixelReferenceOfADome, CallsAHundredthOfAPixelAHundredthOfAPixel) {
-  // In a dome pixels are as large as in its middle along the radius, and a little smaller across it.
+  // In a dome pixels are as large as in its middle along the radius, and a little smaller across
+  // it.
   int compared = 0;
   for (std::size_t i = 0; i < reference_.size(); ++i) {
     if (reference_.counts(i) && reference_.is_lit(i)) {

@@ -77,9 +77,10 @@ double displaced_part(const Picture& picture, const Picture& other) {
   return static_cast<double>(beyond) / inside;
 }
 
-// Streamed and live lenses are each within half a pixel of the exact one in all but a hundredth of the sky, and so within a pixel of each
-// other in all but two: what is seen there is between what is seen next to it. Not so in pixels on the shadow's edge, which see the whole sky
-// in themselves; they are another two hundredths.
+// Streamed and live lenses are each within half a pixel of the exact one in all but a hundredth of
+// the sky, and so within a pixel of each other in all but two: what is seen there is between what
+// is seen next to it. Not so in pixels on the shadow's edge, which see the whole sky in themselves;
+// they are another two hundredths.
 TEST_F(FallingBake, ShowsTheLivePictureInTheFallAndAfterIt) {
   ShowRenderer streaming = streamed();
   ShowRenderer live(show_, Backend::cpu, LensChoice::live);
@@ -119,7 +120,8 @@ Show let_go() {
       "let-go.toml");
 }
 
-//! What the stations of a bake miss by on the screen at a time, in all but a hundredth of the sky [px].
+//! What the stations of a bake miss by on the screen at a time, in all but a hundredth of the sky
+//! [px].
 double missed_px(const Show& show, const TrajectoryReader& baked, double time_s, double pixel) {
   const auto buffers = [&](std::size_t i) { return std::make_shared<StationBuffers>(Backend::cpu, baked.read(i)); };
   std::size_t next = 1;
@@ -138,7 +140,8 @@ double missed_px(const Show& show, const TrajectoryReader& baked, double time_s,
 
 class LetGoBake : public test::FolderTest {};
 
-// What flew so fast has hardly looked back: the grid for it is coarse where one who stands looks closely.
+// What flew so fast has hardly looked back: the grid for it is coarse where one who stands looks
+// closely.
 TEST_F(LetGoBake, HoldsTheBudgetWhereTheCameraStandsWhileItsVelocityGoesOver) {
   const Show show = let_go();
   constexpr double budget_px = 0.25;

@@ -99,7 +99,8 @@ TEST_P(TrajectoryBakerWith, BlendsHoldTheBudgetAtAnyTimeOfTheShow) {
 }
 
 TEST_F(TrajectoryBaker, DividesAStretchAtWhoseEndACausticRunsThroughTheSamples) {
-  // Beside the axis the sky behind the hole is a ring, along which next to nothing becomes many pixels.
+  // Beside the axis the sky behind the hole is a ring, along which next to nothing becomes many
+  // pixels.
   Show show = approach();
   show.duration_s = 4.0;
   show.spin = 0.3;
@@ -114,7 +115,8 @@ TEST_F(TrajectoryBaker, DividesAStretchAtWhoseEndACausticRunsThroughTheSamples) 
 }
 
 TEST_F(TrajectoryBaker, BuildsStationsFinerThatWouldMissTheBudgetByThemselves) {
-  // One who whirls round close to the hole sees a caustic ahead: a grid that keeps its part of the budget is far off in a thousandth of that sky.
+  // One who whirls round close to the hole sees a caustic ahead: a grid that keeps its part of the
+  // budget is far off in a thousandth of that sky.
   Show show = approach();
   show.duration_s = 1.0;
   show.spin = 0.7;

@@ -57,7 +57,8 @@ TEST_F(ChannelFiles, OfFitsHoldEveryChannelAsAnExtensionWithUnitAndChecksums) {
   EXPECT_EQ(fits.number("CRPIX1"), 2.0);
   EXPECT_EQ(fits.number("CRPIX2"), 1.5);
   EXPECT_EQ(fits.number("LONPOLE"), 180.0);
-  // The first row of the file is the lowest one of the picture, and every double is there to its last bit.
+  // The first row of the file is the lowest one of the picture, and every double is there to its
+  // last bit.
   const std::vector<double> g = fits.pixels();
   EXPECT_EQ(g[0], 4.0);
   EXPECT_TRUE(std::isnan(g[1]));

@@ -8,8 +8,9 @@
 #include "kernels/projection/make_projection.h"
 #include "kernels/projection/pixel_measure.h"
 
-// Takes pixels to directions by the formulas of the FITS standard alone: Calabretta & Greisen, Representations of celestial coordinates in
-// FITS, Astronomy & Astrophysics 395 (2002), whose equations are numbered below.
+// Takes pixels to directions by the formulas of the FITS standard alone: Calabretta & Greisen,
+// Representations of celestial coordinates in FITS, Astronomy & Astrophysics 395 (2002), whose
+// equations are numbered below.
 namespace ergodome {
 namespace {
 

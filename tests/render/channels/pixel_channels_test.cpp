@@ -141,7 +141,8 @@ TEST(PixelChannels, ShowAStaticObserverTheBlueshiftAndTheShadowOfSchwarzschild) 
 }
 
 TEST(PixelChannels, TurnParityOverWithEveryOrderOfSchwarzschild) {
-  // Light that has swept an angle s about the hole comes from a sky point at s from the camera's own, and dΩ_sky = sin s ds dγ.
+  // Light that has swept an angle s about the hole comes from a sky point at s from the camera's
+  // own, and dΩ_sky = sin s ds dγ.
   const PixelChannels found = traced(picture_of_hole(0.0, 10.0, ObserverMotion::fixed, 201),
                                      {ChannelGroup::order, ChannelGroup::magnification, ChannelGroup::sky});
   const std::vector<double>& order = values_of(found, "order.image");
@@ -163,8 +164,8 @@ TEST(PixelChannels, TurnParityOverWithEveryOrderOfSchwarzschild) {
 }
 
 TEST(PixelChannels, LeaveFlatSkyAsItIsFarFromTheHole) {
-  // Looking away from a hole 1e6 M off: forward is the sky at longitude 0, and what is to the right of the view is at growing longitudes
-  // in a frame whose right is e_φ.
+  // Looking away from a hole 1e6 M off: forward is the sky at longitude 0, and what is to the right
+  // of the view is at growing longitudes in a frame whose right is e_φ.
   ChannelScene scene{test::eye_at(0.0, 1e6), make_pinhole_projection(3, 3, 20.0 * one_degree)};
   const double outwards[3][3] = {{0, 0, -1}, {0, -1, 0}, {-1, 0, 0}};
   std::copy(&outwards[0][0], &outwards[0][0] + 9, &scene.eye.frame_from_view[0][0]);
@@ -213,7 +214,8 @@ TEST(PixelChannels, AreTheNumbersBehindTheHeatMaps) {
         cross(Vector3<float>{lens.sky_along_x[0][i], lens.sky_along_x[1][i], lens.sky_along_x[2][i]},
               Vector3<float>{lens.sky_along_y[0][i], lens.sky_along_y[1][i], lens.sky_along_y[2][i]});
     const double magnification = values_of(found, "magnification")[i];
-    // Next to caustics and to the shadow a small error of the float's ray is a large one of the area.
+    // Next to caustics and to the shadow a small error of the float's ray is a large one of the
+    // area.
     if (std::abs(magnification) < 10.0 && half_turns < 1.3) {
       const std::size_t row = i / 81;
       const double on_screen =

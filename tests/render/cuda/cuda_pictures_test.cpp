@@ -15,8 +15,8 @@
 #include "render/output/stereo_layout.h"
 #include "tests/support/tiny_sky.h"
 
-// The pictures of a GPU are those of the processor: the kernels are one source, but two compilers make of it what they like, and who
-// hands buffers to and fro may forget one.
+// The pictures of a GPU are those of the processor: the kernels are one source, but two compilers
+// make of it what they like, and who hands buffers to and fro may forget one.
 namespace ergodome {
 namespace {
 
@@ -51,7 +51,8 @@ std::vector<Picture> pictures(const Scene& scene, Backend backend) {
   return made;
 }
 
-//! How far the light of a picture is from another's: the part of it that differs visibly, and how far all of it is off together.
+//! How far the light of a picture is from another's: the part of it that differs visibly, and how
+//! far all of it is off together.
 struct Difference {
   double pixels;  //!< numbers that differ by more than 2 % of themselves and of the mean
   double light;   //!< of the whole picture

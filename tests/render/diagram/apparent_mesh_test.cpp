@@ -41,7 +41,8 @@ TEST(ApparentMesh, CornersLieWhereLightComesFromAsFarAsItHasTakenTime) {
 }
 
 TEST(ApparentMesh, FarFromTheHoleItIsTheMeshItself) {
-  // Lengths across the radius and along it, as light takes time for them, are longer by 1/r and 2/r of themselves.
+  // Lengths across the radius and along it, as light takes time for them, are longer by 1/r and 2/r
+  // of themselves.
   for (const double far : {1e3, 1e4, 1e5}) {
     const Place observer = {far, 0.0, 0.0};
     const ApparentMesh mesh =
@@ -68,7 +69,8 @@ TEST(ApparentMesh, WhereItIsBentEdgesAreDividedUntilTheyAreStraight) {
 }
 
 TEST(ApparentMesh, DividedTrianglesLeaveNoGap) {
-  // Edges of a closed surface belong to two triangles each; the sphere's own seams and poles have corners of their own, which are told by place.
+  // Edges of a closed surface belong to two triangles each; the sphere's own seams and poles have
+  // corners of their own, which are told by place.
   const ApparentMesh mesh =
       apparent_mesh(far_observer, make_sphere({12, 6}), standing_at({-6.0, 5.0, 0.0}), 1.0, 1, fine_settings);
   const auto key = [&](std::uint32_t i) {

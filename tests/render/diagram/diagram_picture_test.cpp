@@ -122,7 +122,8 @@ TEST_F(DiagramPictures, ASpinningHoleHasRaysThatMeetTheObjects) {
   EXPECT_GT(pixels_like(0x00, 0x72, 0xB2), 100);
 }
 
-//! How many places of lines that have the inks of images lie beside a picture that is taller than wide, seen from a direction.
+//! How many places of lines that have the inks of images lie beside a picture that is taller than
+//! wide, seen from a direction.
 int places_beside(const DiagramScene& scene, const OutsideDirection& from) {
   const OutsideCamera camera = outside_camera(from, scene.framed, 0.5, {});
   int beside = 0;

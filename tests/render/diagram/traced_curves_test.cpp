@@ -67,7 +67,8 @@ TEST(TracedCurves, WithoutSpinTheyAreTheConnectingOrbits) {
       continue;
     }
     ++compared;
-    // Each place of the path is on the orbit: its distance from the nearest piece of that is what a chord may be off by.
+    // Each place of the path is on the orbit: its distance from the nearest piece of that is what a
+    // chord may be off by.
     const std::vector<Place> orbit = light_curve(place_of(eye), curve.places.front(), curve.order);
     ASSERT_FALSE(orbit.empty());
     for (const Place& place : curve.places) {

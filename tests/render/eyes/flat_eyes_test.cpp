@@ -23,8 +23,8 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): shows of tests
 
-//! Whether an eye at `eye` sees the horizon in direction `m`: whether its line of sight, walked along, passes a dark direction of the head's
-//! beyond that direction's affine distance.
+//! Whether an eye at `eye` sees the horizon in direction `m`: whether its line of sight, walked
+//! along, passes a dark direction of the head's beyond that direction's affine distance.
 bool meets_horizon(const CameraStation& camera, const Vector3<double>& m, const Vector3<double>& eye) {
   for (int i = 0; i < 3000; ++i) {
     const double s = 0.05 * std::pow(1.004, i);

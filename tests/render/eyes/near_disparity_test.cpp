@@ -89,7 +89,8 @@ double apart_in_pictures(const Show& show) {
   return middle_of_light(parts[1]) - middle_of_light(parts[0]);
 }
 
-//! Holds the nearest thing that is counted to the middle of a small ball's light, which is a little farther away.
+//! Holds the nearest thing that is counted to the middle of a small ball's light, which is a little
+//! farther away.
 void expect_ball_of_pictures(const std::string& scene) {
   const Show show = black_show(scene);
   const double drawn = apart_in_pictures(show);
@@ -175,7 +176,8 @@ TEST(NearDisparity, OfAThingAboutTheCameraIsThatOfWhatThePictureShows) {
   const std::string ball =
       "[[objects]]\nmethod = \"trace\"\nshape = \"sphere\"\nsegments = 96\nrings = 48\nsize = 15\n"
       "position = [1990, 0, 0]\n";
-  // Ahead its surface is 25 M away; in the picture's corners it is 10.6 M deep, behind the camera 5 M away.
+  // Ahead its surface is 25 M away; in the picture's corners it is 10.6 M deep, behind the camera 5
+  // M away.
   const Disparity found = disparity_of(black_show(far + ball + eyes("physical")));
   EXPECT_NEAR(found.greatest_px, -200.0 * 0.4 / 25.0, 0.1);
   EXPECT_NEAR(found.least_px, -200.0 * 0.4 / 10.6, 0.3);
@@ -236,7 +238,8 @@ TEST(NearDisparity, OfWhatNoPictureShowsDoesNotCount) {
 }
 
 TEST(NearDisparity, OfManyThingsIsThatOfTheOneThatIsSeenNearest) {
-  // Sixteen balls stand nearer than where another has gone by now, whose light shows it before them.
+  // Sixteen balls stand nearer than where another has gone by now, whose light shows it before
+  // them.
   const std::string mover = small_ball("retarded = true\norbit = { r = 12, phi_deg = 73, speed = 20 }");
   std::string balls;
   for (int i = 0; i < 16; ++i) {
@@ -357,7 +360,8 @@ TEST(NearSights, AreSeenWhereTheyWereLookedAt) {
       EXPECT_NEAR(*distance, sight.distance, 1e-4 * sight.distance);
       const double r = std::sqrt(dot(sight.place, sight.place));
       (std::abs(r - 3.0) < 1e-6 ? of_shell : of_disk) += 1;
-      // Other series find where light comes to a radius for the first time: there, or before it turns. They go past what it only grazes.
+      // Other series find where light comes to a radius for the first time: there, or before it
+      // turns. They go past what it only grazes.
       const double to_radius = affine_distance(camera, {row(0), row(1), row(2)}, r);
       EXPECT_TRUE(std::isinf(to_radius) || sight.distance > (1.0 - 1e-5) * to_radius);
       at_once += sight.distance < (1.0 + 1e-5) * to_radius ? 1 : 0;

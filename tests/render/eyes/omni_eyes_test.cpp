@@ -82,7 +82,8 @@ OmniErrors omni_errors(const Show& show, double half_baseline, double side, cons
     const double p = dot(along_x, missing);
     const double q = dot(along_y, missing);
     const double determinant = a * c - b * b;
-    // Next to a caustic, where the sky moves a twentieth of what the screen does, rays do not tell where on it light is.
+    // Next to a caustic, where the sky moves a twentieth of what the screen does, rays do not tell
+    // where on it light is.
     const double larger = std::sqrt(0.5 * (a + c + std::sqrt(std::max((a + c) * (a + c) - 4.0 * determinant, 0.0))));
     if (std::sqrt(std::max(determinant, 0.0)) > 0.05 * larger * pixel_angle(projection)) {
       const double error_px = std::hypot(c * p - b * q, a * q - b * p) / determinant;

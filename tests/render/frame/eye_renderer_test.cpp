@@ -102,7 +102,8 @@ TEST(DirectLens, FootprintsAreTheDifferencesOfNeighbours) {
 }
 
 TEST(EyeRenderer, ShadowCoversItsSolidAngleToAFractionOfAPixel) {
-  // Schwarzschild at r = 10, static: the shadow is a disk of known radius, so the darkness of a picture is its area in pixels.
+  // Schwarzschild at r = 10, static: the shadow is a disk of known radius, so the darkness of a
+  // picture is its area in pixels.
   const double radius = std::asin(std::sqrt(27.0 * 0.8) / 10.0);
   for (const int size : {101, 400}) {
     const Projection projection = make_pinhole_projection(size, size, 1.6);
@@ -117,7 +118,8 @@ TEST(EyeRenderer, ShadowCoversItsSolidAngleToAFractionOfAPixel) {
 }
 
 TEST(EyeRenderer, EdgeOfTheShadowIsSmooth) {
-  // Along a row through the edge the white sky falls to black within two pixels and never goes up again.
+  // Along a row through the edge the white sky falls to black within two pixels and never goes up
+  // again.
   const Projection projection = make_pinhole_projection(301, 301, 1.6);
   const Picture picture = EyeRenderer(Backend::cpu).render(eye_at(0.999, 8.0), projection, white_sky(), {});
   for (const int row : {100, 150, 171}) {
@@ -135,7 +137,8 @@ TEST(EyeRenderer, EdgeOfTheShadowIsSmooth) {
 }
 
 TEST(EyeRenderer, BlocksOfRowsMakeOnePicture) {
-  // Larger than one block of pixels, against its parts at the same place. Most of it is shadow, which costs nothing.
+  // Larger than one block of pixels, against its parts at the same place. Most of it is shadow,
+  // which costs nothing.
   const EyeCamera eye = eye_at(0.9, 6.0);
   const Projection projection = make_pinhole_projection(2048, 1024, 1.6);
   LensOfEye lens(2048 * 1024);
@@ -180,7 +183,8 @@ TEST(EyeRenderer, EveryHardCameraGivesAFinitePicture) {
         for (const float value : picture.rgba) {
           ASSERT_TRUE(value >= 0.0F && value <= 1.001F) << a << " " << above << " " << theta;
         }
-        // Next to an extremal horizon light winds too often to count; a fiftieth of the pixels may say so.
+        // Next to an extremal horizon light winds too often to count; a fiftieth of the pixels may
+        // say so.
         EXPECT_LE(picture.unresolved_pixels, std::abs(a) == 1.0 ? 36 : 4) << a << " " << above << " " << theta;
       }
     }

@@ -12,11 +12,13 @@
 #include "render/passes/stars/drawing/star_trails.h"
 #include "tests/render/passes/stars/star_cameras.h"
 
-// What lasts for longer than a moment while a camera falls through the horizon: trails, and grids of a moment before.
+// What lasts for longer than a moment while a camera falls through the horizon: trails, and grids
+// of a moment before.
 namespace ergodome {
 namespace {
 
-//! A camera that falls through the horizon of a hole of spin 0.9, at 1.4359 M, not along with the rain.
+//! A camera that falls through the horizon of a hole of spin 0.9, at 1.4359 M, not along with the
+//! rain.
 Show crossing_show() {
   return parse_show(
       "duration_s = 40\n[hole]\nspin = 0.9\n[[camera.key]]\nr = 6\ntheta_deg = 70\n[camera.fall]\n"
@@ -29,7 +31,8 @@ EyeCamera crossing_eye(const Show& show, double after_horizon_s) {
   return eye_camera(show, camera_pose(show, *show.camera.orbit->horizon_s() + after_horizon_s), 0.0);
 }
 
-//! How many images of stars end where images of that moment alone are, at one end of a shutter's time.
+//! How many images of stars end where images of that moment alone are, at one end of a shutter's
+//! time.
 std::size_t meeting(const StarTrails& trails, const std::vector<StarImage>& images, std::size_t end,
                     const std::vector<StarImage>& there) {
   std::multimap<int, Vector3<float>> known;
@@ -111,7 +114,8 @@ TEST(HorizonCrossing, GridsOfAMomentBeforeShowAboutTheSameSky) {
     const auto lens = lenses.choose({LensChoice::live, eye, projection, ViewMode::sky, {}, {std::nullopt, 0.0}, {}});
     behind += lens->behind() ? 1 : 0;
     const DirectLens direct(Backend::cpu, eye, projection, 0.05);
-    // A moment's way of the camera; its azimuth alone, in which the sky would be without the turn of what falls in, goes through half a radian.
+    // A moment's way of the camera; its azimuth alone, in which the sky would be without the turn
+    // of what falls in, goes through half a radian.
     EXPECT_LT(middle_difference(skies(*lens, projection), skies(direct, projection)), lens->behind() ? 0.03 : 1e-3)
         << after_s;
   }

@@ -28,7 +28,8 @@ constexpr const char* ball =
     "[[objects]]\nshape = \"sphere\"\nmethod = \"trace\"\nsize = 2\nretarded = true\n"
     "orbit = { r = 7, phi_deg = 40, speed = 2 }\n";
 
-//! A camera that falls through the horizon of a hole of spin 0.9, at 1.4359 M, before a sky of few pixels and what else is said.
+//! A camera that falls through the horizon of a hole of spin 0.9, at 1.4359 M, before a sky of few
+//! pixels and what else is said.
 Show show_through(const std::string& more = "") {
   Show show = parse_show(
       "duration_s = 40\n[hole]\nspin = 0.9\n[[camera.key]]\nr = 6\ntheta_deg = 70\n[camera.fall]\n"
@@ -148,7 +149,8 @@ TEST(WithinHorizonPictures, EyesGoOnSeeingWhatTheySawWhereTheyFallThroughTheHori
   }
 }
 
-//! Where in the equatorial plane a ray begins, pseudo-Cartesian, and how late it is by the time of who falls in; all 0 where there is none.
+//! Where in the equatorial plane a ray begins, pseudo-Cartesian, and how late it is by the time of
+//! who falls in; all 0 where there is none.
 struct PlaneSight {
   double x, y, delay;
 };
@@ -164,7 +166,8 @@ PlaneSight plane_sight(double spin, const NearRay<double>& ray, double phi, doub
   return {std::cos(azimuth) / c.u, std::sin(azimuth) / c.u, c.delay - lag};
 }
 
-//! The same by the path along which objects are looked for, which may stand between the camera and the horizon.
+//! The same by the path along which objects are looked for, which may stand between the camera and
+//! the horizon.
 PlaneSight path_sight(double spin, const NearRay<double>& ray, double phi, double lag) {
   PlaneSight found{};
   follow_path<16, NearParts::azimuth_and_delay>(
@@ -191,7 +194,8 @@ class TurningEyesWithin {
         cameras_(Backend::cpu, [this](const Vector3<double>& offset) { return eye_at(offset); },
                  {half_baseline, 0.0, pi / 3.0, 0.5 * pi, 1e-6}) {}
 
-  //! Compares what is seen in a direction with what the direction's own camera sees; tells whether there is anything.
+  //! Compares what is seen in a direction with what the direction's own camera sees; tells whether
+  //! there is anything.
   bool compare(const Vector3<double>& view, double side) const {
     const auto [camera, n] = test::own_ray([this](const Vector3<double>& offset) { return eye_at(offset); }, view,
                                            side * half_baseline, 0.0);
@@ -224,7 +228,8 @@ class TurningEyesWithin {
     return dark < 0.0;
   }
 
-  //! Whether what is seen in a direction is in the equatorial plane between the eye and the horizon.
+  //! Whether what is seen in a direction is in the equatorial plane between the eye and the
+  //! horizon.
   [[nodiscard]] bool sees_plane_beneath(const Vector3<double>& view, double side) const {
     const NearRay<double> ray = start_near_ray(cameras_.exact(side), view);
     const PlaneSight seen = plane_sight(show_.spin, ray, head_.phi, 0.0);
@@ -265,7 +270,8 @@ TEST(WithinHorizonPictures, EyesThatTurnSeeOnBothSidesWhatEachDirectionsOwnCamer
   }
 }
 
-// What is between an eye and the horizon has its azimuth from the eye's usual one, and not from the head's ingoing one.
+// What is between an eye and the horizon has its azimuth from the eye's usual one, and not from the
+// head's ingoing one.
 TEST(WithinHorizonPictures, EyesThatTurnSeeWhatIsBeneathThemBesideTheHorizon) {
   const Show show = show_through();
   const TurningEyesWithin eyes(show, *show.camera.orbit->horizon_s() - 0.21);

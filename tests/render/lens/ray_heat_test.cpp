@@ -46,7 +46,8 @@ float middle_of(std::vector<float> values) {
 }
 
 TEST(RayHeat, OfAShellIsHotAtThePolesInPolarAnglesAlone) {
-  // The camera looks down on the north pole of a shell, which is in the middle column: there θ is least.
+  // The camera looks down on the north pole of a shell, which is in the middle column: there θ is
+  // least.
   const std::vector<WatchedShell> shell = {{1.0F / 4.0F, true}};
   const StepPicture polar = steps_of(TraceMethod::baseline_rk34, shell);
   const StepPicture ours = steps_of(TraceMethod::taylor, shell);

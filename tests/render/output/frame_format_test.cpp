@@ -16,7 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-//! Light that rises by a quarter of a value of 8 bits from pixel to pixel; the lower half is covered by half.
+//! Light that rises by a quarter of a value of 8 bits from pixel to pixel; the lower half is
+//! covered by half.
 Picture fine_ramp() {
   Picture picture;
   picture.width = 256;

@@ -109,7 +109,8 @@ TEST(OrientationPattern, ReadsUprightForAViewerWhoFacesIt) {
 }
 
 TEST(OrientationPattern, ReadsUprightOnTheDomeAboveAViewerWhoFacesTheFront) {
-  // The top of a domemaster is the back: what stands upright in it reads upright for one who leans back.
+  // The top of a domemaster is the back: what stands upright in it reads upright for one who leans
+  // back.
   const Picture picture = dome_pattern();
   EXPECT_GT(likeness(picture, "ZENITH", false), 0.6);
 }

@@ -139,7 +139,8 @@ TEST(TestPatterns, HalfOfEveryRingOfTheCheckerIsWhite) {
 
 TEST(TestPatterns, CirclesOfThePolarGridAreWhereTheirElevationIs) {
   const Picture picture = draw_test_pattern(TestPattern::polar_grid, dome(901));
-  // Equidistant: 5 px a degree from the zenith, upwards to the back; a meridian beside the number's column.
+  // Equidistant: 5 px a degree from the zenith, upwards to the back; a meridian beside the number's
+  // column.
   for (const int elevation : {30, 60}) {
     const double radius_px = (90 - elevation) * 5.0;
     const double azimuth = 165.7 * pi / 180.0;

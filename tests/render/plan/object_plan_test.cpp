@@ -44,7 +44,8 @@ class TracedObjectPlans : public test::FolderTest {
     return show;
   }
 
-  //! Holds what a plan says of some work, by line 12 of the show, to what a picture and one more have done.
+  //! Holds what a plan says of some work, by line 12 of the show, to what a picture and one more
+  //! have done.
   static void expect_planned(const std::vector<std::string>& names, const FramePlan& plan, const Work& first,
                              const Work& second) {
     for (const std::string& name : names) {

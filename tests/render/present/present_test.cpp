@@ -169,7 +169,8 @@ TEST_F(Present, EyesTakeTurnsByTheFramebuffersRows) {
     int height;
     int lit_rows;
   };
-  // Finer, coarser, as the eyes are, with bars of odd height above and below, and with bars at the sides.
+  // Finer, coarser, as the eyes are, with bars of odd height above and below, and with bars at the
+  // sides.
   for (const Framebuffer& frame :
        {Framebuffer{94, 47, 47}, {30, 15, 15}, {40, 20, 20}, {50, 39, 25}, {50, 40, 25}, {81, 20, 20}}) {
     make_framebuffer(frame.width, frame.height);
@@ -265,7 +266,8 @@ TEST_F(Present, CaptionsLieOverEachEye) {
 }
 
 TEST_F(Present, CaptionsOnProjectorsKeepTheirPixelsOverACoarseMaster) {
-  // A white line of one row, half covering and half faded, over a master of 4 x 4 pixels on a raster of 200 x 200.
+  // A white line of one row, half covering and half faded, over a master of 4 x 4 pixels on a
+  // raster of 200 x 200.
   constexpr int side = 200;
   constexpr int row = 40;
   auto captions =

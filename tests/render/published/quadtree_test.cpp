@@ -54,7 +54,8 @@ struct FullGrid {
   }
 };
 
-//! Sum of the squared differences in (θ, φ) over the whole sky, as VE measure it: both halves, and no vertices of the grid itself.
+//! Sum of the squared differences in (θ, φ) over the whole sky, as VE measure it: both halves, and
+//! no vertices of the grid itself.
 double cumulative_squared_error(const QuadtreeLens& lens, QuadtreeInterpolation how) {
   static const FullGrid full;
   const QuadtreeGrid grid = lens.view();
@@ -152,8 +153,8 @@ TEST(Quadtree, EveryDirectionHasALeafAndAFiniteSky) {
   }
 }
 
-//! Mean squared error in (θ, φ) of the blend of the grids at 5.0 and 5.2 for 5.1, over the camera's sky, in the measure of VE
-//! (section 5.2); `warped`: with the shadows brought together.
+//! Mean squared error in (θ, φ) of the blend of the grids at 5.0 and 5.2 for 5.1, over the camera's
+//! sky, in the measure of VE (section 5.2); `warped`: with the shadows brought together.
 double blending_error(bool warped) {
   const auto camera = [](double r) { return make_camera_station(0.999, r, 0.5 * pi, 0.0, ObserverMotion::geodesic); };
   const QuadtreeLens near(camera(5.0), true, {});

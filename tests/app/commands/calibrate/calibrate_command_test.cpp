@@ -61,7 +61,8 @@ TEST_F(CalibrateCommand, AndInspectTellTheSamePartsOfTheDome) {
 }
 
 TEST_F(CalibrateCommand, AndInspectCountTheCellsThatAreDrawn) {
-  // The mirror's edge goes through cells, and these are not drawn: of the dome the meshes light less than the mirror.
+  // The mirror's edge goes through cells, and these are not drawn: of the dome the meshes light
+  // less than the mirror.
   write("dome.toml",
         "[dome]\nradius_m = 8\n[[projector]]\nname = \"a\"\n"
         "frustum = { left_deg = -10, right_deg = 10, up_deg = 12, down_deg = -12 }\n"

@@ -38,7 +38,8 @@ class ConvertCommand : public CommandLine {
   }
 };
 
-//! The largest distance between the places of the master that two warps show, over the middles of pixels that both draw.
+//! The largest distance between the places of the master that two warps show, over the middles of
+//! pixels that both draw.
 double farthest_apart(const WarpMesh& a, const WarpMesh& b) {
   const WarpMesh fine_a = resampled_warp(a, 64, 48);
   const WarpMesh fine_b = resampled_warp(b, 64, 48);
@@ -155,7 +156,8 @@ TEST_F(ConvertCommand, SaysNothingOfIntensitiesWhereAllAreFull) {
   EXPECT_THAT(output_, testing::Not(HasSubstr("intensities")));
 }
 
-//! A polar mesh that shows the domemaster's circle as high as the raster, of 12 rings and 36 spokes.
+//! A polar mesh that shows the domemaster's circle as high as the raster, of 12 rings and 36
+//! spokes.
 std::string polar_circle() {
   std::string mesh = "1\n36 12\n";
   for (int ring = 0; ring < 12; ++ring) {

@@ -29,8 +29,8 @@ class ViewRanges : public test::CommandLine {
 };
 
 TEST_F(ViewRanges, MoveTheColoursOfAHeatMap) {
-  // A static observer at 4 M about a hole without spin sees the sky's light by √2 bluer, which lies at (log √2 - log 1) / (log 4 - log 1)
-  // = 1/4 of the range 1 to 4, and at half the usual one.
+  // A static observer at 4 M about a hole without spin sees the sky's light by √2 bluer, which lies
+  // at (log √2 - log 1) / (log 4 - log 1) = 1/4 of the range 1 to 4, and at half the usual one.
   write("static.toml", R"(
 title = "Static"
 [hole]

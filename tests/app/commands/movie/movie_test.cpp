@@ -31,7 +31,8 @@ map = "sky.ppm"
 size_px = 32
 )";
 
-//! A stand-in for ffmpeg, first on the path: it notes its words, and keeps what it is sent as the film.
+//! A stand-in for ffmpeg, first on the path: it notes its words, and keeps what it is sent as the
+//! film.
 class RenderAMovie : public CommandLine {
  protected:
   void SetUp() override {

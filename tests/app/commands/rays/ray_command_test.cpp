@@ -42,8 +42,8 @@ TEST_F(RayCommands, TraceGivesTheReferenceForEveryRayByEveryExactMethod) {
 }
 
 TEST_F(RayCommands, AxesAreAsTheHelpSays) {
-  // Without spin, light from straight out comes from there; far from the hole directions are as they seem, but for its bending
-  // by some 2 M / r.
+  // Without spin, light from straight out comes from there; far from the hole directions are as
+  // they seem, but for its bending by some 2 M / r.
   write("rays.csv",
         "spin,r,theta_deg,observer,n_r,n_theta,n_phi,id\n0,10,90,zamo,5,0,0,out\n0,10,30,zamo,1,0,0,high\n"
         "0.9,1e9,60,zamo,0,3,0,south\n0.9,1e9,60,zamo,0,0,0.5,east\n");

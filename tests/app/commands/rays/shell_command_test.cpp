@@ -11,7 +11,8 @@ namespace {
 using ::testing::HasSubstr;
 
 TEST_F(CommandLine, TraceShellListsBothCrossingsOfLightThatTurns) {
-  // Without spin light in a plane through the hole stays in it: θ goes from pole to pole, and the way back mirrors the way in about the turn.
+  // Without spin light in a plane through the hole stays in it: θ goes from pole to pole, and the
+  // way back mirrors the way in about the turn.
   write("rays.csv", "a,r,theta,observer,n_r,n_theta,n_phi\n0,20,1.5707963267948966,static,-0.8,0,0.6\n");
   ASSERT_EQ(run("trace --shell 15 --rays rays.csv --out out.csv"), 0) << output_;
   const auto rows = read_csv(folder_ / "out.csv");

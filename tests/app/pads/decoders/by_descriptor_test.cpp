@@ -19,7 +19,8 @@ std::ostream& operator<<(std::ostream& out, const Known& known) { return out << 
 
 class KnownPad : public testing::TestWithParam<Known> {};
 
-//! What published layouts say, the descriptors say, too: decoders and the parser have nothing in common.
+//! What published layouts say, the descriptors say, too: decoders and the parser have nothing in
+//! common.
 TEST_P(KnownPad, IsReadByItsDescriptorAsByItsLayout) {
   const FixtureDevice device = fixture(GetParam().name).devices.front();
   const auto decoder = make_by_descriptor(device.descriptor);
@@ -110,7 +111,8 @@ TEST(ByDescriptor, ArraysOfButtonsPressTheButtonsThatTheyName) {
   EXPECT_EQ(pad.numbered.to_ulong(), 1UL << 11U);
 }
 
-//! The triggers of a pad that has x, y, z, rz, rx and ry of eight bits with some limits, after reports whose triggers have a value.
+//! The triggers of a pad that has x, y, z, rz, rx and ry of eight bits with some limits, after
+//! reports whose triggers have a value.
 std::vector<float> triggers_after(std::uint8_t least, const std::vector<std::uint8_t>& values) {
   const std::vector<std::uint8_t> descriptor = {0x05, 0x01, 0x09, 0x05, 0xA1, 0x01, 0x09, 0x30, 0x09, 0x31,
                                                 0x09, 0x32, 0x09, 0x35, 0x09, 0x33, 0x09, 0x34, 0x15, least,
@@ -137,7 +139,8 @@ TEST(ByDescriptor, TriggersThatRestAtTheirMinimumAreReadFromThere) {
               testing::Pointwise(testing::FloatNear(0.001F), {0.0F, 0.0F, 0.5F, 1.0F, 0.0F}));
   EXPECT_THAT(triggers_after(0x00, {0, 64, 127}),
               testing::Pointwise(testing::FloatNear(0.005F), {0.0F, 0.0F, 0.504F, 1.0F}));
-  // It is pressed when the pad is plugged in, or all zero before its first measurement, and let go later.
+  // It is pressed when the pad is plugged in, or all zero before its first measurement, and let go
+  // later.
   EXPECT_THAT(triggers_after(0x81, {0, 0x81, 0}),
               testing::Pointwise(testing::FloatNear(0.001F), {0.0F, 0.0F, 0.0F, 0.5F}));
 }

@@ -38,7 +38,8 @@ std::string problem_of(const Bytes& descriptor) {
 }
 
 TEST(HidDescriptor, PlacesFieldsThatAreNotAlignedAsTheStickDoes) {
-  // The published struct of the X52: x:11, y:11, twist:10, four bytes, 34 buttons, 2 of filling, hat:4.
+  // The published struct of the X52: x:11, y:11, twist:10, four bytes, 34 buttons, 2 of filling,
+  // hat:4.
   const HidLayout layout = layout_of("saitek_x52");
   EXPECT_FALSE(layout.has_ids);
   EXPECT_EQ(layout.report_bits.at(0), 14U * 8U);
@@ -137,7 +138,8 @@ TEST(HidDescriptor, UsagesTakeThePageThatIsSetBehindThemAndKeepOneThatChangesBet
       {0x05, 0x0C, 0x09, 0x30, 0x09, 0x31, 0x05, 0x01, 0x15, 0x00, 0x25, 0x7F, 0x75, 0x08, 0x95, 0x02, 0x81, 0x02}));
   EXPECT_EQ(field_of(behind, {1, 0x30}).bit_offset, 0U);
   EXPECT_EQ(field_of(behind, {1, 0x31}).bit_offset, 8U);
-  // x of the generic desktop, then the accelerator of the simulation page, then one whose item holds its page.
+  // x of the generic desktop, then the accelerator of the simulation page, then one whose item
+  // holds its page.
   const HidLayout between =
       parse_hid_descriptor(joystick({0x09, 0x30, 0x05, 0x02, 0x09, 0xC4, 0x0B, 0x32, 0x00, 0x01, 0x00,
                                      0x15, 0x00, 0x25, 0x7F, 0x75, 0x08, 0x95, 0x03, 0x81, 0x02}));

@@ -142,7 +142,8 @@ TEST_F(AudioFiles, Mp3WithoutAHeaderOfItsLengthIsPlayedToItsEnd) {
 TEST_F(AudioFiles, FlacOfUnknownLengthIsCounted) {
   const std::filesystem::path path = folder_ / "a.flac";
   test::write_sound(path, {SF_FORMAT_FLAC | SF_FORMAT_PCM_16, 48000, 2, 3.0}, burst);
-  // The lower 36 bits of eight bytes of STREAMINFO (RFC 9639, 8.2), which follows a mark and a head of four bytes each.
+  // The lower 36 bits of eight bytes of STREAMINFO (RFC 9639, 8.2), which follows a mark and a head
+  // of four bytes each.
   std::fstream bytes(path, std::ios::in | std::ios::out | std::ios::binary);
   bytes.seekg(21);
   const char rate_and_length = static_cast<char>(bytes.get() & 0xF0);

@@ -33,7 +33,8 @@ AudioTrack track_of(const std::string& file, double from_s = 0.0) {
 //! A show and the sound it makes, mixed into memory a hundredth of a second at a time.
 class SoundOfShow : public test::FolderTest {
  protected:
-  //! The ramp has millions of samples: it is written once, and each test's folder has it by another name.
+  //! The ramp has millions of samples: it is written once, and each test's folder has it by another
+  //! name.
   static void SetUpTestSuite() {
     std::filesystem::create_directories(folder_of_ramp());
     test::write_ramp(folder_of_ramp() / "ramp.wav", 44100, ramp_s);
@@ -84,7 +85,8 @@ class SoundOfShow : public test::FolderTest {
   }
   [[nodiscard]] double loudness() const { return samples_[2 * (chunk / 2) + 1]; }
 
-  //! What of the ramp is heard in the middle of the last hundredth of a second, and what time of the show it is there [s].
+  //! What of the ramp is heard in the middle of the last hundredth of a second, and what time of
+  //! the show it is there [s].
   [[nodiscard]] double heard_s() const { return ramp_s * samples_[2 * (chunk / 2)] / samples_[2 * (chunk / 2) + 1]; }
   double error_s() {
     const double since_s = seconds_of(time_.now - mixed_at_) - 0.005;

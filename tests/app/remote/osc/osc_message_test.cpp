@@ -89,7 +89,8 @@ std::vector<std::byte> bytes_of(std::string_view text) {
 
 TEST(OscPackets, GiveArraysAsTheirElements) {
   using namespace std::string_view_literals;
-  // python-osc writes a list within the list of arguments so: seek with [12.5, 1], and a text behind it.
+  // python-osc writes a list within the list of arguments so: seek with [12.5, 1], and a text
+  // behind it.
   const auto messages = parse_osc(bytes_of("/seek\0\0\0,[fi]s\0\0\x41\x48\0\0\0\0\0\1end\0"sv));
   ASSERT_EQ(messages.size(), 1U);
   EXPECT_EQ(messages[0].arguments, (std::vector<OscArgument>{12.5, 1.0, std::string("end")}));
@@ -132,7 +133,8 @@ TEST(OscPackets, AreRefusedInWords) {
 }
 
 TEST(OscPackets, SurviveDamage) {
-  // What is left may be a packet or not: that it ends, within bounds, is what the sanitizers look at.
+  // What is left may be a packet or not: that it ends, within bounds, is what the sanitizers look
+  // at.
   const std::vector<std::byte> whole =
       bundle_of(5, {packet_of("/ergodome/seek", "dfisTFN", 1.0, 0.5, 2, "text"), packet_of("/b", "s", "other")});
   std::mt19937 random(7);

@@ -42,8 +42,8 @@ inline const std::string media_xml = R"(<?xml version="1.0" encoding="UTF-8"?>
 </MPCDI>
 )";
 
-//! Profile sl of version 2 as Christie's programs spell it: xResolution beside xsize, the axes of a surveyor (x right, y forward, z up), no
-//! files but empty paths.
+//! Profile sl of version 2 as Christie's programs spell it: xResolution beside xsize, the axes of a
+//! surveyor (x right, y forward, z up), no files but empty paths.
 inline const std::string lamps_xml = R"(<?xml version="1.0" encoding="utf-8"?>
 <MPCDI profile="sl" geometry="2" color="1" date="2018-11-16 19:30:11" version="2.0">
   <display>

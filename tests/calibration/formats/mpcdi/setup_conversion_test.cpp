@@ -145,7 +145,8 @@ std::pair<ProjectorPicture, WarpMesh> before_and_after(const DomeSetup& setup) {
   return {projector_pictures(setup)[0], warp_of(mpcdi, mpcdi.buffers[0].regions[0], "test")};
 }
 
-//! The farthest that two warps are apart in the master, over the nodes that both draw; most of them are to be such.
+//! The farthest that two warps are apart in the master, over the nodes that both draw; most of them
+//! are to be such.
 double farthest_apart(const WarpMesh& a, const WarpMesh& b) {
   const WarpMesh fine = resampled_warp(a, b.columns, b.rows);
   double farthest = 0.0;
@@ -165,7 +166,8 @@ TEST_F(SetupConversion, AFisheyesWarpIsComputedForMpcdi) {
   const DomeSetup fisheye = setup("pitch_deg = 90\nfisheye = { fov_deg = 180, circle = 2 }\n");
   const auto [before, after] = before_and_after(fisheye);
   EXPECT_LT(farthest_apart(before.warp, after), 1e-6);
-  // It looks straight up: pixels across the raster's middle from each other show places across the master's.
+  // It looks straight up: pixels across the raster's middle from each other show places across the
+  // master's.
   EXPECT_NEAR(after.at(3, 1).u + after.at(4, 2).u, 1.0, 1e-4);
   EXPECT_NEAR(after.at(3, 1).v + after.at(4, 2).v, 1.0, 1e-4);
 }

@@ -17,8 +17,8 @@
 #include "tests/support/errors.h"
 #include "tests/support/folder_test.h"
 
-// Expected values are worked out by hand from how SGCT reads each format: its raster runs from -1 to 1 with
-// y upwards, its textures from 0 to 1 with t upwards.
+// Expected values are worked out by hand from how SGCT reads each format: its raster runs from -1
+// to 1 with y upwards, its textures from 0 to 1 with t upwards.
 namespace ergodome {
 namespace {
 
@@ -79,7 +79,8 @@ TEST(DomeprojectionWarp, IsReadAsOtherProgramsAndCountriesWriteIt) {
       "x;y;u;v;column;row\r\n0,0;0,0;0,1;0,2;0;0\r\n1,0;0,0;0,9;0,2;1;0\r\n0,0;1,0;0,1;0,7;0;1\r\n1,0;1,0;0,9;0,7;1;"
       "1\r\n";
   expect_node(parse_foreign_warp(commas, "a.csv", WarpFormat::domeprojection).mesh.at(1, 1), 1, 1, 0.9, 0.7);
-  // Without a header, with rows in another order, and without the node of a corner that is not shown.
+  // Without a header, with rows in another order, and without the node of a corner that is not
+  // shown.
   const std::string bare = "1;1;0.9;0.7;1;1\n0;1;0.1;0.7;0;1\n1;0;0.9;0.2;1;0\n";
   const WarpMesh mesh = parse_foreign_warp(bare, "a.csv", WarpFormat::domeprojection).mesh;
   expect_node(mesh.at(0, 1), 0, 1, 0.1, 0.7);
@@ -141,8 +142,8 @@ TEST(ObjWarp, AVertexWithTwoTextureCoordinatesIsTwoNodes) {
       at_middle.push_back(node.u);
     }
   }
-  // The left face has one triangle with this vertex, as its last corner, which its cell repeats. The right
-  // face has two, as other corners.
+  // The left face has one triangle with this vertex, as its last corner, which its cell repeats.
+  // The right face has two, as other corners.
   EXPECT_THAT(at_middle, testing::UnorderedElementsAre(0.5F, 0.5F, 0.7F, 0.7F));
 }
 
@@ -179,7 +180,8 @@ std::string sgc(char version, const std::vector<float>& view, std::uint32_t firs
   return bytes;
 }
 
-//! Returns a view whose quaternion (x, y, z, w) turns up by 40° about x, then to the right by 30° about y.
+//! Returns a view whose quaternion (x, y, z, w) turns up by 40° about x, then to the right by 30°
+//! about y.
 std::vector<float> up_and_right() {
   const double half_up = 20.0 * one_degree;
   const double half_right = -15.0 * one_degree;
@@ -450,10 +452,12 @@ TEST_F(WarpsOfOthers, AViewOfTheFileBecomesPlacesOfTheDomemaster) {
   write("a.txt", whole);
   const auto pictures = projector_pictures(setup("warp = \"a.txt\"\n"));
   const WarpMesh warp = resampled_warp(pictures[0].warp, 3, 3);
-  // The middle is at azimuth 30° to the right of the front (bottom), 50° from the zenith: r = 0.5 · 50 / 90.
+  // The middle is at azimuth 30° to the right of the front (bottom), 50° from the zenith: r = 0.5 ·
+  // 50 / 90.
   EXPECT_NEAR(warp.at(1, 1).u, 0.5 + 0.277778 * 0.5, 1e-4);
   EXPECT_NEAR(warp.at(1, 1).v, 0.5 + 0.277778 * 0.866025, 1e-4);
-  // A sixth of the raster from its top it is higher by atan(2 / 3 · tan 20°) = 13.6397°: r = 0.5 · 36.3603 / 90.
+  // A sixth of the raster from its top it is higher by atan(2 / 3 · tan 20°) = 13.6397°: r = 0.5 ·
+  // 36.3603 / 90.
   EXPECT_NEAR(warp.at(1, 0).u, 0.5 + 0.202002 * 0.5, 1e-4);
   EXPECT_NEAR(warp.at(1, 0).v, 0.5 + 0.202002 * 0.866025, 1e-4);
   // Its right side lies further to the right, in the master as well.

@@ -11,7 +11,8 @@
 #include "kernels/projection/flat_parallax.h"
 #include "kernels/shells/shell_crossings.h"
 
-// Sheets of images in a head's flat tangent space: how far they are, and where an eye's line of sight meets them.
+// Sheets of images in a head's flat tangent space: how far they are, and where an eye's line of
+// sight meets them.
 namespace ergodome {
 namespace {
 
@@ -28,8 +29,8 @@ Vector3<D> direction_with_derivatives(const Vector3<double>& n) {
 
 Vector3<double> unit(const Vector3<double>& v) { return (1.0 / std::sqrt(dot(v, v))) * v; }
 
-//! Affine distances at which a ray meets the equatorial plane, and a sphere, by fourth-order Runge and Kutta in Mino time, of r and cosθ: other
-//! equations than the series have.
+//! Affine distances at which a ray meets the equatorial plane, and a sphere, by fourth-order Runge
+//! and Kutta in Mino time, of r and cosθ: other equations than the series have.
 struct MetDistances {
   std::vector<double> plane;
   std::vector<double> plane_u;

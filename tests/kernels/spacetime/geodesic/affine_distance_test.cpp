@@ -18,8 +18,9 @@ Vector3<double> random_direction(std::mt19937_64& random) {
   return (1.0 / std::sqrt(dot(v, v))) * v;
 }
 
-//! The affine distance by fourth-order Runge and Kutta in Mino time, of r and cosθ, E = 1: r'' = R'(r) / 2 with
-//! R = (r² + a² - a L)² - Δ K, and the same for Θ; another set of equations than the series use.
+//! The affine distance by fourth-order Runge and Kutta in Mino time, of r and cosθ, E = 1: r'' =
+//! R'(r) / 2 with R = (r² + a² - a L)² - Δ K, and the same for Θ; another set of equations than the
+//! series use.
 double integrated_distance(const CameraStation& camera, const Vector3<double>& n, double r_end, double step) {
   const RayStart<double> ray = start_ray(camera, n);
   const double a = camera.spin;

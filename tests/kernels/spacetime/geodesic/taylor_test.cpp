@@ -79,8 +79,8 @@ TEST(Taylor, InFloatTheMedianErrorOfTheRaysAwayFromTheEdgeIsBelowAMillionth) {
 }
 
 TEST(Taylor, LightBendsByThePublishedAnglesAroundSchwarzschildFromFarAway) {
-  // Total bending for impact parameter √27 (1 + ε), camera and source at infinity. The camera here is at r = 1e7, so its line of
-  // sight starts b / r = 5e-7 rad off the radial direction.
+  // Total bending for impact parameter √27 (1 + ε), camera and source at infinity. The camera here
+  // is at r = 1e7, so its line of sight starts b / r = 5e-7 rad off the radial direction.
   const std::pair<double, double> published[] = {
       {1e-2, 4.22966181183765942}, {1e-4, 8.81048635499560683}, {1e-6, 13.4152855577941784}};
   const double r = 1e7;
@@ -166,7 +166,8 @@ TEST(Taylor, TellsBothSidesOfTheEdgeApartDownToRounding) {
             const Traced traced =
                 trace(camera, chart_direction<double>(chart, std::cos(alpha), std::sin(alpha), gamma));
             EXPECT_EQ(traced.bright, side > 0.0) << "a " << a << " r " << r << " distance " << side * distance;
-            // Along an extremal horizon light winds not a few times but 1 / distance^½: too often to count, and said so.
+            // Along an extremal horizon light winds not a few times but 1 / distance^½: too often
+            // to count, and said so.
             const bool countless = a > 0.99999 && distance < 1e-8;
             EXPECT_TRUE(traced.reached == traced.bright || countless)
                 << "a " << a << " r " << r << " distance " << distance;
@@ -181,7 +182,8 @@ TEST(Taylor, TellsBothSidesOfTheEdgeApartDownToRounding) {
 }
 
 TEST(Taylor, WindsLogarithmicallyTowardsTheEdge) {
-  // Each factor of 100 in distance adds the same angle: ln 100 in Schwarzschild, where the Lyapunov exponent is 1 a radian.
+  // Each factor of 100 in distance adds the same angle: ln 100 in Schwarzschild, where the Lyapunov
+  // exponent is 1 a radian.
   const CameraStation camera = make_camera_station(0.0, 10.0, pi / 2, 0.0, ObserverMotion::zamo);
   const ShadowChart chart = make_shadow_chart(camera);
   const double edge = edge_polar_angle(camera, chart, 0.0);
@@ -194,7 +196,8 @@ TEST(Taylor, WindsLogarithmicallyTowardsTheEdge) {
 }
 
 TEST(Taylor, MeetsItsToleranceWhereTheLastTermsOfTheSeriesVanish) {
-  // Seen across from r = 6 a hole without spin: about the turning point u - 1/6 has the powers 2, 6, 10, 14, 18, 22 alone.
+  // Seen across from r = 6 a hole without spin: about the turning point u - 1/6 has the powers 2,
+  // 6, 10, 14, 18, 22 alone.
   const CameraStation camera = make_camera_station(0.0, 6.0, 1.0, 0.0, ObserverMotion::zamo);
   for (const double inwards : {0.0, 1e-9, 1e-4, 1e-3, -1e-3, 1e-2}) {
     const RayStart<double> start = start_ray(camera, unit(-inwards, 0.6, 0.8));
@@ -206,7 +209,8 @@ TEST(Taylor, MeetsItsToleranceWhereTheLastTermsOfTheSeriesVanish) {
   }
 }
 
-//! How far a ray's sky direction moves when its direction is rounded otherwise [rad]; more than a turn where it becomes dark.
+//! How far a ray's sky direction moves when its direction is rounded otherwise [rad]; more than a
+//! turn where it becomes dark.
 double moved_by_rounding(const CameraStation& camera, const Vector3<double>& n, const Vector3<double>& sky) {
   constexpr double ulps = 4.0 * std::numeric_limits<double>::epsilon();
   double moved = 0.0;
@@ -219,7 +223,8 @@ double moved_by_rounding(const CameraStation& camera, const Vector3<double>& n, 
   return moved;
 }
 
-//! Compares the closed form with the series for rays at a distance outside the shadow's edge; returns how many rounding leaves their digits.
+//! Compares the closed form with the series for rays at a distance outside the shadow's edge;
+//! returns how many rounding leaves their digits.
 int compare_beside_edge(const CameraStation& camera, double distance) {
   const ShadowChart chart = make_shadow_chart(camera);
   int compared = 0;
@@ -289,8 +294,8 @@ TEST(Taylor, MagnificationFromExactDerivativesIsThatOfTheReference) {
     const auto end = trace_taylor<20>(camera.spin, start_ray(camera, n), true, precise, steps, reached);
     const Vector3<double> dx = {end.sky.x.along_x, end.sky.y.along_x, end.sky.z.along_x};
     const Vector3<double> dy = {end.sky.x.along_y, end.sky.y.along_y, end.sky.z.along_y};
-    // Within 1e-3 rad of the edge the table's own differences run out of digits; these derivatives agree to 1e-10 between
-    // orders, tolerances and bases there.
+    // Within 1e-3 rad of the edge the table's own differences run out of digits; these derivatives
+    // agree to 1e-10 between orders, tolerances and bases there.
     const double allowed = std::abs(ray.edge_distance) > 1e-3 ? 1e-7 : 2e-5;
     const double magnification = 1.0 / test::length(cross(dx, dy));
     EXPECT_NEAR(magnification, std::abs(ray.magnification), allowed * std::abs(ray.magnification)) << "ray " << ray.id;

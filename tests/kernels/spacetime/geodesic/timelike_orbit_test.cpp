@@ -79,7 +79,8 @@ TEST(TimelikeOrbit, CircularOrbitsAreStableOutsideTheInnermostStableOneAlone) {
   }
 }
 
-//! Azimuth from one periapsis to the next, by bisection of the instant at which the radius stands still.
+//! Azimuth from one periapsis to the next, by bisection of the instant at which the radius stands
+//! still.
 double periapsis_to_periapsis(double r, double speed) {
   OrbitState orbit = make_orbit(0.0, r, pi / 2, 0.0, {0.0, 0.0, speed});
   const OrbitConstants constants = orbit_constants(0.0, orbit);
@@ -107,8 +108,9 @@ double periapsis_to_periapsis(double r, double speed) {
   return turned;
 }
 
-// Schwarzschild: the orbit between the radii p / (1 + e) and p / (1 - e) turns by 4 K(m) / √(1 - (6 - 2e) / p) with
-// m = 4e / (p - 6 + 2e) (Cutler, Kennefick & Poisson 1994, eq. 2.23, as an elliptic integral).
+// Schwarzschild: the orbit between the radii p / (1 + e) and p / (1 - e) turns by 4 K(m) / √(1 - (6
+// - 2e) / p) with m = 4e / (p - 6 + 2e) (Cutler, Kennefick & Poisson 1994, eq. 2.23, as an elliptic
+// integral).
 TEST(TimelikeOrbit, PeriapsisAdvancesAsTheEllipticIntegralSays) {
   for (const auto& [p, e] : {std::pair(12.0, 0.2), std::pair(20.0, 0.5), std::pair(200.0, 0.1)}) {
     const double r = p / (1.0 + e);

@@ -98,7 +98,8 @@ TEST(WithinHorizon, FloatSeesTheSkyOfTheReferenceToItsRounding) {
   });
 }
 
-//! Errors on the sky of rays in float by which 98 of 100 from all over the sky are off at the most; 1 where one gave up.
+//! Errors on the sky of rays in float by which 98 of 100 from all over the sky are off at the most;
+//! 1 where one gave up.
 double worst_in_float(double spin, double r) {
   const CameraStation camera = make_camera_station(spin, r, 1.4, 0.0, ObserverMotion::rain);
   const CameraStationOf<float> coarse = converted_station<float>(camera);
@@ -164,7 +165,8 @@ TEST(WithinHorizon, RaysFromNextToItDoNotDependOnHowTheirAzimuthIsCounted) {
   }
 }
 
-//! What the rain sees from both sides of the horizon in one direction, the outer one turned to ingoing Kerr's azimuth.
+//! What the rain sees from both sides of the horizon in one direction, the outer one turned to
+//! ingoing Kerr's azimuth.
 TEST(WithinHorizon, NothingHappensToTheSkyAtTheHorizon) {
   constexpr double beside = 1e-7;
   for (const double spin : {0.0, -0.5, 0.9, 0.999}) {
@@ -184,8 +186,8 @@ TEST(WithinHorizon, NothingHappensToTheSkyAtTheHorizon) {
   }
 }
 
-//! Angle from straight outwards at which the rain about a hole without spin sees the shadow begin: light of impact parameter b = √27, which has
-//! r sin η = b E and E = 1 + v cos η.
+//! Angle from straight outwards at which the rain about a hole without spin sees the shadow begin:
+//! light of impact parameter b = √27, which has r sin η = b E and E = 1 + v cos η.
 double schwarzschild_edge(double r) {
   const double b = std::sqrt(27.0);
   const double v = std::sqrt(2.0 / r);

@@ -20,8 +20,9 @@ struct Photon {
   double time = 0.0;
 };
 
-//! A photon after a coordinate time: x'' = -3 h² x / r⁵, t' = 1 / (1 - 2/r) in the affine parameter, by Runge and Kutta's method. `to` is its
-//! direction for a static observer where it starts.
+//! A photon after a coordinate time: x'' = -3 h² x / r⁵, t' = 1 / (1 - 2/r) in the affine
+//! parameter, by Runge and Kutta's method. `to` is its direction for a static observer where it
+//! starts.
 Photon followed(const Point& from, const Point& to, double time) {
   const double r = size(from);
   const Point radial = (1.0 / r) * from;
@@ -97,7 +98,8 @@ TEST(Illuminance, FallsWithTheSquareOfTheTimeAndWithTheAngle) {
   const double time = connecting_ray(20.0, 5.0, 0.0).travel_time;
   EXPECT_NEAR(illuminance(light, point, {1.0, 0.0, 0.0}, 1, 3.0), 3.0 / (time * time), 1e-15);
   EXPECT_EQ(illuminance(light, point, {-1.0, 0.0, 0.0}, 1, 3.0), 0.0);
-  // A surface that is oblique in coordinates: its angle is measured with lengths along the radius grown by 1/√(3/5).
+  // A surface that is oblique in coordinates: its angle is measured with lengths along the radius
+  // grown by 1/√(3/5).
   const double slope = std::atan(std::sqrt(0.6));  // tan 45° × √(1 - 2/r): radial part of the normal
   EXPECT_NEAR(illuminance(light, point, {std::sqrt(0.5), std::sqrt(0.5), 0.0}, 1, 1.0), std::sin(slope) / (time * time),
               1e-15);
@@ -121,7 +123,8 @@ TEST(Tessellation, GrowsWithTheCurvatureOfAnEdge) {
 }
 
 TEST(Tessellation, TrianglesWithThePointBehindTheHoleAreTorn) {
-  // MSW's rod of figure 6: vertices on both sides of the line behind the hole are seen on opposite sides of it.
+  // MSW's rod of figure 6: vertices on both sides of the line behind the hole are seen on opposite
+  // sides of it.
   const Point observer{40.0, 0.0, 0.0};
   const auto screen = [](const Point& direction) {
     return ScreenPoint{direction.y / -direction.x, direction.z / -direction.x};

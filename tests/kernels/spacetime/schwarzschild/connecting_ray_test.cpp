@@ -16,8 +16,8 @@ double lapse_squared(double r) { return 1.0 - 2.0 / r; }
 
 double tortoise(double r) { return r + 2.0 * std::log(0.5 * r - 1.0); }
 
-//! A ray followed by Runge and Kutta's method in coordinate time, from the observer's direction alone: r, cosine to outward, φ and the affine distance at its
-//! end, dλ/dt = 1 - 2/r.
+//! A ray followed by Runge and Kutta's method in coordinate time, from the observer's direction
+//! alone: r, cosine to outward, φ and the affine distance at its end, dλ/dt = 1 - 2/r.
 std::array<double, 4> followed(double r_observer, double xi, double time) {
   const double b = r_observer * std::sin(xi) / std::sqrt(lapse_squared(r_observer));
   const auto change = [b](const std::array<double, 4>& s) {
@@ -148,7 +148,8 @@ TEST(ConnectingRay, FarAwayAPointBehindTheHoleIsEinsteinsRing) {
 }
 
 TEST(ConnectingRay, FarAwayTimeIsShapiros) {
-  // Weinberg (1972), eq. 8.7.4, from the closest approach r_0 to r; what it leaves out is of the order of M² / r_0.
+  // Weinberg (1972), eq. 8.7.4, from the closest approach r_0 to r; what it leaves out is of the
+  // order of M² / r_0.
   const double r_observer = 1e6;
   const double r = 2e6;
   const ConnectingRay ray = connecting_ray(r_observer, r, 3.0);

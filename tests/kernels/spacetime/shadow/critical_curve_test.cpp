@@ -49,8 +49,8 @@ TEST(CriticalCurve, ShadowAtThePhotonOrbitIsHalfTheSky) {
 }
 
 TEST(CriticalCurve, SeenFromFarTheProgradeEdgeLiesAtItsImpactParameter) {
-  // Equatorial critical impact parameters of Bardeen (1973): b = r_ph^2 (3 - r_ph) / (a (r_ph - 1)) + a ... in the form
-  // L = -(r³ - 3r² + a² r + a²) / (a (r - 1)) at the photon orbit r.
+  // Equatorial critical impact parameters of Bardeen (1973): b = r_ph^2 (3 - r_ph) / (a (r_ph - 1))
+  // + a ... in the form L = -(r³ - 3r² + a² r + a²) / (a (r - 1)) at the photon orbit r.
   const double a = 0.9;
   const double r = 1e6;
   const CameraStation camera = make_camera_station(a, r, pi / 2, 0.0, ObserverMotion::zamo);
@@ -86,7 +86,8 @@ TEST(CriticalCurve, IsContinuousAsTheSpinGoesToZero) {
 }
 
 TEST(CriticalCurve, OfTheExtremalHoleHasTheStraightSideOfAngularMomentumTwo) {
-  // a = 1: the prograde side of the shadow is made of rays with L = 2 whose double root is the horizon itself.
+  // a = 1: the prograde side of the shadow is made of rays with L = 2 whose double root is the
+  // horizon itself.
   const CameraStation camera = make_camera_station(1.0, 1e3, pi / 2, 0.0, ObserverMotion::zamo);
   const ShadowChart chart = make_shadow_chart(camera);
   for (const double gamma : {pi - 0.2, pi, pi + 0.2}) {

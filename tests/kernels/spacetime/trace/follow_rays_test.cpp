@@ -78,7 +78,8 @@ TEST(FollowedRays, EndAtTheLastShellThatATracedRaySees) {
   EXPECT_GT(met, 2000);
 }
 
-// With 2 r_+ E < a L it comes from another universe to a camera within the horizon. Outside the horizon it turns back soon.
+// With 2 r_+ E < a L it comes from another universe to a camera within the horizon. Outside the
+// horizon it turns back soon.
 TEST(FollowedRays, MeetNoShellByLightThatHasNotBeenOutside) {
   constexpr double spin = 0.9;
   const CameraStation camera = make_camera_station(spin, 1.2, 1.3, 0.0, ObserverMotion::rain_boost, {0.9, 0.0, 0.0});
@@ -160,7 +161,8 @@ TEST(FollowedRays, TakeMoreStepsWhereMoreIsAsked) {
 }
 
 TEST(FollowedRays, AreSlowNextToThePolesInPolarAnglesAlone) {
-  // Straight up from the middle the plane of the ray holds the axis, which it passes on its way round to the shell's far side.
+  // Straight up from the middle the plane of the ray holds the axis, which it passes on its way
+  // round to the shell's far side.
   const Vector3<double> over_the_pole = beside_the_middle(0.36, 1e-4);
   const Vector3<double> beside = beside_the_middle(0.1, 0.34);
   const double polar = follow(over_the_pole, 1e-5, by_baseline).steps / follow(beside, 1e-5, by_baseline).steps;

@@ -28,7 +28,8 @@ struct Sliver {
 //! Pairs of slivers and stars whose places in them are known.
 class PatchPairs : public testing::Test {
  protected:
-  //! `low` to `high`: the range of u and v; `skip`: the middle of it that is left out, from the middle of the patch.
+  //! `low` to `high`: the range of u and v; `skip`: the middle of it that is left out, from the
+  //! middle of the patch.
   void make(double low, double high, double skip) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> uniform;

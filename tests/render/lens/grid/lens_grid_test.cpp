@@ -51,7 +51,8 @@ void read_through(const GridCase& c, Rays& rays) {
   test::read_through(lens_of(c.station), c.camera(), c.settings.observer, rays);
 }
 
-//! Errors on the screen over random directions that see the sky, those in the cut-off and the traced ones included.
+//! Errors on the screen over random directions that see the sky, those in the cut-off and the
+//! traced ones included.
 Errors errors_of(const GridCase& c, std::size_t count = 100'000) {
   return test::screen_errors(lens_of(c.station), c.camera(), c.settings.observer, c.settings.pixel, count);
 }

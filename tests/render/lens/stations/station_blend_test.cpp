@@ -30,8 +30,9 @@ std::shared_ptr<const StationBuffers> station_at(const Place& p) {
   return std::make_shared<StationBuffers>(Backend::cpu, build_lens_station(spin, p.r, p.theta, settings));
 }
 
-//! Errors between the blend of two stations and traced rays at the place in the middle, over an equirectangular picture of the whole
-//! camera sky, as VE measure theirs (section 5.2), in their measure: squared distance in (θ, φ) on the sky.
+//! Errors between the blend of two stations and traced rays at the place in the middle, over an
+//! equirectangular picture of the whole camera sky, as VE measure theirs (section 5.2), in their
+//! measure: squared distance in (θ, φ) on the sky.
 struct Comparison {
   double mean_square = 0.0;    //!< [rad²]
   std::vector<double> angles;  //!< on the sky, sorted [rad]
@@ -124,7 +125,8 @@ TEST(StationBlend, ErrorFallsWithTheSquareOfTheDistanceOfTheStations) {
   EXPECT_NEAR(median(0.8) / median(0.4), 4.0, 0.6);
 }
 
-//! Error at the 99th of hundred directions beside a station with derivatives, for an eye that is moved by (dr, dθ) [px of 4096²].
+//! Error at the 99th of hundred directions beside a station with derivatives, for an eye that is
+//! moved by (dr, dθ) [px of 4096²].
 double error_beside(double dr, double dtheta) {
   const Place here = {6.0, 1.2};
   GridSettings settings;

@@ -27,7 +27,8 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 
 class StationStreaming : public test::FolderTest {
  protected:
-  //! A file of stations a tenth of a second apart, each further in; the lenses in it are all one small grid.
+  //! A file of stations a tenth of a second apart, each further in; the lenses in it are all one
+  //! small grid.
   [[nodiscard]] TrajectoryReader make_file(int stations) {
     GridSettings settings;
     settings.pixel = 0.05;

@@ -15,7 +15,8 @@
 
 namespace ergodome::test {
 
-//! Pixels at which objects may be: half of the wanted near to what is drawn of them, half near to where walks that are some pixels apart meet them.
+//! Pixels at which objects may be: half of the wanted near to what is drawn of them, half near to
+//! where walks that are some pixels apart meet them.
 class ObjectPixelsOfTest {
  public:
   ObjectPixelsOfTest(const Picture& picture, const FlatWalk& walk) : width_(picture.width), height_(picture.height) {
@@ -70,7 +71,8 @@ inline void expect_all_kinds_seen(const Show& show, std::map<FlatWalk::Met, int>
   expect_seen(!show.objects.empty(), Met::object);
 }
 
-//! Whether a pixel and those beside it see one thing, whose radius changes little; images that are some pixels wide alone are one radius a pixel.
+//! Whether a pixel and those beside it see one thing, whose radius changes little; images that are
+//! some pixels wide alone are one radius a pixel.
 inline bool is_within_one_thing(const FlatWalk& walk, int x, int y, const FlatWalk::Seen& seen) {
   bool inside = true;
   for (const auto& [dx, dy] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
@@ -80,7 +82,8 @@ inline bool is_within_one_thing(const FlatWalk& walk, int x, int y, const FlatWa
   return inside;
 }
 
-//! Holds a pixel to what its middle sees; where images of objects in it are thinner than a pixel, to what samples of it see. Tells whether it was the former.
+//! Holds a pixel to what its middle sees; where images of objects in it are thinner than a pixel,
+//! to what samples of it see. Tells whether it was the former.
 inline bool compare_pixel(const Show& show, const FlatWalk& walk, const Picture& picture, int x, int y,
                           const FlatWalk::Seen& seen) {
   const float drawn = luminance_of(light_at(picture, x, y));

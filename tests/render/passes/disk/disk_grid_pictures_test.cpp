@@ -123,7 +123,8 @@ TEST(DiskGridPictures, AreThoseOfRays) {
     const TwoPictures pictures = draw_both(at);
     const std::vector<float> found = differences(pictures);
     ASSERT_GT(found.size(), pictured_px * pictured_px / 22U);
-    // Edges are laid over pixels by how 1/r changes in their middle, and where it changes fast, that is not the same to the last bit.
+    // Edges are laid over pixels by how 1/r changes in their middle, and where it changes fast,
+    // that is not the same to the last bit.
     EXPECT_LT(found[found.size() / 2], 1e-3F);
     EXPECT_LT(found[found.size() * 99 / 100], 0.04F);
     EXPECT_LT(found[found.size() * 999 / 1000], 0.12F);
@@ -132,7 +133,8 @@ TEST(DiskGridPictures, AreThoseOfRays) {
 }
 
 TEST(DiskGridPictures, LeavePixelsThatShowObjectsToRays) {
-  // All that is coloured is the ball and what lies before and behind it: a disk that gives no light, but hides.
+  // All that is coloured is the ball and what lies before and behind it: a disk that gives no
+  // light, but hides.
   const PicturedDisk at = {"dark, round a ball", 0.9, 30.0, 1.4, 1.4, false, false, true};
   const auto coloured = [&](bool by_grid) {
     Show show = pictured_show(at);

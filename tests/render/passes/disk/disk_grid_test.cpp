@@ -21,7 +21,8 @@ namespace {
 constexpr double table_budget_px = 0.1;
 constexpr double table_pixel = 1e-3;
 
-//! A crossing as a grid has it, with its changes along two directions of the observer's sky that are at right angles, a pixel each.
+//! A crossing as a grid has it, with its changes along two directions of the observer's sky that
+//! are at right angles, a pixel each.
 struct ReadCrossing {
   bool good = false;  //!< not left to rays
   bool shown = false;

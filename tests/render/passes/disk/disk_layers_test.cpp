@@ -88,7 +88,8 @@ TEST(JoinedDisk, HasThePatchesOfBothStations) {
       }
     }
   }
-  // Where leaves of different size meet they disagree in the middle of the larger one's side, and the smaller one is right.
+  // Where leaves of different size meet they disagree in the middle of the larger one's side, and
+  // the smaller one is right.
   EXPECT_GT(compared, 4000);
   EXPECT_LT(missed, compared / 100);
 }
@@ -185,7 +186,8 @@ TEST(DiskLayers, OfCamerasInThePlaneAreBlendedAlongIt) {
 }
 
 TEST(DiskLayers, DoNotReachThroughThePlane) {
-  // Light that starts downwards crosses the plane next to a camera above it, and half a turn later below: all orders leap.
+  // Light that starts downwards crosses the plane next to a camera above it, and half a turn later
+  // below: all orders leap.
   const auto stations = joined({20.0, 0.5 * pi - 0.02}, {20.0, 0.5 * pi + 0.02});
   EXPECT_GT(error_between(stations, {20.0, 0.5 * pi - 0.01}), 10.0 * budget_px);
 }

@@ -106,8 +106,9 @@ TEST(DiskPass, ShowsSecondAndThirdImagesWhereTheyAre) {
 }
 
 TEST(DiskPass, HasTheShiftOfLuminetsFormulaAlongTheEquatorialLine) {
-  // Without spin: 1 + z = (1 + r^(-3/2) b sin(i) sin(α)) / √(1 - 3/r) for an observer at rest at infinity (Luminet 1979, eq. 19), who here
-  // stands at r_o; b follows from the angle ξ at the observer: b = r_o sin(ξ) / √(1 - 2/r_o).
+  // Without spin: 1 + z = (1 + r^(-3/2) b sin(i) sin(α)) / √(1 - 3/r) for an observer at rest at
+  // infinity (Luminet 1979, eq. 19), who here stands at r_o; b follows from the angle ξ at the
+  // observer: b = r_o sin(ξ) / √(1 - 2/r_o).
   const double r_o = 60.0;
   const double inclination = 1.4;
   const DiskSettings settings = uniform_disk(6.0, 25.0);
@@ -147,7 +148,8 @@ TEST(DiskPass, IsBrighterOnTheSideThatComes) {
 }
 
 TEST(DiskPass, HasTheAreaOfItsRingWithinASmallPartOfAPixelsWidth) {
-  // From far above, a ring of radius r stands at b = r + 1 + O(1/r) (Gates, Hadar & Johnson 2021): edges cover pixels in part.
+  // From far above, a ring of radius r stands at b = r + 1 + O(1/r) (Gates, Hadar & Johnson 2021):
+  // edges cover pixels in part.
   const double r_o = 1e5;
   const double pixel = 600.0 / r_o / disk_size_px;
   const DrawnDisk drawn = draw_disk(show_with(0.0, uniform_disk(100.0, 250.0)), eye_at(0.0, r_o, 0.0), 600.0 / r_o);
@@ -194,7 +196,8 @@ int single_pixels(const DrawnDisk& drawn) {
   return found;
 }
 
-//! A camera that falls through the horizon as rain, and looks at the hole but for some parts of a pixel.
+//! A camera that falls through the horizon as rain, and looks at the hole but for some parts of a
+//! pixel.
 EyeCamera eye_at_horizon(double spin, double theta, double right_rad, double up_rad) {
   EyeCamera eye = eye_at(spin, horizon_radius(spin), theta, ObserverMotion::rain);
   const double back[3] = {std::cos(right_rad) * std::cos(up_rad), std::sin(up_rad),
@@ -210,7 +213,8 @@ EyeCamera eye_at_horizon(double spin, double theta, double right_rad, double up_
   return eye;
 }
 
-// Straight footprints of light that meets the plane behind the horizon lead outside, to where such light cannot be.
+// Straight footprints of light that meets the plane behind the horizon lead outside, to where such
+// light cannot be.
 TEST(DiskPass, HasNoSinglePixelsWhereItFallsIntoAFastHole) {
   constexpr double spin = 0.998;
   DiskSettings disk = uniform_disk(1.0005 * horizon_radius(spin), 16.0);

@@ -48,7 +48,8 @@ TEST(DiskPattern, FollowsTheFlow) {
               disk_pattern(later, 9.0F, 1.0F, rotation, 15.0F, 0.0F), 1e-4F);
 }
 
-//! A camera of `show` that falls as rain along the axis, 1 M of its own time a second, from r = 20 on.
+//! A camera of `show` that falls as rain along the axis, 1 M of its own time a second, from r = 20
+//! on.
 void let_rain(Show& show, double least_r) {
   constexpr double from_r = 20.0;
   FallSettings settings;
@@ -75,7 +76,8 @@ LightOfDisk light_of_disk(const CameraStation& camera, double from_axis) {
   return {light.r, found[0].delay, 1.0 / circular_frequency(camera.spin, light)};
 }
 
-//! The same from radius r of the disk: the angle from the axis, up to one from which its outside is seen, by bisection.
+//! The same from radius r of the disk: the angle from the axis, up to one from which its outside is
+//! seen, by bisection.
 LightOfDisk light_from(const CameraStation& camera, double r) {
   double outer = 0.0;
   double inner = pi;

@@ -53,7 +53,8 @@ inline Vector3<float> light_at(const Picture& picture, int x, int y) {
   return {at[0], at[1], at[2]};
 }
 
-//! Walks along an eye's line of sight through the head's flat tangent space, in double precision: what it meets first.
+//! Walks along an eye's line of sight through the head's flat tangent space, in double precision:
+//! what it meets first.
 class FlatWalk {
  public:
   FlatWalk(const Show& show, double offset)
@@ -168,7 +169,8 @@ class FlatWalk {
     bool in_object;  //!< in the ball of one
   };
 
-  //! Where the head's ray in direction n is at a distance, in pseudo-Cartesian coordinates; nothing where that is far from the hole, or in it.
+  //! Where the head's ray in direction n is at a distance, in pseudo-Cartesian coordinates; nothing
+  //! where that is far from the hole, or in it.
   [[nodiscard]] std::optional<Vector3<double>> point_at(const Vector3<double>& n, double distance) const {
     constexpr NearParts parts = NearParts::azimuth_and_distance;
     std::optional<Vector3<double>> point;
@@ -185,7 +187,8 @@ class FlatWalk {
     return point;
   }
 
-  //! Beyond a shell's near side, as seen from outside, but not beyond its far side; or beyond one about the camera.
+  //! Beyond a shell's near side, as seen from outside, but not beyond its far side; or beyond one
+  //! about the camera.
   [[nodiscard]] bool is_in_shell(const Vector3<double>& n, double distance,
                                  const std::optional<Vector3<double>>& point) const {
     return std::ranges::any_of(show_.shells, [&](const ShellSettings& shell) {

@@ -89,7 +89,8 @@ TEST(Bloom, LeavesTheCoverage) {
 }
 
 TEST(Bloom, IsSymmetricAboutThePoint) {
-  // Two by two pixels in the middle of a power of two: then the chain's grids are symmetric as well.
+  // Two by two pixels in the middle of a power of two: then the chain's grids are symmetric as
+  // well.
   Picture picture = point(256, 256, 127, 127);
   for (const auto& [x, y] : {std::pair{128, 127}, {127, 128}, {128, 128}}) {
     pixel(picture, x, y, 1) = 1000.0F;

@@ -93,7 +93,8 @@ TEST(AddDiffraction, MovesByPartsOfAPixel) {
 }
 
 TEST(AddDiffraction, IsClippedAtTheBorders) {
-  // The picture stands in the middle of guard pixels, row by row; a larger picture tells what it should hold.
+  // The picture stands in the middle of guard pixels, row by row; a larger picture tells what it
+  // should hold.
   constexpr int size = 4;
   constexpr int around = 20;
   for (double x = -5.0; x < size + 5.0; x += 0.7) {

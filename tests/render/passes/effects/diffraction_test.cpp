@@ -51,7 +51,8 @@ std::vector<double> light_by_direction(const DiffractionPattern& pattern) {
   return light;
 }
 
-//! Directions [degrees, anticlockwise from the right] of runs brighter than a third of the brightest: their middles.
+//! Directions [degrees, anticlockwise from the right] of runs brighter than a third of the
+//! brightest: their middles.
 std::vector<double> spikes(const DiffractionPattern& pattern) {
   const std::vector<double> light = light_by_direction(pattern);
   const double bright = *std::max_element(light.begin(), light.end()) / 3.0;

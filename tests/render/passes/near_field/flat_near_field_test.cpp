@@ -115,7 +115,8 @@ bool is_light(const Picture& picture) {
 }
 
 TEST(FlatNearField, IsDrawnWhereverTheCameraIs) {
-  // By the plane, inside the disk's outer edge, on the axis, far away, with eyes farther apart than the plane is.
+  // By the plane, inside the disk's outer edge, on the axis, far away, with eyes farther apart than
+  // the plane is.
   const auto cameras =
       std::vector<std::string>{"[[camera.key]]\nr = 24\ntheta_deg = 90\n[hole]\nspin = 0.9\n",
                                "[[camera.key]]\nr = 24\ntheta_deg = 89.99\nroll_deg = 90\n[hole]\nspin = 1\n",
@@ -144,7 +145,8 @@ TEST(FlatNearField, CountsInTheDisparityThatAPersonReads) {
   const Projection projection = make_projection(show.view, flat_px, 0.0);
   const auto disparity = frame_disparity(show, pose, projection, {}, {});
   ASSERT_TRUE(disparity);
-  // The shell's nearest point is straight ahead, in the middle of the lattice, and all else is farther.
+  // The shell's nearest point is straight ahead, in the middle of the lattice, and all else is
+  // farther.
   const EyeCamera head = eye_camera(show, pose, 0.0);
   const double(&m)[3][3] = head.frame_from_view;
   const double distance = affine_distance(station_of(head), {-m[0][2], -m[1][2], -m[2][2]}, 5.0);

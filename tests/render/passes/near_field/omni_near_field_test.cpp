@@ -28,7 +28,8 @@ Vector3<double> turned_by(double angle, const Vector3<double>& v) {
   return {std::cos(angle) * v.x - std::sin(angle) * v.y, std::sin(angle) * v.x + std::cos(angle) * v.y, v.z};
 }
 
-//! Largest difference of any number of the rays of an eye from those of each direction's own camera, beside the largest of its kind.
+//! Largest difference of any number of the rays of an eye from those of each direction's own
+//! camera, beside the largest of its kind.
 double largest_difference(const std::string& place, double half_baseline, double convergence) {
   const Show show = show_of_eyes("model = \"omni\"\n", "projection = \"dome\"\n", place);
   const CameraPose pose = camera_pose(show, 0.0);
@@ -67,7 +68,8 @@ TEST(OmniNearField, RaysAreThoseOfEachDirectionsOwnCamera) {
   EXPECT_LT(largest_difference("r = 1.6\ntheta_deg = 90\nphi_deg = 250\n", 0.01, 0.0), 1e-5);
 }
 
-//! A camera that stays on the equator sees no disk where it stands: its rays do not cross the plane there.
+//! A camera that stays on the equator sees no disk where it stands: its rays do not cross the plane
+//! there.
 TEST(OmniNearField, RaysOfEyesOnTheEquatorBeginOnIt) {
   const Show show = show_of_eyes("model = \"omni\"\n", "projection = \"dome\"\n", "r = 9\ntheta_deg = 90\n");
   const EyePlace eye_at = [&](const Vector3<double>& offset) {
@@ -96,7 +98,8 @@ const float* pixel_of(const Picture& both, int eye, int x, int y) {
   return both.rgba.data() + 4 * static_cast<std::size_t>(y * both.width + eye * both.width / 2 + x);
 }
 
-//! Both eyes side by side of a picture all around, of a camera that is turned by so many of its columns.
+//! Both eyes side by side of a picture all around, of a camera that is turned by so many of its
+//! columns.
 Picture panorama(const char* scene, const char* model, int columns) {
   const std::string yaw = std::to_string(360.0 * columns / panorama_px);
   const Show show = show_of_eyes(std::string("baseline = 1\nmodel = \"") + model + "\"\n" + scene,
@@ -115,7 +118,8 @@ float pixel_difference(const float* own, const float* other) {
   return difference;
 }
 
-//! What a column of a picture of eyes that turn shows, beside what is straight ahead of a camera that is turned to it.
+//! What a column of a picture of eyes that turn shows, beside what is straight ahead of a camera
+//! that is turned to it.
 struct ColumnsApart {
   int looked_at = 0;
   int near = 0;       //!< pixels that show something of the scene
@@ -140,7 +144,8 @@ void compare_columns(const char* scene, const Picture& turning, int columns, Col
   }
 }
 
-//! What is straight ahead of a turned camera, whose eyes are to its left and right, is what eyes that turn with the direction see there.
+//! What is straight ahead of a turned camera, whose eyes are to its left and right, is what eyes
+//! that turn with the direction see there.
 TEST(OmniNearField, IsSeenAsByCamerasThatAreTurnedToEachDirection) {
   for (const char* const scene : near_scenes) {
     SCOPED_TRACE(scene);
@@ -149,7 +154,8 @@ TEST(OmniNearField, IsSeenAsByCamerasThatAreTurnedToEachDirection) {
     for (const int part : {0, 5, 9, 10, -9}) {
       compare_columns(scene, turning, part * panorama_px / 73, sum);
     }
-    // Pixels are as wide along the azimuth as cameras beside one another make them: lines and edges are smoothed a little otherwise.
+    // Pixels are as wide along the azimuth as cameras beside one another make them: lines and edges
+    // are smoothed a little otherwise.
     EXPECT_LE(sum.different, sum.looked_at / 30);
     EXPECT_LT(sum.largest, 0.5F);
     EXPECT_GT(sum.near, sanitized ? 3 : 8);

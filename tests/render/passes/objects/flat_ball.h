@@ -13,7 +13,8 @@
 #include "render/frame/show_renderer.h"
 #include "render/passes/objects/polygons/object_view.h"
 
-// A ball beside a hole without spin, as eyes of the model `flat` see it, and where the closed form has it.
+// A ball beside a hole without spin, as eyes of the model `flat` see it, and where the closed form
+// has it.
 namespace ergodome::test {
 
 //! A white ball before black, and eyes that see through one lens.
@@ -74,7 +75,8 @@ inline Middle middle_about(double x_px, double y_px, const Picture& picture) {
   return middle;
 }
 
-//! Where the head sees the middle of the ball's first image, in the view's axes, and how far it is: by the closed form.
+//! Where the head sees the middle of the ball's first image, in the view's axes, and how far it is:
+//! by the closed form.
 struct SeenPlace {
   Vector3<double> view;
   double distance;
@@ -116,7 +118,8 @@ inline void expect_where_flat_space_puts(const BallBeforeHead& at) {
   together.baseline = 0.0;
   renderer.set_stereo(together);
   const auto heads = renderer.render_window_parts(camera_pose(show, 0.0), projection, ViewMode::sky);
-  // The middle of a bent ball is not that of its light; by how much is the same for both eyes and the head.
+  // The middle of a bent ball is not that of its light; by how much is the same for both eyes and
+  // the head.
   const Middle none = find(heads[0], 0.0);
   for (std::size_t eye = 0; eye < 2; ++eye) {
     const Middle off = find(eyes[eye], (eye == 0 ? -0.5 : 0.5) * at.baseline);

@@ -185,7 +185,8 @@ TEST(FlatObjects, ThatAreRetardedAreSeenWhereTheyWere) {
   const Show then = objects_show(ball + "retarded = true\n" + lamp_and_shift, spinning, 1.0, 60, 120);
   const Difference difference = difference_from_head(then, 1e-6);
   EXPECT_GT(difference.light, 100.0);
-  // Some of it are images that are thinner than a tenth of a pixel: which of them samples meet is chance.
+  // Some of it are images that are thinner than a tenth of a pixel: which of them samples meet is
+  // chance.
   EXPECT_LT(difference.mean, 2e-2);
   const Picture moved = eyes_of(now, LensChoice::direct)[0];
   const Picture seen = eyes_of(then, LensChoice::direct)[0];

@@ -7,7 +7,8 @@
 #include "tests/render/passes/objects/object_scene.h"
 #include "tests/support/sanitized.h"
 
-// Polygons as eyes of the model `flat` see them: a thing at the affine distance d in the head's direction n stands at d n.
+// Polygons as eyes of the model `flat` see them: a thing at the affine distance d in the head's
+// direction n stands at d n.
 namespace ergodome {
 namespace {
 

@@ -25,7 +25,8 @@ const Vector3<double> to_hole = {-1.0, 0.0, 0.0};
 
 class ObjectPlaces : public test::ObjectScenes {
  protected:
-  //! Where the image of a small sphere is beside where the closed form has it, in the middle of a narrow view [rad]; nothing where none is drawn.
+  //! Where the image of a small sphere is beside where the closed form has it, in the middle of a
+  //! narrow view [rad]; nothing where none is drawn.
   struct Offset {
     double away;    //!< from the hole
     double beside;  //!< round it
@@ -96,7 +97,8 @@ TEST_F(ObjectPlaces, SecondImagesAreOnTheOtherSideAndWithinATwentiethOfAPixelOfT
 }
 
 TEST_F(ObjectPlaces, FurtherImagesThatAreAskedForAreAsFarFromTheHoleAsTheClosedFormHasThem) {
-  // They are streaks along the ring, longer than the view. Triangles are chords of it: spheres are so small that chords do not tell.
+  // They are streaks along the ring, longer than the view. Triangles are chords of it: spheres are
+  // so small that chords do not tell.
   for (const Vector3<double>& place : {Vector3<double>{-5.0, 3.0, -0.5}, {-6.0, 1.5, -1.0}, {5.0, 3.0, 2.0}}) {
     const auto third = offset(place, 3, 0.05, 0.01 * one_degree, 3);
     const auto fourth = offset(place, 4, 0.05, 0.001 * one_degree, 4);
@@ -179,7 +181,8 @@ TEST_F(ObjectPlaces, NothingIsDrawnAcrossTheShadowWhileASphereCrossesTheAxis) {
   for (const double y : test::sanitized ? std::vector{-0.003, 0.3} : std::vector{-0.7, -0.003, 0.0, 0.3}) {
     for (const double x : {-6.0, 6.0}) {
       ObjectSettings sphere = small_sphere({x, y, 0.0}, 0.5);
-      // Coarse triangles are torn as fine ones are. Four times as many take four times as long in software, and a minute under the sanitizers.
+      // Coarse triangles are torn as fine ones are. Four times as many take four times as long in
+      // software, and a minute under the sanitizers.
       for (const double most : {1.0, test::sanitized ? 4.0 : 32.0}) {
         sphere.tessellation.most = most;
         const auto drawn = draw(show_of({sphere}), eye_looking(places_r_observer, to_hole), projection);

@@ -24,7 +24,8 @@ using test::observed;
 using test::show_of;
 using test::station;
 
-//! A ball beside the hole, whose third image lies within a hundredth of the shadow's radius of its edge, and whose second lies beyond `thin_part` of it.
+//! A ball beside the hole, whose third image lies within a hundredth of the shadow's radius of its
+//! edge, and whose second lies beyond `thin_part` of it.
 class ThinImages : public testing::TestWithParam<double> {
  protected:
   static constexpr double thin_part = 0.022;
@@ -33,8 +34,8 @@ class ThinImages : public testing::TestWithParam<double> {
   [[nodiscard]] static EyeCamera eye(double r) { return eye_at(GetParam(), r, 1.45); }
   [[nodiscard]] static Projection projection() { return make_pinhole_projection(128, 128, 0.45); }
 
-  //! What a picture, of which covered(x, y) is the part of a pixel that objects cover, has of the ball within that part of the shadow's radius outside its
-  //! edge [sr].
+  //! What a picture, of which covered(x, y) is the part of a pixel that objects cover, has of the
+  //! ball within that part of the shadow's radius outside its edge [sr].
   template <class Covered>
   [[nodiscard]] static double solid_angle(double r, const Projection& projection, const Covered& covered) {
     const CameraStation camera = station(eye(r));
@@ -74,7 +75,8 @@ class ThinImages : public testing::TestWithParam<double> {
                        [&](int x, int y) { return left.rgba[4UL * static_cast<std::size_t>(y * left.width + x)]; });
   }
 
-  //! The same by exact rays, on a Fibonacci lattice over the position angle and the logarithm of the distance from the edge.
+  //! The same by exact rays, on a Fibonacci lattice over the position angle and the logarithm of
+  //! the distance from the edge.
   [[nodiscard]] static double exact_solid_angle(double r) {
     constexpr int count = test::sanitized ? 1597 : 10946;
     constexpr int step = test::sanitized ? 987 : 6765;

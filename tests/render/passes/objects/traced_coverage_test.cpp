@@ -21,8 +21,9 @@ using test::observed;
 using test::show_of;
 using test::station;
 
-//! The part of a pixel that exact rays meet anything in, through the middles of the cells of a grid; or where `sheared`, through places of these no two of which
-//! are in line with a side of the pixel.
+//! The part of a pixel that exact rays meet anything in, through the middles of the cells of a
+//! grid; or where `sheared`, through places of these no two of which are in line with a side of the
+//! pixel.
 double exact_part(const ObjectRays& rays, const EyeCamera& eye, const Projection& projection, int x, int y, int side,
                   bool sheared) {
   const CameraStation camera = station(eye);
@@ -38,7 +39,8 @@ double exact_part(const ObjectRays& rays, const EyeCamera& eye, const Projection
   return static_cast<double>(hits) / (side * side);
 }
 
-//! Holds every pixel to exact rays: to the sixteen places that it is looked at in, or beside the shadow's edge, where these are others, to sixty-four.
+//! Holds every pixel to exact rays: to the sixteen places that it is looked at in, or beside the
+//! shadow's edge, where these are others, to sixty-four.
 void expect_exact_coverage(const Show& show, const EyeCamera& eye, const Projection& projection) {
   const Drawn drawn = draw(show, eye, projection);
   const ObjectRays rays(show, 0.0);
@@ -51,7 +53,8 @@ void expect_exact_coverage(const Show& show, const EyeCamera& eye, const Project
       const double part = exact_part(rays, eye, projection, x, y, sliced ? 8 : 4, sliced);
       seen += part > 0.0 ? 1 : 0;
       const double off = std::abs(covered - part);
-      // Of sixteen places one may lie on an outline; of what is thinner than half a pixel four may see nothing.
+      // Of sixteen places one may lie on an outline; of what is thinner than half a pixel four may
+      // see nothing.
       EXPECT_LT(off, part > 0.0 && part < 1.0 ? 0.45 : 0.07) << x << ", " << y;
       unlike += off > 0.07 ? 1 : 0;
     }
@@ -112,7 +115,8 @@ TEST(TracedObjects, AreMissedInNoPixelThatSeesThemAllOver) {
     int missed = 0;
     for (int y = 0; y < dense_px; ++y) {
       for (int x = 0; x < dense_px; ++x) {
-        // The middle, and the middles of the quarters: images finer than a quarter may lie between samples.
+        // The middle, and the middles of the quarters: images finer than a quarter may lie between
+        // samples.
         if (sees(x + 0.5, y + 0.5) && sees(x + 0.25, y + 0.25) && sees(x + 0.75, y + 0.25) &&
             sees(x + 0.25, y + 0.75) && sees(x + 0.75, y + 0.75)) {
           ++seen;
@@ -125,7 +129,8 @@ TEST(TracedObjects, AreMissedInNoPixelThatSeesThemAllOver) {
   }
 }
 
-// Tiles are marked by the ray in their middle, which falls into the hole where others pass it and go round.
+// Tiles are marked by the ray in their middle, which falls into the hole where others pass it and
+// go round.
 TEST(TracedObjects, LoseNoLightNextToTheShadowsEdge) {
   constexpr double r = 40.0;
   constexpr int size_px = test::sanitized ? 80 : 240;

@@ -13,7 +13,8 @@
 #include "tests/render/passes/objects/traced_scene.h"
 #include "tests/support/sanitized.h"
 
-// Objects drawn by rays: what hides them, and how bright they are. Where they are seen: traced_coverage_test.cpp.
+// Objects drawn by rays: what hides them, and how bright they are. Where they are seen:
+// traced_coverage_test.cpp.
 namespace ergodome {
 namespace {
 

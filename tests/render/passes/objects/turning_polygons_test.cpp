@@ -12,7 +12,8 @@
 #include "tests/support/errors.h"
 #include "tests/support/sanitized.h"
 
-// Polygons, seen by eyes that turn with the direction one looks at, beside the rays of each pixel's own camera.
+// Polygons, seen by eyes that turn with the direction one looks at, beside the rays of each pixel's
+// own camera.
 namespace ergodome {
 namespace {
 
@@ -62,8 +63,8 @@ Blob blob_about(const Blob& place, double within_px, const Picture& picture) {
   return blob;
 }
 
-//! Of the first image: the second is a sliver on the other side of the hole, whose few pixels would pull far, and rays see a third, next to the
-//! shadow's edge, that is not drawn as polygons.
+//! Of the first image: the second is a sliver on the other side of the hole, whose few pixels would
+//! pull far, and rays see a third, next to the shadow's edge, that is not drawn as polygons.
 Blob blob_of(const Picture& picture) { return blob_about(blob_about({}, 1e6, picture), 35.0, picture); }
 
 std::array<Blob, 2> eyes_of(const BallBeforeEyes& at, const std::string& method) {

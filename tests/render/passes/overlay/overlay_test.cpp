@@ -33,7 +33,8 @@ TEST_F(Overlays, StandOnTheScreenForBothEyesOrBehindIt) {
     return middle_of(picture).x_px;
   };
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  // An eye to the right sees what is behind the screen's distance to the right of where it is on the screen.
+  // An eye to the right sees what is behind the screen's distance to the right of where it is on
+  // the screen.
   EXPECT_NEAR(place(0.1, 5.0, 0.0), 200.0, 0.05);
   EXPECT_NEAR(place(0.1, 5.0, 5.0), 200.0, 0.05);
   EXPECT_NEAR(place(0.1, 5.0, infinity), 200.0 + 0.1 / 5.0 * px, 0.05);
@@ -68,8 +69,8 @@ TEST_F(Overlays, OfAShowWithAReadoutSayWhereItsCameraIs) {
   ShowRenderer read(parse_show(with, "read.toml"), Backend::cpu);
   EXPECT_EQ(sum_of_light(dark.render(0.0, {}).front().picture), 0.0);
   const Picture picture = read.render(0.0, {}).front().picture;
-  // At 30 degrees above the front of a dome: a third of the way from the rim, which is at the bottom. The
-  // line bends around the middle, which moves that of its light inwards.
+  // At 30 degrees above the front of a dome: a third of the way from the rim, which is at the
+  // bottom. The line bends around the middle, which moves that of its light inwards.
   const Spot middle = middle_of(picture);
   EXPECT_NEAR(middle.x_px, 128.0, 2.0);
   EXPECT_NEAR(middle.y_px, 128.0 + 128.0 * 60.0 / 90.0, 3.0);

@@ -125,7 +125,8 @@ TEST(ShellPass, LetsThroughWhatEachCrossingLeaves) {
           wrong += std::abs(static_cast<double>(drawn.alpha(x, y)) - (1.0 - clear)) > 1e-3 ? 1 : 0;
         }
       }
-      // Pixels on a shell's edge are covered in part: some circles of a few hundred pixels, a quarter of which are looked at.
+      // Pixels on a shell's edge are covered in part: some circles of a few hundred pixels, a
+      // quarter of which are looked at.
       EXPECT_LT(wrong, 130) << camera_r << " " << theta;
     }
   }

@@ -12,7 +12,8 @@ TEST(Blackbody, PlanckianLocusHasItsPublishedChromaticities) {
   struct Point {
     double temperature_k, x, y;
   };
-  // CIE 1931: illuminant A, and the locus at 6504 K and 10,000 K. The fit of the matching functions is good to some 0.003.
+  // CIE 1931: illuminant A, and the locus at 6504 K and 10,000 K. The fit of the matching functions
+  // is good to some 0.003.
   for (const Point& p : {Point{2856.0, 0.4476, 0.4074}, {6504.0, 0.3135, 0.3237}, {10'000.0, 0.2807, 0.2884}}) {
     const Vector3<double> xyz = blackbody_tristimulus(p.temperature_k);
     const double sum = xyz.x + xyz.y + xyz.z;

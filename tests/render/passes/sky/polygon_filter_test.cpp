@@ -56,8 +56,9 @@ glm::dvec3 moved(const glm::dvec3& direction, const glm::dvec3& tangent) {
   return std::cos(angle) * direction + (std::sin(angle) / angle) * tangent;
 }
 
-//! The mean direction over a quadrangle of great circles: half the sum over its sides of length times unit normal is the integral of the
-//! direction (Lambert's formula for the irradiance vector), the spherical excess is the solid angle.
+//! The mean direction over a quadrangle of great circles: half the sum over its sides of length
+//! times unit normal is the integral of the direction (Lambert's formula for the irradiance
+//! vector), the spherical excess is the solid angle.
 glm::dvec3 mean_direction(const Look& look) {
   const glm::dvec3 corners[] = {moved(look.direction, -0.5 * (look.along_x + look.along_y)),
                                 moved(look.direction, 0.5 * (look.along_x - look.along_y)),

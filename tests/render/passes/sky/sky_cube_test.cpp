@@ -77,7 +77,8 @@ TEST(SkyCube, HasNoSeamAtEdgesCornersAndPoles) {
                       return show;
                     }()),
                     glm::dmat3(1.0));
-  // Great circles through the cube's edges, its corners and the poles: neighbouring looks differ no more than across a face.
+  // Great circles through the cube's edges, its corners and the poles: neighbouring looks differ no
+  // more than across a face.
   const auto largest_jump = [&](const glm::dvec3& from, const glm::dvec3& across, double footprint) {
     double jump = 0.0;
     Vector3<float> last{};
@@ -127,7 +128,8 @@ TEST(SkyCube, WholeSkyKeepsItsLight) {
   EXPECT_NEAR(mean.z, 1.0 / 3.0, 2e-3);
 }
 
-//! Light as a sum of plane waves cos(k d + phase): over a small footprint the Gaussian average of each is known.
+//! Light as a sum of plane waves cos(k d + phase): over a small footprint the Gaussian average of
+//! each is known.
 class WavySky {
  public:
   //! Waves down to a length of 2 pi / wave_number [rad].
@@ -154,7 +156,8 @@ class WavySky {
   std::vector<std::pair<glm::dvec3, double>> waves_;
 };
 
-//! Root mean square of what the filter misses by, for footprints of one shape [rad] all over the sky.
+//! Root mean square of what the filter misses by, for footprints of one shape [rad] all over the
+//! sky.
 double filter_error(const SkyCube& sky, const WavySky& wavy, double minor, double ratio, std::mt19937& random) {
   std::uniform_real_distribution<double> uniform;
   double squared = 0.0;
@@ -170,7 +173,8 @@ double filter_error(const SkyCube& sky, const WavySky& wavy, double minor, doubl
 }
 
 TEST(SkyCube, EllipticFootprintIsTheGaussianAverageOfTheMap) {
-  // Texels of 6 mrad, waves down to 60: footprints below, at and above a texel. The sky's own ripple is 0.11.
+  // Texels of 6 mrad, waves down to 60: footprints below, at and above a texel. The sky's own
+  // ripple is 0.11.
   std::mt19937 random(3);
   const WavySky wavy(100.0, random);
   const SkyCube sky(Backend::cpu, 256,
@@ -196,7 +200,8 @@ TEST(SkyCube, PacksOfPixelsSeeWhatSinglePixelsSee) {
     Lanes factor;
     std::array<Vector3<float>, 4> alone{};
     for (int i = 0; i < 4; ++i) {
-      // Every kind of footprint side by side: none, pixels of any shape, wider than the sky, not a number.
+      // Every kind of footprint side by side: none, pixels of any shape, wider than the sky, not a
+      // number.
       const float size = round % 50 == i ? std::nanf("") : std::pow(10.0F, 2.5F * uniform(random) - 2.0F);
       const Vector3<float> di = narrow(random_sky_direction(random));
       const Vector3<float> xi = size * Vector3<float>{uniform(random), uniform(random), uniform(random)};

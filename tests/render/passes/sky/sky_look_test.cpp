@@ -15,7 +15,8 @@
 namespace ergodome {
 namespace {
 
-//! Pixels that look at the sky in given directions, with footprints of a hundredth of a radian and any frequency ratio.
+//! Pixels that look at the sky in given directions, with footprints of a hundredth of a radian and
+//! any frequency ratio.
 class Looks {
  public:
   Looks(const std::vector<Vector3<float>>& directions, float frequency_ratio)

@@ -27,7 +27,8 @@ TEST(TemperatureFit, BlackbodiesGetTheirOwnTemperature) {
 
 TEST(TemperatureFit, IlluminantsHaveTheirPublishedTemperatures) {
   const TemperatureFit fit(BlackbodyColours(Backend::cpu).view());
-  // White of sRGB is D65: 6504 K, some 0.003 off the blackbodies' curve. The fit of the matching functions adds to that.
+  // White of sRGB is D65: 6504 K, some 0.003 off the blackbodies' curve. The fit of the matching
+  // functions adds to that.
   EXPECT_NEAR(std::exp(fit.log_temperature(glm::vec3(1.0F))), 6504.0F, 60.0F);
   // D50: 5003 K.
   const Vector3<float> d50 = linear_srgb(Vector3<float>{0.9642F, 1.0F, 0.8251F});

@@ -17,9 +17,11 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): the cameras and stars of these tests
 
-//! What is off at places nearer to the shadow's edge than this is not looked at: one pixel's change there goes round the hole [px].
+//! What is off at places nearer to the shadow's edge than this is not looked at: one pixel's change
+//! there goes round the hole [px].
 constexpr double ring_px = 2.0;
-//! Where the sky moves by less than this part of what the screen does an image is on a critical curve, and becomes an arc.
+//! Where the sky moves by less than this part of what the screen does an image is on a critical
+//! curve, and becomes an arc.
 constexpr double least_move = 0.02;
 
 struct Case {
@@ -109,7 +111,8 @@ class OmniStars : public testing::TestWithParam<std::size_t> {
            is_shown({spot.x_px + margin_px, spot.y_px + margin_px});
   }
 
-  //! Whether the magnification changes by some per cent at the most across the pixels about a place: what pixels gather has their mean.
+  //! Whether the magnification changes by some per cent at the most across the pixels about a
+  //! place: what pixels gather has their mean.
   [[nodiscard]] bool changes_little(const OwnRays& rays, const StarSpot& spot) const {
     constexpr double most_change = 0.02;
     const auto middle = rays.map(spot);
@@ -151,8 +154,8 @@ class OmniStars : public testing::TestWithParam<std::size_t> {
     return true;
   }
 
-  //! How far a way by so many columns and rows leads, in pixels of the picture's middle: at the poles of an equirectangular picture all
-  //! columns are one place.
+  //! How far a way by so many columns and rows leads, in pixels of the picture's middle: at the
+  //! poles of an equirectangular picture all columns are one place.
   [[nodiscard]] double apart_px(const StarSpot& spot, double columns, double rows) const {
     constexpr double h = 1e-3;
     const Vector3<double> column = (0.5 / h) * (direction_from_pixel(case_.projection, spot.x_px + h, spot.y_px) -

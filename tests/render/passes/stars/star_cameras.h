@@ -18,7 +18,8 @@ struct Place {
   ObserverMotion motion;
 };
 
-//! The cameras of the tests: a fast hole from its equator, near a photon orbit, from high above in a falling frame.
+//! The cameras of the tests: a fast hole from its equator, near a photon orbit, from high above in
+//! a falling frame.
 inline const Place places[] = {{0.999, 5.0, pi / 2, 0.7, ObserverMotion::geodesic},
                                {0.5, 3.2, 1.2, -2.0, ObserverMotion::zamo},
                                {0.9, 12.0, 0.4, 4.0, ObserverMotion::rain}};

@@ -15,7 +15,8 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): the cameras and stars of these tests
 
-//! Images at position angles all round a shadow, a hair from its edge, sought from a quarter of an e-fold of that distance away.
+//! Images at position angles all round a shadow, a hair from its edge, sought from a quarter of an
+//! e-fold of that distance away.
 class EdgeImages {
  public:
   explicit EdgeImages(const Place& place) : eye_(eye_at_place({place.spin, place.r, place.theta, 0.0, place.motion})) {
@@ -97,7 +98,8 @@ class StarImagesAtTheEdge : public testing::TestWithParam<Place> {};
 
 TEST_P(StarImagesAtTheEdge, AreFoundInTheChart) {
   EdgeImages images(GetParam());
-  // 19 to 24, as rounding has it: the others lie next to critical curves, of which a hole that spins fast has the most.
+  // 19 to 24, as rounding has it: the others lie next to critical curves, of which a hole that
+  // spins fast has the most.
   EXPECT_GE(images.found_in(images.chart()), 18U);
 }
 
@@ -112,7 +114,8 @@ TEST(StarImagesAtEdges, AreLostWithoutTheChart) {
   EXPECT_LE(found, 55U);
 }
 
-//! Stars with an image each in a ring about a shadow, where the closed form sees them, some times as bright as what is looked for.
+//! Stars with an image each in a ring about a shadow, where the closed form sees them, some times
+//! as bright as what is looked for.
 class RingOfImages {
  public:
   RingOfImages(const Place& place, double distance_px, double brightness) : eye_(eye_at_place(place)) {
@@ -190,8 +193,8 @@ std::vector<StarImage> missing_images(const std::vector<StarImage>& all, const s
   return missing;
 }
 
-//! 5,000 stars about a hole that spins fast, which next to its shadow's edge shows all its sky many times in a pixel; images by grids of
-//! several sizes of cells.
+//! 5,000 stars about a hole that spins fast, which next to its shadow's edge shows all its sky many
+//! times in a pixel; images by grids of several sizes of cells.
 class ManyImages : public testing::Test {
  protected:
   ManyImages() {

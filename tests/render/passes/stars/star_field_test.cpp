@@ -68,7 +68,8 @@ TEST(SkyFrustum, HoldsItsPatchAndLittleElse) {
     for (int i = 0; i < 16; ++i) {
       EXPECT_GE(depth_in(frustum, unit_of(control_point(patch, i))), 0.0);
     }
-    // A patch of 0.6 by 0.06 rad at the most, with its control points off by a fifth or so of a third of that.
+    // A patch of 0.6 by 0.06 rad at the most, with its control points off by a fifth or so of a
+    // third of that.
     EXPECT_LT(solid_angle(frustum), 0.2 * 0.02 * 6.0 * 6.0);
   }
 }

@@ -18,10 +18,12 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): the cameras and stars of these tests
 
-//! Images are compared where the magnification changes by no more than this across their pixel, as a part of it: gathered stars have the
-//! pixel's mean. Measured: the light of no such image differs by more than 0.9 %.
+//! Images are compared where the magnification changes by no more than this across their pixel, as
+//! a part of it: gathered stars have the pixel's mean. Measured: the light of no such image differs
+//! by more than 0.9 %.
 constexpr double most_change = 0.01;
-//! And this far from the shadow's edge: next to it the sky winds up, and the corners of a pixel say little of what is between.
+//! And this far from the shadow's edge: next to it the sky winds up, and the corners of a pixel say
+//! little of what is between.
 constexpr double least_edge_px = 20.0;
 //! And no nearer to another image of the same star.
 constexpr double least_apart_px = 5.0;

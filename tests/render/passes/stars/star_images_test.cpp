@@ -65,7 +65,8 @@ TEST_P(StarImages, AreAllThatASearchWithRaysFinds) {
   std::size_t compared = 0;
   std::size_t different = 0;
   for (std::size_t i = 0; i < field.stars().size(); ++i) {
-    // A triangle knows place and magnification roughly: what lies near a limit may be on either side of it.
+    // A triangle knows place and magnification roughly: what lies near a limit may be on either
+    // side of it.
     const double limit = faintest / static_cast<double>(field.stars()[i].illuminance);
     std::size_t least = 0;
     std::size_t most = 0;
@@ -96,7 +97,8 @@ TEST_P(StarImages, DoNotDependOnTheGrid) {
   const LensStation station = build_lens_station(eye.spin, eye.r, eye.theta, grid);
   const auto fine = find_star_images(field, colours().view(), eye, station,
                                      star_patches(field, colours().view(), eye, station, settings), settings);
-  // But for those at the limit of brightness, or so near to the edge that pairs of further orders are fainter than what is looked for.
+  // But for those at the limit of brightness, or so near to the edge that pairs of further orders
+  // are fainter than what is looked for.
   const ShadowDistance shadow(camera_of(eye));
   const auto counted = [&](const std::vector<StarImage>& images) {
     return std::ranges::count_if(images, [&](const StarImage& image) {
@@ -180,8 +182,9 @@ TEST(StarImage, OfAFarCameraIsTheStarItself) {
   EXPECT_EQ(std::ranges::count(seen, 1), 1000);
 }
 
-//! Magnification of a small disk right behind a hole without spin: its ring's solid angle over its own. Half the ring's width is the
-//! disk's radius over the rate at which light paths sweep the sky.
+//! Magnification of a small disk right behind a hole without spin: its ring's solid angle over its
+//! own. Half the ring's width is the disk's radius over the rate at which light paths sweep the
+//! sky.
 double ring_magnification(const CameraStation& camera, double radius) {
   const auto beside = [&](double alpha) { return exact_sky(camera, {-std::cos(alpha), 0.0, std::sin(alpha)}).y; };
   double low = 0.8;  // outside the shadow, where light of the first order goes by
@@ -213,7 +216,8 @@ TEST(StarImage, OnACausticIsNoBrighterThanTheRingOfItsDisk) {
 }
 
 TEST(StarImage, BesideACausticIsOneOfTwo) {
-  // A point lens makes two images whose magnifications hardly differ, each half of what the rate of the map tells.
+  // A point lens makes two images whose magnifications hardly differ, each half of what the rate of
+  // the map tells.
   const EyeCamera eye = eye_at_place({0.0, 8.0, pi / 2, 0.0, ObserverMotion::fixed});
   for (const double beside : {1e-6, 1e-5, 1e-4, 1e-3}) {
     StarCatalogue catalogue;

@@ -39,7 +39,8 @@ class LightCurve : public testing::Test {
                             star_patches(field_, colours().view(), eye_, station_, settings_), settings_);
   }
 
-  //! Illuminance of the pixels about an image, from a picture of it alone; 0 where it is not in the picture.
+  //! Illuminance of the pixels about an image, from a picture of it alone; 0 where it is not in the
+  //! picture.
   double light_in_picture(const StarImage& image) {
     const auto points = star_points({image}, eye_, projection_, splat_);
     if (points.empty()) {
@@ -87,7 +88,8 @@ TEST_F(LightCurve, OfEveryImageIsExactInEveryFrameOfAnOrbit) {
     const CameraStation camera = camera_of(eye_);
     for (const StarImage& image : images) {
       const double shown = light_in_picture(image);
-      // Next to a caustic a star's disk shines through more than one magnification; the rim of the dome cuts images off.
+      // Next to a caustic a star's disk shines through more than one magnification; the rim of the
+      // dome cuts images off.
       if (!(shown > 0.0) || std::abs(image.magnification) > 50.0F || std::abs(image.direction.y) < 0.02F) {
         continue;
       }
@@ -103,7 +105,8 @@ TEST_F(LightCurve, OfEveryImageIsExactInEveryFrameOfAnOrbit) {
   EXPECT_EQ(wrong, 0U);
 }
 
-//! Images that none of the next step's continues, when each continues the nearest of its star that is turned to the same side.
+//! Images that none of the next step's continues, when each continues the nearest of its star that
+//! is turned to the same side.
 std::vector<StarImage> ended(const std::vector<StarImage>& before, const std::vector<StarImage>& now) {
   struct Step {
     float square;
@@ -138,7 +141,8 @@ std::vector<StarImage> ended(const std::vector<StarImage>& before, const std::ve
   return rest;
 }
 
-//! Whether images of opposite sides are about to merge, as they do in pairs where a star crosses a caustic, and only so.
+//! Whether images of opposite sides are about to merge, as they do in pairs where a star crosses a
+//! caustic, and only so.
 bool may_merge(const StarImage& image, const StarImage& other) {
   const Vector3<float> apart = other.direction - image.direction;
   return other.star == image.star && dot(apart, apart) < 0.3F * 0.3F &&

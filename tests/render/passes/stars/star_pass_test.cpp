@@ -74,7 +74,8 @@ TEST(StarsOfAShow, AreSoftByDefaultAndHardWhereTheShowAsks) {
     return ShowRenderer(show, Backend::cpu).render(5.0, {}).front().picture;
   };
   const Picture soft = picture("");
-  // A spot of a hard star is a pixel whatever its cut-off; one of sigma 0.85 px covers more than five by five.
+  // A spot of a hard star is a pixel whatever its cut-off; one of sigma 0.85 px covers more than
+  // five by five.
   const Picture hard = picture("psf = { sigma_px = 0, cutoff_px = 4 }\n");
   EXPECT_GT(lit(soft), 20 * lit(hard));
   EXPECT_NEAR(light_of_stars(soft), light_of_stars(hard), 0.05 * light_of_stars(hard));

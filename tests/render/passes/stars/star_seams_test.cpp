@@ -72,7 +72,8 @@ TEST_P(LightOfStars, IsTheSameInEveryProjection) {
     if (!pixel_from_direction(projection, widened(image.direction), x, y)) {
       continue;
     }
-    // Well away from where the image ends, and from the poles of maps, about which a spot does not close.
+    // Well away from where the image ends, and from the poles of maps, about which a spot does not
+    // close.
     const bool cube = projection.kind == ProjectionKind::cube && projection.cube.layout != CubeLayout::face;
     const bool inside = cube || (y > 12.0 && y < projection.height_px - 12.0 &&
                                  (wraps_around(projection) || (x > 12.0 && x < projection.width_px - 12.0)));

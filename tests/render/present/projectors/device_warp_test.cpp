@@ -13,7 +13,8 @@
 #include "tests/render/curved_projector.h"
 #include "tests/render/present/projectors/projector_frames.h"
 
-// What devices do to projectors' pictures, done by the processor: beside what it does itself, and beside the formula.
+// What devices do to projectors' pictures, done by the processor: beside what it does itself, and
+// beside the formula.
 namespace ergodome {
 namespace {
 
@@ -37,7 +38,8 @@ struct Level {
         view{rgba.data(), width, height} {}
 };
 
-//! Colours of two levels lie as near as rounding leaves them, in tiles that were made and beside them. Coverage counts nowhere.
+//! Colours of two levels lie as near as rounding leaves them, in tiles that were made and beside
+//! them. Coverage counts nowhere.
 void expect_alike(const Level& a, const Level& b) {
   for (std::size_t i = 0; i < a.rgba.size(); ++i) {
     if (i % 4 != 3) {

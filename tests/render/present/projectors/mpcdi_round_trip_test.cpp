@@ -43,7 +43,8 @@ class MpcdiRoundTrip : public test::FolderTest {
                             (folder_ / "dome.toml").string(), NamedFiles::must_exist);
   }
 
-  //! Compares what the first projector is sent, to one step of its 255 and, where pixels are cut off by the master's rim, all of them.
+  //! Compares what the first projector is sent, to one step of its 255 and, where pixels are cut
+  //! off by the master's rim, all of them.
   void expect_same_picture(const DomeSetup& setup) const {
     write_mpcdi(folder_ / "dome.mpcdi", mpcdi_from_setup(setup, "2026-01-01 00:00:00"));
     DomeSetup again = setup_from_mpcdi(read_mpcdi(folder_ / "dome.mpcdi"), "dome.mpcdi", setup.radius_m);

@@ -69,8 +69,8 @@ TEST_P(ProjectorFrames, AreWhatTheFormulaSays) {
     }
   }
   EXPECT_GT(drawn, 3500);
-  // Masks go with the warp's places, which is not where pixels are for nodes off the lattice; pixels on the rims of the hole and of the
-  // mesh may fall to either side.
+  // Masks go with the warp's places, which is not where pixels are for nodes off the lattice;
+  // pixels on the rims of the hole and of the mesh may fall to either side.
   EXPECT_LT(wrong, 3 * 60);
 }
 

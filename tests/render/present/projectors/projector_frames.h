@@ -18,7 +18,8 @@
 
 namespace ergodome::test {
 
-//! The projectors' pictures as OpenGL, the processor and CUDA draw them; OpenGL's are skipped where there is no driver, CUDA's where there is no GPU.
+//! The projectors' pictures as OpenGL, the processor and CUDA draw them; OpenGL's are skipped where
+//! there is no driver, CUDA's where there is no GPU.
 class ProjectorFrames : public FolderTest, public testing::WithParamInterface<ProjectorDrawer> {
  protected:
   void open(const std::vector<ProjectorPicture>& pictures) {

@@ -51,7 +51,8 @@ Vector3<float> fringes(double u, double v) {
   return {wave(u), wave(v), 0.5F};
 }
 
-//! What all projectors of a setup throw on a point: three colours, and how far eight bits may be off.
+//! What all projectors of a setup throw on a point: three colours, and how far eight bits may be
+//! off.
 struct PointLight {
   double light[3] = {};
   double rounding = 0.0;

@@ -63,7 +63,8 @@ TEST(StarSplat, SpotsKeepTheirAngleInPicturesFinerThan4k) {
   EXPECT_EQ(lit_4k, 49);
   EXPECT_EQ(lit_8k, 169);
   EXPECT_EQ(of_1k, of_4k);
-  // Twice as wide each way, and a Gaussian's middle is that much lower but for the pixels' own width.
+  // Twice as wide each way, and a Gaussian's middle is that much lower but for the pixels' own
+  // width.
   EXPECT_NEAR(of_8k / of_4k, 0.25, 0.02);
   EXPECT_EQ(scaled_to(settings, make_pinhole_projection(8192, 4096, 0.1)).sigma_px, 1.0);
 }

@@ -99,7 +99,8 @@ TEST(StarTrails, OfATurningHeadAreAsLongAsTheTurn) {
   const EyeCamera eye = eye_at_place(places[0]);
   const StarField field(brightest(300), glm::dmat3(1.0), colours().view());
   std::vector<StarImage> images = images_of(field, eye, settings_for(6.0));
-  // Near the picture's middle, which a roll leaves where it is: turn about the view's x axis instead, which is e_φ.
+  // Near the picture's middle, which a roll leaves where it is: turn about the view's x axis
+  // instead, which is e_φ.
   std::erase_if(images, [](const StarImage& image) { return image.direction.x > -0.9F; });
   ASSERT_GT(images.size(), 3U);
   Shutter shutter = {{eye, eye, eye}};

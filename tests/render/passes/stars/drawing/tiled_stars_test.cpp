@@ -15,7 +15,8 @@
 #include "render/passes/stars/drawing/picture_sheets.h"
 #include "tests/support/tiny_sky.h"
 
-// Pixels that seek the stars which shine on them make the picture that stars make which seek their pixels.
+// Pixels that seek the stars which shine on them make the picture that stars make which seek their
+// pixels.
 namespace ergodome {
 namespace {
 

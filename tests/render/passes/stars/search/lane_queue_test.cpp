@@ -70,8 +70,8 @@ TEST_F(LanesOfThings, AreNeverMoreThanThereAreLanes) {
 
 TEST_F(LanesOfThings, AreAsManyAsThereAreLanesUntilFewAreLeft) {
   run();
-  // A lot that isn't full is taken where no kind has enough for one: then only these wait, and no more are in work than there are lanes.
-  // A round of each at a time is the most that may come.
+  // A lot that isn't full is taken where no kind has enough for one: then only these wait, and no
+  // more are in work than there are lanes. A round of each at a time is the most that may come.
   const std::size_t waiting_at_most = std::accumulate(lanes.begin(), lanes.end(), std::size_t{0}) - lanes.size();
   const std::size_t left_at_most = waiting_at_most + lanes.front() * static_cast<std::size_t>(thread_count());
   EXPECT_LE(lots_not_full_, most_rounds * left_at_most);

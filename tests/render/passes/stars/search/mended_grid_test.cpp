@@ -41,7 +41,8 @@ class MendedLeaves : public testing::TestWithParam<test::Place> {
     return {static_cast<double>(node[0]), static_cast<double>(node[1]), static_cast<double>(node[2])};
   }
 
-  //! How far an image is from a leaf's place, in parts of the leaf, and by how much of it its area is wrong.
+  //! How far an image is from a leaf's place, in parts of the leaf, and by how much of it its area
+  //! is wrong.
   struct Error {
     double parts;
     double area;
@@ -57,7 +58,8 @@ class MendedLeaves : public testing::TestWithParam<test::Place> {
             std::abs(static_cast<double>(image.sky) / area - 1.0)};
   }
 
-  //! Whether the sky's area over the chart's is far from the same in a leaf's corners: next to caustics images run away.
+  //! Whether the sky's area over the chart's is far from the same in a leaf's corners: next to
+  //! caustics images run away.
   [[nodiscard]] bool may_be_folded(std::size_t leaf) const {
     double least = 1e30;
     double most = -1e30;
@@ -97,7 +99,8 @@ TEST_P(MendedLeaves, HaveImagesWhereRaysHaveThem) {
     image.gamma_turns += static_cast<float>(3e-3 * boxes_[leaf].width_turns);
     ASSERT_TRUE(grid.mend(static_cast<int>(leaf), seen(leaf, 0), image)) << "leaf " << leaf;
     const Error error = error_of(leaf, image);
-    // Where rays told little of the leaf, float's rounding of places and of the sky is left, which is worse next to the shadow.
+    // Where rays told little of the leaf, float's rounding of places and of the sky is left, which
+    // is worse next to the shadow.
     const double rounding = edge_rounding / edge_distance(grid_view(station_).chart, boxes_[leaf].s);
     const auto left = static_cast<double>(errors.left);
     const double worst = std::max(error.parts / (4.0 * left + 5e-4 + 0.05 * rounding),

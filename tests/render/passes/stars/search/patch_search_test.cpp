@@ -12,8 +12,9 @@
 #include "tests/render/passes/stars/star_cameras.h"
 #include "tests/support/sanitized.h"
 
-// The search that devices make, a patch and a pair a thread, finds what the processor's finds, which works on registers of pairs; both run on
-// the processor here. Where there is a GPU, CudaPictures compares its pictures.
+// The search that devices make, a patch and a pair a thread, finds what the processor's finds,
+// which works on registers of pairs; both run on the processor here. Where there is a GPU,
+// CudaPictures compares its pictures.
 namespace ergodome {
 namespace {
 
@@ -51,7 +52,8 @@ struct Searches {
 
 StarField field_of(std::size_t stars) { return {brightest(stars), glm::dmat3(1.0), colours().view()}; }
 
-//! Whether each image of a list has one of the other beside it, of the same star and nearly as bright; how many have none.
+//! Whether each image of a list has one of the other beside it, of the same star and nearly as
+//! bright; how many have none.
 long without_partner(const std::vector<StarImage>& of, const std::vector<StarImage>& among) {
   return std::ranges::count_if(of, [&](const StarImage& image) {
     const auto first = std::ranges::lower_bound(among, image.star, {}, &StarImage::star);
@@ -70,7 +72,8 @@ TEST_P(PatchSearches, FindTheSameImages) {
   const std::vector<StarImage> here = searches.on_processor();
   const std::vector<StarImage> there = searches.as_on_device();
   ASSERT_GT(here.size(), sanitized ? 200U : 3000U);
-  // Which of two that are found twice is kept, chance decides; next to caustics they are not quite alike.
+  // Which of two that are found twice is kept, chance decides; next to caustics they are not quite
+  // alike.
   const auto few = static_cast<long>(here.size() / 1000 + 1);
   EXPECT_LE(without_partner(here, there), few);
   EXPECT_LE(without_partner(there, here), few);

@@ -12,7 +12,8 @@
 #include "render/passes/stars/search/star_twins.h"
 #include "tests/render/passes/stars/star_cameras.h"
 
-// What devices do with images that were found, on the processor here: it is what the processor's own way does.
+// What devices do with images that were found, on the processor here: it is what the processor's
+// own way does.
 namespace ergodome {
 namespace {
 

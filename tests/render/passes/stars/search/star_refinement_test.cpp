@@ -15,7 +15,8 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): the cameras of these tests
 
-//! Newton's method across a fold of the sky, f(x) = s² / (2 curvature) of which the star lies `beyond` [rad].
+//! Newton's method across a fold of the sky, f(x) = s² / (2 curvature) of which the star lies
+//! `beyond` [rad].
 class FoldedSky {
  public:
   explicit FoldedSky(double beyond) : beyond_(beyond) {}
