@@ -1,36 +1,37 @@
 #include "kernels/core/angles.h"
 #include "tests/hard_cases/ray_sets.h"
 
-// The list. Columns of what is allowed: rays in double [rad on the sky], rays in float [rad on the
-// screen], live grid, streamed stations and the published quadtree [px of a dome of 4096²]; see
-// Allowed.
+// The list of hard cases. Allowed errors by column: rays in double [rad on the sky], rays in float
+// [rad on the screen], live grid, streamed stations and published quadtree [px of a 4096² dome];
+// see Allowed.
 namespace ergodome::test {
 
 namespace {
 
 using enum ObserverMotion;
 
-constexpr double r_plus = 1.435889894354067;  // of a = 0.9
+constexpr double r_plus = 1.435889894354067;  // horizon of a = 0.9
 
-//! Ten times the tolerance asked for; a few roundings of float; the budget of 0.1 px at 99 of 100
-//! rays and a fifth for the chance of the sample; half as much again between stations.
+//! Ten times the requested tolerance; a few float roundings; for 99 of 100 rays, the budget of 0.1
+//! px plus a fifth for random sampling; half as much again between stations.
 constexpr Allowed usual = {1e-11, 2e-6, 0.12, 0.15, 0.2};
 const char* const as_anywhere = "nothing is harder here than elsewhere";
 
-//! So near to the edge the quadtree sees nothing but holes, and float knows the side alone.
+//! This close to the edge the quadtree consists of holes, and float only resolves whether a ray is
+//! dark.
 constexpr Allowed at_edge = {1e-11, side_alone, 0.12, 0.15, unbounded};
 const char* const float_side =
     "float rounds the direction by 6e-8 rad, a part of the distance that the winding sky magnifies; the quadtree "
     "has holes where cells straddle the edge";
 
-//! Nearer than float can tell a direction.
+//! Closer than float resolves directions.
 constexpr Allowed beyond_float = {1e-11, unbounded, 0.12, 0.15, unbounded};
 const char* const no_float =
     "nearer than float tells directions: rays in float may say that they do not converge, or take the other side; "
     "grids keep the edge from double";
 
-//! Within the horizon, and next to where it ends for cameras. Streamed stations are for places that
-//! are asked about outside, and angles end at the horizon.
+//! Inside the horizon, down to the smallest radius of cameras. Streamed stations and polar angles
+//! are tested only outside the horizon.
 constexpr Allowed within = {1e-10, 5e-5, 0.12, not_asked, not_asked};
 constexpr Allowed deep_within = {2e-8, 2e-4, 0.12, not_asked, not_asked};
 const char* const more_caustics =

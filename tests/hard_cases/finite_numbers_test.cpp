@@ -14,12 +14,12 @@
 #include "tests/support/sanitized.h"
 #include "tests/support/tiny_sky.h"
 
-// No NaN and no infinity leaves a kernel: what looks for them finds one that is planted, and finds
-// none in the built-in shows.
+// No kernel returns NaN or infinity: the check finds a planted value, and finds none in the
+// built-in shows.
 namespace ergodome::test {
 namespace {
 
-//! Buffers are scanned as long as this lives.
+//! Enables the check of all kernel outputs for its lifetime.
 class NumbersChecked : public testing::Test {
  protected:
   NumbersChecked() : before_(numbers_are_checked()) { set_numbers_checked(true); }
@@ -31,7 +31,7 @@ class NumbersChecked : public testing::Test {
   bool before_;
 };
 
-//! A hundred rays, one of which leads nowhere.
+//! A hundred rays, one of which has no valid direction.
 struct PlantedRays {
   std::vector<double> n[3], g;
 
@@ -77,7 +77,7 @@ TEST_F(NumbersChecked, NothingIsLookedAtWhenItIsSwitchedOff) {
   EXPECT_NO_THROW(trace_rays(Backend::cpu, rays.batch()));
 }
 
-//! A built-in show before a sky of few pixels.
+//! Returns a built-in show with a sky of a few pixels.
 Show small_show(const std::string& name) {
   Show show = read_show(built_in_content_folder() / "shows" / (name + ".toml"));
   show.sky.map = tiny_sky();
@@ -121,7 +121,7 @@ INSTANTIATE_TEST_SUITE_P(Of, BuiltInShows,
                            return name;
                          });
 
-//! Cameras that look at the whole sky from where it is hard.
+//! Cameras that see the whole sky from hard positions.
 TEST_F(NumbersChecked, HardPlacesLetNothingLeaveAKernelThatIsNoNumber) {
   for (const char* camera :
        {"spin = 1\n[camera]\n[[camera.key]]\nr = 1.001\n",

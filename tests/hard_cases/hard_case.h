@@ -8,7 +8,7 @@
 
 namespace ergodome::test {
 
-//! Where a camera is, and how it moves.
+//! The position and the motion of a camera.
 struct Place {
   double spin;
   double r;      //!< [M]
@@ -23,34 +23,34 @@ inline CameraStation station_at(const Place& place) {
 
 using Directions = std::vector<Vector3<double>>;
 
-//! What a case may miss by. Of a method that is not asked anything else (`unbounded`) there must
-//! still be unit vectors or none, and no NaN; it may say that it did not converge.
+//! The maximum errors of a case. A method with the limit `unbounded` must still return unit vectors
+//! or no sky, and never NaN; it may report that it did not converge.
 struct Allowed {
-  double sky;  //!< rays in double: error of the sky direction, beside what rounding of the input makes of it [rad]
-  double float_ray;    //!< rays in float: greatest displacement on the observer's screen [rad]
-  double grid_px;      //!< live grid: displacement at the 99th of hundred rays, in pixels of a dome of 4096²
-  double streamed_px;  //!< the same halfway between two stations
-  double quadtree_px;  //!< the same of the published grid, at the 75th of hundred rays
+  double sky;  //!< rays in double: error of the sky direction beyond the effect of input rounding [rad]
+  double float_ray;    //!< rays in float: maximum displacement on the observer's screen [rad]
+  double grid_px;      //!< live grid: 99th percentile of the displacement, in pixels of a 4096² dome
+  double streamed_px;  //!< halfway between two streamed stations: the same measure
+  double quadtree_px;  //!< published grid: 75th percentile of the displacement
 };
 
 inline constexpr double unbounded = 1e300;
-inline constexpr double side_alone = 1e200;  //!< asked is only whether it is dark
-inline constexpr double not_asked = -1.0;    //!< costs more than it tells
+inline constexpr double side_alone = 1e200;  //!< checks only whether the ray is dark
+inline constexpr double not_asked = -1.0;    //!< skipped: costs more than it shows
 
-//! One hard case: a camera, the rays that are hard there, and what each method may miss by.
+//! One hard case: a camera, the rays that are hard there, and the maximum error of each method.
 struct HardCase {
   const char* name;
   Place place;
   Directions (*rays)(const CameraStation& camera);
   Allowed allowed;
-  const char* why;  //!< these numbers
+  const char* why;  //!< the reason for these limits
 };
 
 const std::vector<HardCase>& hard_cases();
 
 inline std::string name_of(const HardCase& hard) { return hard.name; }
 
-//! For messages of tests.
+//! Names the case in test messages.
 inline std::ostream& operator<<(std::ostream& out, const HardCase& hard) { return out << hard.name; }
 
 }  // namespace ergodome::test

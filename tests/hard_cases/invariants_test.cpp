@@ -10,21 +10,21 @@
 #include "tests/hard_cases/ray_walk.h"
 #include "tests/support/sanitized.h"
 
-// The first integrals of rays by chance, all the way from the camera to the sky: in all a million
-// rays a run.
+// Checks the first integrals of random rays, all the way from the camera to the sky: a million rays
+// per run in total.
 namespace ergodome::test {
 namespace {
 
 constexpr int cameras = sanitized ? 40 : 1000;
 constexpr int rays_a_camera = sanitized ? 20 : 500;
 
-//! What a sweep found.
+//! The result of a sweep.
 struct Found {
   long walked = 0;
-  long lost = 0;        //!< rays that did not come to an end
-  std::string lost_at;  //!< of the last of them about a hole that is not extremal: where
-  double worst = 0.0;   //!< miss of a first integral
-  std::string at;       //!< where that was
+  long lost = 0;        //!< rays that did not reach an end
+  std::string lost_at;  //!< description of the last lost ray around a hole that is not extremal
+  double worst = 0.0;   //!< largest error of a first integral
+  std::string at;       //!< description of the ray with that error
 };
 
 std::string words_with(const Place& place, const Vector3<double>& n) {
@@ -34,13 +34,13 @@ std::string words_with(const Place& place, const Vector3<double>& n) {
   return words.str();
 }
 
-//! Whether light may wind along the horizon too often to count. What chance has lost so far, it
-//! lost within 1e-7 of the extremal spin.
+//! Returns whether light may wind along the horizon too often to count. All rays that random sweeps
+//! have lost so far were within 1e-7 of the extremal spin.
 bool is_extremal(const Place& place) { return 1.0 - std::abs(place.spin) < 1e-6; }
 
-//! Whether rounding decides from which side of the shadow's edge a ray comes: the value whose sign
-//! tells is one of a few roundings of numbers near 1. Chance lost a ray that the horizon's own
-//! barrier turns back at 3 roundings, about a hole with 1 - |a| = 1.4e-6.
+//! Returns whether rounding decides on which side of the shadow's edge a ray lies: the value whose
+//! sign decides this is within a few roundings of numbers near 1. A random sweep lost a ray that
+//! the horizon's own barrier turns back at 3 roundings, around a hole with 1 - |a| = 1.4e-6.
 template <class S>
 bool is_on_edge(const CameraStationOf<S>& camera, const RayStart<S>& start) {
   return std::abs(darkness(camera.spin, camera.horizon_r, start)) < S(16) * std::numeric_limits<S>::epsilon();
@@ -61,7 +61,7 @@ void walk_all(const Place& place, const Directions& rays, S tolerance, Found& fo
     if (!walked.reached && !is_extremal(place) && !is_on_edge(camera, start)) {
       found.lost_at = words_with(place, n);
     }
-    // What is not a number counts as the worst.
+    // Written so that NaN counts as the largest error.
     if (!(walked.misses.worst() <= found.worst)) {
       found.worst = walked.misses.worst();
       std::ostringstream at;
@@ -79,7 +79,8 @@ Found sweep(Seed seed, S tolerance, double least_height, double nearest) {
   std::mutex lock;
   parallel_for(cameras, 4, [&](int begin, int end) {
     for (int camera = begin; camera < end; ++camera) {
-      // A stream of its own for each camera, so that threads change nothing.
+      // Each camera has its own random stream, so that the number of threads does not change the
+      // results.
       std::mt19937_64 random(number_of(seed) + 1000003ULL * static_cast<std::uint64_t>(camera));
       const Place place = random_place(random, least_height);
       Found found;
@@ -97,8 +98,8 @@ Found sweep(Seed seed, S tolerance, double least_height, double nearest) {
   return all;
 }
 
-//! Rays that may be lost along extremal horizons. A sanitized run walks a few hundred, of which
-//! chance may well lose one.
+//! Returns how many rays may be lost along extremal horizons. A sanitized run walks a few hundred
+//! rays, and may well lose one of them.
 long most_lost(long walked) { return walked / 10'000 + 3; }
 
 class Invariants : public testing::TestWithParam<Seed> {};

@@ -15,19 +15,19 @@
 #include "tests/hard_cases/random_places.h"
 #include "tests/support/sanitized.h"
 
-// Cameras that move for long, or through what is singular: nothing on the screen leaps from one
-// frame to the next at 60 frames a second. Measured on the lens: where fixed directions of the view
-// see the sky. What moves smoothly moves from frame to frame as three frames before tell, by a
-// parabola; the rest, as the eye sees it on the screen, is a leap.
+// Cameras that move for a long time, or through singularities: nothing on the screen jumps from one
+// frame to the next at 60 frames per second. Measured on the lens: the sky positions of fixed view
+// directions. A parabola through the three previous frames predicts smooth motion; the remaining
+// difference, converted to a displacement on the screen, is a jump.
 namespace ergodome::test {
 namespace {
 
 constexpr double frame_s = 1.0 / 60.0;
 
-//! The largest leap that a show's picture may make: its budget.
+//! The largest jump that a show's picture may make: the lens budget of shows.
 constexpr double budget_px = 0.25;
 
-//! Directions of the view, over the whole sphere.
+//! Returns directions of the view, over the whole sphere.
 Directions view_directions() {
   std::mt19937_64 random(3);
   Directions all(sanitized ? 20 : 150);
@@ -48,7 +48,7 @@ CameraStation station_of_eye(const EyeCamera& eye) {
   return make_camera_station(eye.spin, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity);
 }
 
-//! A frame's lens at the directions of the view.
+//! Returns the lens of a frame at the directions of the view.
 std::vector<ExactRay> lens_of(const EyeCamera& eye) {
   Directions rays;
   for (const Vector3<double>& v : view_directions()) {
@@ -57,13 +57,13 @@ std::vector<ExactRay> lens_of(const EyeCamera& eye) {
   return exact_rays(station_of_eye(eye), rays);
 }
 
-//! Of the sky that a small area of the screen sees, over its own.
+//! Returns the area of sky that a small area of the screen sees, relative to that area.
 double area(const ExactRay& ray) {
   const Vector3<double> normal = cross(ray.along[0], ray.along[1]);
   return std::sqrt(dot(normal, normal));
 }
 
-//! The largest leap in `frames` frames from `begin_s` on [px of a dome of 4096²].
+//! Returns the largest jump in `frames` frames from `begin_s` on, in pixels of a 4096² dome.
 double largest_leap_px(const std::function<EyeCamera(double time_s)>& eye_at, double begin_s, int frames) {
   std::array<std::vector<ExactRay>, 4> last;
   double largest = 0.0;
@@ -77,7 +77,7 @@ double largest_leap_px(const std::function<EyeCamera(double time_s)>& eye_at, do
     }
     for (std::size_t i = 0; i < last[2].size(); ++i) {
       const bool seen = last[0][i].bright && last[1][i].bright && last[2][i].bright && last[3][i].bright;
-      // Where the sky winds within a pixel, and on a caustic, differences of it are no rates.
+      // Where the sky winds within a pixel, and on a caustic, differences do not approximate rates.
       if (seen && last[2][i].stretch < 10.0 && area(last[2][i]) > 0.1) {
         const Vector3<double> leap = last[3][i].sky - 3.0 * last[2][i].sky + 3.0 * last[1][i].sky - last[0][i].sky;
         largest = std::max(largest, displacement(last[2][i], leap) / dome_pixel);
@@ -94,7 +94,7 @@ EyeCamera eye_of(const Show& show, double time_s, double to_the_right = 0.0) {
   return eye_camera(now, camera_pose(now, time_s), to_the_right);
 }
 
-//! A circular orbit of 20 s, for a million periods.
+//! A circular orbit with a period of 20 s, for a million periods.
 const char* const endless_orbit = R"(
 duration_s = 20_000_000
 [hole]
@@ -136,7 +136,7 @@ TEST(LongRun, TheMillionthPeriodIsAsSmoothAsTheFirst) {
 
 TEST(LongRun, ABaselineGrowsFromNoneToTwiceTheDistance) {
   const Show show = show_of("[hole]\nspin = 0.9\n[camera]\n[[camera.key]]\nr = 6\ntheta_deg = 70\n");
-  // Both eyes go half of it each, in ten seconds, and come there slowly.
+  // Each eye moves by half the baseline in ten seconds, with a slow start and end.
   for (const double side : {-1.0, 1.0}) {
     const auto eye = [&](double time_s) {
       const double part = 0.5 - 0.5 * std::cos(pi * time_s / 10.0);
@@ -146,7 +146,7 @@ TEST(LongRun, ABaselineGrowsFromNoneToTwiceTheDistance) {
   }
 }
 
-//! Spin that a show takes from one value to another in four seconds.
+//! Returns a show that changes the spin from one value to another in four seconds.
 Show spin_show(const std::string& keys) {
   return show_of(
       "duration_s = 4\n[camera]\n[[camera.key]]\nr = 6\ntheta_deg = 80\n[[animate]]\nnumber = \"hole.spin\"\nkey = " +
@@ -167,8 +167,8 @@ TEST(LongRun, SpinComesToOneAndGoesBack) {
   }
 }
 
-//! On the sphere r = 6 over the north pole, or `beside` radians past it, 0.05 rad a second, with
-//! axes that keep their directions there.
+//! Returns a camera on the sphere r = 6 that passes over the north pole, or `beside` radians past
+//! it, at 0.05 rad/s, with axes that keep their directions.
 EyeCamera over_the_axis(double time_s, double beside) {
   const double x = 0.05 * time_s;
   EyeCamera eye{0.9, 6.0, std::hypot(x, beside), std::atan2(beside, x), ObserverMotion::zamo, {}, {}, 6.0, 0.0};
@@ -188,7 +188,8 @@ TEST(LongRun, APathLeadsThroughTheAxis) {
   }
 }
 
-//! Along θ, through the equator, where grids turn from whole ones to mirrored halves and back.
+//! Returns a camera that moves along θ through the equator, where grids switch from whole ones to
+//! mirrored halves and back.
 EyeCamera through_the_equator(double time_s) {
   EyeCamera eye{0.999, 5.0, 0.5 * pi + 0.05 * time_s, 0.0, ObserverMotion::zamo, {}, {}, 5.0, 0.5 * pi};
   const double frame[3][3] = {{0.0, 0.0, 1.0}, {0.0, -1.0, 0.0}, {1.0, 0.0, 0.0}};
@@ -201,7 +202,7 @@ TEST(LongRun, APathLeadsThroughTheEquator) {
 }
 
 TEST(LongRun, LiveGridsLeapByNoMoreThanTheirBudgetWhereTheyTurnIntoMirroredOnes) {
-  // Each frame has a grid of its own; what it misses by jumps from one to the next.
+  // Each frame builds its own grid, so the grid's error jumps from frame to frame.
   std::vector<double> leaps;
   std::vector<Vector3<double>> last;
   for (int frame = -3; frame <= 3; ++frame) {

@@ -12,15 +12,15 @@ namespace ergodome::test {
 
 namespace {
 
-//! The lens about a direction.
+//! The lens near a direction.
 struct LensThere {
   bool bright;
   Vector3<double> sky;
   Vector3<double> along[2];  //!< derivatives along two axes of the camera's sky
 };
 
-//! By a Taylor series of order 20, whose values the closed form confirms in every case that it can
-//! be asked in.
+//! Computes the lens by a Taylor series of order 20; the closed form confirms its values in every
+//! case where it can be evaluated.
 LensThere lens_at(const CameraStation& camera, const Vector3<double>& n) {
   using D = Dual<double>;
   LensThere there{};

@@ -18,7 +18,7 @@ double uniform(std::mt19937_64& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);
 }
 
-//! 10^low ... 10^high, evenly in the exponent.
+//! Returns a number from 10^low to 10^high, uniform in the exponent.
 double magnitude(std::mt19937_64& random, double low, double high) {
   return std::pow(10.0, uniform(random, low, high));
 }
@@ -92,7 +92,7 @@ Directions random_rays(std::mt19937_64& random, const CameraStation& camera, int
       all.push_back(
           beside(detail::principal_direction(camera, side), magnitude(random, -12.0, -1.0), uniform(random, 0.0, 7.0)));
     } else if (kind == 5) {
-      // In the plane of e_r and e_θ a ZAMO sees light without angular momentum.
+      // In the plane of e_r and e_θ, a ZAMO sees light without angular momentum.
       const double angle = uniform(random, 0.0, 2.0 * pi);
       all.push_back(
           beside({std::cos(angle), std::sin(angle), 0.0}, magnitude(random, -12.0, -1.0), uniform(random, 0.0, 7.0)));

@@ -5,35 +5,36 @@
 
 #include "tests/hard_cases/ray_sets.h"
 
-// Cameras and directions by chance, most of them where something is singular.
+// Random cameras and directions, most of them near singularities.
 namespace ergodome::test {
 
-//! Two seeds a run: one that is always the same, and one that never is, but for
-//! ERGODOME_SWEEP_SEED=number, which is how a failure that chance has found is found again.
+//! Each run uses two seeds: a fixed one and a random one. ERGODOME_SWEEP_SEED=number replaces the
+//! random seed, to reproduce a failure.
 enum class Seed { fixed, by_chance };
 
-//! The number of a seed; the one by chance is the same through a run, and printed.
+//! Returns the number of a seed. The random number stays the same during a run and is printed.
 std::uint64_t number_of(Seed seed);
 
-//! What limits are multiplied by. The fixed seed's are drawn close to what is; chance goes beyond
-//! them by half now and then, and looks for what is wrong.
+//! Returns the factor on the limits. Limits are drawn close to the errors of the fixed seed; the
+//! random seed exceeds them by half now and then, and is meant to find gross errors.
 constexpr double room_of(Seed seed) { return seed == Seed::by_chance ? 100.0 : 1.0; }
 
-//! Spins from -1 to 1, a third of them 1e-1 ... 1e-9 from an end, and 0; radii from `least_height`
-//! of the horizon's above it to 1e6; polar angles over the sphere, a third of them 1e-1 ... 1e-12
-//! from a pole, on it, or on the equator; at rest in the ZAMO frame, in free fall, or at up to 0.99
-//! c.
+//! Returns a random camera outside the horizon. Spins: from -1 to 1, a third of them 1e-1 ... 1e-9
+//! from an end, and 0. Radii: from `least_height` (relative to the horizon) above it to 1e6. Polar
+//! angles: over the sphere, a third of them 1e-1 ... 1e-12 from a pole, on it, or on the equator.
+//! Motion: at rest in the ZAMO frame, in free fall, or at up to 0.99 c.
 Place random_place(std::mt19937_64& random, double least_height);
 
-//! Within the horizon: spins to ±0.9999 and 0, radii down to the least that cameras may have, polar
-//! angles as above; in free fall from rest far away, or at up to 0.99 c past that.
+//! Returns a random camera inside the horizon. Spins: to ±0.9999 and 0. Radii: down to the minimum
+//! for cameras. Polar angles: as above. Motion: in free fall from rest at infinity, or at up to
+//! 0.99 c relative to that.
 Place random_place_within(std::mt19937_64& random);
 
-//! Half over the whole sky; the rest about principal rays, light through the axis, and `nearest`
-//! ... 0.1 rad from the shadow's edge.
+//! Returns random rays: half over the whole sky; the rest near principal rays, near light through
+//! the axis, and `nearest` ... 0.1 rad from the shadow's edge.
 Directions random_rays(std::mt19937_64& random, const CameraStation& camera, int count, double nearest);
 
-//! What is written beside a failure.
+//! Describes a camera in messages of failed tests.
 std::string words_of(const Place& place);
 
 }  // namespace ergodome::test

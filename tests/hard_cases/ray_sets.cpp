@@ -31,8 +31,8 @@ Vector3<double> sky_of(const CameraStation& camera, const Vector3<double>& n) {
   return trace_closed_form(camera.spin, start).sky;
 }
 
-//! Directions whose light comes from where a function of the sky vanishes: by bisection along great
-//! circles of the camera's sky.
+//! Adds directions whose light comes from zeros of a function of the sky, found by bisection along
+//! great circles of the camera's sky.
 template <class Function>
 void add_zeros(Directions& all, const CameraStation& camera, const Function& function, int circles) {
   constexpr int steps = 90;
@@ -106,12 +106,12 @@ Directions about_principal_rays(const CameraStation& camera) {
 }
 
 Directions without_angular_momentum(const CameraStation& camera) {
-  // L is affine in n: its zeros on the sphere are a circle.
+  // L is affine in n, so its zeros on the sphere are a circle.
   const Vector3<double> normal = camera.axial_momentum.along;
   const double size = std::sqrt(dot(normal, normal));
   Directions all;
   if (!(size > 1e-12)) {
-    return whole_sky(camera);  // on the axis no light has any
+    return whole_sky(camera);  // on the axis all light has zero angular momentum
   }
   const Vector3<double> pole = (1.0 / size) * normal;
   const double height = -camera.axial_momentum.constant / size;
@@ -123,7 +123,7 @@ Directions without_angular_momentum(const CameraStation& camera) {
 }
 
 Directions towards_sky_poles(const CameraStation& camera) {
-  // Both components across the axis vanish: nested bisection is not needed, zeros of y along
+  // Both components across the axis must vanish. Nested bisection is not needed: zeros of x along
   // circles near the pole come close.
   Directions all;
   add_zeros(
@@ -144,7 +144,7 @@ Directions dome_zenith_and_rim(const CameraStation& /*camera*/) {
   Directions all;
   const auto add = [&](double x_px, double y_px) {
     const Vector3<double> v = direction_from_pixel(dome, x_px, y_px);
-    // A view that looks at the hole: right is e_φ, up -e_θ, back e_r.
+    // A view that faces the hole: right is e_φ, up -e_θ, back e_r.
     all.push_back(normalized(Vector3<double>{v.z, -v.y, v.x}));
   };
   constexpr double middle = 0.5 * size_px;

@@ -4,13 +4,13 @@
 
 #include "tests/hard_cases/hard_case.h"
 
-// Directions about what is hard on a camera's sky.
+// Directions near the hard features of a camera's sky.
 namespace ergodome::test {
 
-//! Evenly over the whole sky, the same for each camera.
+//! Returns directions spread evenly over the whole sky, the same for each camera.
 Directions whole_sky(const CameraStation& camera);
 
-//! So far outside the shadow's edge, and so far inside, all round it [rad].
+//! Returns directions at this distance [rad] outside and inside the shadow's edge, all around it.
 Directions beside_edge(const CameraStation& camera, double distance);
 
 template <int Exponent>
@@ -22,27 +22,30 @@ Directions beside_edge_1e(const CameraStation& camera) {
   return beside_edge(camera, distance);
 }
 
-//! Along the two principal null directions, and 1e-12 ... 1e-3 rad beside them.
+//! Returns the two principal null directions, and directions 1e-12 ... 1e-3 rad from them.
 Directions about_principal_rays(const CameraStation& camera);
 
-//! Light without angular momentum, which passes through the axis, and 1e-12 ... 1e-3 rad beside it.
+//! Returns light without angular momentum, which crosses the axis, and light 1e-12 ... 1e-3 rad
+//! from it.
 Directions without_angular_momentum(const CameraStation& camera);
 
-//! Light that comes from a pole of the sky, or from φ = ±π, within what can be told, and from
-//! beside it.
+//! Returns light that comes from a pole of the sky, or from φ = ±π, as exactly as double resolves,
+//! and light from nearby.
 Directions towards_sky_poles(const CameraStation& camera);
 Directions towards_sky_seam(const CameraStation& camera);
 
-//! Zenith, rim and the edge of the circle of a dome that looks at the hole, tilted by 30 degrees.
+//! Returns zenith, rim and edge of the image circle of a dome that faces the hole, tilted by 30
+//! degrees.
 Directions dome_zenith_and_rim(const CameraStation& camera);
 
-//! Along the camera's own axes.
+//! Returns the camera's axes.
 Directions along_axes(const CameraStation& camera);
 
-//! Any direction, evenly.
+//! Returns a random direction, uniform over the sphere.
 Vector3<double> any_direction(std::mt19937_64& random);
 
-//! A direction so far from n [rad], on any side.
+//! Returns a direction at an angle [rad] from n, on the side given by the position angle `side`
+//! [rad].
 Vector3<double> beside(const Vector3<double>& n, double angle, double side);
 
 }  // namespace ergodome::test

@@ -6,11 +6,10 @@
 #include "kernels/spacetime/geodesic/radial_potential.h"
 #include "kernels/spacetime/geodesic/taylor.h"
 
-// A ray step by step, as trace_taylor goes, with somebody who looks on.
+// Follows a ray step by step, as trace_taylor does, and checks its first integrals on the way.
 namespace ergodome::test {
 
-//! By how much the first integrals of a ray are missed where it is, each as a part of its largest
-//! term.
+//! The relative errors of a ray's first integrals at a point, each divided by its largest term.
 struct IntegralMisses {
   double radial = 0.0;   //!< u'² = U(u)
   double polar = 0.0;    //!< |m'|² = C + a² m_z²
@@ -21,7 +20,7 @@ struct IntegralMisses {
   [[nodiscard]] double worst() const { return std::max({radial, polar, unit, axial, tangent}); }
 
   void take(const IntegralMisses& other) {
-    // Written so that what is not a number stays.
+    // Written so that NaN is kept.
     const auto larger = [](double a, double b) { return b <= a ? a : b; };
     radial = larger(radial, other.radial);
     polar = larger(polar, other.polar);
@@ -31,7 +30,7 @@ struct IntegralMisses {
   }
 };
 
-//! `state` with rates in Mino time; everything is formed in double.
+//! Computes the errors of a ray; `s` has rates in Mino time. All terms are computed in double.
 template <class S>
 IntegralMisses integral_misses(double spin, const RayStart<S>& exact, const RayState<S>& s) {
   const double a2 = spin * spin;
@@ -54,7 +53,7 @@ IntegralMisses integral_misses(double spin, const RayStart<S>& exact, const RayS
           std::abs(turning - at_start) / speed, std::abs(dot(m, rate)) / speed};
 }
 
-//! Where a walk ended, and the worst on the way.
+//! The end of a walk, and the largest errors on the way.
 template <class S>
 struct Walk {
   Vector3<S> sky;
@@ -63,8 +62,8 @@ struct Walk {
   IntegralMisses misses;
 };
 
-//! Follows a ray that comes from the sky as trace_taylor does, with a look at the middle and the
-//! end of every step.
+//! Follows a ray from the camera to the sky as trace_taylor does, and checks the middle and the end
+//! of every step.
 template <int Order, class S>
 Walk<S> walk(S spin, const RayStart<S>& start, S tolerance, int step_limit) {
   const S polar_speed = safe_sqrt(std::max(start.polar_constant, S(0))) + S(1);

@@ -11,16 +11,16 @@
 #include "tests/hard_cases/random_places.h"
 #include "tests/support/sanitized.h"
 
-// What must hold for any camera and any ray, on cameras and rays by chance: symmetries and limits
-// of Kerr's spacetime, the closed form, and a thousand grids.
+// Properties that must hold for any camera and any ray, checked on random ones: symmetries and
+// limits of Kerr spacetime, the closed form, and a thousand grids.
 namespace ergodome::test {
 namespace {
 
 Vector3<double> sky_of(const SeenSky& seen, std::size_t i) { return {seen.sky[0][i], seen.sky[1][i], seen.sky[2][i]}; }
 
-//! Where double cannot do better: 1e-13 rad of the direction over the distance from the edge, and
-//! rounding of 1 / Δ in the frame dragging of a camera next to the horizon; along an extremal
-//! horizon both are worse, or beyond telling: 1.
+//! The error that double cannot avoid: 1e-13 rad of the direction divided by the distance from the
+//! edge, and the rounding of 1 / Δ in the frame dragging of a camera next to the horizon. Along an
+//! extremal horizon both are larger, or unbounded: 1.
 class Rounding {
  public:
   explicit Rounding(const Place& place)
@@ -32,7 +32,7 @@ class Rounding {
     const double edge = std::abs(edge_distance(camera_, chart_, n));
     const bool extremal = 1.0 - std::abs(camera_.spin) < 1e-4;
     if (extremal && edge < 1e-3) {
-      return 1.0;  // along an extremal horizon, where space turns without end
+      return 1.0;  // along an extremal horizon, where frame dragging diverges
     }
     return 1e-10 + (extremal ? 1e-10 : 1e-12) / edge +
            (extremal ? 1e-11 / (height_ * height_ * edge) : 1e-12 / height_);
@@ -54,8 +54,8 @@ constexpr int sweep_rays = sanitized ? 20 : 300;
 
 SeenSky traced(const Place& place, const Directions& rays) { return by_rays(place, rays, TraceMethod::taylor, 1e-12); }
 
-//! Traces rays and what a symmetry makes of camera and rays, and compares the skies as that makes
-//! them of each other. Rays that light takes too often round to count may be lost on either side.
+//! Traces rays and their mirror images under a symmetry, and compares the skies under the same
+//! symmetry. Rays that wind too often to count may be lost on either side.
 void expect_symmetric(std::mt19937_64& random, double room, Place (*place_of)(const Place&),
                       Vector3<double> (*ray_of)(const Vector3<double>&),
                       Vector3<double> (*sky_as)(const Vector3<double>&)) {
@@ -113,16 +113,17 @@ TEST_P(Sweeps, SkyIsMirroredWithTheSpin) {
       });
 }
 
-//! Compares series and closed form on rays of a place; returns how many could be.
+//! Compares the series with the closed form on rays of a camera; returns how many could be
+//! compared.
 long expect_two_ways_agree(const Place& place, const Directions& rays, double room) {
   const SeenSky series = traced(place, rays);
   const SeenSky exact = by_rays(place, rays, TraceMethod::closed_form, 1e-12);
   const Rounding rounding(place);
   long compared = 0;
   for (std::size_t k = 0; k < rays.size(); ++k) {
-    // Beside principal rays (every eighth here) the closed form's two turning points in θ meet, and
-    // it loses half of its digits; beside the axis they are told by the distance from it, and other
-    // rays may be principal there, too.
+    // Near principal rays (every eighth ray here) the closed form's two turning points in θ
+    // coincide, and it loses half of its digits. Near the axis its accuracy depends on the distance
+    // from it, and other rays may be principal there, too.
     const bool beside_axis = std::sin(place.theta) < 1e-6;
     const double meeting = k % 8 == 4 || beside_axis ? 1e-7 / std::sin(place.theta) : 0.0;
     const double allowed = room * (20.0 * rounding.of(rays[k]) + 1e-8 + meeting);
@@ -194,7 +195,7 @@ TEST_P(Sweeps, TinySpinsDifferFromNoneByAsMuch) {
     const Rounding rounding(place);
     for (std::size_t k = 0; k < rays.size(); ++k) {
       if (none.status[k] == 0.0 && some.status[k] == 0.0) {
-        // Light is bent as much more as the shadow's edge moves: by some of the spin.
+        // The bending of light changes as the shadow's edge moves: in proportion to the spin.
         const double allowed = room_of(GetParam()) * 10.0 * tiny * rounding.of(rays[k]) / 1e-12;
         ASSERT_LT(length(sky_of(none, k) - sky_of(some, k)), allowed) << words_of(place) << " ray " << k;
       }
@@ -227,9 +228,9 @@ TEST_P(Sweeps, FarAwayLightIsBentByTwoMOverItsDistance) {
   }
 }
 
-//! Half of the grids' nodes in double, half in float: for a dome of 512², two budgets wide. Of the
-//! sky one ray in a hundred may miss by more than the budget; here a quarter of the rays are next
-//! to the shadow's edge, where misses are, and two may.
+//! Half of the grids have nodes in double, half in float; for a 512² dome, at two budgets. One ray
+//! in a hundred over the sky may miss by more than the budget; here a quarter of the rays are next
+//! to the shadow's edge, where errors are largest, so two may.
 TEST_P(Sweeps, GridsKeepTheirBudgetAndTheShadow) {
   constexpr int grids = sanitized ? 8 : 510;
   constexpr int rays_a_grid = 40;

@@ -10,8 +10,8 @@
 #include "tests/hard_cases/lens_methods.h"
 #include "tests/hard_cases/ray_sets.h"
 
-// NaN and infinity in every input of a ray and of a show: refused, or answered by "no sky"; never
-// by a wrong sky that looks like one.
+// NaN and infinity in every input of a ray and of a show are refused or yield no sky, never a wrong
+// but plausible sky.
 namespace ergodome::test {
 namespace {
 
@@ -26,7 +26,7 @@ void expect_no_sky_that_is_no_number(const SeenSky& seen) {
   }
 }
 
-//! With one number of its camera replaced.
+//! Returns a camera with one of its numbers replaced.
 Place wild_place(int which, double value) {
   Place place = {0.9, 8.0, 1.0, ObserverMotion::velocity, {0.1, 0.1, 0.1}};
   double* const numbers[] = {&place.spin, &place.r, &place.theta, &place.beta.x, &place.beta.y, &place.beta.z};
@@ -73,7 +73,7 @@ TEST(WildInputs, OfADirectionSpoilThatRayAlone) {
   }
 }
 
-//! A show with one line more.
+//! Returns a show with one additional line.
 std::string show_with(const std::string& section, const std::string& line) {
   const char* const base[][2] = {{"", "duration_s = 4\n"},
                                  {"hole", "[hole]\n"},

@@ -11,8 +11,8 @@ namespace {
 enum Part : std::size_t { radius, polar, radial_rate, polar_rate, azimuth, coordinate_time, part_count };
 using State = std::array<double, part_count>;
 
-//! The geodesic's equations in Mino time that runs backwards: Carter's, once more differentiated
-//! where they hold square roots.
+//! The geodesic equations in Mino time that runs backwards: Carter's, differentiated once more
+//! where they contain square roots.
 class Walk {
  public:
   Walk(double spin, const NearRay<double>& ray) : a_(spin), ray_(ray), horizon_r_(1.0 + std::sqrt(1.0 - spin * spin)) {}
@@ -43,14 +43,14 @@ class Walk {
     return next;
   }
 
-  //! A small part of the time in which anything changes.
+  //! Returns a small fraction of the time in which anything changes.
   [[nodiscard]] double step(const State& s) const {
     const double r = s[radius];
     const double speed = std::abs(s[radial_rate]);
     const double turn = std::sqrt(std::abs(ray_.polar_constant)) + std::abs(ray_.energy) * r;
-    // The roots of Δ are where φ and t are singular.
+    // φ and t are singular at the roots of Δ.
     const double gap = (r - horizon_r_) * std::min(1.0, r / 4.0);
-    // Near the axis of a ray that misses it.
+    // Shortens steps near the axis for a ray that misses it.
     const double sine = std::abs(std::sin(s[polar]));
     const double swing = ray_.axial_angular_momentum == 0.0 ? 1.0 : std::min(1.0, 4.0 * sine);
     return 6e-4 * std::min({swing / turn, gap / (speed + 1e-300)});

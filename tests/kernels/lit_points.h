@@ -9,7 +9,7 @@
 
 namespace ergodome::test {
 
-//! A point by pseudo-Cartesian spherical coordinates.
+//! Converts spherical coordinates to a point in pseudo-Cartesian coordinates.
 inline Vector3<double> point_at(double r, double theta, double phi) {
   return {r * std::sin(theta) * std::cos(phi), r * std::sin(theta) * std::sin(phi), r * std::cos(theta)};
 }
@@ -19,7 +19,7 @@ struct LitPoint {
   Vector3<double> point, lamp;
 };
 
-//! Forty of them about a hole, everywhere.
+//! Returns forty pairs of points and lamps all around a hole.
 inline std::vector<LitPoint> lit_points() {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> share(0.0, 1.0);

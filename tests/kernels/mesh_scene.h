@@ -13,7 +13,7 @@ namespace ergodome::test {
 
 inline constexpr MeshLimits finest = {1e-15, 4000};
 
-//! A mesh with its tree, at a place of its own.
+//! A mesh with its tree and its position in the scene.
 struct Placed {
   TriangleBoxes boxes;
   PlacedMesh mesh;
@@ -30,7 +30,7 @@ inline MeshHit look(const CameraStation& camera, const Vector3<double>& n, const
   return hit;
 }
 
-//! A triangle of two sides about a middle.
+//! Returns a triangle with two given sides, centered at the origin.
 inline TriangleMesh triangle_about(const Vector3<double>& side, const Vector3<double>& other) {
   TriangleShape shape;
   shape.corners = {-1.0 * (side + other), 2.0 * side - other, 2.0 * other - side};

@@ -20,8 +20,8 @@ struct ReferenceRay {
   RayStatus status;
   Vector3<double> sky;
   double g, mino_time;
-  double edge_distance;  //!< -1 where none was computed
-  double magnification;  //!< 0 where none was computed
+  double edge_distance;  //!< -1 if not computed
+  double magnification;  //!< 0 if not computed
 };
 
 //! A row of tests/data/edge.csv.
@@ -45,14 +45,16 @@ struct ReferenceCrossing {
 };
 
 const std::vector<ReferenceRay>& reference_rays();
-//! Those of tests/data/within_horizon.csv, which know nothing but the sky and g.
+//! Returns the rows of tests/data/within_horizon.csv, which has only the sky and g.
 const std::vector<ReferenceRay>& reference_rays_within();
 const std::vector<ReferenceEdgePoint>& reference_edge();
 const std::vector<ReferenceCrossing>& reference_crossings();
-//! Those of tests/data/within_horizon_disk.csv; g_kepler is 0 within the innermost stable orbit.
+//! Returns the rows of tests/data/within_horizon_disk.csv; g_kepler is 0 inside the innermost
+//! stable orbit.
 const std::vector<ReferenceCrossing>& reference_crossings_within();
 
-//! The error of a sky direction that double-precision input allows near the edge [rad].
+//! Returns the error of a sky direction near the edge that the rounding of double-precision input
+//! allows [rad].
 double allowed_sky_error(const ReferenceRay& ray);
 
 double length(const Vector3<double>& v);

@@ -26,8 +26,8 @@ using namespace test;  // NOLINT(google-build-using-namespace): the fixtures of 
 
 constexpr int master_px = 1024;
 
-//! What a projector is fed, in linear light: a domemaster that holds its own coordinates, warped,
-//! and its brightness.
+//! The input of a projector in linear light: the master coordinates of each pixel (a warped
+//! domemaster of coordinates) and its brightness.
 struct Frame {
   int width;
   int height;
@@ -35,7 +35,7 @@ struct Frame {
   std::vector<float> u;
   std::vector<float> v;
 
-  //! Between pixels' middles, in proportion.
+  //! Interpolates linearly between pixel centers.
   [[nodiscard]] double read(const std::vector<float>& channel, const RasterPlace& place) const {
     const double x = std::clamp(place.x * width - 0.5, 0.0, width - 1.001);
     const double y = std::clamp(place.y * height - 0.5, 0.0, height - 1.001);
@@ -52,7 +52,7 @@ struct Frame {
   }
 };
 
-//! The picture of a projector with a warp and a mask, which is raised to `mask_gamma`.
+//! Returns the frame of a projector with a warp and a mask; the mask is raised to `mask_gamma`.
 Frame frame_of(const ProjectorSetup& projector, const WarpMesh& mesh, const BlendMap& mask, double mask_gamma) {
   Frame frame{projector.width_px, projector.height_px, {}, {}, {}};
   const WarpMesh warp = resampled_warp(mesh, frame.width, frame.height);
@@ -66,7 +66,7 @@ Frame frame_of(const ProjectorSetup& projector, const WarpMesh& mesh, const Blen
   return frame;
 }
 
-//! The pictures of projectors whose warps and masks are those of a setup's files.
+//! Returns the frames of projectors with the warps and masks in a setup's files.
 std::vector<Frame> frames_of(const DomeSetup& setup) {
   std::vector<Frame> frames;
   for (const ProjectorSetup& projector : setup.projectors) {
@@ -77,7 +77,7 @@ std::vector<Frame> frames_of(const DomeSetup& setup) {
   return frames;
 }
 
-//! The pictures that follow a setup's adjustments.
+//! Returns the frames of projectors that follow a setup's adjustments.
 std::vector<Frame> frames_of(const DomeSetup& setup, const DomePictures& pictures) {
   std::vector<Frame> frames;
   for (std::size_t i = 0; i < setup.projectors.size(); ++i) {
@@ -87,14 +87,14 @@ std::vector<Frame> frames_of(const DomeSetup& setup, const DomePictures& picture
   return frames;
 }
 
-//! Throws frames onto the dome and looks at what is there.
+//! Projects frames onto a simulated dome and checks the result there.
 class SimulatedDome : public FolderTest {
  protected:
   [[nodiscard]] DomeSetup calibrated(const DomeSetup& setup) const {
     return calibrated_in(folder_, setup, {master_px, 0.1});
   }
 
-  //! The same after a way through an MPCDI archive.
+  //! Returns the setup after a round trip through an MPCDI archive.
   [[nodiscard]] DomeSetup through_mpcdi(const DomeSetup& setup) const {
     const Mpcdi mpcdi = mpcdi_from_setup(setup, "2026-01-01 00:00:00");
     write_mpcdi(folder_ / "dome.mpcdi", mpcdi);
@@ -109,8 +109,8 @@ class SimulatedDome : public FolderTest {
     return with;
   }
 
-  //! `optics`: the projectors as they stand; `frames`: what they are fed; `most_off_px`: of the
-  //! master.
+  //! Checks that the dome shows the master. `optics`: the projectors as they are installed;
+  //! `frames`: their inputs; `most_off_px`: tolerance in pixels of the master.
   static void expect_master(const DomeSetup& optics, const std::vector<Frame>& frames, double most_off_px = 0.5) {
     std::vector<ProjectorOptics> projectors;
     projectors.reserve(optics.projectors.size());
@@ -198,7 +198,7 @@ TEST_F(SimulatedDome, MpcdiHasFewSamplesAndIsWithinATenthOfAPixel) {
   }
 }
 
-//! On the master: projectors of 400 pixels that show 148 degrees of it.
+//! In pixels of the master, for projectors of 400 pixels that cover 148 degrees of it.
 constexpr double half_a_projector_pixel = 0.5 * (148.0 / 400.0) * (master_px / 180.0);
 
 TEST_F(SimulatedDome, ComputedFilesFollowATilt) {
@@ -227,7 +227,7 @@ TEST_F(SimulatedDome, PreviewedMasksBecomeTheSameWhenTheyAreRefined) {
   EXPECT_EQ(preview.pictures()[0].blend.width, 25);
   EXPECT_EQ(preview.refine_mask(), 0U);
   EXPECT_EQ(preview.pictures()[0].blend.values, whole.pictures()[0].blend.values);
-  // A tilt comes before the others are refined.
+  // The tilt changes before the other masks are refined.
   setup.tilt_deg += 20.0;
   EXPECT_TRUE(whole.follow(setup, {{}, {}, {}}));
   EXPECT_TRUE(preview.follow(setup, {{}, {}, {}}));
@@ -242,7 +242,7 @@ TEST_F(SimulatedDome, PreviewedMasksBecomeTheSameWhenTheyAreRefined) {
 
 TEST_F(SimulatedDome, FilesOfAnOutsideCalibrationStayAfterATilt) {
   DomeSetup setup = calibrated(three(128));
-  // As if measured: the projectors do not stand where the setup says.
+  // Simulates a measured dome: the projectors are not aligned as the setup says.
   for (ProjectorSetup& projector : setup.projectors) {
     projector.orientation.yaw_deg += 0.5;
   }
@@ -293,14 +293,14 @@ TEST_F(SimulatedDome, AProjectorThatLooksAwayIsRefused) {
   EXPECT_THROW(DomeBlend({optics}, {0.0, 180.0}, {}), Error);
 }
 
-//! The light of a setup's only projector.
+//! Computes the blend of a setup with a single projector.
 DomeBlend blend_of(const std::string& projector, double evenness) {
   const DomeSetup setup = parse_dome_setup("[dome]\nradius_m = 7\n[[projector]]\nname = \"a\"\n" + projector,
                                            "dome.toml", NamedFiles::unchecked);
   return {{ProjectorOptics(setup, setup.projectors[0])}, {0.0, 180.0}, {2.0, evenness}};
 }
 
-//! The mean of its mask, and the greatest value.
+//! Returns the mean and the maximum of the mask.
 std::pair<double, double> mask_of(const DomeBlend& blend) {
   const BlendMap mask = blend.mask(0, 128, 96);
   const double sum = std::accumulate(mask.values.begin(), mask.values.end(), 0.0);

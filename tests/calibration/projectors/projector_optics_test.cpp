@@ -79,8 +79,7 @@ TEST(ProjectorOptics, AFisheyesRimIsHalfItsFieldFromTheAxis) {
   EXPECT_NEAR(std::acos(rim->y / 5.0), 70.0 * pi / 180.0, 1e-12);
 }
 
-//! Light that falls on a mirror from above is turned by twice the slope of the mirror where it
-//! meets it.
+//! Light that hits a mirror from above is deflected by twice the mirror's slope at that point.
 TEST(ProjectorOptics, AMirrorTurnsLightByTwiceItsSlope) {
   constexpr double radius = 0.4;
   constexpr double high = 1e3;
@@ -125,8 +124,8 @@ TEST_P(OpticsOf, PlacesComeBackFromTheDome) {
 }
 
 TEST_P(OpticsOf, TheSpreadSumsToTheAreaThatIsLit) {
-  // Of triangles on the sphere between neighbouring places, against the sum of the spread in the
-  // middles of their squares.
+  // Sums the areas of triangles on the sphere between neighboring points, and compares them with
+  // the sum of the spread at the centers of their squares.
   const ProjectorOptics optics(dome(7.0), GetParam());
   constexpr int side = 200;
   double spread = 0.0;
@@ -191,7 +190,8 @@ TEST(ProjectorOptics, LightFromBelowTheRimComesIn) {
 }
 
 TEST(ProjectorOptics, LightThatMeetsTheShellFromOutsideLightsNothing) {
-  // Upwards: it comes to the sphere's back above the rim, and would go on to its front.
+  // The ray points upwards: it meets the back of the sphere above the rim, and would continue to
+  // its front.
   const Vector3<double> from = {0, -1, 6};
   const double pitch = 55.0 * one_degree;
   const ProjectorOptics optics(dome(5.0), projector_with(Frustum{-30, 30, 30, -30}, from, {0, 55, 0}));

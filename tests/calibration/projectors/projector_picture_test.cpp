@@ -15,7 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-//! A dome whose one projector shows the whole master upright, a pixel of it to a pixel.
+//! Returns a dome whose only projector shows the whole master upright, pixel for pixel.
 DomeSetup plain_dome() {
   DomeSetup setup;
   ProjectorSetup projector;
@@ -39,8 +39,8 @@ LoadedProjector square_warp(float least, float most) {
 TEST(MasterWarp, IsTurnedToTheRight) {
   DomeSetup setup = plain_dome();
   LoadedProjector loaded = square_warp(0.0F, 1.0F);
-  // What the master has in front (bottom) is shown on the right after a quarter turn: the node on
-  // the right reads the front.
+  // After a quarter turn, the front of the master (bottom) appears on the right: the node on the
+  // right reads the front.
   std::get<WarpMesh>(loaded.warp).at(1, 0) = {1.0F, 0.5F, 1.0F, 0.5F};
   setup.rotation_deg = 90.0;
   const WarpNode node = master_warp(setup, setup.projectors[0], loaded).at(1, 0);
@@ -53,7 +53,7 @@ TEST(MasterWarp, OfASurfaceFindsThePlacesOfItsPoints) {
   setup.tilt_deg = 10.0;
   SurfaceMesh surface{9, 9, {}};
   for (int i = 0; i < 81; ++i) {
-    // A patch about a direction up and to the front, at changing distances.
+    // A patch around a direction up and to the front, at varying distances.
     const double x = 0.1 * (i % 9 - 4);
     const int row = i / 9;
     const double z = -0.7 + 0.1 * (row - 4);
@@ -63,7 +63,7 @@ TEST(MasterWarp, OfASurfaceFindsThePlacesOfItsPoints) {
   LoadedProjector loaded;
   loaded.warp = surface;
   const WarpMesh warp = master_warp(setup, setup.projectors[0], loaded);
-  ASSERT_EQ(warp.columns, 11);  // the rim is added
+  ASSERT_EQ(warp.columns, 11);  // includes the rim
   double u = 0.0;
   double v = 0.0;
   ASSERT_TRUE(master_place({10.0, 180.0}, {0.1, 1.0, -0.6}, u, v));
@@ -79,7 +79,7 @@ TEST(MasterWarp, OfWhatALensShowsGoesThroughTheLens) {
   loaded.source = WarpSource::lens_picture;
   loaded.orientation = {30.0, 40.0, 0.0};
   loaded.lens = Frustum{-20.0, 20.0, 20.0, -20.0};
-  std::get<WarpMesh>(loaded.warp).at(0, 0) = {0.0F, 0.0F, 0.5F, 0.5F};  // the axis: azimuth 30°, elevation 40°
+  std::get<WarpMesh>(loaded.warp).at(0, 0) = {0.0F, 0.0F, 0.5F, 0.5F};  // on the axis: azimuth 30°, elevation 40°
   const WarpNode node = master_warp(setup, setup.projectors[0], loaded).at(0, 0);
   const double radius = 0.5 * 50.0 / 90.0;
   EXPECT_NEAR(node.u, 0.5 + radius * std::sin(pi / 6.0), 1e-5);

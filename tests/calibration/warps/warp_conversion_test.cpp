@@ -16,8 +16,8 @@ using testing::HasSubstr;
 
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 
-//! A mesh over the whole raster that shows u = 0.1 + 0.8 x, v = 0.9 - 0.5 y + 0.2 x at intensity 1
-//! - x / 2: linear, so that every way to interpolate has the same values.
+//! Returns a mesh over the whole raster with u = 0.1 + 0.8 x, v = 0.9 - 0.5 y + 0.2 x and intensity
+//! 1 - x / 2. These are linear, so that every interpolation gives the same values.
 WarpMesh linear_mesh(int columns, int rows) {
   WarpMesh mesh{MeshTopology::rectangular, columns, rows, {}};
   for (int row = 0; row < rows; ++row) {
@@ -31,7 +31,7 @@ WarpMesh linear_mesh(int columns, int rows) {
   return mesh;
 }
 
-//! A map with something else in every sample.
+//! Returns a map whose samples all differ.
 FloatMap sample_map(int width, int height) {
   FloatMap map{width, height, {}};
   for (int i = 0; i < width * height; ++i) {
@@ -113,8 +113,8 @@ TEST(WarpConversion, CellsWithACornerThatIsNotDrawnStayEmpty) {
 }
 
 TEST(WarpConversion, PolarMeshIsClosed) {
-  // A ring about the middle of the raster; its last column joins the first across the positive x
-  // axis.
+  // A ring around the middle of the raster; its last column connects to the first across the
+  // positive x axis.
   WarpMesh ring{MeshTopology::polar, 12, 2, {}};
   for (const double radius : {0.1, 0.4}) {
     for (int i = 0; i < 12; ++i) {

@@ -86,7 +86,7 @@ TYPED_TEST(Arithmetic, ChosenLanesAreWrittenOneAfterAnother) {
   }
 }
 
-//! The rays of a coarse all-sky grid, traced by the kernels of one instruction set.
+//! Returns the sky of a coarse set of rays, traced by the kernels of one instruction set.
 std::vector<double> sky_of(InstructionSet set) {
   constexpr int count = 1003;
   std::array<std::vector<double>, 3> n;

@@ -24,7 +24,7 @@ DiskLight<double> light_of(const NearRay<double>& ray, const EquatorialCrossing<
   return {1.0 / c.u, ray.energy, ray.axial_angular_momentum, ray.shear_constant, c.u_rate > 0.0};
 }
 
-//! Crossings of a row of the reference table, and the ray.
+//! The traced crossings of a row of the reference table, and the ray.
 struct Traced {
   NearRay<double> ray;
   Crossings crossings;
@@ -82,15 +82,15 @@ TEST(DiskCrossings, AreWhereThePicturesFloatSeesThem) {
     const Vector3<float> n = {static_cast<float>(row.n.x), static_cast<float>(row.n.y), static_cast<float>(row.n.z)};
     EquatorialCrossing<float> crossings[crossing_orders];
     trace_crossings<10, true>(camera.spin, start_near_ray(camera, n), {1e-3F, 1e-6F, 200}, true, crossings);
-    // Second images amplify the rounding of directions.
+    // Second-order images amplify the rounding of directions.
     const double allowed = row.order == 0 ? 2e-4 : 5e-3;
     EXPECT_NEAR(1.0 / static_cast<double>(crossings[row.order].u) / row.r_hit, 1.0, allowed) << row.id;
   }
 }
 
 TEST(DiskCrossings, LieInThePlaneByTheClosedFormOfThePolarMotion) {
-  // An elliptic function knows the polar position at any Mino time; the crossing's is the integral
-  // of the radial motion.
+  // An elliptic function gives the polar position at any Mino time; the time of the crossing is the
+  // integral of the radial motion.
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   const CameraStation camera = make_camera_station(0.9, 12.0, 1.2, 0.0, ObserverMotion::zamo);
@@ -106,7 +106,7 @@ TEST(DiskCrossings, LieInThePlaneByTheClosedFormOfThePolarMotion) {
     const RayStart<double> plain = start_ray(camera, n);
     const double slowness = std::sqrt(radial_potential(camera.spin, plain, crossings[0].u));
     EXPECT_NEAR(std::abs(crossings[0].u_rate) / ray.energy, slowness, 1e-9 * (1.0 + slowness));
-    // φ without dragging at the Mino time of the crossing, which the closed form finds by
+    // φ without frame dragging at the Mino time of the crossing, which the closed form finds by
     // bisection.
     double low = 0.0;
     double high = 2.0 / std::sqrt(plain.polar_constant);
@@ -155,7 +155,7 @@ TEST(DiskCrossings, ComeInOrderOfTheDelay) {
   EXPECT_GT(second, 5);
 }
 
-//! 1/r of the first crossing of a ray; 0 where there is none.
+//! Returns 1/r of the first crossing of a ray; 0 if there is none.
 template <int Order>
 double first_crossing(const CameraStation& camera, const Vector3<double>& n, double tolerance) {
   Crossings crossings;
@@ -164,7 +164,7 @@ double first_crossing(const CameraStation& camera, const Vector3<double>& n, dou
 }
 
 TEST(DiskCrossings, AreFoundBesideTheHorizonByLongStepsAsByShortOnes) {
-  // Long steps lead out, through the plane, round and into the hole at once.
+  // A long step may lead outwards, through the plane, around the hole and into it at once.
   const CameraStation camera = make_camera_station(0.6, 1.802, 1.36, 0.0, ObserverMotion::rain);
   for (int i = 0; i < 16; ++i) {
     for (int j = 0; j < 16; ++j) {
@@ -176,8 +176,8 @@ TEST(DiskCrossings, AreFoundBesideTheHorizonByLongStepsAsByShortOnes) {
 }
 
 TEST(DiskCrossings, EndWithTheFirstBehindTheHorizon) {
-  // What light meets later there is no neighbour of what it meets outside: a straight footprint
-  // would lead from one to the other.
+  // Crossings after that are not continuous with those outside: a straight footprint would connect
+  // them.
   std::mt19937 random(9);
   std::uniform_real_distribution<double> part(-1.0, 1.0);
   int behind = 0;
@@ -199,7 +199,8 @@ TEST(DiskCrossings, EndWithTheFirstBehindTheHorizon) {
 }
 
 TEST(DiskFlow, MovesAlongPhiWhateverTheSpin) {
-  // Published radii: 9 M against a hole of spin 1, 1 M with it, 6 M without spin.
+  // Published radii: 9 M for orbits against a hole of spin 1, 1 M for orbits with it, 6 M without
+  // spin.
   EXPECT_NEAR(make_disk_flow(-1.0).stable_r, 9.0, 1e-12);
   EXPECT_NEAR(make_disk_flow(0.0).stable_r, 6.0, 1e-12);
   EXPECT_NEAR(make_disk_flow(1.0).stable_r, 1.0, 1e-12);
@@ -228,7 +229,7 @@ TEST(DiskFlow, FallsWithoutAJumpFromTheLastStableOrbit) {
 
 TEST(DiskFlow, SeesItsOwnFrequencyByTheMetric) {
   // Light straight inwards (principal null, L = a E) onto matter that falls into a hole without
-  // spin: ν = (E_m + √(E_m² - f (1 + L²/r²))) / f for light that goes outwards, f = 1 - 2/r.
+  // spin: ν = (E_m + √(E_m² - f (1 + L²/r²))) / f for outgoing light, f = 1 - 2/r.
   const DiskFlow<double> flow = make_disk_flow(0.0);
   const double r = 4.0;
   const double f = 1.0 - 2.0 / r;
@@ -237,8 +238,7 @@ TEST(DiskFlow, SeesItsOwnFrequencyByTheMetric) {
   EXPECT_NEAR(plunging_frequency(flow, {r, 1.0, 0.0, 0.0, false}), (flow.energy - fall) / f, 1e-12);
 }
 
-//! plunging_frequency() as it is written down, of light that goes inwards: it cancels beside the
-//! horizon.
+//! plunging_frequency() in its textbook form, for ingoing light: it cancels near the horizon.
 double frequency_by_difference(const DiskFlow<double>& flow, const DiskLight<double>& light) {
   const double a = flow.spin;
   const double delta = light.r * light.r - 2.0 * light.r + a * a;
@@ -260,8 +260,8 @@ TEST(DiskFlow, IsSeenInFloatAsItIsBesideTheHorizon) {
     const DiskFlow<double> flow = make_disk_flow(spin);
     const double horizon = horizon_radius(spin);
     for (int i = 0; i < 4000; ++i) {
-      // Light of any energy at infinity, the ergosphere's, too, that comes from outside: X > 0 at
-      // the horizon.
+      // Light of any energy at infinity (including negative energies in the ergosphere) that comes
+      // from outside: X > 0 at the horizon.
       const double energy = 2.0 * part(random) - 1.0;
       const double brink = std::pow(10.0, -2.0 * part(random));
       const double most_above = 0.9 * (flow.stable_r - horizon);

@@ -7,9 +7,9 @@
 namespace ergodome {
 namespace {
 
-//! The defining integral, Page & Thorne eq. 12: f = -Ω' / (E - ΩL)² ∫ (E - ΩL) L' dr from the
-//! innermost stable orbit, as a sum of (E - ΩL) over steps of L, of second order and extrapolated
-//! once.
+//! Computes the defining integral, Page & Thorne eq. 12: f = -Ω' / (E - ΩL)² ∫ (E - ΩL) L' dr from
+//! the innermost stable orbit, as a sum of (E - ΩL) over steps of L, of second order with one
+//! extrapolation.
 double integrated_function(double spin, double r) {
   const double inner = innermost_stable_radius(spin, 1.0);
   const auto rotation = [&](double at) { return 1.0 / (at * std::sqrt(at) + spin); };
@@ -47,7 +47,7 @@ TEST(PageThorne, HasNoTorqueAtTheLastStableOrbit) {
   for (const double spin : {-1.0, -0.6, 0.0, 0.6, 0.999}) {
     const double inner = innermost_stable_radius(spin, 1.0);
     EXPECT_EQ(page_thorne_flux(spin, inner), 0.0) << spin;
-    // It begins with the square of the distance.
+    // The flux starts with the square of the distance.
     const double near = page_thorne_flux(spin, inner + 1e-3);
     const double nearer = page_thorne_flux(spin, inner + 5e-4);
     EXPECT_NEAR(near / nearer, 4.0, 0.05) << spin;
@@ -55,7 +55,8 @@ TEST(PageThorne, HasNoTorqueAtTheLastStableOrbit) {
 }
 
 TEST(PageThorne, IsNewtonsDiskFarAway) {
-  // 3 M Ṁ / (8π r³) (1 - √(r_in / r)): the bracket loses the size of the inner edge alone.
+  // 3 M Ṁ / (8π r³) (1 - √(r_in / r)): the bracket differs from 1 only by the effect of the inner
+  // edge.
   const double r = 1e6;
   EXPECT_NEAR(page_thorne_flux(0.5, r) * r * r * r, 1.5, 1.5 * 4e-3);
 }
@@ -77,7 +78,7 @@ TEST(PageThorne, GoesOnSmoothlyThroughSpinZeroAndToFullSpinAgainstTheHole) {
 }
 
 TEST(PageThorne, PeaksWhereItIsPublishedToForNoSpin) {
-  // The flux of a disk about a hole without spin is greatest at r = 9.55 M.
+  // The flux of a disk around a hole without spin peaks at r = 9.55 M.
   double best = 6.0;
   for (double r = 6.0; r < 20.0; r += 0.001) {
     best = page_thorne_flux(0.0, r) > page_thorne_flux(0.0, best) ? r : best;

@@ -12,11 +12,11 @@
 #include "kernels/spacetime/shadow/shadow_chart.h"
 #include "tests/kernels/reference_tables.h"
 
-// What is outside the horizon, seen from within it.
+// The disk outside the horizon, seen from inside it.
 namespace ergodome::test {
 namespace {
 
-//! A place outside that light comes from.
+//! A point outside the horizon that light comes from.
 struct OuterPlace {
   double r;
   double azimuth;
@@ -32,7 +32,7 @@ void expect_place(const ReferenceCrossing& row, const std::optional<OuterPlace>&
   EXPECT_NEAR(place->delay, row.delay, allowed * std::max(1.0, row.r_hit)) << "ray " << row.id;
 }
 
-//! By rays that know azimuth and time.
+//! Finds the crossing by a ray that computes azimuth and time.
 template <class S>
 std::optional<OuterPlace> traced_crossing(const ReferenceCrossing& row, const CrossingLimits<S>& limits) {
   const CameraStationOf<S> camera = converted_station<S>(station_of(row));
@@ -77,8 +77,8 @@ TEST(CrossingsFromWithin, ShowADiskShiftedAsTheReferenceSays) {
   }
 }
 
-//! By the layers of a disk's grid, of whichever order: those count what is crossed within the
-//! horizon, too.
+//! Finds the crossing in the layers of a disk grid, of any order: these also count crossings inside
+//! the horizon.
 std::optional<OuterPlace> layer_crossing(const ReferenceCrossing& row) {
   const double near_u = 1.0 / (horizon_radius(row.a) + 1e-3);
   const LayerLimits<double> limits = {near_u, 1e-4, 10.0, -1.0, 1e-15, 4000};
@@ -101,7 +101,7 @@ TEST(CrossingsFromWithin, AreTheLayersOfADisksGrid) {
   }
 }
 
-//! Keeps the crossing of a shell that is nearest to the equatorial plane.
+//! Keeps the shell crossing that is closest to the equatorial plane.
 struct EquatorialVisitor {
   std::optional<OuterPlace> found;
   double height = 1.0;
@@ -126,7 +126,8 @@ TEST(CrossingsFromWithin, AreThoseOfShellsThroughThem) {
   }
 }
 
-//! By the paths along which objects are looked for: azimuth and delay where they cross the plane.
+//! Finds the crossing along the paths used to search for objects: azimuth and delay where they
+//! cross the plane.
 std::optional<OuterPlace> path_crossing(const ReferenceCrossing& row) {
   std::optional<OuterPlace> found;
   int order = 0;
@@ -151,8 +152,8 @@ TEST(CrossingsFromWithin, AreOnThePathsOfObjects) {
   }
 }
 
-//! The first crossing by azimuth and time of ingoing Kerr coordinates at the camera; r is 0 where
-//! there is none.
+//! Returns the first crossing in azimuth and time of ingoing Kerr coordinates at the camera; r is 0
+//! if there is none.
 OuterPlace crossing_by_ingoing_clock(double spin, double r, const Vector3<double>& n) {
   const CameraStation camera = make_camera_station(spin, r, 1.2, 0.0, ObserverMotion::rain);
   EquatorialCrossing<double> found[crossing_orders];
@@ -181,7 +182,7 @@ TEST(CrossingsFromWithin, GoOnFromOutsideWithTheLagOfTheCamerasTime) {
   }
 }
 
-//! The first crossing in a precision; u is 0 where there is none.
+//! Returns the first crossing in precision S; u is 0 if there is none.
 template <class S>
 EquatorialCrossing<S> first_crossing_in(const CameraStation& station, const Vector3<double>& n, S tolerance) {
   const CameraStationOf<S> camera = converted_station<S>(station);
@@ -205,7 +206,7 @@ TEST(CrossingsFromWithin, AreInFloatWhereDoubleHasThemAtAllHeights) {
             make_camera_station(spin, horizon + height, 1.5 + 1.3 * part(random), 0.0, ObserverMotion::rain);
         const Vector3<double> n = normalized({part(random), part(random), part(random)});
         const EquatorialCrossing<double> exact = first_crossing_in<double>(camera, n, 1e-15);
-        // Next to the horizon azimuth and time are steeper than float.
+        // Next to the horizon, azimuth and time vary faster than float resolves.
         if (exact.u * 1.05 * horizon > 1.0 || (exact.u > 0.0 && exact.u < 0.02)) {
           continue;
         }
@@ -245,7 +246,8 @@ TEST(CrossingsFromWithin, AreCountedAlikeInBothCoordinatesFromOutside) {
 }
 
 TEST(CrossingsFromWithin, AreNotThoseOfAnotherUniversesLight) {
-  // E (r_+² + a²) - a L < 0: this light never was outside, though its 1/r runs as if it had been.
+  // E (r_+² + a²) - a L < 0: this light was never outside, although its 1/r behaves as if it had
+  // been.
   const double spin = 0.9;
   const CameraStation camera = make_camera_station(spin, 1.0, 1.2, 0.0, ObserverMotion::rain);
   const NearRay<double> ray = start_near_ray(camera, normalized({-0.9, 0.3, 0.3}));

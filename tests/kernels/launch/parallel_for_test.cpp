@@ -61,7 +61,7 @@ TEST(ParallelFor, ServesManyThreadsAtOnce) {
   EXPECT_EQ(sum, 6 * 300 * 7);
 }
 
-//! More helpers than any of these machines has processors; pools are never deleted.
+//! Returns a pool with more helpers than any test machine has processors; pools are never deleted.
 WorkerPool& pool_of_five() {
   static WorkerPool& pool = *new WorkerPool(5);
   return pool;

@@ -9,11 +9,11 @@
 #include "tests/kernels/mesh_scene.h"
 #include "tests/kernels/reference_tables.h"
 
-// What a lamp's light does to surfaces: shadows, and how bright it is.
+// The light of a lamp on surfaces: its shadows and its brightness.
 namespace ergodome::test {
 namespace {
 
-//! A surface at a point, facing outwards, lit by a lamp among meshes.
+//! Returns the illuminance of a surface at a point, facing outwards, lit by a lamp among meshes.
 double illuminance_of(double spin, const LitPoint& at, const Vector3<double>& normal, const MeshScene& scene,
                       LampFalloff falloff = LampFalloff::published) {
   LampCorrections corrections = {};
@@ -39,7 +39,7 @@ TEST(LampLight, IsTakenAwayByWhatStandsOnItsRayAndByNothingElse) {
     LightRay ray{};
     RayCorrection correction = {};
     ASSERT_TRUE(light_ray(spin, frame, at.point, at.lamp, 1, LightRayParts::way, correction, ray));
-    // Where the ray has come to after a third of its way.
+    // The position of the ray after a third of its way.
     const Placed shell(make_sphere({}), {0.0, 0.0, 0.0}, 18.0);
     const MeshHit on_way = look(frame.camera, ray.direction, {&shell.mesh, 1, 17.0, 19.0});
     ASSERT_EQ(on_way.mesh, 0);
@@ -47,7 +47,7 @@ TEST(LampLight, IsTakenAwayByWhatStandsOnItsRayAndByNothingElse) {
     const Placed beside(make_sphere({}), on_way.point + Vector3<double>{0.0, 0.0, 0.6}, 0.5);
     const double free = illuminance_of(spin, at, normal, {&beside.mesh, 1, 15.0, 20.0});
     EXPECT_GT(free, 0.0);
-    // The second way round the hole is another, and much weaker.
+    // The second path around the hole is different, and its light much weaker.
     EXPECT_LT(illuminance_of(spin, at, normal, {&before.mesh, 1, 15.0, 20.0}), 0.01 * free) << spin;
   }
 }
@@ -64,13 +64,13 @@ TEST(LampLight, ReachesASurfaceThatFacesAwayRoundTheHoleAlone) {
   const MeshScene scene = {&elsewhere.mesh, 1, 88.0, 92.0};
   const double round = illuminance(at.lamp, at.point, {-1.0, 0.0, 0.0}, 2, 100.0);
   EXPECT_GT(round, 0.0);
-  // The rays go to 1e-6 off the surface.
+  // The rays end within 1e-6 of the surface.
   EXPECT_NEAR(illuminance_of(0.0, at, {-1.0, 0.0, 0.0}, scene), round, 1e-6 * round);
 }
 
 TEST(LampLight, RoundTheHoleMeetsNothingThatItPasses) {
-  // It comes back past where it set out, 5 M beside the ball that a place a hundredth off the
-  // surface would send it into.
+  // The ray comes back past its start, 5 M from the ball. A start moved off the surface by a
+  // hundredth would send it into the ball.
   const LitPoint at = {{13.0, 0.0, 0.0}, {40.0, 0.0, 0.0}};
   const Placed ball(make_sphere({}), {15.0, 0.0, 0.0}, 1.99);
   const MeshScene scene = {&ball.mesh, 1, 12.0, 18.0};
@@ -99,9 +99,9 @@ TEST(LampLight, FarFromTheHoleFadesWithTheSquareOfTheDistance) {
   }
 }
 
-//! Photons that a lamp of strength 1 on the axis sends through the sphere of radius r, by the light
-//! on its outside, over those that it sends into a unit of solid angle: each of time and area of an
-//! observer without angular momentum.
+//! Counts the photons from a lamp of strength 1 on the axis that enter the sphere of radius r, from
+//! the illuminance of its outside, relative to the photons that the lamp emits per unit of solid
+//! angle. Both are per unit of time and area of a zero-angular-momentum observer.
 double photons_through_sphere(double spin, double r, double lamp_r) {
   const Elsewhere elsewhere;
   constexpr int count = 400;
@@ -116,8 +116,8 @@ double photons_through_sphere(double spin, double r, double lamp_r) {
     const KerrFunctions f = kerr_functions(spin, r, theta);
     for (int way = 0; way < 2; ++way) {
       if (light.strength[way] > 0.0) {
-        // Of their number the observer sees e_R / e_L in a unit of time, of which there are α e_L
-        // in one of the lamp's.
+        // The observer sees a fraction e_R / e_L of the photon rate; α e_L of its time units pass
+        // per time unit of the lamp.
         const double energy = 1.0 / detail::evaluate(light.frame.camera.energy, light.direction[way]);
         sum += 2.0 * pi * (pi / count) * std::sin(theta) * std::sqrt(f.area) * std::sqrt(f.sigma * f.delta / f.area) *
                energy * light.strength[way] * meeting(light, normal, light.direction[way]);
@@ -127,7 +127,7 @@ double photons_through_sphere(double spin, double r, double lamp_r) {
   return sum;
 }
 
-// Inside the orbits of light what comes in does not come out again.
+// Light that enters inside the photon orbits does not come out again.
 TEST(LampLight, ThroughASphereAboutTheHoleIsAllThatLessThanTwoHalfTurnsLeadThere) {
   constexpr double lamp_r = 12.0;
   const double through = photons_through_sphere(0.0, 2.2, lamp_r);
@@ -142,12 +142,12 @@ TEST(LampLight, ThroughASphereAboutAHoleThatSpinsIsAllOfItsShadowButTheLightOfFu
   const CameraStation camera = local_frame(0.5, {0.0, 0.0, lamp_r}).camera;
   const ShadowChart chart = make_shadow_chart(camera);
   const double captured = 2.0 * pi * (1.0 - std::cos(edge_along_circle(camera, chart, 0.4, pi)));
-  // Without spin these are 0.8 % (above).
+  // Without spin, further paths contribute 0.8 % (see above).
   EXPECT_NEAR(through, 0.992 * captured, 2e-3 * captured);
 }
 
-//! Illuminance of a surface that moves, measured by itself, from the four-vectors of light, surface
-//! and matter.
+//! Returns the illuminance of a moving surface as measured in its rest frame, from the four-vectors
+//! of light, surface and matter.
 double met_by_moving(const Vector3<double>& v, const Vector3<double>& n, const Vector3<double>& d) {
   using Four = std::array<double, 4>;
   const auto product = [](const Four& a, const Four& b) {
@@ -156,8 +156,8 @@ double met_by_moving(const Vector3<double>& v, const Vector3<double>& n, const V
   const double gamma = 1.0 / std::sqrt(1.0 - dot(v, v));
   const Four u = {gamma, gamma * v.x, gamma * v.y, gamma * v.z};
   const Four k = {1.0, -d.x, -d.y, -d.z};
-  // The normal in space is across the surface's tangents; in space and time it is across its
-  // velocity, too.
+  // The normal in space is perpendicular to the surface's tangents; in spacetime it is also
+  // perpendicular to its velocity.
   Four normal = {dot(n, v), n.x, n.y, n.z};
   EXPECT_NEAR(product(normal, u), 0.0, 1e-12);
   const double size = std::sqrt(product(normal, normal));
@@ -171,7 +171,7 @@ TEST(LampLight, OnASurfaceThatMovesIsWhatThatMeasures) {
   light.velocity = {0.3, -0.5, 0.2};
   const Vector3<double> normal = {0.6, 0.0, 0.8};
   const Vector3<double> direction = {0.48, 0.6, 0.64};
-  // Far away the frame's axes are e_r = x, e_θ = -z, e_φ = y.
+  // Far away, the axes of the frame are e_r = x, e_θ = -z, e_φ = y.
   const Vector3<double> in_frame = {normal.x, -normal.z, normal.y};
   EXPECT_NEAR(meeting(light, normal, direction), met_by_moving(light.velocity, in_frame, direction), 1e-10);
   EXPECT_GT(meeting(light, normal, direction), 0.0);

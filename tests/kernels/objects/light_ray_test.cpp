@@ -11,7 +11,7 @@
 #include "tests/kernels/mesh_scene.h"
 #include "tests/kernels/reference_tables.h"
 
-// Light between a lamp and a place: its way, its time, and how its bundles spread.
+// Light between a lamp and a point: its path, its travel time, and the spread of its bundles.
 namespace ergodome::test {
 namespace {
 
@@ -68,13 +68,13 @@ TEST(LightRay, TakesAsLongBackwardsAboutAHoleThatSpinsTheOtherWay) {
     LightRay back{};
     ASSERT_TRUE(ray_of(0.9, at.point, at.lamp, 1, there));
     ASSERT_TRUE(ray_of(-0.9, at.lamp, at.point, 1, back));
-    // It is that of the step before the last, which ends up to 2e-4 rad beside the place.
+    // The travel time belongs to the next-to-last step, which ends up to 2e-4 rad from the point.
     EXPECT_NEAR(there.travel_time, back.travel_time, 1e-4 * there.travel_time);
   }
 }
 
-//! The spread without spin, r² r_L² b |du/dφ| |du_L/dφ| sinψ |dψ/db|, with the derivative by
-//! differences of the closed form.
+//! Returns the spread without spin, r² r_L² b |du/dφ| |du_L/dφ| sinψ |dψ/db|, with the derivative
+//! from differences of the closed form.
 double closed_spread(const LitPoint& at, int order) {
   const ConnectionPlane plane = connection_plane(at.lamp, at.point);
   const double angle = image_angle(plane.phi, order);
@@ -103,8 +103,8 @@ TEST(LightRay, SpreadsWithoutSpinAsTheClosedFormHasIt) {
   }
 }
 
-//! Where and when a ray from a lamp first comes to a radius, inward or outward as asked: θ, φ sinθ
-//! and t by the middle ray's θ.
+//! The position and the time where a ray from a lamp first reaches a radius, inward or outward as
+//! requested: θ, φ sinθ and t, with θ of the middle ray.
 struct Crossing {
   Vector3<double> place{};
   double time = 0.0;
@@ -125,10 +125,10 @@ struct Crossing {
   [[nodiscard]] static bool done() { return false; }
 };
 
-//! The cross-section of a bundle of rays from the lamp by differences of five of them, in the frame
-//! of an observer without angular momentum at the point, over their solid angle and the square of
-//! their energy: from the lamp's end, in the hole's time run backwards, whichever end is nearer to
-//! the hole.
+//! Returns the cross-section of a bundle of five rays from the lamp, by differences, in the frame
+//! of a zero-angular-momentum observer at the point, divided by their solid angle and the square of
+//! their energy. Always traces from the lamp, in time-reversed spacetime, whichever end is closer
+//! to the hole.
 double spread_by_differences(double spin, const LitPoint& at, const Vector3<double>& emitted, const LightRay& ray) {
   const LocalFrame lamp = local_frame(-spin, at.lamp);
   const double r = length(at.point);
@@ -153,7 +153,7 @@ double spread_by_differences(double spin, const LitPoint& at, const Vector3<doub
     const double by = 0.5 / apart;
     const double along_theta = by * (std::acos(two[0].place.z) - std::acos(two[1].place.z));
     const double along_phi = by * std::remainder(azimuth(two[0].place) - azimuth(two[1].place), 2.0 * pi);
-    // Times are counted backwards.
+    // Times run backwards.
     const double along_time = -by * (two[0].time - two[1].time);
     return Vector3<double>{0.0, std::sqrt(f.sigma) * along_theta,
                            f.circumference_factor * std::sin(theta) * (along_phi - f.frame_dragging * along_time)};
@@ -168,10 +168,10 @@ TEST(LightRay, SpreadsAboutAHoleThatSpinsAsBundlesFromTheLampDo) {
     for (const auto& [spin, order] : {std::pair{0.5, 1}, {-0.998, 1}, {0.9, 2}}) {
       const LightRay ray = spread_of(spin, at, order);
       if (std::abs(ray.direction.x) < 0.05) {
-        continue;  // It grazes the sphere that the neighbours are looked for on.
+        continue;  // It grazes the sphere on which the neighbors are intersected.
       }
-      // Where the ray leaves the lamp to: that of the lamp's light seen at the point, in time run
-      // backwards.
+      // The direction in which the ray leaves the lamp: that of the lamp's light seen at the point,
+      // in reversed time.
       RayCorrection correction = {};
       LightRay back{};
       const LocalFrame lamp = local_frame(-spin, at.lamp);
@@ -193,7 +193,8 @@ TEST(LightRay, SpreadsTheSameBothWays) {
   }
 }
 
-// Where Newton's method still tells, and the short way begins.
+// On both sides of the distance where Newton's method stops being accurate and the approximation
+// for short paths takes over.
 TEST(LightRay, AcrossShortWaysAboutAHoleThatSpinsComesFromWhereItDoesAcrossLongerOnes) {
   for (const double r : {4.0, 20.0}) {
     const Vector3<double> point = {r, 0.0, 0.1};
@@ -219,7 +220,7 @@ TEST(LightRay, SpreadsAcrossShortWaysAsThoughSpaceWereFlat) {
   }
 }
 
-// There is where both come together, and where one could be taken for the other.
+// The direction where the two paths meet, and where one could be mistaken for the other.
 TEST(LightRay, BehindAHoleThatSpinsComesBothWaysOnOppositeSides) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> share(0.0, 1.0);

@@ -10,11 +10,11 @@
 #include "tests/kernels/mesh_scene.h"
 #include "tests/kernels/reference_tables.h"
 
-// What light from meshes is like: shift, light travel time.
+// Properties of light from meshes: frequency shift and light travel time.
 namespace ergodome::test {
 namespace {
 
-//! The equatorial plane out to r = 64.
+//! Returns the equatorial plane out to r = 64.
 TriangleMesh plane() {
   constexpr float far = 64.0F;
   TriangleMesh square;
@@ -47,7 +47,7 @@ TEST(MeshEmitter, OnAKeplerianOrbitShiftsLightAsTheReferenceTableHasIt) {
   EXPECT_GT(compared, 20);
 }
 
-//! A ray from a camera about a spinning hole to a small ball, and what it hits.
+//! A ray from a camera around a spinning hole to a small ball, and its hit.
 struct SeenBall {
   CameraStation camera = make_camera_station(0.9, 20.0, 1.1, 0.4, ObserverMotion::zamo);
   Placed ball;
@@ -115,7 +115,7 @@ TEST(RetardedMesh, IsMetWhereItWasWhenItsLightLeft) {
       Placed there(make_sphere({}), mesh_position(moving.mesh, hit.delay), 1.5);
       const MeshHit again = look(camera, unit, {&there.mesh, 1, 7.0, 11.0});
       ASSERT_EQ(again.mesh, 0);
-      // A ball that comes along the ray may be met elsewhere first.
+      // The ray may meet a ball that moves along it elsewhere first.
       if (std::abs(again.delay - hit.delay) < 1.0) {
         EXPECT_LT(length(again.point - hit.point), 1e-8);
         ++met;

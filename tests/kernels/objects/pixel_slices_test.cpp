@@ -10,7 +10,8 @@
 namespace ergodome {
 namespace {
 
-//! A pixel, its edge at a position angle and a distance from its middle.
+//! A pixel and an edge through or near it, given by position angle and distance from the pixel's
+//! center.
 class PixelSlicesAt : public testing::TestWithParam<std::tuple<double, double>> {
  protected:
   static constexpr int count = 64;

@@ -7,8 +7,8 @@
 namespace ergodome {
 namespace {
 
-//! OpenGL 4.6 core, table 8.19: the axis that a face is on, and the axes along which its s (to the
-//! right) and t (downwards) grow; X, Y, Z.
+//! OpenGL 4.6 core, table 8.19: the axis of a face, and the axes along which its s (to the right)
+//! and t (downwards) increase; X, Y, Z.
 struct FaceOfOpenGl {
   CubeFace face;
   int ahead[3];

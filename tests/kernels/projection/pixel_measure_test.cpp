@@ -10,7 +10,7 @@ namespace {
 
 using test::lens_of;
 
-//! Solid angle of all that a picture shows.
+//! Returns the solid angle of everything that a picture shows.
 double solid_angle_of(const Projection& p) {
   double sum = 0.0;
   for (int y = 0; y < p.height_px; ++y) {
@@ -21,7 +21,7 @@ double solid_angle_of(const Projection& p) {
   return sum;
 }
 
-//! Compares the places of a register's pixels with those that divisions of whole numbers give.
+//! Compares the pixel centers of a SIMD register with those from integer division.
 void expect_middles(int width, int rows, int first) {
   using Lanes = WidePack<float>;
   const int count = width * rows;
@@ -80,7 +80,7 @@ TEST(PixelSolidAngle, OfACylinderAddsUpToItsZone) {
 }
 
 TEST(PixelSolidAngle, OfAFrustumAddsUpToThatOfItsScreen) {
-  // Of a rectangle with a corner on the axis: atan(xy / √(1 + x² + y²)).
+  // For a rectangle with a corner on the axis: atan(xy / √(1 + x² + y²)).
   const auto corner = [](double x, double y) { return std::atan(x * y / std::sqrt(1.0 + x * x + y * y)); };
   const FrustumSides sides = {-0.4, 1.3, 0.9, -0.1};
   const double expected = corner(1.3, 0.9) + corner(0.4, 0.9) + corner(1.3, 0.1) + corner(0.4, 0.1);

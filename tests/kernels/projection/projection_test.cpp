@@ -181,7 +181,7 @@ TEST_P(EveryProjection, ShowsSimdLanesWhatItShowsSinglePixels) {
   using Lanes = WidePack<float>;
   const auto p = converted_projection<float>(projection());
   const int count = p.width_px * p.height_px;
-  // Lanes cross the borders of rows and of a cube's faces.
+  // SIMD lanes cross the borders of rows and of cube faces.
   for (int first = 0; first < count; first += 997) {
     Lanes x_px;
     Lanes y_px;
@@ -198,8 +198,8 @@ TEST_P(EveryProjection, ShowsSimdLanesWhatItShowsSinglePixels) {
   }
 }
 
-//! At the very rim of a sphere or hemisphere angles grow without end; half a pixel within they are
-//! counted.
+//! At the rim of a sphere or hemisphere, pixel angles grow without bound; they are checked from
+//! half a pixel inside the rim.
 TEST_P(EveryProjection, HasNoPixelLargerThanItsLargest) {
   const Projection& p = projection();
   const double largest = largest_pixel_angle(p);

@@ -25,7 +25,7 @@ struct Found {
   NearPlace<T> place;
 };
 
-//! Collects what one ray crosses.
+//! Collects the crossings of one ray.
 template <class T>
 struct Collector {
   std::vector<Found<T>> found;
@@ -53,7 +53,7 @@ std::vector<Found<T>> cross(const CameraStation& camera, const Vector3<T>& n, st
   return collector.found;
 }
 
-//! Where a crossing is on the sphere, with φ = 0 at the camera.
+//! Returns the position of a crossing on the sphere, with φ = 0 at the camera.
 Vector3<double> direction_of(const NearPlace<double>& at) {
   const double c = std::cos(at.drag);
   const double s = std::sin(at.drag);
@@ -67,8 +67,8 @@ Vector3<double> on_sphere(double theta, double phi) {
 Vector3<double> unit(const Vector3<double>& v) { return (1.0 / length(v)) * v; }
 
 TEST(ShellCrossings, AtARadiusWhereLightMeetsTheEquatorLieThereByTheReferenceTable) {
-  // The table knows places in the equatorial plane, 113 bits deep: a shell of such a radius is
-  // crossed there, among others.
+  // The table lists positions in the equatorial plane, computed with 113 bits: one of the crossings
+  // of a shell with that radius is there.
   for (const ReferenceCrossing& row : reference_crossings()) {
     double nearest = 1.0;
     double delay = 0.0;
@@ -94,7 +94,7 @@ TEST(ShellCrossings, OfAVeryLargeShellAreTheReferenceTablesSky) {
     const CameraStation camera = station_of(row);
     const std::vector<Found<double>> found = cross(camera, row.n, {r});
     ASSERT_EQ(found.size(), 1U) << row.id;
-    // Light is still aside by its impact parameter over r, and Mino time 1/r behind.
+    // At the shell, light still deviates by its impact parameter over r, and its Mino time by 1/r.
     const double impact = std::sqrt(std::max(0.0, start_ray(camera, row.n).polar_constant));
     EXPECT_LT(length(direction_of(found[0].place) - row.sky), allowed_sky_error(row) + 1e-9 + 2.0 * impact / r)
         << row.id << " " << row.kind;
@@ -161,7 +161,7 @@ TEST(ShellCrossings, WithoutSpinAreOnTheClosedFormsOrbitThatFalls) {
   }
 }
 
-//! Cameras and directions that are hard.
+//! Hard cameras and directions.
 struct HardRay {
   double spin, r, theta;
   Vector3<double> n;
@@ -221,8 +221,8 @@ TEST(ShellCrossings, JustAboveTheHorizonAreWhereManySmallStepsFindThem) {
       const auto walked = walk_to_shell(spin, start_near_ray(camera, n), shell_r, 20.0);
       ASSERT_EQ(found.size(), 1U);
       ASSERT_EQ(walked.size(), 1U) << spin << " " << n.y;
-      // About an extremal hole space is dragged round a million times down there, and the rounding
-      // of 1/r leaves parts of 1e-9 of that open.
+      // Around an extremal hole, frame dragging reaches a million turns near the horizon, and the
+      // rounding of 1/r leaves an uncertainty of 1e-9 of that.
       const double part = std::abs(spin) < 1.0 ? 1e-9 : 5e-9;
       const double open = 1e-7 + part * std::abs(found[0].place.drag);
       EXPECT_LT(length(direction_of(found[0].place) - on_sphere(walked[0].theta, walked[0].phi)), open) << spin;
@@ -240,7 +240,7 @@ TEST(ShellCrossings, OfSeveralShellsComeInTheOrderOfTheLightsPath) {
     EXPECT_GT(found[i].place.time, i > 0 ? found[i - 1].place.time : 0.0);
     EXPECT_GT(found[i].place.delay, i > 0 ? found[i - 1].place.delay : 0.0);
   }
-  // Shells are counted from the outermost.
+  // Shells are numbered from the outermost.
   EXPECT_EQ(order, (std::vector<int>{2, 3, 3, 2, 1, 0}));
 }
 
@@ -250,14 +250,13 @@ TEST(ShellCrossings, OfACameraOnAShellAreNoneWhereItStands) {
     const double own = 1.0 / camera.u;
     EXPECT_TRUE(cross(camera, Vector3<double>{1.0, 0.0, 0.0}, {own}).empty());
     EXPECT_TRUE(cross(camera, Vector3<double>{-1.0, 0.0, 0.0}, {own}).empty());
-    // What turns comes back through it.
+    // A ray that turns back crosses the shell again.
     EXPECT_EQ(cross(camera, unit(Vector3<double>{-0.2, 1.0, 0.0}), {own}).size(), 1U);
   }
 }
 
 TEST(ShellCrossings, OnTheAxisFollowTheCameraAsItComesThere) {
-  // A camera a little beside the axis sees what one on it does, turned by nothing: both stand at φ
-  // = 0.
+  // A camera slightly off the axis sees what one on it sees, without rotation: both are at φ = 0.
   const Vector3<double> n = unit(Vector3<double>{-1.0, 0.4, 0.2});
   const auto on = cross(make_camera_station(0.9, 10.0, 0.0, 0.0, ObserverMotion::zamo), n, {6.0, 14.0});
   const auto beside = cross(make_camera_station(0.9, 10.0, 1e-9, 0.0, ObserverMotion::zamo), n, {6.0, 14.0});
@@ -308,7 +307,7 @@ TEST(ShellCrossings, AreWhereThePicturesFloatSeesThem) {
                                            collector);
       const auto exact = cross(camera, n, {shells[0], shells[1], shells[2]});
       if (exact.size() != collector.found.size()) {
-        // Light that only just turns, or only just touches a shell.
+        // Skips light that only just turns back, or only just touches a shell.
         continue;
       }
       for (std::size_t k = 0; k < exact.size(); ++k) {
@@ -327,7 +326,7 @@ TEST(ShellCrossings, AreWhereThePicturesFloatSeesThem) {
 }
 
 TEST(ShellEmitter, SeesWhatACameraInItsPlaceSees) {
-  // Light backwards from a ZAMO camera: 1 where it begins, by definition.
+  // Follows light backwards from a ZAMO camera: the frequency is 1 at the start, by definition.
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> spread(-1.0, 1.0);
   for (const double spin : {0.0, 0.9, -1.0}) {

@@ -13,7 +13,7 @@ Vector3<double> place_on_sphere(double theta, double phi) {
   return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
 }
 
-//! A square footprint whose sides run along θ and φ.
+//! Returns a square footprint whose sides run along θ and φ.
 ShellFootprint footprint(double theta, double phi, float width) {
   const Vector3<double> d = place_on_sphere(theta, phi);
   const Vector3<double> south = {std::cos(theta) * std::cos(phi), std::cos(theta) * std::sin(phi), -std::sin(theta)};
@@ -24,7 +24,7 @@ ShellFootprint footprint(double theta, double phi, float width) {
           in_float(Vector3<double>{-std::sin(phi), std::cos(phi), 0.0}, width)};
 }
 
-//! The part of a footprint's points that lie within half a line's width of a circle or of a
+//! Returns the fraction of a footprint's points that lie within half a line width of a circle or a
 //! meridian, by true angles.
 double counted_coverage(double theta, double phi, double size, double spacing, double width) {
   constexpr int points = 400;
@@ -49,7 +49,7 @@ TEST(ShellGrid, CoversAsMuchOfAFootprintAsAreItsPoints) {
         const double width = 2.0 * static_cast<double>(line_deg);
         const float found = grid_coverage(footprint(theta, phi, static_cast<float>(size)), static_cast<float>(grid),
                                           static_cast<float>(width));
-        // The widths of meridians are those in the footprint's middle.
+        // The formula uses the width of meridians in the middle of the footprint.
         const double open = 0.01 + 0.3 * size * size / (std::sin(theta) * std::sin(theta));
         EXPECT_NEAR(static_cast<double>(found), counted_coverage(theta, phi, size, grid, width), open)
             << theta << " " << phi << " " << size;
@@ -59,7 +59,8 @@ TEST(ShellGrid, CoversAsMuchOfAFootprintAsAreItsPoints) {
 }
 
 TEST(ShellGrid, HasLinesOfOneWidthAtAllLatitudes) {
-  // A quarter of a degree beside a meridian is line, three quarters are not: whatever the latitude.
+  // A quarter of a line width from a meridian is inside the line, three quarters are outside, at
+  // every latitude.
   for (const double theta : {0.12, 0.5, 1.45, 3.0}) {
     const double inside = 0.25 * static_cast<double>(line_deg) / std::sin(theta);
     const float spacing = 15.0F * line_deg;
@@ -76,11 +77,11 @@ TEST(ShellGrid, IsEvenAndFiniteAtThePoles) {
       EXPECT_GE(found, 0.0F) << theta << " " << width;
       EXPECT_LE(found, 1.0F) << theta << " " << width;
     }
-    // Where meridians touch, all is line.
+    // Where meridians touch, everything is covered by lines.
     EXPECT_EQ(grid_coverage(footprint(theta, 1.0, 1e-6F), spacing, line_deg), 1.0F) << theta;
   }
-  // Seen in pixels as wide as the spacing, the tone does not depend on where between the meridians
-  // one looks.
+  // In pixels as wide as the spacing, the tone does not depend on the azimuth between the
+  // meridians.
   const float here = grid_coverage(footprint(0.02, 0.0, 0.05F), spacing, line_deg);
   EXPECT_NEAR(grid_coverage(footprint(0.02, 0.13, 0.05F), spacing, line_deg), here, 0.02F);
 }

@@ -38,7 +38,7 @@ TEST(MpcdiConversion, UnitsCountInAnyCaseAndUnknownOnesAreErrors) {
   EXPECT_EQ(lamps_with_surface("sl", "CM").buffers[0].regions[0].geometry->unit, "cm");
   EXPECT_THAT(error_of([] { lamps_with_surface("sl", "furlong"); }), HasSubstr("furlong"));
   EXPECT_THAT(error_of([] { lamps_with_surface("a3", "furlong"); }), HasSubstr("furlong"));
-  // Profile 3d has a lens, and a flat warp without lengths.
+  // Profile 3d has a lens, and a flat warp without units of length.
   EXPECT_EQ(lamps_with_surface("3d", "furlong").buffers[0].regions[0].geometry->unit, "unknown");
 }
 
@@ -76,7 +76,7 @@ TEST(MpcdiConversion, AxesOfASurveyorBecomeTheDomes) {
 }
 
 TEST(MpcdiConversion, AxesOfOpenGlBecomeTheDomes) {
-  // y up, -z forward, as Christie's notes give it: the dome's own.
+  // y up, -z forward, as Christie's notes define it; these are also the dome's axes.
   std::string xml = replaced(replaced(lamps_xml, "<yawy>0", "<yawy>-1"), "<yawz>-1", "<yawz>0");
   xml = replaced(replaced(xml, "<rolly>1", "<rolly>0"), "<rollz>0", "<rollz>-1");
   expect_numbers(pose_of(parsed_lamps(xml).buffers[0].regions[0]).position_m, 1.5, -2.0, 3.0);

@@ -7,10 +7,11 @@
 #include "tests/calibration/handmade_files.h"
 #include "tests/support/errors.h"
 
-// Calibrations written by hand from VESA's MPCDI 1.0 and 2.0, with the spellings that programs use.
+// Calibrations written by hand from the specifications of VESA MPCDI 1.0 and 2.0, with spellings
+// found in files of other programs.
 namespace ergodome::test {
 
-//! Profile 2d of version 2: two projectors side by side, spelt as the specification has it.
+//! Profile 2d of version 2: two projectors side by side, spelled as in the specification.
 inline const std::string media_xml = R"(<?xml version="1.0" encoding="UTF-8"?>
 <MPCDI profile="2d" geometry="1" color="3" date="2015-03-01 12:00:00" version="2.0">
   <display>
@@ -42,8 +43,8 @@ inline const std::string media_xml = R"(<?xml version="1.0" encoding="UTF-8"?>
 </MPCDI>
 )";
 
-//! Profile sl of version 2 as Christie's programs spell it: xResolution beside xsize, the axes of a
-//! surveyor (x right, y forward, z up), no files but empty paths.
+//! Profile sl of version 2 as Christie's programs spell it: xResolution next to xsize, surveyor's
+//! axes (x right, y forward, z up), empty paths instead of files.
 inline const std::string lamps_xml = R"(<?xml version="1.0" encoding="utf-8"?>
 <MPCDI profile="sl" geometry="2" color="1" date="2018-11-16 19:30:11" version="2.0">
   <display>
@@ -72,7 +73,7 @@ inline const std::string lamps_xml = R"(<?xml version="1.0" encoding="utf-8"?>
 
 inline const float unknown_sample = std::numeric_limits<float>::quiet_NaN();
 
-//! 2 x 2 samples; the file's first row is the bottom one. One is unknown.
+//! Returns 2 x 2 samples, one of them unknown; the first row of the file is the bottom one.
 inline std::string left_warp() {
   return pfm_by_hand(2, 2, {0.1F, 0.8F, 0, 0.9F, 0.7F, 0, 0.25F, 0.25F, 0, unknown_sample, unknown_sample, 1});
 }
@@ -95,7 +96,7 @@ inline Mpcdi parsed_archive(const std::string& bytes, RowOrder order = RowOrder:
 
 inline Mpcdi parsed_media(const std::string& xml) { return parsed_archive(zip_by_hand(media_members(xml))); }
 
-//! A description alone; it names no files.
+//! Parses a description that refers to no files.
 inline Mpcdi parsed_lamps(const std::string& xml) {
   const auto none = [](const std::string& name, std::size_t) -> std::string { throw Error(name, "is not there"); };
   return parse_mpcdi_description(xml, "test.mpcdi.xml", none, RowOrder::bottom_up);

@@ -38,7 +38,8 @@ TEST(HostileMpcdi, MemberSmallerThanItSaysIsRefused) {
 
 TEST(HostileMpcdi, MemberPackedLargerThanTheArchiveIsRefused) {
   std::string bytes = zip_by_hand(media_members(media_xml));
-  // The packed size stands 20 bytes after the second entry of the central directory begins.
+  // The packed size is stored 20 bytes after the start of the second entry in the central
+  // directory.
   const std::size_t entry = bytes.find("PK\x01\x02", bytes.find("PK\x01\x02") + 1);
   bytes.replace(entry + 20, 4, little(400'000'000, 4));
   bytes.replace(entry + 24, 4, little(400'000'000, 4));
@@ -119,7 +120,7 @@ TEST(HostileMpcdi, MaskThatIsTornHugeTinyOrTransparentIsAnError) {
   members[3] = ZipMember("left.png", png_by_hand(1, 1, 1, 8, {0}));
   EXPECT_THAT(problem_of(members), HasSubstr("at least 2 x 2"));
   std::string transparent = whole;
-  transparent[25] = 4;  // grey with alpha
+  transparent[25] = 4;  // gray with alpha
   transparent.replace(29, 4, big(crc32(transparent.substr(12, 17)), 4));
   members[3] = ZipMember("left.png", transparent);
   EXPECT_THAT(problem_of(members), AllOf(HasSubstr("left.png"), HasSubstr("2 channels")));

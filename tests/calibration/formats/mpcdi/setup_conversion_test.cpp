@@ -31,7 +31,7 @@ class SetupConversion : public FolderTest {
   void write(const std::string& name, const std::string& bytes) const {
     std::ofstream(folder_ / name, std::ios::binary) << bytes;
   }
-  //! A setup with one projector of 8 x 4 pixels and these lines.
+  //! Returns a setup with one projector of 8 x 4 pixels and the given lines.
   [[nodiscard]] DomeSetup setup(const std::string& lines) const {
     const std::string head = "[dome]\nradius_m = 5\n[[projector]]\nname = \"P\"\nresolution_px = [8, 4]\n";
     return parse_dome_setup(head + lines, (folder_ / "dome.toml").string(), NamedFiles::must_exist);
@@ -138,15 +138,15 @@ TEST_F(SetupConversion, FlatLensesAloneBecomeShaderLampsAndComeBack) {
   EXPECT_FALSE(projector.warp);
 }
 
-//! The pictures of a setup and of the calibration that is made of it.
+//! Returns the projector picture of a setup, and the warp of the MPCDI calibration made from it.
 std::pair<ProjectorPicture, WarpMesh> before_and_after(const DomeSetup& setup) {
   const Mpcdi mpcdi = parsed_archive(to_mpcdi_archive(mpcdi_from_setup(setup, "2026-01-01 00:00:00"), "test"));
   EXPECT_EQ(mpcdi.profile, MpcdiProfile::media_2d);
   return {projector_pictures(setup)[0], warp_of(mpcdi, mpcdi.buffers[0].regions[0], "test")};
 }
 
-//! The farthest that two warps are apart in the master, over the nodes that both draw; most of them
-//! are to be such.
+//! Returns the largest distance in the master between two warps, over the nodes that both draw.
+//! Expects that they share most nodes.
 double farthest_apart(const WarpMesh& a, const WarpMesh& b) {
   const WarpMesh fine = resampled_warp(a, b.columns, b.rows);
   double farthest = 0.0;
@@ -166,8 +166,8 @@ TEST_F(SetupConversion, AFisheyesWarpIsComputedForMpcdi) {
   const DomeSetup fisheye = setup("pitch_deg = 90\nfisheye = { fov_deg = 180, circle = 2 }\n");
   const auto [before, after] = before_and_after(fisheye);
   EXPECT_LT(farthest_apart(before.warp, after), 1e-6);
-  // It looks straight up: pixels across the raster's middle from each other show places across the
-  // master's.
+  // The projector points straight up, so pixels opposite each other in the raster show opposite
+  // positions of the master.
   EXPECT_NEAR(after.at(3, 1).u + after.at(4, 2).u, 1.0, 1e-4);
   EXPECT_NEAR(after.at(3, 1).v + after.at(4, 2).v, 1.0, 1e-4);
 }
@@ -204,7 +204,7 @@ TEST_F(SetupConversion, CalibrationBecomesASetupThatReadsBack) {
 }
 
 TEST(FisheyeOfACalibration, ReachesAsFarAsItGrows) {
-  // r = t - t^3 / 3 has its greatest radius at 1 rad.
+  // r = t - t^3 / 3 reaches its maximum at t = 1 rad.
   MpcdiRegion region;
   region.fisheye = MpcdiFisheye{0.1, 0.2, {1.0, -1.0 / 3.0, 0.0, 0.0}, 1.0, 0.0};
   const ProjectorFisheye lens = std::get<ProjectorFisheye>(lens_of(region));

@@ -17,8 +17,8 @@
 #include "tests/support/errors.h"
 #include "tests/support/folder_test.h"
 
-// Expected values are worked out by hand from how SGCT reads each format: its raster runs from -1
-// to 1 with y upwards, its textures from 0 to 1 with t upwards.
+// Expected values are calculated by hand from the way SGCT reads each format: its raster runs from
+// -1 to 1 with y upwards, its textures from 0 to 1 with t upwards.
 namespace ergodome {
 namespace {
 
@@ -51,7 +51,7 @@ void expect_angles(const WarpView& view, double yaw_deg, double pitch_deg, doubl
   EXPECT_NEAR(view.orientation.roll_deg, roll_deg, 1e-4);
 }
 
-//! Returns a float's bytes, least significant first.
+//! Returns the bytes of a float, least significant first.
 std::string float_bytes(float value) {
   std::uint32_t bits = 0;
   std::memcpy(&bits, &value, sizeof(bits));
@@ -79,7 +79,7 @@ TEST(DomeprojectionWarp, IsReadAsOtherProgramsAndCountriesWriteIt) {
       "x;y;u;v;column;row\r\n0,0;0,0;0,1;0,2;0;0\r\n1,0;0,0;0,9;0,2;1;0\r\n0,0;1,0;0,1;0,7;0;1\r\n1,0;1,0;0,9;0,7;1;"
       "1\r\n";
   expect_node(parse_foreign_warp(commas, "a.csv", WarpFormat::domeprojection).mesh.at(1, 1), 1, 1, 0.9, 0.7);
-  // Without a header, with rows in another order, and without the node of a corner that is not
+  // Without a header, with rows in a different order, and without the node of a corner that is not
   // shown.
   const std::string bare = "1;1;0.9;0.7;1;1\n0;1;0.1;0.7;0;1\n1;0;0.9;0.2;1;0\n";
   const WarpMesh mesh = parse_foreign_warp(bare, "a.csv", WarpFormat::domeprojection).mesh;
@@ -123,7 +123,7 @@ TEST(ObjWarp, ReadsFacesAsProgramsWriteThem) {
     ASSERT_EQ(mesh.topology, MeshTopology::rectangular) << faces;
     expect_node(mesh.at(1, 1), 1, 1, 0.9, 0.7);
   }
-  // Texture coordinates in an order of their own.
+  // Texture coordinates in a different order than vertices.
   const std::string own =
       "v -1 1 0\nv 1 1 0\nv -1 -1 0\nv 1 -1 0\nvt 0.9 0.3\nvt 0.1 0.3\nvt 0.9 0.8\nvt 0.1 0.8\nf 1/4 3/2 4/1 2/3\n";
   expect_node(parse_foreign_warp(own, "a.obj", WarpFormat::obj).mesh.at(1, 0), 1, 0, 0.9, 0.2);
@@ -142,8 +142,8 @@ TEST(ObjWarp, AVertexWithTwoTextureCoordinatesIsTwoNodes) {
       at_middle.push_back(node.u);
     }
   }
-  // The left face has one triangle with this vertex, as its last corner, which its cell repeats.
-  // The right face has two, as other corners.
+  // One triangle of the left face uses this vertex, as its last corner, which its cell repeats. Two
+  // triangles of the right face use it, as other corners.
   EXPECT_THAT(at_middle, testing::UnorderedElementsAre(0.5F, 0.5F, 0.7F, 0.7F));
 }
 
@@ -396,7 +396,7 @@ TEST(SkyskanWarp, RefusesWhatItCannotRead) {
   EXPECT_THAT(problem("Horizontal Tweak", "Sideways Tweak"), HasSubstr("has the unknown key \"sideways tweak\""));
 }
 
-// Formats told apart, and setups
+// Format detection, and setups
 
 TEST(WarpFormats, AreToldByContent) {
   EXPECT_EQ(format_of_content(csv), WarpFormat::domeprojection);
@@ -460,11 +460,11 @@ TEST_F(WarpsOfOthers, AViewOfTheFileBecomesPlacesOfTheDomemaster) {
   // 36.3603 / 90.
   EXPECT_NEAR(warp.at(1, 0).u, 0.5 + 0.202002 * 0.5, 1e-4);
   EXPECT_NEAR(warp.at(1, 0).v, 0.5 + 0.202002 * 0.866025, 1e-4);
-  // Its right side lies further to the right, in the master as well.
+  // Its right side lies farther to the right, in the master as well.
   EXPECT_GT(warp.at(2, 1).u, warp.at(1, 1).u + 0.05F);
   ASSERT_EQ(pictures[0].notes.size(), 1U);
   EXPECT_THAT(pictures[0].notes[0], HasSubstr("yaw 30.00°, pitch 40.00°"));
-  // A dome that leans to the front by 10° has this direction nearer to its top.
+  // On a dome tilted to the front by 10°, this direction is closer to the zenith.
   const auto leaning = projector_pictures(setup("warp = \"a.txt\"\n", "tilt_deg = 10\n"));
   const WarpNode leaned = resampled_warp(leaning[0].warp, 3, 3).at(1, 1);
   EXPECT_LT(std::hypot(leaned.u - 0.5F, leaned.v - 0.5F), 0.277778 - 0.03);
@@ -478,7 +478,7 @@ TEST_F(WarpsOfOthers, AWarpOfThePictureOfALensTakesTheSetupsFrustum) {
   const WarpNode high = resampled_warp(pictures[0].warp, 3, 3).at(1, 0);
   EXPECT_NEAR(high.u, 0.5 + 0.202002 * 0.5, 1e-4);
   EXPECT_NEAR(high.v, 0.5 + 0.202002 * 0.866025, 1e-4);
-  // Without that it looks up the master as a whole.
+  // Without the frustum, the warp refers to the whole master.
   const auto of_master = projector_pictures(setup("warp = \"a.simcad\"\n"));
   EXPECT_EQ(of_master[0].warp.at(1, 0).u, 1.0F);
   EXPECT_THAT(error_of([&] { setup("warp = { file = \"a.simcad\", source = \"lens\" }\n"); }),
@@ -499,7 +499,7 @@ TEST_F(WarpsOfOthers, AreReadUnderAnyName) {
   EXPECT_THAT(error_of([&] { setup("warp = \"photo.dat\"\n"); }), HasSubstr("of an unknown format"));
   EXPECT_THAT(error_of([&] { projector_pictures(setup("warp = { file = \"warp.xml\", format = \"obj\" }\n")); }),
               HasSubstr("is a SimCAD warp, not a Wavefront OBJ mesh (warp of "));
-  // A setup that is written reads back.
+  // A setup survives a round trip through its text.
   const DomeSetup again = parse_dome_setup(to_toml(told), "dome.toml", NamedFiles::unchecked);
   EXPECT_EQ(again.projectors[0].warp->format, WarpFormat::skyskan);
 }

@@ -69,7 +69,7 @@ TEST(TriangleWarp, GridsOfAnyOrderComeOutInReadingOrder) {
   std::vector<WarpNode> bottom_up = grid_nodes(4, 3);
   std::reverse(bottom_up.begin(), bottom_up.end());
   expect_grid(warp_from_triangles(bottom_up, triangles, "a"), 4, 3);
-  // Column after column: the file's rows are the grid's columns.
+  // Column by column: the rows of the file are the columns of the grid.
   std::vector<WarpNode> columns_first;
   const std::vector<WarpNode> nodes = grid_nodes(4, 3);
   for (std::size_t column = 0; column < 4; ++column) {
@@ -82,7 +82,7 @@ TEST(TriangleWarp, GridsOfAnyOrderComeOutInReadingOrder) {
 
 TEST(TriangleWarp, AGridWithAHoleKeepsTheHole) {
   auto triangles = grid_triangles(4, 4, false);
-  // The middle cell, its triangles being numbers 8 and 9.
+  // Removes the middle cell, whose triangles are numbers 8 and 9.
   triangles.erase(triangles.begin() + 8, triangles.begin() + 10);
   const WarpMesh mesh = warp_from_triangles(grid_nodes(4, 4), triangles, "a");
   EXPECT_EQ(mesh.topology, MeshTopology::separate_cells);
@@ -94,7 +94,7 @@ TEST(TriangleWarp, AGridWithAHoleKeepsTheHole) {
 }
 
 TEST(TriangleWarp, AFanOfTrianglesIsDrawnAsItIs) {
-  // A square of four triangles around its middle, which is bent to u = 1.
+  // A square of four triangles around its center, where u rises to 1.
   const std::vector<WarpNode> nodes = {{0, 0, 0, 0}, {1, 0, 0, 0}, {1, 1, 0, 0}, {0, 1, 0, 0}, {0.5, 0.5, 1, 0}};
   const WarpMesh mesh = warp_from_triangles(nodes, {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}, "a");
   EXPECT_EQ(mesh.columns, 11);

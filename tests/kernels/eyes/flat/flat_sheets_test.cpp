@@ -11,14 +11,14 @@
 #include "kernels/projection/flat_parallax.h"
 #include "kernels/shells/shell_crossings.h"
 
-// Sheets of images in a head's flat tangent space: how far they are, and where an eye's line of
-// sight meets them.
+// Sheets of images in the flat tangent space of the head: their distances, and where an eye's line
+// of sight meets them.
 namespace ergodome {
 namespace {
 
 using D = Dual<double>;
 
-//! A direction with derivatives along two others that are at right angles to it.
+//! Returns a direction with derivatives along two directions perpendicular to it.
 Vector3<D> direction_with_derivatives(const Vector3<double>& n) {
   const Vector3<double> helper = std::abs(n.x) < 0.9 ? Vector3<double>{1, 0, 0} : Vector3<double>{0, 1, 0};
   Vector3<double> x = cross(helper, n);
@@ -29,8 +29,8 @@ Vector3<D> direction_with_derivatives(const Vector3<double>& n) {
 
 Vector3<double> unit(const Vector3<double>& v) { return (1.0 / std::sqrt(dot(v, v))) * v; }
 
-//! Affine distances at which a ray meets the equatorial plane, and a sphere, by fourth-order Runge
-//! and Kutta in Mino time, of r and cosθ: other equations than the series have.
+//! Affine distances at which a ray meets the equatorial plane and a sphere, by the fourth-order
+//! Runge-Kutta method in Mino time, from r and cosθ: other equations than those of the series.
 struct MetDistances {
   std::vector<double> plane;
   std::vector<double> plane_u;
@@ -79,7 +79,7 @@ MetDistances integrated(const CameraStation& camera, const Vector3<double>& n, d
   return met;
 }
 
-//! Keeps the distances at which shells are crossed.
+//! Collects the distances at which shells are crossed.
 struct CrossedDistances {
   std::vector<double> distances;
   void cross(int, bool, const NearPlace<double>& place) { distances.push_back(place.distance); }
@@ -102,7 +102,7 @@ TEST(FlatSheets, AreAsFarAsAnIndependentIntegrationHasThem) {
       const NearRay<double> ray = start_near_ray(camera, n);
       trace_layers<14, NearParts::distance>(spin, ray, limits, layers);
       for (std::size_t k = 0; k < expected.plane.size() && k < crossing_orders; ++k) {
-        // Farther in layers go on straight.
+        // Closer to the hole, layers are extrapolated linearly.
         if (expected.plane_u[k] > limits.near_u) {
           break;
         }
@@ -128,7 +128,7 @@ TEST(FlatSheets, AreAsFarAsAnIndependentIntegrationHasThem) {
 TEST(FlatSheets, AreMetWhereALineMeetsAPlane) {
   const Vector3<double> eye = {0.3, -0.4, 0.2};
   const SheetSearch<double> search = {2.0, 1e-12};
-  // The plane z = -1: in direction n it is 1 / -n_z away.
+  // The plane z = -1 is at distance 1 / -n_z in direction n.
   const auto nearness = [](const EyePoint<double>& point, bool) { return -point.n.z; };
   for (const Vector3<double>& m : {unit({1.0, 0.2, -0.5}), unit({-0.3, 0.1, -1.0}), unit({0.5, -2.0, -0.4})}) {
     const auto meet = [&](const Vector3<D>& direction) {
@@ -145,7 +145,7 @@ TEST(FlatSheets, AreMetWhereALineMeetsAPlane) {
     EXPECT_NEAR(found.x.value, n.x, 1e-12);
     EXPECT_NEAR(found.y.value, n.y, 1e-12);
     EXPECT_NEAR(found.z.value, n.z, 1e-12);
-    // Its change across the image, by differences of the line's own meeting.
+    // The derivative across the image, by differences of the line's intersection itself.
     constexpr double step = 1e-6;
     const Vector3<double> aside =
         unit({m.x + step * direction.x.along_y, m.y + step * direction.y.along_y, m.z + step * direction.z.along_y});
@@ -157,7 +157,7 @@ TEST(FlatSheets, AreMetWhereALineMeetsAPlane) {
 
 TEST(FlatSheets, AreMetWhereParallaxHasThem) {
   const Vector3<double> eye = {0.0, 0.5, 0.0};
-  // A sphere about the head is one distance everywhere: seen_by_head() is its closed form.
+  // A sphere around the head has the same distance everywhere; seen_by_head() is its closed form.
   for (const double distance : {1.0, 5.0, 1e4}) {
     const auto nearness = [&](const EyePoint<double>&, bool) { return D(1.0 / distance); };
     const Vector3<double> m = unit({1.0, 0.7, -0.3});
@@ -180,7 +180,7 @@ TEST(FlatSheets, AreNotMetWhereTheirDistanceLeaps) {
     const Vector3<double> m = unit({1.0, -0.6 + 0.005 * i, 0.0});
     const MetSheet<double> met = meet_sheet(EyeLine<double>{direction_with_derivatives(m), eye}, 0.0,
                                             SheetSearch<double>{1.8, 1e-9}, true, nearness);
-    // What is met is there.
+    // A found intersection lies on the sheet.
     if (met.met) {
       const EyePoint<double> there = EyeLine<double>{direction_with_derivatives(m), eye}.at(met.nearness());
       EXPECT_NEAR(met.nearness(), there.length.value * nearness(there, true).value, 1e-8) << i;
@@ -191,7 +191,7 @@ TEST(FlatSheets, AreNotMetWhereTheirDistanceLeaps) {
   }
   EXPECT_GT(sheets[0], 50);
   EXPECT_GT(sheets[1], 50);
-  // Lines that pass between both parts of the sheet meet neither.
+  // Lines that pass between the two parts of the sheet meet neither.
   EXPECT_LT(leaps, 80);
 }
 

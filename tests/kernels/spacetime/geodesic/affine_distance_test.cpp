@@ -18,9 +18,9 @@ Vector3<double> random_direction(std::mt19937_64& random) {
   return (1.0 / std::sqrt(dot(v, v))) * v;
 }
 
-//! The affine distance by fourth-order Runge and Kutta in Mino time, of r and cosθ, E = 1: r'' =
-//! R'(r) / 2 with R = (r² + a² - a L)² - Δ K, and the same for Θ; another set of equations than the
-//! series use.
+//! Computes the affine distance by the fourth-order Runge-Kutta method in Mino time, from r and
+//! cosθ, E = 1: r'' = R'(r) / 2 with R = (r² + a² - a L)² - Δ K, and the same for Θ. These are
+//! different equations than those of the series.
 double integrated_distance(const CameraStation& camera, const Vector3<double>& n, double r_end, double step) {
   const RayStart<double> ray = start_ray(camera, n);
   const double a = camera.spin;
@@ -105,7 +105,8 @@ TEST(AffineDistance, OfAFarCameraIsThatOfFlatSpace) {
   const double r = 1e7;
   const CameraStation camera = make_camera_station(0.9, r, 1.0, 0.0, ObserverMotion::zamo);
   for (const double angle : {0.3, 0.8, 2.0, 3.0}) {
-    // From the outward direction; a shell of twice the radius.
+    // The angle is measured from the outward direction; the shell has twice the radius of the
+    // camera.
     const double flat = -r * std::cos(angle) + std::sqrt(4.0 * r * r - std::pow(r * std::sin(angle), 2.0));
     const double distance =
         affine_distance(camera, {std::cos(angle), 0.6 * std::sin(angle), 0.8 * std::sin(angle)}, 2.0 * r);
@@ -153,7 +154,7 @@ TEST(FlatParallax, GoesThereAndBack) {
     const Vector3<double> n = random_direction(random);
     const double distance = 0.5 + i;
     const Vector3<double> seen = seen_by_eye(n, distance, eye);
-    // Where the eye's line of sight ends at the thing: beside flat geometry nothing is known here.
+    // The eye's line of sight ends at the point; nothing but flat geometry is used here.
     const Vector3<double> way = distance * n - eye;
     EXPECT_NEAR(std::sqrt(dot(cross(seen, way), cross(seen, way))), 0.0, 1e-12);
     const Vector3<double> back = seen_by_head(seen, distance, eye);

@@ -63,8 +63,8 @@ TEST(ClosedForm, MinoTimeIsThatOfTheReference) {
 }
 
 TEST(ClosedForm, FindsTheRootsOfRaysWhoseResolventBendsAboveItsOnlyRoot) {
-  // Light along the drag that is seen in free fall through the ergosphere, K / C small: Newton's
-  // method from above found no root.
+  // Light along the frame dragging, seen in free fall through the ergosphere, with small K / C:
+  // Newton's method from above found no root.
   const CameraStation camera = make_camera_station(0.999, 1.5, 1.2, 0.0, ObserverMotion::rain);
   for (const Vector3<double>& n :
        {Vector3<double>{-0.55206, -0.16763, -0.81678}, Vector3<double>{-0.41016, 0.15865, -0.89811},
@@ -75,8 +75,8 @@ TEST(ClosedForm, FindsTheRootsOfRaysWhoseResolventBendsAboveItsOnlyRoot) {
   }
 }
 
-//! Cameras and directions beyond the table, where closed form and Taylor series - two independent
-//! ways - must agree.
+//! Cameras and directions beyond the reference table, where closed form and Taylor series (two
+//! independent methods) must agree.
 struct HardCase {
   const char* name;
   double spin, r, theta;
@@ -132,7 +132,7 @@ TEST(HardCasesAtTheEdge, ClosedFormAndTaylorSeriesAgreeDownToTheRoundingOfTheDir
         const Vector3<double> n = chart_direction<double>(chart, std::cos(alpha), std::sin(alpha), gamma);
         const Outcome series = by_taylor(camera, n);
         ASSERT_TRUE(series.reached);
-        // Both see the same rounded direction, but round its constants of motion differently: 1e-13
+        // Both use the same rounded direction, but round its constants of motion differently: 1e-13
         // rad² / distance.
         EXPECT_LT(test::length(series.sky - by_closed_form(camera, n).sky), 1e-10 + 2e-13 / distance)
             << a << " " << distance;
@@ -211,8 +211,8 @@ TEST(Baseline, AgreesWithTheOthersAwayFromThePoles) {
   }
 }
 
-//! The demonstration: rays that pass the spin axis. Polar angles have no place to put them; the
-//! unit vector does not notice.
+//! Demonstrates rays that pass the spin axis: polar angles are singular there, the unit vector is
+//! not.
 TEST(Baseline, FailsOrStallsAtThePolesWhereTheOthersDoNot) {
   constexpr double tolerance = 1e-6;
   int rays = 0;

@@ -37,16 +37,16 @@ TEST(RainOrbit, HasTheConstantsOfTheSameBodyInTheZamosFrame) {
   EXPECT_NEAR(found.polar_constant, expected.polar_constant, 1e-11);
 }
 
-//! A body at the equator of a hole without spin that passes r at rest along it, at a speed across
-//! [M] that has angular momentum L.
+//! Returns whether a body falls in that passes r in the equatorial plane of a hole without spin,
+//! with zero radial velocity and angular momentum L [M].
 bool comes_in(double r, double axial) {
   const double across = axial / std::sqrt(axial * axial + r * r);
   const OrbitState s = make_orbit(0.0, r, 1.5707963267948966, 0.0, {0.0, 0.0, across});
   return falls_in(0.0, orbit_constants(0.0, s), s);
 }
 
-// About a hole without spin the barrier of a bound body is gone below L = √12 M; of one with more,
-// at r < 6 M, it is (L² - L √(L² - 12)) / 2.
+// Around a hole without spin, the barrier of a bound body vanishes below L = √12 M; for larger L it
+// is at r = (L² - L √(L² - 12)) / 2 < 6 M.
 TEST(RainOrbit, FallsInWhereTheBarrierOfItsAngularMomentumDoesNotHoldIt) {
   EXPECT_TRUE(comes_in(20.0, 3.4));
   EXPECT_FALSE(comes_in(20.0, 3.9));

@@ -89,7 +89,8 @@ TEST(Taylor, LightBendsByThePublishedAnglesAroundSchwarzschildFromFarAway) {
     const double sine = std::sqrt(27.0) * (1.0 + epsilon) * std::sqrt(1.0 - 2.0 / r) / r;
     const Traced traced = trace(camera, {-std::sqrt(1.0 - sine * sine), 0.0, sine});
     ASSERT_TRUE(traced.reached);
-    // Straight on would be -x; the ray passes the hole on its +y side and is bent round it.
+    // An undeflected ray would point to -x; this ray passes the hole on its +y side and is bent
+    // around it.
     const double swept = std::atan2(-traced.sky.y, -traced.sky.x);
     EXPECT_NEAR(std::remainder(swept - bending, 2.0 * pi), 0.0, 2e-6) << "epsilon " << epsilon;
   }
@@ -124,7 +125,8 @@ TEST(Taylor, GoesContinuouslyToSchwarzschildAsTheSpinGoesToZero) {
 }
 
 TEST(Taylor, IsSmoothAcrossTheSpinAxis) {
-  // A ray that crosses the axis (L = 0) lies between its neighbours; in angles it would jump by π.
+  // A ray that crosses the axis (L = 0) lies between its neighbors; in polar angles it would jump
+  // by π.
   for (const double theta : {1e-9, 0.3, pi / 2}) {
     const CameraStation camera = make_camera_station(0.9, 8.0, theta, 0.0, ObserverMotion::zamo);
     const Traced left = trace(camera, unit(-0.2, -0.9, -1e-7));
@@ -152,7 +154,8 @@ TEST(Taylor, OutgoingPrincipalNullRayKeepsItsPolarAngle) {
   }
 }
 
-//! Distances at which double can still tell both sides: the direction itself is rounded at 1e-16.
+//! Uses distances at which double still resolves both sides: the direction itself is rounded at
+//! 1e-16.
 TEST(Taylor, TellsBothSidesOfTheEdgeApartDownToRounding) {
   for (const double a : {0.0, 0.5, 0.999, 1.0 - 1e-6, 1.0}) {
     for (const double r : {2.5, 5.0, 30.0}) {
@@ -166,8 +169,8 @@ TEST(Taylor, TellsBothSidesOfTheEdgeApartDownToRounding) {
             const Traced traced =
                 trace(camera, chart_direction<double>(chart, std::cos(alpha), std::sin(alpha), gamma));
             EXPECT_EQ(traced.bright, side > 0.0) << "a " << a << " r " << r << " distance " << side * distance;
-            // Along an extremal horizon light winds not a few times but 1 / distance^½: too often
-            // to count, and said so.
+            // Along an extremal horizon, light winds 1 / distance^½ times instead of a few: too
+            // often to count, which the status reports.
             const bool countless = a > 0.99999 && distance < 1e-8;
             EXPECT_TRUE(traced.reached == traced.bright || countless)
                 << "a " << a << " r " << r << " distance " << distance;
@@ -182,8 +185,8 @@ TEST(Taylor, TellsBothSidesOfTheEdgeApartDownToRounding) {
 }
 
 TEST(Taylor, WindsLogarithmicallyTowardsTheEdge) {
-  // Each factor of 100 in distance adds the same angle: ln 100 in Schwarzschild, where the Lyapunov
-  // exponent is 1 a radian.
+  // Each factor of 100 in distance adds the same angle: ln 100 in Schwarzschild spacetime, where
+  // the Lyapunov exponent is 1 per radian.
   const CameraStation camera = make_camera_station(0.0, 10.0, pi / 2, 0.0, ObserverMotion::zamo);
   const ShadowChart chart = make_shadow_chart(camera);
   const double edge = edge_polar_angle(camera, chart, 0.0);
@@ -196,8 +199,8 @@ TEST(Taylor, WindsLogarithmicallyTowardsTheEdge) {
 }
 
 TEST(Taylor, MeetsItsToleranceWhereTheLastTermsOfTheSeriesVanish) {
-  // Seen across from r = 6 a hole without spin: about the turning point u - 1/6 has the powers 2,
-  // 6, 10, 14, 18, 22 alone.
+  // Light seen sideways from r = 6 around a hole without spin: near the turning point, u - 1/6
+  // contains only the powers 2, 6, 10, 14, 18, 22.
   const CameraStation camera = make_camera_station(0.0, 6.0, 1.0, 0.0, ObserverMotion::zamo);
   for (const double inwards : {0.0, 1e-9, 1e-4, 1e-3, -1e-3, 1e-2}) {
     const RayStart<double> start = start_ray(camera, unit(-inwards, 0.6, 0.8));
@@ -209,8 +212,8 @@ TEST(Taylor, MeetsItsToleranceWhereTheLastTermsOfTheSeriesVanish) {
   }
 }
 
-//! How far a ray's sky direction moves when its direction is rounded otherwise [rad]; more than a
-//! turn where it becomes dark.
+//! Returns how far a ray's sky direction moves when its direction is rounded differently [rad];
+//! more than a turn if it becomes dark.
 double moved_by_rounding(const CameraStation& camera, const Vector3<double>& n, const Vector3<double>& sky) {
   constexpr double ulps = 4.0 * std::numeric_limits<double>::epsilon();
   double moved = 0.0;
@@ -223,8 +226,8 @@ double moved_by_rounding(const CameraStation& camera, const Vector3<double>& n, 
   return moved;
 }
 
-//! Compares the closed form with the series for rays at a distance outside the shadow's edge;
-//! returns how many rounding leaves their digits.
+//! Compares the closed form with the series for rays at a distance outside the shadow's edge.
+//! Returns the number of rays that were compared; rays that rounding moves too far are skipped.
 int compare_beside_edge(const CameraStation& camera, double distance) {
   const ShadowChart chart = make_shadow_chart(camera);
   int compared = 0;
@@ -239,7 +242,7 @@ int compare_beside_edge(const CameraStation& camera, double distance) {
       continue;
     }
     const RayEnd<double> closed = trace_closed_form(camera.spin, start_ray(camera, n));
-    // The constants of the ray are rounded some times each.
+    // Each method rounds the constants of the ray several times.
     EXPECT_LT(test::length(series.sky - closed.sky), allowed + 4.0 * moved)
         << camera.spin << " " << 1.0 / camera.u << " " << distance << " " << gamma;
     ++compared;
@@ -271,7 +274,7 @@ TEST(Taylor, CountsARayThatRunsOutOfStepsAsNotConverged) {
 
 TEST(Taylor, LightWithoutPositiveEnergyInTheErgosphereIsDark) {
   const CameraStation camera = make_camera_station(0.999, 1.3, pi / 2, 0.0, ObserverMotion::zamo);
-  // Light that arrives from the side that the hole turns to would need negative energy.
+  // Light that arrives from the side towards which the hole rotates would need negative energy.
   const RayStart<double> ray = start_ray(camera, unit(0.05, 0.0, 1.0));
   ASSERT_LT(ray.energy, 0.0);
   EXPECT_FALSE(comes_from_sky(camera.spin, camera.horizon_r, ray));
@@ -294,8 +297,8 @@ TEST(Taylor, MagnificationFromExactDerivativesIsThatOfTheReference) {
     const auto end = trace_taylor<20>(camera.spin, start_ray(camera, n), true, precise, steps, reached);
     const Vector3<double> dx = {end.sky.x.along_x, end.sky.y.along_x, end.sky.z.along_x};
     const Vector3<double> dy = {end.sky.x.along_y, end.sky.y.along_y, end.sky.z.along_y};
-    // Within 1e-3 rad of the edge the table's own differences run out of digits; these derivatives
-    // agree to 1e-10 between orders, tolerances and bases there.
+    // Within 1e-3 rad of the edge, the finite differences of the table lose their digits; these
+    // derivatives agree to 1e-10 between orders, tolerances and bases there.
     const double allowed = std::abs(ray.edge_distance) > 1e-3 ? 1e-7 : 2e-5;
     const double magnification = 1.0 / test::length(cross(dx, dy));
     EXPECT_NEAR(magnification, std::abs(ray.magnification), allowed * std::abs(ray.magnification)) << "ray " << ray.id;

@@ -16,7 +16,7 @@ constexpr int step_limit = 10'000'000;
 
 double azimuth(const OrbitState& s) { return std::atan2(s.m.y, s.m.x) + s.drag; }
 
-//! How far the constants of motion are from those at the start, relative to their size.
+//! Returns the drift of the constants of motion from their initial values, relative to their size.
 double drift(const OrbitConstants& now, const OrbitConstants& start) {
   return std::abs(now.energy - start.energy) +
          std::abs(now.axial_angular_momentum - start.axial_angular_momentum) / std::sqrt(start.polar_constant) +
@@ -43,7 +43,7 @@ TEST(TimelikeOrbit, KeepsItsConstantsOverTheAxis) { expect_constants_kept(0.9, 1
 
 TEST(TimelikeOrbit, KeepsItsConstantsVeryFarOut) { expect_constants_kept(0.9, 1e6, pi / 2, {0.0, 0.0, 1e-3}); }
 
-//! Angular velocity dφ/dt of a body on the way, between two instants.
+//! Returns the angular velocity dφ/dt of a body, from two instants of its orbit.
 double angular_velocity(double spin, double r, ObserverMotion motion) {
   OrbitState orbit = make_orbit(spin, r, pi / 2, 0.0, observer_velocity(motion, spin, r, pi / 2, {}));
   EXPECT_TRUE(advance_orbit(spin, orbit_constants(spin, orbit), 1.0, tolerance, step_limit, orbit));
@@ -63,7 +63,8 @@ TEST(TimelikeOrbit, CircularOrbitsTurnAtKeplersFrequency) {
   }
 }
 
-//! Where a circular orbit of radius r is after 3,000 M when it starts a ten thousandth too slow.
+//! Returns the radius after 3,000 M of a body that starts on a circular orbit of radius r, slower
+//! by one part in 10,000.
 double radius_of_slowed_orbit(double spin, double r) {
   const Vector3<double> circular = observer_velocity(ObserverMotion::geodesic, spin, r, pi / 2, {});
   OrbitState orbit = make_orbit(spin, r, pi / 2, 0.0, 0.9999 * circular);
@@ -79,8 +80,8 @@ TEST(TimelikeOrbit, CircularOrbitsAreStableOutsideTheInnermostStableOneAlone) {
   }
 }
 
-//! Azimuth from one periapsis to the next, by bisection of the instant at which the radius stands
-//! still.
+//! Returns the azimuth from one periapsis to the next, by bisection for the instant of zero radial
+//! velocity.
 double periapsis_to_periapsis(double r, double speed) {
   OrbitState orbit = make_orbit(0.0, r, pi / 2, 0.0, {0.0, 0.0, speed});
   const OrbitConstants constants = orbit_constants(0.0, orbit);
@@ -108,9 +109,9 @@ double periapsis_to_periapsis(double r, double speed) {
   return turned;
 }
 
-// Schwarzschild: the orbit between the radii p / (1 + e) and p / (1 - e) turns by 4 K(m) / √(1 - (6
-// - 2e) / p) with m = 4e / (p - 6 + 2e) (Cutler, Kennefick & Poisson 1994, eq. 2.23, as an elliptic
-// integral).
+// Schwarzschild: the orbit between the radii p / (1 + e) and p / (1 - e) advances by 4 K(m) / √(1 -
+// (6 - 2e) / p) with m = 4e / (p - 6 + 2e) (Cutler, Kennefick & Poisson 1994, eq. 2.23, as an
+// elliptic integral).
 TEST(TimelikeOrbit, PeriapsisAdvancesAsTheEllipticIntegralSays) {
   for (const auto& [p, e] : {std::pair(12.0, 0.2), std::pair(20.0, 0.5), std::pair(200.0, 0.1)}) {
     const double r = p / (1.0 + e);

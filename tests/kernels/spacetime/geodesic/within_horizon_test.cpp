@@ -98,14 +98,13 @@ TEST(WithinHorizon, FloatSeesTheSkyOfTheReferenceToItsRounding) {
   });
 }
 
-//! Errors on the sky of rays in float by which 98 of 100 from all over the sky are off at the most;
-//! 1 where one gave up.
+//! Returns the error that 98 of 100 float rays from all over the sky stay below; 1 if one gave up.
 double worst_in_float(double spin, double r) {
   const CameraStation camera = make_camera_station(spin, r, 1.4, 0.0, ObserverMotion::rain);
   const CameraStationOf<float> coarse = converted_station<float>(camera);
   std::vector<double> errors;
   for (int i = 0; i < 400; ++i) {
-    // Fibonacci's spiral.
+    // Directions on a Fibonacci spiral.
     const double z = 1.0 - (2.0 * i + 1.0) / 400.0;
     const double across = std::sqrt(1.0 - z * z);
     const Vector3<float> n = {static_cast<float>(across * std::cos(2.399963 * i)),
@@ -165,8 +164,8 @@ TEST(WithinHorizon, RaysFromNextToItDoNotDependOnHowTheirAzimuthIsCounted) {
   }
 }
 
-//! What the rain sees from both sides of the horizon in one direction, the outer one turned to
-//! ingoing Kerr's azimuth.
+//! Compares what observers in free fall on both sides of the horizon see in one direction; the
+//! outer sky is converted to the azimuth of ingoing Kerr coordinates.
 TEST(WithinHorizon, NothingHappensToTheSkyAtTheHorizon) {
   constexpr double beside = 1e-7;
   for (const double spin : {0.0, -0.5, 0.9, 0.999}) {
@@ -186,8 +185,9 @@ TEST(WithinHorizon, NothingHappensToTheSkyAtTheHorizon) {
   }
 }
 
-//! Angle from straight outwards at which the rain about a hole without spin sees the shadow begin:
-//! light of impact parameter b = √27, which has r sin η = b E and E = 1 + v cos η.
+//! Returns the angle from straight outwards at which an observer in free fall around a hole without
+//! spin sees the edge of the shadow: light of impact parameter b = √27, with r sin η = b E and E =
+//! 1 + v cos η.
 double schwarzschild_edge(double r) {
   const double b = std::sqrt(27.0);
   const double v = std::sqrt(2.0 / r);

@@ -20,16 +20,15 @@ struct Photon {
   double time = 0.0;
 };
 
-//! A photon after a coordinate time: x'' = -3 h² x / r⁵, t' = 1 / (1 - 2/r) in the affine
-//! parameter, by Runge and Kutta's method. `to` is its direction for a static observer where it
-//! starts.
+//! Follows a photon for a coordinate time: x'' = -3 h² x / r⁵, t' = 1 / (1 - 2/r) in the affine
+//! parameter, by the Runge-Kutta method. `to` is its initial direction for a static observer.
 Photon followed(const Point& from, const Point& to, double time) {
   const double r = size(from);
   const Point radial = (1.0 / r) * from;
   const double across = 1.0 / std::sqrt(1.0 - 2.0 / r);
   const Point start = dot(to, radial) * radial + across * (to - dot(to, radial) * radial);
   const double h2 = dot(from, from) * dot(start, start) - dot(from, start) * dot(from, start);
-  // Steps of coordinate time.
+  // Steps in coordinate time.
   const auto change = [h2](const Photon& p) {
     const double distance = size(p.place);
     const double f = 1.0 - 2.0 / distance;
@@ -92,14 +91,13 @@ TEST(ApparentPlace, LightThatClimbsReddens) {
 }
 
 TEST(Illuminance, FallsWithTheSquareOfTheTimeAndWithTheAngle) {
-  // Radial light: nothing is bent, the time is the tortoise distance.
+  // Radial light is not bent; its travel time is the tortoise distance.
   const Point light{20.0, 0.0, 0.0};
   const Point point{5.0, 0.0, 0.0};
   const double time = connecting_ray(20.0, 5.0, 0.0).travel_time;
   EXPECT_NEAR(illuminance(light, point, {1.0, 0.0, 0.0}, 1, 3.0), 3.0 / (time * time), 1e-15);
   EXPECT_EQ(illuminance(light, point, {-1.0, 0.0, 0.0}, 1, 3.0), 0.0);
-  // A surface that is oblique in coordinates: its angle is measured with lengths along the radius
-  // grown by 1/√(3/5).
+  // An oblique surface: its angle is measured with radial lengths scaled by 1/√(3/5).
   const double slope = std::atan(std::sqrt(0.6));  // tan 45° × √(1 - 2/r): radial part of the normal
   EXPECT_NEAR(illuminance(light, point, {std::sqrt(0.5), std::sqrt(0.5), 0.0}, 1, 1.0), std::sin(slope) / (time * time),
               1e-15);
@@ -113,7 +111,8 @@ TEST(Illuminance, FarFromTheHoleIsLamberts) {
 }
 
 TEST(Tessellation, GrowsWithTheCurvatureOfAnEdge) {
-  // Middle half the length away: eq. 18 gives 1/2, eq. 19 with a = 5, b = 0.75 more than all.
+  // The middle is off by half the length: eq. 18 gives 1/2, eq. 19 with a = 5, b = 0.75 gives more
+  // than the maximum.
   EXPECT_DOUBLE_EQ(apparent_curvature({0.0, 0.0}, {1.0, 1.0}, {2.0, 0.0}), 0.5);
   EXPECT_EQ(apparent_curvature({1.0, 1.0}, {2.0, 1.0}, {1.0, 1.0}), 0.0);
   const TessellationSettings settings;
@@ -123,8 +122,8 @@ TEST(Tessellation, GrowsWithTheCurvatureOfAnEdge) {
 }
 
 TEST(Tessellation, TrianglesWithThePointBehindTheHoleAreTorn) {
-  // MSW's rod of figure 6: vertices on both sides of the line behind the hole are seen on opposite
-  // sides of it.
+  // The rod of figure 6 in Müller, Schulz & Weiskopf: vertices on opposite sides of the line behind
+  // the hole appear on opposite sides of the hole.
   const Point observer{40.0, 0.0, 0.0};
   const auto screen = [](const Point& direction) {
     return ScreenPoint{direction.y / -direction.x, direction.z / -direction.x};

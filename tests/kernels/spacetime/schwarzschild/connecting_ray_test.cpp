@@ -16,8 +16,9 @@ double lapse_squared(double r) { return 1.0 - 2.0 / r; }
 
 double tortoise(double r) { return r + 2.0 * std::log(0.5 * r - 1.0); }
 
-//! A ray followed by Runge and Kutta's method in coordinate time, from the observer's direction
-//! alone: r, cosine to outward, φ and the affine distance at its end, dλ/dt = 1 - 2/r.
+//! Follows a ray by the Runge-Kutta method in coordinate time, from the observer's direction alone.
+//! Returns r, the cosine to the outward direction, φ and the affine distance at its end; dλ/dt = 1
+//! - 2/r.
 std::array<double, 4> followed(double r_observer, double xi, double time) {
   const double b = r_observer * std::sin(xi) / std::sqrt(lapse_squared(r_observer));
   const auto change = [b](const std::array<double, 4>& s) {
@@ -53,7 +54,7 @@ TEST(ConnectingRay, AgreesWithTheReferenceTable) {
 }
 
 TEST(ConnectingRay, GivesTheExactValuesOfThePublishedTable) {
-  // Müller, Schulz & Weiskopf (2021), table 1, as recomputed in 113-bit arithmetic.
+  // Müller, Schulz & Weiskopf (2021), table 1, recomputed in 113-bit arithmetic.
   const double expected[4][4] = {{6.6, 0.5 * pi, 169.046109924, 45.3344647},
                                  {16.5, 0.5 * pi, 155.492964839, 46.1737731},
                                  {6.6, 1.5 * pi, 172.334993307, 66.1959818},
@@ -67,9 +68,9 @@ TEST(ConnectingRay, GivesTheExactValuesOfThePublishedTable) {
 
 TEST(ConnectingRay, RaysFollowedFromTheObserverArriveAtThePoint) {
   const double pairs[][3] = {{20.0, 8.0, 1.0},  {20.0, 8.0, 0.2},   {20.0, 8.0, 3.0},
-                             {20.0, 8.0, pi},   {20.0, 8.0, 5.0},  // both sides of the turn
+                             {20.0, 8.0, pi},   {20.0, 8.0, 5.0},  // on both sides of the turning point
                              {8.0, 20.0, 1.3},  {8.0, 20.0, 4.4},   {15.0, 15.0, 0.01},
-                             {15.0, 15.0, 2.0}, {15.0, 15.1, 0.01},  // from nearer, and level
+                             {15.0, 15.0, 2.0}, {15.0, 15.1, 0.01},  // from closer in, and at the same radius
                              {20.0, 3.0, 2.0},  {20.0, 3.0, 6.0},   {3.0, 20.0, 6.0},
                              {3.0, 2.5, 4.0},   {2.9, 3.1, 5.0},  // at the photon sphere
                              {20.0, 2.1, 1.0},  {20.0, 2.1, 6.0},   {2.2, 30.0, 4.0},
@@ -95,7 +96,7 @@ TEST(ConnectingRay, RatesAreThoseOfTheOrbitsEquation) {
                                               std::array{r, ray.rate_at_point, ray.emission_angle, -1.0}}) {
       EXPECT_NEAR(rate * rate, 1.0 / (b * b) - lapse_squared(at) / (at * at), 1e-14);
       EXPECT_NEAR(std::sin(angle), b * std::sqrt(lapse_squared(at)) / at, 1e-13);
-      // u grows where the way from observer to point leads inward.
+      // u grows if the ray from observer to point leads inward.
       EXPECT_EQ(rate > 0.0, to * std::cos(angle) < 0.0);
     }
   }
@@ -130,7 +131,7 @@ TEST(ConnectingRay, RadialRaysTakeTheTortoiseDistance) {
   const ConnectingRay outward = connecting_ray(5.0, 20.0, 0.0);
   EXPECT_EQ(outward.xi, 0.0);
   EXPECT_EQ(outward.travel_time, inward.travel_time);
-  // b = φ / (1/5 - 1/20) where nothing is bent yet.
+  // b = φ / (1/5 - 1/20) as long as bending is negligible.
   for (const double phi : {1e-300, 1e-12, 1e-9, 1e-8, 1e-6}) {
     const ConnectingRay ray = connecting_ray(20.0, 5.0, phi);
     EXPECT_NEAR(ray.impact_parameter, phi / 0.15, 1e-11 * phi / 0.15 + 2.0 * phi * phi * phi) << phi;
@@ -139,7 +140,7 @@ TEST(ConnectingRay, RadialRaysTakeTheTortoiseDistance) {
 }
 
 TEST(ConnectingRay, FarAwayAPointBehindTheHoleIsEinsteinsRing) {
-  // θ² = 4 M D_LS / (D_L D_S); the next order adds some 1e-4 of it here.
+  // θ² = 4 M D_LS / (D_L D_S); the next order adds a relative 1e-4 here.
   const double r_observer = 1e8;
   const double r = 3e8;
   const ConnectingRay ray = connecting_ray(r_observer, r, pi);
@@ -148,7 +149,7 @@ TEST(ConnectingRay, FarAwayAPointBehindTheHoleIsEinsteinsRing) {
 }
 
 TEST(ConnectingRay, FarAwayTimeIsShapiros) {
-  // Weinberg (1972), eq. 8.7.4, from the closest approach r_0 to r; what it leaves out is of the
+  // Weinberg (1972), eq. 8.7.4, from the closest approach r_0 to r; the omitted terms are of the
   // order of M² / r_0.
   const double r_observer = 1e6;
   const double r = 2e6;
@@ -167,7 +168,7 @@ TEST(ConnectingRay, FarAwayTimeIsShapiros) {
 }
 
 TEST(ConnectingRay, WithoutAHoleNearbyRaysAreStraight) {
-  // Distances of 1e9 M and more: bent by less than 1e-8.
+  // At distances of 1e9 M and more, light is bent by less than 1e-8.
   const double r_observer = 2e9;
   const double r = 1e9;
   const double phi = 1.2;
@@ -203,7 +204,7 @@ TEST(ConnectingRay, NothingJumpsWhereAPointCrossesThePhotonSphere) {
 }
 
 TEST(ConnectingRay, TowardsTheHorizonOnlyTheTortoiseDistanceGrows) {
-  // The rest of the time converges: light that leaves the horizon leaves it radially.
+  // The remainder of the time converges, because light leaves the horizon radially.
   for (const double phi : {0.0, 1.0, pi, 5.0}) {
     const auto rest = [phi](double above) {
       const double r = 2.0 + above;

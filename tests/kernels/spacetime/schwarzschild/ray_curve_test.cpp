@@ -9,7 +9,8 @@
 namespace ergodome {
 namespace {
 
-//! A ray's place after a share of its way, followed from the observer or from the point.
+//! Returns the position on a ray at a fraction of its way, followed from the observer or from the
+//! point.
 RayPlace followed(RayPlace place, double angle, double to_share) {
   const int steps = static_cast<int>(std::ceil(std::abs(to_share - place.share) / longest_ray_step(angle)));
   const double step = (to_share - place.share) / std::max(steps, 1);
@@ -55,7 +56,7 @@ TEST(RayCurve, TheWholeWayKeepsTheImpactParameter) {
 }
 
 TEST(RayCurve, AzimuthBetweenPlacesIsTheEllipticIntegral) {
-  // Light that falls in from r = 40 M to 2.2 M with an orbit that never turns.
+  // Light that falls in from r = 40 M to 2.2 M on an orbit without turning points.
   const double angle = 2.4;
   const ConnectingRay ray = connecting_ray(40.0, 2.2, angle);
   ASSERT_LT(ray.impact_parameter, std::sqrt(27.0));

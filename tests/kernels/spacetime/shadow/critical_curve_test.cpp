@@ -21,7 +21,7 @@ TEST(CriticalCurve, PassesThroughEveryPointOfTheReferenceTable) {
 TEST(CriticalCurve, DistanceIsThatOfTheReferenceRaysOfZeroAngularMomentumObservers) {
   for (const auto& ray : test::reference_rays()) {
     if (ray.edge_distance == -1.0 || ray.motion != ObserverMotion::zamo) {
-      continue;  // the angle depends on the chart's centre, which other observers may place elsewhere
+      continue;  // the angle is relative to the chart's center, which differs between observers
     }
     const CameraStation camera = test::station_of(ray);
     const ShadowChart chart = make_shadow_chart(camera);
@@ -30,14 +30,14 @@ TEST(CriticalCurve, DistanceIsThatOfTheReferenceRaysOfZeroAngularMomentumObserve
 }
 
 TEST(CriticalCurve, StaticSchwarzschildShadowIsSynges) {
-  // Synge, MNRAS 131 (1966) 463: sin²ξ = 27 (1 - 2/r) / r², the acute angle outside r = 3.
+  // Synge, MNRAS 131 (1966) 463: sin²ξ = 27 (1 - 2/r) / r²; ξ is acute outside r = 3.
   for (const double r : {2.001, 2.5, 2.999, 3.0, 3.001, 5.0, 40.0, 1e6}) {
     const CameraStation camera = make_camera_station(0.0, r, 1.0, 0.0, ObserverMotion::zamo);
     const ShadowChart chart = make_shadow_chart(camera);
     const double sine = std::sqrt(27.0 * (1.0 - 2.0 / r)) / r;
     const double acute = std::asin(std::min(1.0, sine));
     const double expected = r >= 3.0 ? acute : pi - acute;
-    // arcsine loses half the digits at r = 3, where the shadow fills half the sky.
+    // The arcsine loses half of its digits at r = 3, where the shadow fills half the sky.
     const double tolerance = std::abs(r - 3.0) < 1e-2 ? 1e-7 : 1e-12;
     EXPECT_NEAR(edge_polar_angle(camera, chart, 0.7), expected, tolerance * expected) << "r " << r;
   }
@@ -86,7 +86,7 @@ TEST(CriticalCurve, IsContinuousAsTheSpinGoesToZero) {
 }
 
 TEST(CriticalCurve, OfTheExtremalHoleHasTheStraightSideOfAngularMomentumTwo) {
-  // a = 1: the prograde side of the shadow is made of rays with L = 2 whose double root is the
+  // a = 1: the prograde side of the shadow consists of rays with L = 2 whose double root is the
   // horizon itself.
   const CameraStation camera = make_camera_station(1.0, 1e3, pi / 2, 0.0, ObserverMotion::zamo);
   const ShadowChart chart = make_shadow_chart(camera);
@@ -97,7 +97,7 @@ TEST(CriticalCurve, OfTheExtremalHoleHasTheStraightSideOfAngularMomentumTwo) {
   }
 }
 
-//! Every great circle from the chart's centre must turn bright exactly once, where the curve says.
+//! Every great circle from the chart's center must become bright exactly once, at the curve.
 void expect_star_shaped(double a, double r, double theta, ObserverMotion motion, const Vector3<double>& beta) {
   const CameraStation camera = make_camera_station(a, r, theta, 0.0, motion, beta);
   const ShadowChart chart = make_shadow_chart(camera);

@@ -13,7 +13,7 @@
 namespace ergodome::test {
 namespace {
 
-//! The last of the shells that a traced ray sees.
+//! Keeps the last shell crossing of a traced ray.
 struct LastSeen {
   std::vector<WatchedShell> shells;
   int shell = -1;
@@ -78,8 +78,8 @@ TEST(FollowedRays, EndAtTheLastShellThatATracedRaySees) {
   EXPECT_GT(met, 2000);
 }
 
-// With 2 r_+ E < a L it comes from another universe to a camera within the horizon. Outside the
-// horizon it turns back soon.
+// With 2 r_+ E < a L, the light comes from another universe to a camera inside the horizon. Outside
+// the horizon it turns back soon.
 TEST(FollowedRays, MeetNoShellByLightThatHasNotBeenOutside) {
   constexpr double spin = 0.9;
   const CameraStation camera = make_camera_station(spin, 1.2, 1.3, 0.0, ObserverMotion::rain_boost, {0.9, 0.0, 0.0});
@@ -116,7 +116,7 @@ TEST(FollowedRays, ComeOutOfTheHorizonInFewSteps) {
   EXPECT_GT(met, 50);
 }
 
-//! A shell just above the horizon, seen from outside, by each integrator.
+//! The work and the error of an integrator for a shell just above the horizon, seen from outside.
 struct Followed {
   double steps, error;
   bool arrived;
@@ -161,8 +161,8 @@ TEST(FollowedRays, TakeMoreStepsWhereMoreIsAsked) {
 }
 
 TEST(FollowedRays, AreSlowNextToThePolesInPolarAnglesAlone) {
-  // Straight up from the middle the plane of the ray holds the axis, which it passes on its way
-  // round to the shell's far side.
+  // Straight up from the middle, the plane of the ray contains the axis, which the ray passes on
+  // its way around to the far side of the shell.
   const Vector3<double> over_the_pole = beside_the_middle(0.36, 1e-4);
   const Vector3<double> beside = beside_the_middle(0.1, 0.34);
   const double polar = follow(over_the_pole, 1e-5, by_baseline).steps / follow(beside, 1e-5, by_baseline).steps;

@@ -12,7 +12,7 @@
 namespace ergodome {
 namespace {
 
-//! Bent slivers, one to one: half a turn of a ring, its width growing on the way.
+//! A bent sliver, injective: part of a ring whose width grows along it.
 struct Sliver {
   double radius, width, turn;
 
@@ -25,11 +25,11 @@ struct Sliver {
   }
 };
 
-//! Pairs of slivers and stars whose places in them are known.
+//! Pairs of slivers and stars at known positions in them.
 class PatchPairs : public testing::Test {
  protected:
-  //! `low` to `high`: the range of u and v; `skip`: the middle of it that is left out, from the
-  //! middle of the patch.
+  //! Creates pairs with u and v between `low` and `high`, except within `skip` of the middle of the
+  //! patch.
   void make(double low, double high, double skip) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> uniform;
