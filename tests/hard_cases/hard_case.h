@@ -26,7 +26,7 @@ using Directions = std::vector<Vector3<double>>;
 //! The maximum errors of a case. A method with the limit `unbounded` must still return unit vectors
 //! or no sky, and never NaN; it may report that it did not converge.
 struct Allowed {
-  double sky;  //!< rays in double: error of the sky direction beyond the effect of input rounding [rad]
+  double sky;          //!< rays in double: error of the sky direction beyond the effect of input rounding [rad]
   double float_ray;    //!< rays in float: maximum displacement on the observer's screen [rad]
   double grid_px;      //!< live grid: 99th percentile of the displacement, in pixels of a 4096² dome
   double streamed_px;  //!< halfway between two streamed stations: the same measure

@@ -5,7 +5,7 @@
 namespace ergodome {
 namespace {
 
-//! A clock that goes on when it is told to.
+//! A clock that the test sets.
 struct ToldClock {
   double now_s = 100.0;
   [[nodiscard]] SecondsSource source() {

@@ -14,7 +14,8 @@
 namespace ergodome {
 namespace {
 
-//! A ladder each of whose rungs takes 0.7 of the one before.
+//! Returns the frame times of a ladder in which each rung takes 0.7 of the time of the previous
+//! rung.
 std::vector<double> even_ladder(double first_ms, int rungs) {
   std::vector<double> times_ms;
   times_ms.reserve(static_cast<std::size_t>(rungs));
@@ -24,12 +25,12 @@ std::vector<double> even_ladder(double first_ms, int rungs) {
   return times_ms;
 }
 
-//! A machine that plays: how much slower it is than foretold, by the number of the frame. The
-//! window looks for finished pictures every `poll_ms`, as the player does; all by a clock of its
-//! own.
+//! Simulates a machine that plays a show: its slowdown relative to the predicted times, by frame
+//! number. As in the player, the window polls for finished pictures every `poll_ms`. All times are
+//! simulated.
 class SimulatedShow {
  public:
-  //! `foretold_ms`: what the keeper is told of the ladder.
+  //! `foretold_ms`: the predicted times of the ladder, which the keeper receives.
   SimulatedShow(std::vector<double> times_ms, std::vector<double> foretold_ms, std::size_t first)
       : keeper(std::move(foretold_ms), frame_ms, first), ladder_ms(std::move(times_ms)) {}
 
@@ -37,7 +38,7 @@ class SimulatedShow {
   RateRecord record{frame_ms};
   std::function<double(long)> slowness = [](long) { return 1.0; };
   double poll_ms = 4.0;
-  std::vector<std::size_t> rungs;  //!< of each frame
+  std::vector<std::size_t> rungs;  //!< rung of each frame
 
   void play(long frames) {
     double last_ms = -1.0;
@@ -122,7 +123,7 @@ TEST(RateKeeper, HoldsTheRateOnANoisyMachine) {
   show.slowness = [&](long) { return std::exp(spread(random)); };
   show.play(6000);
   EXPECT_NEAR(show.record.rate_hz(), 30.0, 0.05 * 30.0);
-  // Once a quarter of a minute at the most.
+  // At most once in a quarter of a minute.
   EXPECT_LT(show.changes_after(600), 5400 / (15 * 30));
 }
 
@@ -139,10 +140,11 @@ TEST(RateKeeper, FollowsAMachineThatGetsSlowerAndQuickerAgain) {
 }
 
 TEST(RateKeeper, DoesNotSwingBetweenRungsThatWereForetoldWrongly) {
-  // The rung above 20 ms is foretold to take as much, and takes twice.
+  // The rungs above the 20 ms rung are predicted to take about as long, but take more than twice
+  // that.
   SimulatedShow show({100.0, 50.0, 20.0, 19.0}, {22.0, 21.0, 20.0, 19.0}, 2);
   show.play(9000);
-  // Five minutes: tries after 1, 2, 4, 8, 16, 32, 60, 60 ... seconds, down and up.
+  // Five minutes: attempts after 1, 2, 4, 8, 16, 32, 60, 60 ... seconds, down and up.
   EXPECT_LE(show.keeper.changes(), 2 * 12);
   EXPECT_NEAR(show.record.rate_hz(), 30.0, 0.05 * 30.0);
 }
@@ -175,7 +177,7 @@ TEST(FramePace, MakesUpForFramesThatAreLittleLate) {
   EXPECT_FALSE(pace.is_due(0.04));
   pace.begin(0.09);
   pace.begin(0.17);
-  // By the schedule that began at 0.05.
+  // Due according to the schedule that started at 0.05.
   EXPECT_FALSE(pace.is_due(0.24));
   EXPECT_TRUE(pace.is_due(0.26));
 }

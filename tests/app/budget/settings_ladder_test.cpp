@@ -7,8 +7,8 @@
 namespace ergodome {
 namespace {
 
-//! Lenses from coarse to fine, direct rays beside the last, and a plain look: as a measurement
-//! leaves them.
+//! Returns settings as a measurement produces them: lenses from coarse to fine, direct rays next to
+//! the finest, and a plain sky filter.
 std::vector<MeasuredSetting> measured_settings() {
   std::vector<MeasuredSetting> settings;
   for (const double lens_px : {2.0, 1.0, 0.5, 0.25}) {
@@ -58,8 +58,7 @@ TEST(SettingsLadder, KeepsASizeThatIsFixed) {
 TEST(SettingsLadder, WithoutAnErrorBeginsWithTheFinestLensThatTakesLonger) {
   const std::vector<Rung> ladder = settings_ladder(measured_settings(), {std::nullopt, 30.0}, limits_of(192));
   EXPECT_EQ(ladder.front().quality.budget_px, 0.25);
-  // No picture waits longer than the patience for its lens: coarser ones gain nothing, and smaller
-  // pictures do.
+  // Within the time limit for a lens, coarser lenses gain nothing, but smaller pictures do.
   EXPECT_LT(ladder[1].size_px, 1024);
 }
 

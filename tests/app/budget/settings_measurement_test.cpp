@@ -18,7 +18,7 @@
 namespace ergodome {
 namespace {
 
-//! A camera that falls towards a fast hole.
+//! Returns a show whose camera falls towards a fast-spinning hole.
 Show falling_show() {
   Show show = test::small_dome();
   show.duration_s = 10.0;
@@ -34,7 +34,7 @@ MeasurementOrder order_for(const Budget& budget, LensChoice lens) {
   order.budget = budget;
   order.size_px = test::sanitized ? 256 : 400;
   order.lens = lens;
-  // As much as it needs: what a test measures must not depend on the machine.
+  // Enough time for any machine: the result of a test must not depend on its speed.
   order.limit_s = 1e6;
   return order;
 }
@@ -65,7 +65,7 @@ TEST(SettingsMeasurement, KnowsWhatTheOnePictureTookThatThereWasTimeFor) {
   MeasurementOrder order = order_for({std::nullopt, 25.0}, LensChoice::direct);
   order.size_px = 1280;
   order.limit_s = 2.0;
-  // Whatever is done between two looks at the clock takes a tenth of a second.
+  // Every reading of the clock advances it by a tenth of a second.
   double now_s = 0.0;
   order.now = [&now_s] { return now_s += 0.1; };
   const SettingsMeasurement measured = measure_settings(renderer, show, order);
@@ -75,7 +75,7 @@ TEST(SettingsMeasurement, KnowsWhatTheOnePictureTookThatThereWasTimeFor) {
   EXPECT_TRUE(std::isnan(measured.settings.front().frame_ms()));
 }
 
-//! The line about a setting whose frames' time is not known, of 25 frames a second.
+//! Returns the message about a setting whose frame time is unknown, at 25 frames per second.
 std::string text_without_time(UntimedFrames untimed, double quickest_ms) {
   const Budget budget{std::nullopt, 25.0};
   SettingsMeasurement measured;
@@ -135,7 +135,7 @@ TEST(SettingsMeasurement, NeedsNoNewLensWhereTheCameraStaysAtItsPlace) {
 
 TEST(SettingsMeasurement, EndsInTimeByAnyClock) {
   const Show show = falling_show();
-  // Clocks by which each look at the time is later than the one before: slow machines.
+  // Clocks that advance at every reading, to simulate slow machines.
   for (const double look_s : {0.001, 0.01, 0.05, 0.2}) {
     ShowRenderer renderer(show, Backend::cpu);
     MeasurementOrder order = order_for({0.2, 30.0}, LensChoice::automatic);
@@ -143,13 +143,13 @@ TEST(SettingsMeasurement, EndsInTimeByAnyClock) {
     double now_s = 0.0;
     order.now = [&] { return now_s += look_s; };
     const SettingsMeasurement measured = measure_settings(renderer, show, order);
-    // It looks once to see that the time is over, and once to tell.
+    // One reading detects that the time is over, another one measures the duration.
     EXPECT_LE(measured.took_s, 2.0 + 2.0 * look_s) << look_s;
     EXPECT_FALSE(measured.settings.empty()) << look_s;
   }
 }
 
-//! A show that the program brings along.
+//! A built-in show.
 class BudgetOfShow : public testing::TestWithParam<const char*> {};
 
 TEST_P(BudgetOfShow, HoldsAtRandomMoments) {
@@ -175,8 +175,8 @@ INSTANTIATE_TEST_SUITE_P(BuiltIn, BudgetOfShow, testing::Values("once-around", "
                          });
 
 TEST(SettingsMeasurement, SaysWhereNoLensIsWithinAnError) {
-  // Image after image of the sky within a few pixels of the shadow's edge: more than float can tell
-  // apart.
+  // Within a few pixels of the shadow's edge the images of the sky repeat: more than float can
+  // resolve.
   Show show = read_show(built_in_content_folder() / "shows" / "prograde-edge.toml");
   show.sky.map = test::small_dome().sky.map;
   ShowRenderer renderer(show, Backend::cpu);

@@ -14,14 +14,14 @@ namespace ergodome::test {
 
 namespace {
 
-//! The program, loaded and waiting for command lines as long as the tests run.
+//! Keeps the program loaded and ready for command lines as long as the tests run.
 class ReadyProgram {
  public:
   ReadyProgram() : process_({ERGODOME_READY_PROGRAM, name_}) {
     EXPECT_NE(process_.output_until("ready", std::chrono::minutes(1)).find("ready"), std::string::npos);
   }
 
-  //! What a shell calls it by.
+  //! Returns the command with which a shell calls the program.
   [[nodiscard]] std::string called() const { return "ERGODOME_READY=" + name_ + " '" ERGODOME_CALL_PROGRAM "' "; }
 
  private:
@@ -55,7 +55,7 @@ int CommandLine::run_with_driver(const std::string& arguments) {
 bool CommandLine::has_display() { return std::system("command -v xvfb-run >/dev/null") == 0; }
 
 int CommandLine::run_on_display(const std::string& arguments, const std::string& environment) {
-  // Drivers keep memory; whose it is cannot be told once they are unloaded.
+  // Leaks of drivers cannot be attributed to them once they are unloaded.
   return run_command("cd '" + folder_.string() + "' && ASAN_OPTIONS=$ASAN_OPTIONS:detect_leaks=0 " + environment +
                      " xvfb-run -a -s '-screen 0 800x600x24' '" ERGODOME_PROGRAM "' " + arguments + " 2>&1");
 }

@@ -9,24 +9,25 @@
 
 namespace ergodome::test {
 
-//! The program as a person runs it.
+//! Runs the program as a person would, in a temporary folder.
 class CommandLine : public FolderTest {
  protected:
-  //! Puts a sky of few pixels into the folder, sky.ppm: to load the built-in ones takes longer than
-  //! most pictures of a test.
+  //! Writes a sky of a few pixels, sky.ppm, to the folder: loading the built-in maps takes longer
+  //! than most pictures of a test.
   void SetUp() override;
 
-  //! Runs the program in the test's folder, in a process of its own; all that it prints goes to
-  //! output_.
+  //! Runs the program in the test's folder, in a new process; output_ receives everything that it
+  //! prints. Returns the exit status.
   int run(const std::string& arguments);
 
-  //! The same for what loads an OpenGL driver: such keep memory, and the leak checker is off.
-  //! Starts the program itself.
+  //! Runs the program with the leak checker off, for commands that load an OpenGL driver, because
+  //! drivers leak memory. Starts the program directly.
   int run_with_driver(const std::string& arguments);
 
-  //! The same on a virtual display of its own; `environment` stands before the program.
+  //! Runs the program on a new virtual display; `environment` precedes the program on the command
+  //! line.
   int run_on_display(const std::string& arguments, const std::string& environment);
-  //! Whether there is anything to make one with.
+  //! Returns whether a virtual display can be created.
   static bool has_display();
 
   void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }

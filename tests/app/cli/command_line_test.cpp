@@ -12,7 +12,7 @@
 #include "render/output/image_writer.h"
 #include "tests/support/sanitized.h"
 
-// The program as a person runs it.
+// Runs the program as a person would.
 namespace ergodome {
 namespace {
 
@@ -115,8 +115,8 @@ TEST_F(CommandLine, RenderWritesEveryStereoLayoutAndResumesIt) {
   };
   expect_image("multiview", " --format exr", 64, 64);
   expect_image("top_bottom", "", 64, 128);
-  // Under sanitizers each start of the program takes a second, and the same code has been through
-  // there with test frames.
+  // Under sanitizers each start of the program takes a second; tests of single frames cover the
+  // same code.
   for (const char* layout : {"half_side_by_side", "half_top_bottom", "rows", "anaglyph", "dubois"}) {
     if (!test::sanitized || std::string_view(layout) == "rows") {
       expect_image(layout, "", 64, 64);
@@ -141,7 +141,7 @@ TEST_F(CommandLine, RenderHasCubesAndCylinders) {
   ASSERT_EQ(run("render small.toml --out c --frames 1 --size 64 --projection cube --backend cpu"), 0) << output_;
   EXPECT_TRUE(is_complete_image(folder_ / "c/small_000001.png", 64, 48));
   ASSERT_EQ(run("render small.toml --out y --frames 1 --size 64 --projection cylinder --backend cpu"), 0) << output_;
-  // 90° high: twice its radius, of which the width is 2π.
+  // 90° of height span twice the cylinder's radius, 360° of width 2π times the radius.
   EXPECT_TRUE(is_complete_image(folder_ / "y/small_000001.png", 64, 20));
 }
 
@@ -241,9 +241,9 @@ class PlayInAWindow : public CommandLine {
     }
   }
 
-  //! Plays with the options given and leaves the last picture in shot.png.
+  //! Plays with the given options and saves the last picture as shot.png.
   void play(const std::string& options) const {
-    // Drivers keep memory; whose it is cannot be told once they are unloaded.
+    // Leaks of drivers cannot be attributed to them once they are unloaded.
     const std::string command =
         "cd '" + folder_.string() +
         "' && ASAN_OPTIONS=$ASAN_OPTIONS:detect_leaks=0 xvfb-run -a -s '-screen 0 800x600x24' '" ERGODOME_PROGRAM
@@ -259,7 +259,7 @@ class PlayInAWindow : public CommandLine {
 TEST_F(PlayInAWindow, ShowsAPicture) {
   play("--size 256 --for 3");
   EXPECT_TRUE(is_complete_image(folder_ / "shot.png", 256, 256));
-  // A picture of the sky is no black square.
+  // A picture of the sky takes more bytes than a black one.
   EXPECT_GT(fs::file_size(folder_ / "shot.png"), 5000U);
 }
 

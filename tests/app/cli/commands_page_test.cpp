@@ -14,21 +14,22 @@ namespace {
 
 using test::CommandLine;
 
-//! The page that lists the commands.
+//! Returns the text of the page that lists the commands.
 std::string commands_page() {
   std::ifstream stream(ERGODOME_TEST_DATA_DIR "/../../content/docs/reference/commands.md");
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-//! A page's part under a heading of the second level; empty where there is none.
+//! Returns the part of a page under a heading of the second level, or an empty string if the
+//! heading is missing.
 std::string part_of_page(const std::string& page, const std::string& heading) {
   const std::string line = fmt::format("\n## {}\n", heading);
   const std::size_t from = page.find(line);
   return from == std::string::npos ? "" : page.substr(from, page.find("\n## ", from + 1) - from);
 }
 
-//! First words of the indented lines of a help text that begin with `start`, from the line `after`
-//! on.
+//! Returns the first words of the indented lines of a help text that begin with `start`, after the
+//! line `after`.
 std::vector<std::string> words_of_help(const std::string& help, const std::string& after, const std::string& start) {
   std::vector<std::string> words;
   std::istringstream lines(help.substr(std::min(help.find(after), help.size())));
@@ -41,7 +42,7 @@ std::vector<std::string> words_of_help(const std::string& help, const std::strin
   return words;
 }
 
-//! Whether a text has an option, and not one that merely begins like it.
+//! Returns whether a text contains an option as a whole word.
 bool names_option(const std::string& text, const std::string& option) {
   for (std::size_t at = text.find(option); at != std::string::npos; at = text.find(option, at + 1)) {
     const std::size_t end = at + option.size();

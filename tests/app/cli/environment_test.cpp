@@ -16,7 +16,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-//! What the program says of its variables; they are as they were in the end.
+//! Checks what the program reports about its environment variables; restores them at the end.
 class Environment : public testing::Test {
  protected:
   ~Environment() override {

@@ -19,8 +19,8 @@
 #include "tests/support/folder_test.h"
 #include "tests/support/sanitized.h"
 
-// Files that are made to harm: each ends the command within two seconds and 256 MiB, with one line
-// that says why.
+// Malicious files: each must end the command within two seconds and 256 MiB, with a one-line
+// reason.
 namespace ergodome {
 namespace {
 
@@ -38,9 +38,9 @@ std::string repeated(int count, const std::string& part) {
   return repeated(count, [&](int /*i*/) { return part; });
 }
 
-//! What became of a command.
+//! The result of a command.
 struct Outcome {
-  int status = -1;  //!< -1: a signal ended it
+  int status = -1;  //!< -1: killed by a signal
   double seconds = 0.0;
   double mebibytes = 0.0;
   std::string errors;  //!< its standard error
@@ -83,8 +83,8 @@ class HostileInput : public test::FolderTest {
             text("errors")};
   }
 
-  //! Runs a command on a file that is refused, and checks what that takes. `says` is a part of its
-  //! message.
+  //! Runs a command on a file that must be refused, and checks its use of time and memory. `says`:
+  //! a part of the error message.
   void expect_refused(const std::vector<std::string>& arguments, const std::string& says) const {
     const std::string command = fmt::format("{}", fmt::join(arguments, " "));
     const Outcome outcome = run(arguments);
@@ -97,7 +97,8 @@ class HostileInput : public test::FolderTest {
     }
   }
 
-  //! The same for what a show names: `key` is where it does, with the rest of the show.
+  //! Checks that a show is refused because of a file that it refers to; `show`: the rest of the
+  //! show, with the key that names the file.
   void expect_refused_in_show(const std::string& show, const std::string& file, const std::string& why) const {
     write("show.toml", "[hole]\nspin = 0\n[[camera.key]]\nr = 60\n" + show);
     expect_refused({"render", "show.toml", "--out", "frames", "--frames", "1:1", "--size", "16", "--backend", "cpu"},
@@ -115,7 +116,7 @@ class HostileInput : public test::FolderTest {
   double idle_mebibytes_ = run({"--version"}).mebibytes;
 };
 
-//! TOML that is too deep, too wide, or takes the parser minutes.
+//! TOML that is too deep, too wide, or would keep the parser busy for minutes.
 struct HostileToml {
   std::string text;
   std::string why;

@@ -15,7 +15,7 @@
 #include "tests/app/cli/command_line.h"
 #include "tests/support/sanitized.h"
 
-// What commands write, and what they must leave as it is.
+// The files that commands write, and those that they must not change.
 namespace ergodome {
 namespace {
 
@@ -24,7 +24,8 @@ using test::CommandLine;
 using testing::HasSubstr;
 using testing::Not;
 
-//! Words of command lines; sanitizers see the same code with the first two.
+//! Returns the command lines to test; under sanitizers only the first two, which cover the same
+//! code.
 std::vector<std::string> some_of(std::vector<std::string> words) {
   words.resize(std::min(words.size(), test::sanitized ? std::size_t{2} : words.size()));
   return words;
@@ -41,7 +42,7 @@ TEST_F(CommandLine, RenderResumesNoFramesThatWereAskedForDifferently) {
     const std::string command = std::string(render).append(" ").append(options);
     ASSERT_EQ(run(command), 0) << output_;
     EXPECT_THAT(output_, HasSubstr("1 frame in")) << options;
-    // What only the format tells apart is found again as other options are.
+    // Repeating the same command resumes its frames.
     if (options.find(" --") != std::string::npos) {
       ASSERT_EQ(run(command), 0);
       EXPECT_THAT(output_, HasSubstr("0 frames in frames; skipped 1 frame from an earlier run")) << options;
@@ -146,7 +147,7 @@ TEST_F(CommandLine, RenderTellsWhichEyesFramesWereMadeFor) {
   EXPECT_EQ(baseline["first"], 5.0);
   EXPECT_EQ(baseline["greatest"], 5.0);
   EXPECT_EQ(baseline["least"], baseline["last"]);
-  // (r - 2) / sqrt(1 - 2 / r) at 3 M, which the camera has come to.
+  // (r - 2) / sqrt(1 - 2 / r) at 3 M, the camera's last position.
   EXPECT_NEAR(baseline["last"].get<double>(), std::sqrt(3.0), 1e-3);
   const fs::path last = folder_ / "o" / "L" / "near_000003.png";
   EXPECT_NEAR(std::stod(fact_of_image(last, "baseline_M")), baseline["last"].get<double>(), 1e-3);

@@ -12,7 +12,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-//! --set, which changes keys of a show, as commands have it.
+//! Tests --set, which overrides keys of a show, in all commands that have it.
 class SetOption : public test::CommandLine {
  protected:
   void SetUp() override {

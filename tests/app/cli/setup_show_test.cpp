@@ -14,7 +14,7 @@
 namespace ergodome {
 namespace {
 
-//! A dome that leans and whose picture is turned, with one projector that lights much of it.
+//! Returns a tilted dome with a rotated picture and one projector that lights much of it.
 DomeSetup leaning_dome(double tilt_deg, double rotation_deg) {
   DomeSetup setup;
   setup.radius_m = 8.0;
@@ -31,8 +31,8 @@ DomeSetup leaning_dome(double tilt_deg, double rotation_deg) {
   return setup;
 }
 
-//! The farthest that the elevation and azimuth of a pattern are off from those of the dome's places
-//! where the projector shows them, azimuths counted from the setup's rotation [deg].
+//! Returns the maximum difference [deg] between the elevation and azimuth of a pattern and those of
+//! the dome at the points that the projector lights; azimuths are relative to the setup's rotation.
 double worst_pattern_error_deg(const DomeSetup& setup) {
   constexpr int size_px = 1024;
   const PatternView master = upright_master(setup, size_px);
@@ -59,9 +59,9 @@ double worst_pattern_error_deg(const DomeSetup& setup) {
   return worst;
 }
 
-//! How far the directions of a show's master are off, at the most, from where the viewer sees its
-//! places where the projector shows them; all of the sky is turned with the picture about the
-//! dome's own axis [deg].
+//! Returns the maximum difference [deg] between the directions in a show's master and the
+//! directions in which the viewer sees the same points on the dome. The whole sky is rotated with
+//! the picture around the dome's axis.
 double worst_show_error_deg(const DomeSetup& setup, double view_tilt_deg) {
   constexpr int size_px = 1024;
   Show show;
@@ -140,8 +140,7 @@ TEST(UprightMaster, IsLevelForAViewerBesideTheMiddle) {
 TEST(UprightMaster, HasLinesAsWideTurnedAsNot) {
   const Projection projection = make_dome_projection(512, pi, 0.4);
   const PatternView turned(projection, 0.5 * pi);
-  // A quarter turn to the right: what the turned picture has below its middle is shown on the
-  // right.
+  // A quarter turn to the right moves the bottom of the picture to the right.
   const DomeSteps steps = dome_steps(turned, pattern_place(turned, 256.0, 400.0));
   const DomeSteps expected = dome_steps(projection, pattern_place(projection, 400.0, 256.0));
   EXPECT_NEAR(steps.elevation_deg, expected.elevation_deg, 1e-9);

@@ -20,7 +20,7 @@
 #include "tests/app/cli/command_line.h"
 #include "tests/support/sanitized.h"
 
-// `ergodome bake`, and what the program does with its file.
+// `ergodome bake`, and how the program uses its file.
 namespace ergodome {
 namespace {
 
@@ -58,7 +58,7 @@ class BakeCommand : public CommandLine {
     write("moving.toml", moving_show);
   }
 
-  //! Starts the program without waiting for it.
+  //! Starts the program without waiting for it to end.
   [[nodiscard]] pid_t start(std::vector<std::string> words) const {
     const pid_t child = ::fork();
     if (child == 0) {
@@ -120,7 +120,7 @@ TEST_F(BakeCommand, KilledFiftyTimesTheFileIsTheSame) {
   EXPECT_EQ(killed, wanted);
   ASSERT_EQ(run("bake moving.toml --out killed.trajectory --no-derivatives --budget 0.05"), 0) << output_;
   EXPECT_TRUE(text("killed.trajectory") == text("whole.trajectory"));
-  // Nothing else is left behind.
+  // No other files remain.
   for (const auto& entry : fs::directory_iterator(folder_)) {
     EXPECT_TRUE(entry.path().extension() == ".trajectory" || entry.path().extension() == ".toml" ||
                 entry.path().extension() == ".ppm")
@@ -207,7 +207,8 @@ TEST_F(BakeCommand, ReplacesItsOwnShowsTrajectoryOfOtherSettings) {
   EXPECT_THAT(output_, HasSubstr("computed now"));
 }
 
-//! The trajectory of the show below, with gaps that miss what they missed and a lot more.
+//! Copies the trajectory of the show below, and marks its gaps as missing their budget by much
+//! more.
 void write_missed_gaps(const fs::path& baked, const fs::path& missed) {
   const TrajectoryReader reader(baked);
   TrajectoryJournal journal(missed.string() + ".part", reader.provenance());

@@ -20,13 +20,13 @@ class DiagramCommand : public CommandLine {
     write("ball.toml", ball_show);
   }
 
-  //! What the program says to words that make no sense.
+  //! Returns the error message for invalid options.
   std::string refusal(const std::string& words) {
     EXPECT_NE(run("diagram " + words), 0) << words;
     return output_;
   }
 
-  //! Whether there is OpenGL to draw with.
+  //! Returns whether OpenGL is available, according to the exit status and the output of a command.
   bool draws(int status) const { return status == 0 || output_.find("OpenGL") == std::string::npos; }
 };
 

@@ -13,7 +13,7 @@ std::string fixture(const std::string& name) {
   return " --fixture '" ERGODOME_TEST_DATA_DIR "/hid/" + name + ".toml' ";
 }
 
-//! `ergodome pad`; without settings of the person who runs the tests.
+//! Tests `ergodome pad`, without the settings of the person who runs the tests.
 class PadCommand : public CommandLine {
  protected:
   void SetUp() override {

@@ -35,7 +35,7 @@ TEST(BlackView, ForgetsWhenAnythingIsInViewAgain) {
   EXPECT_FALSE(view.take_return(130.0));
 }
 
-//! The lit part of a visitor's first view, with the camera moved and turned.
+//! Returns the lit part of a visitor's first view, with the camera at `r` and turned.
 double visitors_lit_part(double r, double yaw_deg, double exposure_stops = 0.0) {
   Show show = load_show("exhibit");
   show.camera.keys.at(0).r = r;
@@ -50,7 +50,7 @@ double visitors_lit_part(double r, double yaw_deg, double exposure_stops = 0.0) 
 }
 
 TEST(LitPart, IsNothingWhereAVisitorHoversCloseToTheHorizonAndLooksDown) {
-  // The horizon of spin 0.9 lies at 1.4359 M; from 0.01 M above it the sky is a narrow cone
+  // The horizon for spin 0.9 is at 1.4359 M; from 0.01 M above it, the sky is a narrow cone
   // overhead.
   EXPECT_LT(visitors_lit_part(1.446, 0.0), BlackView::least_lit_part);
 }

@@ -22,7 +22,7 @@ namespace {
 using test::CommandLine;
 using testing::HasSubstr;
 
-//! An exhibit on a virtual display, and a visitor whose pad is a recording.
+//! Runs an exhibit on a virtual display, with a visitor whose pad is a recording.
 class ExhibitInAWindow : public test::CommandLine {
  protected:
   void SetUp() override {
@@ -61,10 +61,10 @@ TEST_F(ExhibitInAWindow, LetsAVisitorFlyWhoTakesThePad) {
 TEST_F(ExhibitInAWindow, RecordsEachVisitAndNothingOfTheAttractShow) {
   write("flight-000001.toml", "of another run");
   const std::string flies = "--record flight.toml --pad-fixture '" ERGODOME_TEST_DATA_DIR "/hid/flight.toml' ";
-  // A visit, the rest of three seconds, another visit, and the attract show again.
+  // One visit, the rest of three seconds, another visit, then the attract show again.
   ASSERT_EQ(exhibit(flies + "--session 1 --for 6.5"), 0) << output_;
   EXPECT_EQ(text("flight-000001.toml"), "of another run");
-  // How many visits there are is the machine's pace.
+  // The number of visits depends on the speed of the machine.
   const std::string told = log();
   const std::string visit = "a visitor arrived";
   int visits = 0;
@@ -72,7 +72,7 @@ TEST_F(ExhibitInAWindow, RecordsEachVisitAndNothingOfTheAttractShow) {
     ++visits;
   }
   ASSERT_GE(visits, 2);
-  // The last may not have flown yet.
+  // The last visitor may not have flown yet.
   for (int number = 2; number <= visits; ++number) {
     EXPECT_LT(read_show(folder_ / fmt::format("flight-{:06}.toml", number)).duration_s, 3.0) << number;
   }
@@ -123,15 +123,16 @@ TEST_F(ExhibitInAWindow, LogsThatTheVisitorsShowBreaksWhileTheAttractShowRuns) {
   EXPECT_THAT(log(), HasSubstr("visitor.toml:2"));
 }
 
-//! Sends a signal to one process; does nothing for -1, which kill() takes for all processes.
+//! Sends a signal to one process. Does nothing for -1, which kill() would interpret as all
+//! processes.
 void signal_one(pid_t process, int number) {
   if (process > 0) {
     ::kill(process, number);
   }
 }
 
-//! Returns the process of an exhibit with this command line that shows pictures: the one whose
-//! parent has the same command line. Returns -1 if there is none.
+//! Returns the rendering process of an exhibit with this command line: the one whose parent has the
+//! same command line. Returns -1 if there is none.
 pid_t showing_process(const std::string& command_line) {
   const auto line_of = [](const std::string& process) {
     std::ifstream file("/proc/" + process + "/cmdline");
@@ -170,7 +171,7 @@ TEST_F(ExhibitInAWindow, IsStartedAgainAfterACrash) {
       }
     };
     wait([&] { return logged_begins() > 0; });
-    // One that crashes at its start is not started again.
+    // A process that crashes at its start is not restarted, so the test waits first.
     std::this_thread::sleep_for(std::chrono::seconds(6));
     signal_one(showing_process(screenshot), SIGKILL);
     wait([&] { return logged_begins() > 1; });

@@ -20,7 +20,7 @@ using Kind = TransportCommand::Kind;
 using testing::Contains;
 using testing::HasSubstr;
 
-//! An exhibit whose player's status a test sets.
+//! An exhibit whose player status is set by the test.
 class KeptByAnExhibit : public test::FolderTest {
  protected:
   void SetUp() override {
@@ -33,7 +33,7 @@ class KeptByAnExhibit : public test::FolderTest {
     exhibit_->advance(0.0, true, false);
   }
 
-  //! So much later what is set now is looked at again.
+  //! Advances the time, and lets the exhibit check the current status.
   void keep_after(double seconds) {
     now_s_ += seconds;
     exhibit_->advance(now_s_, false, false);

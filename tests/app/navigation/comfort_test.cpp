@@ -12,15 +12,15 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): flights of tests
 
-//! The view in directions that do not turn; in a fall through the horizon in those of ingoing
-//! azimuths.
+//! Returns the view relative to nonrotating directions; in a fall through the horizon, relative to
+//! those of ingoing azimuths.
 glm::dquat steady_view(const Navigator& navigator) {
   const CameraPose pose = navigator.pose();
   return (pose.velocity_in_rain ? ingoing_place(pose, navigator.space().spin()) : place_of(pose)).view;
 }
 
-//! Holds one thing after another and looks at the fastest turn, its fastest change, and those of a
-//! ship's velocity.
+//! Holds one control after another and records the fastest turn, its fastest change, and the same
+//! for a ship's velocity.
 struct Worst {
   double turn = 0.0;
   double turn_change = 0.0;
@@ -30,7 +30,8 @@ struct Worst {
 
 Worst worst_of(Navigator& navigator, const CameraPose& path, int frames,
                const std::function<SteeringInput(int)>& input) {
-  constexpr double step_s = 1.0 / 240.0;  // as long as the navigator's own steps, so that finite differences see each
+  constexpr double step_s = 1.0 / 240.0;  // as long as the navigator's own steps, so that finite differences resolve
+                                          // each of them
   Worst worst;
   glm::dquat view = steady_view(navigator);
   bool falls = navigator.pose().velocity_in_rain;
@@ -39,7 +40,7 @@ Worst worst_of(Navigator& navigator, const CameraPose& path, int frames,
   for (int i = 0; i < frames; ++i) {
     navigator.advance(step_s, input(i), path);
     const glm::dquat now = steady_view(navigator);
-    // Where such a fall begins or ends, turns and lengths are counted otherwise from then on.
+    // When such a fall begins or ends, the coordinates for turns and lengths change.
     const bool counted_anew = falls != navigator.pose().velocity_in_rain;
     falls = navigator.pose().velocity_in_rain;
     if (counted_anew) {

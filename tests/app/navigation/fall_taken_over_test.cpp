@@ -31,8 +31,8 @@ struct Follower {
   double time_s = 0.0;
 };
 
-//! How far a flight is off a show's orbit, wherever on it: in place, over r, and in the velocity of
-//! who looks.
+//! Returns the distance of a flight from the nearest point of a show's orbit: the position relative
+//! to r, and the observer's velocity.
 double off_orbit(const Show& show, const Navigator& navigator) {
   const CameraPose here = navigator.pose();
   const Vector3<double> moves = navigator.own_observer()->velocity;
@@ -47,7 +47,7 @@ double off_orbit(const Show& show, const Navigator& navigator) {
   return least;
 }
 
-// Times are tried in steps in which the camera goes some 0.005 of its distance.
+// The orbit is sampled in steps in which the camera moves by about 0.005 of its distance.
 constexpr double between_tries = 0.01;
 
 TEST(FallTakenOver, GoesOnAlongTheSameOrbit) {

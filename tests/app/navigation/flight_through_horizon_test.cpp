@@ -10,8 +10,8 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): flights of tests
 
-//! A camera that falls through the horizon of a hole of spin 0.9, and sideways; the horizon is at
-//! 1.4359 M.
+//! Returns a show with a camera that falls, also sideways, through the horizon of a hole with spin
+//! 0.9; the horizon is at 1.4359 M.
 Show falling_through(double clock) {
   return parse_show("duration_s = 200\n[hole]\nspin = 0.9\n[camera.fall]\nclock = " + std::to_string(clock) +
                         "\nvelocity = { beta = 0.4, toward = [-1, 0.4, 0.7] }\nleast_r = 0.8\n[[camera.key]]\nr = 8\n"
@@ -19,7 +19,7 @@ Show falling_through(double clock) {
                     "through.toml");
 }
 
-//! A navigator that has followed the path to a time.
+//! Returns a navigator that has followed the path until a time.
 Navigator follower(const Show& show, double until_s) {
   Navigator navigator(show);
   for (double time_s = frame_s; time_s < until_s; time_s += frame_s) {
@@ -29,7 +29,7 @@ Navigator follower(const Show& show, double until_s) {
   return navigator;
 }
 
-//! The view in directions that do not turn, with axes that are boosted from the ZAMO.
+//! Returns the view relative to nonrotating directions, with axes boosted from the ZAMO frame.
 glm::dquat view_of(const CameraPose& pose) { return place_of(in_zamo_frame(pose, 0.9)).view; }
 
 TEST(FlightThroughHorizon, BeginsWithTheViewOfThePath) {
@@ -42,7 +42,7 @@ TEST(FlightThroughHorizon, BeginsWithTheViewOfThePath) {
   for (int i = 0; i < 30; ++i) {
     navigator.advance(frame_s, {}, path);
   }
-  // As the path turned on its own, and no faster.
+  // The view turns with the path, and no faster.
   EXPECT_LT(angle_between(place_of(navigator.pose()).view, view_of(path)), 0.05);
 }
 
@@ -71,8 +71,8 @@ TEST(FlightThroughHorizon, ReturnsToTheViewOfThePath) {
   EXPECT_LT(greatest, 0.03);
 }
 
-//! How far a flight is off a show's orbit, wherever on it: in place, over r, and in velocity and
-//! view.
+//! Returns the distance of a flight from the nearest point of a show's orbit: the position relative
+//! to r, the velocity and the view.
 double off_the_orbit(const Show& show, const CameraPose& here) {
   double least = 1e9;
   for (double time_s = 0.0; time_s < 60.0; time_s += 0.002) {

@@ -19,8 +19,8 @@ TEST(FlightSpace, GuardsAreOutsideTheHorizonAndOutsideEveryOrbitOfLight) {
   FlightSettings settings;
   EXPECT_NEAR(guard_radius(0.0, settings), 2.02, 1e-12);
   settings.guard = FlightGuard::photon_orbit;
-  EXPECT_NEAR(guard_radius(1.0, settings), 4.04, 1e-12);   // light goes round backwards at 4
-  EXPECT_NEAR(guard_radius(-1.0, settings), 4.04, 1e-12);  // whichever way the hole turns
+  EXPECT_NEAR(guard_radius(1.0, settings), 4.04, 1e-12);   // retrograde light orbits at 4
+  EXPECT_NEAR(guard_radius(-1.0, settings), 4.04, 1e-12);  // for both senses of rotation
   settings.least_r = 7.0;
   EXPECT_EQ(guard_radius(0.0, settings), 7.0);
 }
@@ -51,7 +51,7 @@ TEST(Navigator, NeverComesWithinItsGuardWhateverIsAskedAndHoweverLongAFrameTakes
   constexpr int inputs = 10'000;
   for (const double spin : {0.0, 0.5, 0.999, 1.0, -0.9}) {
     for (const char* guard : {"horizon", "photon_orbit"}) {
-      // A spin that might change keeps a fall from leading through the horizon.
+      // A spin that might change prevents a fall through the horizon.
       std::string numbers = "guard = \"" + std::string(guard) + "\"\nmax_speed = 3\nmost_r = 50\n";
       numbers += "[[animate]]\nnumber = \"hole.spin\"\nkey = [";
       for (const char* time : {"{ t_s = 0", ", { t_s = 1"}) {
@@ -101,7 +101,7 @@ TEST(Navigator, NearsTheFarLimitSmoothlyToo) {
 TEST(Navigator, FliesAMillionMOut) {
   Flier flier(show_at(0.9, 1e6, 90.0, "most_r = 1e8\nmode = \"fly\"\n"));
   flier.hold(forward_only(1.0), 60.0);
-  EXPECT_LT(flier.navigator.pose().r, 10.0);  // speed goes with the distance
+  EXPECT_LT(flier.navigator.pose().r, 10.0);  // the speed is proportional to the distance
   flier.hold(forward_only(-1.0), 60.0);
   EXPECT_TRUE(std::isfinite(flier.navigator.pose().r));
 }

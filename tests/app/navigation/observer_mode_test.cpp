@@ -28,7 +28,7 @@ TEST(NearestVelocity, IsSlowerThanLightEverywhereOutsideTheGuard) {
   }
 }
 
-//! The largest change of the velocity on a way inwards in small steps.
+//! Returns the largest change of the velocity between small steps of a path inwards.
 double largest_step(ObserverMotion motion, double spin, double theta) {
   double largest = 0.0;
   Vector3<double> last = nearest_velocity(motion, spin, 8.0, theta).velocity;
@@ -55,8 +55,8 @@ TEST(NearestVelocity, IsTheObserversOwnWhereThereIsOne) {
   EXPECT_EQ(fixed.velocity.z, observer_velocity(ObserverMotion::fixed, 0.9, 3.0, 1.0, {}).z);
 }
 
-// dφ/dt = ω + v_φ Σ √Δ / (A sinθ): a stand-in turns against the hole's sense as fast as its speed
-// allows.
+// dφ/dt = ω + v_φ Σ √Δ / (A sinθ): the substitute observer moves against the hole's rotation as
+// fast as its speed limit allows.
 TEST(NearestVelocity, InTheErgosphereTurnsMoreSlowlyThanTheSpaceAboutIt) {
   const double r = 1.7;
   const NearestVelocity view = nearest_velocity(ObserverMotion::fixed, 0.9, r, pi / 2);

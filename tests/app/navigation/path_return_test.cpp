@@ -10,8 +10,8 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): flights of tests
 
-//! Plays the path, leaves it, flies, goes back; the largest changes of velocity (of the place, over
-//! r, and of the view) from frame to frame.
+//! Plays the path, leaves it, flies, and returns. Records the largest changes of velocity (of the
+//! position relative to r, and of the view) from frame to frame.
 struct Journey {
   double place_change = 0.0;
   double view_change = 0.0;
@@ -64,8 +64,8 @@ TEST(PathReturn, BeginsAndEndsWithTheSameVelocityAndArrivesInTime) {
   for (const Steering& away :
        {Steering{}, Steering{1.0, 0.0, -1.0}, Steering{0.0, 1.0, 1.0, 0.5, 0.2}, Steering{-1.0, -1.0, 0.4, -1.0}}) {
     const Journey back = journey(moving_show(), away, 4.0);
-    // A leap would change a velocity by its own size, some 0.3 a second; what the limits and the
-    // blend allow in a frame is far less.
+    // A jump would change a velocity by its own size, about 0.3 per second; the limits and the
+    // blend allow far less per frame.
     EXPECT_LT(back.place_change, 0.05);
     EXPECT_LT(back.view_change, 0.05);
     EXPECT_LT(back.time_back_s, 12.0);

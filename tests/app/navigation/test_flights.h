@@ -7,6 +7,7 @@
 #include "app/navigation/navigator.h"
 #include "content/show/show_reader.h"
 
+// Shows, flights and inputs for tests of the navigator.
 namespace ergodome::test {
 
 inline constexpr double frame_s = 1.0 / 60.0;
@@ -40,7 +41,7 @@ inline Steering forward_only(double forward) {
   return s;
 }
 
-//! Where the view looks, in directions that do not turn.
+//! Returns the viewing direction relative to nonrotating directions.
 inline glm::dvec3 looks_at(const Navigator& navigator) {
   return place_of(navigator.pose()).view * glm::dvec3(0.0, 0.0, -1.0);
 }
@@ -49,7 +50,7 @@ inline double angle_between(const glm::dquat& a, const glm::dquat& b) {
   return glm::length(turn_of(b * glm::conjugate(a)));
 }
 
-//! Any input at all, also such as no device sends.
+//! Returns arbitrary input, including values that no device sends.
 inline Steering wild(std::mt19937& random) {
   std::uniform_real_distribution<double> rate(-1.5, 1.5);
   const auto pick = [&] {
@@ -67,7 +68,7 @@ inline Steering wild(std::mt19937& random) {
   return {pick(), pick(), pick(), pick(), pick(), pick(), pick(), pick()};
 }
 
-//! A show whose path moves all the time.
+//! Returns a show whose path moves all the time.
 inline Show moving_show(double spin = 0.9) {
   return parse_show("duration_s = 100\n[hole]\nspin = " + std::to_string(spin) + R"(
 [camera]

@@ -16,7 +16,7 @@ namespace {
 using namespace test;  // NOLINT(google-build-using-namespace): flights of tests
 using testing::HasSubstr;
 
-//! A visitor who lets go of a camera that is at rest.
+//! A visitor who releases a camera at rest.
 struct Visitor {
   explicit Visitor(const Show& show) : flier(show) { flier.navigator.let_go(); }
 
@@ -34,7 +34,7 @@ struct Visitor {
   Flier flier;
 };
 
-//! E, L and Q of a camera that moves at a velocity in the rain's frame.
+//! E, L and Q of a camera with a velocity relative to the rain frame.
 struct Constants {
   double energy;
   double axial;
@@ -92,8 +92,8 @@ TEST(VisitorFallsIn, ComesToRestAtTheDeepestPlaceAndSaysSo) {
                              HasSubstr("time is stopped")));
 }
 
-// From rest at r0 about a hole without spin: r = r0 (1 + cos η) / 2 at the own time (r0³ / 8)^(1/2)
-// (η + sin η).
+// Free fall from rest at r0 around a hole without spin: r = r0 (1 + cos η) / 2 at the proper time
+// (r0³ / 8)^(1/2) (η + sin η).
 TEST(VisitorFallsIn, KnowsTheOwnTimeThatIsLeftByTheClosedForm) {
   constexpr double r0 = 4.0;
   CameraPose rests = camera_pose(show_at(0.0, r0), 0.0);
@@ -103,8 +103,8 @@ TEST(VisitorFallsIn, KnowsTheOwnTimeThatIsLeftByTheClosedForm) {
   EXPECT_NEAR(ride.left().value(), std::sqrt(r0 * r0 * r0 / 8.0) * (eta + std::sin(eta)), 1e-5);
 }
 
-//! What of the sky a camera sees in a direction of its view: energy, angular momentum and azimuth
-//! of the light's way, regular at the horizon.
+//! The part of the sky that a camera sees in a view direction: energy, angular momentum and azimuth
+//! of the light's path, regular at the horizon.
 struct Seen {
   double energy;
   double axial;
@@ -262,8 +262,8 @@ TEST(VisitorFallsIn, SeesWhatStandsOutsideGoOnInTime) {
   constexpr double spin = 0.7;
   Visitor visitor(show_at(spin, 5.0, 60.0));
   visitor.flier.hold({}, frame_s);
-  // What is seen is as old as light is late by Boyer-Lindquist's time, and that lags without end at
-  // the horizon.
+  // The age of the visible scene is the delay of its light in Boyer-Lindquist time, which diverges
+  // at the horizon.
   const auto since_let_go = [&] { return visitor.pose().clock_lead - outer_lag(spin, visitor.pose().r); };
   const double first = since_let_go();
   EXPECT_NEAR(visitor.pose().clock_lead, 0.0, 1e-3);

@@ -28,7 +28,7 @@ TEST(Navigator, OrbitsOverThePoleWithoutALeapOfTheHoleInTheView) {
     phi = flier.navigator.pose().phi;
     star = now;
   }
-  EXPECT_NEAR(leap, pi, 1e-6);  // it did go over the pole
+  EXPECT_NEAR(leap, pi, 1e-6);  // the flight passed over the pole
 }
 
 TEST(Navigator, GoesOnEastwardsAsTheScreenHasItOnBothSidesOfThePole) {
@@ -54,11 +54,12 @@ TEST(Navigator, FarStarsKeepTheirPlaceInAShipThatPassesThePole) {
   flier.hold(forward_only(1.0), 3.0);
   EXPECT_LT(glm::distance(looks_at(flier.navigator), star), 1e-9);
   EXPECT_NEAR(std::abs(flier.navigator.pose().phi), pi, 1e-6);
-  EXPECT_GT(angle_between(local, flier.navigator.pose().orientation), 3.0);  // the local frame has turned round
+  EXPECT_GT(angle_between(local, flier.navigator.pose().orientation), 3.0);  // the local frame has turned by half a
+                                                                             // turn
 }
 
-//! A length in the space of the zero-angular-momentum observer, by the metric (Bardeen, Press &
-//! Teukolsky 1972, eq. 2.3).
+//! Returns a length in the space of the zero-angular-momentum observer, from the metric (Bardeen,
+//! Press & Teukolsky 1972, eq. 2.3).
 double proper_length(double spin, const CameraPose& a, const CameraPose& b) {
   const double r = 0.5 * (a.r + b.r);
   const double theta = 0.5 * (a.theta + b.theta);
@@ -108,7 +109,7 @@ TEST(Navigator, RidesACircularOrbitOnceInFortySeconds) {
     phi = flier.navigator.pose().phi;
     ASSERT_NEAR(flier.navigator.pose().r, 9.0, 1e-7);
   }
-  EXPECT_NEAR(turned, 0.5 * pi, 0.5);  // own time runs slower than the clock of the stars
+  EXPECT_NEAR(turned, 0.5 * pi, 0.5);  // proper time runs slower than the clock of the stars
   const Vector3<double> v = flier.navigator.own_observer()->velocity;
   const Vector3<double> circular = observer_velocity(ObserverMotion::geodesic, 0.9, 9.0, pi / 2, {});
   EXPECT_NEAR(v.z, circular.z, 1e-8);

@@ -52,7 +52,7 @@ TEST_P(EveryDecoder, RefusesEveryShorterReport) {
   for (const HidEvent& event : device.timeline) {
     const auto decoder = make_pad_decoder(device.info, device.descriptor);
     RawPad raw = at_rest(decoder->layout());
-    // Each length in a block of its own, so that the sanitizers see a read beyond its end.
+    // Each length is in a separate block, so that the sanitizers detect a read beyond its end.
     for (std::size_t length = 0; length < std::min<std::size_t>(event.bytes.size(), 80); ++length) {
       const std::vector<std::uint8_t> cut(event.bytes.begin(),
                                           event.bytes.begin() + static_cast<std::ptrdiff_t>(length));
@@ -99,7 +99,7 @@ TEST(EightBitDo, SendsWhatIsNotItsOwnLayoutThroughTheDescriptor) {
   info.product = 0x6012;
   const auto decoder = make_pad_decoder(info, stadia.descriptor);
   RawPad raw = at_rest(decoder->layout());
-  // Id 3 in ten bytes is none of 8BitDo's own.
+  // A report of ten bytes with id 3 is not in 8BitDo's own layout.
   const std::vector<std::uint8_t> report = {3, 8, 0x00, 0x40, 255, 128, 128, 128, 0, 0};
   ASSERT_EQ(decoder->decode(report, raw), PadReport::state);
   const PadState state = read_straight(decoder->layout(), raw);

@@ -14,18 +14,18 @@
 
 namespace ergodome::test {
 
-//! A fixture of tests/data/hid, by its name.
+//! Reads a fixture of tests/data/hid by its name.
 HidFixture fixture(const std::string& name);
 
-//! A profile that shows what a decoder reads: no dead zones, straight curves.
+//! Returns a profile that shows what a decoder reads: no dead zones, straight curves.
 inline PadProfile straight_profile() {
   PadProfile profile;
   profile.left_stick = profile.right_stick = profile.triggers = profile.puck = PadCurve{};
   return profile;
 }
 
-//! What an event of a fixture says in `expect`: the words of a kind of report, buttons, and axes as
-//! in left_x=-0.5.
+//! The expectation of an event, parsed from `expect` in a fixture: the kind of report, buttons, and
+//! axes as in left_x=-0.5.
 struct Expectation {
   PadReport kind = PadReport::state;
   PadState state;
@@ -57,7 +57,8 @@ struct Expectation {
   }
 };
 
-//! What a device's numbers say before sticks are held to a circle: corners stay corners.
+//! Converts the raw numbers of a device without limiting sticks to a circle, so that corners stay
+//! corners.
 inline PadState read_straight(const RawLayout& layout, const RawPad& raw) {
   const PadResponse response(layout, straight_profile());
   PadState state;
@@ -72,7 +73,7 @@ inline PadState read_straight(const RawLayout& layout, const RawPad& raw) {
   return state;
 }
 
-//! Names of what is pressed, for messages and comparison.
+//! Returns the names of pressed buttons, for messages and comparisons.
 inline std::vector<std::string> pressed(const PadState& state) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < pad_button_count; ++i) {

@@ -11,8 +11,8 @@
 namespace ergodome::test {
 namespace {
 
-//! A worn stick: it rests at (133, 121), trembles by one, and reaches 20 to 240; the right one is
-//! not touched.
+//! A worn pad: the left stick rests at (133, 121), jitters by one, and covers 20 to 240; the right
+//! stick is untouched.
 class WornPad {
  public:
   explicit WornPad(PadCalibrator& calibrator) : calibrator_(calibrator), pad_(at_rest(layout())) {}

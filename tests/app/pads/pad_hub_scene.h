@@ -11,11 +11,12 @@
 #include "app/pads/pad_hub.h"
 #include "tests/app/pads/fixtures.h"
 
+// A pad hub that plays fixtures in simulated time, for tests.
 namespace ergodome::test {
 
 inline constexpr double frame_s = 1.0 / 60.0;
 
-//! A report of a DualShock 4 over USB: left stick, face buttons.
+//! Returns a report of a DualShock 4 over USB: left stick, face buttons.
 inline std::string ds4(int left_x = 128, int left_y = 128, int face = 0) {
   std::vector<std::uint8_t> report(64);
   report[0] = 1;
@@ -47,7 +48,7 @@ inline std::string report_at(int t_ms, const std::string& hex, const std::string
   return at(t_ms, "hex = \"" + hex + "\"\n" + more);
 }
 
-//! A hub whose time is the test's.
+//! A hub whose time is set by the test.
 class PadHubTest : public testing::Test {
  protected:
   void play(const std::string& text, PadSettings settings = {}) {
@@ -56,7 +57,7 @@ class PadHubTest : public testing::Test {
     hub_ = std::make_unique<PadHub>(std::move(player), std::move(settings), [this] { return now_s_; });
   }
 
-  //! What a frame at a time sees; frames in between pass unseen.
+  //! Polls every frame until a time [s] and returns the snapshot of the last one.
   PadSnapshot frame_at(double t_s) {
     for (; now_s_ + frame_s < t_s; now_s_ += frame_s) {
       hub_->poll();

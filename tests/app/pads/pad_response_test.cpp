@@ -9,7 +9,7 @@ namespace {
 
 constexpr PadCurve curved = {.dead_zone = 0.15, .full_at = 0.95, .exponent = 1.5, .expo = 0.3};
 
-//! A stick of bytes and a trigger of ten bits.
+//! Returns the layout of a pad with an eight-bit stick and a ten-bit trigger.
 RawLayout pad_layout() {
   RawLayout layout;
   layout.axes = {{"left_x", 0, 128, 255, PadAxis::left_x, false},
@@ -71,7 +71,7 @@ TEST(RadialDeadZone, KeepsTheDirection) {
 }
 
 TEST(RadialDeadZone, IsACircleNotACross) {
-  // Each component alone is in the dead zone, both together are not.
+  // Each component alone is in the dead zone, but both together are not.
   float stick[2] = {0.13F, 0.13F};
   shape_radially(stick, curved);
   EXPECT_GT(stick[0], 0.0F);

@@ -9,7 +9,7 @@
 namespace ergodome::test {
 namespace {
 
-//! The hub's own thread, with a clock that the test turns.
+//! The hub with its thread, and a clock that the test sets.
 class PadThread : public testing::Test {
  protected:
   void start(const std::string& name) {
@@ -18,7 +18,8 @@ class PadThread : public testing::Test {
     hub_->start();
   }
 
-  //! The first snapshot that is as it is wanted; the thread takes its own time, but not for ever.
+  //! Waits for the first snapshot that fulfills a condition, with a limit on the number of
+  //! attempts.
   template <class Wanted>
   PadSnapshot wait_for(const Wanted& wanted) {
     PadSnapshot snapshot;

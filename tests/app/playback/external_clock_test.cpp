@@ -13,7 +13,7 @@ namespace {
 using namespace std::chrono_literals;
 using test::FakeTime;
 
-//! A show that follows another clock at 60 frames a second.
+//! A show that follows another clock at 60 frames per second.
 struct Chase {
   FakeTime time;
   ShowClock clock{600.0, 30.0, time.source()};
@@ -22,7 +22,7 @@ struct Chase {
   ChaseState state = ChaseState::waiting;
   std::chrono::nanoseconds patience = 1s;
 
-  //! What the other clock says now, of now or of a time so far ahead.
+  //! Returns a fix of the other clock, valid `ahead` after the current time.
   [[nodiscard]] ClockFix word(ShowTime show_time, double speed, std::chrono::nanoseconds ahead = 0s) const {
     return {show_time, speed, time.now + ahead, time.now};
   }

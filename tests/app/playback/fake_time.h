@@ -4,7 +4,7 @@
 
 namespace ergodome::test {
 
-//! A clock that goes when it is told to. Must outlive what runs by it.
+//! A clock that the test sets. Must outlive everything that uses it.
 struct FakeTime {
   MonotonicTime now = std::chrono::hours(5);
 

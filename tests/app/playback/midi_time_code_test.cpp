@@ -13,7 +13,7 @@ using namespace std::chrono_literals;
 using Bytes = std::vector<std::uint8_t>;
 using Reading = MidiTimeCodeReader::Reading;
 
-//! The two bytes of a piece of a code, as the specification lays them out.
+//! Returns the two bytes of a quarter frame, as the specification defines them.
 Bytes quarter(const TimeCode& code, int piece) {
   const int rate = static_cast<int>(code.rate);
   const int nibbles[] = {code.frames & 15,  code.frames >> 4,  code.seconds & 15, code.seconds >> 4,
@@ -114,9 +114,9 @@ TEST(MidiTimeCode, OtherMessagesAreNotInTheWay) {
   MidiTimeCodeReader reader;
   const TimeCode code = {1, 2, 3, 4, CodeRate::fps25};
   const Bytes plain = code_forwards(code);
-  Bytes mixed = {0x90, 0x3C, 0x40};  // a note
+  Bytes mixed = {0x90, 0x3C, 0x40};  // a note message
   for (std::size_t i = 0; i < plain.size(); i += 2) {
-    // A clock tick within the message; a note after it, with running status.
+    // A clock tick inside the message; a note after it, with running status.
     mixed.insert(mixed.end(), {plain[i], 0xF8, plain[i + 1], 0x90, 0x3C, 0x00, 0x3D, 0x40});
   }
   EXPECT_EQ(reader.read(mixed), MidiTimeCodeReader().read(plain));
@@ -132,7 +132,7 @@ TEST(MidiTimeCode, WhatIsNoLabelIsNotRead) {
       << "not real time";
 }
 
-//! The label of the frame after one.
+//! Returns the label of the next frame.
 TimeCode next_label(TimeCode code) {
   do {
     const int frames = code.rate == CodeRate::fps24 ? 24 : code.rate == CodeRate::fps25 ? 25 : 30;
@@ -144,15 +144,15 @@ TimeCode next_label(TimeCode code) {
   return code;
 }
 
-//! A stream of quarter frames whose quarter 0 begins the frame of a label.
+//! A stream of quarter frames whose quarter 0 starts at the frame of a label.
 struct Stream {
   TimeCode first;
   int quarters;
   int step = 1;
-  bool holds_codes = true;  //!< false: each piece is of the frame that runs while it is sent, as some senders do
+  bool holds_codes = true;  //!< false: each piece belongs to the frame that runs while it is sent, as with some senders
 
-  //! What the reader makes of quarters `from` on (from the end on, backwards), each beside its true
-  //! number.
+  //! Returns the readings of quarters from `from` on (from the end if backwards), each with its
+  //! true number.
   [[nodiscard]] std::vector<std::pair<Reading, std::int64_t>> read(int from = 0) const {
     std::vector<TimeCode> labels = {first};
     while (static_cast<int>(labels.size()) <= quarters / 4) {
@@ -181,7 +181,8 @@ TEST(MidiTimeCode, StreamsOfAllRatesAreReadFromTheMiddleForthAndBack) {
   for (const TimeCode& first : ends_of_minutes) {
     for (const int step : {1, -1}) {
       const auto readings = Stream{first, 480, step}.read(3);
-      // Up to the first whole code: five quarters that are left of the one before, and eight.
+      // No readings before the first complete code: five quarters that remain of the previous code,
+      // and eight.
       ASSERT_EQ(readings.size(), 480U - 3U - 5U - 7U);
       for (const auto& [reading, truth] : readings) {
         ASSERT_EQ(reading, (Reading{truth, first.rate, step})) << frame_number(first);
@@ -200,7 +201,7 @@ TEST(MidiTimeCode, ACodeOfTwoFramesAtTheEndOfAMinuteDoesNotMoveTheShow) {
       for (const auto& [reading, truth] : readings) {
         ASSERT_EQ(reading, (Reading{truth, first.rate, step})) << frame_number(first);
       }
-      // A reader that is given the codes one by one shows that some are wrong.
+      // A reader that receives the codes one by one confirms that some of them are wrong.
       for (int begin = 0; begin + 8 <= 480; begin += 8) {
         const Stream one = {first, step > 0 ? begin + 8 : 480 - begin, step, false};
         const auto alone = one.read(step > 0 ? begin : 0);
@@ -217,7 +218,7 @@ TEST(MidiTimeCode, AJumpWithoutAWordBeforeIsFollowedFromItsSecondCodeOn) {
   reader.read(code_forwards({1, 0, 0, 2, CodeRate::fps25}));
   EXPECT_EQ(reader.read(code_forwards({2, 0, 0, 0, CodeRate::fps25})).back().quarter_frames, 4 * (3600 * 25 + 4) + 7);
   EXPECT_EQ(reader.read(code_forwards({2, 0, 0, 2, CodeRate::fps25})).back().quarter_frames, 4 * (7200 * 25 + 2) + 7);
-  // A sender that winds skips frames in each code.
+  // A sender that fast-forwards skips frames in each code.
   EXPECT_EQ(reader.read(code_forwards({2, 0, 1, 0, CodeRate::fps25})).back().quarter_frames, 4 * 7201 * 25 + 7);
   EXPECT_EQ(reader.read(code_forwards({2, 0, 2, 0, CodeRate::fps25})).back().quarter_frames, 4 * 7202 * 25 + 7);
 }
@@ -225,7 +226,7 @@ TEST(MidiTimeCode, AJumpWithoutAWordBeforeIsFollowedFromItsSecondCodeOn) {
 TEST(MidiTimeCode, AFirstCodeAfterAStopIsCheckedAgainstTheLastPlace) {
   MidiTimeCodeReader reader;
   reader.read(Bytes{0xF0, 0x7F, 0x7F, 0x01, 0x01, 0x20, 0x3B, 0x3B, 0x18, 0xF7});  // 00:59:59:24 at 25
-  // Its hours are those of the frame after.
+  // Its hours are those of the following frame.
   EXPECT_TRUE(reader.read(code_forwards({1, 59, 59, 24, CodeRate::fps25})).empty());
   EXPECT_EQ(reader.read(code_forwards({1, 0, 0, 1, CodeRate::fps25})).back().quarter_frames, 4 * (3600 * 25 + 1) + 7);
 }
@@ -244,13 +245,13 @@ TEST(MidiTimeCode, RunsThroughMidnight) {
   }
 }
 
-//! A machine that plays at a rate from a start; its messages come late by up to `jitter_s`.
+//! A machine that plays at a speed from a start; its messages arrive late by up to `jitter_s`.
 struct Machine {
   CodeRate rate;
   double speed;
   double jitter_s;
 
-  //! Runs the filter for a while and gives the greatest error of its fixes after the first 16
+  //! Runs the filter for a while and returns the maximum error of its fixes after the first 16
   //! quarters.
   double greatest_error_s(TimeCodeFilter& filter, double seconds) const {
     std::mt19937 random(7);
@@ -261,7 +262,7 @@ struct Machine {
     for (int i = 0; i * quarter_s < seconds; ++i) {
       const double sent_s = i * quarter_s / speed;
       const ClockFix fix = filter.filter({i, rate, 1}, show_time(sent_s + late_s(random)));
-      // What was sent with the mean delay is what can be known.
+      // The best estimate assumes the mean delay.
       const double truth_s = speed * (seconds_of(fix.right_at) - jitter_s / 2.0);
       if (i > 16) {
         worst_s = std::max(worst_s, std::abs(seconds_of(fix.show_time) - truth_s));

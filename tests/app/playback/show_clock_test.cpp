@@ -87,8 +87,8 @@ TEST(ShowClock, ChangesOfSpeedLeaveNoRoundingBehind) {
   FakeTime time;
   ShowClock clock(0.0, 60.0, time.source());
   clock.play();
-  // A speed that changes 100,000 times, between two whose mean is 1, in steps whose parts are no
-  // whole nanoseconds.
+  // The speed changes 100,000 times between two values whose mean is 1, in steps that are not whole
+  // nanoseconds.
   for (int i = 0; i < 100'000; ++i) {
     clock.set_speed(i % 2 == 0 ? 0.75 : 1.25);
     time.now += 16'666'667ns;
@@ -191,7 +191,7 @@ TEST(ShowClock, StepsGoFromStartToStartOfFrames) {
   FakeTime time;
   ShowClock clock(60.0, 29.97, time.source());
   clock.play();
-  time.pass(1.01);  // frame 30 begins at 1.001 s
+  time.pass(1.01);  // frame 30 starts at 1.001 s
   clock.step(1);
   EXPECT_FALSE(clock.playing());
   EXPECT_EQ(clock.read().frame, 31);

@@ -26,19 +26,19 @@ class HotReload : public test::FolderTest {
     watch_since(std::chrono::system_clock::now() + 1s);
   }
 
-  //! Watches the show as it was read at a time of the clock on the wall.
+  //! Watches the show, as read at a time of the wall clock.
   void watch_since(std::chrono::system_clock::time_point read_at) {
     reload_.emplace(folder_ / "show.toml", read_show(folder_ / "show.toml"), read_at, read_show);
   }
 
   void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
-  //! As editors do that write beside and rename.
+  //! Saves a file as editors do that write a temporary file and rename it.
   void write_beside(const std::string& name, const std::string& text) const {
     write(name + "~", text);
     std::filesystem::rename(folder_ / (name + "~"), folder_ / name);
   }
 
-  //! Frames for so long; the last result of them.
+  //! Polls every frame for a while; returns the last result.
   std::optional<ShowReload::Result> run(std::chrono::nanoseconds time = 1s) {
     std::optional<ShowReload::Result> last;
     for (const MonotonicTime end = now_ + time; now_ < end; now_ += 16ms) {
@@ -50,7 +50,7 @@ class HotReload : public test::FolderTest {
     return last;
   }
 
-  //! One frame; where it begins to read a file, the frame lasts until the file is read.
+  //! Polls for one frame; if that starts to read a file, waits until it is read.
   std::optional<ShowReload::Result> poll() {
     auto result = reload_->poll(now_);
     while (!result && reload_->is_reading()) {

@@ -5,7 +5,7 @@
 namespace ergodome {
 namespace {
 
-//! A track that begins ten seconds into its show.
+//! Returns a track that starts ten seconds into its show.
 AudioTrack track_from_ten_seconds() {
   AudioTrack track;
   track.from_s = 10.0;

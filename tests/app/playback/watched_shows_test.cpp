@@ -17,7 +17,7 @@ using testing::HasSubstr;
 const std::string sound_show = "[hole]\nspin = 0.5\n[[camera.key]]\nr = 12\n";
 const std::string broken_show = "[hole]\nspin = \n";
 
-//! Two shows, of which one runs and one waits.
+//! Two shows, one running and one waiting.
 class WatchedShowsTest : public test::FolderTest {
  protected:
   void SetUp() override {
@@ -32,7 +32,7 @@ class WatchedShowsTest : public test::FolderTest {
   void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
   void run(const std::string& name) { shows_.run(read_show(folder_ / name), read_at_, read_show); }
 
-  //! Runs a version that was read before, whatever its file holds now.
+  //! Runs a version that was read earlier, whatever the file contains.
   void run_as_it_was(const std::string& name) {
     Show show;
     show.name = name;
@@ -40,11 +40,11 @@ class WatchedShowsTest : public test::FolderTest {
     shows_.run(show, read_at_, read_show);
   }
 
-  //! Some seconds of a player.
+  //! Polls for several seconds of player time.
   void frames() {
     for (int i = 0; i < 300; ++i) {
       now_ += milliseconds(10);
-      // Shows are read on threads of their own.
+      // Shows are read on separate threads.
       std::this_thread::sleep_for(milliseconds(1));
       if (auto result = shows_.poll(now_)) {
         version_ = std::move(result);

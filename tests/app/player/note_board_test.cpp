@@ -53,7 +53,7 @@ TEST(NoteBoard, HearsWhatIsReadAfterAShowIsLoaded) {
   EXPECT_THAT(board.take(), IsEmpty());
 }
 
-//! A stream reads on in a thread of its own while its renderer is used.
+//! The stream reads on in a separate thread while its renderer is in use.
 class RendererOfADamagedBake : public test::FolderTest {};
 
 TEST_F(RendererOfADamagedBake, TellsOfItsStationsAsTheyAreRead) {

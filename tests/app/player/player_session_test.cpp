@@ -37,7 +37,7 @@ t_s = 5
 title = { en = "Two", de = "Zwei" }
 )";
 
-//! A session by a clock that the test turns.
+//! A session with a clock that the test sets.
 class PlayerSessionTest : public testing::Test {
  protected:
   PlayerSession session_on(const std::string& text, bool free_flight = false) {
@@ -45,7 +45,7 @@ class PlayerSessionTest : public testing::Test {
             {.free_flight = free_flight, .language = "en", .source = [this] { return now_; }}};
   }
 
-  //! Goes on by frames of a sixtieth of a second.
+  //! Advances the session in frames of 1/60 s.
   void run(PlayerSession& session, double seconds, const PlayerInput& input = {}) {
     const int frames = static_cast<int>(std::lround(60.0 * seconds));
     for (int i = 0; i < frames; ++i) {
@@ -266,7 +266,7 @@ TEST_F(PlayerSessionTest, RecordsWhatItShows) {
   EXPECT_NEAR(camera_pose(*show, show->duration_s).r, session.frame().pose.r, 0.02);
 }
 
-//! How far apart what two cameras' observers see is, in velocities.
+//! Returns the difference between the velocities of two cameras' observers.
 double observers_apart(const CameraPose& a, const CameraPose& b) {
   const Vector3<double> apart = *a.velocity - *b.velocity;
   return std::sqrt(dot(apart, apart));

@@ -18,7 +18,7 @@ using testing::HasSubstr;
 
 constexpr double session_spin = 0.9;
 
-//! A visitor's session in free flight, by a clock that the test turns.
+//! A visitor's session in free flight, with a clock that the test sets.
 class VisitorSession : public testing::Test {
  protected:
   VisitorSession()
@@ -71,7 +71,7 @@ TEST_F(VisitorSession, SaysWhereOneIsInGermanToo) {
   EXPECT_THAT(session_.frame().observer.sentence, HasSubstr("innerhalb des Horizonts"));
 }
 
-//! The velocity of who looks, in the rain's frame.
+//! Returns the observer's velocity in the rain frame.
 Vector3<double> in_rain(const PlayerFrame& frame) {
   CameraPose pose = frame.pose;
   if (!pose.velocity) {

@@ -19,7 +19,7 @@ struct Head {
   std::uint32_t bytes;
 };
 
-//! A name without a file, which ends with its server.
+//! An abstract socket address, which disappears with its server.
 struct Address {
   sockaddr_un name{};
   socklen_t size = 0;
@@ -57,7 +57,7 @@ bool receive_all(int socket, char* bytes, std::size_t count) {
   return true;
 }
 
-//! A message of a head and three descriptors.
+//! A message with a header and three file descriptors.
 struct HeadMessage {
   Head head{};
   iovec part = {&head, sizeof head};

@@ -7,22 +7,21 @@
 
 namespace ergodome::test {
 
-//! A command line that another process shall run in place of the one that was started.
+//! A command line that another process runs in place of this one.
 struct Call {
-  std::string folder;                    //!< where
-  std::vector<std::string> words;        //!< the program's name first
+  std::string folder;                    //!< working directory
+  std::vector<std::string> words;        //!< starts with the program's name
   std::vector<std::string> environment;  //!< NAME=VALUE
   std::array<int, 3> streams{};          //!< standard input, output and error
 };
 
-//! A socket to, or of, the server of that name, for which no file stands; -1 where it is not there
-//! or cannot be.
+//! Returns a client or a listening socket for the abstract address `name`; -1 on failure.
 int connect_to(const std::string& name);
 int listen_as(const std::string& name);
 
-//! False where the other end is gone.
+//! Sends a call; returns false if the other end is closed.
 bool send_call(int socket, const Call& call);
-//! With streams of its own; nothing where what comes is no call.
+//! Receives a call, with open streams. Returns nothing if the data is not a call.
 std::optional<Call> receive_call(int socket);
 
 bool send_status(int socket, int status);

@@ -1,5 +1,5 @@
-// Has the server that ERGODOME_READY names run this command line, and ends with its status; 125
-// where there is none.
+// Lets the server named by ERGODOME_READY run this command line, and exits with its status; 125 if
+// there is no such server.
 #include <unistd.h>
 
 #include <cstdio>

@@ -1,6 +1,8 @@
-// The program, with OpenImageIO loaded, waiting for command lines: each runs in a process of its
-// own that is forked off here. To load that library's hundreds takes half a second of a processor,
-// and tests start the program some five hundred times.   ergodome_ready NAME
+// The program with OpenImageIO loaded, waiting for command lines, each of which runs in a forked
+// process. Loading the hundreds of libraries of OpenImageIO takes half a second of CPU time, and
+// the tests start the program about five hundred times.
+//
+//   ergodome_ready NAME
 #include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -22,13 +24,14 @@ namespace ergodome::test {
 
 namespace {
 
-constexpr int no_program = 125;  //!< status where nothing could be run
+constexpr int no_program = 125;  //!< exit status if the program could not be run
 
-//! A test that is killed takes with it what it has started, and what that has.
+//! Makes the kernel kill this process with its parent, so that a killed test leaves no processes
+//! behind.
 void end_with_parent() { ::prctl(PR_SET_PDEATHSIG, SIGKILL); }
 
-//! Ends a worker. What is left to do at exit would wait for threads that loaded libraries have
-//! started, and that a fork does not have.
+//! Ends a worker. Skips exit handlers, which would wait for threads of loaded libraries that do not
+//! exist after the fork.
 [[noreturn]] void end(int status) {
   std::cout.flush();
   std::fflush(nullptr);
@@ -57,7 +60,7 @@ void end_with_parent() { ::prctl(PR_SET_PDEATHSIG, SIGKILL); }
   end(run_program(static_cast<int>(call.words.size()), words.data()));
 }
 
-//! Runs what a socket asks for in a process of its own, and says how that ended.
+//! Runs the call received from a socket in a new process, and sends back its status.
 void serve(int socket) {
   std::optional<Call> call = receive_call(socket);
   if (!call) {

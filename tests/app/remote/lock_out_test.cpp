@@ -24,7 +24,7 @@ const std::string token = "0123456789abcdef0123456789abcdef";
 //! How a client without the token behaves.
 enum class Manner { silent, slow, without_token, with_wrong_token };
 
-//! Opens a connection that misbehaves, and opens another one once it is closed.
+//! Opens a connection that misbehaves, and opens another one when it is closed.
 class Nuisance {
  public:
   Nuisance(const NetAddress& server, int number) : server_(server), manner_(static_cast<Manner>(number % 4)) {}
@@ -57,8 +57,8 @@ class Nuisance {
 
 constexpr int requests = 100;
 
-//! Times of requests, each on a connection of its own, in rising order. Empty where one was not
-//! answered as it should be.
+//! Measures requests, each on a new connection, and returns their times in ascending order. Returns
+//! an empty vector if an answer was wrong.
 std::vector<double> times_ms(const NetAddress& server, const std::string& headers) {
   std::vector<double> times;
   for (int i = 0; i < requests; ++i) {
@@ -76,8 +76,8 @@ std::vector<double> times_ms(const NetAddress& server, const std::string& header
   return times;
 }
 
-//! 200 silent, slow or unauthenticated clients at three hosts; an operator on this machine, and one
-//! at a fourth host who has the token.
+//! 200 silent, slow or unauthenticated clients on three hosts; an operator on this machine, and one
+//! with the token on a fourth host.
 TEST(LockOut, OperatorsAreServedAtOnceWhateverTwoHundredStrangersDo) {
   if (!test::enter_own_network()) {
     GTEST_SKIP() << "needs network namespaces: run as root, with iproute2 and nsenter";
@@ -120,7 +120,8 @@ TEST(LockOut, OperatorsAreServedAtOnceWhateverTwoHundredStrangersDo) {
   for (const auto& times : {on_loopback, with_token}) {
     ASSERT_EQ(times.size(), requests);
     std::printf("%d requests: median %.1f ms, longest %.1f ms\n", requests, times[requests / 2], times.back());
-    // Of a busy test machine, a few may be late; an operator who is locked out waits for seconds.
+    // On a busy test machine, a few answers may be late; an operator who is locked out waits for
+    // seconds.
     EXPECT_LT(times[requests * 95 / 100], 50.0);
     EXPECT_LT(times.back(), 1000.0);
   }

@@ -29,7 +29,7 @@ TEST(LogRing, KeepsTheLastLinesAndTheirNumbers) {
 
 TEST(LogRing, CutsLongLinesBetweenCharacters) {
   LogRing ring;
-  // Three bytes a character: 1000 is no multiple of that.
+  // Three bytes per character: 1000 is not a multiple of that.
   std::string text;
   for (int i = 0; i < 500; ++i) {
     text += "\u2013";

@@ -12,7 +12,7 @@
 
 namespace ergodome::test {
 
-//! A packet of one message as liblo's clients send it.
+//! Builds a packet with one message, as clients of liblo send it.
 template <class... Values>
 std::vector<std::byte> packet_of(const std::string& address, const char* types, Values... values) {
   const lo_message message = lo_message_new();
@@ -23,7 +23,7 @@ std::vector<std::byte> packet_of(const std::string& address, const char* types, 
   return bytes;
 }
 
-//! A bundle of packets with a time.
+//! Builds a bundle of packets with a time tag.
 inline std::vector<std::byte> bundle_of(OscTime time, const std::vector<std::vector<std::byte>>& elements) {
   std::vector<std::byte> bytes;
   for (const char c : std::string("#bundle") + '\0') {
@@ -42,7 +42,7 @@ inline std::vector<std::byte> bundle_of(OscTime time, const std::vector<std::vec
   return bytes;
 }
 
-//! What a packet of ours says.
+//! Parses the messages of a packet sent by Ergodome.
 inline std::vector<OscMessage> messages_in(const std::vector<char>& packet) {
   return parse_osc(std::as_bytes(std::span(packet)));
 }

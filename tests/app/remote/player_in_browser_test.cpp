@@ -36,8 +36,7 @@ t_s = 30
 title = "Nearer"
 )";
 
-//! A person with a browser in front of the program itself, which plays on a virtual display with a
-//! pad plugged in that nobody touches.
+//! Runs the program on a virtual display, with an untouched pad, and controls it through a browser.
 class PlayerInABrowser : public test::FolderTest {
  protected:
   void SetUp() override {
@@ -72,7 +71,7 @@ class PlayerInABrowser : public test::FolderTest {
     FolderTest::TearDown();
   }
 
-  //! The recorded pad up to its first report: everything at rest.
+  //! Writes the recording of a pad up to its first report, in which everything is at rest.
   void write_pad_at_rest() const {
     std::ifstream recording(ERGODOME_TEST_DATA_DIR "/hid/flight.toml");
     std::ofstream pad(folder_ / "pad.toml");
@@ -90,7 +89,7 @@ class PlayerInABrowser : public test::FolderTest {
            browser_->text(selector).find(text) != std::string::npos;
   }
 
-  //! What the bar of the show's time stands at [s].
+  //! Returns the position of the page's time slider [s].
   double time_s() {
     return std::stod(browser_->run("return document.querySelector('#seek').value").get<std::string>());
   }

@@ -72,7 +72,8 @@ TEST_F(RemoteControlTest, MakesATokenForTheNetworkAndPrintsItsUse) {
 
 class KeptToken : public test::FolderTest {
  protected:
-  //! Starts a page for others; returns its first address with a token, and what it warns of.
+  //! Starts a page that is open to the network; returns its first address with a token, and its
+  //! warnings.
   std::string start(const std::filesystem::path& file) {
     RemoteOptions options = parsed({"--web", "0", "--web-bind", "0.0.0.0"});
     options.kept_token_file = file;

@@ -14,7 +14,7 @@ namespace {
 
 using test::becomes_true;
 
-//! A person in front of the page, with one browser for all tests.
+//! Opens the page in a browser that all tests share.
 class StatusPage : public testing::Test {
  protected:
   static void SetUpTestSuite() { browser = test::WebDriver::start(why_not).release(); }
@@ -48,12 +48,12 @@ class StatusPage : public testing::Test {
     return has(selector) && browser->text(selector).find(text) != std::string::npos;
   }
 
-  //! Whether the player's status gets to be so.
+  //! Returns whether the player's status comes to fulfill a condition.
   bool player_becomes(const std::function<bool(const PlayerStatus&)>& condition) {
     return becomes_true([&] { return condition(player_.board.read()); });
   }
 
-  //! Keeps what the page looks like in the folder ERGODOME_SCREENSHOTS, for people to see.
+  //! Saves a screenshot of the page to the folder ERGODOME_SCREENSHOTS, for inspection by eye.
   static void take_picture(const std::string& name) {
     if (const char* const folder = std::getenv("ERGODOME_SCREENSHOTS")) {
       browser->screenshot(std::filesystem::path(folder) / ("status-page-" + name + ".png"));
@@ -90,8 +90,8 @@ TEST_F(StatusPage, SeeksByTheArrowKeysWithinTheBar) {
 
 TEST_F(StatusPage, ChangesTheExposure) {
   browser->drag("#exposure", 0.5, 0.7);
-  // The knob is as wide as a finger, so that a part of the bar is somewhat more than that part of
-  // the stops.
+  // The knob is as wide as a finger, so that a fraction of the bar is slightly more than that
+  // fraction of the stops.
   EXPECT_TRUE(player_becomes(
       [](const PlayerStatus& status) { return status.exposure_stops > 1.9 && status.exposure_stops < 2.8; }));
   EXPECT_TRUE(becomes_true([&] { return shows("#exposure-value", "+2."); }));
@@ -100,7 +100,7 @@ TEST_F(StatusPage, ChangesTheExposure) {
 TEST_F(StatusPage, LeavesAFaderUnderTheFinger) {
   browser->drag("#exposure", 0.5, 0.8, false);
   ASSERT_TRUE(player_becomes([](const PlayerStatus& status) { return status.exposure_stops > 2.0; }));
-  // Somebody else turns it back, and the title tells when the page knows of it.
+  // Another client changes it back, and the title shows that the page has received the change.
   player_.change([](PlayerStatus& status) {
     status.exposure_stops = -4.0;
     status.title = "Turned back";
@@ -156,7 +156,7 @@ TEST_F(StatusPage, TellsOfALostConnectionAndComesBack) {
 }
 
 TEST_F(StatusPage, SaysWhatThePlayerRefused) {
-  // A chapter that went away between the page's picture and the touch.
+  // The chapter disappeared after the page was drawn and before the touch.
   browser->run(
       "fetch = (_, options) => Promise.resolve(new Response('{\"error\": \"no such chapter\"}', {status: 400}))");
   browser->click("#chapters li:nth-child(1) button");
@@ -216,7 +216,7 @@ TEST_F(StatusPage, MutesAndComesBackToTheVolumeBefore) {
   browser->click("#mute");
   EXPECT_TRUE(player_becomes([](const PlayerStatus& status) { return status.volume == 0.0; }));
   EXPECT_TRUE(becomes_true([&] { return shows("#mute[aria-pressed='true']", "Mute"); }));
-  // Longer than a wish is shown without the player's word.
+  // Longer than the page shows a requested value without confirmation by the player.
   std::this_thread::sleep_for(std::chrono::milliseconds(1700));
   browser->click("#mute");
   EXPECT_TRUE(player_becomes([](const PlayerStatus& status) { return status.volume == 0.4; }));

@@ -62,7 +62,7 @@ TEST(CameraPath, HoldsBeforeTheFirstAndAfterTheLastKey) {
   EXPECT_EQ(camera_pose(show, 1e9).r, 2.1);
 }
 
-//! Place and turn of the camera, seen from its own frame at a key.
+//! Returns position and rotation of the camera relative to its frame at a key.
 std::array<double, 6> seen_from(const CameraKey& key, const CameraPose& pose) {
   glm::dquat turn = glm::inverse(key_orientation(key)) * pose.orientation;
   turn = turn.w < 0.0 ? -turn : turn;
@@ -78,7 +78,7 @@ TEST(CameraPath, SpeedAndAccelerationAreTheSameOnBothSidesOfEveryKey) {
       at[i] = seen_from(key, camera_pose(show, key.time_s + (static_cast<double>(i) - 3.0) * h));
     }
     for (std::size_t k = 0; k < 6; ++k) {
-      // One-sided differences, with errors of the order h².
+      // One-sided differences, with errors of order h².
       const double speed_before = (3.0 * at[3][k] - 4.0 * at[2][k] + at[1][k]) / (2.0 * h);
       const double speed_after = (-3.0 * at[3][k] + 4.0 * at[4][k] - at[5][k]) / (2.0 * h);
       const double change_before = (2.0 * at[3][k] - 5.0 * at[2][k] + 4.0 * at[1][k] - at[0][k]) / (h * h);
@@ -99,7 +99,7 @@ TEST(CameraPath, NeverLeavesTheRangeOfItsNeighbourKeys) {
   }
 }
 
-//! A camera that goes outwards by keys [t, r, more].
+//! Returns a camera that moves outwards by keys [t, r, more].
 Show path_of(const std::vector<std::tuple<double, double, std::string>>& keys) {
   std::string text = "[camera]\n";
   for (const auto& [t, r, more] : keys) {
@@ -125,7 +125,7 @@ TEST(CameraPath, StaysAsLongAsAKeyHolds) {
     EXPECT_EQ(camera_pose(show, t).r, 10.0) << t;
     EXPECT_EQ(camera_pose(show, t).orientation, held) << t;
   }
-  // It comes and goes softly: with the third power of time.
+  // It comes to rest and departs smoothly, with the third power of time.
   EXPECT_NEAR(camera_pose(show, 1.99).r, 10.0, 1e-4);
   EXPECT_NEAR(camera_pose(show, 5.01).r, 10.0, 1e-4);
   EXPECT_GT(camera_pose(show, 6.5).r, 13.0);
@@ -180,7 +180,7 @@ TEST(CameraPath, IsTheSameABillionSecondsLater) {
   }
   double phi = camera_pose(later, 1e9).phi;
   for (int i = 1; i <= 640; ++i) {
-    const double t = i / 64.0;  // such times are exact in binary, even there
+    const double t = i / 64.0;  // such times are exact in binary
     const CameraPose pose = camera_pose(later, 1e9 + t);
     const CameraPose expected = camera_pose(now, t);
     EXPECT_NEAR(pose.r, expected.r, 1e-9 * expected.r);

@@ -14,7 +14,7 @@ namespace {
 
 using testing::HasSubstr;
 
-//! Three keys about a hole of spin 0.9, each with a line of its own.
+//! Returns a show with three keys around a hole of spin 0.9, each with an additional line.
 Show keyed_show(const std::string& first, const std::string& second, const std::string& third,
                 const std::string& camera = "") {
   return parse_show("duration_s = 10\n[hole]\nspin = 0.9\n[camera]\n" + camera + "[[camera.key]]\nr = 20\n" + first +

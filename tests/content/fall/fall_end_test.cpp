@@ -36,7 +36,7 @@ Vector3<double> seen_velocity(const Show& show, double time_s) {
   return pose.velocity.value_or(observer_velocity(show.camera.motion, show.spin, pose.r, pose.theta, {}));
 }
 
-//! Roll of a camera that looks at the hole: from north being up [rad].
+//! Returns the roll of a camera that faces the hole, relative to north up [rad].
 double roll_of(const CameraPose& pose) {
   const glm::dvec3 up = pose.orientation * glm::dvec3(0.0, 1.0, 0.0);
   return std::atan2(up.z, -up.y);
@@ -52,7 +52,7 @@ TEST(FallEnd, IsWhereTheFallHasBroughtTheCamera) {
   EXPECT_GT(std::abs(glm::dot(next.orientation, pose.orientation)), 1.0 - 1e-12);
 }
 
-// The clock's rise and its fall take half an easing's own time each.
+// The rise and the fall of the clock each cost half of an easing.
 TEST(FallEnd, GivesTheCameraTheOwnTimeOfItsClock) {
   const Show show = ending_show(usual_fall_end);
   EXPECT_NEAR(show.camera.orbit->proper_time(60.0), 9.0 * (16.0 - 1.0), 1e-10);
@@ -64,8 +64,8 @@ TEST(FallEnd, HasNoLeapInPlaceRateVelocityOrView) {
   for (double time_s = fall_ends_s - 2.0; time_s < fall_ends_s + 12.0; time_s += step_s) {
     const CameraPose p[3] = {camera_pose(show, time_s), camera_pose(show, time_s + step_s),
                              camera_pose(show, time_s + 2.0 * step_s)};
-    // Accelerations [1/s²] are those of a clock that stops within a second, here at some 0.4 a
-    // second, and of glide_keys.
+    // The limits [1/s²] are the accelerations of a clock at about 0.4 per second that stops within
+    // a second, and those of glide_keys.
     const auto acceleration = [&](auto value) {
       return std::abs(value(p[2]) - 2.0 * value(p[1]) + value(p[0])) / (step_s * step_s);
     };
@@ -103,7 +103,7 @@ TEST(FallEnd, GivesTheVelocityBackToTheObserver) {
   EXPECT_FALSE(camera_pose(show, 60.0).velocity.has_value());
 }
 
-// A fall over the axis turns the view upside down; at the next key it stands as it is told.
+// A fall over the axis turns the view upside down; at the next key the view has its specified roll.
 TEST(FallEnd, RightsAViewThatTheFallHasRolled) {
   const Show show =
       ending_show("velocity = { beta = 0.22, toward = [0, -1, 0] }\nuntil_s = 20\n", begin_keys + glide_keys);

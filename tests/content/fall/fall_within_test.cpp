@@ -18,7 +18,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-//! A fall by the camera's own time through the horizon, to `least_r`.
+//! Returns a fall through the horizon down to `least_r`, paced by the camera's proper time.
 FreeFall fall_through(double spin, const FallStart& start, double least_r, double end_s) {
   FallSettings settings;
   settings.clock = 1.0;
@@ -31,7 +31,7 @@ FallStart rain_at(double spin, double r, double theta) {
   return {r, theta, 0.4, observer_velocity(ObserverMotion::rain, spin, r, theta, {})};
 }
 
-//! When rain that is at r = 20 now comes to a radius about a hole without spin.
+//! Returns the proper time in which rain falls from r = 20 to a radius around a hole without spin.
 double rain_time(double r) { return (std::pow(20.0, 1.5) - std::pow(r, 1.5)) / (1.5 * std::sqrt(2.0)); }
 
 TEST(FallWithin, RainAboutAHoleWithoutSpinFallsAsItsClosedFormThroughTheHorizon) {
@@ -44,8 +44,8 @@ TEST(FallWithin, RainAboutAHoleWithoutSpinFallsAsItsClosedFormThroughTheHorizon)
   }
 }
 
-//! Azimuth that rain leaves on its way from infinity to r, in ingoing Kerr's: ∫ a dr / ((r² + a²)(1
-//! + √(2r / (r² + a²)))), by Simpson's rule in 1/√r.
+//! Returns the azimuth that rain has covered on its way from infinity to r, in ingoing Kerr
+//! coordinates: ∫ a dr / ((r² + a²)(1 + √(2r / (r² + a²)))), by Simpson's rule in 1/√r.
 double rain_turn_to(double spin, double r) {
   const auto rate = [&](double w) {
     const double at = 1.0 / (w * w);
@@ -74,7 +74,7 @@ TEST(FallWithin, RainKeepsDoransAzimuth) {
   }
 }
 
-//! E and L of a body that moves at a velocity in the rain's frame.
+//! Returns E and L of a body with a velocity in the rain frame.
 std::pair<double, double> constants_of(double spin, const FallPlace& place) {
   const KerrFunctions f = kerr_functions(spin, place.r, place.theta);
   const double gamma = 1.0 / std::sqrt(1.0 - dot(place.velocity, place.velocity));
@@ -104,7 +104,7 @@ Show show_through(const std::string& more = "") {
   return parse_show(through_the_horizon + "least_r = 0.8\n" + more, "t.toml");
 }
 
-//! Angle between the axes of two poses.
+//! Returns the angle between the axes of two poses.
 double turn_between(const CameraPose& a, const CameraPose& b) {
   return 2.0 * std::acos(std::min(std::abs(glm::dot(a.orientation, b.orientation)), 1.0));
 }
@@ -129,7 +129,8 @@ TEST(FallWithin, KeepsItsDirectionsWhereItIsTakenToTheZamosFrame) {
   const CameraPose same = in_zamo_frame(falls, show.spin);
   ASSERT_TRUE(falls.velocity_in_rain);
   EXPECT_FALSE(same.velocity_in_rain);
-  // Light from anywhere has the same energy and angular momentum, whoever tells the velocity.
+  // Light from any direction has the same energy and angular momentum, in whichever frame the
+  // velocity is given.
   const auto light_in = [&](const CameraPose& pose, ObserverMotion motion, const glm::dvec3& seen) {
     const glm::dvec3 n = glm::normalize(pose.orientation * seen);
     const CameraStation camera = make_camera_station(show.spin, pose.r, pose.theta, 0.0, motion, *pose.velocity);

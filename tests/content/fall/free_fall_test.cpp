@@ -12,8 +12,7 @@
 namespace ergodome {
 namespace {
 
-//! A clock of one M a second that runs from the first instant on: the show's time is the camera's
-//! own.
+//! A clock of one M per second from the start on: the show's time is the camera's proper time.
 FallSettings own_time() {
   FallSettings settings;
   settings.clock = 1.0;
@@ -34,7 +33,8 @@ struct FallCase {
   FallStart start;
 };
 
-//! Bound, and outside the horizon for good; over and beside the axis, with the spin and against it.
+//! Bound orbits that stay outside the horizon: over and near the axis, with the spin and against
+//! it.
 std::vector<FallCase> bound_falls() {
   return {{0.0, {12.0, 1.2, 0.3, {0.05, 0.1, 0.28}}},  {0.9, {20.0, 1.22, -4.0, {0.0, 0.0, 0.13}}},
           {1.0, {14.0, 1.1, 0.0, {0.05, 0.2, 0.2}}},   {-1.0, {14.0, 1.1, 0.0, {0.0, 0.1, -0.3}}},
@@ -60,7 +60,7 @@ TEST(FreeFall, MeetsTheHorizonWhenItsClosedFormDoes) {
 }
 
 // Bardeen, Press & Teukolsky (1972), eqs. 2.12 and 2.16: dφ/dτ = 1 / √(r³ - 3 r² ± 2 a r^(3/2)),
-// along the orbit.
+// the sign for orbits with and against the spin.
 TEST(FreeFall, StaysOnCircularOrbitsAndTurnsAtTheirRate) {
   for (const double spin : {0.0, 0.5, 0.998, 1.0, -0.9}) {
     for (const double sense : {1.0, -1.0}) {
@@ -77,8 +77,7 @@ TEST(FreeFall, StaysOnCircularOrbitsAndTurnsAtTheirRate) {
   }
 }
 
-// Of a slightly eccentric orbit about a hole that does not spin, up to the square of the
-// eccentricity.
+// For a slightly eccentric orbit around a hole without spin, up to the square of the eccentricity.
 TEST(FreeFall, AdvancesItsPeriapsisAsItShould) {
   const double e = 1e-4;
   for (const double p : {7.0, 12.0, 60.0}) {

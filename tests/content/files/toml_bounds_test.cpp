@@ -83,7 +83,7 @@ TEST(TomlBounds, MostValuesAreAMillion) {
   };
   EXPECT_EQ(problem_of(zeros(999'000)), "");
   EXPECT_THAT(problem_of(zeros(1'000'001)), HasSubstr("more than 1000000 values"));
-  // Of a table, commas and keys are not counted twice.
+  // Commas and keys of a table are not counted twice.
   EXPECT_EQ(problem_of("a = [" +
                        times(100'000,
                              [](int /*i*/) {

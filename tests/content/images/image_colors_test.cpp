@@ -33,7 +33,7 @@ std::string big_endian(std::uint32_t value) {
   return bytes;
 }
 
-//! A chunk of PNG.
+//! Builds a PNG chunk.
 std::string chunk(const std::string& kind, const std::string& data) {
   const std::string summed = kind + data;
   const auto sum = crc32(0, reinterpret_cast<const Bytef*>(summed.data()), static_cast<uInt>(summed.size()));
@@ -50,7 +50,7 @@ std::string primaries_chunk(const std::array<double, 8>& white_red_green_blue) {
   return chunk("cHRM", data);
 }
 
-//! A PNG of 16 bits and one color whose only other chunks are `chunks`.
+//! Builds a 16-bit PNG in one color whose only additional chunks are `chunks`.
 std::string png(const std::array<double, 3>& color, const std::string& chunks) {
   std::string pixels;
   for (int y = 0; y < map_height; ++y) {
@@ -70,7 +70,8 @@ std::string png(const std::array<double, 3>& color, const std::string& chunks) {
   return std::string("\x89PNG\r\n\x1A\n", 8) + chunk("IHDR", head) + chunks + chunk("IDAT", packed) + chunk("IEND", "");
 }
 
-//! An ICC profile with the same curve for each color and the primaries of Rec. 709, or a grey one.
+//! Builds an ICC profile with the same curve for each color and the primaries of Rec. 709, or a
+//! gray profile.
 std::string icc_profile(double gamma, bool grey) {
   const cmsCIExyY white = {0.3127, 0.3290, 1.0};
   const cmsCIExyYTRIPLE primaries = {{0.64, 0.33, 1.0}, {0.30, 0.60, 1.0}, {0.15, 0.06, 1.0}};
@@ -98,7 +99,7 @@ class ImageColors : public test::FolderTest {
     return first_texel(folder_ / "map.png");
   }
 
-  //! Writes one color with attributes of OpenImageIO.
+  //! Writes an image in one color with attributes of OpenImageIO.
   fs::path write(const std::string& name, OIIO::ImageSpec spec, const std::vector<float>& pixel) {
     fs::path path = folder_ / name;
     spec.width = spec.full_width = map_width;
@@ -156,7 +157,7 @@ TEST_F(ImageColors, PrimariesOfOpenExrAreConvertedToRec709) {
               times({1.70505F, -0.62179F, -0.08326F, -0.13026F, 1.14080F, -0.01055F, -0.02400F, -0.12897F, 1.15297F}));
   EXPECT_THAT(light_of_exr(rec_2020, {0.4F, 0.3F, 0.35F}),
               times({1.6605F, -0.5876F, -0.0728F, -0.1246F, 1.1329F, -0.0083F, -0.0182F, -0.1006F, 1.1187F}));
-  // Rec. 709's own are left alone, to the last bit.
+  // Rec. 709 itself is left unchanged, to the last bit.
   EXPECT_EQ(light_of_exr({0.64F, 0.33F, 0.30F, 0.60F, 0.15F, 0.06F, 0.3127F, 0.3290F}, {0.4F, 0.3F, 7.0F}),
             (std::array<float, 3>{0.4F, 0.3F, 7.0F}));
 }
@@ -269,20 +270,20 @@ TEST_F(ImageColors, ProfilesThatDoNotFitAreNamed) {
   EXPECT_THAT(with_profile(damaged), HasSubstr("its color profile is damaged"));
 }
 
-// OpenImageIO 2.4 reads texts of such profiles beyond their end.
+// OpenImageIO 2.4 reads the texts of such profiles beyond the end of the buffer.
 TEST_F(ImageColors, ProfilesWhoseTextsLieBeyondTheirEndAreRefusedInEveryFormat) {
   const std::string sound = icc_profile(1.8, false);
   const std::size_t text = sound.find("mluc");
   ASSERT_NE(text, std::string::npos);
   std::string long_text = sound;
-  long_text.at(text + 20) = '\x7F';  // the first record's length
+  long_text.at(text + 20) = '\x7F';  // length of the first record
   std::string short_tag = sound;
   short_tag.replace(text, 4, "desc");
   const std::size_t entries = 128 + 4;
   for (std::size_t entry = entries; entry < text; entry += 12) {
     short_tag.replace(entry + 8, 4, std::string("\0\0\0\x01", 4));
   }
-  // Longer than a segment of JPEG.
+  // Longer than a JPEG segment.
   std::string long_profile = sound + std::string(100'000, '\0');
   long_profile.replace(0, 4,
                        std::string("\0\1", 2) + static_cast<char>((long_profile.size() >> 8U) & 0xFFU) +

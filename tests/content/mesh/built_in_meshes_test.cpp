@@ -24,7 +24,7 @@ Vector3<double> position(const TriangleMesh& mesh, std::size_t index) {
   return {p[0], p[1], p[2]};
 }
 
-//! Six times the volume that the triangles enclose: positive where they run counterclockwise as
+//! Returns six times the volume enclosed by the triangles; positive if they are counterclockwise as
 //! seen from outside.
 double signed_volume(const TriangleMesh& mesh) {
   double sum = 0.0;
@@ -34,8 +34,8 @@ double signed_volume(const TriangleMesh& mesh) {
   return sum / 6.0;
 }
 
-//! How often each edge is run through one way less the other: 0 for all in a surface without a
-//! border.
+//! Returns whether each edge is traversed equally often in both directions, as in a surface without
+//! a border.
 bool is_closed(const TriangleMesh& mesh) {
   const auto key = [](const Vector3<double>& v) {
     return std::array{std::lround(v.x * 1e4), std::lround(v.y * 1e4), std::lround(v.z * 1e4)};
@@ -68,7 +68,7 @@ TEST(BuiltInMeshes, TheThickDiskHas2560TrianglesInThreeColoursAndEnclosesItsVolu
   EXPECT_TRUE(is_closed(mesh));
   ASSERT_EQ(mesh.parts.size(), 3U);
   EXPECT_EQ(std::set({mesh.parts[0].color, mesh.parts[1].color, mesh.parts[2].color}).size(), 3U);
-  // Of a prism with 64 sides.
+  // The volume of a prism with 64 sides.
   const double ring = 0.5 * shape.segments * std::sin(2.0 * pi / shape.segments);
   const double volume = ring * (shape.outer * shape.outer - shape.inner * shape.inner) * shape.thickness;
   EXPECT_NEAR(signed_volume(mesh), volume, 1e-4 * volume);
@@ -98,8 +98,8 @@ TEST(BuiltInMeshes, HoldTenMillionTriangles) {
   EXPECT_EQ(mesh.parts.front().index_count, mesh.indices.size());
 }
 
-//! Looks at a tree from a node on: whether its box holds what is below it; counts the triangles of
-//! its leaves.
+//! Checks a tree from a node on: returns whether its box contains everything below it; counts the
+//! triangles of its leaves.
 bool boxes_hold(const TriangleBoxes& tree, std::size_t at, int depth, std::vector<int>& met) {
   const TreeNode& node = tree.nodes[at];
   bool holds = depth <= deepest_tree;
@@ -122,7 +122,7 @@ bool boxes_hold(const TriangleBoxes& tree, std::size_t at, int depth, std::vecto
 }
 
 TEST(TriangleTrees, OfFewAndOfManyTrianglesHoldEachOfThemOnce) {
-  // Those of many are made in parts, by several threads.
+  // Large trees are built in parts, by several threads.
   for (const SphereShape& shape :
        {SphereShape{12, 6}, SphereShape{90, 45}, test::sanitized ? SphereShape{200, 100} : SphereShape{900, 450}}) {
     const TriangleMesh mesh = make_sphere(shape);
@@ -132,7 +132,7 @@ TEST(TriangleTrees, OfFewAndOfManyTrianglesHoldEachOfThemOnce) {
     EXPECT_TRUE(std::ranges::all_of(met, [](int times) { return times == 1; })) << shape.segments;
     EXPECT_EQ(tree.corners.size(), 9 * met.size());
     EXPECT_NEAR(tree.radius, 1.0, 1e-6);
-    // Leaves hold four at the most, and nodes are in pairs.
+    // Leaves hold at most four triangles, and nodes come in pairs.
     EXPECT_LT(tree.nodes.size(), 1 + met.size());
   }
 }

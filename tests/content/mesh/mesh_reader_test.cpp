@@ -154,7 +154,7 @@ TEST_F(MeshFilesOnDisk, AGltfIsReadWithItsBufferAndWhereItsNodeStands) {
   EXPECT_THAT(error_of([&] { read_mesh(folder_ / "b.gltf"); }), testing::HasSubstr("b.gltf: "));
 }
 
-//! A triangle with a texture whose image's JSON is told.
+//! Returns a triangle with a texture; `image` is the JSON of its image.
 std::string gltf_with_image(const std::string& image) {
   return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
     "meshes":[{"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":1},"material":0}]}],
@@ -180,7 +180,7 @@ TEST(MeshReader, KeepsTheBytesOfAnImageInsideTheFile) {
   EXPECT_THAT(viewed.parts.front().image.name, testing::EndsWith(".jpg"));
 }
 
-//! A text with one part of it, which is there, in another's place.
+//! Replaces the first occurrence of `part`, which must exist, in a text.
 std::string with(std::string text, const std::string& part, const std::string& other) {
   return text.replace(text.find(part), part.size(), other);
 }

@@ -191,7 +191,7 @@ TEST(ObjectMotion, AnOrbitIsRunThroughOnceInKeplersPeriod) {
 }
 
 TEST(ObjectMotion, AnOrbitAboutASpinningHoleIsRunThroughAsMatterInFreeFallDoes) {
-  // Bardeen, Press & Teukolsky (1972), eq. 2.16: 1 / (r^1.5 + a) with the hole, 1 / (r^1.5 - a)
+  // Bardeen, Press & Teukolsky (1972), eq. 2.16: 1 / (r^1.5 + a) with the spin, 1 / (r^1.5 - a)
   // against it.
   const auto rate_of = [](const char* orbit) {
     return orbit_rate(
@@ -216,7 +216,7 @@ TEST(ObjectMotion, TurnsGoAboutXThenYThenZ) {
   object.turn = {0.5 * pi, 0.0, 0.5 * pi};
   const ObjectPlacement placement = placement_at(object, 0.0);
   const auto& rows = placement.rows;
-  // y goes to z about x, and stays there; x goes to y about z.
+  // The turn about x takes y to z, which stays there; the turn about z takes x to y.
   expect_place({rows[0][1], rows[1][1], rows[2][1]}, {0.0, 0.0, 1.0});
   expect_place({rows[0][0], rows[1][0], rows[2][0]}, {0.0, 1.0, 0.0});
 }

@@ -130,7 +130,7 @@ TEST(AnimatedShow, EveryNumberOfTheListIsAKeyOfAShowWithTheSameLimits) {
   for (const AnimatableNumber& number : animatable_numbers()) {
     const auto read = [&](double value) {
       Show show = parse_show(parts, "show.toml");
-      // The fades of a stereo pair and the stops of automatic exposure keep their order.
+      // The fade angles of stereo and the limits of automatic exposure must keep their order.
       show.stereo.fade_from_deg = 0.0;
       show.stereo.fade_to_deg = 90.0;
       show.tone.automatic->least_stops = -40.0;

@@ -23,7 +23,7 @@ TEST(ShellReader, AShellNeedsItsRadiusAlone) {
   ShellSettings plain;
   plain.radius = 12.0;
   EXPECT_EQ(show.shells[0], plain);
-  // A picture is there to be seen.
+  // A shell with a texture is opaque by default.
   EXPECT_EQ(show.shells[1].texture, "earth.jpg");
   EXPECT_EQ(show.shells[1].fill_opacity, 1.0);
 }

@@ -18,7 +18,7 @@ using testing::HasSubstr;
 
 class FilesOfAShow : public test::FolderTest {
  protected:
-  //! A show in the test's folder with a camera, as if read from film.toml there.
+  //! Returns a show with a camera, as if read from film.toml in the test's folder.
   [[nodiscard]] Show film(const std::string& text) const {
     return parse_show(text + "[camera]\n[[camera.key]]\nr = 30\n", (folder_ / "film.toml").string());
   }

@@ -19,7 +19,7 @@ std::string view_problem_of(const std::string& text) {
   return error_of([&] { parse_show(text, "show.toml"); });
 }
 
-//! A show with these lines under [view].
+//! Returns a show with these lines under [view].
 Show viewed(const std::string& lines) { return parse_show(view_start + "[view]\n" + lines, "show.toml"); }
 
 TEST(View, HasTheUsualFieldOfEachProjection) {
@@ -70,7 +70,7 @@ TEST(View, OfAFrustumReadsBackAsItIsWritten) {
   EXPECT_EQ(back.frustum->down_deg, 5.0);
 }
 
-//! The message about lines under [view], which begin at line 5.
+//! Returns the error message for lines under [view], the first of which is line 5.
 std::string view_problem(const std::string& lines) { return view_problem_of(view_start + "[view]\n" + lines); }
 
 TEST(View, RefusesAFieldWhereItShowsTheWholeSky) {

@@ -14,7 +14,7 @@
 namespace ergodome {
 namespace {
 
-//! Mean light of a built-in map around a place on the sky.
+//! Returns the mean light of a built-in map around a position on the sky.
 double light_at(const EnvironmentImage& image, double ra_deg, double dec_deg) {
   const glm::dvec3 d(std::cos(dec_deg * one_degree) * std::cos(ra_deg * one_degree),
                      std::cos(dec_deg * one_degree) * std::sin(ra_deg * one_degree), std::sin(dec_deg * one_degree));
@@ -37,12 +37,11 @@ double light_at(const EnvironmentImage& image, double ra_deg, double dec_deg) {
 TEST(SkyMap, MilkyWayHasTheMagellanicCloudsAndTheGalacticCentreInTheirPlaces) {
   const EnvironmentImage image = load_sky_map(Show{});
   EXPECT_EQ(image.width, 2048);
-  // LMC (80.9°, -69.8°) outshines the sky at the same declination on the other side and its mirror
-  // images.
+  // The Large Magellanic Cloud (80.9°, -69.8°) is brighter than its mirror images.
   const double lmc = light_at(image, 80.9, -69.8);
   EXPECT_GT(lmc, 3.0 * light_at(image, 80.9, 69.8));
   EXPECT_GT(lmc, 3.0 * light_at(image, -10.0, -60.0));
-  // The Small Cloud, against its place on a map that is read the wrong way round.
+  // The Small Magellanic Cloud, compared with its position on a mirrored map.
   EXPECT_GT(light_at(image, 13.2, -72.8), 2.0 * light_at(image, 180.0 - 13.2, -72.8));
   const double centre = light_at(image, 266.4, -29.0);
   EXPECT_GT(centre, 5.0 * light_at(image, 192.9, 27.1));  // the galactic pole
@@ -77,14 +76,14 @@ glm::dvec3 direction_of(double longitude_deg, double latitude_deg) {
           std::sin(latitude_deg * one_degree)};
 }
 
-//! How far apart a place on a map in other coordinates and one in J2000 are [arcsec].
+//! Returns the distance between a position on a map in other coordinates and one in J2000 [arcsec].
 double apart_arcsec(MapCoordinates coordinates, const glm::dvec3& on_map, const glm::dvec3& equatorial) {
   const glm::dvec3 turned = equatorial_from_map({coordinates, 270.0, false}) * on_map;
   return glm::length(turned - equatorial) / one_degree * 3600.0;
 }
 
 TEST(MapLayout, GalacticPlacesAreWhereCataloguesHaveThem) {
-  // SIMBAD: Vega, Sirius; and the galaxy's north pole and centre.
+  // Positions from SIMBAD: Vega, Sirius; and the north pole and the center of the galaxy.
   const auto apart = [](double l, double b, double ra, double dec) {
     return apart_arcsec(MapCoordinates::galactic, direction_of(l, b), direction_of(ra, dec));
   };

@@ -32,7 +32,7 @@ std::string problem_of_stars(const std::string& text) {
   return test::error_of([&] { stars_of_text(text); });
 }
 
-//! Packs text as gzip does.
+//! Compresses a text with gzip.
 std::string gzipped(const std::string& text) {
   z_stream state{};
   EXPECT_EQ(deflateInit2(&state, Z_BEST_COMPRESSION, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY), Z_OK);
@@ -89,7 +89,7 @@ TEST(ForeignStars, GaiaIsInDegreesEvenBelow24AndHasVAndColourOfItsOwnBands) {
   for (const char* const name : {"gaia_archive.csv", "vizier_gaia.tsv"}) {
     const StarCatalogue read = foreign_stars(name);
     ASSERT_FALSE(read.stars.empty()) << name;
-    // A star of the Sun's colours: BP-RP 0.823 is B-V 0.650 (Mamajek), and G-V = -0.15340 (Riello
+    // A star with the Sun's colors: BP-RP 0.823 is B-V 0.650 (Mamajek), and G-V = -0.15340 (Riello
     // et al. 2021).
     expect_star(read.stars[0], 10.6847, 41.2688, 10.15340, 0.650);
     EXPECT_THAT(read.read_as, HasSubstr(" in degrees")) << name;
@@ -245,7 +245,7 @@ TEST(StarColour, TemperatureIsTheInverseOfTheColourWithWhichStarsAreDrawn) {
 }
 
 TEST(StarColour, BpRpOfDwarfsIsTheirBV) {
-  // Mamajek's table, types that are no knots: B9.5V, F6V, K4V, M4V.
+  // Mamajek's table, for types that are not nodes of our table: B9.5V, F6V, K4V, M4V.
   EXPECT_NEAR(b_v_from_bp_rp(-0.087), -0.050, 0.01);
   EXPECT_NEAR(b_v_from_bp_rp(0.640), 0.486, 0.01);
   EXPECT_NEAR(b_v_from_bp_rp(1.34), 1.090, 0.01);

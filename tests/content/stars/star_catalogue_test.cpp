@@ -44,7 +44,7 @@ TEST(StarCatalogue, BuiltInStarsAreTheHipparcosStars) {
   const StarCatalogue all = built_in("all_stars");
   ASSERT_EQ(all.stars.size(), 118'216U);
   EXPECT_EQ(std::ranges::count_if(all.stars, [](const CatalogueStar& s) { return std::isnan(s.b_v); }), 1279);
-  // Published values of four stars of different places and colours.
+  // Published values of four stars with different positions and colors.
   const CatalogueStar& sirius = star(all, 32349);
   EXPECT_NEAR(sirius.v_mag, -1.44F, 1e-6F);
   EXPECT_NEAR(sirius.b_v, 0.009F, 1e-6F);

@@ -11,8 +11,8 @@
 namespace ergodome {
 namespace {
 
-//! The hole's time of rain about a hole without spin, but for a constant [M]: t - 2 r_+ W, through
-//! the horizon.
+//! Returns the hole's time [M] of rain around a hole without spin, up to a constant: t - 2 r_+ W,
+//! regular at the horizon.
 double time_of_rain(double r) {
   return -std::sqrt(2.0) / 3.0 * std::pow(r, 1.5) - 2.0 * std::sqrt(2.0 * r) + 4.0 * std::log1p(std::sqrt(2.0 / r));
 }
@@ -37,7 +37,7 @@ TEST(HoleClock, HasItsPaceWithoutAFall) {
   EXPECT_EQ(HoleClock(0.3, nullptr, -2.0).time(-1.1), -1.1 * -2.0);
 }
 
-//! A fall on a circle, on which the hole's time runs evenly with the camera's.
+//! A fall on a circular orbit, on which the hole's time is proportional to the camera's.
 class HoleClockOnACircle : public testing::Test {
  protected:
   HoleClockOnACircle() {
@@ -67,7 +67,7 @@ TEST_F(HoleClockOnACircle, RunsByTheOrbitInTheFallAndByItsPaceBesideIt) {
   EXPECT_NEAR(rate(clock, 2.0), 3.0, 1e-6);
   EXPECT_NEAR(rate(clock, 12.0), 9.0 * dilation_, 1e-6);
   EXPECT_NEAR(rate(clock, 30.0), 3.0, 1e-6);
-  // The pace counts half of the time in which it comes and goes.
+  // Each easing counts half of its duration at the pace.
   EXPECT_NEAR(clock.time(30.0), 3.0 * (4.0 + 1.0 + 1.0 + 10.0) + dilation_ * 9.0 * 14.0, 1e-8);
 }
 
@@ -81,7 +81,7 @@ TEST_F(HoleClockOnACircle, BeginsAndEndsAtOnceWhereNothingIsEased) {
 }
 
 TEST_F(HoleClockOnACircle, GoesOverFromOneRateToTheOtherWithoutALeap) {
-  // At the orbit's own rate nothing is to be seen of it.
+  // At the orbit's own rate, the transition has no effect.
   const HoleClock even(spin, orbit_, 9.0 * dilation_);
   const HoleClock clock(spin, orbit_, 3.0);
   for (double time_s = 3.0; time_s < 22.0; time_s += 0.25) {

@@ -13,7 +13,7 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-//! Three lines; what a test adds begins on the fourth.
+//! Three lines; lines that a test adds start with the fourth.
 const std::string smallest_show = "[camera]\n[[camera.key]]\nr = 10\n";
 
 std::string timeline_problem(const std::string& lines) {
@@ -71,7 +71,7 @@ file = "words.fr.ogg"
 language = "fr"
 )";
 
-//! That a show's timeline is the one above.
+//! Expects the timeline above.
 void expect_whole(const Timeline& timeline) {
   ASSERT_EQ(timeline.animations.size(), 2U);
   EXPECT_EQ(timeline.animations[0].path, "hole.spin");
@@ -179,7 +179,7 @@ TEST(Timeline, RefusesTheSameNumberTwice) {
   EXPECT_THAT(timeline_problem(once + once), AllOf(HasSubstr("show.toml:8"), HasSubstr("animated twice")));
 }
 
-//! The message about keys of a number, which stand in line 6.
+//! Returns the error message for keys of a number, which are in line 6.
 std::string key_problem(const std::string& keys, const std::string& number = "hole.spin") {
   return timeline_problem("[[animate]]\nnumber = \"" + number + "\"\nkey = [" + keys + "]\n");
 }

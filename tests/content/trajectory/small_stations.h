@@ -9,7 +9,7 @@
 
 namespace ergodome::test {
 
-//! A station of two root cells, one of them split, with numbers of every size.
+//! Returns a station with two root cells, one of them split, and numbers of every magnitude.
 inline LensStation small_station(double r, unsigned seed = 1) {
   std::mt19937 random(seed);
   std::normal_distribution<float> normal;
@@ -50,7 +50,7 @@ inline void expect_same(const LensStation& a, const LensStation& b) {
   EXPECT_EQ(a.nodes_along_theta, b.nodes_along_theta);
 }
 
-//! Disk layers over the same cells; with a pattern, three sets of nodes.
+//! Returns disk layers over the same cells; with a pattern, three sets of nodes.
 inline DiskStation small_disk(double r, bool pattern = false, unsigned seed = 3) {
   std::mt19937 random(seed);
   std::normal_distribution<float> normal;

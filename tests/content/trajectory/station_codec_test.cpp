@@ -32,7 +32,7 @@ TEST(StationCodec, KeepsEveryBitOfAStation) {
   expect_same(through_the_codec(station), station);
 }
 
-//! Something that a station must not hold, and how the refusal calls it.
+//! Invalid content of a station, and the words with which it is refused.
 struct Damage {
   const char* what;
   void (*apply)(LensStation& station);
@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(Damage, StationCodecRefuses,
                                                 }},
                                          Damage{"(cells)",
                                                 [](LensStation& s) {
-                                                  // Both halves of a root have the same halves.
+                                                  // Both halves of a root refer to the same halves.
                                                   s.tree = {2 * 2 + 1, -1, 2 * 4, 2 * 4, -1, -1};
                                                 }},
                                          Damage{"a non-finite number", [](LensStation& s) { s.nodes[17] = INFINITY; }}),
@@ -100,7 +100,7 @@ TEST(DiskCodec, KeepsEveryBitOfLayersWithAPatternAndWithout) {
   }
 }
 
-//! Something that disk layers must not hold, and how the refusal calls it.
+//! Invalid content of disk layers, and the words with which it is refused.
 struct DiskDamage {
   const char* what;
   void (*apply)(DiskStation& disk);

@@ -35,7 +35,7 @@ class Trajectory : public test::FolderTest {
   //! A station without disk layers.
   static constexpr int bare = 1;
 
-  //! A finished file of five stations, at 0 s, 1 s, ..., all with disk layers but for one.
+  //! Writes a finished file of five stations, at 0 s, 1 s, ..., all but one with disk layers.
   void make_file(int stations = 5) const {
     TrajectoryJournal journal(journal_file(), provenance());
     std::vector<double> times_s;
@@ -70,7 +70,7 @@ TEST_F(Trajectory, ReadsBackWhatWasBaked) {
   EXPECT_EQ(reader.stations()[2].time_s, 2.0);
   EXPECT_EQ(reader.stations()[2].gap_error_px, 0.125F);
   EXPECT_EQ(reader.stations()[4].gap_error_px, -1.0F);
-  // One station, without the others.
+  // Reads one station without the others.
   expect_same(reader.read(3), small_station(9.0));
   EXPECT_EQ(reader.stations()[2].disk_gap_error_px, 0.5F);
   EXPECT_EQ(reader.stations()[bare].disk_bytes, 0U);

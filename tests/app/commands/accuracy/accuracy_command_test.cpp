@@ -28,7 +28,7 @@ std::string text_of(const std::filesystem::path& file) {
   return text.str();
 }
 
-//! The values of an attribute in a page.
+//! Returns the values of an attribute in an HTML page.
 std::vector<std::string> values_of(const std::string& page, const std::string& attribute) {
   const std::string opening = fmt::format("{}=\"", attribute);
   std::vector<std::string> values;

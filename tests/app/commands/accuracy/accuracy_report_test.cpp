@@ -108,7 +108,7 @@ TEST(AccuracyReport, ItsCsvReadsBack) {
   std::getline(lines, head);
   std::getline(lines, first);
   const auto commas = [](const std::string& line) { return std::ranges::count(line, ','); };
-  // The show's name holds one, in quotes.
+  // One more comma than the header: the quoted title contains one.
   EXPECT_EQ(commas(first), commas(head) + 1);
   EXPECT_THAT(first,
               testing::StartsWith(
@@ -149,7 +149,7 @@ TEST(AccuracyReport, NumbersItsMethodsInPlotLegendAndTable) {
   AccuracyReport report = small_report();
   report.axes[0].choices[1].precision = "double";
   const std::string page = page_text(report, {}, 0.1);
-  // taylor, taylor in double, rk34, rk34 as published, lost, slow.
+  // The methods taylor, taylor in double, rk34, rk34 as published; then lost and slow.
   EXPECT_THAT(page, HasSubstr("#56b4e9\">1</span> <b>taylor</b>: Ergodome's integrator"));
   EXPECT_THAT(page, HasSubstr("#56b4e9\">2</span> <b>taylor, double</b>: the same in double precision"));
   EXPECT_THAT(page, HasSubstr("#6a3d9a\">4</span> <b>rk34 (RK34)</b>"));
@@ -188,7 +188,7 @@ TEST(AccuracyReport, ExplainsEveryMethodThatItMeasures) {
 TEST(AccuracyReport, FitsOnAPhone) {
   const std::string page = page_text(small_report(), {}, 0.1);
   EXPECT_THAT(page, HasSubstr("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"));
-  // Tables may be wider than the page: each scrolls by itself.
+  // Tables may be wider than the page: each scrolls separately.
   std::size_t tables = 0;
   for (std::size_t at = page.find("<table>"); at != std::string::npos; at = page.find("<table>", at + 1)) {
     const std::string before = page.substr(at - 19, 19);
@@ -206,7 +206,7 @@ TEST(AccuracyReport, WarnsWhereTimesRepeatTooBadlyToRankMethods) {
   for (Measurement& each : report.axes[0].choices) {
     each.frame_ms = {1.0, 1.2, 1.1};
   }
-  // One that was disturbed does not count.
+  // A single outlier does not count.
   report.axes[0].choices[0].frame_ms = {1.0, 9.0, 1.0};
   EXPECT_DOUBLE_EQ(time_spread(report), 1.2);
   EXPECT_THAT(table_text(report, 0.1), HasSubstr("The machine was quiet enough to rank methods"));

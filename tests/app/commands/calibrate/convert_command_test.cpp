@@ -38,8 +38,8 @@ class ConvertCommand : public CommandLine {
   }
 };
 
-//! The largest distance between the places of the master that two warps show, over the middles of
-//! pixels that both draw.
+//! Returns the largest distance in the master between two warps, over the centers of pixels that
+//! both draw.
 double farthest_apart(const WarpMesh& a, const WarpMesh& b) {
   const WarpMesh fine_a = resampled_warp(a, 64, 48);
   const WarpMesh fine_b = resampled_warp(b, 64, 48);
@@ -156,8 +156,8 @@ TEST_F(ConvertCommand, SaysNothingOfIntensitiesWhereAllAreFull) {
   EXPECT_THAT(output_, testing::Not(HasSubstr("intensities")));
 }
 
-//! A polar mesh that shows the domemaster's circle as high as the raster, of 12 rings and 36
-//! spokes.
+//! Returns a polar mesh with 12 rings and 36 spokes that shows the domemaster's circle as high as
+//! the raster.
 std::string polar_circle() {
   std::string mesh = "1\n36 12\n";
   for (int ring = 0; ring < 12; ++ring) {
@@ -196,7 +196,7 @@ TEST_F(ConvertCommand, APolarMeshOfAnUprightRasterBecomesAnUprightMap) {
   EXPECT_THAT(output_, HasSubstr("with 720 x 1440 samples"));
 }
 
-//! The setup of two projectors in a dome that leans.
+//! Returns the setup of two projectors in a tilted dome.
 std::string leaning(const std::string& rotation) {
   std::string setup = two_projectors;
   setup.replace(setup.find("rotation_deg = 20"), 17, "tilt_deg = 15\n" + rotation);
@@ -255,7 +255,7 @@ TEST_F(ConvertCommand, SaysWhatItCannotMake) {
 }
 
 TEST_F(CommandLine, InspectTellsHowMuchOfTheDomeAProjectorLights) {
-  // From the middle, straight up, the frustum of a cube's face: a third of the half sphere.
+  // From the center, straight up, with the frustum of a cube face: a third of the hemisphere.
   write("dome.toml",
         "[dome]\nradius_m = 6\n[[projector]]\nname = \"up\"\npitch_deg = 90\n"
         "frustum = { left_deg = -45, right_deg = 45, up_deg = 45, down_deg = -45 }\nresolution_px = [256, 256]\n"
@@ -277,7 +277,7 @@ TEST_F(CommandLine, InspectRefusesASetupWhoseFilesAreAbsent) {
 constexpr const char* dome_with_a_mesh =
     "[dome]\nradius_m = 6\n[[projector]]\nname = \"m\"\nresolution_px = [320, 180]\nwarp = \"a.data\"\n";
 
-//! A rectangular mesh whose x runs from -half_width to half_width.
+//! Returns a rectangular mesh whose x runs from -half_width to half_width.
 std::string mesh_of_width(double half_width) {
   return fmt::format("2\n2 2\n-{0} -1 0.1 0.1 1\n{0} -1 0.9 0.1 1\n-{0} 1 0.1 0.9 1\n{0} 1 0.9 0.9 1\n", half_width);
 }

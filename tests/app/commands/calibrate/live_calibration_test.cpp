@@ -115,7 +115,7 @@ TEST_F(LiveKeys, PointsOfFinerGridsMoveAlone) {
   press(Action::up);
   EXPECT_DOUBLE_EQ(live_.offsets()[0].down[3 * 5 + 2], -0.01);
   EXPECT_DOUBLE_EQ(live_.offsets()[0].down[2 * 5 + 2], 0.0);
-  // The corner's offset is spread as before.
+  // The corner's offset is still interpolated.
   EXPECT_NEAR(live_.offsets()[0].right[3 * 5 + 2], 0.005 * 0.5 * 0.75, 1e-12);
   press(Action::next_projector);
   EXPECT_EQ(live_.offsets()[1].points, 2);

@@ -27,12 +27,12 @@ constexpr const char* setup_of_two =
 constexpr const char* show_on_dome =
     "duration_s = 0.1\n[hole]\nspin = 0.9\n[camera]\n[[camera.key]]\nr = 8\n[sky]\nmap = \"sky.png\"\n";
 
-//! What is shown on the projectors of a setup, without a display.
+//! Renders the pictures of a setup's projectors, with or without a display.
 class SetupCommands : public CommandLine {
  protected:
   void SetUp() override {
     CommandLine::SetUp();
-    // Drivers keep memory; whose it is cannot be told once they are unloaded.
+    // Leaks of drivers cannot be attributed to them once they are unloaded.
     const char* const options = std::getenv("ASAN_OPTIONS");
     ::setenv("ASAN_OPTIONS", ((options != nullptr ? std::string(options) : "") + ":detect_leaks=0").c_str(), 1);
     write("dome.toml", setup_of_two);
@@ -40,7 +40,7 @@ class SetupCommands : public CommandLine {
     write_png(folder_ / "sky.png", std::vector<std::uint8_t>(3 * 32 * 16, 128), 32, 16);
   }
 
-  //! Runs the program; false where there is no OpenGL driver.
+  //! Runs the program; returns false if there is no OpenGL driver.
   bool run_headless(const std::string& words) {
     const int code = run(words);
     if (output_.find("EGL: no driver") != std::string::npos) {
@@ -50,7 +50,7 @@ class SetupCommands : public CommandLine {
     return true;
   }
 
-  //! Runs the program on a virtual display of 800 x 600; skips where there is none.
+  //! Runs the program on a virtual display of 800 x 600; skips the test if there is none.
   void run_on_display(const std::string& words) {
     if (std::system("command -v xvfb-run >/dev/null") != 0) {
       GTEST_SKIP() << "no virtual display here (xvfb-run)";
@@ -144,7 +144,7 @@ TEST_F(SetupCommands, PlayKeepsCaptionsSharpOnProjectorsOfASmallMaster) {
         "[dome]\nradius_m = 6\n[[projector]]\nname = \"p\"\npitch_deg = 40\n"
         "frustum = { left_deg = -50, right_deg = 50, up_deg = 40, down_deg = -40 }\nresolution_px = [400, 300]\n"
         "window_px = [0, 0]\n");
-  // Far from the hole a grey sky looks alike at every resolution.
+  // Far from the hole, a gray sky looks the same at every resolution.
   write("show.toml",
         "duration_s = 100\n[hole]\nspin = 0.9\n[[camera.key]]\nr = 900\n[sky]\nmap = \"sky.png\"\n"
         "[[caption]]\ntext = \"HHHHH\"\nfrom_s = 0\nto_s = 100\nfade_in_s = 0\nletter_deg = 12\nelevation_deg = 40\n");
@@ -162,7 +162,7 @@ TEST_F(SetupCommands, PlayKeepsCaptionsSharpOnProjectorsOfASmallMaster) {
   int far_off = 0;
   int bright = 0;
   int dark = 0;
-  // Around the letters the sky shows values near 120.
+  // Around the letters the sky has values near 120.
   for (std::size_t y = 100; y < 200; ++y) {
     for (std::size_t x = 100; x < 300; ++x) {
       const int value = coarse.values[3 * (400 * y + x)] / 257;
@@ -173,7 +173,7 @@ TEST_F(SetupCommands, PlayKeepsCaptionsSharpOnProjectorsOfASmallMaster) {
   }
   EXPECT_GT(bright, 300) << "the letters";
   EXPECT_GT(dark, 300) << "their rim";
-  // Letters in a master of 48 pixels differ at 2,463 of these pixels.
+  // With letters drawn in a master of 48 pixels, 2,463 of these pixels would differ.
   EXPECT_LT(far_off, 50);
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 class ViewRanges : public test::CommandLine {
  protected:
-  //! The colour, as light, of a pixel above the colour bar.
+  //! Returns the color, as linear light, of a pixel above the color bar.
   [[nodiscard]] Vector3<float> color_of(const std::string& file, int size_px) const {
     std::string problem;
     const auto input = image_library().open((folder_ / file).string(), {}, problem);
@@ -29,8 +29,8 @@ class ViewRanges : public test::CommandLine {
 };
 
 TEST_F(ViewRanges, MoveTheColoursOfAHeatMap) {
-  // A static observer at 4 M about a hole without spin sees the sky's light by √2 bluer, which lies
-  // at (log √2 - log 1) / (log 4 - log 1) = 1/4 of the range 1 to 4, and at half the usual one.
+  // A static observer at 4 M from a hole without spin sees the sky blueshifted by √2. That is at
+  // (log √2 - log 1) / (log 4 - log 1) = 1/4 of the range 1 to 4, and at half of the default range.
   write("static.toml", R"(
 title = "Static"
 [hole]

@@ -19,7 +19,7 @@ constexpr const char* spinning_show =
     "0.25 }, { t_s = 4, value = 0.75 }]\n[[chapter]]\nt_s = 2\ntitle = { en = \"The shadow\", de = \"Der Schatten\" }\n"
     "[[caption]]\nfrom_s = 1\nto_s = 2\ntext = \"Grüße\\nan alle\"\n";
 
-//! The same with files of which one is missing.
+//! A show that refers to several files, one of which is missing.
 const std::string long_show = std::string(spinning_show) +
                               "[[overlay]]\nimage = \"logo.png\"\nfrom_s = 0\nto_s = 1\n[[audio]]\n"
                               "file = \"words.ogg\"\nlanguage = \"fr\"\n";
@@ -93,7 +93,7 @@ TEST_F(CommandLine, InspectTellsAFolderFromAFileThatIsMissing) {
 
 TEST_F(CommandLine, InspectTellsOfSoundThatBreaksOff) {
   write("loud.toml", "[[camera.key]]\nr = 12\n[sky]\nmap = \"black\"\n[[audio]]\nfile = \"words.wav\"\n");
-  // 8 samples of 16 bits are promised, and 4 are there.
+  // The header announces 8 samples of 16 bits, but only 4 follow.
   const std::string samples(8, 'x');
   const std::string header{
       "RIFF\x34\0\0\0WAVEfmt \x10\0\0\0\x01\0\x01\0\x40\x1F\0\0\x80\x3E\0\0\x02\0\x10\0data\x10\0\0\0", 44};
@@ -125,7 +125,7 @@ TEST_F(CommandLine, InspectMarksNumbersThatHaveNotComeToTheirLastKeyAtTheEnd) {
   EXPECT_THAT(output_, Not(testing::ContainsRegex("hole.spin [^\n]* AFTER THE END")));
 }
 
-//! A sphere of radius 1 at a place.
+//! Returns a show with a sphere of radius 1 at a position.
 std::string show_with_sphere(const std::string& place) {
   return "[hole]\nspin = 0.5\n[[camera.key]]\nr = 12\n[sky]\nmap = \"black\"\n[view]\nsize_px = 16\n[[objects]]\n"
          "shape = \"sphere\"\nmethod = \"trace\"\nsize = 0.5\nposition = " +

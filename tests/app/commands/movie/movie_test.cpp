@@ -31,7 +31,7 @@ map = "sky.ppm"
 size_px = 32
 )";
 
-//! A stand-in for ffmpeg, first on the path: it notes its words, and keeps what it is sent as the
+//! Puts a stand-in for ffmpeg first in PATH, which records its arguments and saves its input as the
 //! film.
 class RenderAMovie : public CommandLine {
  protected:
@@ -114,7 +114,7 @@ TEST_F(RenderAMovie, IsNoneWhoseLastBytesFoundNoRoomThoughTheEncoderEndsWell) {
   EXPECT_FALSE(fs::exists(folder_ / "film.mkv"));
 }
 
-//! A stand-in whose films have as many frames as it says when it is to decode them.
+//! Returns a stand-in that, when it decodes a film, reports the given number of frames.
 std::string encoder_that_finds(const std::string& frames) {
   return "case \"$*\" in *-progress*) printf 'frame=0\\nprogress=continue\\n" + frames +
          "progress=end\\n' >&2; exit 0;; esac\nfor last; do :; done\ncat > \"$last\"\n";
@@ -187,7 +187,7 @@ TEST_F(RenderAMovie, IsReadBackByTheEncoderItself) {
   EXPECT_THROW(check_movie(movie), Error);
 }
 
-//! Starts with silence; the step comes after a tenth of a second.
+//! Returns a sound that is silent for a tenth of a second, then steps up.
 std::string sound_with_a_step() {
   constexpr int rate_hz = 48000;
   const std::uint32_t bytes = 2 * rate_hz;
@@ -260,7 +260,7 @@ TEST(MovieSound, IsWhereTheShowHasIt) {
   fs::remove_all(folder);
   ASSERT_EQ(bytes, static_cast<ssize_t>(2 * sizeof(float) * 48000 * 4 / 10));
   const auto first = std::ranges::find_if(samples, [](float sample) { return sample > 0.2F; });
-  // The step is at 0.25 + 0.1 s of the show, and the film begins at 0.15 s.
+  // The step is at 0.25 + 0.1 s of the show, and the film starts at 0.15 s.
   EXPECT_NEAR(static_cast<double>(first - samples.begin()) / 2.0 / 48000.0, 0.2, 0.001);
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 using testing::HasSubstr;
 
-//! Tables of rays as a person gives them to the program.
+//! Reads tables of rays as a user would write them.
 class RayCommands : public test::CommandLine {};
 
 TEST_F(RayCommands, TraceGivesTheReferenceForEveryRayByEveryExactMethod) {
@@ -42,8 +42,8 @@ TEST_F(RayCommands, TraceGivesTheReferenceForEveryRayByEveryExactMethod) {
 }
 
 TEST_F(RayCommands, AxesAreAsTheHelpSays) {
-  // Without spin, light from straight out comes from there; far from the hole directions are as
-  // they seem, but for its bending by some 2 M / r.
+  // Without spin, light seen straight outwards comes from that direction. Far from the hole,
+  // directions are unchanged except for a bending of about 2 M / r.
   write("rays.csv",
         "spin,r,theta_deg,observer,n_r,n_theta,n_phi,id\n0,10,90,zamo,5,0,0,out\n0,10,30,zamo,1,0,0,high\n"
         "0.9,1e9,60,zamo,0,3,0,south\n0.9,1e9,60,zamo,0,0,0.5,east\n");
@@ -83,7 +83,7 @@ TEST_F(RayCommands, TraceWorksByEveryMethodInBothPrecisions) {
   write("rays.csv", "a,r,theta,observer,n_r,n_theta,n_phi\n0.9,6,1.2,zamo,-0.2,0.3,0.9\n0.9,6,1.2,zamo,-1,0,0\n");
   for (const char* method : {"taylor", "rk34", "cash_karp", "closed_form", "baseline_rk34"}) {
     for (const char* precision : {"float", "double"}) {
-      // The closed form has neither.
+      // The closed form has neither a tolerance nor steps.
       const std::string exact = std::string("trace --rays rays.csv --out out.csv --method ") + method;
       const bool follows = std::string(method) != "closed_form";
       ASSERT_EQ(run(follows ? exact + " --tolerance 1e-5 --precision " + precision : exact), 0) << output_;
@@ -148,7 +148,7 @@ TEST_F(RayCommands, ThePublishedTracerFindsTheSkyWithItsPublishedTolerance) {
   for (const char* axis : {"sky_x", "sky_y", "sky_z"}) {
     EXPECT_NEAR(std::stod(sky[0].at(axis)), std::stod(exact[0].at(axis)), 0.02) << axis;
   }
-  // The article's rays end within its 2,000 steps.
+  // The rays of the article end within its limit of 2,000 steps.
   EXPECT_LT(std::stod(sky[0].at("steps")), 2000.0);
 }
 

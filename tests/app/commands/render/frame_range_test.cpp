@@ -52,7 +52,7 @@ TEST(FramesBetween, BeginAtOrAfterTheFirstTimeAndBeforeTheSecond) {
   EXPECT_EQ(frames_between("12s", "22s", show), FrameSpanPair(360, 659));
   EXPECT_EQ(frames_between("22s", "", show), FrameSpanPair(660, 899));
   EXPECT_EQ(frames_between("", "30s", show), FrameSpanPair(0, 899));
-  // Frame 1 (from 0) begins at 33.3 ms.
+  // Frame 1 (counted from 0) starts at 33.3 ms.
   EXPECT_EQ(frames_between("33ms", "34ms", show), FrameSpanPair(1, 1));
 }
 

@@ -15,7 +15,7 @@
 #include "render/output/image_writer.h"
 #include "tests/app/cli/command_line.h"
 
-// Frames that lie in a folder, and what is told of them.
+// Frames that exist in a folder, and their metadata.
 namespace ergodome {
 namespace {
 
@@ -140,7 +140,7 @@ TEST_F(NumberedFrames, SayWhichWayTheCameraLooks) {
   double theta = 0.0;
   double phi = 0.0;
   forward >> r >> theta >> phi;
-  // A quarter turn to the right of the hole.
+  // The view is turned by a quarter to the right of the hole.
   EXPECT_NEAR(r, 0.0, 1e-9);
   EXPECT_NEAR(theta, 0.0, 1e-9);
   EXPECT_NEAR(phi, 1.0, 1e-9);

@@ -39,7 +39,7 @@ PadState pad_with(PadAxis axis, float value) {
 bool of_keyboard(const Input& input) { return input.kind == Input::Kind::key; }
 bool of_pad(const Input& input) { return input.kind == Input::Kind::pad_button || input.kind == Input::Kind::pad_axis; }
 
-//! The first block of a page that is set apart by spaces.
+//! Returns the first indented block of a page.
 std::string first_block_of(const std::string& page) {
   std::ifstream stream(page);
   std::string block;
@@ -219,7 +219,7 @@ TEST(ControlsHelp, GroupsLinesBySubject) {
   EXPECT_TRUE(std::ranges::is_sorted(places));
   EXPECT_THAT(help, testing::ContainsRegex("\n  W, S +move forward, back\n"));
   EXPECT_THAT(help, testing::ContainsRegex("\n  Left, Right +2 s back, forward\n"));
-  // Visitors have nothing to do with stereo.
+  // Visitors cannot change the stereo settings.
   EXPECT_THAT(Controls().help_text({.reader = ActionUser::visitor}), Not(HasSubstr("Stereo")));
 }
 
@@ -264,7 +264,7 @@ TEST(ControlsHelp, HasTheSameLinesInBothLanguages) {
   for (const char* key : {"Space", "Shift", "Ctrl", "Home", "mouse", "stick up", "wheel"}) {
     EXPECT_THAT(german, Not(HasSubstr(key)));
   }
-  // Keys that take several lines may take more in one language.
+  // Keys that take several lines in one language may take more in the other.
   const auto lines_of = [](std::string_view language) {
     const std::string cells = Controls().help_text({.language = language, .form = HelpForm::cells});
     return std::ranges::count(cells, '\t');

@@ -35,7 +35,7 @@ TEST(HelpLayout, CountsLettersAndNotBytes) {
   EXPECT_EQ(in_columns("größer\n\nb\n", 2), "größer    b\n");
 }
 
-//! Letters of one width, with a margin as text on a panel has.
+//! Returns the size of a text in letters of equal width, with a margin as on a panel.
 TextSize measured(const std::string& text, int letter_px) {
   std::stringstream lines(text);
   std::size_t longest = 0;

@@ -8,19 +8,18 @@
 namespace ergodome::test {
 namespace {
 
-//! A fixture of a known pad, and what its descriptor does not tell.
+//! A fixture of a known pad, and what is missing in its descriptor.
 struct Known {
   const char* name;
-  bool analog_alone = false;  //!< buttons of triggers are no axes
-  std::string_view untold;    //!< buttons among its vendor's bits
+  bool analog_alone = false;  //!< trigger buttons are not also axes
+  std::string_view untold;    //!< buttons in vendor-defined bits
 };
 
 std::ostream& operator<<(std::ostream& out, const Known& known) { return out << known.name; }
 
 class KnownPad : public testing::TestWithParam<Known> {};
 
-//! What published layouts say, the descriptors say, too: decoders and the parser have nothing in
-//! common.
+//! Descriptors must agree with the published layouts: the decoders and the parser share no code.
 TEST_P(KnownPad, IsReadByItsDescriptorAsByItsLayout) {
   const FixtureDevice device = fixture(GetParam().name).devices.front();
   const auto decoder = make_by_descriptor(device.descriptor);
@@ -96,7 +95,7 @@ TEST(ByDescriptor, NamesAxesOfTheSameUsageApart) {
 }
 
 TEST(ByDescriptor, ArraysOfButtonsPressTheButtonsThatTheyName) {
-  // Two elements of eight bits that each name one of the buttons 1 to 12; 0 names none.
+  // Two eight-bit elements that each name one of the buttons 1 to 12; 0 means none.
   const std::vector<std::uint8_t> descriptor = {0x05, 0x01, 0x09, 0x05, 0xA1, 0x01, 0x05, 0x09, 0x19, 0x01, 0x29, 0x0C,
                                                 0x15, 0x01, 0x25, 0x0C, 0x75, 0x08, 0x95, 0x02, 0x81, 0x00, 0xC0};
   const auto decoder = make_by_descriptor(descriptor);
@@ -111,8 +110,8 @@ TEST(ByDescriptor, ArraysOfButtonsPressTheButtonsThatTheyName) {
   EXPECT_EQ(pad.numbered.to_ulong(), 1UL << 11U);
 }
 
-//! The triggers of a pad that has x, y, z, rz, rx and ry of eight bits with some limits, after
-//! reports whose triggers have a value.
+//! Returns the triggers of a pad with x, y, z, rz, rx and ry of eight bits and the given minimum,
+//! after reports with these trigger values.
 std::vector<float> triggers_after(std::uint8_t least, const std::vector<std::uint8_t>& values) {
   const std::vector<std::uint8_t> descriptor = {0x05, 0x01, 0x09, 0x05, 0xA1, 0x01, 0x09, 0x30, 0x09, 0x31,
                                                 0x09, 0x32, 0x09, 0x35, 0x09, 0x33, 0x09, 0x34, 0x15, least,
@@ -139,8 +138,8 @@ TEST(ByDescriptor, TriggersThatRestAtTheirMinimumAreReadFromThere) {
               testing::Pointwise(testing::FloatNear(0.001F), {0.0F, 0.0F, 0.5F, 1.0F, 0.0F}));
   EXPECT_THAT(triggers_after(0x00, {0, 64, 127}),
               testing::Pointwise(testing::FloatNear(0.005F), {0.0F, 0.0F, 0.504F, 1.0F}));
-  // It is pressed when the pad is plugged in, or all zero before its first measurement, and let go
-  // later.
+  // The trigger is pressed when the pad is plugged in, or reports zero before its first
+  // measurement, and is released later.
   EXPECT_THAT(triggers_after(0x81, {0, 0x81, 0}),
               testing::Pointwise(testing::FloatNear(0.001F), {0.0F, 0.0F, 0.0F, 0.5F}));
 }
@@ -162,7 +161,7 @@ TEST(ByDescriptor, AxesAndButtonsGoWhereTheProfileSays) {
   profile.axes["x"] = {std::nullopt, false};
   profile.buttons = {PadButton::guide, std::nullopt};
   RawPad raw = at_rest(decoder->layout());
-  // x, y and twist at their ends (32 bits set), the throttle at 0, the first two buttons.
+  // x, y and twist at their maximum (32 bits set), the throttle at 0, the first two buttons.
   std::vector<std::uint8_t> report(14);
   std::fill_n(report.begin(), 4, 0xFF);
   report[8] = 0x03;

@@ -25,7 +25,7 @@ const HidField& field_of(const HidLayout& layout, HidUsage usage) {
   return none;
 }
 
-//! A joystick's descriptor about some items.
+//! Returns the descriptor of a joystick that contains the given items.
 Bytes joystick(const Bytes& items) {
   Bytes all = {0x05, 0x01, 0x09, 0x04, 0xA1, 0x01};
   all.insert(all.end(), items.begin(), items.end());
@@ -38,7 +38,7 @@ std::string problem_of(const Bytes& descriptor) {
 }
 
 TEST(HidDescriptor, PlacesFieldsThatAreNotAlignedAsTheStickDoes) {
-  // The published struct of the X52: x:11, y:11, twist:10, four bytes, 34 buttons, 2 of filling,
+  // The published struct of the X52: x:11, y:11, twist:10, four bytes, 34 buttons, 2 padding bits,
   // hat:4.
   const HidLayout layout = layout_of("saitek_x52");
   EXPECT_FALSE(layout.has_ids);
@@ -54,7 +54,7 @@ TEST(HidDescriptor, PlacesFieldsThatAreNotAlignedAsTheStickDoes) {
   EXPECT_EQ(field_of(layout, {1, 0x39}).least, 1);
 }
 
-//! The x axis of a joystick with logical limits, in a field of so many bits.
+//! Returns the x axis of a joystick with the given logical limits, in a field of `bits` bits.
 HidField axis_of(const Bytes& limits, std::uint8_t bits) {
   Bytes items = {0x09, 0x30};
   items.insert(items.end(), limits.begin(), limits.end());
@@ -133,13 +133,13 @@ TEST(HidDescriptor, PopsWhatWasPushed) {
 }
 
 TEST(HidDescriptor, UsagesTakeThePageThatIsSetBehindThemAndKeepOneThatChangesBetweenThem) {
-  // HID 1.11, 6.2.2.8: x and y, whose page comes last.
+  // HID 1.11, 6.2.2.8: x and y, whose usage page is set after them.
   const HidLayout behind = parse_hid_descriptor(joystick(
       {0x05, 0x0C, 0x09, 0x30, 0x09, 0x31, 0x05, 0x01, 0x15, 0x00, 0x25, 0x7F, 0x75, 0x08, 0x95, 0x02, 0x81, 0x02}));
   EXPECT_EQ(field_of(behind, {1, 0x30}).bit_offset, 0U);
   EXPECT_EQ(field_of(behind, {1, 0x31}).bit_offset, 8U);
-  // x of the generic desktop, then the accelerator of the simulation page, then one whose item
-  // holds its page.
+  // x of the generic desktop, then the accelerator of the simulation page, then a usage whose item
+  // contains its page.
   const HidLayout between =
       parse_hid_descriptor(joystick({0x09, 0x30, 0x05, 0x02, 0x09, 0xC4, 0x0B, 0x32, 0x00, 0x01, 0x00,
                                      0x15, 0x00, 0x25, 0x7F, 0x75, 0x08, 0x95, 0x03, 0x81, 0x02}));
@@ -149,7 +149,7 @@ TEST(HidDescriptor, UsagesTakeThePageThatIsSetBehindThemAndKeepOneThatChangesBet
 }
 
 TEST(HidDescriptor, ReadsSignedNumbersOfAnyWidth) {
-  // x of 12 bits from -2048 to 2047, after 3 bits of filling.
+  // x of 12 bits from -2048 to 2047, after 3 padding bits.
   const HidLayout layout = parse_hid_descriptor(joystick(
       {0x75, 0x03, 0x95, 0x01, 0x81, 0x03, 0x16, 0x00, 0xF8, 0x26, 0xFF, 0x07, 0x75, 0x0C, 0x09, 0x30, 0x81, 0x02}));
   const HidField& x = field_of(layout, {1, 0x30});
@@ -189,7 +189,7 @@ TEST(HidDescriptor, PassesOverLongItemsArraysAndOutputs) {
 }
 
 TEST(HidDescriptor, HatsOfFourDirectionsPointAsThoseOfEight) {
-  // Hat of four bits from 0 to 3.
+  // A hat of four bits from 0 to 3.
   const auto decoder = make_by_descriptor(
       joystick({0x15, 0x00, 0x25, 0x03, 0x75, 0x04, 0x95, 0x01, 0x09, 0x39, 0x81, 0x42, 0x81, 0x03}));
   ASSERT_NE(decoder, nullptr);
@@ -242,7 +242,7 @@ TEST(HidDescriptor, IsRefusedWhereItNestsOrPopsBeyondReason) {
 }
 
 TEST(HidDescriptor, OfAllUsagesThereAreStaysSmall) {
-  // Usages 0 to 65535 for 65,535 fields of a bit, again and again.
+  // Usages 0 to 65535 for 65,535 one-bit fields, repeated.
   Bytes items;
   for (int i = 0; i < 8; ++i) {
     const Bytes block = {0x1A, 0x00, 0x00, 0x2A, 0xFF, 0xFF, 0x75, 0x01, 0x96, 0xFF, 0xFF, 0x81, 0x02};

@@ -30,11 +30,11 @@ AudioTrack track_of(const std::string& file, double from_s = 0.0) {
   return track;
 }
 
-//! A show and the sound it makes, mixed into memory a hundredth of a second at a time.
+//! A show and its sound, mixed into memory in chunks of 10 ms.
 class SoundOfShow : public test::FolderTest {
  protected:
-  //! The ramp has millions of samples: it is written once, and each test's folder has it by another
-  //! name.
+  //! The ramp has millions of samples, so it is written once and linked into the folder of each
+  //! test.
   static void SetUpTestSuite() {
     std::filesystem::create_directories(folder_of_ramp());
     test::write_ramp(folder_of_ramp() / "ramp.wav", 44100, ramp_s);
@@ -56,7 +56,7 @@ class SoundOfShow : public test::FolderTest {
     clock_.play();
   }
 
-  //! Time that passes by itself with every look at it while a disk is slow.
+  //! Returns a clock that advances with every reading while `slow_` simulates a slow disk.
   TimeSource source() {
     return [this] {
       time_.now += slow_;
@@ -64,7 +64,7 @@ class SoundOfShow : public test::FolderTest {
     };
   }
 
-  //! The next hundredth of a second; `skew` is how much slower than the clock the device is.
+  //! Mixes the next 10 ms; `skew` is how much slower than the clock the device runs.
   void mix(double skew = 0.0) {
     ShowInstant instant = clock_.read();
     mixer_->update({instant, volume_, language_});
@@ -85,8 +85,8 @@ class SoundOfShow : public test::FolderTest {
   }
   [[nodiscard]] double loudness() const { return samples_[2 * (chunk / 2) + 1]; }
 
-  //! What of the ramp is heard in the middle of the last hundredth of a second, and what time of
-  //! the show it is there [s].
+  //! Returns the time in the ramp that is heard in the middle of the last chunk [s], and its
+  //! difference from the show's time there [s].
   [[nodiscard]] double heard_s() const { return ramp_s * samples_[2 * (chunk / 2)] / samples_[2 * (chunk / 2) + 1]; }
   double error_s() {
     const double since_s = seconds_of(time_.now - mixed_at_) - 0.005;
@@ -133,7 +133,7 @@ TEST_F(SoundOfShow, IsInStepAfterASeekOnASlowDisk) {
   play({track_of("ramp.wav")});
   mix_for(1.0);
   clock_.seek(50s);
-  slow_ = 15ms;  // at every look at the clock while the file is read
+  slow_ = 15ms;  // per reading of the clock while the file is read
   mix();
   EXPECT_NEAR(error_s(), 0.0, 0.02);
   mix_for(4.0);
@@ -218,7 +218,7 @@ TEST_F(SoundOfShow, ATrackBeginsAtItsTimeToTheSample) {
   EXPECT_TRUE(silent());
   mix();
   const auto first = std::ranges::find_if(samples_, [](float sample) { return std::abs(sample) > 0.1F; });
-  // 3 ms into this hundredth; the resampler may smear it by a sample or two.
+  // 3 ms into this chunk; the resampler may smear it by a sample or two.
   EXPECT_NEAR(static_cast<double>(first - samples_.begin()) / 2.0, 0.003 * device_hz, 3.0);
 }
 
@@ -236,7 +236,7 @@ TEST_F(SoundOfShow, AFileThatRepeatsIsWhereItsTimeSays) {
   AudioTrack track = track_of("short.wav");
   track.loop = true;
   play({track});
-  clock_.seek(70350ms);  // a hundred times and a half
+  clock_.seek(70350ms);  // a hundred and a half repetitions
   mix();
   EXPECT_NEAR(0.7 * heard_s() / ramp_s, 0.355, 0.001);
   mix_for(0.7);
@@ -289,7 +289,7 @@ TEST_F(SoundOfShow, OneChannelIsHeardFromBothSides) {
 
 TEST_F(SoundOfShow, SixChannelsAreMixedDown) {
   test::write_sound(folder_ / "six.wav", {SF_FORMAT_WAV | SF_FORMAT_PCM_16, 48000, 6, 1.0},
-                    [](double, int channel) { return channel == 4 ? 0.25 : 0.0; });  // surround left alone
+                    [](double, int channel) { return channel == 4 ? 0.25 : 0.0; });  // only the left surround channel
   play({track_of("six.wav")});
   mix_for(0.2);
   EXPECT_GT(samples_[400], 0.05);

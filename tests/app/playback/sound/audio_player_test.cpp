@@ -14,7 +14,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-//! With the audio library's stand-in for a device, chosen before the library is first called.
+//! Uses the audio library's dummy device, which is selected before the library is first called.
 class SoundWithoutDevice : public test::FolderTest {
  protected:
   void SetUp() override {
@@ -22,7 +22,7 @@ class SoundWithoutDevice : public test::FolderTest {
     ::setenv("ALSOFT_DRIVERS", "null", 1);
   }
 
-  //! A show's sound: a second of one track.
+  //! Returns the sound of a show: one second of a single track.
   [[nodiscard]] Soundtrack one_track() const {
     test::write_ramp(folder_ / "a.wav", 8000, 1.0);
     AudioTrack track;
@@ -30,7 +30,7 @@ class SoundWithoutDevice : public test::FolderTest {
     return {{track}, folder_, 10.0};
   }
 
-  //! What a player says, once it says something.
+  //! Waits until the player reports problems, and returns them.
   static std::vector<std::string> first_problems(AudioPlayer& player) {
     std::vector<std::string> problems;
     for (const auto end = steady_time() + 20s; problems.empty() && steady_time() < end;) {

@@ -1,5 +1,4 @@
-// Flights through the horizon as shows: what was flown against what the show that was read again
-// shows.
+// Recorded flights through the horizon: compares the flight with the saved show, read back.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,8 +20,7 @@ const std::string falling =
     "duration_s = 12\n[hole]\nspin = 0.9\n[camera.fall]\nclock = 1.5\nease_s = 0.5\nleast_r = 0.6\n"
     "velocity = { beta = 0.4, toward = [-1, 0.4, 0.7] }\n[[camera.key]]\nr = 5\ntheta_deg = 70\n";
 
-//! A session by a clock that the test turns, with what it showed at the moments that its record
-//! keeps.
+//! A session with a clock that the test sets, and its frames at the moments of its recording.
 class RecordedFlight : public testing::Test {
  protected:
   void open(const std::string& show, bool free_flight) {
@@ -43,7 +41,7 @@ class RecordedFlight : public testing::Test {
     session_->record();
     begin_s_ = session_->now_s() + 1.0 / 60.0;
   }
-  //! Flies on while it may, two frames at a time.
+  //! Continues the flight while a condition holds, two frames at a time.
   template <class Goes>
   void fly_while(const Goes& goes, double yaw = 0.0) {
     PlayerInput input;
@@ -63,8 +61,8 @@ class RecordedFlight : public testing::Test {
   }
   [[nodiscard]] static bool within(const CameraPose& pose) { return !(pose.r > horizon_radius(record_spin)); }
 
-  //! The flown pose, with the velocity of who looked, as a camera in the frame in which the other
-  //! one is.
+  //! Returns the recorded pose, with the observer's velocity, converted to the frame of the other
+  //! camera.
   [[nodiscard]] static CameraPose in_frame_of(const CameraPose& other, const PlayerFrame& flown) {
     CameraPose pose = flown.pose;
     if (!pose.velocity) {
@@ -74,8 +72,8 @@ class RecordedFlight : public testing::Test {
     return other.velocity_in_rain ? in_rain_frame(pose, record_spin) : in_zamo_frame(pose, record_spin);
   }
 
-  //! Compares everything that was flown from a moment of the record on with what the show has
-  //! there, so much later by its own time.
+  //! Compares the flight from a time of the recording on with the show, which runs `later_s` behind
+  //! in its own time.
   void expect_shown(const Show& show, double from_s = 0.0, double later_s = 0.0) const {
     for (std::size_t i = 0; i < flown_.size(); ++i) {
       if (times_s_[i] < from_s) {

@@ -11,7 +11,7 @@ namespace {
 
 using testing::HasSubstr;
 
-//! A flight that a test flies second for second.
+//! Records a simulated flight, one second at a time.
 class RecordedToAFile : public test::FolderTest {
  protected:
   void fly(RecordingFile& file) {

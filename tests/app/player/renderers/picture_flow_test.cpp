@@ -11,7 +11,7 @@
 namespace ergodome {
 namespace {
 
-//! A renderer of the test's own: remembers the widths it was asked for.
+//! A fake renderer that records the requested widths.
 class FakeRenderer {
  public:
   std::vector<int> sizes;
@@ -29,7 +29,7 @@ class FakeRenderer {
   }
 };
 
-//! Calls advance() until something comes of it.
+//! Calls advance() until it reports news.
 PictureNews wait_for_news(PictureFlow& flow, bool moving) {
   for (int i = 0; i < 20000; ++i) {
     const PictureNews news = flow.advance({}, false, moving);
@@ -73,7 +73,7 @@ TEST(PictureFlow, HoldsTheSizeAndThePaceOfWhatMoves) {
   flow.advance({}, true, true);
   ASSERT_EQ(wait_for_news(flow, true), PictureNews::picture);
   EXPECT_FALSE(flow.report().interval_ms.has_value());
-  // Nothing is asked for before it is due.
+  // Nothing is requested before it is due.
   now_s = 10.2;
   for (int i = 0; i < 20; ++i) {
     EXPECT_EQ(flow.advance({}, true, true), PictureNews::none);

@@ -16,7 +16,7 @@ namespace {
 
 class SceneRenderersTest : public test::FolderTest {
  protected:
-  //! A show over a picture of one colour: its renderer is made in a moment.
+  //! Returns a show with a sky of one color, whose renderer is created in no time.
   Show show(const std::string& name) const {
     std::string sky = "P3 8 4 255";
     for (int i = 0; i < 3 * 8 * 4; ++i) {
@@ -28,7 +28,7 @@ class SceneRenderersTest : public test::FolderTest {
     return show;
   }
 
-  //! Calls once a frame until something new is in use.
+  //! Calls advance() once per frame until a new renderer is in use; returns whether that happened.
   static bool another(SceneRenderers& renderers, const Show& show) {
     for (int i = 0; i < 2000; ++i) {
       if (renderers.advance(show).another) {

@@ -23,7 +23,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-//! The handler with clocks that the test sets.
+//! The OSC handler with clocks that the test sets.
 class Osc : public testing::Test {
  protected:
   Osc() { board_.post(test::example_status()); }
@@ -36,7 +36,7 @@ class Osc : public testing::Test {
     return handler_.receive(packet, sender_, now_);
   }
 
-  //! The commands that a packet gave.
+  //! Returns the commands that result from a message.
   template <class... Values>
   std::deque<TransportCommand> commands_of(const std::string& address, const char* types, Values... values) {
     SCOPED_TRACE(address);
@@ -48,7 +48,7 @@ class Osc : public testing::Test {
     return commands_.take_all();
   }
 
-  //! The sentence of the only answer, an error.
+  //! Returns the text of the only answer, which must be an error.
   std::string complaint_about(const std::vector<std::byte>& packet) {
     const std::vector<OscDatagram> answers = receive(packet);
     EXPECT_THAT(commands_.take_all(), IsEmpty());
@@ -314,7 +314,7 @@ TEST_F(Osc, NobodyFromOutsideSubscribesOthers) {
   EXPECT_THAT(handler_.tick(now_.steady), IsEmpty());
 }
 
-//! The number that the only answer carries, for its receiver to send back.
+//! Returns the nonce in the only answer, which its receiver must send back.
 int nonce_in(const std::vector<OscDatagram>& answers, const NetAddress& to) {
   if (answers.size() != 1 || !(answers[0].to == to)) {
     return 0;
@@ -332,7 +332,7 @@ TEST_F(Osc, SendsFeedbackOutsideOnlyToAddressesThatSendTheirNumberBack) {
     receive(packet_of("/ergodome/nonce", "i", wrong));
   }
   EXPECT_THAT(handler_.tick(now_.steady), IsEmpty());
-  // Many control surfaces know floats only.
+  // Many control surfaces can send only floats.
   EXPECT_THAT(receive(packet_of("/ergodome/nonce", "f", static_cast<double>(nonce))), IsEmpty());
   EXPECT_THAT(handler_.tick(now_.steady), testing::SizeIs(1));
   now_.steady += OscSubscribers::subscription;

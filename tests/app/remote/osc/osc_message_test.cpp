@@ -81,7 +81,7 @@ TEST(OscPackets, AreRefusedWhenTheyAreCutOff) {
   EXPECT_NE(refusal({}), "");
 }
 
-//! Bytes as they are.
+//! Returns the bytes of a literal.
 std::vector<std::byte> bytes_of(std::string_view text) {
   const auto bytes = std::as_bytes(std::span(text));
   return {bytes.begin(), bytes.end()};
@@ -89,8 +89,8 @@ std::vector<std::byte> bytes_of(std::string_view text) {
 
 TEST(OscPackets, GiveArraysAsTheirElements) {
   using namespace std::string_view_literals;
-  // python-osc writes a list within the list of arguments so: seek with [12.5, 1], and a text
-  // behind it.
+  // python-osc writes a list inside the argument list like this: seek with [12.5, 1], followed by a
+  // string.
   const auto messages = parse_osc(bytes_of("/seek\0\0\0,[fi]s\0\0\x41\x48\0\0\0\0\0\1end\0"sv));
   ASSERT_EQ(messages.size(), 1U);
   EXPECT_EQ(messages[0].arguments, (std::vector<OscArgument>{12.5, 1.0, std::string("end")}));
@@ -104,7 +104,7 @@ TEST(OscPackets, TakeATouchWithoutAValueAsNothing) {
 
 TEST(OscPackets, IgnoreFurtherArgumentsOfOtherTypesAndNameAFirstOne) {
   using namespace std::string_view_literals;
-  // A colour, as Chataigne and ossia write it, behind a number; a time tag behind a number.
+  // A color, as Chataigne and ossia write it, after a number; a time tag after a number.
   EXPECT_EQ(parse_osc(bytes_of("/a\0\0,fr\0\x3F\x80\0\0\xFF\0\0\xFF"sv)).at(0).arguments,
             (std::vector<OscArgument>{1.0, std::monostate{}}));
   EXPECT_EQ(parse_osc(packet_of("/a", "ft", 1.0, lo_timetag{1, 1})).at(0).arguments,
@@ -133,8 +133,8 @@ TEST(OscPackets, AreRefusedInWords) {
 }
 
 TEST(OscPackets, SurviveDamage) {
-  // What is left may be a packet or not: that it ends, within bounds, is what the sanitizers look
-  // at.
+  // The damaged bytes may be a packet or not; the sanitizers check that parsing ends and stays
+  // within bounds.
   const std::vector<std::byte> whole =
       bundle_of(5, {packet_of("/ergodome/seek", "dfisTFN", 1.0, 0.5, 2, "text"), packet_of("/b", "s", "other")});
   std::mt19937 random(7);

@@ -15,7 +15,7 @@ namespace {
 
 using test::becomes_true;
 
-//! The address of a free-standing UDP socket at which a controller listens.
+//! A controller that listens on a UDP socket.
 class Controller {
  public:
   explicit Controller(const std::string& host = "127.0.0.1")
@@ -25,7 +25,7 @@ class Controller {
     ::sendto(socket_.get(), bytes.data(), bytes.size(), 0, to.get(), to.size());
   }
 
-  //! The next packet's messages; empty where none comes.
+  //! Returns the messages of the next packet; empty if none arrives.
   std::vector<OscMessage> receive() {
     pollfd polled = {socket_.get(), POLLIN, 0};
     if (::poll(&polled, 1, 10'000) <= 0) {
@@ -97,7 +97,7 @@ TEST_F(OscServerTest, SurvivesGarbageAndGiants) {
   EXPECT_EQ(another.receive().at(0).address, "/ergodome/pong");
 }
 
-//! Addresses that a process listens at over UDP, as the kernel has them: "0100007F:1F90".
+//! Returns whether a process listens on a UDP address, which the kernel lists as "0100007F:1F90".
 bool kernel_lists(const std::string& address_and_port) {
   std::ifstream table("/proc/net/udp");
   for (std::string line; std::getline(table, line);) {

@@ -26,7 +26,7 @@ using testing::StartsWith;
 const std::string token = "0123456789abcdef0123456789abcdef";
 const char* const json_type = "application/json";
 
-//! A server that hears at an address of this machine, over real sockets.
+//! A server that listens at an address of this machine, over real sockets.
 class WebServerTest : public testing::Test {
  protected:
   WebServerTest() { board_.post(test::example_status()); }
@@ -42,7 +42,7 @@ class WebServerTest : public testing::Test {
     return client;
   }
 
-  //! What the server says to some bytes, until it closes.
+  //! Sends bytes, and returns the server's answer until it closes the connection.
   std::string answer_to(const std::string& bytes) const {
     RawClient raw(address());
     raw.send(bytes);
@@ -167,7 +167,7 @@ TEST_F(OnLoopback, AFloodOfCommandsIsHeldBack) {
   for (int i = 0; i < 400; ++i) {
     accepted += client().Post("/api/command", R"({"kind": "play"})", json_type)->status == 200 ? 1 : 0;
   }
-  // A machine that is busy floods slowly, and is then let through.
+  // A busy machine sends more slowly than the limit, and more requests are accepted.
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
   EXPECT_LE(accepted, 201.0 + 100.0 * elapsed.count());
 }
@@ -214,7 +214,7 @@ TEST_F(OnLoopback, ClientsThatSendNothingDoNotKeepOthersOut) {
   for (std::size_t i = 0; i < 2 * WebLobby::most_waiting; ++i) {
     silent.emplace_back(address()).send("GET / HT");
   }
-  // Their time to send a head runs out.
+  // Their time to send a request head runs out.
   EXPECT_TRUE(becomes_true([&] {
     const auto answer = client().Get("/api/status");
     return answer && answer->status == 200;
@@ -230,7 +230,7 @@ TEST_F(OnLoopback, ItEndsWithAnOpenStreamAndAStalledClient) {
       "POST /api/command HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: "
       "100\r\n\r\n{");
   RawClient idle(address());
-  // A client that takes nothing of a stream: its buffers fill up while the server waits.
+  // A client that never reads its stream: its buffers fill up while the server waits.
   RawClient full(address());
   full.send("GET /api/events HTTP/1.1\r\nHost: localhost\r\n\r\n");
   const auto begin = std::chrono::steady_clock::now();
@@ -238,7 +238,7 @@ TEST_F(OnLoopback, ItEndsWithAnOpenStreamAndAStalledClient) {
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(2));
 }
 
-//! At an address that other machines reach.
+//! Listens at an address that other machines can reach.
 class FromOutside : public WebServerTest {
  protected:
   void SetUp() override {

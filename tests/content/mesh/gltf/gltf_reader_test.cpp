@@ -11,7 +11,7 @@
 #include "content/mesh/mesh_reader.h"
 #include "tests/support/errors.h"
 
-// Files as other programs write them. Right values are those of the glTF 2.0 specification.
+// Files as other programs write them. Expected values follow from the glTF 2.0 specification.
 namespace ergodome {
 namespace {
 
@@ -40,10 +40,10 @@ std::string base64(const std::string& bytes) {
   return text;
 }
 
-//! A glTF file that a test puts together.
+//! Builds a glTF file.
 class GltfText {
  public:
-  //! Adds an accessor of numbers; returns its number.
+  //! Adds an accessor of numbers; returns its index.
   template <class Number>
   int add(const std::vector<Number>& numbers, int component_type, const char* type, int components,
           const std::string& more = "") {
@@ -61,7 +61,8 @@ class GltfText {
     return add(numbers, 5126, type, components, more);
   }
 
-  //! The file with a primitive, nodes ("[{...}]") and further members (",\"materials\":[...]").
+  //! Returns the file with a primitive, nodes ("[{...}]") and further members
+  //! (",\"materials\":[...]").
   [[nodiscard]] std::string text(const std::string& primitive, const std::string& nodes = R"([{"mesh":0}])",
                                  const std::string& more = "") const {
     return fmt::format(
@@ -82,7 +83,7 @@ TriangleMesh gltf_mesh(const std::string& text) { return parse_mesh(text, MeshFo
 
 const std::vector<float> corners = {0, 0, 0, 1, 0, 0, 0, 1, 0};
 
-//! A triangle in the plane z = 0.
+//! Returns a file with a triangle in the plane z = 0.
 std::string one_triangle(const std::string& nodes = R"([{"mesh":0}])", const std::string& more = "") {
   GltfText file;
   file.add_floats(corners, "VEC3", 3);
@@ -202,7 +203,7 @@ TEST(GltfReader, SkinsStandInThePoseOfTheirJoints) {
   file.add_floats(corners, "VEC3", 3);
   file.add(std::vector<std::uint8_t>{0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0}, 5121, "VEC4", 4);
   file.add_floats({1, 0, 0, 0, 1, 0, 0, 0, 0.5, 0.5, 0, 0}, "VEC4", 4);
-  // The inverse of a joint at (1, 0, 0) for the second one.
+  // The second matrix is the inverse of a joint at (1, 0, 0).
   file.add_floats({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -1, 0, 0, 1},
                   "MAT4", 16);
   const TriangleMesh mesh = gltf_mesh(
@@ -322,7 +323,7 @@ TEST(GltfReader, NamesFormatsOfTexturesThatAreNotRead) {
   EXPECT_THAT(read_mesh(meshes / "webp_with_png.gltf").parts.at(0).image.name, testing::EndsWith("quad.png"));
 }
 
-//! A textured triangle; JSON of its image.
+//! Returns a textured triangle; `image` is the JSON of its image.
 std::string with_image(const std::string& image) {
   GltfText file;
   file.add_floats(corners, "VEC3", 3);
@@ -399,7 +400,7 @@ TEST(GltfReader, AccessorsWithoutABufferAreZero) {
 }
 
 TEST(GltfReader, EntriesMayLieApartInTheirBuffer) {
-  // Positions and normals by turns, as in BoxInterleaved.
+  // Positions and normals alternate, as in BoxInterleaved.
   GltfText file;
   file.add_floats({0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 1}, "VEC3", 3);
   std::string text = file.text(R"({"attributes":{"POSITION":0,"NORMAL":1}})");

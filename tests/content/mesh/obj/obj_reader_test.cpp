@@ -49,7 +49,7 @@ TEST(ObjReader, TakesColoursOfVerticesAsSrgb) {
 }
 
 TEST(ObjReader, SmoothsWithinSmoothingGroupsAndEverywhereWithoutThem) {
-  // Two faces that meet at a right angle along the edge from corner 1 to 2.
+  // Two faces that meet at a right angle along the edge between corners 1 and 2.
   const std::string roof = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
   const auto normal = [&](const std::string& faces) {
     return Vector3<double>{static_cast<double>(obj_mesh(roof + faces).vertices[0].normal[0]),
