@@ -4,17 +4,17 @@
 
 #include "calibration/projectors/projector_picture.h"
 
-// Projectors that use all that a projector's picture can hold.
+// Projectors that use every feature of a projector picture.
 namespace ergodome::test {
 
-//! Light that can be read between a master's pixels, brighter than white in a corner.
+//! Returns light that varies smoothly over the master, brighter than white in one corner.
 inline Vector3<float> soft_colours(double u, double v) {
   return {static_cast<float>(0.4 + 0.3 * std::sin(5.0 * u)), static_cast<float>(0.5 + 0.4 * std::cos(6.0 * v)),
           static_cast<float>(0.1 + 2.0 * u * v)};
 }
 
-//! A curved warp over most of a small raster, with intensities, a hole, coloured masks and all the
-//! rest.
+//! Returns a curved warp over most of a small raster, with intensities, a hole, colored masks and
+//! all other features.
 inline ProjectorPicture curved_picture() {
   ProjectorPicture picture;
   picture.name = "curved";
@@ -42,16 +42,16 @@ inline ProjectorPicture curved_picture() {
   return picture;
 }
 
-//! The same, all grey: a pixel has one factor.
+//! Returns the curved projector in gray: a pixel has one factor.
 inline ProjectorPicture grey_picture() {
   ProjectorPicture picture = curved_picture();
-  picture.width_px = 93;  // not a multiple of what is drawn at a time
+  picture.width_px = 93;  // not a multiple of the number of pixels drawn at a time
   picture.black_level = {};
   picture.blend = {3, 2, 1, 16, {0.0F, 0.5F, 1.0F, 0.3F, 0.6F, 0.9F}};
   return picture;
 }
 
-//! The same without masks, with moved corners and a curve the other way.
+//! Returns the gray projector without masks, with moved corners and the opposite curvature.
 inline ProjectorPicture plain_picture() {
   ProjectorPicture picture = grey_picture();
   picture.blend = {};

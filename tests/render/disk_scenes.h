@@ -4,7 +4,7 @@
 
 namespace ergodome::test {
 
-//! A hole with a disk and redshift, before any camera.
+//! Returns a show with a hole, a disk and redshift, and without a camera.
 inline Show show_with(double spin, const DiskSettings& disk) {
   Show show;
   show.spin = spin;
@@ -13,7 +13,7 @@ inline Show show_with(double spin, const DiskSettings& disk) {
   return show;
 }
 
-//! Of the same light everywhere between two radii [M].
+//! Returns a disk of uniform light between two radii [M].
 inline DiskSettings uniform_disk(double inner, double outer) {
   DiskSettings disk;
   disk.inner = inner;

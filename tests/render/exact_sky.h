@@ -7,12 +7,12 @@
 
 namespace ergodome::test {
 
-//! The sky that the closed form sees in a direction.
+//! Returns the sky direction of an observed direction, by the closed form.
 inline Vector3<double> exact_sky(const CameraStation& camera, const Vector3<double>& n) {
   return turned_to_camera(camera, trace_closed_form(camera.spin, start_ray(camera, unit_of(n))).sky);
 }
 
-//! How far an image lies from where the closed form has it, and its exact magnification.
+//! The distance of an image from its position in the closed form, and its exact magnification.
 struct ImageError {
   double miss;  //!< [rad]
   double magnification;

@@ -10,13 +10,13 @@
 
 namespace ergodome::test {
 
-//! A place on the screen.
+//! A position on the screen.
 struct PlaceOnScreen {
   double x_px;
   double y_px;
 };
 
-//! A direction of the view in the observer's frame.
+//! Converts a direction of the view to the observer's frame.
 inline Vector3<double> in_frame(const EyeCamera& eye, const Vector3<double>& view) {
   const auto along = [&](int axis) {
     const auto& row = eye.frame_from_view[axis];
@@ -35,18 +35,19 @@ inline PlaceOnScreen on_screen(const EyeCamera& eye, const Projection& projectio
   return place;
 }
 
-//! The exact lens about places of the screen.
+//! The exact lens around positions on the screen.
 class LensAbout {
  public:
-  //! What lies nearer to the shadow's edge than `least_edge_px` counts as changing without end.
+  //! Positions closer to the shadow's edge than `least_edge_px` count as changing infinitely.
   LensAbout(const EyeCamera& eye, const Projection& projection, double least_edge_px)
       : eye_(eye), projection_(projection), shadow_(camera_of(eye)), least_edge_px_(least_edge_px) {}
 
-  //! How much the map's magnification changes across a pixel about each place, as a part of its
-  //! least; infinite where it turns over, and near the shadow's edge.
+  //! Returns the change of the magnification across a pixel around each position, relative to its
+  //! minimum; infinite where the parity changes, and near the shadow's edge.
   [[nodiscard]] std::vector<double> changes(const std::vector<PlaceOnScreen>& asked) const {
     constexpr double step = 0.05;
-    // Corners of the pixel about the place; at each a ray, and one to its right and below it.
+    // The corners of the pixel around the position; at each one a ray, one to its right and one
+    // below it.
     constexpr std::size_t rays = 12;
     const std::size_t count = rays * asked.size();
     std::vector<double> values(6 * count);
@@ -93,7 +94,7 @@ class LensAbout {
       if (dot(sky, sky) < 0.5 || shadow_.of(n) < least_edge_px_ * pixel_angle(projection_)) {
         return INFINITY;
       }
-      // Areas on the sky and on the screen, both with their sign.
+      // Signed areas on the sky and on the screen.
       const double rate = dot(sky, cross(at(3, ray + 1) - sky, at(3, ray + 2) - sky)) /
                           dot(n, cross(at(0, ray + 1) - n, at(0, ray + 2) - n));
       least = std::min(least, rate);

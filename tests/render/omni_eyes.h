@@ -9,8 +9,8 @@
 
 namespace ergodome::test {
 
-//! An eye's place by words: to the right of where one looks, faded by the cosine of the elevation
-//! between 60 and 90 degrees.
+//! Returns the position of an eye by the definition of omnidirectional stereo: to the right of the
+//! viewing direction, fading with the cosine of the elevation between 60 and 90 degrees.
 inline Vector3<double> omni_place(const Vector3<double>& view, double offset) {
   const double azimuth = std::atan2(view.x, -view.z);
   const double level = std::hypot(view.x, view.z) / std::cos(pi / 3.0);
@@ -18,7 +18,7 @@ inline Vector3<double> omni_place(const Vector3<double>& view, double offset) {
   return {offset * part * std::cos(azimuth), 0.0, offset * part * std::sin(azimuth)};
 }
 
-//! A ray of a direction of the view, from the camera of that direction alone.
+//! A ray in a direction of the view, from the camera of that direction alone.
 struct OwnRay {
   CameraStation camera;
   Vector3<double> n;  //!< in that camera's frame

@@ -10,14 +10,14 @@
 
 namespace ergodome::test {
 
-//! Where a star is in a picture.
+//! A position in a picture.
 struct StarSpot {
   double x_px;
   double y_px;
 };
 
-//! The picture of an eye that turns with the direction, by nothing but single rays from each
-//! direction's own camera.
+//! The picture of an omnidirectional stereo eye, computed only from single rays of each direction's
+//! own camera.
 class OwnRays {
  public:
   OwnRays(const EyePlace& eye_at, double offset, double convergence, const Projection& projection)
@@ -27,13 +27,13 @@ class OwnRays {
     return own_ray(eye_at_, direction_from_pixel(projection_, spot.x_px, spot.y_px), offset_, convergence_);
   }
 
-  //! The sky at a place of the picture; nothing in the shadow.
+  //! Returns the sky at a position of the picture; nothing in the shadow.
   [[nodiscard]] std::optional<Vector3<double>> sky(const StarSpot& spot) const {
     const OwnRay own = ray(spot);
     return direction_is_bright(own.camera, own.n) ? std::optional(exact_sky(own.camera, own.n)) : std::nullopt;
   }
 
-  //! The map from the picture to the sky at a place, per pixel.
+  //! The local map from the picture to the sky at a position, per pixel.
   struct Map {
     Vector3<double> sky;
     Vector3<double> along_x;
@@ -58,7 +58,7 @@ class OwnRays {
     return Map{*middle, (0.5 / h) * (*right - *left), (0.5 / h) * (*below - *above)};
   }
 
-  //! How far to go in the picture for a star [px], by the map at a place.
+  //! Returns the step in the picture towards a star [px], by the map at a position.
   static StarSpot way_to(const Map& map, const Vector3<double>& star) {
     const Vector3<double> missing = star - map.sky;
     const double a = dot(map.along_x, map.along_x);
@@ -70,7 +70,8 @@ class OwnRays {
     return {(c * p - b * q) / square, (a * q - b * p) / square};
   }
 
-  //! A star's image by Newton's method from a place nearby; nothing where that leads away.
+  //! Finds a star's lensed image by Newton's method from a position nearby; returns nothing if the
+  //! method diverges.
   [[nodiscard]] std::optional<StarSpot> image(StarSpot spot, const Vector3<double>& star) const {
     for (int round = 0; round < 12; ++round) {
       const auto here = map(spot);
@@ -95,15 +96,15 @@ class OwnRays {
   const Projection& projection_;
 };
 
-//! The least that the sky moves by when a pixel's worth is gone in the picture [rad]: the smaller
-//! singular value.
+//! Returns the minimum movement of the sky for a step of one pixel in the picture [rad]: the
+//! smaller singular value.
 inline double least_move_of(const OwnRays::Map& map) {
   const double sum = dot(map.along_x, map.along_x) + dot(map.along_y, map.along_y);
   const double d = map.determinant();
   return d / std::sqrt(0.5 * (sum + std::sqrt(std::max(sum * sum - 4.0 * d * d, 0.0))));
 }
 
-//! A mesh over a picture, with a corner on each pixel's.
+//! A mesh over a picture, with vertices at the corners of the pixels.
 class PixelMesh {
  public:
   PixelMesh(const OwnRays& rays, const Projection& projection)
@@ -115,7 +116,7 @@ class PixelMesh {
     }
   }
 
-  //! Pixels whose halves hold a star: their middles.
+  //! Returns the centers of the pixels of which one half contains a star.
   [[nodiscard]] std::vector<StarSpot> pixels_with(const Vector3<double>& star) const {
     std::vector<StarSpot> found;
     for (int y = 0; y < height_; ++y) {
@@ -136,7 +137,7 @@ class PixelMesh {
       const int column = x + half[i] % 2;
       const auto& corner = corners_[static_cast<std::size_t>(row) * (static_cast<std::size_t>(width_) + 1) +
                                     static_cast<std::size_t>(column)];
-      // What is wider than half a radian says nothing of what lies in it.
+      // Triangles wider than half a radian do not determine what they contain.
       if (!corner || dot(*corner, star) < 0.88) {
         return false;
       }

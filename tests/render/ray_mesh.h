@@ -9,13 +9,14 @@
 
 namespace ergodome::test {
 
-//! An image as the reference search knows it.
+//! An image found by the reference search.
 struct FoundImage {
   double magnification;
   double from_edge;  //!< angle from the shadow's edge [rad]
 };
 
-//! The chart about a camera's shadow, in the observer's own frame.
+//! Computes distances from the edge of a camera's shadow, with the chart in the observer's own
+//! frame.
 class ShadowDistance {
  public:
   explicit ShadowDistance(const CameraStation& camera) : camera_(camera), chart_(make_shadow_chart(camera)) {}
@@ -23,7 +24,7 @@ class ShadowDistance {
   [[nodiscard]] const ShadowChart& chart() const { return chart_; }
   [[nodiscard]] double edge(double gamma) const { return edge_polar_angle(camera_, chart_, gamma); }
 
-  //! Angle of a direction from the shadow's edge.
+  //! Returns the angle of a direction from the shadow's edge [rad].
   [[nodiscard]] double of(const Vector3<double>& n) const {
     const double first = dot(n, chart_.first);
     const double second = dot(n, chart_.second);
@@ -35,8 +36,8 @@ class ShadowDistance {
   ShadowChart chart_;
 };
 
-//! Directions all over a camera's sky, from a distance of the shadow's edge on, with the sky that
-//! rays see there: a mesh of triangles.
+//! A mesh of triangles over directions of a camera's sky, from a minimum distance of the shadow's
+//! edge on, with the sky that rays see there.
 class RayMesh {
  public:
   RayMesh(const EyeCamera& eye, double least_distance, int columns, int rows) : columns_(columns), rows_(rows) {
@@ -63,7 +64,7 @@ class RayMesh {
     trace(camera, values);
   }
 
-  //! The images of a star: the triangles that hold it.
+  //! Returns the images of a star: the triangles that contain it.
   [[nodiscard]] std::vector<FoundImage> images(const Vector3<double>& star) const {
     std::vector<FoundImage> found;
     for (int column = 0; column < columns_; ++column) {

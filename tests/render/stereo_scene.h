@@ -6,6 +6,7 @@
 #include "render/frame/eye_renderer.h"
 #include "tests/support/tiny_sky.h"
 
+// Shows with two eyes, for tests of stereo.
 namespace ergodome::test {
 
 inline Show show_of_eyes(const std::string& stereo,

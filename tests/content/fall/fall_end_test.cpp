@@ -22,8 +22,8 @@ const std::string glide_keys =
     "[[camera.key]]\nt_s = 30\nr = 40\ntheta_deg = 60\nphi_deg = 500\npitch_deg = -10\n"
     "[[camera.key]]\nt_s = 50\nr = 60\ntheta_deg = 50\nphi_deg = 900\n";
 
-//! A show of 60 s about a hole of spin 0.9, whose camera falls from 4 s on with the given lines,
-//! and has the given keys.
+//! Returns a show of 60 s with a hole of spin 0.9 and the given keys, whose camera falls from 4 s
+//! on with the given lines.
 Show ending_show(const std::string& fall, const std::string& keys = begin_keys + turn_keys + glide_keys,
                  const std::string& observer = "zamo") {
   return parse_show("duration_s = 60\n[hole]\nspin = 0.9\n[camera]\nobserver = \"" + observer +

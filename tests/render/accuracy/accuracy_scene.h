@@ -8,8 +8,8 @@
 
 namespace ergodome::test {
 
-//! A show on a small dome, a fast hole at r = 6 M; `more` are further lines, of the view's table
-//! and after.
+//! Returns a show on a small dome, at r = 6 M from a fast-spinning hole; `more` is appended to its
+//! text, starting inside the [view] table.
 inline Show small_dome(const std::string& more = {}) {
   Show show = parse_show(
       "[hole]\nspin = 0.9\n[camera]\n[[camera.key]]\nr = 6\ntheta_deg = 80\nphi_deg = 30\npitch_deg = -20\n[sky]\nmap "
@@ -21,7 +21,7 @@ inline Show small_dome(const std::string& more = {}) {
   return show;
 }
 
-//! A quick look with few of everything.
+//! Returns settings for a fast measurement with few samples.
 inline AccuracySettings few() {
   AccuracySettings settings;
   settings.moments = 1;

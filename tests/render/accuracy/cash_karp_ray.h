@@ -5,8 +5,8 @@
 
 namespace ergodome::test {
 
-//! The sky where the ray of an observed direction comes from, by the Runge-Kutta pair of Cash &
-//! Karp: neither the closed form nor the series of the references.
+//! Returns the sky direction of an observed direction, traced by the Runge-Kutta pair of Cash &
+//! Karp: independent of the closed form and of the series that produce the references.
 inline Vector3<double> cash_karp_sky(const EyeCamera& eye, const Vector3<double>& n) {
   const double direction[3] = {n.x, n.y, n.z};
   double sky[3] = {};

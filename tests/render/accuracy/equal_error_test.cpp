@@ -15,7 +15,7 @@ Measurement choice(const std::string& method, double p99, std::vector<double> fr
   return measured;
 }
 
-//! A grid that is quick to read and slow to make, and rays.
+//! Returns two methods: a grid that is fast to read and slow to build, and rays.
 AccuracyAxis two_methods() {
   AccuracyAxis axis;
   axis.base = "rays";

@@ -39,7 +39,7 @@ TEST(ExactImages, AreNotInTheShadow) {
 }
 
 TEST(ExactImages, AreMagnifiedByTheBlueShiftOfAFarHoleAlone) {
-  // Far from the hole space is flat; and for a static observer nothing moves.
+  // Far from the hole space is flat, and a static observer does not move.
   Show show = test::small_dome();
   show.camera.keys.front().r = 1e6;
   const EyeCamera eye = eye_of(show);

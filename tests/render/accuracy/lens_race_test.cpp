@@ -48,7 +48,7 @@ TEST(LensRace, AFinerQuadtreeMissesByLess) {
       measured({quadtree_choice(7, true), quadtree_choice(finest_level, true), quadtree_pixel_choice(finest_level)});
   EXPECT_LT(results[1].error.p99, results[0].error.p99);
   EXPECT_GT(results[1].memory_bytes, 0U);
-  // Read another way, and in float: the same grid.
+  // The same grid with other interpolation and in float.
   EXPECT_NEAR(results[2].error.median, results[1].error.median, 1e-3);
 }
 

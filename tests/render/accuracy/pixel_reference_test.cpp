@@ -10,7 +10,7 @@
 namespace ergodome {
 namespace {
 
-//! The sky where rays of a moment's eye come from.
+//! Returns the sky direction of a position in a moment's picture, by traced rays.
 Vector3<double> traced(const AccuracyMoment& moment, double x_px, double y_px) {
   const Vector3<double> view = direction_from_pixel(moment.projection, x_px, y_px);
   const auto part = [&](int i) {
@@ -29,7 +29,7 @@ class PixelReferenceOfADome : public testing::Test {
         lattice_(pixel_lattice(moment_.projection, 16, 1)),
         reference_(moment_.eye, moment_.projection, lattice_.pixels, moment_.pixel) {}
 
-  //! The sky of a pixel when one looks a little beside its middle.
+  //! Returns the sky direction at an offset from the middle of a pixel.
   [[nodiscard]] Vector3<double> beside(std::size_t i, double right_px, double down_px) const {
     const auto [x, y] = pixel_middle(lattice_.pixels[i], moment_.projection.width_px);
     return traced(moment_, x + right_px, y + down_px);
@@ -52,7 +52,7 @@ TEST_F(PixelReferenceOfADome, FindsNothingWrongWithExactRays) {
 }
 
 TEST_F(PixelReferenceOfADome, CallsAHundredthOfAPixelAHundredthOfAPixel) {
-  // In a dome pixels are as large as in its middle along the radius, and a little smaller across
+  // Pixels of a dome are as large along the radius as in the middle, and slightly smaller across
   // it.
   int compared = 0;
   for (std::size_t i = 0; i < reference_.size(); ++i) {

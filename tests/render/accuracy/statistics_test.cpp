@@ -51,7 +51,7 @@ TEST(Statistics, TheMiddleOfAnEvenNumberOfRunsLiesBetweenTwo) {
 }
 
 TEST(Statistics, RatiosAreOfRunsInTheSameRound) {
-  // A machine that is twice as slow in one round: the ratio is the same.
+  // A machine that is twice as slow in one round has the same ratio.
   const Spread ratio = ratio_of({2.0, 4.0, 2.0}, {1.0, 2.0, 1.0, 7.0});
   EXPECT_EQ(ratio.runs, 3);
   EXPECT_EQ(ratio.least, 2.0);

@@ -10,7 +10,7 @@
 #include "tests/support/gl_driver.h"
 #include "tests/support/sanitized.h"
 
-// No report of leaks where a driver was at work.
+// Disables leak reports if a driver was loaded.
 // NOLINTNEXTLINE: the checker's name
 extern "C" int __lsan_is_turned_off() { return ergodome::test::driver_was_loaded ? 1 : 0; }
 

@@ -21,7 +21,8 @@
 namespace ergodome {
 namespace {
 
-//! A camera that falls past the hole for two seconds and then glides away, for small pictures.
+//! Returns a show whose camera falls past the hole for two seconds and then glides away, for small
+//! pictures.
 Show falling_past() {
   return parse_show(
       "duration_s = 3\n[hole]\nspin = 0.7\n[camera]\n[camera.fall]\nclock = 8\nuntil_s = 2\nease_s = 0.5\n"
@@ -31,7 +32,7 @@ Show falling_past() {
       "falling.toml");
 }
 
-//! A fall that is baked, and renderers of its frames.
+//! A baked fall, and renderers of its frames.
 class FallingBake : public test::FolderTest {
  protected:
   void SetUp() override {
@@ -54,7 +55,8 @@ class FallingBake : public test::FolderTest {
 
 Picture frame_at(ShowRenderer& renderer, double time_s) { return renderer.render(time_s, {}).front().picture; }
 
-//! The part of a picture whose light is not between that of another's pixels there and next to it.
+//! Returns the fraction of pixels in a picture whose light is outside the range of the same pixel
+//! and its neighbors in the other picture.
 double displaced_part(const Picture& picture, const Picture& other) {
   constexpr float rounding = 1e-3F;
   const int size = other.width;
@@ -77,10 +79,10 @@ double displaced_part(const Picture& picture, const Picture& other) {
   return static_cast<double>(beyond) / inside;
 }
 
-// Streamed and live lenses are each within half a pixel of the exact one in all but a hundredth of
-// the sky, and so within a pixel of each other in all but two: what is seen there is between what
-// is seen next to it. Not so in pixels on the shadow's edge, which see the whole sky in themselves;
-// they are another two hundredths.
+// Streamed and live lenses are each within half a pixel of the exact lens in all but a hundredth of
+// the sky, and so within a pixel of each other in all but two hundredths: their light is then
+// within the range of the neighbors. This fails for pixels on the shadow's edge, which contain the
+// whole sky; they are another two hundredths.
 TEST_F(FallingBake, ShowsTheLivePictureInTheFallAndAfterIt) {
   ShowRenderer streaming = streamed();
   ShowRenderer live(show_, Backend::cpu, LensChoice::live);
@@ -111,7 +113,8 @@ TEST_F(FallingBake, GivesAFrameTheSamePictureAloneAndInASequence) {
   EXPECT_EQ(frame_at(alone, 1.7).rgba, last.rgba);
 }
 
-//! The camera is let go fast, and a fall of two seconds later it stands.
+//! Returns a show whose camera is released at high speed; it is at rest after a fall of two
+//! seconds.
 Show let_go() {
   return parse_show(
       "duration_s = 6\n[hole]\nspin = 0.7\n[camera]\nobserver = \"zamo\"\n[camera.fall]\nt_s = 2\nclock = 1\n"
@@ -120,8 +123,8 @@ Show let_go() {
       "let-go.toml");
 }
 
-//! What the stations of a bake miss by on the screen at a time, in all but a hundredth of the sky
-//! [px].
+//! Returns the screen error [px] of baked stations at a time, which all but a hundredth of the sky
+//! stay below.
 double missed_px(const Show& show, const TrajectoryReader& baked, double time_s, double pixel) {
   const auto buffers = [&](std::size_t i) { return std::make_shared<StationBuffers>(Backend::cpu, baked.read(i)); };
   std::size_t next = 1;
@@ -130,7 +133,7 @@ double missed_px(const Show& show, const TrajectoryReader& baked, double time_s,
   }
   const EyeCamera eye = eye_camera(show, camera_pose(show, time_s), 0.0);
   const StationBlend blend(Backend::cpu, buffers(next - 1), buffers(next), {eye.r, eye.theta});
-  // The sanitizers look at a fiftieth of the rays, and two of a hundred tell of no hundredth.
+  // Under sanitizers, rays are 50 times fewer, too few for a 99th percentile.
   constexpr std::size_t rays = test::sanitized ? 100'000 : 5'000;
   return test::screen_errors(blend.view(),
                              make_camera_station(eye.spin, eye.r, eye.theta, 0.0, eye.motion, eye.velocity),
@@ -140,8 +143,8 @@ double missed_px(const Show& show, const TrajectoryReader& baked, double time_s,
 
 class LetGoBake : public test::FolderTest {};
 
-// What flew so fast has hardly looked back: the grid for it is coarse where one who stands looks
-// closely.
+// A fast observer hardly resolves the sky behind it: its grid is coarse where an observer at rest
+// needs a fine one.
 TEST_F(LetGoBake, HoldsTheBudgetWhereTheCameraStandsWhileItsVelocityGoesOver) {
   const Show show = let_go();
   constexpr double budget_px = 0.25;
@@ -154,7 +157,7 @@ TEST_F(LetGoBake, HoldsTheBudgetWhereTheCameraStandsWhileItsVelocityGoesOver) {
   }
 }
 
-//! Falls with the rain through the horizon of a hole of spin 0.6, at 1.8 M.
+//! Returns a show that falls with the rain through the horizon of a hole with spin 0.6, at 1.8 M.
 Show falling_through() {
   return parse_show(
       "duration_s = 2\n[hole]\nspin = 0.6\n[camera.fall]\nvelocity = \"rain\"\nclock = 1\nease_s = 0.2\nleast_r = 0.9\n"
@@ -162,7 +165,7 @@ Show falling_through() {
       "through.toml");
 }
 
-//! Such a fall, baked.
+//! The fall through the horizon, baked.
 class BakeThroughTheHorizon : public test::FolderTest {
  protected:
   void SetUp() override {

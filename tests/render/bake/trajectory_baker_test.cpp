@@ -19,7 +19,8 @@
 namespace ergodome {
 namespace {
 
-//! From r = 12, θ = 70° to r = 5 on the equator in ten seconds, then to rest there.
+//! Returns a camera that moves from r = 12, θ = 70° to r = 5 at the equator in ten seconds, then
+//! rests there.
 Show approach() {
   Show show;
   show.name = "approach";
@@ -55,7 +56,7 @@ class TrajectoryBaker : public test::FolderTest {
     return {std::istreambuf_iterator<char>(from), {}};
   }
 
-  //! Bakes to a finished file of that name.
+  //! Bakes a show to a finished file with the given name.
   BakeResult bake(const Show& show, const std::string& name, const BakeSettings& how = settings()) const {
     TrajectoryJournal journal(file(name + ".part"), provenance_of(show, how));
     BakeResult result = bake_trajectory(show, how, journal, [](double) { return true; });
@@ -64,7 +65,7 @@ class TrajectoryBaker : public test::FolderTest {
   }
 };
 
-//! For pictures of 256 pixels.
+//! Returns settings for pictures of 256 pixels.
 BakeSettings coarse_settings() {
   BakeSettings how = settings();
   how.pixel = pi / 256.0;
@@ -99,7 +100,7 @@ TEST_P(TrajectoryBakerWith, BlendsHoldTheBudgetAtAnyTimeOfTheShow) {
 }
 
 TEST_F(TrajectoryBaker, DividesAStretchAtWhoseEndACausticRunsThroughTheSamples) {
-  // Beside the axis the sky behind the hole is a ring, along which next to nothing becomes many
+  // Near the axis, the sky behind the hole becomes a ring, along which tiny distances span many
   // pixels.
   Show show = approach();
   show.duration_s = 4.0;
@@ -115,8 +116,8 @@ TEST_F(TrajectoryBaker, DividesAStretchAtWhoseEndACausticRunsThroughTheSamples) 
 }
 
 TEST_F(TrajectoryBaker, BuildsStationsFinerThatWouldMissTheBudgetByThemselves) {
-  // One who whirls round close to the hole sees a caustic ahead: a grid that keeps its part of the
-  // budget is far off in a thousandth of that sky.
+  // An observer on a fast orbit close to the hole sees a caustic ahead: a grid that keeps its part
+  // of the budget is far off in a thousandth of that sky.
   Show show = approach();
   show.duration_s = 1.0;
   show.spin = 0.7;

@@ -27,7 +27,7 @@ constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 class ChannelFiles : public test::FolderTest {
  protected:
-  //! Two channels of 3 x 2 pixels.
+  //! Returns two channels of 3 x 2 pixels.
   static std::vector<PixelChannel> two_channels() {
     return {{channels_of(ChannelGroup::g)[0], {1.0, 2.0, 1.0 / 3.0, 4.0, no_number, 6.0}},
             {channels_of(ChannelGroup::disk)[0], {10.0, 20.0, 30.0, 1e300, 50.0, no_number}}};
@@ -57,7 +57,7 @@ TEST_F(ChannelFiles, OfFitsHoldEveryChannelAsAnExtensionWithUnitAndChecksums) {
   EXPECT_EQ(fits.number("CRPIX1"), 2.0);
   EXPECT_EQ(fits.number("CRPIX2"), 1.5);
   EXPECT_EQ(fits.number("LONPOLE"), 180.0);
-  // The first row of the file is the lowest one of the picture, and every double is there to its
+  // The first row of the file is the lowest row of the picture, and every double is exact to the
   // last bit.
   const std::vector<double> g = fits.pixels();
   EXPECT_EQ(g[0], 4.0);
@@ -91,7 +91,7 @@ TEST_F(ChannelFiles, OfFitsAreKnownToBeWhole) {
 }
 
 TEST_F(ChannelFiles, OfFitsTakeNamesAsTheyAre) {
-  // CFITSIO's own names of files cut and filter images in brackets.
+  // CFITSIO's extended file names use brackets to crop and filter images.
   write_fits("frame[1:2](x).fits");
   EXPECT_NE(image_library().whole_fits_text(path("frame[1:2](x).fits"), "REQUEST", 2), "");
   EXPECT_THROW(write_channel_fits(path("no/such.fits"), 3, 2, two_channels(), std::nullopt, some_facts()), Error);

@@ -8,9 +8,9 @@
 #include "kernels/projection/make_projection.h"
 #include "kernels/projection/pixel_measure.h"
 
-// Takes pixels to directions by the formulas of the FITS standard alone: Calabretta & Greisen,
-// Representations of celestial coordinates in FITS, Astronomy & Astrophysics 395 (2002), whose
-// equations are numbered below.
+// Converts pixels to directions using only the formulas of the FITS standard: Calabretta & Greisen,
+// Representations of celestial coordinates in FITS, Astronomy & Astrophysics 395 (2002); equation
+// numbers below refer to it.
 namespace ergodome {
 namespace {
 
@@ -19,7 +19,7 @@ struct NativePlace {
   double theta;  // [rad]
 };
 
-//! The native latitude of a zenithal projection at a distance R from its pole [deg].
+//! Returns the native latitude of a zenithal projection at a distance R from its pole [deg].
 double zenithal_latitude(const PictureWcs& wcs, double radius_deg) {
   const double r = one_degree * radius_deg;
   if (wcs.code == "TAN") {
@@ -37,7 +37,7 @@ double zenithal_latitude(const PictureWcs& wcs, double radius_deg) {
   if (wcs.code == "ZEA") {
     return 0.5 * pi - 2.0 * std::asin(0.5 * r);  // eq. 70
   }
-  // ZPN, eq. 72, by halving.
+  // ZPN, eq. 72, by bisection.
   double low = 0.0;
   double high = pi;
   for (int i = 0; i < 200; ++i) {
@@ -64,7 +64,7 @@ NativePlace native_place(const PictureWcs& wcs, double x, double y) {
   return {std::atan2(x, -y), zenithal_latitude(wcs, std::hypot(x, y))};  // eqs. 14, 15
 }
 
-//! Longitude and latitude of a pixel, which FITS counts from 1 and from below [rad].
+//! Returns longitude and latitude of a pixel [rad]; FITS counts pixels from 1 and from the bottom.
 NativePlace world_of(const PictureWcs& wcs, double column, double row) {
   const double x = wcs.cdelt[0] * (column - wcs.crpix[0]);
   const double y = wcs.cdelt[1] * (row - wcs.crpix[1]);
@@ -72,7 +72,7 @@ NativePlace world_of(const PictureWcs& wcs, double column, double row) {
   if (!wcs.lonpole_deg) {
     return native;  // a cylindrical projection at (0, 0): its native system is the celestial one
   }
-  // Eq. 2, where the native pole of a zenithal projection is at CRVAL.
+  // Eq. 2, with the native pole of a zenithal projection at CRVAL.
   const double pole = one_degree * wcs.crval[1];
   const double turn = native.phi - one_degree * *wcs.lonpole_deg;
   const double alpha =
@@ -84,7 +84,7 @@ NativePlace world_of(const PictureWcs& wcs, double column, double row) {
   return {alpha, delta};
 }
 
-//! Compares pixels all over a picture with the directions of its rays.
+//! Compares pixels throughout a picture with the directions of its rays.
 void expect_directions(const Projection& projection, const char* code) {
   const std::optional<PictureWcs> wcs = picture_wcs(projection);
   ASSERT_TRUE(wcs);
@@ -97,7 +97,8 @@ void expect_directions(const Projection& projection, const char* code) {
       }
       const Vector3<double> ray = direction_from_pixel(projection, column + 0.5, row + 0.5);
       const NativePlace world = world_of(*wcs, column + 1.0, projection.height_px - row);
-      // Longitude 0 is forward (-z) and grows to the right (x); latitude grows upwards (y).
+      // Longitude 0 is forward (-z), and longitude increases to the right (x); latitude increases
+      // upwards (y).
       EXPECT_NEAR(std::cos(world.theta) * std::sin(world.phi), ray.x, 1e-7) << column << " " << row;
       EXPECT_NEAR(std::sin(world.theta), ray.y, 1e-7) << column << " " << row;
       EXPECT_NEAR(-std::cos(world.theta) * std::cos(world.phi), ray.z, 1e-7) << column << " " << row;

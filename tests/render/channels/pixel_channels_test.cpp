@@ -34,7 +34,7 @@ const std::vector<double>& values_of(const PixelChannels& found, const std::stri
 
 double value_of_one(const PixelChannels& found, const std::string& name) { return values_of(found, name).front(); }
 
-//! A picture of one pixel in the direction of a row of a reference table.
+//! Returns a picture of one pixel in the direction of a row of a reference table.
 template <class Row>
 ChannelScene scene_of_one(const Row& row) {
   const Vector3<double> n = (1.0 / test::length(row.n)) * row.n;
@@ -80,7 +80,7 @@ TEST(PixelChannels, AgreeWithTheReferenceRays) {
   int magnified = 0;
   for (const ReferenceRay& ray : test::reference_rays()) {
     SCOPED_TRACE(testing::Message() << "ray " << ray.id << " " << ray.kind);
-    // Nearer to the edge the direction as a view's axis rounds it is another ray.
+    // Closer to the edge, rounding the view's axis changes the ray too much.
     if (std::abs(ray.edge_distance) < 1e-3 && ray.edge_distance != -1.0) {
       continue;
     }
@@ -113,7 +113,7 @@ TEST(PixelChannels, AgreeWithTheReferenceCrossingsOfTheDisk) {
   EXPECT_GT(compared, 50);
 }
 
-//! A picture with the hole in the middle.
+//! Returns a picture with the hole in the middle.
 ChannelScene picture_of_hole(double spin, double r, ObserverMotion motion, int size_px = 41) {
   return {test::eye_at(spin, r, 0.5 * pi, motion), make_pinhole_projection(size_px, size_px, 80.0 * one_degree)};
 }
@@ -141,8 +141,8 @@ TEST(PixelChannels, ShowAStaticObserverTheBlueshiftAndTheShadowOfSchwarzschild) 
 }
 
 TEST(PixelChannels, TurnParityOverWithEveryOrderOfSchwarzschild) {
-  // Light that has swept an angle s about the hole comes from a sky point at s from the camera's
-  // own, and dΩ_sky = sin s ds dγ.
+  // Light that has swept an angle s around the hole comes from a sky point at angle s from the
+  // camera's, and dΩ_sky = sin s ds dγ.
   const PixelChannels found = traced(picture_of_hole(0.0, 10.0, ObserverMotion::fixed, 201),
                                      {ChannelGroup::order, ChannelGroup::magnification, ChannelGroup::sky});
   const std::vector<double>& order = values_of(found, "order.image");
@@ -164,8 +164,8 @@ TEST(PixelChannels, TurnParityOverWithEveryOrderOfSchwarzschild) {
 }
 
 TEST(PixelChannels, LeaveFlatSkyAsItIsFarFromTheHole) {
-  // Looking away from a hole 1e6 M off: forward is the sky at longitude 0, and what is to the right
-  // of the view is at growing longitudes in a frame whose right is e_φ.
+  // A view away from a hole at a distance of 1e6 M: forward is the sky at longitude 0, and
+  // longitude increases to the right of the view, whose right is e_φ.
   ChannelScene scene{test::eye_at(0.0, 1e6), make_pinhole_projection(3, 3, 20.0 * one_degree)};
   const double outwards[3][3] = {{0, 0, -1}, {0, -1, 0}, {-1, 0, 0}};
   std::copy(&outwards[0][0], &outwards[0][0] + 9, &scene.eye.frame_from_view[0][0]);
@@ -179,7 +179,7 @@ TEST(PixelChannels, LeaveFlatSkyAsItIsFarFromTheHole) {
   EXPECT_NEAR(values_of(found, "sky.longitude")[5], 360.0 - side_deg, 1e-4);
   EXPECT_NEAR(values_of(found, "sky.latitude")[1], side_deg, 1e-4) << "the upper row is north";
   EXPECT_EQ(values_of(found, "order.image")[4], 0.0);
-  // The hole's axes are equatorial ones here.
+  // Here the axes of the hole are the equatorial ones.
   EXPECT_EQ(values_of(found, "equatorial.ra"), values_of(found, "sky.longitude"));
   EXPECT_EQ(values_of(found, "equatorial.dec"), values_of(found, "sky.latitude"));
 }
@@ -204,7 +204,7 @@ TEST(PixelChannels, AreTheNumbersBehindTheHeatMaps) {
   int compared = 0;
   for (std::size_t i = 0; i < g.size(); ++i) {
     if (lens.coverage[i] < 1.0F) {
-      continue;  // pixels on the shadow's edge show their lit part
+      continue;  // pixels on the shadow's edge contain only their lit part
     }
     ASSERT_FALSE(std::isnan(g[i])) << i;
     EXPECT_NEAR(g[i], static_cast<double>(lens.frequency_ratio[i]), 1e-5) << i;
@@ -214,7 +214,7 @@ TEST(PixelChannels, AreTheNumbersBehindTheHeatMaps) {
         cross(Vector3<float>{lens.sky_along_x[0][i], lens.sky_along_x[1][i], lens.sky_along_x[2][i]},
               Vector3<float>{lens.sky_along_y[0][i], lens.sky_along_y[1][i], lens.sky_along_y[2][i]});
     const double magnification = values_of(found, "magnification")[i];
-    // Next to caustics and to the shadow a small error of the float's ray is a large one of the
+    // Near caustics and the shadow, a small float error of the ray causes a large error of the
     // area.
     if (std::abs(magnification) < 10.0 && half_turns < 1.3) {
       const std::size_t row = i / 81;

@@ -15,21 +15,21 @@
 #include "render/output/stereo_layout.h"
 #include "tests/support/tiny_sky.h"
 
-// The pictures of a GPU are those of the processor: the kernels are one source, but two compilers
-// make of it what they like, and who hands buffers to and fro may forget one.
+// Pictures of a GPU equal those of the CPU. The kernels have one source, but two compilers
+// translate it, and the code that copies buffers may miss one.
 namespace ergodome {
 namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): skies of tests
 
-//! A scene, and how it is looked at.
+//! A scene and the way it is rendered.
 struct Scene {
   std::string name;
-  std::string show;  //!< built in
+  std::string show;  //!< built-in show
   ViewMode mode = ViewMode::sky;
   LensChoice lens = LensChoice::direct;
   std::function<void(Show&)> change = [](Show&) {};
-  double part = 0.31;  //!< of the show that has passed
+  double part = 0.31;  //!< time, as a fraction of the show
 };
 
 std::ostream& operator<<(std::ostream& stream, const Scene& scene) { return stream << scene.name; }
@@ -51,8 +51,8 @@ std::vector<Picture> pictures(const Scene& scene, Backend backend) {
   return made;
 }
 
-//! How far the light of a picture is from another's: the part of it that differs visibly, and how
-//! far all of it is off together.
+//! The difference in light between two pictures: the fraction of visibly different numbers, and the
+//! relative difference of the total light.
 struct Difference {
   double pixels;  //!< numbers that differ by more than 2 % of themselves and of the mean
   double light;   //!< of the whole picture
@@ -96,7 +96,7 @@ TEST_P(CudaPictures, AreThoseOfTheProcessor) {
     ASSERT_EQ(there[i].rgba.size(), here[i].rgba.size());
     ASSERT_GT(*std::ranges::max_element(here[i].rgba), 0.0F) << "the picture is black";
     const Difference seen = difference(there[i], here[i]);
-    // Next to the edge of the shadow a rounding moves the sky by more than a pixel.
+    // Next to the edge of the shadow, rounding moves the sky by more than a pixel.
     EXPECT_LT(seen.pixels, 0.005);
     EXPECT_LT(seen.light, 0.002);
     EXPECT_NEAR(static_cast<double>(there[i].unresolved_pixels), static_cast<double>(here[i].unresolved_pixels), 2.0);

@@ -17,14 +17,14 @@
 #include "render/present/projectors/raster_texture.h"
 #include "tests/support/gl_driver.h"
 
-// No report of leaks where a driver was at work.
+// Disables leak reports if a driver was loaded.
 // NOLINTNEXTLINE: the checker's name
 extern "C" int __lsan_is_turned_off() { return ergodome::test::driver_was_loaded ? 1 : 0; }
 
 namespace ergodome {
 namespace {
 
-//! A picture whose every pixel is another.
+//! Returns a picture whose pixels all differ.
 Picture gradient(int width, int height) {
   Picture picture;
   picture.width = width;
@@ -40,7 +40,7 @@ Picture gradient(int width, int height) {
   return picture;
 }
 
-//! OpenGL and CUDA on one GPU.
+//! OpenGL and CUDA on the same GPU.
 class DevicePictures : public testing::Test {
  protected:
   void SetUp() override {

@@ -10,7 +10,7 @@
 #include "tests/render/curved_projector.h"
 #include "tests/render/present/projectors/projector_frames.h"
 
-// What projectors are sent is the same whether a device draws it or the processor.
+// Projectors get the same frames whether a GPU or the CPU draws them.
 namespace ergodome {
 namespace {
 
@@ -33,7 +33,7 @@ class DeviceProjectors : public testing::Test {
     return projectors.frame(0);
   }
 
-  //! They may differ by one where rounding falls to the other side, in few places.
+  //! Values may differ by one at few positions, where rounding goes the other way.
   static void expect_alike(const std::vector<std::uint8_t>& found, const std::vector<std::uint8_t>& expected) {
     ASSERT_EQ(found.size(), expected.size());
     std::size_t different = 0;

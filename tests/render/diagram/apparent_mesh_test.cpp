@@ -12,7 +12,7 @@
 #include "kernels/spacetime/schwarzschild/apparent_place.h"
 #include "tests/render/diagram/place.h"
 
-// Meshes where they seem to be.
+// Meshes at their apparent positions.
 namespace ergodome {
 namespace {
 
@@ -41,8 +41,8 @@ TEST(ApparentMesh, CornersLieWhereLightComesFromAsFarAsItHasTakenTime) {
 }
 
 TEST(ApparentMesh, FarFromTheHoleItIsTheMeshItself) {
-  // Lengths across the radius and along it, as light takes time for them, are longer by 1/r and 2/r
-  // of themselves.
+  // Measured in light travel time, lengths across the radius are longer by a relative 1/r, and
+  // those along it by 2/r.
   for (const double far : {1e3, 1e4, 1e5}) {
     const Place observer = {far, 0.0, 0.0};
     const ApparentMesh mesh =
@@ -69,8 +69,8 @@ TEST(ApparentMesh, WhereItIsBentEdgesAreDividedUntilTheyAreStraight) {
 }
 
 TEST(ApparentMesh, DividedTrianglesLeaveNoGap) {
-  // Edges of a closed surface belong to two triangles each; the sphere's own seams and poles have
-  // corners of their own, which are told by place.
+  // Each edge of a closed surface belongs to two triangles; the sphere duplicates corners at its
+  // seam and poles, so corners are identified by position.
   const ApparentMesh mesh =
       apparent_mesh(far_observer, make_sphere({12, 6}), standing_at({-6.0, 5.0, 0.0}), 1.0, 1, fine_settings);
   const auto key = [&](std::uint32_t i) {
@@ -90,12 +90,12 @@ TEST(ApparentMesh, DividedTrianglesLeaveNoGap) {
 }
 
 TEST(ApparentMesh, TheTriangleBehindTheHoleIsLeftOut) {
-  // It holds the line from the observer through the hole, whose image is a ring.
+  // The triangle intersects the line from the observer through the hole, whose image is a ring.
   const TriangleMesh mesh = make_triangle({{{{0.0, -1.0, -1.0}, {0.0, 1.5, -1.0}, {0.0, 0.0, 1.5}}}});
   const ApparentMesh seen = apparent_mesh(far_observer, mesh, standing_at({-8.0, 0.0, 0.0}), 1.0, 1, fine_settings);
   ASSERT_FALSE(seen.triangles.empty());
   for (const auto& t : seen.triangles) {
-    // None spans the ring: its corners lie on one side.
+    // No triangle spans the ring: its corners lie on one side.
     double widest = 1.0;
     for (std::size_t i = 0; i < 3; ++i) {
       const Place& one = seen.vertices[t[i]].direction;

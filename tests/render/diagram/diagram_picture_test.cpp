@@ -11,7 +11,7 @@
 #include "tests/support/errors.h"
 #include "tests/support/gl_driver.h"
 
-// No report of leaks where a driver was at work.
+// Disables leak reports if a driver was loaded.
 // NOLINTNEXTLINE: the checker's name
 extern "C" int __lsan_is_turned_off() { return ergodome::test::driver_was_loaded ? 1 : 0; }
 
@@ -21,7 +21,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-//! A ball beside a hole, and an observer on the x axis.
+//! Returns a show of a ball next to a hole, with an observer on the x axis.
 Show small_show(double spin) {
   Show show;
   show.name = "small";
@@ -58,7 +58,7 @@ class DiagramPictures : public testing::Test {
     image_ = picture.draw(scene_, camera_);
   }
 
-  //! Where a place is in the picture [px].
+  //! Returns the position of a point in the picture [px].
   [[nodiscard]] std::array<double, 2> pixel_of(const Vector3<double>& place) const {
     const Vector3<double> at = camera_.in_view(place);
     return {0.5 * (1.0 - at.x / (at.z * camera_.half_width)) * image_.width_px,
@@ -71,7 +71,7 @@ class DiagramPictures : public testing::Test {
     return {image_.rgb[i], image_.rgb[i + 1], image_.rgb[i + 2]};
   }
 
-  //! How many pixels are near a colour of the display.
+  //! Returns how many pixels are close to a display color.
   [[nodiscard]] int pixels_like(int red, int green, int blue) const {
     int count = 0;
     for (int y = 0; y < image_.height_px * 3 / 4; ++y) {
@@ -89,7 +89,7 @@ class DiagramPictures : public testing::Test {
 };
 
 TEST_F(DiagramPictures, TheHoleIsBlackToItsHorizon) {
-  // Rays, axes and words would cross it.
+  // Rays, axes and labels would cross it.
   draw(small_show(0.0), {{1}, 0});
   scene_.lines.clear();
   scene_.veils.clear();
@@ -122,8 +122,8 @@ TEST_F(DiagramPictures, ASpinningHoleHasRaysThatMeetTheObjects) {
   EXPECT_GT(pixels_like(0x00, 0x72, 0xB2), 100);
 }
 
-//! How many places of lines that have the inks of images lie beside a picture that is taller than
-//! wide, seen from a direction.
+//! Returns how many points of image-colored lines lie outside a picture that is taller than wide,
+//! seen from a direction.
 int places_beside(const DiagramScene& scene, const OutsideDirection& from) {
   const OutsideCamera camera = outside_camera(from, scene.framed, 0.5, {});
   int beside = 0;
@@ -140,7 +140,7 @@ int places_beside(const DiagramScene& scene, const OutsideDirection& from) {
 
 TEST(DiagramFrames, HoldTheRaysThatMeetObjects) {
   for (const double spin : {0.0, 0.9}) {
-    // The second image's rays go round the hole's other side.
+    // The rays of the second image pass the hole on its other side.
     const DiagramScene scene =
         Diagram(small_show(spin), {spin == 0.0 ? std::vector<int>{1, 2} : std::vector<int>{}, 60}).at(0.0);
     EXPECT_EQ(places_beside(scene, {0.5, 0.5, std::nullopt}), 0) << spin;
@@ -160,7 +160,7 @@ TEST_F(DiagramPictures, PicturesOfSeveralTilesHaveNoSeam) {
   const DiagramImage whole = image_;
   DiagramPicture large(2560, 1440);
   const DiagramImage fine = large.draw(scene_, camera_);
-  // Means over 4 x 4 pixels are the small picture, but for its words.
+  // Apart from the labels, means over 4 x 4 pixels equal the small picture.
   double sum = 0.0;
   for (int y = 0; y < 250; ++y) {
     for (int x = 0; x < whole.width_px; ++x) {

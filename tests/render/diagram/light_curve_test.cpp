@@ -24,8 +24,8 @@ const RayCase ray_cases[] = {{{40.0, 0.0, 0.0}, {-5.0, 3.0, -0.5}, 1}, {{40.0, 0
                              {{40.0, 0.0, 0.0}, {6.0, 0.0, 1.0}, 2},   {{3.0, -12.0, 9.0}, {0.5, 0.3, -2.4}, 1},
                              {{0.0, 0.0, 40.0}, {16.5, 0.0, 0.5}, 3},  {{7.0, 1.0, 0.0}, {-7.0, 2.0, 3.0}, 5}};
 
-//! Inverse radius and azimuth of each place of a curve, from the observer on, in the plane that the
-//! observer and the point span.
+//! Inverse radius and azimuth of each point of a curve, starting at the observer, in the plane of
+//! observer and point.
 struct OrbitPlace {
   double u, phi;
 };
@@ -66,8 +66,8 @@ TEST(LightCurve, FulfilsTheEquationOfItsOrbit) {
     const ConnectionPlane plane = connection_plane(ray.observer, ray.point);
     const double angle = image_angle(plane.phi, ray.order);
     const double b = connecting_ray(plane.r_observer, plane.r, angle).impact_parameter;
-    // du/dφ of the places themselves, by differences of eighth order: halves of the curve have one
-    // step each.
+    // du/dφ from the points themselves, by differences of eighth order; each half of the curve has
+    // a constant step.
     for (std::size_t i = 4; i + 4 < orbit.size(); ++i) {
       const double step = orbit[i + 1].phi - orbit[i].phi;
       const double rate =
@@ -90,8 +90,8 @@ TEST(LightCurve, SweepsTheAzimuthOfItsImage) {
 
 TEST(LightCurve, LeavesTheObserverWhereThePointIsSeen) {
   for (const RayCase& ray : ray_cases) {
-    // A fine piece of the same orbit, next to the observer: its end's direction, with lengths along
-    // the radius as an observer at rest measures them.
+    // Compares with the direction at the end of a short piece of the same orbit next to the
+    // observer, with radial lengths as measured by an observer at rest.
     const ConnectionPlane plane = connection_plane(ray.observer, ray.point);
     const double angle = image_angle(plane.phi, ray.order);
     const std::vector<Place> curve = light_curve(ray.observer, ray.point, ray.order);

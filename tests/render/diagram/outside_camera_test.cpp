@@ -32,13 +32,13 @@ TEST(OutsideCameras, HaveAllPlacesInTheirBandOfThePicture) {
       EXPECT_LT(-at.z, camera.farthest);
       widest = std::max({widest, std::abs(x), (std::abs(y - 0.2)) / 0.8});
     }
-    // And they fill it one way or the other, up to the margin.
+    // They fill the band in one direction, up to the margin.
     EXPECT_GT(widest, 0.9) << elevation;
   }
 }
 
 TEST(OutsideCameras, StandWhereTheyAreTold) {
-  // Places about the origin: it is their middle.
+  // Points around the origin, which is their center.
   const std::vector<Place> cross = {{5.0, 0.0, 0.0}, {-5.0, 0.0, 0.0}, {0.0, 5.0, 0.0}, {0.0, -5.0, 0.0}};
   const OutsideCamera camera = outside_camera({0.0, 0.5 * pi, 100.0}, cross, 1.0, {0.0, 1.0});
   EXPECT_LT(length_of(camera.place - Place{0.0, 0.0, 100.0}), 1e-9);
@@ -49,7 +49,7 @@ TEST(OutsideCameras, SeeASphereInItsOutline) {
   const OutsideCamera camera = outside_camera({0.3, 0.4, std::nullopt}, some_places, 1.6, {0.0, 1.0});
   for (const Place& place : sphere_outline(3.0, camera)) {
     EXPECT_NEAR(length_of(place), 3.0, 1e-12);
-    // Sight touches the sphere there.
+    // The line of sight is tangent to the sphere there.
     EXPECT_NEAR(dot(place, camera.place - place), 0.0, 1e-9);
   }
 }

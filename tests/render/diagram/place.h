@@ -6,7 +6,7 @@
 
 namespace ergodome::test {
 
-//! Pseudo-Cartesian [M].
+//! A point in pseudo-Cartesian coordinates [M].
 using Place = Vector3<double>;
 
 inline double length_of(const Place& v) { return std::sqrt(dot(v, v)); }

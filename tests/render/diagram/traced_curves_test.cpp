@@ -12,14 +12,14 @@
 #include "render/lens/direct_lens.h"
 #include "tests/render/diagram/place.h"
 
-// Rays of a view that are followed back, about holes that spin.
+// Rays of a view that are traced backwards, around spinning holes.
 namespace ergodome {
 namespace {
 
 using test::length_of;
 using test::Place;
 
-//! A camera on the x axis that looks at the hole, with a ball.
+//! Returns a show with a ball and a camera on the x axis that faces the hole.
 Show ball_show(double spin, const Place& position, double size) {
   Show show;
   show.name = "ball";
@@ -67,8 +67,8 @@ TEST(TracedCurves, WithoutSpinTheyAreTheConnectingOrbits) {
       continue;
     }
     ++compared;
-    // Each place of the path is on the orbit: its distance from the nearest piece of that is what a
-    // chord may be off by.
+    // Each point of the path is on the orbit: its distance from the nearest segment is at most the
+    // error of a chord.
     const std::vector<Place> orbit = light_curve(place_of(eye), curve.places.front(), curve.order);
     ASSERT_FALSE(orbit.empty());
     for (const Place& place : curve.places) {

@@ -15,16 +15,16 @@ Show rain_show() {
       "rain.toml");
 }
 
-//! Frequency that a falling eye sees of light from rest at infinity, in some direction of its own
-//! frame.
+//! Returns the frequency ratio that a falling eye sees for light from rest at infinity, in a
+//! direction of its own frame.
 double frequency_ratio(const Show& show, double time_s, const Vector3<double>& n) {
   const EyeCamera eye = eye_camera(show, camera_pose(show, time_s), 0.0);
   const CameraStation station = make_camera_station(eye.spin, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity);
   return 1.0 / start_ray<double>(station, n).energy;
 }
 
-// Of light that overtakes a body in free fall from rest at infinity: 1 / (1 + √(2/r)); of light
-// that it meets: 1 / (1 - √(2/r)).
+// For a body in free fall from rest at infinity: 1 / (1 + √(2/r)) for light that overtakes it, 1 /
+// (1 - √(2/r)) for light that it meets.
 TEST(FallingEye, SeesItsOwnDopplerShiftAllTheWay) {
   const Show show = rain_show();
   for (const double time_s : {0.0, 5.0, 12.0, 18.0}) {

@@ -23,8 +23,8 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): shows of tests
 
-//! Whether an eye at `eye` sees the horizon in direction `m`: whether its line of sight, walked
-//! along, passes a dark direction of the head's beyond that direction's affine distance.
+//! Returns whether an eye at `eye` sees the horizon in direction `m`: whether a point on its line
+//! of sight is in a dark direction of the head, farther away than that direction's affine distance.
 bool meets_horizon(const CameraStation& camera, const Vector3<double>& m, const Vector3<double>& eye) {
   for (int i = 0; i < 3000; ++i) {
     const double s = 0.05 * std::pow(1.004, i);
@@ -83,7 +83,7 @@ TEST(FlatEyes, HaveTheirDarkDirectionsWhereTheAffineDistancePutsThem) {
         double x = 0.0;
         double y = 0.0;
         ASSERT_TRUE(pixel_from_direction(projection, seen, x, y));
-        // The edge may be next to it.
+        // The edge may be in a neighboring pixel.
         float darkest = 1.0F;
         for (int dy = -1; dy <= 1; ++dy) {
           for (int dx = -1; dx <= 1; ++dx) {
@@ -107,7 +107,7 @@ TEST(FlatEyes, HaveTheSkyWhereTheHeadHasIt) {
   long different = 0;
   for (std::size_t i = 0; i < head[0].picture.rgba.size(); i += 4) {
     for (const auto& eye : eyes) {
-      // Either the head's light, or less of all its parts by one factor.
+      // Either the light of the head, or less of all channels by a common factor.
       const float lit = eye.picture.rgba[i + 3];
       const float before = head[0].picture.rgba[i + 3];
       EXPECT_LE(lit, before);

@@ -32,7 +32,7 @@ CameraPose falling_pose(const Show& show, double r) {
   return pose;
 }
 
-//! Mean difference of two pictures, as a part of the first one's mean light.
+//! Returns the mean difference of two pictures, relative to the mean light of the first one.
 double difference_of(const std::vector<FrameImage>& first, const std::vector<FrameImage>& second) {
   double different = 0.0;
   double light = 0.0;
@@ -64,7 +64,7 @@ TEST(NarrowedEyes, StandAsAskedUpToTheGreatestDistanceAndNoFarther) {
 TEST(NarrowedEyes, OfTheModelFlatAreNoFartherApartThanTheHorizonOfAHoleWithoutSpinIsAway) {
   Show show = show_of_far_eyes("flat", 1.0, 6.0);
   show.spin = 0.0;
-  // Radial light goes by dr/dλ = E, of which who stands still measures 1: E = √(1 - 2/r).
+  // Radial light has dr/dλ = E, where E = √(1 - 2/r) if a static observer measures 1.
   EXPECT_NEAR(greatest_baseline(show, camera_pose(show, 0.0)), 4.0 / std::sqrt(1.0 - 2.0 / 6.0), 1e-6);
 }
 

@@ -25,8 +25,8 @@ using namespace test;  // NOLINT(google-build-using-namespace): shows of tests
 struct OmniErrors {
   double largest_px = 0.0;
   int compared = 0;
-  int beyond = 0;  //!< a fifth of a pixel
-  int wrong = 0;   //!< shadow where there is sky, or the other way round
+  int beyond = 0;  //!< pixels with errors over a fifth of a pixel
+  int wrong = 0;   //!< shadow instead of sky, or the reverse
 };
 
 OmniErrors omni_errors(const Show& show, double half_baseline, double side, const Projection& projection,
@@ -64,7 +64,7 @@ OmniErrors omni_errors(const Show& show, double half_baseline, double side, cons
     const bool bright = direction_is_bright(camera, n);
     const float covered = out.coverage[at];
     if (covered > 0.0F && covered < 1.0F) {
-      continue;  // on the edge, which has a place of its own to look at
+      continue;  // on the edge, which is checked separately
     }
     errors.wrong += bright != (covered > 0.5F) ? 1 : 0;
     if (!bright || covered < 1.0F || out.error_estimate[at] < 0.0F) {
@@ -82,8 +82,8 @@ OmniErrors omni_errors(const Show& show, double half_baseline, double side, cons
     const double p = dot(along_x, missing);
     const double q = dot(along_y, missing);
     const double determinant = a * c - b * b;
-    // Next to a caustic, where the sky moves a twentieth of what the screen does, rays do not tell
-    // where on it light is.
+    // Near a caustic, where the sky moves less than a twentieth of the screen, rays do not
+    // determine the position on the screen.
     const double larger = std::sqrt(0.5 * (a + c + std::sqrt(std::max((a + c) * (a + c) - 4.0 * determinant, 0.0))));
     if (std::sqrt(std::max(determinant, 0.0)) > 0.05 * larger * pixel_angle(projection)) {
       const double error_px = std::hypot(c * p - b * q, a * q - b * p) / determinant;
@@ -101,7 +101,8 @@ void expect_omni(const Show& show, double half_baseline, const Projection& proje
     for (const double side : {-1.0, 1.0}) {
       SCOPED_TRACE(choice == LensChoice::live ? "by a grid" : "by rays");
       const OmniErrors errors = omni_errors(show, half_baseline, side, projection, convergence, choice);
-      // A grid is checked in places: between them, next to the edge, few pixels are off by more.
+      // A grid is checked only at sample points; between them, next to the edge, a few pixels
+      // exceed the limit.
       const int may_be = choice == LensChoice::live ? 1 + errors.compared / 1000 : 0;
       EXPECT_LE(errors.beyond, may_be) << half_baseline << " " << side;
       EXPECT_LT(errors.largest_px, may_be > 0 ? 1.0 : 0.2) << half_baseline << " " << side;
@@ -117,7 +118,7 @@ TEST(OmniEyes, AgreeWithDirectRaysFromEachPixelsOwnCamera) {
     expect_omni(show, half, make_dome_projection(256, pi, 0.4));
   }
   if (!test::sanitized) {
-    // As large as pictures are that are read from grids of themselves.
+    // Pictures large enough to be read from grids.
     expect_omni(show, 0.5, make_dome_projection(512, pi, 0.4), 0.0, {LensChoice::live});
   }
   expect_omni(show, 0.5, make_equirectangular_projection(256, 128));

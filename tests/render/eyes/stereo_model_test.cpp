@@ -20,7 +20,8 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): shows of tests
 
-//! Where the shadow's left side crosses the middle of a row, by the light to the left of it [px].
+//! Returns the position of the shadow's left side in a row, from the light to the left of the
+//! middle [px].
 double left_side(const Picture& picture, int row) {
   double sum = 0.0;
   for (int x = 0; x < picture.width / 2; ++x) {
@@ -29,7 +30,7 @@ double left_side(const Picture& picture, int row) {
   return sum;
 }
 
-//! The same from the critical curve of a camera at the eye's event.
+//! Returns the same position from the critical curve of a camera at the eye's event.
 double left_side_of_curve(const EyeCamera& eye, const Projection& projection, int row) {
   const CameraStation camera = make_camera_station(eye.spin, eye.r, eye.theta, 0.0, eye.motion, eye.velocity);
   const ShadowChart chart = make_shadow_chart(camera);
@@ -85,7 +86,7 @@ TEST(PhysicalEyes, HaveTheDisparityOfDirectCamerasAtTheShadowsEdge) {
 }
 
 TEST(PhysicalEyes, ThatAreMadeInTurnAreThoseThatAreMadeAlone) {
-  // Two blocks, of several strips each.
+  // Two blocks with several strips each.
   Show show = show_of_eyes("baseline = 0.5\n");
   show.sky.stars = "bright_stars";
   show.effects.redshift = true;
@@ -169,7 +170,8 @@ TEST(Disparities, OfAShadowThatNoPictureShowsDoNotCount) {
 TEST(Disparities, OfConvergingEyesAreShiftedByTheirTurn) {
   const double apart = disparity_of("baseline = 2\n", "r = 1000\n").least_px;
   const Disparity turned = disparity_of("baseline = 2\nconvergence = 1000\n", "r = 1000\n");
-  // The plane is at the hole: what is there has none left, and the sky is behind it.
+  // The zero-parallax plane is at the hole: points there have no disparity, and the sky is behind
+  // it.
   EXPECT_LT(apart, -0.25);
   EXPECT_NEAR(turned.least_px, 0.0, 0.02);
   EXPECT_NEAR(turned.greatest_px, -apart, 0.04);

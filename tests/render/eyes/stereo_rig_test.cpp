@@ -10,7 +10,7 @@
 namespace ergodome {
 namespace {
 
-//! Looking at the hole: right is e_φ, up is -e_θ, back is e_r.
+//! A view towards the hole: right is e_φ, up is -e_θ, back is e_r.
 constexpr double at_hole[3][3] = {{0, 0, 1}, {0, -1, 0}, {1, 0, 0}};
 
 double place(const EyeEvent& eye, int axis) {
@@ -31,12 +31,12 @@ TEST(StereoRig, BaselineZeroLeavesTheHeadInPlace) {
 }
 
 TEST(StereoRig, SmallOffsetHasItsProperLength) {
-  // Along φ the proper length is √(A/Σ) sinθ dφ.
+  // Along φ, the proper length is √(A/Σ) sinθ dφ.
   const double a = 0.9;
   const EyeEvent eye = eye_event(a, 4.0, 1.1, 0.0, at_hole, {1e-6, 0.0, 0.0}, {1.5});
   const double factor = kerr_functions(a, 4.0, 1.1).circumference_factor;
   EXPECT_NEAR(factor * std::sin(1.1) * eye.phi, 1e-6, 1e-15);
-  // Along r it is √(Σ/Δ) dr.
+  // Along r, it is √(Σ/Δ) dr.
   const double sideways[3][3] = {{1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
   const KerrFunctions f = kerr_functions(a, 4.0, 1.1);
   const EyeEvent outer = eye_event(a, 4.0, 1.1, 0.0, sideways, {1e-6, 0.0, 0.0}, {1.5});

@@ -14,7 +14,7 @@ namespace {
 
 using testing::HasSubstr;
 
-//! A small starry picture with effects.
+//! Returns a show with stars and effects, for small pictures.
 Show starry_show() {
   Show show = parse_show(
       "duration_s = 2\n[hole]\nspin = 0.5\n[camera]\n[[camera.key]]\nr = 9\n[sky]\nmap = \"grid\"\nstars = "
@@ -26,7 +26,7 @@ Show starry_show() {
   return show;
 }
 
-//! The show with one number that goes from one value to another between 0 and 1 s.
+//! Returns the show with one number that changes from one value to another between 0 and 1 s.
 Show animated_show(const std::string& path, double from, double to) {
   Show show = starry_show();
   show.timeline.animations = {{path, {{0.0, from, Ease::linear}, {1.0, to}}}};
@@ -35,7 +35,7 @@ Show animated_show(const std::string& path, double from, double to) {
 
 Picture picture_at(ShowRenderer& renderer, double time_s) { return renderer.render(time_s, {}).front().picture; }
 
-//! The picture of a show that never moves.
+//! Returns the picture of a show without a timeline.
 Picture still_picture(Show show) {
   show.timeline = {};
   ShowRenderer renderer(show, Backend::cpu);
@@ -62,9 +62,9 @@ TEST_P(EachAnimatedNumber, GivesThePictureOfAShowThatStandsStillThere) {
   if (std::string_view(change.path).starts_with("stereo.")) {
     show.stereo.layout = StereoLayout::side_by_side;
   }
-  show.tone.automatic->adapt_s = 0.0;  // the light of pictures before does not count
+  show.tone.automatic->adapt_s = 0.0;  // makes exposure independent of previous pictures
   ShowRenderer renderer(show, Backend::cpu);
-  // Forth and back: what was applied before leaves nothing behind.
+  // In both directions, to check that earlier values leave nothing behind.
   for (const double time_s : {1.0, 0.0}) {
     SCOPED_TRACE(time_s);
     Show still = show;

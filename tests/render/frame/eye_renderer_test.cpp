@@ -22,7 +22,7 @@ SkyCube white_sky() {
   return {Backend::cpu, 16, [](const glm::dvec3&) { return glm::vec3(1.0F); }};
 }
 
-//! LensOfEye channels of a picture, on the host.
+//! The lens channels of an eye's picture, in host memory.
 struct LensOfEye {
   std::vector<float> store;
   LensPixels pixels{};
@@ -102,8 +102,8 @@ TEST(DirectLens, FootprintsAreTheDifferencesOfNeighbours) {
 }
 
 TEST(EyeRenderer, ShadowCoversItsSolidAngleToAFractionOfAPixel) {
-  // Schwarzschild at r = 10, static: the shadow is a disk of known radius, so the darkness of a
-  // picture is its area in pixels.
+  // Schwarzschild, static observer at r = 10: the shadow is a disk of known radius, so the dark
+  // area of a picture is known in pixels.
   const double radius = std::asin(std::sqrt(27.0 * 0.8) / 10.0);
   for (const int size : {101, 400}) {
     const Projection projection = make_pinhole_projection(size, size, 1.6);
@@ -118,7 +118,7 @@ TEST(EyeRenderer, ShadowCoversItsSolidAngleToAFractionOfAPixel) {
 }
 
 TEST(EyeRenderer, EdgeOfTheShadowIsSmooth) {
-  // Along a row through the edge the white sky falls to black within two pixels and never goes up
+  // Along a row across the edge, the white sky falls to black within two pixels and never rises
   // again.
   const Projection projection = make_pinhole_projection(301, 301, 1.6);
   const Picture picture = EyeRenderer(Backend::cpu).render(eye_at(0.999, 8.0), projection, white_sky(), {});
@@ -137,8 +137,8 @@ TEST(EyeRenderer, EdgeOfTheShadowIsSmooth) {
 }
 
 TEST(EyeRenderer, BlocksOfRowsMakeOnePicture) {
-  // Larger than one block of pixels, against its parts at the same place. Most of it is shadow,
-  // which costs nothing.
+  // A picture larger than one block of pixels, compared with pieces of it. Most of it is shadow,
+  // which is cheap.
   const EyeCamera eye = eye_at(0.9, 6.0);
   const Projection projection = make_pinhole_projection(2048, 1024, 1.6);
   LensOfEye lens(2048 * 1024);
@@ -183,8 +183,8 @@ TEST(EyeRenderer, EveryHardCameraGivesAFinitePicture) {
         for (const float value : picture.rgba) {
           ASSERT_TRUE(value >= 0.0F && value <= 1.001F) << a << " " << above << " " << theta;
         }
-        // Next to an extremal horizon light winds too often to count; a fiftieth of the pixels may
-        // say so.
+        // Next to an extremal horizon, light winds too often to count; a fiftieth of the pixels may
+        // be unresolved.
         EXPECT_LE(picture.unresolved_pixels, std::abs(a) == 1.0 ? 36 : 4) << a << " " << above << " " << theta;
       }
     }
@@ -218,7 +218,7 @@ TEST(EyeRenderer, MagnificationFarFromTheHoleIsOne) {
   settings.mode = ViewMode::magnification;
   const Picture picture =
       EyeRenderer(Backend::cpu).render(eye_at(0.0, 1e6), make_pinhole_projection(65, 65, 0.5), white_sky(), settings);
-  // Half-way up the logarithmic bar from 1e-3 to 1e3.
+  // Halfway up the logarithmic color scale from 1e-3 to 1e3.
   const Vector3<float> middle = heat_color(0.5F);
   EXPECT_NEAR(picture.rgba[4 * (10 * 65 + 32) + 1], srgb_decoded(middle.y), 0.02F);
 }

@@ -12,13 +12,13 @@
 #include "render/passes/stars/drawing/star_trails.h"
 #include "tests/render/passes/stars/star_cameras.h"
 
-// What lasts for longer than a moment while a camera falls through the horizon: trails, and grids
-// of a moment before.
+// Effects that span more than a moment while a camera falls through the horizon: trails, and grids
+// of an earlier moment.
 namespace ergodome {
 namespace {
 
-//! A camera that falls through the horizon of a hole of spin 0.9, at 1.4359 M, not along with the
-//! rain.
+//! Returns a show whose camera falls through the horizon of a hole with spin 0.9, at 1.4359 M, but
+//! not as rain does.
 Show crossing_show() {
   return parse_show(
       "duration_s = 40\n[hole]\nspin = 0.9\n[[camera.key]]\nr = 6\ntheta_deg = 70\n[camera.fall]\n"
@@ -31,8 +31,8 @@ EyeCamera crossing_eye(const Show& show, double after_horizon_s) {
   return eye_camera(show, camera_pose(show, *show.camera.orbit->horizon_s() + after_horizon_s), 0.0);
 }
 
-//! How many images of stars end where images of that moment alone are, at one end of a shutter's
-//! time.
+//! Returns how many trails end at an image computed for that moment alone, at one end of the
+//! shutter time.
 std::size_t meeting(const StarTrails& trails, const std::vector<StarImage>& images, std::size_t end,
                     const std::vector<StarImage>& there) {
   std::multimap<int, Vector3<float>> known;
@@ -65,12 +65,12 @@ TEST(HorizonCrossing, TrailsEndWhereTheImagesAreBeforeAndAfterIt) {
   ASSERT_GT(images.size(), 200U);
   for (const std::size_t end : {0U, 6U}) {
     const auto there = test::images_of(field, shutter.eyes[end].camera, test::settings_for(8.0));
-    // Images that merge at a caustic, or go behind the edge, are few.
+    // Only few images merge at a caustic or disappear behind the edge.
     EXPECT_GE(static_cast<double>(meeting(trails, images, end, there)), 0.97 * static_cast<double>(images.size()));
   }
 }
 
-//! Directions to the sky of some rows of a picture, one after another; 0 in the shadow.
+//! Returns the sky directions of some rows of a picture, concatenated; 0 in the shadow.
 std::vector<Vector3<float>> skies(const LensSource& lens, const Projection& projection) {
   std::vector<Vector3<float>> all;
   const auto width = static_cast<std::size_t>(projection.width_px);
@@ -91,7 +91,8 @@ std::vector<Vector3<float>> skies(const LensSource& lens, const Projection& proj
   return all;
 }
 
-//! How far apart two lenses' skies are, where both see it, in the middle of all pixels [rad].
+//! Returns the median angle between the skies of two lenses, over pixels where both see the sky
+//! [rad].
 double middle_difference(const std::vector<Vector3<float>>& a, const std::vector<Vector3<float>>& b) {
   std::vector<double> apart;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -114,8 +115,8 @@ TEST(HorizonCrossing, GridsOfAMomentBeforeShowAboutTheSameSky) {
     const auto lens = lenses.choose({LensChoice::live, eye, projection, ViewMode::sky, {}, {std::nullopt, 0.0}, {}});
     behind += lens->behind() ? 1 : 0;
     const DirectLens direct(Backend::cpu, eye, projection, 0.05);
-    // A moment's way of the camera; its azimuth alone, in which the sky would be without the turn
-    // of what falls in, goes through half a radian.
+    // The motion of the camera in a moment; its azimuth alone, which would rotate the sky without
+    // the correction for frame dragging of infalling observers, changes by half a radian.
     EXPECT_LT(middle_difference(skies(*lens, projection), skies(direct, projection)), lens->behind() ? 0.03 : 1e-3)
         << after_s;
   }

@@ -18,11 +18,12 @@
 #include "tests/support/gl_driver.h"
 #include "tests/support/simulated_dome.h"
 
-// No report of leaks where a driver was at work.
+// Disables leak reports if a driver was loaded.
 // NOLINTNEXTLINE: the checker's name
 extern "C" int __lsan_is_turned_off() { return ergodome::test::driver_was_loaded ? 1 : 0; }
 
-// What windows and projectors show, drawn through EGL, against references that were looked at.
+// Compares frames of windows and projectors, drawn through EGL, with reference frames that a person
+// has checked.
 namespace ergodome {
 namespace {
 
@@ -33,7 +34,7 @@ void expect_like(const std::string& name, const SeenFrame& frame) {
   test::expect_like_reference(std::filesystem::path(ERGODOME_TEST_DATA_DIR) / "frames" / (name + ".png"), frame);
 }
 
-//! A picture as a window of its size shows it; nothing where there is no driver.
+//! Returns a picture as a window of its size displays it; nothing if there is no driver.
 std::optional<SeenFrame> seen_in_a_window(const Picture& picture) {
   try {
     test::driver_was_loaded = true;
@@ -51,7 +52,7 @@ std::optional<SeenFrame> seen_in_a_window(const Picture& picture) {
 
 class FramesOfASky : public test::FolderTest {
  protected:
-  //! A small sky in fields of four colours, with lines between them.
+  //! Writes a small sky with fields in four colors and lines between them; returns its path.
   [[nodiscard]] std::string sky_map() const {
     constexpr int width = 128;
     constexpr int height = 64;
@@ -70,7 +71,7 @@ class FramesOfASky : public test::FolderTest {
   }
 };
 
-//! Each layout by its name in shows. Add a line for a new one, and renew the references.
+//! Tests each layout by its name in shows. Add a line for a new layout, and renew the references.
 class LayoutFrames : public FramesOfASky, public testing::WithParamInterface<const char*> {};
 
 TEST_P(LayoutFrames, AreAsTheyWereLookedAt) {
@@ -97,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(Every, LayoutFrames,
                                          "half_side_by_side", "half_top_bottom"),
                          [](const auto& layout) { return std::string(layout.param); });
 
-//! Two captions of two lines, a flat image with an edge of its own, and a fisheye ring around all.
+//! Two captions of two lines, a flat image with a border, and a fisheye ring around everything.
 class OverlayFrames : public FramesOfASky {
  protected:
   [[nodiscard]] Timeline timeline() const {
@@ -129,7 +130,7 @@ class OverlayFrames : public FramesOfASky {
   }
 
  private:
-  //! A ring of a domemaster between 40 and 45 degrees from the zenith.
+  //! Returns a domemaster with a ring between 40 and 45 degrees from the zenith.
   static Picture ring() {
     constexpr int size = 256;
     Picture picture;
@@ -181,7 +182,7 @@ TEST(NumberFrame, IsAsItWasLookedAt) {
   expect_like("projector_number", *seen);
 }
 
-//! A pattern on each of the three projectors of a dome, by OpenGL and by the processor.
+//! Draws a pattern on each of the three projectors of a dome, by OpenGL and by the CPU.
 class ProjectorReferences : public testing::TestWithParam<ProjectorDrawer> {};
 
 TEST_P(ProjectorReferences, AreAsTheyWereLookedAt) {

@@ -33,7 +33,7 @@ TEST(ShowRenderer, SideBySideHoldsTheTwoSeparateEyes) {
   }
 }
 
-//! A dome's picture of a hole before a white sky, with a shadow some 14 pixels wide.
+//! Returns a dome show of a hole in front of the grid sky, with a shadow about 14 pixels wide.
 Show dome_of_64_px() {
   return parse_show(
       "[hole]\nspin = 0.9\n[camera]\n[[camera.key]]\nr = 24\n[sky]\nmap = \"grid\"\n[view]\ntilt_deg = 90\nsize_px = "
@@ -64,7 +64,7 @@ TEST(ShowRenderer, TintedEyesShowWhoseShadowItIs) {
   show.stereo.layout = StereoLayout::separate;
   show.stereo.tint_eyes = true;
   const auto eyes = ShowRenderer(show, Backend::cpu).render(0.0, {});
-  // Opposite the sky's middle the picture is of the hole: with the tilt, in the dome's middle.
+  // Because of the tilt, the hole is in the middle of the dome.
   const std::size_t middle = 4 * (32 * 64 + 32);
   EXPECT_GT(eyes[0].picture.rgba[middle], 2.0F * eyes[0].picture.rgba[middle + 1]);
   EXPECT_GT(eyes[1].picture.rgba[middle + 1], 2.0F * eyes[1].picture.rgba[middle]);

@@ -28,8 +28,8 @@ constexpr const char* ball =
     "[[objects]]\nshape = \"sphere\"\nmethod = \"trace\"\nsize = 2\nretarded = true\n"
     "orbit = { r = 7, phi_deg = 40, speed = 2 }\n";
 
-//! A camera that falls through the horizon of a hole of spin 0.9, at 1.4359 M, before a sky of few
-//! pixels and what else is said.
+//! Returns a show with a tiny sky and the given additional lines, whose camera falls through the
+//! horizon of a hole with spin 0.9, at 1.4359 M.
 Show show_through(const std::string& more = "") {
   Show show = parse_show(
       "duration_s = 40\n[hole]\nspin = 0.9\n[[camera.key]]\nr = 6\ntheta_deg = 70\n[camera.fall]\n"
@@ -47,7 +47,7 @@ std::vector<float> light_at(const Show& show, double time_s, LensChoice lens) {
   return {rgba.begin(), rgba.end()};
 }
 
-//! Mean difference of two pictures over the mean light of the first.
+//! Returns the mean difference of two pictures relative to the mean light of the first.
 double change_of_light(const std::vector<float>& a, const std::vector<float>& b) {
   double sum = 0.0;
   double light = 0.0;
@@ -111,7 +111,7 @@ TEST(WithinHorizonPictures, GridsOfADiskShowWhatRaysShow) {
   }
 }
 
-//! Where on the sky an eye sees what is before it.
+//! Returns the sky direction that an eye sees in a direction.
 Vector3<double> sky_before(const EyeCamera& eye, const Vector3<double>& seen) {
   const CameraStation camera = make_camera_station(eye.spin, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity);
   const auto part = [&](int i) {
@@ -129,7 +129,7 @@ double apart_on_sky(const Vector3<double>& a, const Vector3<double>& b) {
   return std::sqrt(dot(d, d));
 }
 
-// One eye is farther in than the other, and they cross the horizon one after the other.
+// The eyes cross the horizon one after the other.
 TEST(WithinHorizonPictures, EyesGoOnSeeingWhatTheySawWhereTheyFallThroughTheHorizon) {
   const Show show = show_through();
   const double horizon_s = *show.camera.orbit->horizon_s();
@@ -142,15 +142,15 @@ TEST(WithinHorizonPictures, EyesGoOnSeeingWhatTheySawWhereTheyFallThroughTheHori
       const double time_s = horizon_s + 0.005 * i;
       EXPECT_LT(apart_on_sky(seen_at(time_s), seen_at(time_s + 0.005)), 0.02) << in << ' ' << i;
     }
-    // And not much else than the head does.
+    // The eye also sees nearly the same direction as the head.
     EXPECT_LT(apart_on_sky(seen_at(horizon_s - 0.01),
                            sky_before(eye_camera(show, camera_pose(show, horizon_s - 0.01), 0.0), away)),
               0.1);
   }
 }
 
-//! Where in the equatorial plane a ray begins, pseudo-Cartesian, and how late it is by the time of
-//! who falls in; all 0 where there is none.
+//! The start of a ray in the equatorial plane, in pseudo-Cartesian coordinates, and its delay in
+//! the time of ingoing coordinates; all 0 if the ray does not meet the plane.
 struct PlaneSight {
   double x, y, delay;
 };
@@ -166,8 +166,8 @@ PlaneSight plane_sight(double spin, const NearRay<double>& ray, double phi, doub
   return {std::cos(azimuth) / c.u, std::sin(azimuth) / c.u, c.delay - lag};
 }
 
-//! The same by the path along which objects are looked for, which may stand between the camera and
-//! the horizon.
+//! Computes the same from the path that is used to search for objects, which may start between the
+//! camera and the horizon.
 PlaneSight path_sight(double spin, const NearRay<double>& ray, double phi, double lag) {
   PlaneSight found{};
   follow_path<16, NearParts::azimuth_and_delay>(
@@ -184,7 +184,7 @@ PlaneSight path_sight(double spin, const NearRay<double>& ray, double phi, doubl
   return found;
 }
 
-//! Eyes that turn with the direction, with cameras on both sides of the horizon.
+//! Omnidirectional stereo eyes, with cameras on both sides of the horizon.
 class TurningEyesWithin {
  public:
   TurningEyesWithin(const Show& show, double time_s)
@@ -194,15 +194,15 @@ class TurningEyesWithin {
         cameras_(Backend::cpu, [this](const Vector3<double>& offset) { return eye_at(offset); },
                  {half_baseline, 0.0, pi / 3.0, 0.5 * pi, 1e-6}) {}
 
-  //! Compares what is seen in a direction with what the direction's own camera sees; tells whether
-  //! there is anything.
+  //! Compares the view in a direction with that of the direction's own camera; returns whether it
+  //! meets anything.
   bool compare(const Vector3<double>& view, double side) const {
     const auto [camera, n] = test::own_ray([this](const Vector3<double>& offset) { return eye_at(offset); }, view,
                                            side * half_baseline, 0.0);
     const OmniCameraOf<double> turning = cameras_.exact(side);
     const RayStart<double> own = start_ray(camera, n);
     const RayStart<double> seen = start_ray(turning, view);
-    // Beside the edge of the shadow all is far apart.
+    // Near the edge of the shadow, tiny differences grow large.
     const double dark = darkness(show_.spin, camera.horizon_r, own);
     if (std::abs(dark) < 0.05) {
       return false;
@@ -216,7 +216,7 @@ class TurningEyesWithin {
     const PlaneSight b = plane_sight(show_.spin, start_near_ray(turning, view), head_.phi, turning.lag);
     const PlaneSight c = path_sight(show_.spin, start_near_ray(turning, view), head_.phi, turning.lag);
     const double r = std::hypot(a.x, a.y);
-    // At the horizon itself azimuths have no end.
+    // At the horizon itself, azimuths diverge.
     if (r > (own.u_rate < 0.0 ? 1.7 : 1.03 * camera.horizon_r) && r < 30.0) {
       EXPECT_LT(std::hypot(a.x - c.x, a.y - c.y), 1e-3 * r);
       EXPECT_LT(std::hypot(a.x - b.x, a.y - b.y), 1e-3 * r);
@@ -228,7 +228,7 @@ class TurningEyesWithin {
     return dark < 0.0;
   }
 
-  //! Whether what is seen in a direction is in the equatorial plane between the eye and the
+  //! Returns whether a direction shows a point of the equatorial plane between the eye and the
   //! horizon.
   [[nodiscard]] bool sees_plane_beneath(const Vector3<double>& view, double side) const {
     const NearRay<double> ray = start_near_ray(cameras_.exact(side), view);
@@ -270,8 +270,8 @@ TEST(WithinHorizonPictures, EyesThatTurnSeeOnBothSidesWhatEachDirectionsOwnCamer
   }
 }
 
-// What is between an eye and the horizon has its azimuth from the eye's usual one, and not from the
-// head's ingoing one.
+// Points between an eye and the horizon have the azimuth of the eye's Boyer-Lindquist coordinates,
+// not that of the head's ingoing coordinates.
 TEST(WithinHorizonPictures, EyesThatTurnSeeWhatIsBeneathThemBesideTheHorizon) {
   const Show show = show_through();
   const TurningEyesWithin eyes(show, *show.camera.orbit->horizon_s() - 0.21);

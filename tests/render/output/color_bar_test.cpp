@@ -9,7 +9,7 @@
 namespace ergodome {
 namespace {
 
-//! That the words of a bar have their room in a picture.
+//! Expects that the labels of a color bar fit into a picture without overlap.
 void expect_apart(const ColorBarLayout& bar, int width_px, int height_px) {
   EXPECT_GE(bar.letter_px, 9);
   EXPECT_GE(bar.texts.size(), 3U) << "a title, and numbers at both ends";

@@ -16,8 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-//! Light that rises by a quarter of a value of 8 bits from pixel to pixel; the lower half is
-//! covered by half.
+//! Returns light that rises by a quarter of an 8-bit step from pixel to pixel; the lower half has a
+//! coverage of one half.
 Picture fine_ramp() {
   Picture picture;
   picture.width = 256;

@@ -51,8 +51,8 @@ TEST_F(Output, ExrKeepsLinearLightChromaticitiesAndFacts) {
   EXPECT_FLOAT_EQ(chromaticities[0], 0.64F);
   std::vector<float> rgb(3U * 64U * 32U);
   ASSERT_TRUE(input->read_image(0, 0, 0, 3, OIIO::TypeDesc::FLOAT, rgb.data()));
-  EXPECT_EQ(rgb[0], 0.0F);      // not a number becomes black
-  EXPECT_EQ(rgb[3], 65504.0F);  // the largest half
+  EXPECT_EQ(rgb[0], 0.0F);      // NaN becomes black
+  EXPECT_EQ(rgb[3], 65504.0F);  // the largest half float
   EXPECT_NEAR(rgb[3 * 20], picture.rgba[4 * 20], 1e-3);
 }
 
@@ -101,7 +101,7 @@ TEST_F(Output, AFrameWithAnyByteChangedIsNotComplete) {
     write_picture(path, format, ramp(), {{"request", "0123456789abcdef"}});
     ASSERT_TRUE(is_complete_image(path, 64, 32)) << path;
     const std::string whole = text(path.filename().string());
-    // Of a PNG, bytes of texts may change: they are no pixels.
+    // In a PNG, bytes of text chunks may change, because they are not pixels.
     const std::size_t begin =
         format.image == ImageFormat::png || format.image == ImageFormat::png16 ? whole.find("IDAT") + 4 : 0;
     for (std::size_t at = begin; at + 16 < whole.size(); at += 1 + whole.size() / 60) {

@@ -15,7 +15,7 @@
 namespace ergodome {
 namespace {
 
-//! A picture whose value at (x, y, channel) says where and whose it is.
+//! Returns a picture whose value at (x, y, channel) encodes the position and the eye.
 Picture marked(int width, int height, float eye) {
   Picture picture;
   picture.width = width;
@@ -110,7 +110,7 @@ TEST(StereoLayouts, DuboisKeepsWhiteAndGivesEachEyeItsOwn) {
   const Picture white = plain(1.0F, 1.0F, 1.0F);
   const Picture black = plain(0.0F, 0.0F, 0.0F);
   const auto mixed = [](Picture left, Picture right) {
-    // A display light of 1 is none that the shoulder leaves alone.
+    // The shoulder curve would change a display light of 1.
     left.tone = right.tone = {ToneCurve::gamma, 1.0F, 1.0F, 1.0F};
     return joined_eyes(left, right, StereoLayout::dubois);
   };

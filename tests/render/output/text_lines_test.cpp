@@ -22,7 +22,7 @@ class WrappedLines : public testing::Test {
     return text_lines_image(text, letter_px, TextFace::proportional, widest_px);
   }
 
-  //! How much of the image letters cover [px²].
+  //! Returns the area that letters cover [px²].
   static double ink(const TextImage& image) {
     return std::accumulate(image.coverage.begin(), image.coverage.end(), 0.0);
   }

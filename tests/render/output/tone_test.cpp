@@ -75,7 +75,7 @@ TEST(Tone, ReinhardHalvesLightOfOneWhenWhiteIsFar) {
 }
 
 TEST(Tone, FilmicShowsTheValuesOfItsFit) {
-  // 1 by the formula: 2.54 / 3.16.
+  // The formula gives 2.54 / 3.16 for 1.
   EXPECT_NEAR(toned({ToneCurve::filmic}, 1.0F), 2.54F / 3.16F, 1e-6F);
 }
 

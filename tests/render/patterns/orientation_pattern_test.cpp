@@ -13,10 +13,10 @@ namespace {
 
 constexpr int size_px = 512;
 
-//! Where the letters of a word are, by their colour.
+//! The position of a word's letters, found by their color.
 struct Letters {
-  double x = 0.0;  //!< their middle, part of the width from the left
-  double y = 0.0;  //!< and of the height from the top
+  double x = 0.0;  //!< center, as a fraction of the width from the left
+  double y = 0.0;  //!< center, as a fraction of the height from the top
   int count = 0;
   int left = size_px, right = 0, top = size_px, bottom = 0;
 };
@@ -75,7 +75,8 @@ TEST(OrientationPattern, FromOutsideHasLeftOnTheRight) {
   EXPECT_GT(letters_of(picture, "LEFT").x, 0.9);
 }
 
-//! How alike the letters of a word are to the word as it is written: a correlation coefficient.
+//! Returns the similarity between the letters in the picture and the written word: a correlation
+//! coefficient.
 double likeness(const Picture& picture, const char* text, bool mirrored) {
   const Letters box = letters_of(picture, text);
   const TextImage written = text_image(text, 48);
@@ -109,8 +110,7 @@ TEST(OrientationPattern, ReadsUprightForAViewerWhoFacesIt) {
 }
 
 TEST(OrientationPattern, ReadsUprightOnTheDomeAboveAViewerWhoFacesTheFront) {
-  // The top of a domemaster is the back: what stands upright in it reads upright for one who leans
-  // back.
+  // The top of a domemaster is the back: upright text reads upright for a viewer who leans back.
   const Picture picture = dome_pattern();
   EXPECT_GT(likeness(picture, "ZENITH", false), 0.6);
 }

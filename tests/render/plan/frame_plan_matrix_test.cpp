@@ -22,7 +22,7 @@ TEST_F(FramePlans, HoldForEveryEffectAlone) {
 }
 
 TEST_F(FramePlans, HoldForEveryPairOfEffects) {
-  // Sanitizers see the same code in a few of the pairs.
+  // Sanitizers cover the same code with a few of the pairs.
   constexpr std::size_t stride = test::sanitized ? 20 : 1;
   for (std::size_t i = 0; i < effects().size(); ++i) {
     for (std::size_t k = i + 1; k < effects().size(); k += stride) {
@@ -38,7 +38,7 @@ TEST_F(FramePlans, HoldForEveryPairOfEffects) {
 TEST_F(FramePlans, HoldForAllEffectsTogether) {
   for (const StereoLayout layout : {StereoLayout::mono, StereoLayout::side_by_side, StereoLayout::separate}) {
     for (const bool gather : {false, true}) {
-      // Sanitizers see the same code in one layout.
+      // Sanitizers cover the same code with one layout.
       if (test::sanitized && gather && layout != StereoLayout::mono) {
         continue;
       }
@@ -58,7 +58,7 @@ TEST_F(FramePlans, HoldForEveryStereoModelAndLayout) {
   for (const StereoModel model : {StereoModel::physical, StereoModel::flat, StereoModel::omni}) {
     for (const StereoLayout layout : {StereoLayout::multiview, StereoLayout::dubois, StereoLayout::half_top_bottom}) {
       for (const double convergence : {0.0, 10.0}) {
-        // Sanitizers see the same code in one layout.
+        // Sanitizers cover the same code with one layout.
         if (test::sanitized && layout != StereoLayout::multiview) {
           continue;
         }
@@ -120,12 +120,12 @@ TEST_F(FramePlans, HoldForEffectsThatComeAndGo) {
                                                                  {"effects.diffraction.scale", 1.5},
                                                                  {"sky.spin_axis.ra_deg", 30.0}}) {
     if (test::sanitized && effect++ % 3 != 0) {
-      continue;  // the same code has been through there with each effect alone
+      continue;  // tests of each effect alone cover the same code
     }
     SCOPED_TRACE(path);
     Show show = animated(plain_show(), path, value);
     expect_as_planned(show, request());
-    // The pictures before it begins are held to the same plan.
+    // Pictures before the effect starts must match the same plan.
     for (NumberKey& key : show.timeline.animations[0].keys) {
       key.time_s += 10.0;
     }
@@ -138,7 +138,7 @@ TEST_F(FramePlans, HoldForEffectsThatComeAndGo) {
 TEST_F(FramePlans, HoldForEveryProjection) {
   for (const bool gather : {false, true}) {
     if (test::sanitized && gather) {
-      continue;  // the same code has been through there with all effects together
+      continue;  // the test of all effects together covers the same code
     }
     Show show = plain_show();
     for (const Effect& effect : effects()) {
@@ -167,7 +167,7 @@ TEST_F(FramePlans, HoldForEveryView) {
                               ViewMode::frequency_ratio, ViewMode::magnification}) {
     SCOPED_TRACE(static_cast<int>(mode));
     Show show = plain_show();
-    // Effects have nothing to do in a heat map, but stars are read when the show is opened.
+    // Effects do nothing in a heat map, but stars are loaded with the show.
     for (const Effect& effect : effects()) {
       effect.add(show);
     }

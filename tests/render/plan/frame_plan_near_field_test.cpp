@@ -151,7 +151,7 @@ TEST_F(FramePlans, HoldForADiskWhoseLayersAreStreamed) {
     const auto stream = std::make_shared<StationStream>(Backend::cpu, TrajectoryReader(folder_ / "t.trajectory"),
                                                         StationStream::default_memory_bytes, [](const std::string&) {});
     const long all = static_cast<long>(stream->trajectory().stations().size());
-    // What is read ahead would count as work of a picture.
+    // Waits until all stations are read, because reading ahead would count as work of a picture.
     for (int tries = 0; tries < 500 && stream->statistics().read < all; ++tries) {
       stream->at(0.5, 1.0);
       std::this_thread::sleep_for(std::chrono::milliseconds(10));

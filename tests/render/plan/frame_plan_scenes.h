@@ -19,7 +19,8 @@
 #include "tests/support/folder_test.h"
 #include "tests/support/sanitized.h"
 
-// Counters hold pictures to their plan: what it does not name is not done.
+// Compares the work of pictures with their plan by counters: work that the plan does not name must
+// not happen.
 
 namespace ergodome::test {
 
@@ -27,7 +28,7 @@ inline constexpr int map_width_px = 64;
 
 using Work = std::map<std::string, WorkCount>;
 
-//! One of the things that a scene may ask for.
+//! One of the effects that a scene may use.
 struct Effect {
   const char* name;
   std::function<void(Show&)> add;
@@ -90,7 +91,8 @@ inline const std::vector<Effect>& effects() {
   return all;
 }
 
-//! Animates a number of the whole scene from nothing at 0 s to a value at 1 s.
+//! Returns a scene with all effects, and a number of the show that is animated from zero at 0 s to
+//! a value at 1 s.
 inline Show animated(Show show, const char* path, double value) {
   for (const Effect& effect : effects()) {
     if (std::string_view(effect.name) != "gather") {
@@ -137,7 +139,7 @@ class FramePlans : public FolderTest {
     return request;
   }
 
-  //! What two pictures of the same moment take.
+  //! Returns the work of two pictures of the same moment.
   static std::pair<Work, Work> work_of(const Show& show, const FrameRequest& request,
                                        std::shared_ptr<StationStream> stream) {
     const Work start = work_done();
@@ -149,7 +151,8 @@ class FramePlans : public FolderTest {
     return {work_between(start, first), work_between(first, work_done())};
   }
 
-  //! Holds pictures of a show to their plan; `stream`: of stations that have been read.
+  //! Compares the work of pictures of a show with their plan; `stream` contains stations that have
+  //! been read.
   static void expect_as_planned(const Show& show, const FrameRequest& request,
                                 std::shared_ptr<StationStream> stream = nullptr) {
     const FramePlan plan = plan_frame(show, request);

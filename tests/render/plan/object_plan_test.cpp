@@ -9,7 +9,7 @@
 #include "tests/render/passes/objects/object_scene.h"
 #include "tests/support/folder_test.h"
 
-// What objects take is planned, and nothing of it is done without them.
+// Plans contain the work for objects, and without objects none of it is done.
 namespace ergodome {
 namespace {
 
@@ -44,8 +44,8 @@ class TracedObjectPlans : public test::FolderTest {
     return show;
   }
 
-  //! Holds what a plan says of some work, by line 12 of the show, to what a picture and one more
-  //! have done.
+  //! Compares the planned work, for line 12 of the show, with the work of a picture and of another
+  //! one.
   static void expect_planned(const std::vector<std::string>& names, const FramePlan& plan, const Work& first,
                              const Work& second) {
     for (const std::string& name : names) {
@@ -59,7 +59,7 @@ class TracedObjectPlans : public test::FolderTest {
     }
   }
 
-  //! Holds that a plan names all of some work.
+  //! Expects that a plan names all work that was done.
   static void expect_all_planned(const FramePlan& plan, const Work& done) {
     for (const auto& [name, work] : done) {
       EXPECT_TRUE(std::ranges::find(plan.passes, name, &PlannedPass::name) != plan.passes.end() ||
@@ -68,7 +68,7 @@ class TracedObjectPlans : public test::FolderTest {
     }
   }
 
-  //! What a picture and one more of the same moment take.
+  //! Returns the work of two pictures of the same moment.
   static std::pair<Work, Work> work_of(const Show& show, ViewMode mode, LensChoice lens = LensChoice::automatic) {
     const Work start = work_done();
     ShowRenderer renderer(show, Backend::cpu, lens);
@@ -79,7 +79,7 @@ class TracedObjectPlans : public test::FolderTest {
   }
 };
 
-//! The same of polygons, where there is an OpenGL.
+//! Tests the same for polygons, if there is OpenGL.
 class ObjectPlans : public TracedObjectPlans {
  protected:
   void SetUp() override {
@@ -160,7 +160,7 @@ TEST_F(TracedObjectPlans, NameWhatEyesThatSeeThroughOneLensTakeBesideADiskAndShe
       SCOPED_TRACE(testing::Message() << disk << shells);
       show.disk = disk ? std::optional<DiskSettings>(DiskSettings{}) : std::nullopt;
       show.shells.assign(shells ? 1 : 0, {});
-      // With shells the disk has rays, whatever is asked.
+      // With shells, the disk is drawn by rays in any case.
       const LensChoice lens = shells ? LensChoice::direct : LensChoice::live;
       FrameRequest request;
       request.lens = lens;
@@ -184,7 +184,7 @@ TEST_F(TracedObjectPlans, NameWhatLaysObjectsWhereADiskHasNoWidthYet) {
   show.stereo.model = StereoModel::flat;
   show.view.size_px = 32;
   show.disk.emplace();
-  // Its outer edge comes from within the inner one.
+  // Its outer edge starts inside the inner one.
   show.disk->outer = 3.0;
   show.timeline.animations.push_back({"disk.outer", {{0.0, 3.0}, {10.0, 20.0}}});
   for (const double baseline : {0.0, 0.5}) {
@@ -213,7 +213,7 @@ TEST_F(TracedObjectPlans, NameTheRowsThatEyesOfOneLensTakeThroughAGpu) {
 TEST_F(TracedObjectPlans, LookAtNoPixelWhereNoObjectIsNear) {
   Show show = show_with({traced(test::small_sphere({60.0, 0.0, 0.0}, 1.0))});
   show.view.field_of_view_deg = 10.0;
-  // Past the hole: next to the shadow's edge all is seen that there is.
+  // The view is past the hole: next to the shadow's edge, everything is visible.
   show.camera.keys.front().yaw = 0.5;
   const Work work = work_of(show, ViewMode::sky).first;
   EXPECT_TRUE(work.contains("mark_object_tiles"));

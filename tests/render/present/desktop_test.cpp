@@ -38,7 +38,7 @@ TEST(Desktop, AFreePlaceMayBeOnAnotherMonitor) {
 
 TEST(Desktop, ThereMayBeNoFreePlace) {
   EXPECT_EQ(free_place(small_window, one_monitor, std::vector<DesktopRectangle>{{600, 300, 720, 300}}), std::nullopt);
-  EXPECT_EQ(free_place({0, 0, 700, 1080}, one_monitor, {}), std::nullopt);  // higher than what bars leave
+  EXPECT_EQ(free_place({0, 0, 700, 1080}, one_monitor, {}), std::nullopt);  // higher than the space that bars leave
   EXPECT_EQ(free_place(small_window, {}, {}), std::nullopt);
 }
 

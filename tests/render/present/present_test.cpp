@@ -16,7 +16,7 @@
 #include "render/present/text_panel.h"
 #include "tests/support/gl_driver.h"
 
-// No report of leaks where a driver was at work.
+// Disables leak reports if a driver was loaded.
 // NOLINTNEXTLINE: the checker's name
 extern "C" int __lsan_is_turned_off() { return ergodome::test::driver_was_loaded ? 1 : 0; }
 
@@ -169,8 +169,8 @@ TEST_F(Present, EyesTakeTurnsByTheFramebuffersRows) {
     int height;
     int lit_rows;
   };
-  // Finer, coarser, as the eyes are, with bars of odd height above and below, and with bars at the
-  // sides.
+  // Finer and coarser than the eyes' pictures, at their size, with bars of odd height above and
+  // below, and with bars at the sides.
   for (const Framebuffer& frame :
        {Framebuffer{94, 47, 47}, {30, 15, 15}, {40, 20, 20}, {50, 39, 25}, {50, 40, 25}, {81, 20, 20}}) {
     make_framebuffer(frame.width, frame.height);
@@ -226,7 +226,7 @@ TEST_F(Present, AnEyesPictureHasNothingOfTheOtherAtItsEdge) {
 }
 
 TEST_F(Present, CaptionsKeepTheirPixelsOverACoarsePicture) {
-  // A white line of one row over a picture of 4 x 2 grey pixels, in a window of 200 x 100.
+  // A white line of one row over a picture of 4 x 2 gray pixels, in a window of 200 x 100.
   const int row = 40;
   auto captions = std::make_shared<CaptionLayer>(CaptionLayer{200, 100, row - 1, 3, std::vector<float>(4 * 200 * 3)});
   std::fill_n(captions->rgba.begin() + 4 * 200, 4 * 200, 1.0F);

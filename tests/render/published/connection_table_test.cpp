@@ -35,7 +35,7 @@ struct TableErrors {
   static double largest(const std::vector<double>& errors) { return *std::max_element(errors.begin(), errors.end()); }
 };
 
-//! At random pairs all over the table, evenly in 1/r and φ.
+//! Returns the errors at random pairs all over the table, uniform in 1/r and φ.
 TableErrors errors_of(const ConnectionTable& table, int count) {
   const ConnectionGrid& grid = table.view().grid;
   std::mt19937 random(7);
@@ -73,7 +73,8 @@ TEST(ConnectionTable, AgreesWithTheClosedFormForThePublishedObservers) {
 }
 
 TEST(ConnectionTable, IsSmoothWhereDirectionsAreNot) {
-  // Straight behind, at both ends of the axis of azimuth, and around the observer's own place.
+  // Straight behind the hole, at both ends of the azimuth axis, and around the observer's own
+  // position.
   const ConnectionTable table(table_for(20.0));
   for (const auto& [r, angle, allowed] : {std::array{8.0, pi, 1e-7},
                                           {8.0, 2.0 * pi, 1e-7},

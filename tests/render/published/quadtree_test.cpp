@@ -11,7 +11,7 @@
 namespace ergodome {
 namespace {
 
-//! VE's standard set-up: a = 0.999, circular orbit at r = 5.
+//! Returns the standard setup of Verbraeck & Eisemann: a = 0.999, circular orbit at r = 5.
 CameraStation published_camera() { return make_camera_station(0.999, 5.0, 0.5 * pi, 0.0, ObserverMotion::geodesic); }
 
 const QuadtreeLens& published_grid() {
@@ -19,7 +19,7 @@ const QuadtreeLens& published_grid() {
   return lens;
 }
 
-//! The rays of all vertices of the finest regular grid, the upper half.
+//! The rays of all vertices of the finest regular grid, upper half.
 struct FullGrid {
   static constexpr int level = 10;
   static constexpr int columns = 2 << level;
@@ -54,8 +54,8 @@ struct FullGrid {
   }
 };
 
-//! Sum of the squared differences in (θ, φ) over the whole sky, as VE measure it: both halves, and
-//! no vertices of the grid itself.
+//! Returns the sum of the squared differences in (θ, φ) over the whole sky, by the measure of
+//! Verbraeck & Eisemann: both halves, without the vertices of the grid itself.
 double cumulative_squared_error(const QuadtreeLens& lens, QuadtreeInterpolation how) {
   static const FullGrid full;
   const QuadtreeGrid grid = lens.view();
@@ -80,7 +80,7 @@ double cumulative_squared_error(const QuadtreeLens& lens, QuadtreeInterpolation 
 }
 
 TEST(Quadtree, TracesThePublishedNumberOfRays) {
-  // VE, section 5.1: 47,848 rays for the symmetric level-10 grid.
+  // Verbraeck & Eisemann, section 5.1: 47,848 rays for the symmetric level-10 grid.
   EXPECT_NEAR(published_grid().vertex_count(), 47'848, 5);
 }
 
@@ -88,7 +88,8 @@ TEST(Quadtree, HasThePublishedErrorsOfBothInterpolations) {
   if (test::sanitized) {
     GTEST_SKIP() << "a million rays";
   }
-  // VE, section 4.3.2: 0.369 rad² linear, 0.008 rad² spline, over the full level-10 grid.
+  // Verbraeck & Eisemann, section 4.3.2: 0.369 rad² linear, 0.008 rad² spline, over the full
+  // level-10 grid.
   QuadtreeSettings settings;
   settings.repair = false;
   const QuadtreeLens lens(published_camera(), true, settings);
@@ -111,7 +112,7 @@ TEST(Quadtree, MirroredGridIsTheWholeOne) {
 }
 
 TEST(Quadtree, RepairClosesTheGapsBetweenCellsOfDifferentSize) {
-  // Along the side of a large cell, seen from either side of it, the spline's jump gets smaller.
+  // Along the side of a large cell, the jump of the spline between its two sides gets smaller.
   QuadtreeSettings settings;
   settings.repair = false;
   const QuadtreeLens torn(published_camera(), true, settings);
@@ -153,8 +154,9 @@ TEST(Quadtree, EveryDirectionHasALeafAndAFiniteSky) {
   }
 }
 
-//! Mean squared error in (θ, φ) of the blend of the grids at 5.0 and 5.2 for 5.1, over the camera's
-//! sky, in the measure of VE (section 5.2); `warped`: with the shadows brought together.
+//! Returns the mean squared error in (θ, φ) of the blend of the grids at 5.0 and 5.2 for 5.1, over
+//! the camera's sky, by the measure of Verbraeck & Eisemann (section 5.2). `warped`: aligns the
+//! shadows first.
 double blending_error(bool warped) {
   const auto camera = [](double r) { return make_camera_station(0.999, r, 0.5 * pi, 0.0, ObserverMotion::geodesic); };
   const QuadtreeLens near(camera(5.0), true, {});

@@ -8,7 +8,7 @@
 namespace ergodome {
 namespace {
 
-//! How far off who stands on the equator sees the edge in the rain's table [rad].
+//! Returns the error of the edge that a ZAMO sees according to the table of a rain observer [rad].
 double miss_of(double spin, double r, double theta = 0.5 * pi) {
   const auto observer = ObserverMotion::zamo;
   const EdgeTable rain(Backend::cpu, make_camera_station(spin, r, theta, 0.0, ObserverMotion::rain), edge_points);

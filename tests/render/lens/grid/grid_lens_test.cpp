@@ -15,7 +15,7 @@
 namespace ergodome {
 namespace {
 
-//! A show with one camera before the grid sky.
+//! Returns a show with one camera in front of the grid sky.
 Show show_of(const std::string& camera, const std::string& view) {
   return parse_show("[hole]\nspin = 0.999\n[camera]\n" + camera + "[sky]\nmap = \"grid\"\n[view]\n" + view,
                     "test.toml");
@@ -36,7 +36,7 @@ Picture picture_of(const Show& show, LensChoice lens, ViewMode mode = ViewMode::
               grid_sky(), settings);
 }
 
-//! Differences of all colour channels, sorted.
+//! Returns the differences of all color channels, sorted.
 std::vector<double> differences(const Picture& a, const Picture& b) {
   std::vector<double> all(a.rgba.size());
   std::transform(a.rgba.begin(), a.rgba.end(), b.rgba.begin(), all.begin(),
@@ -51,7 +51,7 @@ void expect_alike(const Show& show) {
   ASSERT_STREQ(grid.lens, "live");
   ASSERT_STREQ(direct.lens, "direct");
   const std::vector<double> all = differences(grid, direct);
-  // A quarter of a pixel on lines that are a pixel soft.
+  // A quarter of a pixel on lines that are blurred over one pixel.
   EXPECT_LT(all[all.size() * 99 / 100], 0.03);
   EXPECT_LT(all[all.size() * 999 / 1000], 0.15);
 }
@@ -70,7 +70,7 @@ TEST(GridLens, WholeSkyOffTheEquatorIsThatOfDirectRays) {
                        "projection = \"equirect\"\nsize_px = 400\n"));
 }
 
-//! Of who stands beside a horizon on the equator.
+//! Returns the picture of an observer close to a horizon, at the equator.
 Picture picture_beside_horizon(double spin, double above, LensChoice lens) {
   Show show = show_of("[[camera.key]]\nr = 9\ntheta_deg = 90\n", "projection = \"equirect\"\nsize_px = 128\n");
   show.spin = spin;
@@ -168,12 +168,12 @@ TEST(LensChooser, WhoCannotWaitGetsTheViewFromTheLastGridAndThenTheRightOne) {
     return lenses.choose({LensChoice::live, eye_camera(show, pose, 0.0), projection, ViewMode::sky, {}, moment, {}})
         ->behind();
   };
-  // There is none yet, so the first is waited for.
+  // No grid exists yet, so the first one is waited for.
   EXPECT_FALSE(behind(0.0));
   pose.r += 0.01;
   EXPECT_TRUE(behind(0.0));
   EXPECT_FALSE(behind(60.0));
-  // A jump is not shown from where the camera was.
+  // After a jump, the grid of the old position is not shown.
   pose.r += 5.0;
   EXPECT_FALSE(behind(0.0));
 }
@@ -189,7 +189,8 @@ class StreamedLens : public test::FolderTest {
                                            StationStream::default_memory_bytes, [](const std::string&) {});
   }
 
-  //! The lens of an eye at a time of the show; `budget` in budgets of the show.
+  //! Returns the name of the lens of an eye at a time of the show; `budget` is relative to the
+  //! show's budget.
   std::string lens_at(LensChooser& lenses, double time_s, double eye_offset, LensChoice choice = LensChoice::automatic,
                       double budget = 1.0) {
     const EyeCamera eye = eye_camera(show_, camera_pose(show_, time_s), eye_offset);
@@ -220,7 +221,7 @@ TEST_F(StreamedLens, PictureIsThatOfDirectRaysOnThePathAndForBothEyes) {
 }
 
 TEST_F(StreamedLens, LeavingThePathMakesNoJump) {
-  // The same pose, once as a moment of the show and once flown by hand.
+  // The same pose, once as a moment of the show and once flown manually.
   EyeRenderer renderer(Backend::cpu, stream());
   PictureSettings settings;
   settings.lens = LensChoice::streamed;
@@ -285,7 +286,7 @@ TEST_F(StreamedLens, AGapThatMissesItsBudgetGetsLiveGrids) {
     const StationEntry& station = good.stations()[i];
     journal.add(station.time_s, good.read(i));
     if (i > 0) {
-      // The first one misses.
+      // The first gap misses its budget.
       journal.add(Gap{times_s.back(), station.time_s, i == 1 ? 0.3F : 0.1F, 0.0F});
     }
     times_s.push_back(station.time_s);

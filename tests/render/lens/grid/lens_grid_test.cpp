@@ -14,7 +14,7 @@
 namespace ergodome {
 namespace {
 
-//! A camera, its observer, and the grid for it with the budget of 0.1 px of a 4096² dome.
+//! A camera, its observer, and its grid with a budget of 0.1 px of a 4096² dome.
 struct GridCase {
   double spin;
   double r;
@@ -41,7 +41,7 @@ using test::Errors;
 using test::random_rays;
 using test::Rays;
 
-//! The grid of a station as a lens of its own.
+//! Returns a lens that consists of the grid of one station.
 LensBlend lens_of(const LensStation& station) {
   const LensGrid grid = grid_view(station);
   return {grid.chart, {grid, grid}, {}, 0.0F};
@@ -51,8 +51,8 @@ void read_through(const GridCase& c, Rays& rays) {
   test::read_through(lens_of(c.station), c.camera(), c.settings.observer, rays);
 }
 
-//! Errors on the screen over random directions that see the sky, those in the cut-off and the
-//! traced ones included.
+//! Returns the errors on the screen over random directions that see the sky, including those in the
+//! cut-off and those that were traced.
 Errors errors_of(const GridCase& c, std::size_t count = 100'000) {
   return test::screen_errors(lens_of(c.station), c.camera(), c.settings.observer, c.settings.pixel, count);
 }
@@ -94,7 +94,7 @@ struct HardCamera {
   ObserverMotion motion = ObserverMotion::zamo;
 };
 
-//! Every place and motion that a grid may be asked for.
+//! Positions and motions that grids must support.
 class LensGridOfHardCamera : public testing::TestWithParam<HardCamera> {};
 
 TEST_P(LensGridOfHardCamera, HoldsItsBudgetOverTheSky) {
@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const testing::TestParamInfo<HardCamera>& each) { return "Camera" + std::to_string(each.index); });
 
 TEST(LensGrid, MirroredHalfIsTheWholeSky) {
-  // The same camera a hair off the equator gets a whole grid.
+  // The same camera slightly off the equator gets a whole grid.
   const GridCase half(0.9, 6.0, 0.5 * pi);
   const GridCase whole(0.9, 6.0, 0.5 * pi - 1e-7);
   ASSERT_TRUE(half.station.mirrored);
@@ -136,7 +136,7 @@ TEST(LensGrid, MirroredHalfIsTheWholeSky) {
   EXPECT_LT(difference[difference.size() * 95 / 100], 2e-4);
 }
 
-//! Sky and derivatives of the patch sums at a place of the chart.
+//! Returns the sky and its derivatives from the patch sums at a position of the chart.
 GridSky<double> at(const LensStation& station, double gamma_turns, double s) {
   ChartPlace<Dual<double>> place{};
   place.gamma_turns = {gamma_turns, 1.0, 0.0};
@@ -153,7 +153,7 @@ TEST(LensGrid, ValueAndDerivativesAreContinuousAcrossEveryKindOfCellSide) {
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> uniform;
   for (int i = 0; i < 20'000; ++i) {
-    // A line of the finest common lattice, crossed at a random place.
+    // A line of the finest common lattice, crossed at a random position.
     const double line = std::floor(uniform(random) * 1024.0) * static_cast<double>(unit);
     const double s = 0.3 + 0.7 * uniform(random);
     const double step = 1e-7;

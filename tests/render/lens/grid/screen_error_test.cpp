@@ -5,7 +5,7 @@
 namespace ergodome {
 namespace {
 
-//! A thousand equal parts of the sky, missed by 0.5, 1.5, ... 999.5.
+//! Returns the error over a thousand equal parts of the sky, with errors of 0.5, 1.5, ... 999.5.
 ScreenError error_of_parts(double share) {
   std::vector<double> error_px;
   error_px.reserve(1000);

@@ -20,7 +20,7 @@ struct Place {
   double theta;
 };
 
-//! A circular orbit where there is one, else the zero-angular-momentum observer.
+//! Returns a circular orbit where one exists, otherwise the zero-angular-momentum observer.
 ObserverMotion motion_at(const Place& p) { return p.r > 4.0 ? ObserverMotion::geodesic : ObserverMotion::zamo; }
 
 std::shared_ptr<const StationBuffers> station_at(const Place& p) {
@@ -30,9 +30,9 @@ std::shared_ptr<const StationBuffers> station_at(const Place& p) {
   return std::make_shared<StationBuffers>(Backend::cpu, build_lens_station(spin, p.r, p.theta, settings));
 }
 
-//! Errors between the blend of two stations and traced rays at the place in the middle, over an
-//! equirectangular picture of the whole camera sky, as VE measure theirs (section 5.2), in their
-//! measure: squared distance in (θ, φ) on the sky.
+//! The error between the blend of two stations and traced rays at the position in the middle, over
+//! an equirectangular picture of the whole camera sky, by the measure of Verbraeck & Eisemann
+//! (section 5.2): squared distance in (θ, φ) on the sky.
 struct Comparison {
   double mean_square = 0.0;    //!< [rad²]
   std::vector<double> angles;  //!< on the sky, sorted [rad]
@@ -94,7 +94,7 @@ Comparison compare(const Place& first, const Place& second) {
   return result;
 }
 
-//! A hundredth of what VE report for 5.0 and 5.2 instead of 5.1.
+//! A hundredth of the error that Verbraeck & Eisemann report for 5.0 and 5.2 instead of 5.1.
 constexpr double allowed_mean_square = 0.0045 / 100.0;
 
 TEST(StationBlend, PublishedTestAlongTheRadiusIsAHundredTimesBetter) {
@@ -110,7 +110,8 @@ TEST(StationBlend, FromAMirroredStationToAWholeOneIsAHundredTimesBetter) {
 }
 
 TEST(StationBlend, FallingFromTwoToTheErgosphereIsAHundredTimesBetter) {
-  // Stations as close as it takes: each a tenth nearer to r = 1 than the one before.
+  // The distance between stations that is needed: each is a tenth closer to r = 1 than the previous
+  // one.
   for (double height = 1.0; height > 0.2; height /= test::sanitized ? 2.0 : 1.1) {
     EXPECT_LT(compare({1.0 + height, 0.5 * pi}, {1.0 + height / 1.1, 0.5 * pi}).mean_square, allowed_mean_square)
         << 1.0 + height;
@@ -125,8 +126,8 @@ TEST(StationBlend, ErrorFallsWithTheSquareOfTheDistanceOfTheStations) {
   EXPECT_NEAR(median(0.8) / median(0.4), 4.0, 0.6);
 }
 
-//! Error at the 99th of hundred directions beside a station with derivatives, for an eye that is
-//! moved by (dr, dθ) [px of 4096²].
+//! Returns the 99th percentile of the error near a station with derivatives, for an eye displaced
+//! by (dr, dθ) [px of 4096²].
 double error_beside(double dr, double dtheta) {
   const Place here = {6.0, 1.2};
   GridSettings settings;

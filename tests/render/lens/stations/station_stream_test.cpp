@@ -27,8 +27,8 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 
 class StationStreaming : public test::FolderTest {
  protected:
-  //! A file of stations a tenth of a second apart, each further in; the lenses in it are all one
-  //! small grid.
+  //! Writes a file of stations at intervals of a tenth of a second, each closer to the hole; all
+  //! contain the same small grid.
   [[nodiscard]] TrajectoryReader make_file(int stations) {
     GridSettings settings;
     settings.pixel = 0.05;
@@ -50,7 +50,7 @@ class StationStreaming : public test::FolderTest {
     test::damage_station(file(), reader.stations()[station]);
   }
 
-  //! What the stream says goes into messages_.
+  //! Returns a callback that appends the stream's messages to messages_.
   [[nodiscard]] StationStream::Report report() {
     return [this](const std::string& message) {
       ++said_;
@@ -67,7 +67,8 @@ class StationStreaming : public test::FolderTest {
   std::string message_;
 };
 
-//! Runs the play head through the show, `step_s` a frame, and returns how many frames had to wait.
+//! Moves the play head through the show, `step_s` per frame, and returns how many frames had to
+//! wait.
 long play(StationStream& stream, double from_s, double to_s, double step_s) {
   stream.at(from_s, patience_s);
   const long before = stream.statistics().waits;
@@ -76,7 +77,7 @@ long play(StationStream& stream, double from_s, double to_s, double step_s) {
     const double time_s = from_s + step_s * i;
     const auto pair = stream.at(time_s, patience_s);
     EXPECT_TRUE(pair && std::abs(pair->first->station().r - (9.0 - 1e-3 * time_s)) <= 1.01e-4) << time_s;
-    // A fifth of the time that a frame of 60 Hz has; sanitizers read slowly.
+    // A fifth of the time of a frame at 60 Hz; sanitizers read slowly.
     std::this_thread::sleep_for(std::chrono::milliseconds(test::sanitized ? 8 : 3));
   }
   return stream.statistics().waits - before;

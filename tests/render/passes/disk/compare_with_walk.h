@@ -15,8 +15,8 @@
 
 namespace ergodome::test {
 
-//! Pixels at which objects may be: half of the wanted near to what is drawn of them, half near to
-//! where walks that are some pixels apart meet them.
+//! Candidate pixels for objects: half of the samples near the drawn objects, half near positions, a
+//! few pixels apart, where walks meet objects.
 class ObjectPixelsOfTest {
  public:
   ObjectPixelsOfTest(const Picture& picture, const FlatWalk& walk) : width_(picture.width), height_(picture.height) {
@@ -34,7 +34,7 @@ class ObjectPixelsOfTest {
     }
   }
 
-  //! One of them; anywhere where there are none.
+  //! Returns one of the pixels, or any pixel of the picture if there are none.
   template <class Random>
   [[nodiscard]] std::pair<int, int> any(Random& random) const {
     const auto& from = random() % 2 == 0 ? drawn_ : met_;
@@ -56,10 +56,10 @@ class ObjectPixelsOfTest {
   std::vector<std::pair<int, int>> met_;
 };
 
-//! Something of all that a show has near the hole was among so many pixels of each eye.
+//! Expects that the samples include each kind of object that a show has near the hole.
 inline void expect_all_kinds_seen(const Show& show, std::map<FlatWalk::Met, int>& things, int pixels) {
   using Met = FlatWalk::Met;
-  // Of few pixels all may lie next to edges.
+  // If there are few pixels, all may lie next to edges.
   EXPECT_GE(things[Met::disk] + things[Met::shell] + things[Met::object], sanitized ? 0 : pixels / 20 + 1);
   const auto expect_seen = [&](bool there, Met met) {
     if (there && !sanitized) {
@@ -71,8 +71,8 @@ inline void expect_all_kinds_seen(const Show& show, std::map<FlatWalk::Met, int>
   expect_seen(!show.objects.empty(), Met::object);
 }
 
-//! Whether a pixel and those beside it see one thing, whose radius changes little; images that are
-//! some pixels wide alone are one radius a pixel.
+//! Returns whether a pixel and its neighbors see the same object at nearly the same radius. Images
+//! only a few pixels wide have a different radius in each pixel.
 inline bool is_within_one_thing(const FlatWalk& walk, int x, int y, const FlatWalk::Seen& seen) {
   bool inside = true;
   for (const auto& [dx, dy] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
@@ -82,8 +82,8 @@ inline bool is_within_one_thing(const FlatWalk& walk, int x, int y, const FlatWa
   return inside;
 }
 
-//! Holds a pixel to what its middle sees; where images of objects in it are thinner than a pixel,
-//! to what samples of it see. Tells whether it was the former.
+//! Compares a pixel with what its middle sees; or, where images of objects in it are thinner than a
+//! pixel, with what samples of it see. Returns true in the first case.
 inline bool compare_pixel(const Show& show, const FlatWalk& walk, const Picture& picture, int x, int y,
                           const FlatWalk::Seen& seen) {
   const float drawn = luminance_of(light_at(picture, x, y));
@@ -107,7 +107,7 @@ inline bool compare_pixel(const Show& show, const FlatWalk& walk, const Picture&
   return true;
 }
 
-//! Holds both eyes' pictures to the walk, at random pixels that do not lie next to an edge.
+//! Compares the pictures of both eyes with the walk, at random pixels that are not next to an edge.
 inline void compare_with_walk(const Show& show, LensChoice lens, int pixels) {
   const auto eyes = eyes_of(show, lens);
   ASSERT_EQ(eyes.size(), 2U);

@@ -21,7 +21,8 @@ using test::eye_at;
 
 constexpr int pictured_px = test::sanitized ? 128 : 256;
 
-//! A camera that looks at a disk, and what may differ between its picture by a grid and by rays.
+//! A camera that faces a disk, and the allowed difference between its pictures by a grid and by
+//! rays.
 struct PicturedDisk {
   const char* name;
   double spin;
@@ -29,8 +30,8 @@ struct PicturedDisk {
   double theta;
   double field_of_view;
   bool clouds = false;
-  bool away = false;  //!< from the hole
-  bool ball = false;  //!< with one half before and half behind it, drawn by rays
+  bool away = false;  //!< view away from the hole
+  bool ball = false;  //!< with a ball, half in front of the disk and half behind it, drawn by rays
 };
 
 Show pictured_show(const PicturedDisk& at) {
@@ -50,7 +51,7 @@ Show pictured_show(const PicturedDisk& at) {
   return show;
 }
 
-//! One after the other.
+//! The pictures of the same scene by rays and by a grid.
 struct TwoPictures {
   std::vector<float> by_rays;
   std::vector<float> by_grid;
@@ -78,7 +79,8 @@ TwoPictures draw_both(const PicturedDisk& at) {
   return pictures;
 }
 
-//! How far pixels differ, the worst channel of each, of those that either picture covers.
+//! Returns the differences of pixels (the maximum over channels), for pixels that either picture
+//! covers.
 std::vector<float> differences(const TwoPictures& pictures) {
   std::vector<float> found;
   for (std::size_t i = 0; i < pictures.by_rays.size(); i += 4) {
@@ -123,8 +125,8 @@ TEST(DiskGridPictures, AreThoseOfRays) {
     const TwoPictures pictures = draw_both(at);
     const std::vector<float> found = differences(pictures);
     ASSERT_GT(found.size(), pictured_px * pictured_px / 22U);
-    // Edges are laid over pixels by how 1/r changes in their middle, and where it changes fast,
-    // that is not the same to the last bit.
+    // The coverage of edges follows from the derivative of 1/r in the middle of a pixel; where it
+    // changes fast, it differs in the last bits.
     EXPECT_LT(found[found.size() / 2], 1e-3F);
     EXPECT_LT(found[found.size() * 99 / 100], 0.04F);
     EXPECT_LT(found[found.size() * 999 / 1000], 0.12F);
@@ -133,8 +135,8 @@ TEST(DiskGridPictures, AreThoseOfRays) {
 }
 
 TEST(DiskGridPictures, LeavePixelsThatShowObjectsToRays) {
-  // All that is coloured is the ball and what lies before and behind it: a disk that gives no
-  // light, but hides.
+  // Only the ball and what is in front of it and behind it is colored: the disk gives no light, but
+  // hides other things.
   const PicturedDisk at = {"dark, round a ball", 0.9, 30.0, 1.4, 1.4, false, false, true};
   const auto coloured = [&](bool by_grid) {
     Show show = pictured_show(at);

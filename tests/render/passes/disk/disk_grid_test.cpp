@@ -21,8 +21,8 @@ namespace {
 constexpr double table_budget_px = 0.1;
 constexpr double table_pixel = 1e-3;
 
-//! A crossing as a grid has it, with its changes along two directions of the observer's sky that
-//! are at right angles, a pixel each.
+//! A crossing read from a grid, with its changes along two perpendicular directions of the
+//! observer's sky, per pixel.
 struct ReadCrossing {
   bool good = false;  //!< not left to rays
   bool shown = false;
@@ -31,7 +31,7 @@ struct ReadCrossing {
   Dual<double> delay;
 };
 
-//! A direction with its changes across a pixel.
+//! Returns a direction with its changes across a pixel.
 Vector3<Dual<float>> spread(const Vector3<double>& n, double pixel) {
   const Vector3<double> aside = std::abs(n.x) < 0.7 ? Vector3<double>{1.0, 0.0, 0.0} : Vector3<double>{0.0, 1.0, 0.0};
   const Vector3<double> first = normalized(cross(n, aside));
@@ -84,7 +84,7 @@ ReadCrossing read_crossing(const DiskStation& station, const Aberration& observe
 
 double change_of(const Dual<double>& a) { return std::hypot(a.along_x, a.along_y); }
 
-//! The grid of a disk from the last stable orbit, with its pattern.
+//! Returns the grid of a disk from the innermost stable orbit outwards, with its pattern.
 DiskStation station_for(double spin, double r, double theta, const Aberration& observer, double outer_r, double pixel) {
   DiskGridSettings settings;
   settings.inner_r = innermost_stable_radius(spin, 1.0);
@@ -96,13 +96,13 @@ DiskStation station_for(double spin, double r, double theta, const Aberration& o
   return build_disk_station(spin, r, theta, settings);
 }
 
-//! A crossing of the reference table, as a grid that is made for its camera has it.
+//! A crossing of the reference table, read from a grid that is built for its camera.
 struct TableReading {
   test::ReferenceCrossing row;
   ReadCrossing read;
 };
 
-//! Those that are not left to rays.
+//! Reads the crossings that the grid does not leave to rays.
 std::vector<TableReading> read_table() {
   std::vector<TableReading> readings;
   DiskStation station;
@@ -120,7 +120,7 @@ std::vector<TableReading> read_table() {
   return readings;
 }
 
-//! Read once: the grids take seconds.
+//! Caches the readings, because the grids take seconds.
 const std::vector<TableReading>& table_readings() {
   static const std::vector<TableReading> readings = read_table();
   return readings;
@@ -131,7 +131,7 @@ TEST(DiskGrid, HasTheReferenceCrossingsWithinItsBudget) {
   for (const auto& [row, read] : table_readings()) {
     EXPECT_TRUE(read.shown) << row.id;
     EXPECT_LT(std::abs(read.u.value - 1.0 / row.r_hit), table_budget_px * change_of(read.u) + 1e-6) << row.id;
-    // The pattern is turned by as much as the flow turns while its light is on the way.
+    // The pattern is rotated by the rotation of the flow during the light's delay.
     const double rotation = 1.0 / (row.r_hit * std::sqrt(row.r_hit) + row.a);
     const double turned =
         std::remainder(read.azimuth.value - row.phi_hit, 2.0 * pi) + rotation * (read.delay.value - row.delay);
@@ -149,13 +149,13 @@ TEST(DiskGrid, HasTheReferenceShiftWithinItsBudget) {
       return 1.0 /
              circular_frequency(row.a, {1.0 / u, ray.energy, ray.axial_angular_momentum, ray.shear_constant, true});
     };
-    // What the budget's displacement of the radius does to it.
+    // The change of the shift over the budget's displacement of the radius.
     const double allowed = std::abs(ratio(read.u.value + table_budget_px * change_of(read.u)) - ratio(read.u.value));
     EXPECT_NEAR(ratio(read.u.value), row.g_kepler, allowed + 1e-5) << row.id;
   }
 }
 
-//! A place for a camera.
+//! A position of a camera.
 struct DiskCase {
   double spin;
   double r;
@@ -163,7 +163,7 @@ struct DiskCase {
   double outer_r = 20.0;
   ObserverMotion motion = ObserverMotion::zamo;
 
-  //! A pixel for which the disk has a size that pictures show [rad].
+  //! Returns a pixel size at which the disk has a realistic size in pictures [rad].
   [[nodiscard]] double pixel() const { return std::min(table_pixel, 2.0 * outer_r / r / 500.0); }
 };
 
@@ -186,11 +186,11 @@ const std::vector<DiskCase>& disk_cases() {
   return all;
 }
 
-//! What grid and exact rays make of random directions in which the disk is seen.
+//! The comparison of grid and exact rays over random directions in which the disk is visible.
 struct Comparison {
   int seen[layer_orders] = {0, 0, 0};
-  int missed = 0;  //!< crossings of the disk in leaves that are said to show none
-  int left = 0;    //!< to rays
+  int missed = 0;  //!< crossings of the disk in leaves marked as empty
+  int left = 0;    //!< left to rays
   std::vector<double> radius_px;
   std::vector<double> phase_px;
 };
@@ -199,7 +199,7 @@ Comparison compare_with_rays(const DiskCase& at, const DiskStation& station, con
   const CameraStation camera = make_camera_station(at.spin, at.r, at.theta, 0.0, at.motion);
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
-  // As wide as the disk and its images look, at the most.
+  // At most as wide as the disk and its images appear.
   const double wide = std::min(1.0, 2.0 * at.outer_r / at.r);
   Comparison found;
   for (int i = 0; i < (test::sanitized ? 2000 : 8000); ++i) {
@@ -221,7 +221,7 @@ Comparison compare_with_rays(const DiskCase& at, const DiskStation& station, con
         ++found.left;
         continue;
       }
-      // Displacements are of what changes across pixels at all.
+      // Displacements are meaningful only where something changes across pixels.
       const double flat = 1e-4 * (1.0 / station.inner_r - 1.0 / at.outer_r);
       found.radius_px.push_back(std::abs(read.u.value - crossings[order].u) / std::max(change_of(read.u), flat));
       const double rotation = 1.0 / (r * std::sqrt(r) + at.spin);
@@ -264,7 +264,7 @@ TEST(DiskGrid, HoldsNoAzimuthAndTimeWithoutAPattern) {
 }
 
 TEST(DiskGrid, KeepsItsBudgetAtEveryPlace) {
-  // Sanitizers see the same code at a quarter of the places.
+  // Sanitizers cover the same code with a quarter of the cameras.
   constexpr std::size_t stride = test::sanitized ? 4 : 1;
   for (std::size_t i = 0; i < disk_cases().size(); i += stride) {
     const DiskCase& at = disk_cases()[i];

@@ -38,7 +38,8 @@ std::shared_ptr<const JoinedDisk> joined(const LensPlace& first, const LensPlace
       join(*station_at(first, pattern, derivatives), *station_at(second, pattern, derivatives)).value());
 }
 
-//! What a grid misses by at a place, for all but a hundredth of what shows the disk [px].
+//! Returns the error of a grid at a position, which all but a hundredth of the samples that show
+//! the disk stay below [px].
 double error_px(const DiskGrid& grid, const DiskStation& cells, const LensPlace& place) {
   return measure_disk_error(grid, spin, place, settings_at(place, cells.pattern, true), leaf_samples(cells.cells))
       .p99_px;
@@ -88,8 +89,8 @@ TEST(JoinedDisk, HasThePatchesOfBothStations) {
       }
     }
   }
-  // Where leaves of different size meet they disagree in the middle of the larger one's side, and
-  // the smaller one is right.
+  // Where leaves of different size meet, they disagree in the middle of the larger one's side, and
+  // the smaller one is correct.
   EXPECT_GT(compared, 4000);
   EXPECT_LT(missed, compared / 100);
 }
@@ -121,7 +122,7 @@ TEST(JoinedDisk, IsOnlyOfOneDiskAndOfCamerasOnOneSideOfThePlane) {
   EXPECT_FALSE(join(*any, *station_at({20.0, 0.5 * pi})).has_value());
 }
 
-//! Layers of one root cell that is halved along one axis alone, again and again.
+//! Returns the layers of one root cell that is repeatedly halved along a single axis.
 DiskStation strips(int axis, int halvings) {
   DiskStation station;
   station.cells.columns = 1;
@@ -173,7 +174,7 @@ TEST(DiskLayers, ServeAnEyeBesideAStationAndBesideTheLineBetweenTwo) {
   const auto station = station_at({20.0, 1.2});
   const DiskLayers beside(station, eye);
   EXPECT_LT(error_px(beside.view(), *station, eye), budget_px);
-  // The station itself is no picture of that eye: what is measured is measured.
+  // Checks that the measurement works: the station alone is not accurate for that eye.
   EXPECT_GT(error_px(disk_grid_view(*station), *station, eye), 4.0 * budget_px);
   const auto stations = joined({20.0, 1.2}, {23.0, 1.1});
   EXPECT_LT(error_between(stations, {21.4, 1.16}), budget_px);
@@ -187,7 +188,7 @@ TEST(DiskLayers, OfCamerasInThePlaneAreBlendedAlongIt) {
 
 TEST(DiskLayers, DoNotReachThroughThePlane) {
   // Light that starts downwards crosses the plane next to a camera above it, and half a turn later
-  // below: all orders leap.
+  // next to one below it: all orders jump.
   const auto stations = joined({20.0, 0.5 * pi - 0.02}, {20.0, 0.5 * pi + 0.02});
   EXPECT_GT(error_between(stations, {20.0, 0.5 * pi - 0.01}), 10.0 * budget_px);
 }

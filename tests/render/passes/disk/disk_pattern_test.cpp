@@ -11,7 +11,7 @@
 #include "render/passes/disk/disk_pass.h"
 #include "tests/render/disk_scenes.h"
 
-// The clouds of a disk.
+// Clouds in a disk.
 namespace ergodome {
 namespace {
 
@@ -39,7 +39,7 @@ TEST(DiskPattern, GoesOnSmoothlyFromPeriodToPeriodHoweverLateItIs) {
 }
 
 TEST(DiskPattern, FollowsTheFlow) {
-  // What is at φ now was at φ - Ω t before: the light's delay is such a t.
+  // A point of the pattern at φ was at φ - Ω t earlier; the delay of its light is such a t.
   const PatternTime now = pattern_time(uniform_disk(6.0, 18.0), 0.0, 60.0);
   PatternTime later = now;
   later.age += 5.0F;
@@ -48,8 +48,8 @@ TEST(DiskPattern, FollowsTheFlow) {
               disk_pattern(later, 9.0F, 1.0F, rotation, 15.0F, 0.0F), 1e-4F);
 }
 
-//! A camera of `show` that falls as rain along the axis, 1 M of its own time a second, from r = 20
-//! on.
+//! Lets the camera of `show` fall as rain along the axis from r = 20 on, at 1 M of proper time per
+//! second.
 void let_rain(Show& show, double least_r) {
   constexpr double from_r = 20.0;
   FallSettings settings;
@@ -61,7 +61,7 @@ void let_rain(Show& show, double least_r) {
       std::make_shared<const FreeFall>(show.spin, FallStart{from_r, 0.0, 0.0, velocity}, settings, nullptr, 80.0);
 }
 
-//! Light from where a disk is first met, in one direction from a camera on the axis.
+//! Light from the first crossing of a disk, in one direction from a camera on the axis.
 struct LightOfDisk {
   double r;
   double delay;      //!< [M]
@@ -76,8 +76,8 @@ LightOfDisk light_of_disk(const CameraStation& camera, double from_axis) {
   return {light.r, found[0].delay, 1.0 / circular_frequency(camera.spin, light)};
 }
 
-//! The same from radius r of the disk: the angle from the axis, up to one from which its outside is
-//! seen, by bisection.
+//! Finds light from radius r of the disk by bisection of the angle from the axis, up to an angle at
+//! which the outside of the disk is visible.
 LightOfDisk light_from(const CameraStation& camera, double r) {
   double outer = 0.0;
   double inner = pi;
@@ -90,7 +90,7 @@ LightOfDisk light_from(const CameraStation& camera, double r) {
 }
 
 TEST(DiskPattern, RunsFastOrSlowByTheShiftOfItsLightForWhoFallsIn) {
-  // By g as many M of a disk's own time go by in one of the camera's.
+  // The frequency ratio g is the rate of the disk's own time relative to the camera's.
   constexpr double outward_r = 9.0;
   constexpr double between_s = 0.02;
   for (const double spin : {0.0, 0.7}) {

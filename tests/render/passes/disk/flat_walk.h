@@ -24,7 +24,7 @@
 #include "render/passes/disk/disk_pass.h"
 #include "tests/support/sanitized.h"
 
-// Eyes of the stereo model `flat`, and what they see by walking along their lines of sight.
+// Eyes of the stereo model `flat`, and what they see, computed by walks along their lines of sight.
 namespace ergodome::test {
 
 inline constexpr int flat_px = sanitized ? 120 : 300;
@@ -53,8 +53,8 @@ inline Vector3<float> light_at(const Picture& picture, int x, int y) {
   return {at[0], at[1], at[2]};
 }
 
-//! Walks along an eye's line of sight through the head's flat tangent space, in double precision:
-//! what it meets first.
+//! Walks along an eye's line of sight through the flat tangent space of the head, in double
+//! precision, and finds the first object that it meets.
 class FlatWalk {
  public:
   FlatWalk(const Show& show, double offset)
@@ -75,10 +75,10 @@ class FlatWalk {
   enum class Met { nothing, horizon, disk, shell, object };
   struct Seen {
     Met met;
-    double r;  //!< of the disk [M]
+    double r;  //!< radius on the disk [M]
   };
 
-  //! At a place of the image [px].
+  //! Looks through a position of the image [px].
   [[nodiscard]] Seen look(double x, double y) const {
     const Vector3<double> view = direction_from_pixel(projection_, x, y);
     const double(&f)[3][3] = head_.frame_from_view;
@@ -96,7 +96,7 @@ class FlatWalk {
     return {Met::nothing, 0.0};
   }
 
-  //! The part of a pixel in which objects are seen.
+  //! Returns the fraction of a pixel in which objects are seen.
   [[nodiscard]] float covered_part(int x, int y) const {
     constexpr int samples = 8;
     int covered = 0;
@@ -108,7 +108,7 @@ class FlatWalk {
     return static_cast<float>(covered) / (samples * samples);
   }
 
-  //! The least and the greatest light that samples of a pixel meet.
+  //! Returns the minimum and maximum light of the samples of a pixel.
   [[nodiscard]] std::pair<float, float> light_range(int x, int y) const {
     constexpr int samples = 8;
     std::pair<float, float> range = {std::numeric_limits<float>::infinity(), 0.0F};
@@ -120,7 +120,8 @@ class FlatWalk {
     return range;
   }
 
-  //! The light of what is met, without shift; of shells and objects the first one's.
+  //! Returns the light of a hit without frequency shift; for shells and objects, that of the first
+  //! one in the show.
   [[nodiscard]] float light_of(const Seen& seen) const {
     switch (seen.met) {
       case Met::disk:
@@ -142,12 +143,12 @@ class FlatWalk {
     return {static_cast<float>(color.x), static_cast<float>(color.y), static_cast<float>(color.z)};
   }
 
-  //! In units of the head's radius.
+  //! In units of the radius of the head's position.
   static constexpr double nearest = 0.04;
   static constexpr double farthest = 16.0;
   static constexpr double step = 1.02;
 
-  //! Fine enough for objects, where they may be.
+  //! Returns a step that is fine enough for objects where there may be some.
   [[nodiscard]] double step_at(double s) const {
     double finest = step;
     for (const ObjectSettings& object : show_.objects) {
@@ -159,18 +160,18 @@ class FlatWalk {
     return finest;
   }
 
-  //! A place on the line, and how far beyond each sheet it is: negative before it.
+  //! A point on the line, and its distance beyond each sheet: negative in front of it.
   struct Place {
     double s;
     double beyond[crossing_orders];
     double u[crossing_orders];
     bool in_horizon;
     bool in_shell;
-    bool in_object;  //!< in the ball of one
+    bool in_object;  //!< inside the bounding ball of an object
   };
 
-  //! Where the head's ray in direction n is at a distance, in pseudo-Cartesian coordinates; nothing
-  //! where that is far from the hole, or in it.
+  //! Returns the point on the head's ray in direction n at a distance, in pseudo-Cartesian
+  //! coordinates; nothing if it is far from the hole, or inside it.
   [[nodiscard]] std::optional<Vector3<double>> point_at(const Vector3<double>& n, double distance) const {
     constexpr NearParts parts = NearParts::azimuth_and_distance;
     std::optional<Vector3<double>> point;
@@ -187,8 +188,8 @@ class FlatWalk {
     return point;
   }
 
-  //! Beyond a shell's near side, as seen from outside, but not beyond its far side; or beyond one
-  //! about the camera.
+  //! Returns whether a point is beyond the near side of a shell, as seen from outside, but not
+  //! beyond its far side; or beyond a shell around the camera.
   [[nodiscard]] bool is_in_shell(const Vector3<double>& n, double distance,
                                  const std::optional<Vector3<double>>& point) const {
     return std::ranges::any_of(show_.shells, [&](const ShellSettings& shell) {
@@ -227,7 +228,7 @@ class FlatWalk {
     return place;
   }
 
-  //! What lies between two places, to a thousandth of the step.
+  //! Finds the first hit between two points, to a thousandth of the step.
   [[nodiscard]] Seen between(const Vector3<double>& m, Place low, Place high) const {
     if (first_of(low, high).met == Met::nothing) {
       return {Met::nothing, 0.0};

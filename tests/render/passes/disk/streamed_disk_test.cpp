@@ -23,7 +23,7 @@
 namespace ergodome {
 namespace {
 
-//! A show with a disk, what is baked for it, and its pictures.
+//! A show with a disk, its bake, and its pictures.
 class StreamedDiskPictures : public test::FolderTest {
  protected:
   void bake(const Show& show, bool derivatives = true) {
@@ -40,7 +40,7 @@ class StreamedDiskPictures : public test::FolderTest {
                                            [this](const std::string& message) { said_ += message + "\n"; });
   }
 
-  //! The picture of an eye at a time of the show. `work_` receives what it took.
+  //! Returns the picture of an eye at a time of the show; `work_` receives the work counts.
   std::vector<float> picture(EyeRenderer& renderer, double time_s, const Vector3<double>& eye_offset, LensChoice lens) {
     static const SkyCube sky(Backend::cpu, make_grid_sky(16), glm::dmat3(1.0));
     PictureSettings settings;
@@ -57,7 +57,7 @@ class StreamedDiskPictures : public test::FolderTest {
 
   [[nodiscard]] bool did(const std::string& work) const { return work_.contains(work) && work_.at(work).runs > 0; }
 
-  //! Compares a streamed picture with that of rays.
+  //! Compares a streamed picture with one by rays.
   void expect_like_rays(EyeRenderer& streamed, double time_s, const Vector3<double>& eye_offset) {
     SCOPED_TRACE(testing::Message() << time_s << " s, eye " << eye_offset.x);
     EyeRenderer direct(Backend::cpu);
@@ -186,7 +186,7 @@ TEST_F(StreamedDiskPictures, OfMatterThatFallsHaveNoLayersBaked) {
   EXPECT_FALSE(TrajectoryReader(file()).provenance().disk);
 }
 
-//! What a bake of a show says.
+//! Bakes a show and returns the result.
 BakeResult baked(const Show& show, const std::filesystem::path& file) {
   BakeSettings settings;
   settings.pixel = 1e-2;

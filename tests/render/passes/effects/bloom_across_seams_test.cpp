@@ -8,7 +8,7 @@
 namespace ergodome {
 namespace {
 
-//! A picture that shines as much wherever its projection has an image.
+//! Returns a picture with uniform light wherever its projection has an image.
 Picture uniform_picture(const Projection& projection, float value) {
   Picture picture;
   picture.width = projection.width_px;

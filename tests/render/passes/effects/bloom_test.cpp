@@ -20,7 +20,7 @@ float& pixel(Picture& picture, int x, int y, int channel) {
   return picture.rgba[4U * static_cast<std::size_t>(y * picture.width + x) + static_cast<std::size_t>(channel)];
 }
 
-//! A black picture with a point of light 1000 in all channels, its coverage too.
+//! Returns a black picture with a point of light of 1000 in all channels, including coverage.
 Picture point(int width, int height, int x, int y) {
   Picture picture = uniform_picture(width, height, 0.0F);
   for (int c = 0; c < 4; ++c) {
@@ -29,7 +29,7 @@ Picture point(int width, int height, int x, int y) {
   return picture;
 }
 
-//! Sum of (x - middle_x)^power times the green of a picture.
+//! Returns the sum of (x - middle_x)^power times the green of a picture.
 double moment(Picture& picture, double middle_x, int power) {
   double sum = 0.0;
   for (int y = 0; y < picture.height; ++y) {
@@ -89,8 +89,8 @@ TEST(Bloom, LeavesTheCoverage) {
 }
 
 TEST(Bloom, IsSymmetricAboutThePoint) {
-  // Two by two pixels in the middle of a power of two: then the chain's grids are symmetric as
-  // well.
+  // Two by two pixels in the middle of a picture whose size is a power of two: then the grids of
+  // the mip chain are symmetric, too.
   Picture picture = point(256, 256, 127, 127);
   for (const auto& [x, y] : {std::pair{128, 127}, {127, 128}, {128, 128}}) {
     pixel(picture, x, y, 1) = 1000.0F;

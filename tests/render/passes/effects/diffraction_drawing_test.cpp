@@ -29,7 +29,7 @@ double sum_of(const std::vector<float>& values, std::size_t channel, std::size_t
   return sum;
 }
 
-//! A pattern of 5 px without symmetry, its energy 1.
+//! Returns a pattern of 5 px without symmetry and with energy 1.
 DiffractionPattern small_pattern() {
   DiffractionPattern pattern{5, std::vector<float>(75)};
   for (std::size_t i = 0; i < 75; ++i) {
@@ -45,7 +45,7 @@ struct Sums {
   double y = 0.0;
 };
 
-//! Red light of a picture of four floats a pixel, and its centre [px].
+//! Returns the red light of a picture with four floats per pixel, and its center [px].
 Sums sums(const std::vector<float>& rgba, int width) {
   Sums all;
   for (std::size_t i = 0; i < rgba.size(); i += 4) {
@@ -93,8 +93,8 @@ TEST(AddDiffraction, MovesByPartsOfAPixel) {
 }
 
 TEST(AddDiffraction, IsClippedAtTheBorders) {
-  // The picture stands in the middle of guard pixels, row by row; a larger picture tells what it
-  // should hold.
+  // The picture is surrounded by guard pixels, row by row; a larger picture provides the expected
+  // values.
   constexpr int size = 4;
   constexpr int around = 20;
   for (double x = -5.0; x < size + 5.0; x += 0.7) {
@@ -144,7 +144,7 @@ class DiffractionFile : public test::FolderTest {
 TEST_F(DiffractionFile, IsLinearisedAndNormalised) {
   const auto pattern = load_diffraction_pattern(write("grey.png", 3, 1, 1, OIIO::TypeDesc::UINT16, {0.5F, 1.0F, 0.5F}));
   EXPECT_EQ(pattern.size_px, 3);
-  // sRGB 0.5 is 21.4 % light.
+  // 0.5 in sRGB is 21.4 % linear light.
   EXPECT_NEAR(pattern_value(pattern, 0, 1, 1), 0.21404 / 1.42808, 1e-4);
   EXPECT_NEAR(pattern_value(pattern, 1, 1, 2), 1.0 / 1.42808, 1e-4);
   EXPECT_NEAR(sum_of(pattern.rgb, 0, 3), 1.0, 1e-6);

@@ -37,7 +37,8 @@ double energy(const DiffractionPattern& pattern, int channel) {
   return sum;
 }
 
-//! Green light within half a degree of each of 360 directions, 20 to 60 px from the middle.
+//! Returns the green light within half a degree of each of 360 directions, 20 to 60 px from the
+//! middle.
 std::vector<double> light_by_direction(const DiffractionPattern& pattern) {
   std::vector<double> light(360);
   const double middle = 0.5 * (pattern.size_px - 1);
@@ -51,8 +52,8 @@ std::vector<double> light_by_direction(const DiffractionPattern& pattern) {
   return light;
 }
 
-//! Directions [degrees, anticlockwise from the right] of runs brighter than a third of the
-//! brightest: their middles.
+//! Returns the middle directions [degrees, counterclockwise from the right] of runs brighter than a
+//! third of the maximum.
 std::vector<double> spikes(const DiffractionPattern& pattern) {
   const std::vector<double> light = light_by_direction(pattern);
   const double bright = *std::max_element(light.begin(), light.end()) / 3.0;
@@ -70,7 +71,7 @@ std::vector<double> spikes(const DiffractionPattern& pattern) {
   return middles;
 }
 
-//! Light of a pixel whose middle lies (dx, dy) from the pattern's [px], per px².
+//! Returns the light per px² of a pixel whose middle is at (dx, dy) from that of the pattern [px].
 double brightness(const FarField& field, double dx, double dy, double wavelength_nm) {
   const auto before = [&](double x, double y) { return field.light_before(x, y, wavelength_nm); };
   return before(dx + 0.5, dy + 0.5) - before(dx - 0.5, dy + 0.5) - before(dx + 0.5, dy - 0.5) +
@@ -96,7 +97,7 @@ TEST(FarField, OfARoundApertureIsAirysPattern) {
   constexpr double scale = 8.0;
   const FarField field(aperture(0, 0, 0.0, scale));
   for (const double wavelength_nm : {450.0, 550.0, 650.0}) {
-    // Wavelength over diameter, in pixels.
+    // Wavelength divided by diameter, in pixels.
     const double unit = 2.0 * scale / 1.2196698912665045 * wavelength_nm / 550.0;
     for (const double r : {0.0, 0.3, 0.6, 0.9, 1.4, 1.635, 2.0, 2.4, 2.679, 3.699}) {
       const double v = pi * r;
@@ -152,7 +153,7 @@ TEST(DiffractionPattern, OfARoundApertureHasNoSpikes) {
 }
 
 TEST(DiffractionPattern, HasTheSymmetryOfItsBlades) {
-  // Degrees 60 apart are alike but for the pixels' squares.
+  // Directions 60 degrees apart are equal except for the effect of square pixels.
   const std::vector<double> light = light_by_direction(diffraction_pattern(aperture(6)));
   double all = 0.0;
   double sixth = 0.0;
@@ -165,7 +166,7 @@ TEST(DiffractionPattern, HasTheSymmetryOfItsBlades) {
 
 TEST(DiffractionPattern, SpreadsRedWiderThanBlue) {
   const DiffractionPattern pattern = diffraction_pattern(aperture(0));
-  // A wider pattern is dimmer in its middle.
+  // A wider pattern is darker in the middle.
   EXPECT_GT(value(pattern, 64, 64, 1), 1.2 * value(pattern, 64, 64, 0));
   EXPECT_GT(value(pattern, 64, 64, 2), 1.2 * value(pattern, 64, 64, 1));
 }

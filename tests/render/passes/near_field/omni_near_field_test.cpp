@@ -13,7 +13,7 @@
 #include "tests/render/stereo_scene.h"
 #include "tests/support/sanitized.h"
 
-// What stands near the hole, seen by eyes that turn with the direction one looks at.
+// Disks, shells and objects near the hole, seen by omnidirectional stereo eyes.
 namespace ergodome {
 namespace {
 
@@ -28,8 +28,8 @@ Vector3<double> turned_by(double angle, const Vector3<double>& v) {
   return {std::cos(angle) * v.x - std::sin(angle) * v.y, std::sin(angle) * v.x + std::cos(angle) * v.y, v.z};
 }
 
-//! Largest difference of any number of the rays of an eye from those of each direction's own
-//! camera, beside the largest of its kind.
+//! Returns the largest difference between the rays of an eye and those of each direction's own
+//! camera, relative to the largest value of each kind.
 double largest_difference(const std::string& place, double half_baseline, double convergence) {
   const Show show = show_of_eyes("model = \"omni\"\n", "projection = \"dome\"\n", place);
   const CameraPose pose = camera_pose(show, 0.0);
@@ -68,8 +68,8 @@ TEST(OmniNearField, RaysAreThoseOfEachDirectionsOwnCamera) {
   EXPECT_LT(largest_difference("r = 1.6\ntheta_deg = 90\nphi_deg = 250\n", 0.01, 0.0), 1e-5);
 }
 
-//! A camera that stays on the equator sees no disk where it stands: its rays do not cross the plane
-//! there.
+//! A camera that stays on the equator sees no disk at its own position: its rays do not cross the
+//! plane there.
 TEST(OmniNearField, RaysOfEyesOnTheEquatorBeginOnIt) {
   const Show show = show_of_eyes("model = \"omni\"\n", "projection = \"dome\"\n", "r = 9\ntheta_deg = 90\n");
   const EyePlace eye_at = [&](const Vector3<double>& offset) {
@@ -93,12 +93,12 @@ constexpr const char* near_scenes[] = {
 
 constexpr int panorama_px = sanitized ? 37 : 73;
 
-//! A pixel of one eye, in a picture of both side by side.
+//! Returns a pixel of one eye in a side-by-side picture.
 const float* pixel_of(const Picture& both, int eye, int x, int y) {
   return both.rgba.data() + 4 * static_cast<std::size_t>(y * both.width + eye * both.width / 2 + x);
 }
 
-//! Both eyes side by side of a picture all around, of a camera that is turned by so many of its
+//! Returns a panorama with both eyes side by side, whose camera is turned by a number of its
 //! columns.
 Picture panorama(const char* scene, const char* model, int columns) {
   const std::string yaw = std::to_string(360.0 * columns / panorama_px);
@@ -109,7 +109,7 @@ Picture panorama(const char* scene, const char* model, int columns) {
                                 make_equirectangular_projection(panorama_px, panorama_px / 2 + 1), ViewMode::sky);
 }
 
-//! How far a pixel is from another, beside its light.
+//! Returns the difference of two pixels relative to their light.
 float pixel_difference(const float* own, const float* other) {
   float difference = 0.0F;
   for (int part = 0; part < 3; ++part) {
@@ -118,12 +118,12 @@ float pixel_difference(const float* own, const float* other) {
   return difference;
 }
 
-//! What a column of a picture of eyes that turn shows, beside what is straight ahead of a camera
-//! that is turned to it.
+//! The comparison of the columns of an omnidirectional stereo picture with the middle column of a
+//! camera that is turned to them.
 struct ColumnsApart {
   int looked_at = 0;
-  int near = 0;       //!< pixels that show something of the scene
-  int different = 0;  //!< by more than a fiftieth
+  int near = 0;       //!< pixels that show parts of the scene
+  int different = 0;  //!< pixels that differ by more than a fiftieth
   float largest = 0.0F;
 };
 
@@ -131,7 +131,7 @@ void compare_columns(const char* scene, const Picture& turning, int columns, Col
   const Picture ahead = panorama(scene, "physical", columns);
   const Picture empty = panorama("", "physical", columns);
   constexpr int rows = panorama_px / 2 + 1;
-  // The baseline is whole up to 60 degrees.
+  // The baseline is full up to 60 degrees.
   for (int y = panorama_px / 10; y < rows - panorama_px / 10; ++y) {
     for (const int eye : {0, 1}) {
       const float* const own = pixel_of(ahead, eye, panorama_px / 2, y);
@@ -144,8 +144,8 @@ void compare_columns(const char* scene, const Picture& turning, int columns, Col
   }
 }
 
-//! What is straight ahead of a turned camera, whose eyes are to its left and right, is what eyes
-//! that turn with the direction see there.
+//! In a direction, omnidirectional stereo eyes see the same as a camera turned there, whose eyes
+//! are to its left and right.
 TEST(OmniNearField, IsSeenAsByCamerasThatAreTurnedToEachDirection) {
   for (const char* const scene : near_scenes) {
     SCOPED_TRACE(scene);
@@ -154,8 +154,8 @@ TEST(OmniNearField, IsSeenAsByCamerasThatAreTurnedToEachDirection) {
     for (const int part : {0, 5, 9, 10, -9}) {
       compare_columns(scene, turning, part * panorama_px / 73, sum);
     }
-    // Pixels are as wide along the azimuth as cameras beside one another make them: lines and edges
-    // are smoothed a little otherwise.
+    // Along the azimuth, pixels of the panorama and of turned cameras have slightly different
+    // widths, so that lines and edges are smoothed slightly differently.
     EXPECT_LE(sum.different, sum.looked_at / 30);
     EXPECT_LT(sum.largest, 0.5F);
     EXPECT_GT(sum.near, sanitized ? 3 : 8);

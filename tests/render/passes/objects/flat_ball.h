@@ -13,14 +13,14 @@
 #include "render/frame/show_renderer.h"
 #include "render/passes/objects/polygons/object_view.h"
 
-// A ball beside a hole without spin, as eyes of the model `flat` see it, and where the closed form
-// has it.
+// A ball next to a hole without spin, as eyes of the model `flat` see it, and its position by the
+// closed form.
 namespace ergodome::test {
 
-//! A white ball before black, and eyes that see through one lens.
+//! A white ball in front of black, and eyes that share one lens.
 struct BallBeforeHead {
   const char* name;
-  Vector3<double> place;  //!< of the ball
+  Vector3<double> place;  //!< position of the ball
   const char* observer = "static";
   const char* view = "projection = \"pinhole\"\nfov_deg = 100\nsize_px = 600\n";
   double baseline = 1.0;
@@ -56,7 +56,7 @@ struct Middle {
   double light = 0.0;
 };
 
-//! Of the light within some pixels of a place.
+//! Returns the center of the light within a few pixels of a position.
 inline Middle middle_about(double x_px, double y_px, const Picture& picture) {
   Middle middle;
   for (int y = 0; y < picture.height; ++y) {
@@ -75,8 +75,8 @@ inline Middle middle_about(double x_px, double y_px, const Picture& picture) {
   return middle;
 }
 
-//! Where the head sees the middle of the ball's first image, in the view's axes, and how far it is:
-//! by the closed form.
+//! The position of the ball's first image for the head in the view's axes, and its distance, by the
+//! closed form.
 struct SeenPlace {
   Vector3<double> view;
   double distance;
@@ -89,14 +89,14 @@ inline SeenPlace seen_place(const EyeCamera& head, const Vector3<double>& place)
   const double aside = std::hypot(at.y, at.z);
   const ConnectingRay ray = connecting_ray(head.r, r, std::atan2(aside, at.x));
   const Vector3<double> rest = {std::cos(ray.xi), std::sin(ray.xi) * at.y / aside, std::sin(ray.xi) * at.z / aside};
-  // Energies: 1 at infinity, 1 / √(1 - 2/r) at rest, and there what the motion makes of it.
+  // Energies: 1 at infinity, 1 / √(1 - 2/r) at rest at the camera; the motion then changes it.
   const FrameBoost boost = frame_boost(observer_velocity(head.motion, head.spin, head.r, head.theta, head.velocity));
   double energy = 1.0;
   const Vector3<double> n = aberrated(FrameBoost{boost.axis, 1.0 / boost.stretch}, rest, energy);
   return {in_view(head, n), ray.affine_distance / std::sqrt(1.0 - 2.0 / head.r) * energy};
 }
 
-//! Holds a small ball's place in both eyes' pictures to the closed form.
+//! Compares a small ball's position in the pictures of both eyes with the closed form.
 inline void expect_where_flat_space_puts(const BallBeforeHead& at) {
   SCOPED_TRACE(at.name);
   const Show show = flat_ball(at);
@@ -118,8 +118,8 @@ inline void expect_where_flat_space_puts(const BallBeforeHead& at) {
   together.baseline = 0.0;
   renderer.set_stereo(together);
   const auto heads = renderer.render_window_parts(camera_pose(show, 0.0), projection, ViewMode::sky);
-  // The middle of a bent ball is not that of its light; by how much is the same for both eyes and
-  // the head.
+  // The center of a distorted ball is not the center of its light; the offset is the same for both
+  // eyes and the head.
   const Middle none = find(heads[0], 0.0);
   for (std::size_t eye = 0; eye < 2; ++eye) {
     const Middle off = find(eyes[eye], (eye == 0 ? -0.5 : 0.5) * at.baseline);

@@ -7,8 +7,8 @@
 #include "tests/render/passes/objects/object_scene.h"
 #include "tests/support/sanitized.h"
 
-// Polygons as eyes of the model `flat` see them: a thing at the affine distance d in the head's
-// direction n stands at d n.
+// Polygons as eyes of the model `flat` see them: a point at the affine distance d in the head's
+// direction n is at d n.
 namespace ergodome {
 namespace {
 
@@ -16,14 +16,14 @@ class FlatPolygons : public test::ObjectScenes {};
 
 TEST_F(FlatPolygons, AreWhereFlatSpacePutsThemForEachEye) {
   const auto balls = test::balls_before_heads();
-  // Sanitizers see the same code in every third of them.
+  // Sanitizers cover the same code with every third of them.
   for (std::size_t i = 0; i < balls.size(); i += test::sanitized ? 3 : 1) {
     test::expect_where_flat_space_puts(balls[i]);
   }
 }
 
 TEST_F(FlatPolygons, HideEachOtherAsTheyStandForEachEye) {
-  // A black ball right before a white one for the head: an eye far to the side sees past it.
+  // For the head, a black ball hides a white one; an eye far to the side sees past it.
   Show show =
       test::flat_ball({"", {8, 3, 2}, "static", "projection = \"pinhole\"\nfov_deg = 100\nsize_px = 300\n", 4.0});
   ObjectSettings black = show.objects[0];
@@ -45,7 +45,7 @@ TEST_F(FlatPolygons, HideEachOtherAsTheyStandForEachEye) {
     }
     return sum;
   };
-  // The second image beside the hole is seen by all.
+  // All eyes see the second image next to the hole.
   EXPECT_GT(light(eyes[0]) + light(eyes[1]), 2.0 * light(heads[0]) + 5.0);
   Show swapped = show;
   std::swap(swapped.objects[0], swapped.objects[1]);

@@ -9,13 +9,13 @@
 #include "content/show/show_reader.h"
 #include "kernels/objects/light_ray.h"
 
-// Where the search for a lamp's rays to objects begins.
+// Initial guesses for the rays of a lamp to objects.
 namespace ergodome {
 namespace {
 
 const std::string lamp_line = "[light]\nposition = [40, -20, 15]\n[camera]\n[[camera.key]]\nr = 30\n";
 
-//! A show's objects with their outlines.
+//! The objects of a show with their outlines.
 struct LitScene {
   Show show;
   std::vector<PlacedOutline> outlines;

@@ -6,7 +6,7 @@
 #include "tests/support/errors.h"
 #include "tests/support/folder_test.h"
 
-// How objects are drawn: projections, depth, light, and what is refused.
+// Drawing of objects: projections, depth, light, and refused scenes.
 namespace ergodome {
 namespace {
 
@@ -36,7 +36,7 @@ Projection fisheye(LensLaw law, double field_of_view_deg, double tilt_deg) {
 }
 
 TEST_F(ObjectPasses, EveryProjectionHasASphereWhereItHasItsDirection) {
-  // Beside the observer, so that its second image is far away and small.
+  // Next to the observer, so that its second image is far away and small.
   const Vector3<double> place{36.0, 3.0, 4.0};
   const EyeCamera eye = eye_looking(pass_r_observer, {-0.6, 0.0, 0.8});
   const Vector3<double> expected = in_view(eye, closed_form_direction(pass_r_observer, place, 1));
@@ -86,7 +86,7 @@ TEST_F(ObjectPasses, WhatCrossesTheSeamOfAPanoramaIsOnBothSides) {
   double middle = 0.0;
   split.each([&](double x, double y, double value) {
     left += x < 64.0 ? value : 0.0;
-    // The second image lies about the hole.
+    // The second image lies around the hole.
     middle += x > 64.0 && x < 448.0 && std::abs(y - 128.0) > 20.0 ? value : 0.0;
   });
   EXPECT_NEAR(left, 0.5 * split.light(), 0.1 * split.light());
@@ -102,7 +102,7 @@ TEST_F(ObjectPasses, NothingIsDrawnAcrossADomeByWhatIsBehindIt) {
     const auto drawn = draw(show_of({sphere}), eye, fisheye(LensLaw::equidistant, 180.0, 0.0));
     drawn.each([&](double x, double y, double value) {
       const double from_middle = std::hypot(x - 256.0, y - 256.0) / 256.0;
-      // But its second image, at the front, in a ring about the hole of some 8°.
+      // Except for its second image at the front, in a ring of about 8° around the hole.
       const bool about_hole = y > 400.0 && std::abs(x - 256.0) < 60.0;
       if (value > 0.0 && !about_hole) {
         ASSERT_GT(from_middle, 0.75) << place.x << " " << place.z;
@@ -194,7 +194,7 @@ TEST_F(ObjectPasses, MoreTessellationMovesTheMiddleOfAnEdgeToWhereItIsSeen) {
     triangle.tessellation.most = levels[i];
     areas[i] = draw(show_of({triangle}), eye, projection).light();
   }
-  // The edge bows outwards: the coarser it is, the more of the shadow it cuts across.
+  // The edge bows outwards: the coarser it is, the more of the shadow it cuts off.
   EXPECT_GT(std::abs(areas[0] - areas[2]), 4.0 * std::abs(areas[1] - areas[2]));
   triangle.tessellation.most = 64.0;
   const auto drawn = draw(show_of({triangle}), eye, projection);
@@ -212,11 +212,11 @@ TEST_F(ObjectPasses, RefuseObjectsInTheHoleAndEyesInsideThePhotonSphere) {
   EXPECT_THAT(drawn_from(40.0, small_sphere({9e4, 0.0, 0.0}, 2e4)), testing::HasSubstr("extends from r = "));
   EXPECT_THAT(drawn_from(2.9, small_sphere({9.0, 0.0, 0.0}, 1.0)), testing::HasSubstr("photon sphere"));
   EXPECT_EQ(drawn_from(3.1, small_sphere({9.0, 0.0, 0.0}, 1.0)), "");
-  // A sphere and a disk about the hole are outside it, though their middle is not.
+  // A sphere or a disk around the hole is outside it, although its center is not.
   EXPECT_EQ(drawn_from(40.0, small_sphere({0.0, 0.0, 0.0}, 5.0)), "");
   ObjectSettings disk;
   disk.form = ObjectForm::disk;
-  // It is drawn or not; how finely is all the same.
+  // Only whether it is drawn matters, not how finely.
   disk.tessellation.most = 1.0;
   EXPECT_EQ(drawn_from(40.0, disk), "");
   disk.disk.inner = 1.9;

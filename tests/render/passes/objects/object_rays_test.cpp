@@ -9,7 +9,7 @@
 #include "tests/render/passes/objects/object_scene.h"
 #include "tests/support/sanitized.h"
 
-// What is drawn from connecting rays, against rays that are followed to the same triangles.
+// Compares drawings based on connecting rays with rays that are traced to the same triangles.
 namespace ergodome {
 namespace {
 
@@ -20,7 +20,7 @@ constexpr int size_px = test::sanitized ? 96 : 240;
 
 class ObjectRaysAndPolygons : public test::ObjectScenes {
  protected:
-  //! Which pixels' middles see an object.
+  //! Returns for each pixel whether its middle sees an object.
   static std::vector<bool> seen_by_rays(const Show& show, const EyeCamera& eye, const Projection& projection) {
     const ObjectRays rays(show, 0.0);
     const CameraStation camera = make_camera_station(0.0, eye.r, eye.theta, eye.phi, eye.motion);
@@ -39,7 +39,7 @@ class ObjectRaysAndPolygons : public test::ObjectScenes {
     return seen;
   }
 
-  //! Of the brightest channel: faces have colours of their own.
+  //! Returns the light of the brightest channel, because faces have different colors.
   static float light_at(const test::DrawnObjects& drawn, int x, int y) {
     return std::max({drawn.at(x, y, 0), drawn.at(x, y, 1), drawn.at(x, y, 2)});
   }
@@ -48,7 +48,7 @@ class ObjectRaysAndPolygons : public test::ObjectScenes {
     return seen[static_cast<std::size_t>(y) * size_px + static_cast<std::size_t>(x)];
   }
 
-  //! Whether all pixels within one of this agree with it.
+  //! Returns whether all neighbors of a pixel agree with it.
   static bool is_inner(const std::vector<bool>& seen, int x, int y) {
     for (int row = std::max(0, y - 1); row <= std::min(size_px - 1, y + 1); ++row) {
       for (int column = std::max(0, x - 1); column <= std::min(size_px - 1, x + 1); ++column) {
@@ -60,7 +60,7 @@ class ObjectRaysAndPolygons : public test::ObjectScenes {
     return true;
   }
 
-  //! Outlines agree within a pixel: what differs lies beside one.
+  //! Expects that outlines agree within a pixel: all differences lie next to an outline.
   static void expect_same_outlines(const ObjectSettings& object) {
     const EyeCamera eye = eye_looking(r_observer, {-1.0, 0.0, 0.0});
     const Projection projection = make_pinhole_projection(size_px, size_px, 25.0 * one_degree);
@@ -126,7 +126,7 @@ TEST(ObjectRays, MeetAnObjectWhereItIsByTheShowsTime) {
   const auto now = ObjectRays(show, 0.0).look(camera, {-1.0, 0.0, 0.0});
   ASSERT_TRUE(now && now->mesh == 0);
   EXPECT_NEAR(now->point.x, 10.5, 0.02);
-  // Half a turn later it is behind the hole, which swallows this ray.
+  // Half a turn later the object is behind the hole, which swallows this ray.
   const double half = pi * std::sqrt(1000.0) / sphere.orbit->speed;
   const auto later = ObjectRays(show, half).look(camera, {-1.0, 0.0, 0.0});
   ASSERT_TRUE(later.has_value());

@@ -19,7 +19,7 @@ namespace ergodome::test {
 
 inline constexpr double right_angle = 0.5 * pi;
 
-//! A pixel of what tests measure by: a picture of 1024 pixels across 25°.
+//! The pixel [rad] in which tests measure: of a picture with 1024 pixels across 25°.
 inline constexpr double reference_pixel = 25.0 * one_degree / 1024.0;
 
 inline ObjectSettings small_sphere(const Vector3<double>& position, double size) {
@@ -27,12 +27,13 @@ inline ObjectSettings small_sphere(const Vector3<double>& position, double size)
   object.form = ObjectForm::sphere;
   object.position = position;
   object.size = size;
-  // Small triangles need little, and the processor draws them sooner.
+  // Small triangles need little tessellation, and draw faster on the CPU.
   object.tessellation.most = 8.0;
   return object;
 }
 
-//! A static observer on the x axis, who looks in a direction of the rest frame (e_r, e_θ, e_φ).
+//! Returns a static observer on the x axis who looks in a direction of the rest frame (e_r, e_θ,
+//! e_φ).
 inline EyeCamera eye_looking(double r, const Vector3<double>& forward) {
   EyeCamera eye{};
   eye.r = r;
@@ -53,13 +54,14 @@ inline EyeCamera eye_looking(double r, const Vector3<double>& forward) {
   return eye;
 }
 
-//! Where a static observer on the x axis sees a place, by the closed form, in the rest frame.
+//! Returns the direction, in the rest frame, in which a static observer on the x axis sees a point,
+//! by the closed form.
 inline Vector3<double> closed_form_direction(double r_observer, const Vector3<double>& place, int order) {
   const Vector3<double> d = apparent_place({r_observer, 0.0, 0.0}, place, order).direction;
   return {d.x, -d.z, d.y};
 }
 
-//! What is drawn over black: red, green, blue, and coverage (by objects that are white).
+//! A picture over black: red, green, blue, and coverage (for white objects).
 struct DrawnObjects {
   int width = 0;
   int height = 0;
@@ -70,7 +72,7 @@ struct DrawnObjects {
                 static_cast<std::size_t>(channel)];
   }
 
-  //! Sum of the first channel, and its middle [px].
+  //! The sum of the first channel, and its center [px].
   double light() const {
     double sum = 0.0;
     each([&](double /*x*/, double /*y*/, double value) { sum += value; });
@@ -97,7 +99,7 @@ struct DrawnObjects {
   }
 };
 
-//! Objects and their light, drawn; tests are skipped where there is no OpenGL.
+//! Draws objects and their light; skips tests if there is no OpenGL.
 class ObjectScenes : public testing::Test {
  protected:
   void SetUp() override {

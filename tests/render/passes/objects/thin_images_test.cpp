@@ -12,7 +12,7 @@
 #include "tests/render/eye_at.h"
 #include "tests/render/passes/objects/traced_scene.h"
 
-// Images of objects next to the shadow's edge, a few hundredths of a pixel thin.
+// Lensed images of objects next to the shadow's edge, a few hundredths of a pixel thin.
 namespace ergodome {
 namespace {
 
@@ -24,8 +24,8 @@ using test::observed;
 using test::show_of;
 using test::station;
 
-//! A ball beside the hole, whose third image lies within a hundredth of the shadow's radius of its
-//! edge, and whose second lies beyond `thin_part` of it.
+//! A ball next to the hole. Its third image is closer to the shadow's edge than a hundredth of the
+//! shadow's radius, and its second image is farther than `thin_part` of the radius.
 class ThinImages : public testing::TestWithParam<double> {
  protected:
   static constexpr double thin_part = 0.022;
@@ -34,8 +34,8 @@ class ThinImages : public testing::TestWithParam<double> {
   [[nodiscard]] static EyeCamera eye(double r) { return eye_at(GetParam(), r, 1.45); }
   [[nodiscard]] static Projection projection() { return make_pinhole_projection(128, 128, 0.45); }
 
-  //! What a picture, of which covered(x, y) is the part of a pixel that objects cover, has of the
-  //! ball within that part of the shadow's radius outside its edge [sr].
+  //! Returns the solid angle [sr] of the ball in a picture, within that fraction of the shadow's
+  //! radius outside the edge; covered(x, y) is the fraction of a pixel that objects cover.
   template <class Covered>
   [[nodiscard]] static double solid_angle(double r, const Projection& projection, const Covered& covered) {
     const CameraStation camera = station(eye(r));
@@ -58,7 +58,7 @@ class ThinImages : public testing::TestWithParam<double> {
     return solid_angle(r, drawn.projection, [&](int x, int y) { return drawn.covered(x, y); });
   }
 
-  //! The same of one of the eyes of the stereo model `flat`, so far apart [M].
+  //! Returns the solid angle for one of the eyes of the stereo model `flat` with a baseline [M].
   [[nodiscard]] static double solid_angle_of_flat_eye(double r, double baseline) {
     Show eyes = parse_show(
         "[hole]\nspin = " + std::to_string(GetParam()) +
@@ -75,12 +75,12 @@ class ThinImages : public testing::TestWithParam<double> {
                        [&](int x, int y) { return left.rgba[4UL * static_cast<std::size_t>(y * left.width + x)]; });
   }
 
-  //! The same by exact rays, on a Fibonacci lattice over the position angle and the logarithm of
-  //! the distance from the edge.
+  //! Returns the solid angle by exact rays, on a Fibonacci lattice over the position angle and the
+  //! logarithm of the distance from the edge.
   [[nodiscard]] static double exact_solid_angle(double r) {
     constexpr int count = test::sanitized ? 1597 : 10946;
     constexpr int step = test::sanitized ? 987 : 6765;
-    constexpr double powers = 5.0;  // of e, inwards; what is nearer to the edge is another 23 times thinner
+    constexpr double powers = 5.0;  // of e, inwards; images closer to the edge are another 23 times thinner
     const CameraStation camera = station(eye(r));
     const ShadowChart chart = make_shadow_chart(camera);
     const ObjectRays rays(show(), 0.0);
@@ -105,7 +105,8 @@ TEST_P(ThinImages, HaveAsMuchLightAsExactRaysFind) {
 }
 
 TEST_P(ThinImages, KeepTheirLightAsTheCameraMovesByPartsOfAPixel) {
-  // In parts of the shadow, whose edge goes on by a tenth of a pixel from one to the next.
+  // In fractions of the exact value; the edge moves by a tenth of a pixel from one camera to the
+  // next.
   std::vector<double> shares;
   double mean = 0.0;
   for (int i = 0; i < 3; ++i) {
@@ -136,7 +137,7 @@ TEST_P(ThinImages, LeaveThePlacesOfRaysFarFromTheEdgeAsTheyAre) {
   EXPECT_GT(partly, 10);
 }
 
-//! Eyes that are close see what the head does.
+//! Eyes with a small baseline see the same as the head.
 class ThinImagesOfFlatEyes : public ThinImages {};
 
 TEST_P(ThinImagesOfFlatEyes, HaveAsMuchLightAsExactRaysFind) {

@@ -9,7 +9,7 @@
 #include "tests/render/passes/objects/traced_scene.h"
 #include "tests/support/sanitized.h"
 
-// Objects drawn by rays: the pixels that they are seen in.
+// Objects drawn by rays: the pixels in which they are visible.
 namespace ergodome {
 namespace {
 
@@ -21,9 +21,9 @@ using test::observed;
 using test::show_of;
 using test::station;
 
-//! The part of a pixel that exact rays meet anything in, through the middles of the cells of a
-//! grid; or where `sheared`, through places of these no two of which are in line with a side of the
-//! pixel.
+//! Returns the fraction of a pixel in which exact rays meet an object, through the middles of the
+//! cells of a grid. If `sheared`, the samples are shifted so that no two are aligned with a side of
+//! the pixel.
 double exact_part(const ObjectRays& rays, const EyeCamera& eye, const Projection& projection, int x, int y, int side,
                   bool sheared) {
   const CameraStation camera = station(eye);
@@ -39,8 +39,8 @@ double exact_part(const ObjectRays& rays, const EyeCamera& eye, const Projection
   return static_cast<double>(hits) / (side * side);
 }
 
-//! Holds every pixel to exact rays: to the sixteen places that it is looked at in, or beside the
-//! shadow's edge, where these are others, to sixty-four.
+//! Compares every pixel with exact rays: through its sixteen sample positions, or, next to the
+//! shadow's edge, where the samples differ, through sixty-four.
 void expect_exact_coverage(const Show& show, const EyeCamera& eye, const Projection& projection) {
   const Drawn drawn = draw(show, eye, projection);
   const ObjectRays rays(show, 0.0);
@@ -53,8 +53,8 @@ void expect_exact_coverage(const Show& show, const EyeCamera& eye, const Project
       const double part = exact_part(rays, eye, projection, x, y, sliced ? 8 : 4, sliced);
       seen += part > 0.0 ? 1 : 0;
       const double off = std::abs(covered - part);
-      // Of sixteen places one may lie on an outline; of what is thinner than half a pixel four may
-      // see nothing.
+      // One of sixteen samples may be on an outline; images thinner than half a pixel may be missed
+      // by four.
       EXPECT_LT(off, part > 0.0 && part < 1.0 ? 0.45 : 0.07) << x << ", " << y;
       unlike += off > 0.07 ? 1 : 0;
     }
@@ -89,7 +89,7 @@ TEST(TracedObjects, AboutTheCameraFillThePictureButForTheHole) {
   expect_exact_coverage(show, eye_at(0.5, 8.0, 1.0), make_pinhole_projection(exact_px, exact_px, 2.0));
 }
 
-// Of tiles that are marked: the rays that tell look for triangles as the pixels' own do.
+// Tiles are marked by rays that search for triangles in the same way as the rays of pixels.
 TEST(TracedObjects, AreMissedInNoPixelThatSeesThemAllOver) {
   struct Scene {
     double spin;
@@ -129,8 +129,8 @@ TEST(TracedObjects, AreMissedInNoPixelThatSeesThemAllOver) {
   }
 }
 
-// Tiles are marked by the ray in their middle, which falls into the hole where others pass it and
-// go round.
+// Tiles are marked by the ray in their middle, which may fall into the hole while others pass and
+// go around it.
 TEST(TracedObjects, LoseNoLightNextToTheShadowsEdge) {
   constexpr double r = 40.0;
   constexpr int size_px = test::sanitized ? 80 : 240;

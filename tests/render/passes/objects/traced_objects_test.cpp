@@ -13,8 +13,8 @@
 #include "tests/render/passes/objects/traced_scene.h"
 #include "tests/support/sanitized.h"
 
-// Objects drawn by rays: what hides them, and how bright they are. Where they are seen:
-// traced_coverage_test.cpp.
+// Objects drawn by rays: occlusion and brightness. traced_coverage_test.cpp tests where they are
+// visible.
 namespace ergodome {
 namespace {
 
@@ -37,11 +37,12 @@ TEST(TracedObjects, AreTheSameInBlocksOfRowsAsInOne) {
   for (std::size_t i = 0; i < whole.rgba.size(); ++i) {
     unlike += whole.rgba[i] == blocks.rgba[i] ? 0 : 1;
   }
-  // Tiles begin elsewhere, and with them where four rays are taken for enough.
+  // In blocks, tiles start at other positions, and with them the regions where four rays are
+  // enough.
   EXPECT_LE(unlike, test::sanitized ? 16 : 8);
 }
 
-//! The middle pixel of a picture of a ball before the camera, with something else about.
+//! Returns the middle pixel of a picture of a ball in front of the camera, with a shell.
 class BallBehindShell : public testing::Test {
  protected:
   static float seen(double ball_r, double shell_r, double opacity, int channel) {
@@ -107,7 +108,8 @@ TEST(TracedObjects, ThatComeTowardsTheCameraAreBrighterThanThoseThatGo) {
   show.effects.redshift = true;
   ObjectOrbit orbit;
   orbit.r = 8.0;
-  // Where the ball's middle is seen first, and how light leaves it there, in closed form.
+  // Finds the direction of the ball's first image and the direction in which light leaves the ball,
+  // in closed form.
   const auto seen = [&](double phi, double& cosine) {
     orbit.phi = phi;
     show.objects.front().orbit = orbit;
@@ -124,7 +126,7 @@ TEST(TracedObjects, ThatComeTowardsTheCameraAreBrighterThanThoseThatGo) {
   double to = 0.0;
   double fro = 0.0;
   const double ratio = seen(-0.5 * pi, to) / seen(0.5 * pi, fro);
-  // An orbit's speed at rest there: √(1/8) / √(1 - 2/8).
+  // Speed of the orbit for an observer at rest there: √(1/8) / √(1 - 2/8).
   const double beta = std::sqrt(1.0 / 8.0) / std::sqrt(0.75);
   const double expected = std::pow((1.0 - beta * fro) / (1.0 - beta * to), 4);
   EXPECT_GT(expected, 5.0);
@@ -177,7 +179,7 @@ TEST(TracedObjects, CastShadowsOnOneAnother) {
   int darkened = 0;
   for (int y = 0; y < traced_size_px; ++y) {
     for (int x = 0; x < traced_size_px; ++x) {
-      // Where the small ball itself is not.
+      // In pixels that the small ball does not cover.
       const bool same_place = shadowed.covered(x, y) == 1.0F && free.covered(x, y) == 1.0F;
       darkened += same_place && shadowed.at(x, y, 0) < 0.05F * free.at(x, y, 0) ? 1 : 0;
       EXPECT_LE(shadowed.at(x, y, 0), 1.2F * free.at(x, y, 0) + 2.0F * (free.covered(x, y) < 1.0F));
@@ -209,7 +211,7 @@ TEST(TracedObjects, ThatAreRetardedAreSeenWhereTheyWere) {
   show.objects.front().retarded = true;
   const double late = middle(4.0);
   show.objects.front().retarded = false;
-  // Light from there takes some 22 M: 2.2 s of the show.
+  // Light from there takes about 22 M: 2.2 s of the show.
   const double now = middle(4.0);
   const double before = middle(4.0 - 2.2);
   EXPECT_GT(std::abs(now - before), 4.0);

@@ -9,7 +9,7 @@
 #include "render/passes/near_field/near_field.h"
 #include "tests/support/sanitized.h"
 
-// Small scenes with objects that are drawn by rays, without a sky.
+// Small scenes with objects drawn by rays, without a sky.
 namespace ergodome::test {
 
 inline constexpr int traced_size_px = test::sanitized ? 64 : 128;
@@ -45,7 +45,7 @@ struct Drawn {
   [[nodiscard]] float covered(int x, int y) const { return at(x, y, 3); }
 };
 
-//! Over black, in blocks of so many rows.
+//! Draws objects over black, in blocks of `rows` rows.
 inline Drawn draw(const Show& show, const EyeCamera& eye, const Projection& projection, int rows = 1 << 20,
                   double time_s = 0.0) {
   Drawn drawn{projection,

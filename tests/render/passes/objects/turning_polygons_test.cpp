@@ -12,15 +12,14 @@
 #include "tests/support/errors.h"
 #include "tests/support/sanitized.h"
 
-// Polygons, seen by eyes that turn with the direction one looks at, beside the rays of each pixel's
-// own camera.
+// Polygons in omnidirectional stereo, compared with the rays of each pixel's own camera.
 namespace ergodome {
 namespace {
 
-//! A white ball before black, and eyes of the model omni.
+//! A white ball in front of black, and eyes of the model `omni`.
 struct BallBeforeEyes {
   const char* name;
-  const char* place;  //!< of the ball
+  const char* place;  //!< position of the ball
   const char* view = "projection = \"dome\"\nsize_px = 400\n";
   const char* stereo = "baseline = 0.4\n";
   const char* observer = "static";
@@ -37,14 +36,14 @@ Show ball_show(const BallBeforeEyes& at, const std::string& method) {
       "test.toml");
 }
 
-//! Where the light of a picture is [px], and how much of it there is.
+//! The center of a picture's light [px], and the amount of light.
 struct Blob {
   double x = 0.0;
   double y = 0.0;
   double light = 0.0;
 };
 
-//! Of the light within some pixels of a place.
+//! Returns the center of the light within a few pixels of a position.
 Blob blob_about(const Blob& place, double within_px, const Picture& picture) {
   Blob blob;
   for (int y = 0; y < picture.height; ++y) {
@@ -63,8 +62,9 @@ Blob blob_about(const Blob& place, double within_px, const Picture& picture) {
   return blob;
 }
 
-//! Of the first image: the second is a sliver on the other side of the hole, whose few pixels would
-//! pull far, and rays see a third, next to the shadow's edge, that is not drawn as polygons.
+//! Returns the center of the first image. The second image is a sliver on the other side of the
+//! hole, whose few pixels would have a large effect; rays also see a third one, next to the
+//! shadow's edge, which polygons do not draw.
 Blob blob_of(const Picture& picture) { return blob_about(blob_about({}, 1e6, picture), 35.0, picture); }
 
 std::array<Blob, 2> eyes_of(const BallBeforeEyes& at, const std::string& method) {
@@ -89,7 +89,7 @@ TEST_F(TurningPolygons, AreWhereRaysOfEachPixelsOwnCameraMeetThem) {
       {"to the right on a panorama", "9, 9, 6", "projection = \"equirect\"\nsize_px = 600\n"},
       {"in a cube", "9, 9, 6", "projection = \"cube\"\nsize_px = 600\n"},
       {"from eyes far apart", "10, 5.5, 4.2", wide, "baseline = 2\n"}};
-  // Sanitizers see the same code in every third of them.
+  // Sanitizers cover the same code with every third of them.
   for (std::size_t i = 0; i < all.size(); i += test::sanitized ? 3 : 1) {
     const BallBeforeEyes& at = all[i];
     SCOPED_TRACE(at.name);
@@ -101,7 +101,8 @@ TEST_F(TurningPolygons, AreWhereRaysOfEachPixelsOwnCameraMeetThem) {
       EXPECT_NEAR(drawn[eye].x, traced[eye].x, 0.05) << eye;
       EXPECT_NEAR(drawn[eye].y, traced[eye].y, 0.05) << eye;
     }
-    // Both eyes at the head's place would be as well together as a ball far away.
+    // Checks that the eyes differ: with both at the head's position, the images would coincide,
+    // too.
     EXPECT_GT(std::hypot(drawn[0].x - drawn[1].x, drawn[0].y - drawn[1].y), 0.5);
   }
 }

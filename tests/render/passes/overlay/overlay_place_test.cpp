@@ -19,7 +19,7 @@ struct SheetDirection {
 };
 constexpr SheetDirection sheet_places[] = {{0.0, 20.0}, {40.0, 35.0}, {-75.0, 10.0}, {170.0, 60.0}, {-120.0, 80.0}};
 
-//! An equidistant domemaster of 180°, front at the bottom.
+//! Returns the position in an equidistant domemaster of 180° with the front at the bottom.
 Spot spot_on_domemaster(const SheetDirection& at, double size_px) {
   const double radius = (90.0 - at.elevation_deg) / 90.0 * 0.5 * size_px;
   return {0.5 * size_px + radius * std::sin(one_degree * at.azimuth_deg),
@@ -100,7 +100,7 @@ TEST_F(Overlays, ForThoseWhoLookElsewhereAreNotOnAScreen) {
 }
 
 TEST_F(Overlays, RollClockwise) {
-  // Left half white, right half black: turned by a quarter, the left comes to the top.
+  // Left half white, right half black: a quarter turn moves the left half to the top.
   std::vector<std::uint8_t> rgb;
   for (int i = 0; i < 16 * 16; ++i) {
     rgb.insert(rgb.end(), 3, i % 16 < 8 ? 255 : 0);

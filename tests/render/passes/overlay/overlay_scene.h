@@ -11,6 +11,7 @@
 #include "render/passes/overlay/overlay_place.h"
 #include "tests/support/folder_test.h"
 
+// Pictures and overlay passes for tests of overlays.
 namespace ergodome::test {
 
 inline constexpr Tone as_it_is = {ToneCurve::gamma, 1.0F, 1.0F, 1.0F};
@@ -30,7 +31,7 @@ inline Picture even_picture(const Projection& projection, float light, const Ton
   return picture;
 }
 
-//! What lays over a show that has nothing else.
+//! Returns the overlay pass of a show that has nothing but a timeline.
 inline OverlayPass pass_of(const Timeline& timeline, const std::string& folder = "") {
   Show show;
   show.timeline = timeline;
@@ -38,7 +39,7 @@ inline OverlayPass pass_of(const Timeline& timeline, const std::string& folder =
   return OverlayPass(show);
 }
 
-//! Draws what is there at a time on a picture.
+//! Draws the overlays that are visible at a time onto a picture.
 inline void draw(OverlayPass& pass, Picture& picture, const Projection& projection, double time_s = 0.0) {
   pass.draw({Backend::cpu, picture.rgba.data(), picture.tone, picture.heat_range.has_value()},
             overlay_projection(projection), time_s);
@@ -80,7 +81,7 @@ struct Spot {
   double y_px;
 };
 
-//! The middle of a picture's light.
+//! Returns the center of a picture's light.
 inline Spot middle_of(const Picture& picture) {
   double sum = 0.0;
   Spot middle{0.0, 0.0};

@@ -94,7 +94,8 @@ NearRay<double> exact_shell_ray(const EyeCamera& eye, const Projection& projecti
   return start_near_ray(camera, observed(eye, projection, x + 0.5, y + 0.5));
 }
 
-//! What the exact ray of a pixel's middle crosses, in double; radii from the outermost.
+//! Returns the shells that the exact ray of a pixel's middle crosses, in double; radii are sorted
+//! from the outermost.
 std::vector<Met> met(const EyeCamera& eye, const Projection& projection, int x, int y,
                      const std::vector<double>& radii) {
   std::vector<double> u;
@@ -109,7 +110,7 @@ std::vector<Met> met(const EyeCamera& eye, const Projection& projection, int x, 
 }
 
 TEST(ShellPass, LetsThroughWhatEachCrossingLeaves) {
-  // Outside, inside, between, next to the horizon, and beside the photon orbits.
+  // Outside, inside and between the shells, next to the horizon, and near the photon orbits.
   for (const double camera_r : {30.0, 9.0, 4.0}) {
     for (const double theta : {0.0, 0.4, 1.5}) {
       const std::vector<double> radii = {12.0, 6.0, 1.5};
@@ -125,8 +126,8 @@ TEST(ShellPass, LetsThroughWhatEachCrossingLeaves) {
           wrong += std::abs(static_cast<double>(drawn.alpha(x, y)) - (1.0 - clear)) > 1e-3 ? 1 : 0;
         }
       }
-      // Pixels on a shell's edge are covered in part: some circles of a few hundred pixels, a
-      // quarter of which are looked at.
+      // Pixels on a shell's edge are partially covered: some circles of a few hundred pixels, a
+      // quarter of which are sampled.
       EXPECT_LT(wrong, 130) << camera_r << " " << theta;
     }
   }
@@ -189,7 +190,7 @@ TEST(ShellPass, LiesBeforeAndBehindTheDiskAsLightMeetsThem) {
       if (shells.empty() || !(r > 6.5 && r < 17.5)) {
         continue;
       }
-      // Next to the shell's edge a pixel sees both.
+      // Next to the shell's edge, a pixel sees both.
       const float blue = drawn.at(x, y, 2);
       if (blue > 2.0F && blue < 6.9F) {
         continue;
@@ -205,7 +206,7 @@ TEST(ShellPass, LiesBeforeAndBehindTheDiskAsLightMeetsThem) {
 }
 
 TEST(ShellPass, HasTheAreaOfItsEdgeWithinASmallPartOfAPixelsWidth) {
-  // Without spin the edge is where light turns at the shell: b = R / √(1 - 2/R).
+  // Without spin, the edge is where light turns back at the shell: b = R / √(1 - 2/R).
   const double r_o = 1e5;
   const double pixel = 40.0 / r_o / shell_size_px;
   const Drawn drawn = draw(show_with(0.0, {filled(10.0, 1.0)}), eye_at(0.0, r_o, 1.0), 40.0 / r_o);
@@ -222,7 +223,7 @@ TEST(ShellPass, HasTheAreaOfItsEdgeWithinASmallPartOfAPixelsWidth) {
   EXPECT_GT(partly, 100);
 }
 
-//! How far a direction is from the nearest line of a grid, as a true angle [rad].
+//! Returns the angle of a direction from the nearest line of a grid [rad].
 double from_line(const Vector3<double>& d, double spacing) {
   const double sine = std::hypot(d.x, d.y);
   return std::min(std::abs(std::remainder(std::atan2(sine, d.z), spacing)),
@@ -273,7 +274,7 @@ TEST(ShellPass, IsTheSameAllRoundForACameraOnTheAxis) {
     const Drawn drawn = draw(show_with(0.9, {grid}), eye_at(0.9, camera_r, 0.0), 0.9);
     for (int y = 0; y < shell_size_px; ++y) {
       for (int x = 0; x < shell_size_px; ++x) {
-        // A quarter of a turn is three hours of the grid's.
+        // A quarter turn is a multiple of the grid's spacing.
         EXPECT_NEAR(drawn.alpha(x, y), drawn.alpha(shell_size_px - 1 - y, x), 0.02F) << x << " " << y;
       }
     }
@@ -320,7 +321,7 @@ TEST_F(ShellTextures, AreThoseOfAGlobeWithLongitudeZeroInTheMiddle) {
   const Drawn drawn = draw(show, eye_at(0.0, 30.0, pi / 2.0), 0.3);
   const int left = shell_size_px / 4;
   const int right = 3 * shell_size_px / 4;
-  // To the right φ grows, up is north.
+  // φ increases to the right, up is north.
   EXPECT_NEAR(drawn.at(right, left, 0), 1.0F, 0.01F);
   EXPECT_NEAR(drawn.at(left, left, 0), 0.0F, 0.01F);
   EXPECT_NEAR(drawn.at(left, left, 2), 1.0F, 0.01F);

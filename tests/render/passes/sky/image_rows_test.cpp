@@ -16,10 +16,10 @@
 namespace ergodome {
 namespace {
 
-//! The part of a turn that two columns are apart.
+//! Returns the distance between two columns, as a fraction of a turn.
 double columns_apart(double a, double b) { return std::abs(a - b - std::round(a - b)); }
 
-//! Rows of a cube's faces and across its axes, at which arc tangents change their branch.
+//! Returns rows of a cube's faces and rows across its axes, where arc tangents change their branch.
 std::vector<DirectionRow> rows_of_all_kinds(std::span<const float> s) {
   std::vector<DirectionRow> rows;
   for (const double side : {-1.0, 1.0}) {

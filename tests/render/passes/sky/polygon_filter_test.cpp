@@ -36,14 +36,14 @@ glm::dvec3 random_direction(std::mt19937& random) {
   return glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
 }
 
-//! A pixel's look at the sky.
+//! The footprint of a pixel on the sky.
 struct Look {
   glm::dvec3 direction;
   glm::dvec3 along_x;
   glm::dvec3 along_y;
 };
 
-//! A pixel that spans the angles a and b, skewed and turned.
+//! Returns a pixel that spans the angles a and b, skewed and rotated.
 Look random_look(const glm::dvec3& direction, double a, double b, std::mt19937& random) {
   const glm::dvec3 first = glm::normalize(glm::cross(direction, random_direction(random)));
   const glm::dvec3 second = glm::cross(direction, first);
@@ -56,9 +56,9 @@ glm::dvec3 moved(const glm::dvec3& direction, const glm::dvec3& tangent) {
   return std::cos(angle) * direction + (std::sin(angle) / angle) * tangent;
 }
 
-//! The mean direction over a quadrangle of great circles: half the sum over its sides of length
-//! times unit normal is the integral of the direction (Lambert's formula for the irradiance
-//! vector), the spherical excess is the solid angle.
+//! Returns the mean direction over a quadrangle of great circles: half the sum over its sides of
+//! length times unit normal is the integral of the direction (Lambert's formula for the irradiance
+//! vector), and the spherical excess is the solid angle.
 glm::dvec3 mean_direction(const Look& look) {
   const glm::dvec3 corners[] = {moved(look.direction, -0.5 * (look.along_x + look.along_y)),
                                 moved(look.direction, 0.5 * (look.along_x - look.along_y)),
@@ -119,7 +119,7 @@ TEST(PolygonFilter, ConstantMapIsConstantWithPolesAndSeam) {
   for (const double a : parts) {
     for (const double b : parts) {
       for (int i = 0; i < 60; ++i) {
-        // All over the sky; at and beside the poles; at the seam, right ascension 90°.
+        // All over the sky; at and near the poles; at the seam, right ascension 90°.
         glm::dvec3 direction = random_direction(random);
         if (i % 3 == 1) {
           direction =
@@ -140,7 +140,7 @@ TEST(PolygonFilter, LinearMapHasItsMeanOverSmallAndHugePixels) {
   std::mt19937 random(3);
   for (const double a : {1e-4, 0.02, 0.2, 0.7, 1.4}) {
     for (const double b : {1e-4, 0.02, 0.2, 0.7, 1.4}) {
-      // Across a pixel narrower than a texel the map is flat.
+      // The map is flat across a pixel narrower than a texel.
       const double limit = std::min(a, b) < 0.1 ? 4e-3 : 1.5e-3;
       for (int i = 0; i < 200; ++i) {
         glm::dvec3 direction = random_direction(random);
@@ -165,7 +165,7 @@ TEST(PolygonFilter, PixelInsideATexelHasItsLight) {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> uniform;
   const EnvironmentImage image = image_of(64, [&](const glm::dvec3&) { return glm::dvec3(uniform(random), 1.0, 0.0); });
-  // The map's axes are turned, as those of the built-in one.
+  // The map's axes are rotated, like those of the built-in map.
   const glm::dmat3 turn = sky_from_map(SkySettings{});
   const PolygonFilter filter(image, turn, nullptr);
   for (int y = 0; y < 32; ++y) {
@@ -178,7 +178,7 @@ TEST(PolygonFilter, PixelInsideATexelHasItsLight) {
 }
 
 TEST(PolygonFilter, PixelThatMeetsWholeTexelsHasTheirMean) {
-  // On the equator rows are flat enough: a pixel over two columns and a half of another.
+  // At the equator, rows are flat enough: the pixel covers two columns and half of another.
   std::mt19937 random(5);
   std::uniform_real_distribution<double> uniform;
   const EnvironmentImage image = image_of(2048, [&](const glm::dvec3&) { return glm::dvec3(uniform(random)); });
@@ -202,7 +202,7 @@ TEST(PolygonFilter, AgreesWithTheEllipticFilterOnASmoothMap) {
   const PolygonFilter polygons(image_of(2048, smooth), glm::dmat3(1.0), nullptr);
   const SkyCube cube(Backend::cpu, 128, [&](const glm::dvec3& d) { return glm::vec3(smooth(d)); });
   std::mt19937 random(6);
-  // Wider pixels tell a Gaussian from a box.
+  // In wider pixels, a Gaussian and a box differ.
   for (const double a : {1e-4, 0.01, 0.03, 0.1}) {
     for (const double b : {1e-4, 0.01, 0.03, 0.1}) {
       for (int i = 0; i < 100; ++i) {
@@ -227,7 +227,7 @@ TEST(PolygonFilter, PixelsThatTileTheSkyHaveAllItsLight) {
   const EnvironmentImage image =
       image_of(512, [&](const glm::dvec3&) { return glm::dvec3(std::pow(uniform(random), 8.0), 1.0, 0.0); });
   const PolygonFilter filter(image, glm::dmat3(1.0), nullptr);
-  // Pixels of a cube's faces, of equal steps on them.
+  // Pixels of a cube's faces, in equal steps on them.
   constexpr int across = 40;
   double light = 0.0;
   double area = 0.0;

@@ -19,14 +19,14 @@ Vector3<float> narrow(const glm::dvec3& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-//! The filter for one pixel.
+//! Filters one pixel.
 Vector3<float> filtered(const CubeMap& map, const Vector3<float>& d, const Vector3<float>& along_x,
                         const Vector3<float>& along_y) {
   const SkyLight<float> light = filter_sky(map, d, along_x, along_y, 1.0F);
   return {quad_part(light.pixel[0], 0), quad_part(light.pixel[0], 1), quad_part(light.pixel[0], 2)};
 }
 
-//! The filter for a pixel that looks along d and spans the angles a and b across [rad].
+//! Filters a pixel that looks along d and spans the angles a and b [rad].
 Vector3<float> look(const CubeMap& map, const glm::dvec3& d, double a, double b, double turn = 0.3) {
   const glm::dvec3 axis = std::abs(d.z) < 0.9 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(1.0, 0.0, 0.0);
   const glm::dvec3 e1 = glm::normalize(glm::cross(axis, d));
@@ -40,7 +40,8 @@ glm::dvec3 random_sky_direction(std::mt19937& random) {
   return glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
 }
 
-//! Light that varies as the cosine to an axis: every average over a small footprint is known.
+//! Returns a sky whose light varies with the cosine to an axis, so that every average over a small
+//! footprint is known.
 SkyCube dipole_sky(int size = 64) {
   return {Backend::cpu, size,
           [](const glm::dvec3& d) { return glm::vec3(1.0 + 0.5 * d.x, 1.0 + 0.5 * d.y, 1.0 + 0.5 * d.z); }};
@@ -77,8 +78,8 @@ TEST(SkyCube, HasNoSeamAtEdgesCornersAndPoles) {
                       return show;
                     }()),
                     glm::dmat3(1.0));
-  // Great circles through the cube's edges, its corners and the poles: neighbouring looks differ no
-  // more than across a face.
+  // Great circles across the cube's edges, its corners and the poles: adjacent samples differ no
+  // more than inside a face.
   const auto largest_jump = [&](const glm::dvec3& from, const glm::dvec3& across, double footprint) {
     double jump = 0.0;
     Vector3<float> last{};
@@ -98,7 +99,7 @@ TEST(SkyCube, HasNoSeamAtEdgesCornersAndPoles) {
     EXPECT_LT(largest_jump(edge, glm::normalize(glm::dvec3(-1.0, 1.0, 0.0)), footprint), limit);
     EXPECT_LT(largest_jump(corner, glm::normalize(glm::dvec3(-1.0, 1.0, 0.0)), footprint), limit);
     EXPECT_LT(largest_jump(glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(1.0, 0.0, 0.0), footprint), limit);
-    // The source's own seam: right ascension 90°.
+    // The source's own seam is at right ascension 90°.
     EXPECT_LT(largest_jump(glm::normalize(glm::dvec3(0.0, 1.0, 0.1)), glm::dvec3(1.0, 0.0, 0.0), footprint), limit);
   }
 }
@@ -118,7 +119,7 @@ TEST(SkyCube, FootprintThatIsNotANumberSeesTheMean) {
 }
 
 TEST(SkyCube, WholeSkyKeepsItsLight) {
-  // The mean over the sphere is found whatever the level it is taken from.
+  // The mean over the sphere is the same on every level.
   const SkyCube sky(Backend::cpu, 64, [](const glm::dvec3& d) {
     return glm::vec3(d.z > 0.9 ? 50.0 : 0.0, d.x > 0.99 ? 1000.0 : 0.0, d.x * d.x);
   });
@@ -128,11 +129,11 @@ TEST(SkyCube, WholeSkyKeepsItsLight) {
   EXPECT_NEAR(mean.z, 1.0 / 3.0, 2e-3);
 }
 
-//! Light as a sum of plane waves cos(k d + phase): over a small footprint the Gaussian average of
-//! each is known.
+//! A sky that is a sum of plane waves cos(k d + phase): the Gaussian average of each over a small
+//! footprint is known.
 class WavySky {
  public:
-  //! Waves down to a length of 2 pi / wave_number [rad].
+  //! Creates waves with wavelengths down to 2 pi / wave_number [rad].
   WavySky(double wave_number, std::mt19937& random) {
     std::uniform_real_distribution<double> uniform;
     for (int i = 0; i < 40; ++i) {
@@ -141,7 +142,7 @@ class WavySky {
     }
   }
 
-  //! The average over a Gaussian footprint with half axes (standard deviations) a and b.
+  //! Returns the average over a Gaussian footprint with half axes (standard deviations) a and b.
   [[nodiscard]] double light(const glm::dvec3& d, const glm::dvec3& a, const glm::dvec3& b) const {
     double sum = 0.0;
     for (const auto& [k, phase] : waves_) {
@@ -156,7 +157,7 @@ class WavySky {
   std::vector<std::pair<glm::dvec3, double>> waves_;
 };
 
-//! Root mean square of what the filter misses by, for footprints of one shape [rad] all over the
+//! Returns the root-mean-square error of the filter, for footprints of one shape [rad] all over the
 //! sky.
 double filter_error(const SkyCube& sky, const WavySky& wavy, double minor, double ratio, std::mt19937& random) {
   std::uniform_real_distribution<double> uniform;
@@ -173,8 +174,8 @@ double filter_error(const SkyCube& sky, const WavySky& wavy, double minor, doubl
 }
 
 TEST(SkyCube, EllipticFootprintIsTheGaussianAverageOfTheMap) {
-  // Texels of 6 mrad, waves down to 60: footprints below, at and above a texel. The sky's own
-  // ripple is 0.11.
+  // Texels of 6 mrad, wavelengths down to 60 mrad: footprints below, at and above a texel. The sky
+  // itself varies by 0.11.
   std::mt19937 random(3);
   const WavySky wavy(100.0, random);
   const SkyCube sky(Backend::cpu, 256,
@@ -200,8 +201,8 @@ TEST(SkyCube, PacksOfPixelsSeeWhatSinglePixelsSee) {
     Lanes factor;
     std::array<Vector3<float>, 4> alone{};
     for (int i = 0; i < 4; ++i) {
-      // Every kind of footprint side by side: none, pixels of any shape, wider than the sky, not a
-      // number.
+      // Every kind of footprint in adjacent lanes: none, pixels of any shape, wider than the sky,
+      // NaN.
       const float size = round % 50 == i ? std::nanf("") : std::pow(10.0F, 2.5F * uniform(random) - 2.0F);
       const Vector3<float> di = narrow(random_sky_direction(random));
       const Vector3<float> xi = size * Vector3<float>{uniform(random), uniform(random), uniform(random)};

@@ -15,7 +15,7 @@
 namespace ergodome {
 namespace {
 
-//! Pixels that look at the sky in given directions, with footprints of a hundredth of a radian and
+//! Pixels that sample the sky in given directions, with footprints of a hundredth of a radian and
 //! any frequency ratio.
 class Looks {
  public:
@@ -34,7 +34,7 @@ class Looks {
     }
   }
 
-  //! Shades them; four floats a pixel.
+  //! Shades the pixels; returns four floats per pixel.
   const std::vector<float>& shade(const CubeMap& sky, const PictureSettings& settings) {
     LensPixels lens{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -139,7 +139,7 @@ TEST(PointSample, StoresNoFootprints) {
     settings.filter = filter;
     settings.brightening = brightening;
     const Picture picture = renderer.render(eye_of(dome_show("")), make_dome_projection(64, pi, 0.0), sky, settings);
-    // Rays that are lost see the mean, lit ones the sky.
+    // Lost rays see the mean of the sky, other rays the sky.
     for (std::size_t i = 0; i < picture.rgba.size() && !brightening; i += 4) {
       EXPECT_NEAR(picture.rgba[i], picture.rgba[i + 3], 1e-5F);
     }
@@ -150,7 +150,7 @@ TEST(PointSample, StoresNoFootprints) {
   EXPECT_EQ(floats_a_pixel(SkyFilter::point, true), 11U);
 }
 
-//! What a sky of the colour of a blackbody becomes.
+//! The shifted light of a sky with the color of a blackbody.
 struct Blackened {
   double luminance_ratio;
   double x;  //!< CIE 1931
@@ -201,7 +201,7 @@ TEST(BlackbodyFit, SkyOfABlackbodyIsOneOfTheShiftedTemperature) {
 }
 
 TEST(BlackbodyFit, DarkTexelsDoNotDecideTheTemperature) {
-  // A warm bright sky with faint blue between: what is filtered together is as warm as its light.
+  // A warm bright sky with faint blue parts: a filtered mixture is as warm as its light.
   const BlackbodyColours colours(Backend::cpu);
   const TemperatureFit fit(colours.view());
   const SkyCube sky(

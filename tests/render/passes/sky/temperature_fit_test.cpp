@@ -10,7 +10,7 @@
 namespace ergodome {
 namespace {
 
-//! The colour of a blackbody at luminance 1, whatever a display can show of it.
+//! Returns the color of a blackbody at luminance 1, regardless of the gamut of displays.
 glm::vec3 colour_of(double temperature_k) {
   const Vector3<double> xyz = blackbody_tristimulus(temperature_k);
   const Vector3<double> rgb = linear_srgb(Vector3<double>{xyz.x / xyz.y, 1.0, xyz.z / xyz.y});
@@ -27,7 +27,7 @@ TEST(TemperatureFit, BlackbodiesGetTheirOwnTemperature) {
 
 TEST(TemperatureFit, IlluminantsHaveTheirPublishedTemperatures) {
   const TemperatureFit fit(BlackbodyColours(Backend::cpu).view());
-  // White of sRGB is D65: 6504 K, some 0.003 off the blackbodies' curve. The fit of the matching
+  // The white of sRGB is D65: 6504 K, about 0.003 off the Planckian locus. The fit of the matching
   // functions adds to that.
   EXPECT_NEAR(std::exp(fit.log_temperature(glm::vec3(1.0F))), 6504.0F, 60.0F);
   // D50: 5003 K.

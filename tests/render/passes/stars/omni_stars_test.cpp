@@ -17,11 +17,11 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): the cameras and stars of these tests
 
-//! What is off at places nearer to the shadow's edge than this is not looked at: one pixel's change
-//! there goes round the hole [px].
+//! Images closer to the shadow's edge than this are not checked, because one pixel there spans
+//! whole turns around the hole [px].
 constexpr double ring_px = 2.0;
-//! Where the sky moves by less than this part of what the screen does an image is on a critical
-//! curve, and becomes an arc.
+//! Where the sky moves by less than this fraction of the motion on the screen, an image is on a
+//! critical curve and becomes an arc.
 constexpr double least_move = 0.02;
 
 struct Case {
@@ -39,13 +39,13 @@ std::vector<Case> cases() {
           {"cube", 0.2, 0.0, make_cube_projection(48, CubeLayout::strip)}};
 }
 
-//! The shows of these tests stand here.
+//! Returns the show with the camera of these tests.
 Show place_of_tests() {
   return parse_show("[hole]\nspin = 0.95\n[camera]\n[[camera.key]]\nr = 9\ntheta_deg = 70\n[sky]\nmap = \"grid\"\n",
                     "omni_stars.toml");
 }
 
-//! What the search of the program finds for an eye, on the screen.
+//! An image found by the search of the program, and its position on the screen.
 struct Found {
   StarImage image;
   StarSpot spot;
@@ -64,7 +64,7 @@ class OmniStars : public testing::TestWithParam<std::size_t> {
     settings_.redshift = true;
   }
 
-  //! Images in the picture.
+  //! Returns the images in the picture.
   [[nodiscard]] std::vector<Found> found(double side) const {
     const StarEye eye(eye_of(side));
     const LensStation station = build_star_station(eye, settings_);
@@ -86,7 +86,7 @@ class OmniStars : public testing::TestWithParam<std::size_t> {
     return make_omni_eye(cameras, side, eye_at_);
   }
 
-  //! What pixels gather.
+  //! Returns the images that pixels gather.
   [[nodiscard]] std::vector<Found> gathered_by_pixels(double side) const {
     const StarEye eye(eye_of(side));
     const StarTree tree(field_);
@@ -103,7 +103,7 @@ class OmniStars : public testing::TestWithParam<std::size_t> {
     return images;
   }
 
-  //! Whether all about a place is in the picture.
+  //! Returns whether a position is inside the picture by a margin.
   [[nodiscard]] bool is_inside_by(const StarSpot& spot, double margin_px) const {
     return is_shown({spot.x_px - margin_px, spot.y_px - margin_px}) &&
            is_shown({spot.x_px + margin_px, spot.y_px - margin_px}) &&
@@ -111,8 +111,8 @@ class OmniStars : public testing::TestWithParam<std::size_t> {
            is_shown({spot.x_px + margin_px, spot.y_px + margin_px});
   }
 
-  //! Whether the magnification changes by some per cent at the most across the pixels about a
-  //! place: what pixels gather has their mean.
+  //! Returns whether the magnification changes by at most a few percent across the pixels around a
+  //! position, since gathered stars have the mean of their pixel.
   [[nodiscard]] bool changes_little(const OwnRays& rays, const StarSpot& spot) const {
     constexpr double most_change = 0.02;
     const auto middle = rays.map(spot);
@@ -143,7 +143,7 @@ class OmniStars : public testing::TestWithParam<std::size_t> {
     return field_.stars()[static_cast<std::size_t>(star)].direction;
   }
 
-  //! Whether all is bright within the ring about a place.
+  //! Returns whether everything within the ring around a position is bright.
   [[nodiscard]] bool off_the_edge(const OwnRays& rays, const StarSpot& spot) const {
     for (int i = 0; i < 8; ++i) {
       const double turn = 0.25 * pi * i;
@@ -154,8 +154,8 @@ class OmniStars : public testing::TestWithParam<std::size_t> {
     return true;
   }
 
-  //! How far a way by so many columns and rows leads, in pixels of the picture's middle: at the
-  //! poles of an equirectangular picture all columns are one place.
+  //! Returns the length of a displacement by columns and rows, in units of the picture's middle
+  //! pixel: at the poles of an equirectangular picture, all columns coincide.
   [[nodiscard]] double apart_px(const StarSpot& spot, double columns, double rows) const {
     constexpr double h = 1e-3;
     const Vector3<double> column = (0.5 / h) * (direction_from_pixel(case_.projection, spot.x_px + h, spot.y_px) -
@@ -164,7 +164,7 @@ class OmniStars : public testing::TestWithParam<std::size_t> {
     return std::hypot(narrower * columns, rows);
   }
 
-  //! Solid angle of a pixel [sr].
+  //! Returns the solid angle of a pixel [sr].
   [[nodiscard]] double pixel_area(const StarSpot& spot) const {
     constexpr double h = 1e-3;
     const auto n = [&](double x, double y) { return direction_from_pixel(case_.projection, x, y); };

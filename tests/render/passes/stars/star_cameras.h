@@ -10,7 +10,7 @@
 
 namespace ergodome::test {
 
-//! A pixel of a 4096² dome.
+//! Angle of a pixel of a 4096² dome [rad].
 inline constexpr double fine_pixel = pi / 4096;
 
 struct Place {
@@ -18,8 +18,8 @@ struct Place {
   ObserverMotion motion;
 };
 
-//! The cameras of the tests: a fast hole from its equator, near a photon orbit, from high above in
-//! a falling frame.
+//! The cameras of the tests: at the equator of a fast-spinning hole, near a photon orbit, and high
+//! above the equator in free fall.
 inline const Place places[] = {{0.999, 5.0, pi / 2, 0.7, ObserverMotion::geodesic},
                                {0.5, 3.2, 1.2, -2.0, ObserverMotion::zamo},
                                {0.9, 12.0, 0.4, 4.0, ObserverMotion::rain}};
@@ -68,7 +68,7 @@ inline Vector3<double> widened(const Vector3<float>& v) {
 
 inline Vector3<double> unit_of(const Vector3<double>& v) { return (1.0 / std::sqrt(dot(v, v))) * v; }
 
-//! Illuminance of a picture's pixels [lx].
+//! Returns the illuminance of a picture's pixels [lx].
 inline double light_of(const std::vector<float>& rgba, const Projection& projection) {
   using D = Dual<double>;
   double sum = 0.0;

@@ -15,8 +15,8 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): the cameras and stars of these tests
 
-//! Images at position angles all round a shadow, a hair from its edge, sought from a quarter of an
-//! e-fold of that distance away.
+//! Images at position angles all around a shadow, very close to its edge, searched from positions
+//! off by a quarter of an e-fold of that distance.
 class EdgeImages {
  public:
   explicit EdgeImages(const Place& place) : eye_(eye_at_place({place.spin, place.r, place.theta, 0.0, place.motion})) {
@@ -36,7 +36,7 @@ class EdgeImages {
     }
   }
 
-  //! How many images are found in a few rounds, in a chart.
+  //! Returns how many images are found within a few rounds in a chart.
   std::size_t found_in(const StarChartOf<double>& chart) {
     constexpr int rounds = 8;
     find_star_images({camera_,
@@ -66,7 +66,7 @@ class EdgeImages {
 
  private:
   static constexpr std::size_t count = 24;
-  //! A thirtieth of a pixel of a 4096² dome.
+  //! 0.03 pixels of a 4096² dome.
   static constexpr double distance = 0.03 * fine_pixel;
   using Column = std::array<double, count>;
 
@@ -77,7 +77,7 @@ class EdgeImages {
     return unit_of(observed_direction(chart.aberration, Vector3<double>{n.x.value, n.y.value, n.z.value}));
   }
 
-  //! Kernels take stars as from φ = 0.
+  //! Kernels take stars relative to φ = 0.
   EyeCamera eye_;
   CameraStation camera_ = camera_of(eye_);
   LensStation station_ = build_star_station(eye_, settings_for(9.0));
@@ -98,8 +98,8 @@ class StarImagesAtTheEdge : public testing::TestWithParam<Place> {};
 
 TEST_P(StarImagesAtTheEdge, AreFoundInTheChart) {
   EdgeImages images(GetParam());
-  // 19 to 24, as rounding has it: the others lie next to critical curves, of which a hole that
-  // spins fast has the most.
+  // 19 to 24, depending on rounding: the others lie next to critical curves, of which a
+  // fast-spinning hole has the most.
   EXPECT_GE(images.found_in(images.chart()), 18U);
 }
 
@@ -110,12 +110,12 @@ TEST(StarImagesAtEdges, AreLostWithoutTheChart) {
   for (const Place& place : places) {
     found += EdgeImages(place).found_in({});
   }
-  // In charts 63 to 67 of 72.
+  // With charts, 63 to 67 of 72 are found.
   EXPECT_LE(found, 55U);
 }
 
-//! Stars with an image each in a ring about a shadow, where the closed form sees them, some times
-//! as bright as what is looked for.
+//! Stars with one image each in a ring around a shadow, at positions of the closed form, brighter
+//! than the search limit by a factor.
 class RingOfImages {
  public:
   RingOfImages(const Place& place, double distance_px, double brightness) : eye_(eye_at_place(place)) {
@@ -162,7 +162,7 @@ class RingOfImages {
   std::array<bool, count> found_{};
 };
 
-// Next to caustics rays in float are led astray there, or make images out to be too faint.
+// Near caustics, float rays diverge or underestimate the brightness of images.
 TEST(StarImagesAtEdges, AreFoundAllRoundTheShadowWhereACameraFallsThroughTheHorizon) {
   const Place just_within = {0.6, 1.7957, 1.3614, 0.0, ObserverMotion::rain};
   for (const double distance_px : {0.2, 0.05}) {
@@ -170,7 +170,7 @@ TEST(StarImagesAtEdges, AreFoundAllRoundTheShadowWhereACameraFallsThroughTheHori
   }
 }
 
-//! Images that are in `all` and not in `some`.
+//! Returns the images of `all` that are missing in `some`.
 std::vector<StarImage> missing_images(const std::vector<StarImage>& all, const std::vector<StarImage>& some,
                                       double within) {
   std::multimap<int, const StarImage*> known;
@@ -193,8 +193,8 @@ std::vector<StarImage> missing_images(const std::vector<StarImage>& all, const s
   return missing;
 }
 
-//! 5,000 stars about a hole that spins fast, which next to its shadow's edge shows all its sky many
-//! times in a pixel; images by grids of several sizes of cells.
+//! 5,000 stars around a fast-spinning hole, which next to its shadow's edge shows its whole sky
+//! many times within a pixel; images by grids with cells of several sizes.
 class ManyImages : public testing::Test {
  protected:
   ManyImages() {
@@ -220,7 +220,7 @@ TEST_F(ManyImages, OfShowsAreAllButAFewFaintOnes) {
   ASSERT_GT(all.size(), 8000U);
   const std::vector<StarImage> shown = images(least_star_cell_px(QualitySettings{}.budget_px));
   const std::vector<StarImage> missing = missing_images(all, shown, within);
-  // 10 of 8,691.
+  // Measured: 10 of 8,691.
   EXPECT_LE(missing.size(), 12U);
   for (const StarImage& image : missing) {
     const Vector3<float>& light = image.illuminance;

@@ -14,7 +14,7 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): the cameras and stars of these tests
 
-//! The patch over a rectangle of a camera's view along z, turned some way.
+//! Returns the patch over a rectangle of a camera's view along z, rotated randomly.
 BezierPatch random_patch(std::mt19937& random, double size) {
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> uniform(0.3, 1.0);
@@ -37,7 +37,7 @@ BezierPatch random_patch(std::mt19937& random, double size) {
   return patch;
 }
 
-//! How far inside a frustum a direction is, as the sine of an angle.
+//! Returns how far inside a frustum a direction is, as the sine of an angle.
 double depth_in(const SkyFrustum& frustum, const Vector3<double>& d) {
   double depth = 1.0;
   for (const Vector3<double>& inward : frustum.inward) {
@@ -50,7 +50,7 @@ float illuminance_of(double magnitude) {
   return static_cast<float>(illuminance_of_magnitude_0 * std::pow(10.0, -0.4 * magnitude));
 }
 
-//! Whether a star is bright enough.
+//! Returns whether a star is bright enough.
 bool is_from(const StarFloor& floor, const StarField& field, const FieldStar& star) {
   const float gain =
       field.gains().row(floor.shift_row).gain[static_cast<std::size_t>(star_class(star.log_temperature))];
@@ -68,8 +68,8 @@ TEST(SkyFrustum, HoldsItsPatchAndLittleElse) {
     for (int i = 0; i < 16; ++i) {
       EXPECT_GE(depth_in(frustum, unit_of(control_point(patch, i))), 0.0);
     }
-    // A patch of 0.6 by 0.06 rad at the most, with its control points off by a fifth or so of a
-    // third of that.
+    // A patch of at most 0.6 by 0.06 rad, whose control points deviate by about a fifth of a third
+    // of that.
     EXPECT_LT(solid_angle(frustum), 0.2 * 0.02 * 6.0 * 6.0);
   }
 }
@@ -123,7 +123,7 @@ TEST(StarField, SearchVisitsOnceWhatAFrustumHolds) {
     const BezierPatch patch = random_patch(random, std::pow(uniform(random), 3.0));
     const PatchFrame frame = frame_of(patch, unit_of(control_point(patch, 5)));
     const SkyFrustum frustum = frustum_of(in_frame(patch, frame), frame);
-    // The light of every other search is shifted.
+    // Every other search applies a frequency shift.
     const int row = round % 2 == 0 ? ShiftGains::unshifted_row()
                                    : ShiftGains::row_of(static_cast<float>(0.5 + 2.0 * uniform(random)));
     const float faintest = illuminance_of(9.0 * uniform(random));
@@ -169,7 +169,7 @@ TEST(ShiftGains, AreNeverLessThanWhatAStarGains) {
       const double gained = blackbody_tristimulus(g * temperature_k).y / blackbody_tristimulus(temperature_k).y;
       const auto bound = static_cast<double>(row.gain[static_cast<std::size_t>(star_class(log_temperature))]);
       ASSERT_GE(bound, 0.999 * gained - 1e-30) << g << ", " << temperature_k << " K";
-      // Of the shifts that many stars are seen with, not much more either.
+      // For the shifts of most stars, the bound is not much larger either.
       if (g > 0.5 && g < 2.0 && temperature_k > 3000.0) {
         ASSERT_LE(bound, 3.0 * gained) << g << ", " << temperature_k << " K";
       }

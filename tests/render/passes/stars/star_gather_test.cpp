@@ -18,14 +18,14 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): the cameras and stars of these tests
 
-//! Images are compared where the magnification changes by no more than this across their pixel, as
-//! a part of it: gathered stars have the pixel's mean. Measured: the light of no such image differs
-//! by more than 0.9 %.
+//! Images are compared where the relative change of the magnification across their pixel is at most
+//! this, because gathered stars have the mean of their pixel. Measured: the light of such images
+//! differs by at most 0.9 %.
 constexpr double most_change = 0.01;
-//! And this far from the shadow's edge: next to it the sky winds up, and the corners of a pixel say
-//! little of what is between.
+//! Minimum distance of compared images from the shadow's edge [px]: next to it the sky winds, and
+//! the corners of a pixel do not represent its inside.
 constexpr double least_edge_px = 20.0;
-//! And no nearer to another image of the same star.
+//! Minimum distance of compared images from another image of the same star [px].
 constexpr double least_apart_px = 5.0;
 
 PlaceOnScreen place_of(const GatheredStar& star) {
@@ -40,14 +40,14 @@ double luminance(const Vector3<float>& light) {
 
 constexpr int gather_size_px = 1024;
 
-//! The hole stands 30 degrees from the middle.
+//! Returns a dome with the hole at 30 degrees from the middle.
 Projection gather_dome() { return make_dome_projection(gather_size_px, pi, pi / 3); }
 
 bool is_well_inside(const PlaceOnScreen& p) { return std::hypot(p.x_px - 512.0, p.y_px - 512.0) < 510.0; }
 
 using PlacesByStar = std::multimap<int, PlaceOnScreen>;
 
-//! The two searches' results for a camera, with their places on the screen.
+//! The results of both searches for a camera, with their positions on the screen.
 struct BothSearches {
   EyeCamera eye;
   StarField field;
@@ -74,7 +74,7 @@ struct BothSearches {
   }
 };
 
-//! How many places of a star lie within a distance.
+//! Returns how many positions of a star are within a distance.
 std::ptrdiff_t count_near(const PlacesByStar& places, int star, const PlaceOnScreen& place, double limit_px) {
   const auto [first, last] = places.equal_range(star);
   return std::count_if(first, last, [&](const auto& other) { return distance(other.second, place) < limit_px; });
@@ -148,7 +148,7 @@ TEST_P(StarsGatheredByPixels, AreNotSeenWhereThereIsNoImage) {
 
 INSTANTIATE_TEST_SUITE_P(Cameras, StarsGatheredByPixels, testing::ValuesIn(places));
 
-//! A catalogue of stars where rays from places on the screen come from.
+//! Returns a catalogue of stars at the sky directions of rays from positions on the screen.
 StarCatalogue stars_at(const EyeCamera& eye, const Projection& projection, const std::vector<PlaceOnScreen>& places) {
   StarCatalogue catalogue;
   const CameraStation camera = camera_of(eye);
@@ -162,7 +162,7 @@ StarCatalogue stars_at(const EyeCamera& eye, const Projection& projection, const
   return catalogue;
 }
 
-//! Corners of pixels, and middles of their sides and diagonals.
+//! Returns the corners of pixels, and the middles of their sides and diagonals.
 std::vector<PlaceOnScreen> places_between_pixels(int width_px, int height_px) {
   std::vector<PlaceOnScreen> places;
   for (int y = 1; y < height_px; y += 3) {
@@ -178,7 +178,7 @@ std::vector<PlaceOnScreen> places_between_pixels(int width_px, int height_px) {
 }
 
 TEST(GatheredStar, BetweenPixelsBelongsToOneOfThem) {
-  // A whole turn, so that the left and the right rim are neighbours as well.
+  // A full turn, so that the left and the right rim are adjacent as well.
   const Projection projection = make_equirectangular_projection(128, 64);
   const EyeCamera eye = eye_at_place({0.9, 50.0, 1.0, 0.3, ObserverMotion::zamo});
   const std::vector<PlaceOnScreen> places = places_between_pixels(128, 64);
@@ -193,7 +193,7 @@ TEST(GatheredStar, BetweenPixelsBelongsToOneOfThem) {
   }
   std::size_t compared = 0;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    // Ahead is the shadow, and about it sides of polygons are not where rays between corners lead.
+    // The shadow is ahead; around it, the sides of polygons differ from the rays between corners.
     if (std::hypot(places[i].x_px - 64.0, places[i].y_px - 32.0) > 12.0) {
       EXPECT_EQ(seen[i], 1) << places[i].x_px << ", " << places[i].y_px;
       ++compared;

@@ -17,7 +17,8 @@ using namespace test;  // NOLINT(google-build-using-namespace): the cameras and 
 
 class StarImages : public testing::TestWithParam<Place> {};
 
-//! Errors against the closed form [px of a 4096² dome], and of magnifications as a part of them.
+//! Checks the errors against the closed form [px of a 4096² dome], and the relative errors of
+//! magnifications.
 void expect_closed_form(const Place& place, double most_px, double most_magnification) {
   const EyeCamera eye = eye_at_place(place);
   const CameraStation camera = camera_of(eye);
@@ -29,7 +30,7 @@ void expect_closed_form(const Place& place, double most_px, double most_magnific
     const ImageError error = error_of(camera, unit_of(widened(image.direction)),
                                       field.stars()[static_cast<std::size_t>(image.star)].direction);
     worst_px = std::max(worst_px, error.miss / fine_pixel);
-    // What the precision of a direction in float leaves of a steep map.
+    // The error that rounding a direction to float causes in a steep map.
     const double allowance = 1.0 + std::sqrt(error.magnification);
     worst_magnification =
         std::max(worst_magnification, std::abs(std::abs(image.magnification) / error.magnification - 1.0) / allowance);
@@ -41,7 +42,7 @@ void expect_closed_form(const Place& place, double most_px, double most_magnific
 
 TEST_P(StarImages, AreWhereTheClosedFormHasThem) { expect_closed_form(GetParam(), 0.02, 5e-3); }
 
-// The map changes faster across the sky there than what grids extrapolate.
+// There the map changes faster across the sky than grids can extrapolate.
 TEST(StarImagesWithinTheHorizon, AreWhereTheClosedFormHasThem) {
   expect_closed_form({0.9, 1.0, 1.2, 0.3, ObserverMotion::rain}, 0.05, 0.02);
   expect_closed_form({0.0, 0.5, 0.4, 0.3, ObserverMotion::rain}, 0.05, 0.02);
@@ -54,7 +55,7 @@ TEST_P(StarImages, AreAllThatASearchWithRaysFinds) {
   const EyeCamera eye = eye_at_place(GetParam());
   const StarField field(brightest(300), glm::dmat3(1.0), colours().view());
   const double faintest = static_cast<double>(settings_for(8.0).faintest);
-  // The grid ends so near to the edge.
+  // The distance from the edge at which the grid ends.
   const double distance = 0.02 * fine_pixel;
   const ShadowDistance shadow(camera_of(eye));
   std::map<int, std::size_t> by_star;
@@ -65,8 +66,8 @@ TEST_P(StarImages, AreAllThatASearchWithRaysFinds) {
   std::size_t compared = 0;
   std::size_t different = 0;
   for (std::size_t i = 0; i < field.stars().size(); ++i) {
-    // A triangle knows place and magnification roughly: what lies near a limit may be on either
-    // side of it.
+    // A triangle gives position and magnification only roughly: images close to a limit may be on
+    // either side of it.
     const double limit = faintest / static_cast<double>(field.stars()[i].illuminance);
     std::size_t least = 0;
     std::size_t most = 0;
@@ -78,13 +79,13 @@ TEST_P(StarImages, AreAllThatASearchWithRaysFinds) {
     different += found < least || found > most ? 1U : 0U;
     compared += most;
   }
-  // Next to a caustic the mesh's flat triangles count wrongly.
+  // Near a caustic, the flat triangles of the mesh give wrong counts.
   EXPECT_LE(different, 2U);
   EXPECT_GT(compared, 400U);
 }
 
 TEST_P(StarImages, DoNotDependOnTheGrid) {
-  // The same images from a grid five times as fine: none hangs on how cells happen to lie.
+  // A grid five times as fine gives the same images: none depends on the arrangement of cells.
   const EyeCamera eye = eye_at_place(GetParam());
   const StarField field(brightest(test::sanitized ? 100 : 2000), glm::dmat3(1.0), colours().view());
   StarSettings settings = settings_for(9.0);
@@ -97,8 +98,8 @@ TEST_P(StarImages, DoNotDependOnTheGrid) {
   const LensStation station = build_lens_station(eye.spin, eye.r, eye.theta, grid);
   const auto fine = find_star_images(field, colours().view(), eye, station,
                                      star_patches(field, colours().view(), eye, station, settings), settings);
-  // But for those at the limit of brightness, or so near to the edge that pairs of further orders
-  // are fainter than what is looked for.
+  // Except for images at the brightness limit, or so close to the edge that pairs of higher orders
+  // are below it.
   const ShadowDistance shadow(camera_of(eye));
   const auto counted = [&](const std::vector<StarImage>& images) {
     return std::ranges::count_if(images, [&](const StarImage& image) {
@@ -116,7 +117,7 @@ TEST(StarPatchesOfAPlace, AreTheSameInTheMemoryOfOthers) {
   const StarField field(brightest(500), glm::dmat3(1.0), colours().view());
   const StarSettings settings = settings_for(8.0);
   PatchRoom room;
-  // A place with more of them, and one with fewer.
+  // A position with more of them, and one with fewer.
   for (const Place& before : {places[2], places[0]}) {
     const EyeCamera eye = eye_at_place(before);
     const LensStation station = build_star_station(eye, settings);
@@ -146,7 +147,7 @@ TEST_P(StarImages, OfAViewAreThoseOfTheWholeSkyThatLieInIt) {
     const auto seen = find_star_images(field, colours().view(), eye, station, patches, settings);
     const auto points = [&](const std::vector<StarImage>& images) {
       std::vector<StarPoint> inside = star_points(images, eye, projection, {0.5, 1.0F});
-      // A dome's picture has corners.
+      // The picture of a dome has corners without an image.
       std::erase_if(
           inside, [&](const StarPoint& point) { return !(image_coverage(projection, point.x_px, point.y_px) > 0.0); });
       std::ranges::sort(inside, {}, &StarPoint::y_px);
@@ -182,12 +183,12 @@ TEST(StarImage, OfAFarCameraIsTheStarItself) {
   EXPECT_EQ(std::ranges::count(seen, 1), 1000);
 }
 
-//! Magnification of a small disk right behind a hole without spin: its ring's solid angle over its
-//! own. Half the ring's width is the disk's radius over the rate at which light paths sweep the
-//! sky.
+//! Returns the magnification of a small disk exactly behind a hole without spin: its ring's solid
+//! angle divided by its own. Half the ring's width is the disk's radius divided by the rate at
+//! which light paths sweep the sky.
 double ring_magnification(const CameraStation& camera, double radius) {
   const auto beside = [&](double alpha) { return exact_sky(camera, {-std::cos(alpha), 0.0, std::sin(alpha)}).y; };
-  double low = 0.8;  // outside the shadow, where light of the first order goes by
+  double low = 0.8;  // outside the shadow, where first-order light passes
   double high = 1.5;
   for (int round = 0; round < 60; ++round) {
     const double middle = 0.5 * (low + high);
@@ -198,7 +199,7 @@ double ring_magnification(const CameraStation& camera, double radius) {
 }
 
 TEST(StarImage, OnACausticIsNoBrighterThanTheRingOfItsDisk) {
-  // Exactly behind a hole without spin, and so near beside it that nobody can tell.
+  // Exactly behind a hole without spin, and too close to that to be distinguished.
   const EyeCamera eye = eye_at_place({0.0, 8.0, pi / 2, 0.0, ObserverMotion::fixed});
   for (const double beside : {0.0, 1e-12, 1e-10}) {
     StarCatalogue catalogue;
@@ -209,15 +210,15 @@ TEST(StarImage, OnACausticIsNoBrighterThanTheRingOfItsDisk) {
       total += std::abs(static_cast<double>(image.magnification));
     }
     const double ring = ring_magnification(camera_of(eye), static_cast<double>(field.stars()[0].radius));
-    // The disk's ring in a few arcs, each as bright as the cap allows.
+    // The disk's ring in a few arcs, each as bright as the limit allows.
     EXPECT_GT(total, ring * 0.8) << beside;
     EXPECT_LT(total, ring * 1.5) << beside;
   }
 }
 
 TEST(StarImage, BesideACausticIsOneOfTwo) {
-  // A point lens makes two images whose magnifications hardly differ, each half of what the rate of
-  // the map tells.
+  // A point lens makes two images whose magnifications are nearly equal, each half of that derived
+  // from the map's rate.
   const EyeCamera eye = eye_at_place({0.0, 8.0, pi / 2, 0.0, ObserverMotion::fixed});
   for (const double beside : {1e-6, 1e-5, 1e-4, 1e-3}) {
     StarCatalogue catalogue;
@@ -227,9 +228,10 @@ TEST(StarImage, BesideACausticIsOneOfTwo) {
     for (const StarImage& image : images_of(field, eye, settings_for(-1.0))) {
       total += std::abs(static_cast<double>(image.magnification));
     }
-    // The ring's formula for a disk of this radius is twice that of a point so far from the axis.
+    // The ring's formula for a disk of this radius is twice that for a point at this distance from
+    // the axis.
     const double exact = 0.5 * ring_magnification(camera_of(eye), beside);
-    // What a ray's rounding is of so small a distance.
+    // The relative rounding error of a ray for such a small distance.
     EXPECT_NEAR(total / exact, 1.0, 0.02 + 3e-8 / beside) << beside;
   }
 }

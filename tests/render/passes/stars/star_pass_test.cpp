@@ -11,7 +11,7 @@
 namespace ergodome {
 namespace {
 
-//! A show of stars on their own.
+//! Returns a show with stars alone.
 Show star_show(const std::string& more) {
   return parse_show(R"(
 duration_s = 10
@@ -74,8 +74,8 @@ TEST(StarsOfAShow, AreSoftByDefaultAndHardWhereTheShowAsks) {
     return ShowRenderer(show, Backend::cpu).render(5.0, {}).front().picture;
   };
   const Picture soft = picture("");
-  // A spot of a hard star is a pixel whatever its cut-off; one of sigma 0.85 px covers more than
-  // five by five.
+  // A star with sigma 0 is one pixel for any cut-off; one with sigma 0.85 px covers more than five
+  // by five.
   const Picture hard = picture("psf = { sigma_px = 0, cutoff_px = 4 }\n");
   EXPECT_GT(lit(soft), 20 * lit(hard));
   EXPECT_NEAR(light_of_stars(soft), light_of_stars(hard), 0.05 * light_of_stars(hard));
@@ -124,7 +124,7 @@ TEST(StarsOfAShow, LeaveTrailsAsBrightAsTheyAre) {
   EXPECT_NEAR(with / light_of_stars(rendered(plain_effects)), 1.0, 0.03);
 }
 
-//! Both eyes' pictures of a show in the model omni.
+//! Returns the pictures of both eyes of a show in the model `omni`.
 std::vector<FrameImage> omni_eyes(const std::string& baseline, const std::string& more = plain_effects) {
   ShowRenderer renderer(
       star_show(more + "[stereo]\nlayout = \"separate\"\nmodel = \"omni\"\nbaseline = " + baseline + "\n"),
@@ -136,7 +136,8 @@ TEST(StarsOfAShow, AreThoseOfOneEyeInTheModelOmniWithoutABaseline) {
   const Picture one = rendered(plain_effects);
   for (const FrameImage& eye : omni_eyes("0.0")) {
     ASSERT_EQ(eye.picture.rgba.size(), one.rgba.size());
-    // The fourth number is the shadow's: the map is black, and light that of stars alone.
+    // The fourth channel belongs to the shadow: the map is black, so that the light is that of
+    // stars alone.
     std::size_t different = 0;
     for (std::size_t i = 0; i < one.rgba.size(); ++i) {
       different += i % 4 < 3 && eye.picture.rgba[i] != one.rgba[i] ? 1U : 0U;
@@ -174,7 +175,7 @@ TEST(StarsOfAShow, GatheredByPixelsShineAsMuchInTheModelOmni) {
 TEST(BloomOfAShow, KeepsTheLightAndTheRim) {
   const Picture without = rendered(plain_effects);
   const Picture with = rendered(std::string(plain_effects) + "bloom = { strength = 0.3, radius_px = 5 }\n");
-  // What is scattered over the rim is lost.
+  // Light scattered over the rim is lost.
   EXPECT_NEAR(light_of_stars(with) / light_of_stars(without), 1.0, 0.05);
   EXPECT_EQ(with.rgba[0], 0.0F);
   EXPECT_NE(with.rgba, without.rgba);

@@ -9,13 +9,13 @@
 #include "tests/render/passes/stars/star_cameras.h"
 #include "tests/support/projections.h"
 
-// Stars where pictures are joined.
+// Stars at the seams of pictures.
 namespace ergodome {
 namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): the cameras and stars of these tests
 
-//! An eye whose frame is that of its view.
+//! Returns an eye whose frame is that of its view.
 EyeCamera seam_eye() {
   EyeCamera eye{};
   for (int i = 0; i < 3; ++i) {
@@ -43,7 +43,7 @@ std::vector<float> drawn(const std::vector<StarImage>& images, const Projection&
   return drawn(star_points(images, seam_eye(), projection, settings), projection, settings);
 }
 
-//! Sum of the green light in a rectangle of a picture.
+//! Returns the sum of the green light in a rectangle of a picture.
 double light_in(const std::vector<float>& rgba, const Projection& projection, const PixelCell& cell) {
   double sum = 0.0;
   for (int y = cell.top_px; y < cell.top_px + cell.height_px; ++y) {
@@ -72,8 +72,8 @@ TEST_P(LightOfStars, IsTheSameInEveryProjection) {
     if (!pixel_from_direction(projection, widened(image.direction), x, y)) {
       continue;
     }
-    // Well away from where the image ends, and from the poles of maps, about which a spot does not
-    // close.
+    // Well away from the edge of the image, and from the poles of maps, around which a spot does
+    // not close.
     const bool cube = projection.kind == ProjectionKind::cube && projection.cube.layout != CubeLayout::face;
     const bool inside = cube || (y > 12.0 && y < projection.height_px - 12.0 &&
                                  (wraps_around(projection) || (x > 12.0 && x < projection.width_px - 12.0)));
@@ -142,7 +142,7 @@ TEST(StarsAtSeams, KeepTheLightOfTrailsAcrossTheEdgesOfACube) {
   StarTrails trails;
   trails.places = 21;
   for (int i = -10; i <= 10; ++i) {
-    // From the right face over the top one's corner to the back.
+    // From the right face over the corner of the top face to the back.
     trails.directions.push_back(image_at({1.0 - 0.02 * i, 1.0 - 0.005 * i, 1.0 + 0.03 * i}).direction);
   }
   trails.ways = {{0, 20, {1.0F, 1.0F, 1.0F}}};

@@ -13,8 +13,8 @@
 #include "tests/render/curved_projector.h"
 #include "tests/render/present/projectors/projector_frames.h"
 
-// What devices do to projectors' pictures, done by the processor: beside what it does itself, and
-// beside the formula.
+// The GPU code for projector pictures, run on the CPU here, compared with the CPU code and with the
+// formula.
 namespace ergodome {
 namespace {
 
@@ -28,7 +28,7 @@ void run_all(const auto& functor, int count) {
   }
 }
 
-//! A level of light that remembers what it was before anything was made of it.
+//! A level of light that keeps its contents from before it was filled.
 struct Level {
   std::vector<float> rgba;
   LightLevel view;
@@ -38,8 +38,8 @@ struct Level {
         view{rgba.data(), width, height} {}
 };
 
-//! Colours of two levels lie as near as rounding leaves them, in tiles that were made and beside
-//! them. Coverage counts nowhere.
+//! Expects that the colors of two levels are equal up to rounding, in tiles that were filled and in
+//! others. Coverage is ignored.
 void expect_alike(const Level& a, const Level& b) {
   for (std::size_t i = 0; i < a.rgba.size(); ++i) {
     if (i % 4 != 3) {
@@ -51,7 +51,7 @@ void expect_alike(const Level& a, const Level& b) {
 std::vector<std::int32_t> tiles_of(std::initializer_list<std::int32_t> numbers) { return numbers; }
 
 TEST(DeviceLight, IsTonedAsTheProcessorTonesIt) {
-  // Three tiles by two, the last ones narrow; two are left out.
+  // Three by two tiles, the last ones narrow; two are skipped.
   Picture master = master_of(150, soft_colours);
   master.height = 100;
   master.rgba[40] = std::numeric_limits<float>::quiet_NaN();
@@ -86,7 +86,7 @@ TEST(DeviceLight, IsAveragedAsTheProcessorAveragesIt) {
   EXPECT_GT(by_texels.rgba[4 * (150 * 149 + 149)], 0.0F);
 }
 
-//! A projector's frame, pixel by pixel.
+//! Returns a projector's frame, computed pixel by pixel.
 std::vector<std::uint8_t> frame_by_pixels(const ProjectorPicture& picture, const Picture& master) {
   const ProjectorWarp warp(picture, master.width, master.height, Backend::cpu);
   LightTiles tiles = warp.tiles();
@@ -123,11 +123,11 @@ TEST(DeviceWarp, IsTheProcessors) {
       all += found.size();
     }
   }
-  // Where rounding falls to the other side.
+  // Where rounding goes the other way.
   EXPECT_LT(different, all / 1000);
 }
 
-//! A projector of one group of pixels, which look at one texel.
+//! A projector with one group of pixels, which read the same texel.
 struct OneGroup {
   float texel[8];
   WarpGroup group = {0.0F, 0.0F, 0.0F, 0.0F, 1, 0};

@@ -10,7 +10,7 @@
 namespace ergodome {
 namespace {
 
-//! Leaves numbers that are none in what is allocated next.
+//! Fills the memory that is allocated next with NaN.
 void spoil_memory() {
   constexpr std::size_t blocks = 64;
   std::unique_ptr<std::vector<float>> spoilt[blocks];

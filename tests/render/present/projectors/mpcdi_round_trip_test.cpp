@@ -1,4 +1,4 @@
-// Setups that go through MPCDI: what their projectors are sent afterwards is what it was before.
+// Setups after a round trip through MPCDI: their projectors get the same frames as before.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace ergodome {
 namespace {
 
-//! A domemaster whose colours tell every place from every other, smoothly.
+//! Returns a domemaster whose color is different at every position and varies smoothly.
 Picture colourful_master(int size) {
   Picture master;
   master.width = size;
@@ -43,8 +43,8 @@ class MpcdiRoundTrip : public test::FolderTest {
                             (folder_ / "dome.toml").string(), NamedFiles::must_exist);
   }
 
-  //! Compares what the first projector is sent, to one step of its 255 and, where pixels are cut
-  //! off by the master's rim, all of them.
+  //! Compares the frames of the first projector, to one step of 255; and for pixels that the
+  //! master's rim cuts off, to all steps.
   void expect_same_picture(const DomeSetup& setup) const {
     write_mpcdi(folder_ / "dome.mpcdi", mpcdi_from_setup(setup, "2026-01-01 00:00:00"));
     DomeSetup again = setup_from_mpcdi(read_mpcdi(folder_ / "dome.mpcdi"), "dome.mpcdi", setup.radius_m);

@@ -17,7 +17,7 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): projectors and domes of tests
 
-//! A mask's channel between its samples.
+//! Interpolates a channel of a mask between its samples.
 float mask_at(const BlendMap& mask, double x, double y, int channel) {
   const double column = std::clamp(x * mask.width - 0.5, 0.0, mask.width - 1.0);
   const double row = std::clamp(y * mask.height - 0.5, 0.0, mask.height - 1.0);
@@ -69,8 +69,8 @@ TEST_P(ProjectorFrames, AreWhatTheFormulaSays) {
     }
   }
   EXPECT_GT(drawn, 3500);
-  // Masks go with the warp's places, which is not where pixels are for nodes off the lattice;
-  // pixels on the rims of the hole and of the mesh may fall to either side.
+  // Masks follow the positions of the warp, which differ from pixel positions for nodes off the
+  // lattice; pixels on the rims of the hole and of the mesh may be on either side.
   EXPECT_LT(wrong, 3 * 60);
 }
 
@@ -113,7 +113,8 @@ TEST_P(ProjectorFrames, CornersTakeThePictureAlong) {
 }
 
 TEST_P(ProjectorFrames, WhatIsDrawnSmallIsAveraged) {
-  // Fine stripes, fifteen master pixels to one of the projector: grey, not a pattern of its own.
+  // Fine stripes, fifteen master pixels per projector pixel: they average to gray, without a moiré
+  // pattern.
   ProjectorPicture picture = curved_picture();
   picture.warp = {};
   picture.warp.columns = 2;
@@ -141,7 +142,7 @@ TEST_P(ProjectorFrames, WhatIsDrawnSmallIsAveraged) {
 
 INSTANTIATE_TEST_SUITE_P(By, ProjectorFrames, testing::ValuesIn(drawers), name_of_drawer);
 
-//! How two frames of a projector differ.
+//! The difference between two frames of a projector.
 struct FrameDifference {
   int largest = 0;
   std::size_t beyond_one = 0;
@@ -157,7 +158,7 @@ FrameDifference difference_of(const std::vector<std::uint8_t>& a, const std::vec
   return found;
 }
 
-//! A projector's frame by OpenGL beside the processor's.
+//! Compares a projector's frames by OpenGL and by the CPU.
 FrameDifference between_drawers(const ProjectorPicture& picture, const Picture& master) {
   HeadlessProjectors opengl({picture}, ProjectorDrawer::opengl);
   HeadlessProjectors processor({picture}, ProjectorDrawer::processor);
@@ -175,16 +176,16 @@ TEST(ProjectorDrawers, DifferInTheLastBitAlone) {
   }
   for (const ToneCurve curve : {ToneCurve::shoulder, ToneCurve::reinhard, ToneCurve::filmic, ToneCurve::gamma}) {
     for (const ProjectorPicture& picture : {curved_picture(), grey_picture(), plain_picture()}) {
-      // Larger and smaller than the raster, with odd sides, too.
+      // Larger and smaller than the raster, also with odd sizes.
       for (const int size : {33, 64, 301}) {
-        // Sanitizers see the same code with one of the curves.
+        // Sanitizers cover the same code with one of the curves.
         if (sanitized && size != 33 && curve != ToneCurve::shoulder) {
           continue;
         }
         Picture master = master_of(size, soft_colours);
         master.tone = {curve, 1.5F, 3.0F, 2.2F};
         const FrameDifference found = between_drawers(picture, master);
-        // Rims of the hole and of the mesh may fall to either side.
+        // The rims of the hole and of the mesh may be on either side.
         EXPECT_LT(found.beyond_one, 3U * 8U) << size << " px, largest " << found.largest;
       }
     }
@@ -222,7 +223,7 @@ TEST(ProcessorFrames, AreDimmedAsTheMasterIs) {
   for (float& value : half.rgba) {
     value *= 0.5F;
   }
-  // Black keeps its lift.
+  // The black lift stays.
   for (const ProjectorPicture& picture : {curved_picture(), grey_picture()}) {
     SoftwareProjectors projectors({picture});
     projectors.show(half);

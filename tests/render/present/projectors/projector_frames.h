@@ -18,8 +18,8 @@
 
 namespace ergodome::test {
 
-//! The projectors' pictures as OpenGL, the processor and CUDA draw them; OpenGL's are skipped where
-//! there is no driver, CUDA's where there is no GPU.
+//! The pictures of projectors as OpenGL, the CPU and CUDA draw them; skips OpenGL if there is no
+//! driver, and CUDA if there is no GPU.
 class ProjectorFrames : public FolderTest, public testing::WithParamInterface<ProjectorDrawer> {
  protected:
   void open(const std::vector<ProjectorPicture>& pictures) {
@@ -37,7 +37,7 @@ class ProjectorFrames : public FolderTest, public testing::WithParamInterface<Pr
   std::unique_ptr<HeadlessProjectors> projectors_;
 };
 
-//! A master of any light, smooth enough to be read between its pixels.
+//! Returns a master with any light, which should vary smoothly between pixels.
 inline Picture master_of(int size, const std::function<Vector3<float>(double u, double v)>& light) {
   Picture picture;
   picture.width = size;
@@ -53,7 +53,7 @@ inline Picture master_of(int size, const std::function<Vector3<float>(double u, 
   return picture;
 }
 
-//! A channel of a colour.
+//! Returns a channel of a color.
 inline float channel_of(const Vector3<float>& colour, int channel) {
   return channel == 0 ? colour.x : channel == 1 ? colour.y : colour.z;
 }

@@ -20,7 +20,7 @@ struct ThrownFrame {
   std::vector<std::uint8_t> rgb;
   double gamma;
 
-  //! Between pixels' middles, in linear light, as a lens throws them.
+  //! Interpolates linear light between pixel centers, as a lens projects it.
   [[nodiscard]] double light(const RasterPlace& place, int channel) const {
     const double x = std::clamp(place.x * width - 0.5, 0.0, width - 1.001);
     const double y = std::clamp(place.y * height - 0.5, 0.0, height - 1.001);
@@ -35,7 +35,7 @@ struct ThrownFrame {
   }
 };
 
-//! What eight bits may take from or add to light of a projector.
+//! Returns the maximum rounding error of a projector's light in eight bits.
 double rounding_of(double light, double gamma) {
   return 0.55 / 255.0 * gamma * std::pow(std::max(light, 1e-4), 1.0 - 1.0 / gamma);
 }
@@ -43,7 +43,7 @@ double rounding_of(double light, double gamma) {
 constexpr int fringe_px = 48;
 constexpr double fringe_height = 0.3;
 
-//! Red: fringes across, green: fringes down, blue: even.
+//! Returns a test color: vertical fringes in red, horizontal fringes in green, uniform blue.
 Vector3<float> fringes(double u, double v) {
   const auto wave = [](double at) {
     return static_cast<float>(0.5 + fringe_height * std::sin(2.0 * pi * at * 1024.0 / fringe_px));
@@ -51,8 +51,8 @@ Vector3<float> fringes(double u, double v) {
   return {wave(u), wave(v), 0.5F};
 }
 
-//! What all projectors of a setup throw on a point: three colours, and how far eight bits may be
-//! off.
+//! The light of all projectors of a setup at a point: three channels, and the maximum rounding
+//! error of eight bits.
 struct PointLight {
   double light[3] = {};
   double rounding = 0.0;

@@ -13,7 +13,7 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): the cameras and stars of these tests
 
-//! Finds the places of images on the screen and adds them to rows of a picture.
+//! Projects images to the screen and adds them to rows of a picture.
 void splat_stars(const std::vector<StarImage>& images, const EyeCamera& eye, const Projection& projection,
                  const SplatSettings& settings, int first_row, int row_count, float* rgba) {
   splat_points(star_points(images, eye, projection, settings), projection, settings, first_row, row_count, rgba);
@@ -39,7 +39,7 @@ TEST(StarSplat, LightDoesNotDependOnSpreadNorResolution) {
   }
 }
 
-//! Brightest pixel and number of lit pixels of one star in the middle of a dome.
+//! Returns the brightest pixel and the number of lit pixels of one star in the middle of a dome.
 std::pair<float, long> spot_of(int size_px, const SplatSettings& settings) {
   const Projection projection = make_dome_projection(size_px, pi, 0.0);
   const std::vector<StarPoint> points = {{0.5 * size_px + 0.5, 0.5 * size_px + 0.5, {1.0F, 1.0F, 1.0F}, {}}};
@@ -63,8 +63,8 @@ TEST(StarSplat, SpotsKeepTheirAngleInPicturesFinerThan4k) {
   EXPECT_EQ(lit_4k, 49);
   EXPECT_EQ(lit_8k, 169);
   EXPECT_EQ(of_1k, of_4k);
-  // Twice as wide each way, and a Gaussian's middle is that much lower but for the pixels' own
-  // width.
+  // Twice as wide in both directions; the maximum of a Gaussian falls accordingly, except for the
+  // effect of the pixels' own width.
   EXPECT_NEAR(of_8k / of_4k, 0.25, 0.02);
   EXPECT_EQ(scaled_to(settings, make_pinhole_projection(8192, 4096, 0.1)).sigma_px, 1.0);
 }

@@ -15,14 +15,13 @@
 #include "render/passes/stars/drawing/picture_sheets.h"
 #include "tests/support/tiny_sky.h"
 
-// Pixels that seek the stars which shine on them make the picture that stars make which seek their
-// pixels.
+// Gathering stars for each pixel gives the same picture as splatting each star into its pixels.
 namespace ergodome {
 namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): skies of tests
 
-//! Points in and about a picture, by row from the top; every tenth has spikes.
+//! Returns points in and around a picture, sorted by row from the top; every tenth has spikes.
 std::vector<StarPoint> scattered(const Projection& projection, int count) {
   std::mt19937 random(7);
   const auto number = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
@@ -112,7 +111,7 @@ TEST(TiledStars, HaveSpikesWherePointsHaveThem) {
         add_diffraction(pattern, point.x_px + turn * width, point.y_px - cell.top_px, point.spikes, block);
       }
     }
-    // They end where the image does.
+    // Spikes end at the edge of the image.
     for (int i = 0; i < width * height; ++i) {
       const int row = i / width;
       if (!(image_coverage(projection, i % width + 0.5, row + 0.5) > 0.0)) {

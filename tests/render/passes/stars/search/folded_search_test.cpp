@@ -15,7 +15,7 @@ namespace {
 //! One patch and many stars, each of which may have several roots in it.
 class FoldedPatch : public testing::Test {
  protected:
-  //! Roots of a map over [0, 1]² to the plane for stars at `a` and `b`, by v.
+  //! Finds the roots of a map over [0, 1]² to the plane for stars at `a` and `b`, sorted by v.
   template <class Map>
   void search(const Map& map, const FoldedPair& asked) {
     patch_ = test::patch_of(map);
@@ -33,7 +33,7 @@ class FoldedPatch : public testing::Test {
     return along;
   }
 
-  //! Stars within a box of the plane.
+  //! Creates stars within a box of the plane.
   void scatter(double low_a, double high_a, double low_b, double high_b) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> uniform;
@@ -51,7 +51,7 @@ class FoldedPatch : public testing::Test {
 
 constexpr FoldedPair exactly{12, 0.0F, most_roots};
 
-//! Folded along u = 0.4.
+//! A fold along u = 0.4.
 std::array<double, 2> fold(double u, double v) { return {0.1 * (u - 0.4) * (u - 0.4), 0.1 * (v - 0.5) + 0.02 * u}; }
 
 TEST_F(FoldedPatch, HoldsAStarOnBothSidesOfItsFold) {
@@ -97,7 +97,7 @@ TEST_F(FoldedPatch, GuessesTwoPlacesWhereItsErrorMayHideAStarBehindItsFold) {
   EXPECT_EQ(guessed, a_.size());
 }
 
-//! Three to one within a cusp, p = x³ - x y.
+//! A cusp, p = x³ - x y, inside which the map is three to one.
 std::array<double, 2> cusp(double u, double v) {
   const double x = u - 0.5;
   const double y = v - 0.3;
@@ -150,7 +150,7 @@ TEST_F(FoldedPatch, OfWhatIsNoNumberHoldsNoStar) {
   }
 }
 
-//! Halves of parts, as one instruction set tells them: (list, pair, u, v).
+//! Returns the halves of parts that the kernel of one instruction set produces: (list, pair, u, v).
 std::vector<std::array<float, 4>> halves_by(InstructionSet set) {
   constexpr int count = 37;
   constexpr int room = 2 * count + part_padding;

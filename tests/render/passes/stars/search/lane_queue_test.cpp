@@ -8,7 +8,8 @@
 namespace ergodome {
 namespace {
 
-//! Things of which each goes through rounds of three kinds, of each as many as its number says.
+//! Items that pass through rounds of three kinds; the number of an item determines how many rounds
+//! of each kind it needs.
 class LanesOfThings : public testing::Test {
  protected:
   static constexpr std::size_t count = 40000;
@@ -17,7 +18,7 @@ class LanesOfThings : public testing::Test {
 
   static std::size_t rounds_of(std::size_t thing, std::size_t kind) { return (thing >> (2 * kind)) % 4; }
 
-  //! The first kind from `kind` on of which a thing has rounds left.
+  //! Returns the first kind, from `kind` on, of which an item has rounds left.
   [[nodiscard]] std::optional<std::size_t> next_of(std::size_t thing) const {
     std::size_t before = 0;
     for (std::size_t kind = 0; kind < lanes.size(); ++kind) {
@@ -70,8 +71,9 @@ TEST_F(LanesOfThings, AreNeverMoreThanThereAreLanes) {
 
 TEST_F(LanesOfThings, AreAsManyAsThereAreLanesUntilFewAreLeft) {
   run();
-  // A lot that isn't full is taken where no kind has enough for one: then only these wait, and no
-  // more are in work than there are lanes. A round of each at a time is the most that may come.
+  // A batch that is not full is processed only if no kind has enough items for a full one: then
+  // only these wait, and no more are in work than there are lanes. At most one round of each may be
+  // added at a time.
   const std::size_t waiting_at_most = std::accumulate(lanes.begin(), lanes.end(), std::size_t{0}) - lanes.size();
   const std::size_t left_at_most = waiting_at_most + lanes.front() * static_cast<std::size_t>(thread_count());
   EXPECT_LE(lots_not_full_, most_rounds * left_at_most);

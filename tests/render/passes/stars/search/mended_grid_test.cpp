@@ -12,7 +12,8 @@
 namespace ergodome {
 namespace {
 
-//! What double rays see from places in all leaves of a grid, and what the grid has there.
+//! Rays in double from positions in all leaves of a grid, compared with the values of the grid
+//! there.
 class MendedLeaves : public testing::TestWithParam<test::Place> {
  protected:
   static constexpr float u = 0.37F;
@@ -35,14 +36,14 @@ class MendedLeaves : public testing::TestWithParam<test::Place> {
     seen_ = tracer.nodes_of({rain, grid_view(station_).chart, {1e-12, 1000, true}}, gamma_turns, s);
   }
 
-  //! The sky at a leaf's place, and its derivatives along γ and s.
+  //! Returns the sky at a leaf's position, and its derivatives along γ and s.
   [[nodiscard]] Vector3<double> seen(std::size_t leaf, int part) const {
     const float* const node = seen_.data() + floats_a_node * leaf + 4 * static_cast<std::ptrdiff_t>(part);
     return {static_cast<double>(node[0]), static_cast<double>(node[1]), static_cast<double>(node[2])};
   }
 
-  //! How far an image is from a leaf's place, in parts of the leaf, and by how much of it its area
-  //! is wrong.
+  //! The distance of an image from a leaf's position, relative to the leaf's size, and the relative
+  //! error of its area.
   struct Error {
     double parts;
     double area;
@@ -58,8 +59,8 @@ class MendedLeaves : public testing::TestWithParam<test::Place> {
             std::abs(static_cast<double>(image.sky) / area - 1.0)};
   }
 
-  //! Whether the sky's area over the chart's is far from the same in a leaf's corners: next to
-  //! caustics images run away.
+  //! Returns whether the ratio of sky area to chart area varies strongly between a leaf's corners:
+  //! near caustics, images move far.
   [[nodiscard]] bool may_be_folded(std::size_t leaf) const {
     double least = 1e30;
     double most = -1e30;
@@ -99,7 +100,7 @@ TEST_P(MendedLeaves, HaveImagesWhereRaysHaveThem) {
     image.gamma_turns += static_cast<float>(3e-3 * boxes_[leaf].width_turns);
     ASSERT_TRUE(grid.mend(static_cast<int>(leaf), seen(leaf, 0), image)) << "leaf " << leaf;
     const Error error = error_of(leaf, image);
-    // Where rays told little of the leaf, float's rounding of places and of the sky is left, which
+    // Where rays corrected little, the rounding of positions and of the sky in float remains, which
     // is worse next to the shadow.
     const double rounding = edge_rounding / edge_distance(grid_view(station_).chart, boxes_[leaf].s);
     const auto left = static_cast<double>(errors.left);
@@ -118,7 +119,7 @@ TEST_P(MendedLeaves, AreWrongByAQuarterOfWhatTheirPatchesAre) {
   std::vector<double> ratios;
   for (std::size_t leaf = 0; leaf < boxes_.size(); ++leaf) {
     const LeafErrors errors = grid.errors(static_cast<int>(leaf));
-    // Of leaves whose patch is wrong by more than rounding.
+    // Leaves whose patch has an error larger than rounding.
     if (errors.told > 1e-5F && errors.told < 0.03F && !may_be_folded(leaf)) {
       ChartImage image = place_in(leaf);
       ASSERT_TRUE(grid.mend(static_cast<int>(leaf), seen(leaf, 0), image)) << "leaf " << leaf;

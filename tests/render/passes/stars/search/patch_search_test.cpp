@@ -12,8 +12,8 @@
 #include "tests/render/passes/stars/star_cameras.h"
 #include "tests/support/sanitized.h"
 
-// The search that devices make, a patch and a pair a thread, finds what the processor's finds,
-// which works on registers of pairs; both run on the processor here. Where there is a GPU,
+// The search for GPUs, with one patch and star pair per thread, finds the same images as the search
+// for CPUs, which works on SIMD registers of pairs; both run on the CPU here. With a GPU,
 // CudaPictures compares its pictures.
 namespace ergodome {
 namespace {
@@ -39,7 +39,7 @@ struct Searches {
     return sorted(find_star_images(field, colours().view(), eye, station, patches, settings, &device));
   }
 
-  //! By star, and by place.
+  //! Sorts images by star, then by position.
   static std::vector<StarImage> sorted(std::vector<StarImage> images) {
     const auto key = [](const StarImage& image) {
       return std::tuple(image.star, std::lround(1e3F * image.direction.x), std::lround(1e3F * image.direction.y),
@@ -52,8 +52,8 @@ struct Searches {
 
 StarField field_of(std::size_t stars) { return {brightest(stars), glm::dmat3(1.0), colours().view()}; }
 
-//! Whether each image of a list has one of the other beside it, of the same star and nearly as
-//! bright; how many have none.
+//! Returns how many images of a list have no counterpart in the other list, of the same star,
+//! nearby and nearly as bright.
 long without_partner(const std::vector<StarImage>& of, const std::vector<StarImage>& among) {
   return std::ranges::count_if(of, [&](const StarImage& image) {
     const auto first = std::ranges::lower_bound(among, image.star, {}, &StarImage::star);
@@ -72,8 +72,7 @@ TEST_P(PatchSearches, FindTheSameImages) {
   const std::vector<StarImage> here = searches.on_processor();
   const std::vector<StarImage> there = searches.as_on_device();
   ASSERT_GT(here.size(), sanitized ? 200U : 3000U);
-  // Which of two that are found twice is kept, chance decides; next to caustics they are not quite
-  // alike.
+  // Which of two duplicates is kept is random; near caustics they differ slightly.
   const auto few = static_cast<long>(here.size() / 1000 + 1);
   EXPECT_LE(without_partner(here, there), few);
   EXPECT_LE(without_partner(there, here), few);

@@ -12,8 +12,8 @@
 #include "render/passes/stars/search/star_twins.h"
 #include "tests/render/passes/stars/star_cameras.h"
 
-// What devices do with images that were found, on the processor here: it is what the processor's
-// own way does.
+// The GPU code that processes found images, run on the CPU here, gives the same results as the CPU
+// code.
 namespace ergodome {
 namespace {
 
@@ -22,7 +22,8 @@ using namespace test;  // NOLINT(google-build-using-namespace): the cameras and 
 constexpr int some_stars = 500;
 constexpr double dome_pixel = 1e-3;
 
-//! Images of random stars, every fourth of them found again a hair beside, some that are none.
+//! Returns images of random stars, every fourth of them duplicated at a tiny distance, and some
+//! invalid ones.
 std::vector<SeenImage> found_images(int count) {
   std::mt19937 random(7);
   std::uniform_real_distribution<float> part(-1.0F, 1.0F);
@@ -76,7 +77,7 @@ TEST(PlacedImages, DoNotHangOnTheOrderInWhichTheyAreFound) {
 
 TEST(PlacedImages, AreNoneWhereNoneAreFound) { EXPECT_TRUE(joined({}, 0).empty()); }
 
-//! Images all over the sky, and what splats them so that some have spikes.
+//! Images all over the sky, and settings for splatting that give spikes to some.
 struct Sky {
   std::vector<StarImage> images = without_twins(found_images(1500), some_stars, dome_pixel, FindingOrder::of_chance);
   EyeCamera eye = eye_at_place(places[0]);
@@ -89,7 +90,7 @@ struct Sky {
   }
 };
 
-//! Checks that points in place are those of the images in host memory, in another order.
+//! Checks that the placed points equal those computed from images in host memory, in any order.
 void expect_points_of(const Sky& sky, const Projection& projection) {
   PointPlacer placer(Backend::cpu);
   const PlacedImages images = sky.placed();

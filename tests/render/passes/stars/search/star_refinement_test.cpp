@@ -15,13 +15,14 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): the cameras of these tests
 
-//! Newton's method across a fold of the sky, f(x) = s² / (2 curvature) of which the star lies
-//! `beyond` [rad].
+//! Newton's method across a fold of the sky, f(x) = s² / (2 curvature), with a star `beyond` the
+//! fold by an angle [rad].
 class FoldedSky {
  public:
   explicit FoldedSky(double beyond) : beyond_(beyond) {}
 
-  //! Rays that a candidate is followed by from a place across the fold [rad], at the most 24.
+  //! Returns how many rays a candidate is followed with, starting at a distance across the fold
+  //! [rad]; at most 24.
   int rays_from(double x) {
     CandidateCourse course;
     course.rays = RayKind::fine;
@@ -40,7 +41,7 @@ class FoldedSky {
  private:
   static constexpr double curvature = 5.0;
 
-  //! What a ray tells, and a step on.
+  //! Evaluates a ray and makes a step.
   void look_from(double& x) {
     const double s = curvature * x;
     const double missing = -beyond_ - 0.5 * curvature * x * x;
@@ -73,13 +74,13 @@ TEST(StarBeforeAFold, IsFound) {
   }
 }
 
-// Its disk reaches the fold, or may.
+// The star's disk reaches the fold, or may reach it.
 TEST(StarOnAFold, IsSoughtOn) {
   FoldedSky sky(1e-9);
   EXPECT_GT(sky.rays_from(1e-3), 8);
 }
 
-//! Candidates near images that rays have, some of them with their star moved away.
+//! Returns candidates near images that rays have found, some of them with their star moved away.
 std::vector<StarCandidate> candidates_about(const EyeCamera& eye) {
   const CameraStation camera = make_camera_station(eye.spin, eye.r, eye.theta, 0.0, eye.motion, eye.velocity);
   std::vector<StarCandidate> candidates;

@@ -10,7 +10,7 @@ namespace {
 
 using test::NamedProjection;
 
-//! An eye whose frame is that of its view.
+//! Returns an eye whose frame is that of its view.
 EyeCamera plain_eye() {
   EyeCamera eye{};
   for (int i = 0; i < 3; ++i) {
