@@ -1,4 +1,4 @@
-# Language level, warnings and sanitizers that every target of the project shares.
+# Language level, warnings and sanitizers that all targets of the project share.
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
@@ -13,37 +13,40 @@ target_include_directories(ergodome_options INTERFACE "${PROJECT_SOURCE_DIR}")
 target_compile_definitions(
   ergodome_options
   INTERFACE ERGODOME_VERSION="${PROJECT_VERSION}"
-            # Bounds checks of the standard library, wherever speed is not what is measured.
+            # Enables bounds checks of the standard library except in release builds, where speed
+            # matters.
             $<$<NOT:$<CONFIG:Release>>:_GLIBCXX_ASSERTIONS>)
 target_compile_options(
   ergodome_options
   INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wall
             -Wextra
             -Wpedantic
-            # Where several files are compiled as one, a parameter may bear the name of another file's constant, and what a class keeps
-            # to itself may be of a file's own type.
+            # In unity builds, a parameter may shadow a constant of another file, and a private
+            # member may have a type that is local to its file.
             $<IF:$<BOOL:${CMAKE_UNITY_BUILD}>,$<$<CXX_COMPILER_ID:GNU>:-Wshadow=local;-Wno-subobject-linkage>,-Wshadow>
             -Wconversion
             -Wno-sign-conversion
-            # Masks of lanes are joined by & and |, and are bool where there is one lane.
+            # Lane masks are combined with & and |; with a single lane they are bool.
             $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical>
             -Wno-psabi
-            # Exact results must not depend on the compiler's mood: contraction into FMA is fine, value-changing
-            # reassociation is not; square roots and the like need no errno.
+            # Exact results must be reproducible: contraction into FMA is allowed, value-changing
+            # reassociation is not; square roots and similar functions need not set errno.
             -fno-math-errno>)
 if(ERGODOME_WARNINGS_AS_ERRORS)
   target_compile_options(ergodome_options INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Werror>)
 endif()
 
 if(ERGODOME_SANITIZE)
-  # Libraries keep to their own, optimized, copies of inline functions: a program linked as one takes those of its tests, which are not
-  # (tests/CMakeLists.txt), and is many times slower.
+  # Libraries keep their own optimized copies of inline functions. A statically linked program would
+  # use those of its tests, which are not optimized (tests/CMakeLists.txt), and run many times
+  # slower.
   set(BUILD_SHARED_LIBS ON)
   set(CMAKE_POSITION_INDEPENDENT_CODE ON)
   string(APPEND CMAKE_SHARED_LINKER_FLAGS " -Wl,-Bsymbolic-functions")
-  # Pointers that are null, go round or leave their object are seen by AddressSanitizer where they are used outside of any object. To ask before
-  # takes a fifth of the time of kernels, and would find those, too, that are never used or lead into another object.
-  # Tests that are marked ERGODOME_UNCHECKED only call what is checked.
+  # AddressSanitizer detects null pointers, wrapped pointers and pointers that leave their object
+  # when they are used outside of any object. Checking them earlier would take a fifth of the time
+  # of kernels; it would also find pointers that are never used or lead into another object. Tests
+  # marked ERGODOME_UNCHECKED only call checked code.
   target_compile_options(
     ergodome_options
     INTERFACE "$<$<NOT:$<BOOL:$<TARGET_PROPERTY:ERGODOME_UNCHECKED>>>:-fsanitize=address,undefined;-fno-sanitize-recover=all;-fno-sanitize=null,object-size,pointer-overflow>"

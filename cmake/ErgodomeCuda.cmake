@@ -1,9 +1,10 @@
-# Optional CUDA. Without a usable toolkit the CPU kernels alone are built, and nothing else changes.
+# Optional CUDA. Without a usable toolkit only the CPU kernels are built, and nothing else changes.
 #
 #   ergodome_add_cuda_sources(<target> <file.cu>...)
 #
-# adds the sources where CUDA is built and defines ERGODOME_HAVE_CUDA=1 on <target> and on what links it; does nothing
-# elsewhere. The runtime is linked statically, so a program with CUDA starts on a machine without driver or GPU.
+# adds the sources if CUDA is available and defines ERGODOME_HAVE_CUDA=1 on <target> and its
+# dependents; does nothing otherwise. The runtime is linked statically, so a program with CUDA
+# starts on a machine without driver or GPU.
 set(ERGODOME_HAVE_CUDA OFF)
 
 if(ERGODOME_CUDA AND NOT ERGODOME_SANITIZE)

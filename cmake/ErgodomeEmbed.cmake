@@ -1,4 +1,4 @@
-# Files that are part of the program.
+# Embeds files into the program.
 #   As a script:  cmake -DOUTPUT=page_files.cpp -P ErgodomeEmbed.cmake -- FILE...   writes the source that defines page_files()
 #   As a module:  ergodome_embed(<target> FILES <file>...)   has it written and adds it to the target
 if(CMAKE_SCRIPT_MODE_FILE)

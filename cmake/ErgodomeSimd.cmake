@@ -1,11 +1,12 @@
-# One source, several instruction sets.
+# Compiles one source for several instruction sets.
 #
 #   ergodome_add_simd_library(<target> SOURCES <file>... [LINK <library>...])
 #
-# compiles every source once per instruction set, with ERGO_TARGET naming it (portable, avx2, avx512), and puts the objects
-# into <target>, which is created as a static library if it does not exist. ERGODOME_SIMD_PORTABLE=1, ERGODOME_SIMD_AVX2=1 and
-# ERGODOME_SIMD_AVX512=1 on <target> and its dependents name the sets that are built; the program picks one at run time.
-# These sources must hold nothing but code in `ergodome::ERGO_TARGET`: tests/check_instruction_sets enforces this.
+# compiles every source once per instruction set, with ERGO_TARGET set to its name (portable, avx2,
+# avx512), and puts the objects into <target>, which is created as a static library if it does not
+# exist. ERGODOME_SIMD_PORTABLE=1, ERGODOME_SIMD_AVX2=1 and ERGODOME_SIMD_AVX512=1 on <target> and
+# its dependents state which sets are built; the program picks one at run time. These sources must
+# contain only code in `ergodome::ERGO_TARGET`: tests/check_instruction_sets enforces this.
 option(ERGODOME_NATIVE "Build CPU kernels only for this machine's instruction set" OFF)
 
 set(ERGODOME_SIMD_FLAGS_portable "")
@@ -45,13 +46,15 @@ function(ergodome_add_simd_library target)
     set(objects ${target}_${simd})
     if(NOT TARGET ${objects})
       add_library(${objects} OBJECT)
-      # No unity build: each file defines a launch function of its own, and takes long to compile as it is.
+      # No unity build: each file defines its own launch function, and takes long to compile anyway.
       set_target_properties(${objects} PROPERTIES UNITY_BUILD OFF)
       target_compile_definitions(${objects} PRIVATE ERGO_TARGET=${simd})
-      # Optimized even in debug builds (unoptimized SIMD wrappers are some fifty times slower); FMA contraction is allowed.
+      # Optimized even in debug builds, because unoptimized SIMD wrappers are about fifty times
+      # slower. FMA contraction is allowed.
       set(optimization $<IF:$<CONFIG:Release>,-O3,-O2>)
       if(ERGODOME_SANITIZE AND simd STREQUAL "portable" AND "avx2" IN_LIST ERGODOME_SIMD_TARGETS)
-        # Run by the tests of the choice alone, where the machine has the other set: to optimize it takes four times as long as that.
+        # Where the machine supports AVX2, only the tests of the choice of instruction sets run this
+        # one. Optimizing it would take four times as long as compiling it unoptimized.
         set(optimization -O0)
       endif()
       target_compile_options(

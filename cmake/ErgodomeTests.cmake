@@ -1,11 +1,13 @@
-# How CTest knows the tests of a GoogleTest program.
+# Registers the tests of GoogleTest programs with CTest.
 
 set(ERGODOME_SUITES_LEFT_OUT "" CACHE STRING "Suites of tests that CTest does not run")
 
-# Every few suites are one test, which is named by them: to start a program and load its sky takes longer than most.
-# ergodome_discover_tests(<target> [LONG] [CHECKED]): suites of a program that is LONG start first, so that no core waits for them at the end.
-# Under the sanitizers the tests' own code is as it is, which takes a third less to compile: what they call is checked where it is compiled, in the
-# libraries. A program that is CHECKED has what it calls in headers.
+# ergodome_discover_tests(<target> [LONG] [CHECKED]) groups every few suites into one CTest test,
+# named after them, because starting a program and loading its sky takes longer than most suites.
+# LONG: the suites start first, so that no core waits for them at the end.
+# CHECKED: sanitizes the code of the test program itself, for tests of code in headers. Other test
+# programs are not sanitized, which saves a third of their compile time; the libraries that they
+# call are.
 function(ergodome_discover_tests target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "LONG;CHECKED" "" "")
   if(NOT arg_CHECKED)

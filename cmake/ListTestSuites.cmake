@@ -1,9 +1,9 @@
 # Writes a CTest file with a test for every few suites of a GoogleTest program, named by them:
 #   cmake -D PROGRAM=... -D OUTPUT=... -D LONG=... -D LEFT_OUT=... -P ListTestSuites.cmake
-# LEFT_OUT: suites that are not run.
+# LEFT_OUT: suites that are skipped.
 
-# Several, because to load OpenImageIO with the hundreds of libraries that it brings takes half a second, longer than most suites; few, so
-# that two cores share them evenly.
+# Several, because loading OpenImageIO with its hundreds of libraries takes half a second, longer
+# than most suites; few, so that two cores share the suites evenly.
 set(suites_of_a_test 6)
 
 execute_process(
@@ -14,7 +14,7 @@ execute_process(
 if(NOT result EQUAL 0)
   message(FATAL_ERROR "${PROGRAM} does not list its tests: ${result}\n${listing}")
 endif()
-# Suites start their line, tests are indented; what follows # are the suite's types.
+# Suites start at the beginning of a line, tests are indented; the types of a suite follow a #.
 string(REGEX MATCHALL "(^|\n)[A-Za-z0-9_/]+\\." suites "${listing}")
 if(NOT suites)
   message(FATAL_ERROR "${PROGRAM} has no tests")

@@ -34,7 +34,7 @@ class ObjectPixelsOfTest {
     }
   }
 
-  //! Returns one of the pixels, or any pixel of the picture if there are none.
+  //! Returns one of the pixels, or any pixel of the picture if the list is empty.
   template <class Random>
   [[nodiscard]] std::pair<int, int> any(Random& random) const {
     const auto& from = random() % 2 == 0 ? drawn_ : met_;
