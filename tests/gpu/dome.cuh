@@ -7,6 +7,7 @@
 #include "kernels/spacetime/trace/trace_pixels.h"
 #include "tests/gpu/harness.cuh"
 
+// Scenes of a dome for checks of kernels on a GPU.
 namespace ergodome::gpu_check {
 
 inline constexpr int channel_count = 14;

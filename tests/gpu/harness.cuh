@@ -12,6 +12,7 @@
 
 #include "kernels/launch/launch_cuda.cuh"
 
+// Runs kernels on GPU and CPU, times them and compares the results.
 namespace ergodome::gpu_check {
 
 //! An array with a copy on the host and one on the device.

@@ -6,6 +6,7 @@
 
 #include "kernels/spacetime/kerr/camera_station.h"
 
+// The cases that are hard for lenses and rays, and the errors that each method may make there.
 namespace ergodome::test {
 
 //! The position and the motion of a camera.

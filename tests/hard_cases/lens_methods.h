@@ -4,6 +4,7 @@
 #include "kernels/spacetime/trace/trace_rays.h"
 #include "tests/hard_cases/hard_case.h"
 
+// All ways to compute what the rays of a case see, with a common result type.
 namespace ergodome::test {
 
 //! Sky directions and statuses of the rays of a case, by the methods under test.

@@ -4,6 +4,7 @@
 
 #include "tests/hard_cases/lens_methods.h"
 
+// Exact rays, and the errors of a method against them.
 namespace ergodome::test {
 
 inline double length(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }

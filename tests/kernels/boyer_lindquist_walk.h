@@ -4,6 +4,7 @@
 
 #include "kernels/near_rays/near_ray.h"
 
+// An independent integrator in Boyer-Lindquist coordinates, as a reference for crossings of shells.
 namespace ergodome::test {
 
 //! The crossing of a ray with a sphere r = const.

@@ -7,6 +7,7 @@
 #include "kernels/core/angles.h"
 #include "kernels/core/vector3.h"
 
+// Pairs of points and lamps around a hole, for tests of light.
 namespace ergodome::test {
 
 //! Converts spherical coordinates to a point in pseudo-Cartesian coordinates.

@@ -9,6 +9,7 @@
 #include "kernels/objects/mesh_rays.h"
 #include "kernels/spacetime/kerr/camera_station.h"
 
+// Small meshes with trees, for tests that trace rays to triangles.
 namespace ergodome::test {
 
 inline constexpr MeshLimits finest = {1e-15, 4000};

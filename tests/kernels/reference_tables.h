@@ -7,6 +7,7 @@
 #include "kernels/spacetime/geodesic/ray.h"
 #include "kernels/spacetime/kerr/camera_station.h"
 
+// Reads the reference tables of rays, edges and disk crossings in tests/data.
 namespace ergodome::test {
 
 //! A row of tests/data/rays.csv.

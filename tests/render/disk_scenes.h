@@ -2,6 +2,7 @@
 
 #include "content/show/show.h"
 
+// Shows with a disk, for tests.
 namespace ergodome::test {
 
 //! Returns a show with a hole, a disk and redshift, and without a camera.

@@ -5,6 +5,7 @@
 #include "kernels/spacetime/geodesic/closed_form.h"
 #include "tests/render/passes/stars/star_cameras.h"
 
+// The sky in closed form, as a reference for images and lenses.
 namespace ergodome::test {
 
 //! Returns the sky direction of an observed direction, by the closed form.

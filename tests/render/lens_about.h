@@ -8,6 +8,7 @@
 #include "tests/render/passes/stars/star_cameras.h"
 #include "tests/render/ray_mesh.h"
 
+// Measures how fast the exact lens changes around positions on the screen.
 namespace ergodome::test {
 
 //! A position on the screen.

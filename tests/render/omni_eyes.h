@@ -7,6 +7,7 @@
 #include "render/lens/omni_lens.h"
 #include "tests/render/exact_sky.h"
 
+// The geometry of omnidirectional stereo by its definition, as a reference.
 namespace ergodome::test {
 
 //! Returns the position of an eye by the definition of omnidirectional stereo: to the right of the

@@ -8,6 +8,7 @@
 
 #include "tests/render/omni_eyes.h"
 
+// A reference for omnidirectional stereo: pictures by single rays of each direction's own camera.
 namespace ergodome::test {
 
 //! A position in a picture.

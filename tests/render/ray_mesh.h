@@ -7,6 +7,7 @@
 #include "kernels/spacetime/shadow/critical_curve.h"
 #include "tests/render/passes/stars/star_cameras.h"
 
+// A reference search for the lensed images of stars, in a mesh of traced rays.
 namespace ergodome::test {
 
 //! An image found by the reference search.

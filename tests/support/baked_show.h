@@ -8,6 +8,7 @@
 #include "content/trajectory/trajectory_journal.h"
 #include "render/bake/trajectory_baker.h"
 
+// Shows and their bakes, for tests of trajectory files.
 namespace ergodome::test {
 
 //! Returns a show whose camera goes from r = 9 to 7 in ten seconds in front of the grid sky, for

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+// Reads simple CSV files for tests.
 namespace ergodome::test {
 
 //! Cells of a row, by column name.

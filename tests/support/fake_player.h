@@ -10,6 +10,7 @@
 
 #include "app/playback/transport.h"
 
+// A stand-in for the player, for tests of its remote controls.
 namespace ergodome::test {
 
 //! Returns the status of a player that plays a show of two minutes with three chapters and two

@@ -12,6 +12,7 @@
 #include <string>
 #include <thread>
 
+// Simulates hosts on a network by means of network namespaces.
 namespace ergodome::test {
 
 //! Moves this thread, and the threads that it starts later, into a network namespace that has only

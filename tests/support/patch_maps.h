@@ -5,6 +5,7 @@
 
 #include "kernels/stars/search/bezier_patch.h"
 
+// Builds bicubic patches from maps of the unit square.
 namespace ergodome::test {
 
 //! Computes the control points of a cubic that takes the values `at` at the parameters 0, 1/3, 2/3

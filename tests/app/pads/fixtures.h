@@ -12,6 +12,7 @@
 #include "app/pads/pad_names.h"
 #include "app/pads/pad_response.h"
 
+// Recordings of pads for tests, and what decoders should read from them.
 namespace ergodome::test {
 
 //! Reads a fixture of tests/data/hid by its name.

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 
+// Writes sound files for tests.
 namespace ergodome::test {
 
 struct SoundFile {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+// The protocol between a process that waits with the loaded program and those that call it.
 namespace ergodome::test {
 
 //! A command line that another process runs in place of this one.

@@ -10,6 +10,7 @@
 
 #include "app/remote/osc/osc_message.h"
 
+// Builds and parses OSC packets for tests.
 namespace ergodome::test {
 
 //! Builds a packet with one message, as clients of liblo send it.

@@ -46,8 +46,8 @@ TEST(Orientation, PitchComesAfterYaw) {
 }
 
 TEST(Orientation, RollComesLastAndLeavesTheAxisInPlace) {
-  // After yaw and pitch of 90° and 45° up is (-√½, √½, 0) and right (0, 0, 1); a quarter turn puts
-  // up where right was.
+  // After yaw and pitch of 90° and 45°, up is (-√½, √½, 0) and right is (0, 0, 1); a quarter turn
+  // takes up to where right was.
   const ProjectorAxes axes = axes_of({90, 45, 90});
   expect_vector(axes.forward, std::sqrt(0.5), std::sqrt(0.5), 0);
   expect_vector(axes.up, 0, 0, 1);
@@ -88,7 +88,7 @@ TEST(Frustum, CornersOfTheRasterLieAtItsHalfAngles) {
 }
 
 TEST(Frustum, TurnsWithItsProjector) {
-  // Looking up from the front by 90°, the top of the picture lies behind.
+  // If the projector points up by 90° from the front, the top of its picture is at the back.
   const Frustum frustum{-45, 45, 45, -45};
   expect_vector(direction_from_raster(axes_of({0, 90, 0}), frustum, 0.5, 0), 0, 1, 1);
   expect_vector(direction_from_raster(axes_of({90, 0, 0}), frustum, 1, 0.5), 1, 0, 1);

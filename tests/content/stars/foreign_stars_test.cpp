@@ -235,7 +235,7 @@ TEST(SkyAngle, RefusesOtherText) {
 }
 
 TEST(StarColour, TemperatureIsTheInverseOfTheColourWithWhichStarsAreDrawn) {
-  // Ballesteros (2012): the Sun's B-V of 0.65 is 5778 K.
+  // Ballesteros (2012): a B-V of 0.65, the Sun's, corresponds to 5778 K.
   EXPECT_NEAR(b_v_from_temperature(5778.0), 0.65, 2e-4);
   for (const double b_v : {-0.4, 0.0, 0.5, 1.5, 5.0}) {
     EXPECT_NEAR(b_v_from_temperature(star_temperature(b_v)), b_v, 1e-12);

@@ -7,6 +7,7 @@
 
 #include "content/trajectory/disk_station.h"
 
+// Small stations with arbitrary numbers, for tests of trajectory files.
 namespace ergodome::test {
 
 //! Returns a station with two root cells, one of them split, and numbers of every magnitude.

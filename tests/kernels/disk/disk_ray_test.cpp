@@ -176,8 +176,8 @@ TEST(DiskCrossings, AreFoundBesideTheHorizonByLongStepsAsByShortOnes) {
 }
 
 TEST(DiskCrossings, EndWithTheFirstBehindTheHorizon) {
-  // Crossings after that are not continuous with those outside: a straight footprint would connect
-  // them.
+  // Later crossings are not continuous with those outside the horizon: a straight footprint would
+  // connect them.
   std::mt19937 random(9);
   std::uniform_real_distribution<double> part(-1.0, 1.0);
   int behind = 0;

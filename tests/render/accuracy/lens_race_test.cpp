@@ -48,7 +48,7 @@ TEST(LensRace, AFinerQuadtreeMissesByLess) {
       measured({quadtree_choice(7, true), quadtree_choice(finest_level, true), quadtree_pixel_choice(finest_level)});
   EXPECT_LT(results[1].error.p99, results[0].error.p99);
   EXPECT_GT(results[1].memory_bytes, 0U);
-  // The same grid with other interpolation and in float.
+  // The same grid, read by other code and in float.
   EXPECT_NEAR(results[2].error.median, results[1].error.median, 1e-3);
 }
 

@@ -133,7 +133,8 @@ double missed_px(const Show& show, const TrajectoryReader& baked, double time_s,
   }
   const EyeCamera eye = eye_camera(show, camera_pose(show, time_s), 0.0);
   const StationBlend blend(Backend::cpu, buffers(next - 1), buffers(next), {eye.r, eye.theta});
-  // Under sanitizers, rays are 50 times fewer, too few for a 99th percentile.
+  // Under sanitizers, screen_errors() uses a fiftieth of the rays, and 100 would be too few for a
+  // 99th percentile.
   constexpr std::size_t rays = test::sanitized ? 100'000 : 5'000;
   return test::screen_errors(blend.view(),
                              make_camera_station(eye.spin, eye.r, eye.theta, 0.0, eye.motion, eye.velocity),

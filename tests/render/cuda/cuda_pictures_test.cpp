@@ -55,7 +55,7 @@ std::vector<Picture> pictures(const Scene& scene, Backend backend) {
 //! relative difference of the total light.
 struct Difference {
   double pixels;  //!< numbers that differ by more than 2 % of themselves and of the mean
-  double light;   //!< of the whole picture
+  double light;   //!< relative difference of the total light
 };
 
 Difference difference(const Picture& a, const Picture& b) {

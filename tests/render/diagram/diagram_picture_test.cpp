@@ -15,7 +15,7 @@
 // NOLINTNEXTLINE: the checker's name
 extern "C" int __lsan_is_turned_off() { return ergodome::test::driver_was_loaded ? 1 : 0; }
 
-// Diagrams as pictures.
+// Diagrams drawn as pictures.
 namespace ergodome {
 namespace {
 

@@ -89,8 +89,8 @@ double apart_in_pictures(const Show& show) {
   return middle_of_light(parts[1]) - middle_of_light(parts[0]);
 }
 
-//! Compares the nearest reported distance with the center of a small ball's light, which is
-//! slightly farther away.
+//! Compares the reported disparity of a small ball with that of the center of its light, which is
+//! slightly farther away than the ball's nearest point.
 void expect_ball_of_pictures(const std::string& scene) {
   const Show show = black_show(scene);
   const double drawn = apart_in_pictures(show);

@@ -115,8 +115,8 @@ TEST(HorizonCrossing, GridsOfAMomentBeforeShowAboutTheSameSky) {
     const auto lens = lenses.choose({LensChoice::live, eye, projection, ViewMode::sky, {}, {std::nullopt, 0.0}, {}});
     behind += lens->behind() ? 1 : 0;
     const DirectLens direct(Backend::cpu, eye, projection, 0.05);
-    // The motion of the camera in a moment; its azimuth alone, which would rotate the sky without
-    // the correction for frame dragging of infalling observers, changes by half a radian.
+    // The limit is the camera's motion in a moment. Its Boyer-Lindquist azimuth changes by half a
+    // radian; without the correction for infalling observers, the sky would be rotated by that.
     EXPECT_LT(middle_difference(skies(*lens, projection), skies(direct, projection)), lens->behind() ? 0.03 : 1e-3)
         << after_s;
   }

@@ -142,7 +142,7 @@ TEST(WithinHorizonPictures, EyesGoOnSeeingWhatTheySawWhereTheyFallThroughTheHori
       const double time_s = horizon_s + 0.005 * i;
       EXPECT_LT(apart_on_sky(seen_at(time_s), seen_at(time_s + 0.005)), 0.02) << in << ' ' << i;
     }
-    // The eye also sees nearly the same direction as the head.
+    // The eye sees nearly the same part of the sky as the head.
     EXPECT_LT(apart_on_sky(seen_at(horizon_s - 0.01),
                            sky_before(eye_camera(show, camera_pose(show, horizon_s - 0.01), 0.0), away)),
               0.1);

@@ -13,7 +13,7 @@ using ::testing::HasSubstr;
 
 class TraceDisk : public CommandLine {
  protected:
-  //! Compares the crossings of a table's rays with the table's own.
+  //! Compares the crossings of traced rays with those listed in their table.
   void expect_crossings_of(const std::string& rays) {
     ASSERT_EQ(run("trace --disk --rays '" + rays + "' --out out.csv"), 0) << output_;
     std::map<std::string, CsvRow> traced;

@@ -374,7 +374,7 @@ TEST(SkyskanWarp, AppliesTweaksAndTheHeightOfItsRaster) {
                   "Horizontal Tweak=0.5\r\nVertical Tweak=2\r\nU Tweak=0.5\r\nV Tweak=-5");
   const ForeignWarp warp = parse_foreign_warp(wide, "a.txt", WarpFormat::skyskan);
   EXPECT_NEAR(warp.view->frustum.right_deg, 22.5, 1e-9);
-  // Half the height is atan(1200 / 2048) = 30.3681°, twice that by the tweak.
+  // Half the height is atan(1200 / 2048) = 30.3681°; the tweak doubles it.
   EXPECT_NEAR(warp.view->frustum.up_deg, 2.0 * 30.3681, 1e-3);
   expect_node(warp.mesh.at(1, 1), 1, 1, 0.45, 0.7);
   const ForeignWarp holed =
@@ -456,8 +456,8 @@ TEST_F(WarpsOfOthers, AViewOfTheFileBecomesPlacesOfTheDomemaster) {
   // 50 / 90.
   EXPECT_NEAR(warp.at(1, 1).u, 0.5 + 0.277778 * 0.5, 1e-4);
   EXPECT_NEAR(warp.at(1, 1).v, 0.5 + 0.277778 * 0.866025, 1e-4);
-  // A sixth of the raster from its top it is higher by atan(2 / 3 · tan 20°) = 13.6397°: r = 0.5 ·
-  // 36.3603 / 90.
+  // At a sixth of the raster from its top, the direction is higher by atan(2 / 3 · tan 20°) =
+  // 13.6397°: r = 0.5 · 36.3603 / 90.
   EXPECT_NEAR(warp.at(1, 0).u, 0.5 + 0.202002 * 0.5, 1e-4);
   EXPECT_NEAR(warp.at(1, 0).v, 0.5 + 0.202002 * 0.866025, 1e-4);
   // Its right side lies farther to the right, in the master as well.

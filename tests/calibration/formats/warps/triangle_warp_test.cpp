@@ -14,7 +14,7 @@ namespace {
 using test::error_of;
 using testing::HasSubstr;
 
-//! Nodes of a grid in reading order; u is x + y / 10.
+//! Returns the nodes of a grid in reading order; u is x + y / 10.
 std::vector<WarpNode> grid_nodes(int columns, int rows) {
   std::vector<WarpNode> nodes;
   for (int i = 0; i < columns * rows; ++i) {
@@ -102,7 +102,7 @@ TEST(TriangleWarp, AFanOfTrianglesIsDrawnAsItIs) {
   const WarpMesh drawn = resampled_warp(mesh, 20, 20);
   for (const WarpNode& node : drawn.nodes) {
     ASSERT_TRUE(node.valid);
-    // A pyramid over the square.
+    // u has the shape of a pyramid over the square.
     const double height = 1.0 - 2.0 * std::max(std::abs(node.x - 0.5), std::abs(node.y - 0.5));
     EXPECT_NEAR(node.u, height, 1e-5);
   }

@@ -152,7 +152,7 @@ TEST(GltfReader, TransformsOfTexturesTurnThemCounterclockwise) {
           "textures":[{{"source":0}}],"images":[{{"uri":"data:image/png;base64,aGVsbG8="}}],
           "extensionsUsed":["KHR_texture_transform"],"extensionsRequired":["KHR_texture_transform"])",
                             M_PI / 2.0)));
-  // u' = 3 v sin + 0.5, v' = -2 u sin + 0.25; ours counts v upwards.
+  // u' = 3 v sin + 0.5, v' = -2 u sin + 0.25; Ergodome's v points upwards.
   const auto near = [](float u, float v) { return ElementsAre(FloatNear(u, 1e-6F), FloatNear(1.0F - v, 1e-6F)); };
   EXPECT_THAT(mesh.vertices.at(0).texture, near(0.5F, 0.25F));
   EXPECT_THAT(mesh.vertices.at(1).texture, near(0.5F, -1.75F));

@@ -49,8 +49,8 @@ TEST(CriticalCurve, ShadowAtThePhotonOrbitIsHalfTheSky) {
 }
 
 TEST(CriticalCurve, SeenFromFarTheProgradeEdgeLiesAtItsImpactParameter) {
-  // Equatorial critical impact parameters of Bardeen (1973): b = r_ph^2 (3 - r_ph) / (a (r_ph - 1))
-  // + a ... in the form L = -(r³ - 3r² + a² r + a²) / (a (r - 1)) at the photon orbit r.
+  // Equatorial critical impact parameters of Bardeen (1973), in the form L = -(r³ - 3r² + a² r +
+  // a²) / (a (r - 1)) at the photon orbit r.
   const double a = 0.9;
   const double r = 1e6;
   const CameraStation camera = make_camera_station(a, r, pi / 2, 0.0, ObserverMotion::zamo);

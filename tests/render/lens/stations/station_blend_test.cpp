@@ -110,8 +110,7 @@ TEST(StationBlend, FromAMirroredStationToAWholeOneIsAHundredTimesBetter) {
 }
 
 TEST(StationBlend, FallingFromTwoToTheErgosphereIsAHundredTimesBetter) {
-  // The distance between stations that is needed: each is a tenth closer to r = 1 than the previous
-  // one.
+  // Stations as close as necessary: each is a tenth closer to r = 1 than the previous one.
   for (double height = 1.0; height > 0.2; height /= test::sanitized ? 2.0 : 1.1) {
     EXPECT_LT(compare({1.0 + height, 0.5 * pi}, {1.0 + height / 1.1, 0.5 * pi}).mean_square, allowed_mean_square)
         << 1.0 + height;

@@ -13,10 +13,11 @@
 
 #include "tests/render/passes/disk/flat_walk.h"
 
+// Compares pictures of eyes of the model `flat` with walks along their lines of sight.
 namespace ergodome::test {
 
-//! Candidate pixels for objects: half of the samples near the drawn objects, half near positions, a
-//! few pixels apart, where walks meet objects.
+//! Pixels that show objects, and lattice points, a few pixels apart, whose lines of sight meet
+//! objects.
 class ObjectPixelsOfTest {
  public:
   ObjectPixelsOfTest(const Picture& picture, const FlatWalk& walk) : width_(picture.width), height_(picture.height) {
@@ -34,7 +35,8 @@ class ObjectPixelsOfTest {
     }
   }
 
-  //! Returns one of the pixels, or any pixel of the picture if the list is empty.
+  //! Returns a random pixel close to one of them, from either list in half of the calls; or any
+  //! pixel of the picture if the list is empty.
   template <class Random>
   [[nodiscard]] std::pair<int, int> any(Random& random) const {
     const auto& from = random() % 2 == 0 ? drawn_ : met_;

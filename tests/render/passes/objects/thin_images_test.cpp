@@ -105,8 +105,8 @@ TEST_P(ThinImages, HaveAsMuchLightAsExactRaysFind) {
 }
 
 TEST_P(ThinImages, KeepTheirLightAsTheCameraMovesByPartsOfAPixel) {
-  // In fractions of the exact value; the edge moves by a tenth of a pixel from one camera to the
-  // next.
+  // Solid angles relative to the shadow, whose edge moves by a tenth of a pixel from one camera to
+  // the next.
   std::vector<double> shares;
   double mean = 0.0;
   for (int i = 0; i < 3; ++i) {

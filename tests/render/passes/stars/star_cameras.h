@@ -8,6 +8,7 @@
 #include "render/lens/grid/grid_builder.h"
 #include "render/passes/stars/star_pass.h"
 
+// Cameras, star fields and settings for tests of stars.
 namespace ergodome::test {
 
 //! Angle of a pixel of a 4096² dome [rad].

@@ -117,7 +117,7 @@ TEST(StarPatchesOfAPlace, AreTheSameInTheMemoryOfOthers) {
   const StarField field(brightest(500), glm::dmat3(1.0), colours().view());
   const StarSettings settings = settings_for(8.0);
   PatchRoom room;
-  // A position with more of them, and one with fewer.
+  // Reuses the memory of a position with more patches, and of one with fewer.
   for (const Place& before : {places[2], places[0]}) {
     const EyeCamera eye = eye_at_place(before);
     const LensStation station = build_star_station(eye, settings);

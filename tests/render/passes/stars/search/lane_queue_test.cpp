@@ -72,8 +72,8 @@ TEST_F(LanesOfThings, AreNeverMoreThanThereAreLanes) {
 TEST_F(LanesOfThings, AreAsManyAsThereAreLanesUntilFewAreLeft) {
   run();
   // A batch that is not full is processed only if no kind has enough items for a full one: then
-  // only these wait, and no more are in work than there are lanes. At most one round of each may be
-  // added at a time.
+  // only these items wait, and no more are in work than there are lanes. In the worst case, each
+  // remaining round of these items is a batch of its own.
   const std::size_t waiting_at_most = std::accumulate(lanes.begin(), lanes.end(), std::size_t{0}) - lanes.size();
   const std::size_t left_at_most = waiting_at_most + lanes.front() * static_cast<std::size_t>(thread_count());
   EXPECT_LE(lots_not_full_, most_rounds * left_at_most);
