@@ -54,8 +54,7 @@ TEST(Navigator, FarStarsKeepTheirPlaceInAShipThatPassesThePole) {
   flier.hold(forward_only(1.0), 3.0);
   EXPECT_LT(glm::distance(looks_at(flier.navigator), star), 1e-9);
   EXPECT_NEAR(std::abs(flier.navigator.pose().phi), pi, 1e-6);
-  EXPECT_GT(angle_between(local, flier.navigator.pose().orientation), 3.0);  // the local frame has turned by half a
-                                                                             // turn
+  EXPECT_GT(angle_between(local, flier.navigator.pose().orientation), 3.0);  // the local frame has turned by about π
 }
 
 //! Returns a length in the space of the zero-angular-momentum observer, from the metric (Bardeen,
