@@ -124,7 +124,7 @@ std::string record_text(const Budget& budget, const RateRecord& record, long cha
   const double off = rate_hz / *budget.frame_rate_hz - 1.0;
   return fmt::format(
       "budget {}: {:.2f} fps over {} ({:+.1f} % from the target), {:.1f} % of them late, the longest {:.0f} ms; "
-      "settings changed {}, finally step {} of {}",
+      "settings changed {}, ending at step {} of {} (1: most accurate)",
       text_of(budget), rate_hz, counted(record.frames(), "frame"), 100.0 * off, 100.0 * record.late(),
       record.longest_ms(), counted(changes, "time"), rung + 1, rungs);
 }

@@ -178,13 +178,13 @@ void print(const nlohmann::json& plan) {
     print_out("  {:<16}{:>6}  {}\n", channel["name"].get<std::string>(), channel["floats"].get<int>(),
               channel["why"].get<std::string>());
   }
-  print_out("\npass                               once per      runs    elements  reason\n");
+  print_out("\npass                           run once per      runs    elements  reason\n");
   for (const auto& pass : plan["passes"]) {
     print_out("  {:<33}{:<8}{:>10}{:>12}  {}{}\n", pass["name"].get<std::string>(), pass["when"].get<std::string>(),
               text_of(pass["runs"]), text_of(pass["elements"]), pass["why"].get<std::string>(),
               pass["if_needed"].get<bool>() ? ", if needed" : "");
   }
-  print_out("\nmemory                                       once per       bytes  reason\n");
+  print_out("\nmemory                                filled once per       bytes  reason\n");
   for (const auto& buffer : plan["buffers"]) {
     print_out("  {:<43}{:<8}{:>12}  {}\n", buffer["name"].get<std::string>().substr(8),
               buffer["when"].get<std::string>(), text_of(buffer["bytes"]), buffer["why"].get<std::string>());

@@ -99,7 +99,7 @@ void Player::post_status() {
 
 void Player::print_statistics() const {
   if (pictures_.report().pictures > 0) {
-    print_out("{} in {:.1f} s after the first\n", counted(pictures_.report().pictures - 1, "frame"),
+    print_out("{} in {:.1f} s, not counting the first\n", counted(pictures_.report().pictures - 1, "frame"),
               std::chrono::duration<double>(Clock::now() - *first_answer_).count());
     if (budget_) {
       print_out("{}\n", budget_->summary_text());

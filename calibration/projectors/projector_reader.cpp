@@ -99,9 +99,9 @@ class ProjectorReader {
     constexpr double rounding = 0.002;
     if (!lens.polynomial.empty() &&
         growing_angle(lens.polynomial) < 0.5 * one_degree * lens.field_of_view_deg - rounding) {
-      throw table.error_at(
-          "polynomial", "does not increase up to the edge of the field of view",
-          "choose f1, f3, f5, f7 so that r = f1 t + f3 t^3 + ... increases for t from 0 to half of fov_deg");
+      throw table.error_at("polynomial", "does not increase up to the edge of the field of view",
+                           "choose f1, f3, f5, f7 so that r = f1 t + f3 t^3 + f5 t^5 + f7 t^7, with t in radians, "
+                           "increases for t from 0 to half of fov_deg");
     }
     table.refuse_unknown_keys();
     return lens;

@@ -69,7 +69,8 @@ struct PackedColumns {
     const double magnitude = v_mag[i] / units_a_magnitude;
     if (ra_deg > 360.0 || std::abs(dec_deg) > 90.0 || std::abs(magnitude) > 60.0 ||
         (i > 0 && v_mag[i - 1] > v_mag[i])) {
-      throw Error(place, fmt::format("is damaged (star {})", i + 1), "create it again from its table");
+      throw Error(place, fmt::format("is damaged (star {})", i + 1),
+                  "create it again with ergodome catalogue TABLE --out FILE");
     }
     const float colour =
         b_v[i] == no_colour ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(b_v[i] / units_a_magnitude);
@@ -90,7 +91,7 @@ Bytes packed(std::span<const std::byte> raw) {
 Bytes unpacked_stars(std::span<const std::byte> bytes, std::size_t size, const std::string& place) {
   Bytes raw(size);
   if (ZSTD_decompress(raw.data(), raw.size(), bytes.data(), bytes.size()) != size) {
-    throw Error(place, "is damaged (compressed part)", "create it again from its table");
+    throw Error(place, "is damaged (compressed part)", "create it again with ergodome catalogue TABLE --out FILE");
   }
   return raw;
 }
@@ -115,16 +116,16 @@ StarCatalogue parse_star_file(std::span<const std::byte> bytes, const std::strin
   const auto packed_bytes = header.number<std::uint64_t>();
   const auto packed_sum = header.number<std::uint64_t>();
   if (header.number<std::uint64_t>() != checksum(bytes.first(summed_bytes))) {
-    throw Error(place, "is damaged (header)", "create it again from its table");
+    throw Error(place, "is damaged (header)", "create it again with ergodome catalogue TABLE --out FILE");
   }
   if (written > version) {
     throw Error(place, fmt::format("has format version {}, but this program reads version {}", written, version),
-                "make it again from its table, or use a newer Ergodome");
+                "create it again with ergodome catalogue TABLE --out FILE, or use a newer Ergodome");
   }
   const std::span<const std::byte> body = bytes.subspan(header_bytes);
   if (body.size() != packed_bytes || count > most_file_stars || bytes_a_star * count > most_packing * body.size() ||
       checksum(body) != packed_sum) {
-    throw Error(place, "is damaged or truncated", "create it again from its table");
+    throw Error(place, "is damaged or truncated", "create it again with ergodome catalogue TABLE --out FILE");
   }
   const Bytes raw = unpacked_stars(body, bytes_a_star * count, place);
   ByteReader from(raw, place);

@@ -41,8 +41,8 @@ EyeCamera eye_camera(const Show& show, const CameraPose& pose, const Vector3<dou
   const bool in_rain = pose.velocity && pose.velocity_in_rain;
   const double deepest = in_rain ? std::min(least_interior_radius(show.spin), horizon) : horizon;
   if (!(pose.r > deepest)) {
-    throw Error(show.name, fmt::format("the camera is inside the horizon (r = {:.6g} M)", pose.r),
-                "keep the camera outside");
+    throw Error(show.name, fmt::format("the camera is too close to the hole (r = {:.6g} M)", pose.r),
+                fmt::format("keep it farther out than r = {:.6g} M", deepest));
   }
   if (!std::isfinite(pose.r + pose.theta + pose.phi + offset.x + offset.y + offset.z)) {
     throw Error(show.name, "the camera position or an eye offset is not finite", "choose another camera position");

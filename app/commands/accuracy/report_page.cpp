@@ -42,7 +42,8 @@ summary { cursor: pointer; padding: 0.3em 0; }
 constexpr const char* columns_caption =
     "<p class=\"caption\">Errors: “99 %” is the error that 99 % of the samples stay below, and so on. Flicker: how "
     "much the error changes from one frame to the next (99 %). Lost: samples that the method shows as dark, or not at "
-    "all. Preparation: time to build what the method needs at a new camera position. Green rows: no other choice is "
+    "all. Times are medians; the range is from the fastest to the slowest frame. Preparation: time to build what the "
+    "method needs at a new camera position. Green rows: no other choice is "
     "both faster and more accurate.</p>\n";
 
 constexpr const char* published_methods =

@@ -112,11 +112,11 @@ void convert_mpcdi(const ConvertOptions& options) {
       "written to {}; MPCDI does not contain the dome's radius (assumed: {:g} m), the viewer's position or the dome's "
       "tilt: {}\n",
       to.string(), options.radius_m,
-      flat ? "shows are correct without them; set tilt_deg to make test patterns level (the warps include "
-             "rotation_deg)"
-           : "if the positions in the file have y straight up, set tilt_deg; if they are in the axes of the tilted "
-             "dome, keep tilt_deg and rotation_deg at 0: shows are correct, but test patterns are level only if the "
-             "dome has no tilt");
+      flat ? "shows are correct without them; set tilt_deg to make test patterns level (rotation_deg is already in the "
+             "warps)"
+           : "if y is vertical in the positions in the file, set tilt_deg; if y is the axis of the tilted dome, as in "
+             "files from Ergodome, keep tilt_deg and rotation_deg at 0: shows are then correct, but test patterns are "
+             "level only if the dome has no tilt");
 }
 
 //! Returns columns and rows of the map made from a mesh.

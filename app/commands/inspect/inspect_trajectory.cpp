@@ -88,7 +88,7 @@ void print_trajectory(const nlohmann::json& facts) {
   const auto& stations = facts["stations"];
   const bool disk = facts["disk"].get<bool>();
   print_out("{:<16}{}\n\n{:>10} {:>12} {:>12} {:>8} {:>10} {:>14}{}\n", "stations", stations.size(), "t [s]", "r [M]",
-            "theta [deg]", "nodes", "bytes", "blending [px]", disk ? "   disk bytes     disk [px]" : "");
+            "theta [deg]", "nodes", "bytes", "gap error [px]", disk ? "   disk bytes disk gap [px]" : "");
   for (std::size_t i = 0; i < stations.size(); i += std::max<std::size_t>(1, stations.size() / most_lines)) {
     const auto& s = stations[i];
     const bool last = s["gap_error_px"].get<double>() < 0.0;

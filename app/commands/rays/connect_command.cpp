@@ -131,7 +131,8 @@ void add_connect_command(CLI::App& app) {
   command->add_option("--pairs", options->pairs, "table of pairs (CSV: r_obs,r,phi,order; M = 1, radians)")
       ->required()
       ->type_name("FILE");
-  command->add_option("--out", options->out, "table to write: --pairs with the columns xi,travel_time")
+  command
+      ->add_option("--out", options->out, "table to write: the rows of --pairs with two more columns, xi,travel_time")
       ->required()
       ->type_name("FILE");
   command

@@ -107,8 +107,8 @@ class FixtureReader {
     if (static_cast<int>(!event.bytes.empty()) + static_cast<int>(connects) + static_cast<int>(disconnects) +
             static_cast<int>(fails) + static_cast<int>(permits) !=
         1) {
-      throw table.error_at("hex", "is not exactly one event",
-                           "write exactly one of hex, connect, disconnect = true, error = true and permission");
+      throw table.error_at("hex", "is missing, or is not the only event in this table",
+                           "write exactly one of hex, connect, disconnect = true, error = true or permission");
     }
     if (connects) {
       event.kind = connect;

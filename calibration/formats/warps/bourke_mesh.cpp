@@ -142,9 +142,9 @@ class BourkeParser {
 
 WarpMesh parse_bourke_mesh(std::string_view text, const std::string& file, double half_width) {
   if (!(half_width >= 0.01 && half_width <= 100.0)) {
-    throw Error(file,
-                fmt::format("cannot be read with x from -{0} to {0}: {0} is not between 0.01 and 100", half_width),
-                "give the raster's aspect ratio (width / height), or 1");
+    throw Error(
+        file, fmt::format("cannot be read for a raster with aspect ratio {}, which is outside 0.01 to 100", half_width),
+        "give the aspect ratio (width / height) of the projector's raster, or 1");
   }
   return BourkeParser(text, file, half_width).parse();
 }

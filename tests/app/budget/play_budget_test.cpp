@@ -113,9 +113,10 @@ TEST(PlayBudget, SumsUpHowTheRateWasHeld) {
     budget.note_picture(10.0, 20.0);
   }
   budget.note_picture(10.0, 40.0);
-  EXPECT_THAT(budget.summary_text(),
-              HasSubstr("budget 50fps: 40.00 fps over 4 frames (-20.0 % from the target), 25.0 % of "
-                        "them late, the longest 40 ms; settings changed 0 times, finally step 2 of 3"));
+  EXPECT_THAT(
+      budget.summary_text(),
+      HasSubstr("budget 50fps: 40.00 fps over 4 frames (-20.0 % from the target), 25.0 % of "
+                "them late, the longest 40 ms; settings changed 0 times, ending at step 2 of 3 (1: most accurate)"));
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ TEST_F(BakeCommand, BakesOnceAndTellsWhatItMade) {
   ASSERT_EQ(run("bake moving.toml --out moving.trajectory"), 0);
   EXPECT_THAT(output_, HasSubstr("is already baked"));
   ASSERT_EQ(run("inspect moving.trajectory --picture grid.png --size 64 --time 5"), 0) << output_;
-  EXPECT_THAT(output_, HasSubstr("blending"));
+  EXPECT_THAT(output_, HasSubstr("gap error [px]"));
   EXPECT_EQ(run("inspect moving.trajectory --picture none.png --size 64 --time 11"), 2);
   EXPECT_THAT(output_, HasSubstr("11 s is outside moving.trajectory; choose from 0 to 10 s"));
   EXPECT_TRUE(is_complete_image(folder_ / "grid.png", 64, 64));
