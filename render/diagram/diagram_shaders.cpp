@@ -35,7 +35,7 @@ void main() {
   const vec3 lamp = normalize(vec3(-0.45, 0.6, 1.0));
   float facing = abs(dot(normalize(surface_normal), lamp));
   float dark = mod(floor(surface_checker.x) + floor(surface_checker.y), 2.0) == 1.0 ? surface_checker.z : 1.0;
-  // Veils are thin: light comes through them.
+  // Veils are translucent.
   float shaded = surface_color.a < 1.0 ? 0.7 + 0.3 * facing : 0.35 + 0.65 * facing;
   light = vec4(surface_color.rgb * (dark * shaded * surface_color.a), surface_color.a);
 }
@@ -60,7 +60,7 @@ vec4 clip(vec3 place) {
 }
 void main() {
   line_color = color;
-  // What is before the nearest depth is cut off, so that both ends have a place on the screen.
+  // Clips at the nearest depth, so that both ends have a position on the screen.
   vec3 ends[2] = vec3[2](from, to);
   for (int i = 0; i < 2; ++i) {
     if (-ends[i].z < screen.z && -ends[1 - i].z > screen.z) {
@@ -74,7 +74,7 @@ void main() {
   vec4 end = gl_VertexID < 2 ? a : b;
   float side = (gl_VertexID & 1) == 0 ? -1.0 : 1.0;
   beside = side;
-  // Half a width longer at both ends: neighbours meet without a gap.
+  // Half a width longer at both ends, so that neighbors meet without a gap.
   vec2 shift = vec2(-along.y, along.x) * side + along * (gl_VertexID < 2 ? -0.4 : 0.4);
   end.xy += shift * (0.5 * width) * pixel * end.w;
   gl_Position = end;

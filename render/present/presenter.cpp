@@ -41,8 +41,8 @@ vec3 encoded(vec3 light) {
 constexpr const char* captions_source = R"(#version 450 core
 in vec2 place;
 out vec4 colour;
-layout(binding = 0) uniform sampler2D captions;  // light of a display times coverage
-layout(location = 0) uniform vec2 rows;          // of an eye's picture: where those of the captions begin, and the part that they are
+layout(binding = 0) uniform sampler2D captions;  // light of the display times coverage
+layout(location = 0) uniform vec2 rows;          // captions within the picture of an eye: first row, fraction of the rows
 layout(location = 1) uniform float opacity;
 layout(location = 2) uniform float dimmed;
 vec3 encoded(vec3 light);
@@ -59,13 +59,13 @@ out vec4 colour;
 layout(binding = 0) uniform sampler2D picture;
 layout(location = 0) uniform bool heat_map;
 layout(location = 4) uniform float dimmed;
-layout(location = 3) uniform vec2 part;  // of the picture: where it begins, how wide it is
-layout(location = 5) uniform int rows;   // of the framebuffer, which take turns between this part and the next; 0: they do not
+layout(location = 3) uniform vec2 part;  // part of the picture: begin, width
+layout(location = 5) uniform int rows;   // framebuffer rows that alternate between this part and the next; 0: none
 void main() {
-  // Rows are counted from the framebuffer's top, whatever part of it the picture fills.
+  // Counts rows from the top of the framebuffer, whichever part of it the picture fills.
   bool next = rows > 0 && (rows - 1 - int(gl_FragCoord.y)) % 2 == 1;
   float begin = part.x + (next ? part.y : 0.0);
-  // Nothing of the other eye at the edge where they meet.
+  // Reads nothing of the other eye at the edge between them.
   float half_texel = 0.5 / float(textureSize(picture, 0).x);
   float across = clamp(begin + part.y * place.x, begin + half_texel, begin + part.y - half_texel);
   // The picture's first row is its top.

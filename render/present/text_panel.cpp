@@ -28,7 +28,7 @@ namespace {
 constexpr const char* panel_source = R"(#version 450 core
 in vec2 place;
 out vec4 colour;
-layout(binding = 0) uniform sampler2D text;  // how much letters cover, and how dark the rim about them is
+layout(binding = 0) uniform sampler2D text;  // coverage by letters, darkness of the rim around them
 layout(location = 0) uniform float ground;
 void main() {
   vec2 here = texture(text, vec2(place.x, 1.0 - place.y)).rg;

@@ -37,7 +37,7 @@ out vec2 source_place;
 out vec2 mask_place;
 out float intensity;
 #ifdef HAS_CAPTIONS
-layout(location = 3) uniform vec2 caption_rows;  // of the master: where they begin, and the part that they are
+layout(location = 3) uniform vec2 caption_rows;  // captions within the master: first row, fraction of the rows
 out float gl_ClipDistance[2];
 #endif
 void main() {
@@ -66,7 +66,7 @@ layout(location = 0) uniform vec3 lift;
 layout(location = 1) uniform vec3 gain;
 layout(location = 2) uniform float gamma;
 #ifdef HAS_CAPTIONS
-layout(binding = 3) uniform sampler2D captions;  // light of a display times coverage
+layout(binding = 3) uniform sampler2D captions;  // light of the display times coverage
 layout(location = 3) uniform vec2 caption_rows;
 layout(location = 4) uniform float opacity;
 layout(location = 5) uniform float dimmed;
@@ -80,9 +80,9 @@ void main() {
   }
   light = light * (1.0 - caption.a) + dimmed * caption.rgb;
 #endif
-  // The master's rim is not smeared over what lies beyond it.
+  // Does not extend the rim of the master beyond it.
   light *= float(all(greaterThanEqual(source_place, vec2(0.0))) && all(lessThanEqual(source_place, vec2(1.0))));
-  // As projector_light.h has it.
+  // As in projector_light.h.
   vec3 blended = light * intensity;
 #ifdef HAS_BLEND
   blended *= texture(blend, mask_place).rgb;

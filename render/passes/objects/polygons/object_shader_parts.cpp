@@ -21,7 +21,7 @@ layout(std140, binding = 0) uniform Eyes { vec4 eyes[330]; };
 #ifdef BESIDE
 layout(location = 26) uniform float beside;
 #endif
-// Lagrange's cubic through four nodes from `first` on.
+// Evaluates Lagrange's cubic through four nodes, starting with `first`.
 vec4 cubic_weights(float at, int first) {
   float t = at - float(first);
   return vec4(-(t - 1.0) * (t - 2.0) * (t - 3.0) / 6.0, 0.5 * t * (t - 2.0) * (t - 3.0),
@@ -57,7 +57,7 @@ vec4 read_table(float r_observer, float r, float angle) {
   return read_layer(0, first_column, first_row, across, up);
 #endif
 }
-// An eye, by its parts in the head's rest frame.
+// An eye from its components in the rest frame of the head.
 struct Eye {
   vec3 outward;
   float r;
@@ -66,7 +66,7 @@ struct Eye {
 };
 Eye head() { return Eye(vec3(1.0, 0.0, 0.0), table_range.z, boost, view_from_frame); }
 #ifdef TURNING
-// The eye at a place to the right and to the back of the head, both as parts of its reach.
+// The eye at a position to the right of the head and behind it, as fractions of the reach.
 Eye eye_beside(float p, float q) {
   vec4 outward = vec4(0.0);
   vec4 velocity = vec4(0.0);
@@ -93,7 +93,7 @@ Eye eye_beside(float p, float q) {
   return Eye(normalize(outward.xyz), outward.w, moved, transpose(mat3(right.xyz, up.xyz, back.xyz)));
 }
 #endif
-// `distance` is the affine one, for a photon of energy 1 at infinity.
+// `distance` is the affine distance of a photon with energy 1 at infinity.
 void see(Eye eye, vec3 place, out vec3 direction, out float time, out float distance) {
   float r = length(place);
   float along = dot(place, eye.outward);
@@ -102,7 +102,7 @@ void see(Eye eye, vec3 place, out vec3 direction, out float time, out float dist
   float phi = atan(beside, along);
   bool odd = order % 2 == 1;
   vec4 node = read_table(eye.r, r, odd ? half_turn * float(order - 1) + phi : half_turn * float(order) - phi);
-  // In line with the hole every plane is right; one is taken.
+  // In line with the hole, every plane is valid; this takes one.
   vec3 across = beside > 0.0 ? aside / beside : vec3(0.0, 1.0, 0.0);
   float side = odd ? 1.0 : -1.0;
   float span = length(node.xy);
@@ -110,7 +110,7 @@ void see(Eye eye, vec3 place, out vec3 direction, out float time, out float dist
   time = r * eye.r * span;
   distance = node.w * time;
 }
-// Aberration as kernels/metric/frame_boost.h has it, with the photon's energy there over its energy at rest.
+// Aberration as in kernels/spacetime/kerr/frame_boost.h, and the photon's energy in the moving frame over that at rest.
 vec3 view_direction(Eye eye, vec3 n, out float energy) {
   float along = dot(n, eye.boost.xyz);
   vec3 across = n - along * eye.boost.xyz;
@@ -122,14 +122,14 @@ vec3 view_direction(Eye eye, vec3 n, out float energy) {
   return eye.view * ((across + 0.5 * (with_it - against) * eye.boost.xyz) / energy);
 }
 #ifdef TURNING
-// Where an eye is that looks in a direction of the view: omni_offset() of kernels/trace/omni_camera.h.
+// Position of the eye for a direction of the view: omni_offset() of kernels/eyes/omni/omni_camera.h.
 vec2 eye_offset(vec3 view) {
   float level = sqrt(dot(view.xz, view.xz) + 1e-20);
   float part = clamp((level - turning.z) * turning.w, 0.0, 1.0);
   return part * part * (3.0 - 2.0 * part) * turning.x / level * vec2(-view.z, view.x);
 }
-// A direction of the view that a place is seen in, and what it is in the frame of the eye that sees it there: outwards, and two more. An eye that
-// turns with that direction is found by turns.
+// The direction of the view in which a point appears, in the frame of the eye that sees it there: outward, and two more
+// axes. The eye turns with that direction, so both are found by iteration.
 void look(vec3 place, out vec3 direction, out vec3 view, out float time) {
   Eye eye = head();
   vec3 shift = vec3(0.0);
@@ -139,7 +139,7 @@ void look(vec3 place, out vec3 direction, out vec3 view, out float time) {
     float energy;
     see(eye, place, direction, time, distance_of_it);
     vec3 seen = view_direction(eye, direction, energy);
-    // From a sphere about the head, where both eyes look at one place.
+    // From a sphere around the head on which both eyes see the same point.
     float along = dot(seen, shift);
     vec3 next = shift + (sqrt(max(along * along + 1.0 - dot(shift, shift), 0.0)) - along) * seen;
     bool found = distance(next, view) < 3e-6;
@@ -163,7 +163,7 @@ void look(vec3 place, out vec3 direction, out vec3 view, out float time) {
   see(eye, place, direction, time, affine);
   view = view_direction(eye, direction, energy);
 #ifdef BESIDE
-  // It stands at d n in the head's flat space, and what hides is what is nearer to the eye there: kernels/projection/flat_parallax.h.
+  // The point lies at d n in the flat space of the head; points nearer to the eye hide it (kernels/projection/flat_parallax.h).
   vec3 seen = affine / table_range.w * energy * view - vec3(beside, 0.0, 0.0);
   time = length(seen);
   view = seen / max(time, 1e-30);
@@ -204,7 +204,7 @@ float lens_radius(float angle) {
   }
   return angle / lens.z;
 }
-// On the dome: to the right, to the front, to its zenith.
+// On the dome: right, front, zenith.
 vec3 dome_place(vec3 view) {
   vec3 at = view;
   if (viewer.w > 0.0) {
@@ -238,13 +238,13 @@ bool torn_by_projection(vec3 a, vec3 b, vec3 c) {
     vec3 p = dome_place(a);
     vec3 q = dome_place(b);
     vec3 r = dome_place(c);
-    // Opposite the zenith one direction is a whole circle; an orthographic lens sees nothing behind it.
+    // Opposite the zenith, one direction is a whole circle. An orthographic lens sees nothing behind it.
     float highest = max(p.z, max(q.z, r.z));
     float lowest = min(p.z, min(q.z, r.z));
     return (law == 3 && lowest < 0.0) || (highest < -0.3 && (wide(p.xy, q.xy) || wide(q.xy, r.xy) || wide(r.xy, p.xy)));
   }
   if (kind == equirectangular || kind == cylinder) {
-    // About the poles one direction is a whole row.
+    // At the poles, one direction is a whole row.
     return min(abs(a.y), min(abs(b.y), abs(c.y))) > 0.9 && (wide(a.xz, b.xz) || wide(b.xz, c.xz) || wide(c.xz, a.xz));
   }
   return false;

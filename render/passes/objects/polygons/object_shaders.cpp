@@ -52,7 +52,7 @@ float level(int from, int to, int between) {
   float share = len > 0.0 ? tessellation.y * pow(bow / len, tessellation.z) : 0.0;
   return max(1.0, tessellation.x * clamp(share, 0.0, 1.0));
 }
-// Corners, and the middles of the edges opposite to them.
+// Corners, and the midpoints of the opposite edges.
 void see_ends_and_middles() {
   for (int i = 0; i < 6; ++i) {
     vec3 place = i < 3 ? corner_place[i] : 0.5 * (corner_place[(i + 1) % 3] + corner_place[(i + 2) % 3]);
@@ -74,7 +74,7 @@ void main() {
     vec3 levels = vec3(1.0);
     if (tessellation.x > 1.0) {
       see_ends_and_middles();
-      // What is behind a flat screen altogether need not be fine: there are five such of a cube's.
+      // Triangles entirely behind a flat screen can be coarse: five faces of a cube have such triangles.
       if (is_seen[0] || is_seen[1] || is_seen[2] || is_seen[3] || is_seen[4] || is_seen[5]) {
         levels = vec3(level(1, 2, 3), level(2, 0, 4), level(0, 1, 5));
       }
@@ -109,7 +109,7 @@ void main() {
   float time;
   look(seen_place, seen_direction, seen_view, time);
   flat_direction = normalize(seen_place - vec3(table_range.z, 0.0, 0.0));
-  // Depth is the time that light takes, from 0 to 1.
+  // Depth is the light travel time, scaled from 0 to 1.
   gl_Position = clip_place(seen_view, time / (time + table_range.z));
 }
 )";
@@ -138,7 +138,7 @@ bool torn_by_hole() {
     around += distance(seen_direction[i], seen_direction[(i + 1) % 3]);
     around_flat += distance(flat_direction[i], flat_direction[(i + 1) % 3]);
   }
-  // What spans little of the ring about the hole is a good triangle still, however much it is magnified.
+  // A triangle that spans little of the ring around the hole is kept, however much it is magnified.
   float widest = 1.0;
   for (int i = 0; i < 3; ++i) {
     vec2 one = seen_direction[i].yz;
@@ -190,7 +190,7 @@ in vec2 texture_place;
 in vec3 corner_light;
 layout(location = 0) out vec4 shown;
 float lapse(float r) { return sqrt((r - 2.0) / r); }
-// Light that comes to a surface along the shorter (side 1) or the longer way (side -1): eqs. 20 and 21.
+// Light that reaches a surface along the shorter way (side 1) or the longer way (side -1): eqs. 20 and 21.
 float illuminance(float side) {
   float r = length(place);
   float r_light = light_table_range.z;
@@ -209,7 +209,7 @@ float illuminance(float side) {
   vec3 radial = place / r;
   vec3 onward = side * (cos(phi) * across - sin(phi) * outward);
   vec3 to_light = emission.x * radial - emission.y * onward;
-  // Lengths along the radius are longer than coordinates; a normal shrinks there.
+  // Radial lengths exceed coordinate differences, so the radial component of a normal shrinks.
   vec3 n = normalize(normal);
   vec3 measured = normalize(n + (lapse(r) - 1.0) * dot(n, radial) * radial);
   return light.w * max(0.0, dot(measured, to_light)) / (time * time);
