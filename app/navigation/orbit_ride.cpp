@@ -14,9 +14,9 @@ namespace {
 
 //! Duration of one revolution, unless the visitor hurries.
 constexpr double round_s = 40.0;
-//! Time in which the remaining proper time of a fall through the horizon decreases to 1/e, except
-//! for its last part [M].
+//! Viewer's time in which the remaining proper time of a fall through the horizon decreases to 1/e.
 constexpr double fall_s = 6.0;
+//! Proper time that is added to the remaining one, so that the fall reaches its end [M].
 constexpr double last_own_time = 0.01;
 //! Fraction of the comfortable acceleration that the orbit itself may take.
 constexpr double bend_part = 0.3;

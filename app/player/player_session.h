@@ -102,8 +102,8 @@ class PlayerSession {
   void look_as_other(const CameraPose& in_zamo);
   //! Returns the observer of a path with a velocity.
   [[nodiscard]] ObserverView observer_at(const Vector3<double>& velocity) const;
-  //! Returns the proper time of a camera that falls through the horizon [M]; nothing if it does
-  //! not, or if another observer is chosen.
+  //! Returns the proper time that has passed since a camera began to fall through the horizon [M];
+  //! nothing if it does not fall, or if another observer is chosen.
   [[nodiscard]] std::optional<double> own_time_of_fall();
   //! Records the frame's pose and the observer's velocity.
   void note_flight();

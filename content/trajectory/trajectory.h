@@ -41,7 +41,8 @@ struct StationEntry {
   std::uint32_t leaves = 0;
   std::uint32_t disk_bytes = 0;         //!< of the frame with its disk layers, which follows; 0 without disk layers
   std::uint32_t disk_memory_bytes = 0;  //!< of these after decompression
-  float disk_gap_error_px = 0.0F;       //!< like gap_error_px, for the disk and what shows it
+  float disk_gap_error_px =
+      0.0F;  //!< like gap_error_px, for the disk's layers; 0 without, 1e30 if they cannot be blended
 };
 
 //! An interval between two stations that blends accurately enough, or as accurately as possible.

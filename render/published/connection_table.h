@@ -12,7 +12,7 @@ namespace ergodome {
 //! of a turn from the shadow's edge.
 inline constexpr int most_connection_orders = 16;
 
-//! Maximum radius in tables [M]; farther out the closed form is used.
+//! Maximum radius in tables [M]; larger radii are refused and need the closed form.
 inline constexpr double farthest_of_table = 1e6;
 
 //! Ranges and sizes of a table of connecting rays; M = 1. The defaults are those of Müller, Schulz

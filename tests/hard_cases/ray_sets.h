@@ -4,7 +4,7 @@
 
 #include "tests/hard_cases/hard_case.h"
 
-// Directions near the hard features of a camera's sky.
+// Directions in a camera's sky: over all of it, and near its hard features.
 namespace ergodome::test {
 
 //! Returns directions spread evenly over the whole sky, the same for each camera.

@@ -22,8 +22,8 @@ struct PathMark {
   CameraPose pose;
 };
 
-//! Returns the keys of as few marks as keep the path within the tolerance of all marks, sorted by
-//! time. The first, the last and the mark with index `always` are included. `path` has all other
+//! Returns the keys of few marks, chosen greedily, with which the path is within the tolerance of all
+//! marks, sorted by time. The first, the last and the mark with index `always` are included. `path` has all other
 //! settings of the camera.
 std::vector<CameraKey> fewest_keys(const std::vector<PathMark>& marks, std::size_t always, Show path,
                                    const RecordTolerance& tolerance);

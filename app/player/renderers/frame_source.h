@@ -24,7 +24,8 @@ struct PictureRequest {
   std::vector<Caption> captions;  //!< captions that are not part of the show
   double captions_opacity = 0.0;
   int size_px = 0;  //!< width of one eye's image
-  //! Size of the window that captions are laid over; absent: they are drawn in the picture.
+  //! Size of the window that captions are laid over. Absent: they are laid over the projectors'
+  //! images if these are finer than the picture, otherwise drawn in the picture.
   std::optional<ImageSize> window;
   //! Width of a domemaster as fine as the projectors [px]; 0: no projectors.
   int projectors_px = 0;

@@ -7,8 +7,8 @@
 // Draws the disk for one eye of the stereo model `flat` from a grid.
 namespace ergodome::inline ERGO_TARGET {
 
-//! Samples of a register's pixels that a grid leaves to rays. They are collected until they fill a
-//! register.
+//! Samples of a register's pixels that a grid leaves to rays. All are collected first, then
+//! traced in full registers; the last one may be partly filled.
 template <class T>
 struct LeftSamples {
   static constexpr int most = RealTraits<T>::lane_count * near_samples * near_samples;

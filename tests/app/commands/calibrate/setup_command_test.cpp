@@ -27,7 +27,8 @@ constexpr const char* setup_of_two =
 constexpr const char* show_on_dome =
     "duration_s = 0.1\n[hole]\nspin = 0.9\n[camera]\n[[camera.key]]\nr = 8\n[sky]\nmap = \"sky.png\"\n";
 
-//! Renders the pictures of a setup's projectors, with or without a display.
+//! Runs commands (render, play, calibrate) with a setup of two projectors, headless or on a virtual
+//! display.
 class SetupCommands : public CommandLine {
  protected:
   void SetUp() override {
