@@ -230,7 +230,9 @@ void add_bake_command(CLI::App& app) {
       ->check([](const std::string& text) {
         return part_of(text) ? std::string() : "\"" + text + "\" does not name a part; write K/N, for instance 2/4";
       });
-  command->add_option("--size", options->size_px, "width of the frames in pixels (default: the show's)")
+  command
+      ->add_option("--size", options->size_px,
+                   "image width in pixels for which the error budget holds (default: the show's)")
       ->check(CLI::Range(1, 16384));
   command->add_option("--budget", options->budget_px, "accepted error in pixels (default: the show's)")
       ->check(number_between(1e-3, 100.0));
