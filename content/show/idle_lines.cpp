@@ -90,13 +90,9 @@ void add_objects(const Show& show, Idle& idle) {
       idle.add({of + "retarded"}, "is used only by objects on an orbit");
     }
     if (show.objects[i].method != ObjectMethod::polygon) {
-      constexpr const char* why = "is used only with method = \"polygon\"";
-      const std::string table = of + "tessellation";
-      if (show.lines.contains(table + ".torn")) {
-        // Diagrams of traced objects use `torn`.
-        idle.add({table + ".most", table + ".factor", table + ".power"}, why);
-      } else {
-        idle.add({table}, why);
+      // Diagrams of traced objects use `torn`, which is in the same table.
+      if (show.objects[i].torn == ObjectSettings().torn) {
+        idle.add({of + "tessellation"}, "is used only with method = \"polygon\"");
       }
     }
   }

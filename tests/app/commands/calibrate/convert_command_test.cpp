@@ -225,7 +225,7 @@ TEST_F(ConvertCommand, ATiltWrittenBesidePlacesOfMpcdiTiltsShowsAgain) {
   EXPECT_THAT(output_, HasSubstr("its positions include tilt_deg and rotation_deg, which MPCDI does not store: for "
                                  "level test patterns, keep the original setup"));
   ASSERT_EQ(run("convert a.mpcdi again.toml --radius 6"), 0) << output_;
-  EXPECT_THAT(output_, HasSubstr("keep tilt_deg and rotation_deg at 0: shows are correct"));
+  EXPECT_THAT(output_, HasSubstr("keep tilt_deg and rotation_deg at 0: shows are then correct"));
   EXPECT_LT(farthest_apart(pictures_of("dome.toml")[0].warp, pictures_of("again.toml")[0].warp), 1e-4);
   std::string with_tilt = text("again.toml");
   with_tilt.replace(with_tilt.find("[dome]"), 6, "[dome]\ntilt_deg = 15");

@@ -36,7 +36,7 @@ TEST(HidFixture, NamesFileLineAndRemedy) {
               HasSubstr("f.toml:4: device[1].busk is not a known key; did you mean \"bus\""));
   EXPECT_THAT(problem_of(pad + "[[device.event]]\nhex = \"0\"\n"), HasSubstr("middle of a byte"));
   EXPECT_THAT(problem_of(pad + "[[device.event]]\nhex = \"zz\"\n"), HasSubstr("not a list of bytes in hex"));
-  EXPECT_THAT(problem_of(pad + "[[device.event]]\nt_ms = 1\n"), HasSubstr("not exactly one event"));
+  EXPECT_THAT(problem_of(pad + "[[device.event]]\nt_ms = 1\n"), HasSubstr("is not the only event in this table"));
   EXPECT_THAT(problem_of("[[device]]\nvid = \"54c\"\npid = \"05c4\"\n"), HasSubstr("not four hexadecimal digits"));
   EXPECT_THAT(problem_of(pad + "usage = \"pad\"\n"), HasSubstr("is not a HID usage"));
 }
