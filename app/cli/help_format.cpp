@@ -98,7 +98,7 @@ std::string HelpFormat::make_option_opts(const CLI::Option* option) const {
 
 std::string HelpFormat::make_option_desc(const CLI::Option* option) const {
   const std::string type = option->get_type_name();
-  const std::string described = option->get_description();
+  const std::string& described = option->get_description();
   const std::size_t end = described.ends_with(')') ? described.rfind(" (default: ") : std::string::npos;
   std::string text = described.substr(0, end);
   if (const std::string choices = choices_of(type, text); !choices.empty()) {
