@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "app/commands/run_cost.h"
+#include "app/cli/quantity_text.h"
 #include "content/files/console.h"
 
 namespace ergodome {

@@ -14,12 +14,6 @@
 
 namespace ergodome {
 
-//! Steering input of a frame.
-struct SteeringInput {
-  Steering rates;    //!< keys and sticks: while they are held
-  Steering amounts;  //!< mouse: turns in radians, ways in distances, zoom in steps
-};
-
 //! A camera that follows a show's path or is flown by a visitor, within the limits of the show and
 //! of comfort. Has no window and no clock.
 class Navigator {

@@ -13,7 +13,7 @@
 #include "app/commands/render/frame_request.h"
 #include "app/commands/render/made_files.h"
 #include "app/commands/render/render_options.h"
-#include "app/commands/run_cost.h"
+#include "app/commands/render/run_cost.h"
 #include "render/frame/show_renderer.h"
 #include "render/output/frame_format.h"
 #include "render/output/stereo_layout.h"

@@ -17,4 +17,10 @@ struct Steering {
   bool operator==(const Steering&) const = default;
 };
 
+//! Steering input of a frame.
+struct SteeringInput {
+  Steering rates;    //!< keys and sticks: while they are held
+  Steering amounts;  //!< mouse: turns in radians, ways in distances, zoom in steps
+};
+
 }  // namespace ergodome

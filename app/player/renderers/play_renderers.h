@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/cli/lens_options.h"
-#include "app/player/note_board.h"
+#include "app/player/renderers/note_board.h"
 #include "app/player/renderers/renderer_loader.h"
 
 namespace ergodome {

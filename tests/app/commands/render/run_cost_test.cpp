@@ -1,4 +1,4 @@
-#include "app/commands/run_cost.h"
+#include "app/commands/render/run_cost.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -28,18 +28,6 @@ TEST(RunCost, IsToldInWordsOfItsSize) {
   EXPECT_EQ(run_cost_text(1, {0.5, 2'000}), "1 frame: about 0.5 s, 2 kB");
   EXPECT_EQ(run_cost_text(1'234'567, {0.25, 10'000'000}), "1,234,567 frames, about 0.25 s each: 3 d 13 h, 12 TB");
   EXPECT_EQ(run_cost_text(3, {0.001, 10}), "3 frames, about 10 ms or less each: 10 ms or less, 30 bytes");
-}
-
-TEST(RunCost, HasUnitsOfSizeAndTime) {
-  EXPECT_EQ(size_text(0), "0 bytes");
-  EXPECT_EQ(size_text(999), "999 bytes");
-  EXPECT_EQ(size_text(999'600), "1 MB");
-  EXPECT_EQ(size_text(1'500'000'000), "1.5 GB");
-  EXPECT_EQ(duration_text(59.0), "59 s");
-  EXPECT_EQ(duration_text(59.9), "1 min");
-  EXPECT_EQ(duration_text(3600.0), "1 h");
-  EXPECT_EQ(duration_text(7800.0), "2 h 10 min");
-  EXPECT_EQ(duration_text(86'400.0 * 3 + 3600.0 * 4), "3 d 4 h");
 }
 
 TEST(DiskRoom, IsToldWhereItIsTooLittle) {

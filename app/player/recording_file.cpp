@@ -1,4 +1,4 @@
-#include "app/player/recording/recording_file.h"
+#include "app/player/recording_file.h"
 
 #include "app/player/recording/numbered_records.h"
 #include "content/files/atomic_file.h"

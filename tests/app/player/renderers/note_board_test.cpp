@@ -1,4 +1,4 @@
-#include "app/player/note_board.h"
+#include "app/player/renderers/note_board.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,15 +1,13 @@
-#include "app/commands/run_cost.h"
+#include "app/commands/render/run_cost.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
-#include <cmath>
 #include <cstdlib>
-#include <string_view>
 #include <vector>
 
+#include "app/cli/quantity_text.h"
 #include "kernels/core/error.h"
 #include "render/output/color_bar.h"
 #include "render/output/image_writer.h"
@@ -65,51 +63,7 @@ RunFrameCost cost_of(ShowRenderer& renderer, const ViewChoice& choice, const Fra
   return cost;
 }
 
-//! Formats a count with commas between thousands, in any locale.
-std::string grouped(long count) {
-  std::string digits = std::to_string(count);
-  for (std::size_t end = digits.size(); end > 3;) {
-    end -= 3;
-    digits.insert(end, ",");
-  }
-  return digits;
-}
-
-//! Rounds to two significant digits, or to an integer from 10 on; without an exponent.
-std::string rounded(double number) {
-  return number >= 9.95 ? fmt::format("{:.0f}", number) : fmt::format("{:.2g}", number);
-}
-
 }  // namespace
-
-std::string size_text(std::uintmax_t bytes) {
-  constexpr std::array units = {"bytes", "kB", "MB", "GB", "TB", "PB"};
-  auto size = static_cast<double>(bytes);
-  std::size_t unit = 0;
-  while (size >= 999.5 && unit + 1 < units.size()) {
-    size /= 1000.0;
-    ++unit;
-  }
-  return fmt::format("{} {}", unit == 0 ? std::to_string(bytes) : rounded(size), units[unit]);
-}
-
-std::string duration_text(double seconds) {
-  if (seconds < 59.5) {
-    return seconds < 0.01 ? "10 ms or less" : rounded(seconds) + " s";
-  }
-  const auto minutes = static_cast<long>(std::min(std::round(seconds / 60.0), 1e15));
-  const auto two = [](long large, const char* large_unit, long small, const char* small_unit) {
-    return small == 0 ? fmt::format("{} {}", grouped(large), large_unit)
-                      : fmt::format("{} {} {} {}", grouped(large), large_unit, small, small_unit);
-  };
-  constexpr long hour = 60;
-  constexpr long day = 24 * hour;
-  if (minutes < hour) {
-    return fmt::format("{} min", minutes);
-  }
-  return minutes < day ? two(minutes / hour, "h", minutes % hour, "min")
-                       : two(minutes / day, "d", minutes % day / hour, "h");
-}
 
 std::string run_cost_text(long frames, const RunFrameCost& frame) {
   const double bytes = static_cast<double>(frames) * static_cast<double>(frame.bytes);

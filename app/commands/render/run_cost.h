@@ -19,13 +19,6 @@ struct RunFrameCost {
 //! prepares data that all frames share.
 inline constexpr double slow_frame_s = 2.0;
 
-//! Formats a size with three digits: "25 kB", "1.1 GB"; in powers of 1000, as disks are sold.
-std::string size_text(std::uintmax_t bytes);
-
-//! Formats a duration in its two largest units: "0.25 s", "45 s", "30 min", "2 h 10 min", "3 d 4
-//! h".
-std::string duration_text(double seconds);
-
 //! Describes the time and disk space of a run: "1,800 frames, about 1 s each: 30 min, 1.1 GB".
 std::string run_cost_text(long frames, const RunFrameCost& frame);
 

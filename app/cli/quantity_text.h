@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+// Counts, sizes and durations in words.
+
+namespace ergodome {
+
+//! Formats a count with commas between thousands, in any locale.
+std::string grouped(long count);
+
+//! Formats a size with three digits: "25 kB", "1.1 GB"; in powers of 1000, as disks are sold.
+std::string size_text(std::uintmax_t bytes);
+
+//! Formats a duration in its two largest units: "0.25 s", "45 s", "30 min", "2 h 10 min", "3 d 4
+//! h".
+std::string duration_text(double seconds);
+
+}  // namespace ergodome
