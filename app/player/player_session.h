@@ -9,7 +9,7 @@
 #include "app/navigation/navigator.h"
 #include "app/navigation/observer_mode.h"
 #include "app/playback/playback.h"
-#include "app/player/recording/flight_recorder.h"
+#include "app/player/recording/session_recording.h"
 #include "app/player/renderers/player_frame.h"
 
 namespace ergodome {
@@ -19,6 +19,7 @@ struct PlayerInput {
   SteeringInput steering;
   std::vector<KeyAction> actions;          //!< from keys, controllers and the mouse
   std::vector<TransportCommand> commands;  //!< from OSC and the status page
+  double display_delay_s = 0.0;            //!< OutputWish::display_delay_s
 };
 
 struct SessionOptions {
@@ -70,10 +71,10 @@ class PlayerSession {
   [[nodiscard]] std::string caption() const;
 
   //! Starts recording the flight; discards an earlier recording.
-  void record();
+  void record() { recording_.begin(); }
   //! Returns the recorded flight as a show; nothing if there is none.
   [[nodiscard]] std::optional<Show> recorded(const std::string& title) const;
-  [[nodiscard]] bool recording_full() const { return recorder_ && recorder_->full(); }
+  [[nodiscard]] bool recording_full() const { return recording_.full(); }
 
   void fill(PlayerStatus& status) const;
   [[nodiscard]] Playback& playback() { return playback_; }
@@ -89,6 +90,8 @@ class PlayerSession {
   void adjust_stereo(KeyAction action);
   void tell_of_replaced_eyes();
   void navigate(const PlayerInput& input, double seconds);
+  //! Returns the show time for which the next picture is rendered: 0 if the show has no duration.
+  [[nodiscard]] double picture_time_s() const;
   //! Updates the frame. `shown_time_s` is the show time of the previous frame.
   void look(double seconds, double shown_time_s);
   //! Returns whether a visible caption or an overlay is present at a show time.
@@ -102,16 +105,8 @@ class PlayerSession {
   void look_as_other(const CameraPose& in_zamo);
   //! Returns the observer of a path with a velocity.
   [[nodiscard]] ObserverView observer_at(const Vector3<double>& velocity) const;
-  //! Returns the proper time that has passed since a camera began to fall through the horizon [M];
-  //! nothing if it does not fall, or if another observer is chosen.
-  [[nodiscard]] std::optional<double> own_time_of_fall();
-  //! Records the frame's pose and the observer's velocity.
-  void note_flight();
-  //! Ends a recording that is beyond return, of a flight in this scene: its fall cannot continue
-  //! around a hole of another spin.
-  void end_record_in(const Show& scene);
-  //! Reports that a fall has ended the recording, which is a show of this scene.
-  void tell_record_ends(const Show& scene);
+  //! Ends the recording of a flight in this scene, which a fall has ended.
+  void end_recording(const Show& scene);
   //! Returns the show with its current numbers and the operator's stereo settings.
   [[nodiscard]] Show scene_now() const;
   //! Returns the show's stereo settings with the operator's changes.
@@ -129,11 +124,7 @@ class PlayerSession {
   ObserverFade observer_fade_;
   //! Radius at which the camera began to fall through the horizon [M].
   double other_eyes_from_r_ = 1e300;
-  std::optional<FlightRecorder> recorder_;
-  //! The show at the time when a fall through the horizon ended the recording.
-  std::optional<Show> ended_record_scene_;
-  //! Proper time of a fall before a ride continues it [M].
-  double own_time_before_ride_ = 0.0;
+  SessionRecording recording_;
 
   ViewMode mode_ = ViewMode::sky;
   double zoom_steps_ = 0.0;
@@ -149,6 +140,7 @@ class PlayerSession {
   bool begun_ = false;
   bool changed_ = true;
   double touched_s_ = -1e300;
+  double display_delay_s_ = 0.0;  //!< of the last input
   std::vector<KeyAction> requests_;
 };
 
