@@ -22,10 +22,12 @@
 #include "app/exhibit/log_file.h"
 #include "app/exhibit/restarts.h"
 #include "app/playback/midi_time_code.h"
+#include "app/player/outputs/dome_output.h"
 #include "app/player/player.h"
 #include "app/player/recording/numbered_records.h"
 #include "app/player/renderers/play_renderers.h"
 #include "content/files/console.h"
+#include "content/files/reading_stop.h"
 #include "content/show/animatable_number.h"
 #include "render/output/stereo_layout.h"
 
@@ -41,6 +43,9 @@ struct PlayArguments {
   std::string objects;
   std::string stereo;
   std::string setup;
+  std::optional<ProjectorOptions> projectors;  //!< of the setup
+  bool hide_control = false;
+  bool full_screen = false;
   bool size_given = false;
   std::optional<double> tilt_deg;
   std::optional<double> baseline;
@@ -66,13 +71,29 @@ std::string key_help() {
 
 //! Reads the dome setup for the projectors.
 void use_setup(PlayArguments& arguments) {
-  PlayOptions& options = arguments.options;
-  options.setup = read_dome_setup(arguments.setup);
-  options.projectors = projector_pictures(*options.setup);
-  options.projectors_px = enough_master_px(options.projectors);
+  ProjectorOptions& projectors = arguments.projectors.emplace();
+  projectors.setup = read_dome_setup(arguments.setup);
+  projectors.pictures = projector_pictures(projectors.setup);
+  projectors.master_px = enough_master_px(projectors.pictures);
+  projectors.hide_control = arguments.hide_control;
   if (!arguments.size_given) {
-    options.size_px = options.projectors_px;
+    arguments.options.size_px = projectors.master_px;
   }
+}
+
+//! Opens the output that shows the pictures of a show. Eyes that layouts store separately are side
+//! by side in the window; those of quad_buffer and rows each fill it.
+std::unique_ptr<Output> open_output(const PlayArguments& arguments, const Show& show) {
+  const Projection projection = make_projection(show.view, arguments.options.size_px, 0.0);
+  const StereoLayout layout = show.stereo.layout;
+  WindowOptions window;
+  window.size = window_picture_size(layout, {projection.width_px, projection.height_px});
+  window.full_screen = arguments.full_screen || arguments.exhibit;
+  window.eye_buffers = layout == StereoLayout::quad_buffer;
+  if (arguments.projectors) {
+    return std::make_unique<DomeOutput>(window, *arguments.projectors);
+  }
+  return std::make_unique<WindowOutput>(window);
 }
 
 //! Loads a show and applies the options of the command line.
@@ -80,15 +101,15 @@ Show loaded_show(const PlayArguments& arguments, const std::string& name) {
   Show show = load_show(name, arguments.set);
   override_view(show, arguments.projection, arguments.stereo);
   override_baseline(show, arguments.baseline);
-  override_tilt(show, arguments.tilt_deg, arguments.options.setup.has_value());
+  override_tilt(show, arguments.tilt_deg, arguments.projectors.has_value());
   override_objects(show, arguments.objects);
   if (has_face_files(show.view)) {
     // A window shows all faces in one image.
     show.view.cube_files = CubeFiles::cross;
   }
   show.stereo.tint_eyes = show.stereo.tint_eyes || arguments.tint_eyes;
-  if (arguments.options.setup) {
-    fit_to_setup(show, *arguments.options.setup, arguments.stereo);
+  if (arguments.projectors) {
+    fit_to_setup(show, arguments.projectors->setup, arguments.stereo);
   }
   require_features(show);
   return show;
@@ -177,7 +198,7 @@ void run(PlayArguments arguments) {
     require_used_memory(show, arguments.lens);
   }
   tell_equal_eyes(show);
-  if (keeps_eyes_apart(show.stereo.layout) && !options.setup) {
+  if (keeps_eyes_apart(show.stereo.layout) && !arguments.projectors) {
     print_note("the window shows stereo layout {} side by side; only render writes separate images",
                stereo_layout_names[static_cast<std::size_t>(show.stereo.layout)]);
   }
@@ -187,7 +208,10 @@ void run(PlayArguments arguments) {
       renderer_maker({backend, arguments.backend == "auto", arguments.lens, options.size_px, arguments.budget.empty(),
                       options.notes, arguments.options.language});
   std::shared_ptr<ShowRenderer> first = use_budget(arguments, show, make);
-  Player(show, with_first(make, show.name, std::move(first)), options).run();
+  Player player(show, with_first(make, show.name, std::move(first)), open_output(arguments, show), options);
+  player.run();
+  // The player does not wait for threads that are still loading.
+  stop_reading();
 }
 
 //! Runs the player. In an exhibit, restarts after crashes and logs why it cannot start.
@@ -238,7 +262,7 @@ void add_dome_options(CLI::App& command, PlayArguments& arguments, IdleOptions& 
       command.add_option("--setup", arguments.setup, "dome setup (.toml): also open a window for each projector")
           ->type_name("FILE");
   command
-      .add_flag("--no-control", arguments.options.hide_control,
+      .add_flag("--no-control", arguments.hide_control,
                 "with --setup: open only the projectors' windows; keys work in them")
       ->needs(setup);
   idle.add("with --setup, which fixes the projection",
@@ -318,7 +342,7 @@ void add_play_command(CLI::App& app) {
       command->add_option("--size", arguments->options.size_px, "width of one eye's image in pixels")
           ->check(CLI::Range(16, 8192))
           ->capture_default_str();
-  command->add_flag("--full-screen", arguments->options.full_screen, "fill the monitor");
+  command->add_flag("--full-screen", arguments->full_screen, "fill the monitor");
   command->add_flag("--fly", arguments->options.free_flight, "start in free flight");
   command->add_option("--for", arguments->options.for_seconds, "quit N seconds after the first frame")
       ->check(number_between(0.0, 1e9));

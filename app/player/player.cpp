@@ -7,42 +7,27 @@
 #include <utility>
 
 #include "app/cli/interrupt.h"
+#include "app/cli/lens_options.h"
 #include "app/cli/show_loading.h"
 #include "app/exhibit/supervisor.h"
 #include "app/pads/hid/hid_fixture.h"
 #include "app/pads/pad_settings.h"
 #include "app/player/player_texts.h"
-#include "content/files/reading_stop.h"
+#include "content/files/console.h"
+#include "content/files/counted.h"
 #include "kernels/core/angles.h"
 #include "render/output/stereo_layout.h"
+#include "render/passes/overlay/camera_readout.h"
 
 namespace ergodome {
 
 namespace {
 
-//! Number of consecutive failed frames after which the renderer is rebuilt.
-constexpr int most_failures = 5;
-
-//! Returns the options of the window for a show. Eyes that layouts store separately are side by
-//! side in the window; those of quad_buffer and rows each fill it.
-ScreenOptions screen_options(const Show& show, const PlayOptions& options) {
-  const Projection projection = make_projection(show.view, options.size_px, 0.0);
-  const StereoLayout layout = show.stereo.layout;
-  const ImageSize size = window_picture_size(layout, {projection.width_px, projection.height_px});
-  return {size.width,
-          size.height,
-          options.full_screen || options.exhibit,
-          layout == StereoLayout::quad_buffer,
-          options.setup,
-          options.projectors,
-          options.hide_control};
-}
-
-SessionOptions session_options(const PlayOptions& options, bool free_flight, WindowBuffers buffers) {
+SessionOptions session_options(const PlayOptions& options, bool free_flight, const Output& output) {
   return {.free_flight = free_flight,
           .language = options.language,
-          .one_eye = options.setup.has_value(),
-          .plain_window = buffers == WindowBuffers::plain};
+          .one_eye = output.is_dome(),
+          .plain_window = !output.has_eye_buffers()};
 }
 
 std::unique_ptr<HidApi> hid_api(const PlayOptions& options) {
@@ -74,24 +59,21 @@ PadSettings pad_settings(const PlayOptions& options) {
 
 }  // namespace
 
-Player::Player(const Show& show, const RendererLoader::Make& make, const PlayOptions& options)
+Player::Player(const Show& show, const RendererLoader::Make& make, std::unique_ptr<Output> output,
+               const PlayOptions& options)
     : options_(options),
-      screen_(screen_options(show, options)),
-      renderers_(make),
+      output_(std::move(output)),
       inputs_(read_or_usual(options.exhibit.has_value(), damage_, [&] { return load_controls(options.controls); })),
       pads_(hid_api(options),
             read_or_usual(options.exhibit.has_value(), damage_, [&] { return pad_settings(options); })),
-      pictures_([this](const PictureAnswer& answer) { screen_.show(answer); }, options.size_px),
+      pictures_(make, *output_, options.size_px, options.budget),
       services_(options.services, show),
       recording_(options.record, options.exhibit ? RecordingFile::Names::numbered : RecordingFile::Names::one) {
-  if (options_.budget) {
-    budget_.emplace(*options_.budget);
-  }
   Show first = show;
   if (options_.exhibit) {
     exhibit_.emplace(*options_.exhibit, show, options_.load(options_.exhibit->attract));
     first = exhibit_->show();
-    renderers_.prepare(ExhibitScene::visitor, show);
+    pictures_.renderers().prepare(ExhibitScene::visitor, show);
     services_.watch(show, options_.read_at, options_.load);
     inputs_.set_lock(InputLock::visitors);
     services_.tell(spdlog::level::warn, exhibit_->damage());
@@ -100,13 +82,10 @@ Player::Player(const Show& show, const RendererLoader::Make& make, const PlayOpt
       services_.tell(spdlog::level::warn, damage);
     }
   }
-  if (options_.full_screen || exhibit_) {
-    screen_.window().hide_cursor();
-  }
-  renderers_.prepare(ExhibitScene::attract, first);
-  renderers_.enter(ExhibitScene::attract, first);
+  pictures_.renderers().prepare(ExhibitScene::attract, first);
+  pictures_.renderers().enter(ExhibitScene::attract, first);
   begin(first, options_.free_flight && !exhibit_);
-  if (first.stereo.layout == StereoLayout::quad_buffer && screen_.window().buffers() == WindowBuffers::plain) {
+  if (first.stereo.layout == StereoLayout::quad_buffer && !output_->has_eye_buffers()) {
     services_.tell(spdlog::level::warn,
                    "the graphics driver does not support quad-buffer stereo; the eyes are shown side by side");
   }
@@ -121,7 +100,7 @@ Player::~Player() = default;
 void Player::begin(const Show& show, bool free_flight) {
   // A blackout was set by an operator, so visitors cannot end it.
   const bool dark = exhibit_ && session_ && session_->playback().dark();
-  session_.emplace(show, session_options(options_, free_flight, screen_.window().buffers()));
+  session_.emplace(show, session_options(options_, free_flight, *output_));
   eye_notice_.begin();
   session_->show_times(options_.times_shown);
   // The attract show is not a visitor's flight.
@@ -142,10 +121,10 @@ void Player::begin(const Show& show, bool free_flight) {
 }
 
 void Player::run() {
-  while (!screen_.closed() && !interrupted()) {
+  while (!output_->closed() && !interrupted()) {
     advance();
-    if (draws_now()) {
-      screen_.draw();
+    if (pictures_.shows_now(session_->now_s())) {
+      output_->show();
     }
     end_in_time();
     tell_supervisor_alive(session_->now_s());
@@ -162,37 +141,21 @@ void Player::run() {
     print_statistics();
   }
   if (!options_.screenshot.empty()) {
-    screen_.save_screenshot(options_.screenshot);
+    output_->save_screenshot(options_.screenshot);
   }
   if (exhibit_) {
     services_.tell(spdlog::level::info, end_text());
   }
-  // Does not wait for other threads that are still loading.
-  stop_reading();
-}
-
-bool Player::draws_now() {
-  constexpr double longest_s = 0.04;
-  const double now_s = session_->now_s();
-  // Drawing the window takes time from the next frame.
-  const bool rate = budget_ && budget_->plan().budget.frame_rate_hz;
-  if (rate && drawn_pictures_ == pictures_.report().pictures && now_s < drawn_s_ + longest_s) {
-    return false;
-  }
-  drawn_pictures_ = pictures_.report().pictures;
-  drawn_s_ = now_s;
-  return true;
 }
 
 void Player::advance() {
-  const std::vector<WindowEvent> events = screen_.events();
+  const std::vector<WindowEvent> events = output_->events();
   pad_snapshot_ = pads_.snapshot();
-  int width = 0;
-  int height = 0;
-  screen_.window().framebuffer_size(width, height);
-  const double radians_per_px = session_->frame().field_of_view_deg * one_degree / std::max(width, 1);
+  output_wish_ = output_->wish();
+  const double radians_per_px = session_->frame().field_of_view_deg * one_degree / std::max(output_->size().width, 1);
   PlayerInput input = inputs_.gather(events, pad_snapshot_, radians_per_px);
   input.commands = services_.commands();
+  input.display_delay_s = output_wish_.display_delay_s;
   advance_exhibit(input);
   session_->advance(input);
   answer_requests();
@@ -201,7 +164,7 @@ void Player::advance() {
   take_renderer();
   tell_notes();
   update_picture();
-  screen_.set_light(session_->frame().light);
+  output_->set_light(session_->frame().light);
   services_.follow(session_->playback());
   update_texts();
   post_status();
@@ -215,7 +178,7 @@ void Player::answer_requests() {
         end("a key was pressed to quit");
         break;
       case KeyAction::full_screen:
-        screen_.window().toggle_full_screen();
+        output_->toggle_full_screen();
         break;
       case KeyAction::reload:
         reload(true);
@@ -233,83 +196,32 @@ void Player::tell_notes() {
 }
 
 void Player::update_picture() {
-  if (!renderers_.current()) {
+  if (!pictures_.renderers().current()) {
     return;
   }
   PictureRequest wish;
-  wish.renderer = renderers_.current();
   wish.frame = session_->frame();
-  wish.disparity_asked = session_->times_shown();
-  add_budget(wish);
+  wish.output = output_wish_;
   const bool words_changed = add_words(wish);
   const bool light_asked = add_light(wish);
-  const bool resized = add_window(wish);
-  note(pictures_.advance(wish, words_changed || light_asked || resized || session_->changed(), session_->moving()));
-}
-
-bool Player::add_window(PictureRequest& wish) {
-  if (options_.setup) {
-    wish.projectors_px = options_.projectors_px;
-    return false;
-  }
-  ImageSize size = {0, 0};
-  screen_.window().framebuffer_size(size.width, size.height);
-  if (size.width > 0 && size.height > 0) {
-    wish.window = size;
-    return std::exchange(window_, size) != size;
-  }
-  wish.window = window_;
-  return false;
-}
-
-void Player::add_budget(PictureRequest& wish) {
-  if (!budget_) {
-    return;
-  }
-  const PlayPlan& plan = budget_->plan();
-  const Rung rung = budget_->rung();
-  wish.quality = rung.quality;
-  wish.whole_px = plan.whole_px;
-  wish.patience_s = 1e-3 * plan.patience_ms;
-  wish.errors_asked = budget_->wants_errors(session_->now_s());
-  wish.error_seed = static_cast<std::uint64_t>(pictures_.report().pictures);
-  if (plan.budget.frame_rate_hz) {
-    pictures_.hold({rung.size_px, 1e-3 * plan.budget.frame_ms()});
-  }
-}
-
-void Player::note_budget() {
-  const PictureReport& report = pictures_.report();
-  budget_->note_picture(report.frame_time_ms, report.interval_ms);
-  if (report.errors_px) {
-    budget_->note_errors(*report.errors_px);
-    budget_->ask_errors(session_->now_s());
-  }
+  note(pictures_.advance(*session_, std::move(wish), words_changed || light_asked));
 }
 
 void Player::note(PictureNews news) {
   if (news == PictureNews::none) {
     return;
   }
-  failures_ = news == PictureNews::problem ? failures_ + 1 : 0;
-  if (news == PictureNews::hang || failures_ >= most_failures) {
-    failures_ = 0;
-    renderers_.lose(session_->show());
-  }
   if (news == PictureNews::picture) {
     session_->playback().note_shown(session_->playback().instant());
     note_light();
     tell_narrowed_eyes();
-    if (budget_) {
-      note_budget();
-    }
   }
   if (!first_answer_) {
     first_answer_ = Clock::now();
     tell_supervisor_ready();
   }
   services_.tell(spdlog::level::err, pictures_.report().problem);
-  screen_.window().set_title(title_text(pictures_.report(), *session_, renderers_.backend()));
+  output_->set_title(title_text(pictures_.report(), *session_, pictures_.renderers().backend()));
 }
 
 void Player::tell_narrowed_eyes() {
@@ -352,8 +264,229 @@ void Player::end_in_time() {
 }
 
 void Player::end(std::string why) {
-  screen_.window().close();
+  output_->close();
   why_ended_ = std::move(why);
+}
+
+void Player::reload(bool now) {
+  const auto result = services_.reloaded(now);
+  if (!result) {
+    return;
+  }
+  if (result->show) {
+    // The current version runs until the new one is loaded completely.
+    pictures_.renderers().renew(*result->show);
+  } else {
+    services_.tell(spdlog::level::err, result->problem);
+    refuse_version(result->problem);
+  }
+}
+
+void Player::take_version(const Show& show) {
+  session_->set_show(show);
+  services_.take_version(show);
+  if (exhibit_) {
+    exhibit_->renew(show);
+  }
+  services_.tell(spdlog::level::info, fmt::format("{} was reloaded", show.name));
+}
+
+void Player::refuse_version(const std::string& problem) {
+  services_.refuse_version(problem);
+  if (!exhibit_) {
+    session_->say(problem);
+  }
+}
+
+void Player::take_renderer() {
+  const SceneRenderers::News news = pictures_.take_renderer(session_->show());
+  services_.tell(spdlog::level::err, news.problem);
+  if (news.another) {
+    if (news.version) {
+      take_version(*news.version);
+    }
+    session_->show_again();
+  } else if (news.version) {
+    refuse_version(news.problem);
+  }
+}
+
+bool Player::add_words(PictureRequest& wish) {
+  if (!exhibit_) {
+    return false;
+  }
+  if (output_->is_dome() && session_->help_shown()) {
+    wish.captions = {help_caption(help_text(HelpForm::words))};
+    wish.captions_opacity = 1.0;
+    wish.frame.captions = false;
+  } else if (!session_->help_shown() || exhibit_->is_ending()) {
+    // Help over the window would cover the welcome caption, and contains more.
+    wish.captions = exhibit_->captions(!pad_snapshot_.pads.empty());
+    wish.captions_opacity = exhibit_->opacity();
+  }
+  std::vector<LocalText> words;
+  words.reserve(wish.captions.size());
+  for (const Caption& caption : wish.captions) {
+    words.push_back(caption.text);
+  }
+  const bool faded = std::exchange(words_opacity_, wish.captions_opacity) != wish.captions_opacity;
+  return std::exchange(words_, words) != words || faded;
+}
+
+std::string Player::help_text(HelpForm form) const {
+  HelpChoice choice;
+  choice.pads = !pad_snapshot_.pads.empty();
+  choice.reader = exhibit_ ? ActionUser::visitor : ActionUser::presenter;
+  choice.language = session_->playback().language();
+  choice.form = form;
+  return inputs_.controls().help_text(choice);
+}
+
+void Player::update_texts() {
+  if (session_->playback().dark()) {
+    // A blackout hides all text.
+    for (const PanelPlace place : {PanelPlace::top_left, PanelPlace::bottom_middle, PanelPlace::middle}) {
+      output_->set_text(place, "");
+    }
+    return;
+  }
+  std::string times;
+  if (session_->times_shown()) {
+    times = times_text(pictures_.report(), session_->frame().stereo, pictures_.renderers().backend(),
+                       session_->playback().language());
+    const CameraPose& pose = session_->frame().pose;
+    times += '\n';
+    times += text_in(readout_text(session_->spin(), pose.r, pose.theta), session_->playback().language());
+    times += pictures_.budget() ? fmt::format("\n{}", pictures_.budget()->display_text()) : "";
+  }
+  output_->set_text(PanelPlace::top_left, times);
+  // Captions for visitors use the same location and have priority. Nothing is shown in the attract
+  // show, nor before the first picture of a flight, while the attract show's last picture remains.
+  const bool quiet = options_.quiet || !words_.empty() ||
+                     (exhibit_ && (exhibit_->scene() == ExhibitScene::attract || !pictures_.renderers().current()));
+  output_->set_text(PanelPlace::bottom_middle, quiet ? "" : session_->caption());
+  output_->set_text(PanelPlace::middle, session_->help_shown() ? help_text(HelpForm::cells) : "");
+}
+
+void Player::post_status() {
+  PlayerStatus status;
+  session_->fill(status);
+  const PictureReport& report = pictures_.report();
+  status.lens = report.lens;
+  status.backend = pictures_.renderers().backend();
+  status.frame_ms = report.frame_time_ms;
+  status.frames = report.pictures;
+  status.problem = report.problem;
+  frame_times_.note(session_->now_s(), report.frame_time_ms);
+  status.baseline_used = report.narrowed ? report.narrowed->baseline : status.baseline;
+  status.worst_frame_ms = frame_times_.worst_ms();
+  for (const PadView& pad : pad_snapshot_.pads) {
+    status.pads.push_back(
+        {pad.identity->name, pad.identity->connection, pad_snapshot_.time_s - pad.last_input_s < 1.0});
+  }
+  if (status.problem.empty()) {
+    status.problem = recording_problem_;
+  }
+  services_.fill(status);
+  if (exhibit_) {
+    keep_settings(status);
+    tell_supervisor(exhibit_->state_text(status));
+  }
+  services_.post(std::move(status));
+}
+
+void Player::print_statistics() const {
+  if (pictures_.report().pictures > 0) {
+    print_out("{} in {:.1f} s, not counting the first\n", counted(pictures_.report().pictures - 1, "frame"),
+              std::chrono::duration<double>(Clock::now() - *first_answer_).count());
+    if (pictures_.budget()) {
+      print_out("{}\n", pictures_.budget()->summary_text());
+    }
+  }
+  if (const auto streamed =
+          pictures_.renderers().current() ? pictures_.renderers().current()->stream_statistics() : std::nullopt) {
+    ergodome::print_statistics(*streamed);
+  }
+}
+
+void Player::advance_exhibit(PlayerInput& input) {
+  if (!exhibit_) {
+    return;
+  }
+  const bool another = exhibit_->advance(session_->now_s(), inputs_.touched(), inputs_.chord_held());
+  if (exhibit_->left()) {
+    end("an operator ended it with keys or buttons");
+  }
+  if (exhibit_->scene() == ExhibitScene::attract) {
+    input.actions.clear();  // visitors cannot control the attract show
+    input.steering = {};
+  }
+  exhibit_->note(input.commands);
+  operator_log_.note(input.commands, session_->now_s());
+  services_.log_changes(operator_log_.take(session_->now_s()));
+  if (exhibit_->take_return()) {
+    input.actions.push_back(KeyAction::reset);
+    services_.tell(spdlog::level::info, "the view was completely black; the camera was reset to the start");
+  }
+  if (std::erase(input.actions, KeyAction::reset) > 0) {
+    const std::vector<TransportCommand> reset = exhibit_->reset_commands();
+    input.commands.insert(input.commands.end(), reset.begin(), reset.end());
+  }
+  if (another) {
+    change_scene();
+  }
+}
+
+bool Player::add_light(PictureRequest& wish) {
+  const double now_s = session_->now_s();
+  if (!exhibit_ || exhibit_->scene() != ExhibitScene::visitor || !light_watch_.is_due(now_s, session_->changed())) {
+    return false;
+  }
+  wish.light_asked_s = now_s;
+  return true;
+}
+
+void Player::note_light() {
+  const std::optional<ViewLight>& light = pictures_.report().light;
+  if (exhibit_ && light && light_watch_.take(light->asked_s)) {
+    exhibit_->note_light(light->lit_part);
+  }
+}
+
+void Player::change_scene() {
+  const bool visitor = exhibit_->scene() == ExhibitScene::visitor;
+  keep_recording(RecordingMoment::end);
+  if (pictures_.renderers().renews()) {
+    // The version is read again when its scene returns.
+    services_.forget_version();
+  }
+  pictures_.renderers().enter(exhibit_->scene(), exhibit_->show());
+  begin(exhibit_->show(), visitor);
+  light_watch_.begin(session_->now_s());
+  services_.tell(spdlog::level::info, visitor ? "a visitor arrived: free flight starts" : "the attract show starts");
+}
+
+void Player::keep_settings(PlayerStatus& status) {
+  const std::string before = exhibit_->problem();
+  exhibit_->keep(status, session_->playback().baseline().has_value());
+  const std::string& now = exhibit_->problem();
+  if (now != before) {
+    const bool kept = now.empty();
+    services_.tell(kept ? spdlog::level::info : spdlog::level::err, kept ? "settings are saved again" : now);
+  }
+  if (status.problem.empty()) {
+    status.problem = now;
+  }
+}
+
+std::string Player::start_text() const {
+  return fmt::format("exhibit started: ergodome {}, {}, {}, {}", ERGODOME_VERSION, exhibit_->shows_text(),
+                     pictures_.renderers().backend(), services_.remote_text());
+}
+
+std::string Player::end_text() const {
+  const std::string closed = why_ended_.empty() ? "the window was closed" : why_ended_;
+  return "exhibit ended: " + (interrupted() ? "a signal was received" : closed);
 }
 
 }  // namespace ergodome

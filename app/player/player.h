@@ -2,41 +2,36 @@
 
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
-#include "app/budget/play_budget.h"
 #include "app/exhibit/exhibit_scenes.h"
+#include "app/exhibit/light_watch.h"
 #include "app/exhibit/operator_log.h"
 #include "app/navigation/controls/controls.h"
 #include "app/pads/hid/hid_api.h"
 #include "app/player/eye_notice.h"
 #include "app/player/frame_times.h"
 #include "app/player/player_inputs.h"
-#include "app/player/player_screen.h"
 #include "app/player/player_services.h"
 #include "app/player/player_session.h"
 #include "app/player/recording_file.h"
 #include "app/player/renderers/note_board.h"
-#include "app/player/renderers/picture_flow.h"
-#include "app/player/renderers/scene_renderers.h"
+#include "app/player/session_pictures.h"
+#include "render/present/output.h"
 
 namespace ergodome {
 
 //! Options of `play`.
 struct PlayOptions {
-  bool full_screen = false;
   bool free_flight = false;
   int size_px = 1024;  //!< width of one eye's image while nothing moves
   bool quiet = false;  //!< shows only text that keys request
   //! Ends this long after the first frame [s]; absent: runs until it is closed.
   std::optional<double> for_seconds;
-  bool times_shown = false;                  //!< shows the frame time and the lens over the picture
-  std::string screenshot;                    //!< last contents of the window (PNG); empty: none
-  std::optional<DomeSetup> setup;            //!< a dome whose projectors also show the picture
-  std::vector<ProjectorPicture> projectors;  //!< projectors of the setup
-  int projectors_px = 0;                     //!< enough_master_px() of the projectors
-  bool hide_control = false;                 //!< with a setup: shows only the projectors' windows
+  bool times_shown = false;  //!< shows the frame time and the lens over the picture
+  std::string screenshot;    //!< last contents of the window (PNG); empty: none
   std::string language;
   //! Show file to record the flight to; in an exhibit, each flight gets a numbered file in the same
   //! folder; empty: none.
@@ -55,11 +50,12 @@ struct PlayOptions {
   std::chrono::system_clock::time_point read_at = std::chrono::system_clock::now();
 };
 
-//! Plays a show, or flies through its scene, in a window.
+//! Plays a show, or flies through its scene, on an output.
 class Player {
  public:
   //! `make` makes the renderer of a show: at the start, and whenever one is lost.
-  Player(const Show& show, const RendererLoader::Make& make, const PlayOptions& options);
+  Player(const Show& show, const RendererLoader::Make& make, std::unique_ptr<Output> output,
+         const PlayOptions& options);
   ~Player();
   Player(const Player&) = delete;
   Player& operator=(const Player&) = delete;
@@ -84,16 +80,7 @@ class Player {
   void tell_narrowed_eyes();
   void advance_exhibit(PlayerInput& input);
   void change_scene();
-  //! Returns whether to draw the window. Without a frame rate budget, always; with one, for each
-  //! new picture, and sometimes for the texts.
-  bool draws_now();
-  //! Adds the size of the window to a request. Returns whether it changed.
-  bool add_window(PictureRequest& wish);
-  //! Adds the settings of the budget for the next frame to a request.
-  void add_budget(PictureRequest& wish);
-  void note_budget();
-  //! Requests the lit part of a visitor's view if the view changed since the last measurement, at
-  //! most once a second. Returns whether it did.
+  //! Requests the lit part of a visitor's view if it is due. Returns whether it is.
   bool add_light(PictureRequest& wish);
   void note_light();
   //! Adds the captions for visitors to a request. Returns whether they changed.
@@ -108,7 +95,7 @@ class Player {
   //! Saves the recording; logs a failure.
   void keep_recording(RecordingMoment moment);
   void end_in_time();
-  //! Closes the window and stores the reason.
+  //! Closes the output and stores the reason.
   void end(std::string why);
   //! Return what an exhibit's log says at the start and at the end.
   [[nodiscard]] std::string start_text() const;
@@ -117,33 +104,26 @@ class Player {
 
   PlayOptions options_;
   std::vector<std::string> damage_;  //!< errors of files that were ignored at the start
-  PlayerScreen screen_;
-  SceneRenderers renderers_;
+  std::unique_ptr<Output> output_;
+  OutputWish output_wish_;  //!< for the next picture
   EyeNotice eye_notice_;
   std::optional<PlayerSession> session_;
   PlayerInputs inputs_;
   PadHub pads_;
   PadSnapshot pad_snapshot_;
-  PictureFlow pictures_;
+  SessionPictures pictures_;
   PlayerServices services_;
   std::optional<ExhibitScenes> exhibit_;
   OperatorLog operator_log_;
-  double view_changed_s_ = 0.0;  //!< when the session last requested another picture
-  double scene_began_s_ = 0.0;
-  double light_noted_s_ = -1e300;  //!< ViewLight::asked_s of the last answer
-  std::vector<LocalText> words_;   //!< captions for visitors in the picture
+  LightWatch light_watch_;
+  std::vector<LocalText> words_;  //!< captions for visitors in the picture
   double words_opacity_ = 0.0;
-  std::optional<ImageSize> window_;  //!< its last size
-  int failures_ = 0;                 //!< consecutive frames that failed
   FrameTimes frame_times_;
   //! When the first frame, or the error instead of it, came.
   std::optional<Clock::time_point> first_answer_;
   RecordingFile recording_;
   std::string recording_problem_;  //!< why the last flight could not be written
-  std::optional<PlayBudget> budget_;
-  std::string why_ended_;     //!< reason if the program closed the window itself
-  long drawn_pictures_ = -1;  //!< number of frames when the window was last drawn
-  double drawn_s_ = 0.0;      //!< when the window was last drawn
+  std::string why_ended_;          //!< reason if the program closed the window itself
 };
 
 }  // namespace ergodome

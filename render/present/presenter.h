@@ -7,6 +7,7 @@
 #include "render/frame/eye_renderer.h"
 #include "render/output/stereo_layout.h"
 #include "render/passes/overlay/caption_layer.h"
+#include "render/present/device_picture.h"
 
 // Shows pictures in an OpenGL window.
 
@@ -21,17 +22,6 @@ struct PresentedPicture {
   Tone tone;
   float light = 1.0F;  //!< factor on the display's light
   long version = 0;    //!< changes with each picture and each change of the light
-};
-
-//! A picture in GPU memory: four floats per pixel.
-struct DevicePicture {
-  const float* rgba = nullptr;   //!< the picture or the left eye's
-  const float* right = nullptr;  //!< the right eye's, of the same size, if both are shown whole
-  bool above = false;            //!< the left eye is above the right one, not beside it
-  int width_px = 0;              //!< of one eye's picture
-  int height_px = 0;
-  bool heat_map = false;
-  Tone tone;
 };
 
 //! The part of a picture to draw. Halves belong to eyes side by side. With `halves_by_rows` each

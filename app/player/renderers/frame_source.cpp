@@ -56,7 +56,7 @@ constexpr int widest_master_captions_px = 4096;
 //! Returns the width of the caption layer for projectors. Returns 0 if they need none, because the
 //! domemaster is as fine as they are and contains its captions.
 int projectors_caption_px(const PictureRequest& request) {
-  const int width_px = std::min(request.projectors_px, widest_master_captions_px);
+  const int width_px = std::min(request.output.projectors_px, widest_master_captions_px);
   return width_px > request.size_px ? width_px : 0;
 }
 
@@ -75,7 +75,7 @@ void set_up(ShowRenderer& renderer, const PictureRequest& request) {
   OverlayPass& overlays = renderer.overlays();
   overlays.set_language(frame.language);
   overlays.set_captions(frame.captions);
-  overlays.set_captions_apart(request.window || projectors_caption_px(request) > 0);
+  overlays.set_captions_apart(request.output.window || projectors_caption_px(request) > 0);
   overlays.set_extra(request.captions, request.captions_opacity);
 }
 
@@ -119,9 +119,63 @@ void show_eyes(ShowRenderer& renderer, const PlayerFrame& frame, const Projectio
   }
 }
 
+//! Renders eyes whose views the output defines. They get neither overlays nor automatic exposure.
+void show_own_eyes(ShowRenderer& renderer, const PictureRequest& request, const ShowMoment& moment,
+                   PictureAnswer& answer) {
+  const auto picture_of = [&](const OutputEye& eye) {
+    CameraPose pose = request.frame.pose;
+    pose.orientation = pose.orientation * eye.turn;
+    const double offset = eye.side * renderer.show().stereo.baseline;
+    Picture picture = renderer.render_eye(pose, offset, eye.projection, request.frame.mode, moment);
+    picture.tone = renderer.tone();
+    return picture;
+  };
+  const std::vector<OutputEye>& eyes = request.output.eyes;
+  answer.picture = picture_of(eyes.front());
+  if (eyes.size() > 1) {
+    answer.right_eye = picture_of(eyes.back());
+    answer.picture.behind = answer.picture.behind || answer.right_eye->behind;
+  }
+}
+
+//! Renders one or two eyes into pictures that stay in GPU memory.
+void show_in_place(ShowRenderer& renderer, const PlayerFrame& frame, const Projection& projection,
+                   const ShowMoment& moment, PictureAnswer& answer) {
+  const EyesInPlace eyes = renderer.render_eyes_in_place(frame.pose, projection, frame.mode, moment);
+  answer.picture.lens = eyes.first.lens;
+  answer.picture.behind = eyes.first.behind || (eyes.right && eyes.right->behind);
+  answer.on_device = {eyes.first.rgba,
+                      eyes.right ? eyes.right->rgba : nullptr,
+                      frame.stereo.layout == StereoLayout::top_bottom,
+                      projection.width_px,
+                      projection.height_px,
+                      frame.mode != ViewMode::sky,
+                      renderer.tone()};
+}
+
+//! Renders the eyes of the show's stereo settings, and the captions over them.
+void show_eyes_of_show(ShowRenderer& renderer, const PictureRequest& request, const Projection& projection,
+                       const ShowMoment& moment, PictureAnswer& answer) {
+  const PlayerFrame& frame = request.frame;
+  const StereoLayout layout = frame.stereo.layout;
+  answer.eyes = eyes_in_window(layout);
+  answer.eye_grid = eye_grid(layout);
+  if (renderer.may_stay_in_place(frame.mode)) {
+    show_in_place(renderer, frame, projection, moment, answer);
+  } else {
+    show_eyes(renderer, frame, projection, moment, answer);
+  }
+  const std::optional<ImageSize>& window = request.output.window;
+  const int width_px = window ? caption_width_px(*window, layout, projection) : projectors_caption_px(request);
+  if (width_px > 0) {
+    answer.captions = renderer.caption_layer(make_projection(renderer.show().view, width_px, frame.field_of_view_deg),
+                                             frame.mode, frame.time_s);
+  }
+}
+
 }  // namespace
 
-PictureAnswer render_for_window(const PictureRequest& request) {
+PictureAnswer render_for_output(const PictureRequest& request) {
   ShowRenderer& renderer = *request.renderer;
   const PlayerFrame& frame = request.frame;
   set_up(renderer, request);
@@ -136,27 +190,10 @@ PictureAnswer render_for_window(const PictureRequest& request) {
     answer.light = ViewLight{*request.light_asked_s, lit_part_of_view(renderer, request, moment)};
     answer.measuring_ms += std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
   }
-  answer.eyes = eyes_in_window(frame.stereo.layout);
-  if (renderer.may_stay_in_place(frame.mode)) {
-    const EyesInPlace eyes = renderer.render_eyes_in_place(frame.pose, projection, frame.mode, moment);
-    answer.picture.lens = eyes.first.lens;
-    answer.picture.behind = eyes.first.behind || (eyes.right && eyes.right->behind);
-    answer.on_device = {eyes.first.rgba,
-                        eyes.right ? eyes.right->rgba : nullptr,
-                        frame.stereo.layout == StereoLayout::top_bottom,
-                        projection.width_px,
-                        projection.height_px,
-                        frame.mode != ViewMode::sky,
-                        renderer.tone()};
+  if (request.output.eyes.empty()) {
+    show_eyes_of_show(renderer, request, projection, moment, answer);
   } else {
-    show_eyes(renderer, frame, projection, moment, answer);
-  }
-  answer.eye_grid = eye_grid(frame.stereo.layout);
-  const int width_px = request.window ? caption_width_px(*request.window, frame.stereo.layout, projection)
-                                      : projectors_caption_px(request);
-  if (width_px > 0) {
-    answer.captions = renderer.caption_layer(make_projection(renderer.show().view, width_px, frame.field_of_view_deg),
-                                             frame.mode, frame.time_s);
+    show_own_eyes(renderer, request, moment, answer);
   }
   answer.narrowed = renderer.narrowed_eyes();
   if (request.errors_asked) {

@@ -12,8 +12,7 @@
 #include "content/timeline/timeline.h"
 #include "render/eyes/eye_disparity.h"
 #include "render/frame/show_renderer.h"
-#include "render/output/stereo_layout.h"
-#include "render/present/presenter.h"
+#include "render/present/output.h"
 
 namespace ergodome {
 
@@ -23,12 +22,8 @@ struct PictureRequest {
   PlayerFrame frame;
   std::vector<Caption> captions;  //!< captions that are not part of the show
   double captions_opacity = 0.0;
-  int size_px = 0;  //!< width of one eye's image
-  //! Size of the window that captions are laid over. Absent: they are laid over the projectors'
-  //! images if these are finer than the picture, otherwise drawn in the picture.
-  std::optional<ImageSize> window;
-  //! Width of a domemaster as fine as the projectors [px]; 0: no projectors.
-  int projectors_px = 0;
+  int size_px = 0;    //!< width of one eye's image
+  OutputWish output;  //!< where the picture will be shown
   bool disparity_asked = false;
   //! Replaces the show's; its budget is in pixels of a picture `whole_px` wide.
   std::optional<FrameQuality> quality;
@@ -41,28 +36,14 @@ struct PictureRequest {
   std::optional<double> light_asked_s;
 };
 
-//! How the eyes' pictures fill a window: as one picture, each in a separate buffer, or in
-//! alternating rows.
-enum class EyesInWindow { as_one, in_buffers, in_rows };
-
 //! The lit part of a view.
 struct ViewLight {
   double asked_s = 0.0;   //!< PictureRequest::light_asked_s
   double lit_part = 0.0;  //!< fraction of the image's pixels, without captions
 };
 
-//! A finished picture, with its cost and measurements.
-struct PictureAnswer {
-  Picture picture;                   //!< or the left eye's
-  std::optional<Picture> right_eye;  //!< if both eyes are shown at full size
-  bool eyes_above = false;           //!< the left eye is above the right one, not beside it
-  //! How the window shows the eyes. If not as_one, they are side by side up to that point.
-  EyesInWindow eyes = EyesInWindow::as_one;
-  EyeGrid eye_grid;  //!< how the eyes divide the shown picture
-  //! Of each eye, at the window's resolution; may be empty.
-  LaidCaptions captions;
-  //! Replaces the picture's pixels, until the next request.
-  std::optional<DevicePicture> on_device;
+//! A finished frame, with its cost and measurements.
+struct PictureAnswer : OutputFrame {
   double time_ms = 0.0;
   int size_px = 0;
   std::optional<Disparity> disparity;  //!< if requested, for two eyes
@@ -75,9 +56,10 @@ struct PictureAnswer {
   std::string problem;
 };
 
-//! Renders a picture in the request's stereo layout for a window. Eyes that the layout stores
-//! separately, or that each fill the window, are side by side. Throws Error if rendering fails.
-PictureAnswer render_for_window(const PictureRequest& request);
+//! Renders the picture that an output needs: its own eyes, or the request's stereo layout. Eyes that
+//! the layout stores separately, or that each fill the window, are side by side. Throws Error if
+//! rendering fails.
+PictureAnswer render_for_output(const PictureRequest& request);
 
 //! Renders on a separate thread, so that the window stays responsive. Only the latest request
 //! counts.
@@ -85,7 +67,7 @@ class FrameSource {
  public:
   using Render = std::function<PictureAnswer(const PictureRequest&)>;
 
-  explicit FrameSource(Render render = render_for_window);
+  explicit FrameSource(Render render = render_for_output);
 
   //! Waits for the current picture, but not for abandoned ones.
   ~FrameSource();

@@ -49,7 +49,7 @@ class PictureFlow {
   //! `show` passes a finished picture to the screen, on the caller's thread. `finest_px` is the
   //! width of one eye's image when nothing moves.
   PictureFlow(std::function<void(const PictureAnswer&)> show, int finest_px,
-              FrameSource::Render render = render_for_window, SecondsSource now = steady_seconds)
+              FrameSource::Render render = render_for_output, SecondsSource now = steady_seconds)
       : show_(std::move(show)), finest_px_(finest_px), source_(std::move(render)), now_(std::move(now)) {}
 
   //! Fixes the size and pace of moving pictures.

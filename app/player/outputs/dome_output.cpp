@@ -1,0 +1,54 @@
+#include "app/player/outputs/dome_output.h"
+
+#include "app/cli/setup_show.h"
+
+namespace ergodome {
+
+namespace {
+
+//! Returns the options of the window, which is smaller beside those of projectors.
+WindowOptions beside_projectors(WindowOptions window) {
+  window.largest = {700, 700};
+  return window;
+}
+
+}  // namespace
+
+DomeOutput::DomeOutput(const WindowOptions& window, const ProjectorOptions& projectors)
+    : WindowOutput(beside_projectors(window)),
+      names_(plain_names(projectors.setup)),
+      master_px_(projectors.master_px),
+      projectors_(this->window(), projectors.setup, projectors.pictures, projectors.hide_control) {}
+
+OutputWish DomeOutput::wish() {
+  OutputWish wish;
+  wish.projectors_px = master_px_;
+  return wish;
+}
+
+void DomeOutput::take(const OutputFrame& frame) {
+  WindowOutput::take(frame);
+  projectors_.take(frame.on_device ? &*frame.on_device : nullptr);
+  projectors_.lay_over(frame.captions);
+}
+
+void DomeOutput::show() {
+  projectors_.show(shown());
+  if (projectors_.control_shown()) {
+    WindowOutput::show();
+  }
+}
+
+std::vector<WindowEvent> DomeOutput::events() {
+  std::vector<WindowEvent> all = WindowOutput::events();
+  const std::vector<WindowEvent> others = projectors_.events();
+  all.insert(all.end(), others.begin(), others.end());
+  return all;
+}
+
+void DomeOutput::save_screenshot(const std::string& file) {
+  projectors_.save_screenshots(file, names_);
+  WindowOutput::save_screenshot(file);
+}
+
+}  // namespace ergodome

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/player/outputs/window_output.h"
+#include "render/present/projectors/projector_windows.h"
+
+namespace ergodome {
+
+//! The projectors of a dome.
+struct ProjectorOptions {
+  DomeSetup setup;
+  std::vector<ProjectorPicture> pictures;  //!< of each projector of the setup
+  int master_px = 0;                       //!< enough_master_px() of the pictures
+  bool hide_control = false;               //!< shows only the projectors' windows
+};
+
+//! A window for each projector of a dome, and the player's window as a control window.
+class DomeOutput : public WindowOutput {
+ public:
+  //! Throws Error if there is no display or if a projector's monitor is missing.
+  DomeOutput(const WindowOptions& window, const ProjectorOptions& projectors);
+
+  [[nodiscard]] OutputWish wish() override;
+  void take(const OutputFrame& frame) override;
+  void show() override;
+  [[nodiscard]] bool closed() const override { return WindowOutput::closed() || projectors_.closed(); }
+  [[nodiscard]] bool is_dome() const override { return true; }
+  [[nodiscard]] std::vector<WindowEvent> events() override;
+  //! Also writes FILE_PROJECTOR for each projector.
+  void save_screenshot(const std::string& file) override;
+
+ private:
+  std::vector<std::string> names_;  //!< of the projectors, for files
+  int master_px_;
+  ProjectorWindows projectors_;
+};
+
+}  // namespace ergodome

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+
+#include "app/budget/play_budget.h"
+#include "app/player/player_session.h"
+#include "app/player/renderers/picture_flow.h"
+#include "app/player/renderers/scene_renderers.h"
+#include "render/present/output.h"
+
+namespace ergodome {
+
+//! Requests the pictures of a session from its renderer, within a budget, and passes them to an
+//! output. Rebuilds a renderer that hangs or keeps failing.
+class SessionPictures {
+ public:
+  //! `make` makes the renderer of a show. `size_px` is the width of one eye's image while nothing
+  //! moves. The output must outlive this.
+  SessionPictures(const RendererLoader::Make& make, Output& output, int size_px, const std::optional<PlayPlan>& plan);
+
+  [[nodiscard]] SceneRenderers& renderers() { return renderers_; }
+  [[nodiscard]] const SceneRenderers& renderers() const { return renderers_; }
+  [[nodiscard]] const PictureReport& report() const { return flow_.report(); }
+  [[nodiscard]] const std::optional<PlayBudget>& budget() const { return budget_; }
+
+  //! Takes a finished picture and requests the next one from the current renderer, which must exist;
+  //! called once per frame. The renderer, the disparity and the settings of the budget in `wish` are
+  //! chosen here. `changed`: the request differs from the last, besides session and output.
+  PictureNews advance(const PlayerSession& session, PictureRequest wish, bool changed);
+
+  //! Returns the news of SceneRenderers::advance.
+  SceneRenderers::News take_renderer(const Show& show);
+
+  //! Returns whether to show the output now. Without a frame rate budget, always; with one, for each
+  //! new picture, and sometimes for the texts.
+  [[nodiscard]] bool shows_now(double now_s);
+
+ private:
+  void add_budget(PictureRequest& wish, double now_s);
+  void note_budget(double now_s);
+
+  SceneRenderers renderers_;
+  PictureFlow flow_;
+  std::optional<PlayBudget> budget_;
+  std::optional<ImageSize> window_;  //!< its last size
+  int failures_ = 0;                 //!< consecutive pictures that failed
+  long shown_pictures_ = -1;         //!< number of pictures when the output was last shown
+  double shown_s_ = 0.0;             //!< when the output was last shown
+};
+
+}  // namespace ergodome

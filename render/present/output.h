@@ -1,0 +1,99 @@
+#pragma once
+
+#include <glm/gtc/quaternion.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kernels/projection/projection.h"
+#include "render/output/stereo_layout.h"
+#include "render/passes/overlay/caption_layer.h"
+#include "render/present/device_picture.h"
+#include "render/present/text_panel.h"
+#include "render/present/window.h"
+
+// The interface of everything that shows frames: a window, the projectors of a dome, a headset.
+
+namespace ergodome {
+
+//! An eye whose view the output defines, such as an eye of a headset or a screen of a cluster.
+struct OutputEye {
+  //! Position along the eye's own x axis, to the right of the head, in baselines: -0.5 or 0.5.
+  double side = 0.0;
+  glm::dquat turn{1.0, 0.0, 0.0, 0.0};  //!< rotates the head's axes into the eye's
+  Projection projection;                //!< frustum or other projection, and the picture's size
+};
+
+//! The pictures that an output needs next.
+struct OutputWish {
+  //! At most two eyes, the left one first. Empty: the eyes of the show's stereo settings, in the
+  //! show's projection, as large as the player can render in time.
+  std::vector<OutputEye> eyes;
+  //! Time from now until the frame is seen [s]. A playing show is rendered for that time.
+  double display_delay_s = 0.0;
+  //! Size of the window that captions are laid over. Absent: they are laid over the projectors'
+  //! images if these are finer than the picture, otherwise drawn in the picture.
+  std::optional<ImageSize> window;
+  //! Width of a domemaster as fine as the projectors [px]; 0: no projectors.
+  int projectors_px = 0;
+};
+
+//! How the eyes' pictures fill a window: as one picture, each in a separate buffer, or in
+//! alternating rows.
+enum class EyesInWindow { as_one, in_buffers, in_rows };
+
+//! A finished frame.
+struct OutputFrame {
+  Picture picture;                   //!< or the left eye's
+  std::optional<Picture> right_eye;  //!< if both eyes are shown at full size
+  bool eyes_above = false;           //!< the left eye is above the right one, not beside it
+  //! How a window shows the eyes. If not as_one, they are side by side up to that point.
+  EyesInWindow eyes = EyesInWindow::as_one;
+  EyeGrid eye_grid;  //!< how the eyes divide the shown picture
+  //! Of each eye, at the window's resolution; may be empty.
+  LaidCaptions captions;
+  //! Replaces the pictures' pixels, until the next request.
+  std::optional<DevicePicture> on_device;
+};
+
+//! Shows the frames of a player. Outputs without a window need not override what only windows have.
+class Output {
+ public:
+  Output() = default;
+  virtual ~Output() = default;
+  Output(const Output&) = delete;
+  Output& operator=(const Output&) = delete;
+
+  //! Returns what to render next; called once per frame.
+  [[nodiscard]] virtual OutputWish wish() = 0;
+  //! Takes a frame, which is shown until the next one.
+  virtual void take(const OutputFrame& frame) = 0;
+  //! Sets the factor on the light of frames, 0 to 1. It does not affect text.
+  virtual void set_light(double light) = 0;
+  //! Shows the last frame. Returns when another one may be shown.
+  virtual void show() = 0;
+
+  //! Returns whether the output was closed, by its user or by close().
+  [[nodiscard]] virtual bool closed() const = 0;
+  virtual void close() = 0;
+
+  //! Returns whether each eye can have a separate buffer (EyesInWindow::in_buffers).
+  [[nodiscard]] virtual bool has_eye_buffers() const { return false; }
+  //! Returns whether the audience sees a dome, not a window: the picture is the head's, its eyes
+  //! cannot be changed, and help is a caption in it.
+  [[nodiscard]] virtual bool is_dome() const { return false; }
+
+  //! Returns the input since the last call, after waiting some milliseconds for it.
+  [[nodiscard]] virtual std::vector<WindowEvent> events() { return {}; }
+  //! Returns the size of the area that the mouse moves in [px]; 0 x 0 if there is none.
+  [[nodiscard]] virtual ImageSize size() const { return {0, 0}; }
+  virtual void toggle_full_screen() {}
+  virtual void set_title(const std::string& /*title*/) {}
+  //! Sets the text over the picture at a location; empty: none. PanelPlace::middle is for help, a
+  //! list with cells separated by tabs; while it is shown, other text and captions are hidden.
+  virtual void set_text(PanelPlace /*place*/, const std::string& /*text*/) {}
+  //! Writes what is shown to a PNG file.
+  virtual void save_screenshot(const std::string& /*file*/) {}
+};
+
+}  // namespace ergodome
