@@ -1,11 +1,13 @@
 #include "app/navigation/navigator.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "app/navigation/comfort.h"
 #include "content/fall/rain_pose.h"
 #include "content/fall/within.h"
+#include "kernels/core/error.h"
 
 namespace ergodome {
 
@@ -14,33 +16,6 @@ namespace {
 constexpr double longest_frame_s = 0.1;
 constexpr double longest_step_s = 1.0 / 240.0;
 constexpr glm::dvec3 axis_of_spin(0.0, 0.0, 1.0);
-//! Default speed without `faster`, as a fraction of the maximum.
-constexpr double usual_part = 0.5;
-
-//! Fractions of the angular acceleration for looking and for going around; the rest is for their
-//! coupling.
-constexpr double head_part = 0.4;
-constexpr double around_part = 0.3;
-
-//! Returns the rate that covers the remaining way and comes to rest at its end.
-glm::dvec3 braked(const glm::dvec3& left, double most, double acceleration) {
-  constexpr double delay_s = 0.3;
-  const double distance = glm::length(left);
-  if (!(distance > 0.0)) {
-    return glm::dvec3(0.0);
-  }
-  return left * (std::min({most, distance / delay_s, std::sqrt(1.2 * acceleration * distance)}) / distance);
-}
-
-double sane(double value, double most) { return std::isfinite(value) ? std::clamp(value, -most, most) : 0.0; }
-
-Steering sane(const Steering& s, double most) {
-  return {sane(s.right, most), sane(s.up, most),   sane(s.forward, most), sane(s.yaw, most),
-          sane(s.pitch, most), sane(s.roll, most), sane(s.zoom, most),    std::max(sane(s.faster, 1.0), 0.0)};
-}
-
-//! Returns a turn about the view's axes: up, right and clockwise are about x, -y and -z.
-glm::dvec3 head_turn(const Steering& s) { return {s.pitch, -s.yaw, -s.roll}; }
 
 bool same(const CameraPose& a, const CameraPose& b) {
   return a.r == b.r && a.theta == b.theta && a.phi == b.phi && a.orientation == b.orientation;
@@ -61,7 +36,7 @@ Navigator::Navigator(const Show& show)
     : spin_(show.spin),
       settings_(show.flight),
       space_(show.spin, show.flight),
-      limits_(turn_limits(show.flight.comfort)),
+      motion_(show.flight),
       kept_outside_(kept_outside(show)),
       leads_through_(may_fall_through_horizon(show)),
       start_(place_of(in_zamo_frame(camera_pose(show, show.camera.keys.front().time_s), show.spin))),
@@ -103,10 +78,8 @@ void Navigator::advance(double seconds, const SteeringInput& input, const Camera
       before_ = from;
       break;
     case Course::free: {
-      const Steering amounts = sane(input.amounts, 10.0);
-      mouse_turn_ = shortened(mouse_turn_ + head_turn(amounts), 3.2);
-      mouse_way_ = shortened(mouse_way_ + glm::dvec3(amounts.right, amounts.up, amounts.forward), 2.0);
-      const Steering rates = sane(input.rates, 1.0);
+      motion_.add_mouse(limited_steering(input.amounts, 10.0));
+      const Steering rates = limited_steering(input.rates, 1.0);
       const bool fell_through = falls_through();
       const int steps = std::max(1, static_cast<int>(std::ceil(frame_s / longest_step_s)));
       for (int i = 0; i < steps && frame_s > 0.0; ++i) {
@@ -133,84 +106,36 @@ void Navigator::set_spin(double spin) {
   }
 }
 
-glm::dvec3 Navigator::from_mouse(glm::dvec3& pending, double most, double seconds) const {
-  constexpr double delay_s = 0.06;
-  const glm::dvec3 rate = shortened(pending / delay_s, most);
-  pending -= rate * std::min(seconds, delay_s);
-  return rate;
-}
-
-Navigator::Wish Navigator::wish(const Steering& s, double seconds) {
-  Wish wish;
-  wish.hurry = s.faster;
-  const double speed = usual_part + (1.0 - usual_part) * s.faster;
-  wish.head = limits_.head * shortened(head_turn(s), 1.0);
-  if (glm::length(wish.head) > 0.0) {
-    mouse_turn_ = glm::dvec3(0.0);
-  } else {
-    wish.head = braked(mouse_turn_, limits_.head, head_part * limits_.acceleration);
-  }
-  const glm::dvec3 way = shortened(settings_.max_speed * speed * shortened({s.right, s.up, s.forward}, 1.0) +
-                                       from_mouse(mouse_way_, settings_.max_speed, seconds),
-                                   settings_.max_speed) /
-                         settings_.max_speed;
-  if (mode_ == FlightMode::fly) {
-    wish.fly = settings_.max_speed * (place_.view * glm::dvec3(way.x, way.y, -way.z));
-  } else if (mode_ == FlightMode::orbit) {
-    // Near the axis, a step to the east is only a rotation. It fades out, and becomes a step to the
-    // west on the other side.
-    constexpr double near_axis = 0.15;
-    const double sine = glm::dot(place_.towards, glm::cross(east_, axis_of_spin));
-    const double eastward = sine / std::hypot(sine, near_axis);
-    wish.around = {limits_.around * way.x * eastward, limits_.around * way.y, -settings_.max_speed * way.z};
-  }
-  return wish;
-}
-
-void Navigator::follow_wish(const Wish& wish, double seconds) {
-  const double turn_change = limits_.acceleration * seconds;
-  follow(head_, wish.head, seconds, head_part * turn_change);
-  if (glm::length(mouse_turn_) > 0.0) {
-    mouse_turn_ -= seconds * head_;
-    const bool there = glm::length(mouse_turn_) < 1e-4 && glm::length(head_) < 1e-3;
-    mouse_turn_ = there ? glm::dvec3(0.0) : mouse_turn_;
-  }
-  // The two angles and the radial motion have separate limits.
-  glm::dvec3 angles(around_.x, around_.y, 0.0);
-  follow(angles, {wish.around.x, wish.around.y, 0.0}, seconds, around_part * turn_change);
-  glm::dvec3 outward(0.0, 0.0, around_.z);
-  const double most = settings_.comfort.accel * seconds;
-  const double used = follow(outward, {0.0, 0.0, wish.around.z}, seconds, most);
-  around_ = {angles.x, angles.y, outward.z};
-  follow(fly_, wish.fly, seconds, most - used);
-}
-
 void Navigator::step(const Steering& steering, double seconds) {
-  const Wish wanted = wish(steering, seconds);
-  follow_wish(wanted, seconds);
-  glm::dvec3 turn = place_.view * head_;
+  // Near the axis, a step to the east is only a rotation. It fades out, and becomes a step to the
+  // west on the other side.
+  constexpr double near_axis = 0.15;
+  const double sine = glm::dot(place_.towards, glm::cross(east_, axis_of_spin));
+  motion_.follow_steering(steering, mode_, place_.view, sine / std::hypot(sine, near_axis), seconds);
+  glm::dvec3 turn = place_.view * motion_.head();
   if (mode_ != FlightMode::geodesic) {
     asked_velocity_.reset();
   } else if (!ride_) {
     begin_ride();
   }
   if (ride_) {
-    move_on_orbit(wanted.hurry, seconds, turn);
+    move_on_orbit(steering.faster, seconds, turn);
   } else {
     move_around(seconds, turn);
-    space_.move(place_, fly_, seconds);
+    space_.move(place_, motion_.fly(), seconds);
     level_east();
   }
   turn_view(turn, seconds);
 }
 
 void Navigator::move_around(double seconds, glm::dvec3& turn) {
-  const glm::dvec3 axis = around_.x * axis_of_spin - around_.y * east_;
+  const glm::dvec3& around = motion_.around();
+  const glm::dvec3 axis = around.x * axis_of_spin - around.y * east_;
   const glm::dquat turned = rotation(seconds * axis);
   place_.towards = glm::normalize(turned * place_.towards);
-  east_ = rotation(seconds * around_.x * axis_of_spin) * east_;
+  east_ = rotation(seconds * around.x * axis_of_spin) * east_;
   turn += axis;
-  place_.r = space_.moved_radius(place_.r, around_.z * space_.distance(place_.r), seconds);
+  place_.r = space_.moved_radius(place_.r, around.z * space_.distance(place_.r), seconds);
 }
 
 void Navigator::move_on_orbit(double hurry, double seconds, glm::dvec3& turn) {
@@ -219,13 +144,14 @@ void Navigator::move_on_orbit(double hurry, double seconds, glm::dvec3& turn) {
   turn += turn_of(shortest_rotation(before.towards, place_.towards)) / seconds;
   level_east();
   const glm::dvec3 way = (place_.towards - before.towards) / seconds;
-  fly_ = shortened(ride_->space().velocity(before, (place_.r - before.r) / seconds, way), settings_.max_speed);
+  motion_.set_fly(
+      shortened(ride_->space().velocity(before, (place_.r - before.r) / seconds, way), settings_.max_speed));
 }
 
 //! Turns the view within the limits of comfort.
 void Navigator::turn_view(const glm::dvec3& wanted, double seconds) {
-  const glm::dvec3 missing = shortened(wanted, limits_.total) - turn_;
-  turn_ += shortened(missing, limits_.acceleration * seconds);
+  const glm::dvec3 missing = shortened(wanted, motion_.limits().total) - turn_;
+  turn_ += shortened(missing, motion_.limits().acceleration * seconds);
   place_.view = glm::normalize(rotation(seconds * turn_) * place_.view);
 }
 
@@ -248,19 +174,292 @@ void Navigator::take_east_from_view() {
   }
 }
 
-bool Navigator::coasting() const { return !at_rest(around_) || !at_rest(fly_); }
-
 void Navigator::take_velocity_of(const CameraPlace& before, const CameraPlace& now, double seconds,
                                  const FlightSpace& space) {
-  head_ = glm::dvec3(0.0);
-  around_ = glm::dvec3(0.0);
-  fly_ = glm::dvec3(0.0);
+  glm::dvec3 fly(0.0);
   turn_ = glm::dvec3(0.0);
   if (seconds > 0.0) {
     const glm::dvec3 way = (now.towards - before.towards) / seconds;
-    fly_ = shortened(space.velocity(now, (now.r - before.r) / seconds, way), settings_.max_speed);
-    turn_ = shortened(turn_of(now.view * glm::conjugate(before.view)) / seconds, limits_.total);
+    fly = shortened(space.velocity(now, (now.r - before.r) / seconds, way), settings_.max_speed);
+    turn_ = shortened(turn_of(now.view * glm::conjugate(before.view)) / seconds, motion_.limits().total);
   }
+  motion_.move_as_ship(fly);
+}
+
+void Navigator::leave_path() {
+  if (course_ == Course::free) {
+    return;
+  }
+  const bool from_path = course_ == Course::path;
+  const bool within = from_path && !(path_.r > horizon_radius(spin_));
+  if (from_path && settings_.from == FlightStart::path && may_fall_on() &&
+      (is_beyond_return(spin_, path_.r) || mode_ == FlightMode::geodesic)) {
+    fall_on();
+    return;
+  }
+  if (within || (from_path && settings_.from == FlightStart::first_key)) {
+    reset();
+    return;
+  }
+  if (from_path && path_falls_) {
+    // From here on the view's axes are boosted from the ZAMO.
+    path_ = in_zamo_frame(path_, spin_);
+    path_before_ = in_zamo_frame(path_before_, spin_);
+    place_ = place_of(path_);
+    before_ = place_of(path_before_);
+    asked_velocity_ = path_.velocity;
+  }
+  take_velocity_of(before_, place_, frame_s_, space_);
+  course_ = Course::free;
+  return_.reset();
+  motion_.forget_mouse();
+  take_east_from_view();
+}
+
+void Navigator::reset() {
+  ride_.reset();
+  clock_lead_ = path_.clock_lead;
+  place_ = before_ = start_;
+  course_ = Course::free;
+  mode_ = settings_.mode;
+  orbit_sense_ = 1.0;
+  return_.reset();
+  asked_velocity_.reset();
+  take_velocity_of(place_, place_, 0.0, space_);
+  motion_.forget_mouse();
+  take_east_from_view();
+}
+
+void Navigator::start_return() {
+  const double seconds = frame_s_ > 0.0 ? frame_s_ : 1.0;
+  const bool known = frame_s_ > 0.0;
+  const CameraPlace camera[2] = {known ? before_ : place_, place_};
+  const CameraPose path[2] = {in_zamo_frame(known ? path_before_ : path_, spin_), in_zamo_frame(path_, spin_)};
+  return_.emplace(space_, settings_, camera, path, seconds);
+}
+
+void Navigator::return_to_path() {
+  if (course_ != Course::free) {
+    return;
+  }
+  // A ship can neither leave the horizon nor enter it.
+  if (committed() || !(path_.r > horizon_radius(spin_))) {
+    reset();
+    course_ = Course::path;
+    return;
+  }
+  end_ride();
+  start_return();
+  asked_velocity_.reset();
+  course_ = Course::returning;
+}
+
+void Navigator::advance_return(double seconds) {
+  place_ = return_->advance(seconds, in_zamo_frame(path_, spin_));
+  // The clock converges to the path's within the remaining time of the way.
+  const double left_s = std::max(return_->left_s(), 0.0);
+  clock_lead_ += (path_.clock_lead - clock_lead_) * (seconds / std::max(left_s + seconds, 1e-9));
+  if (return_->arrived()) {
+    return_.reset();
+    course_ = Course::path;
+  }
+}
+
+void Navigator::set_mode(FlightMode mode) {
+  leave_path();
+  if (committed()) {
+    return;
+  }
+  if (mode != mode_) {
+    end_ride();  // its velocity becomes the ship's
+    take_east_from_view();
+  }
+  mode_ = mode;
+}
+
+void Navigator::next_mode() {
+  const bool falls = course_ == Course::path && settings_.from == FlightStart::path && path_falls_ && path_.velocity;
+  if (falls && may_fall_on()) {
+    fall_on();
+    return;
+  }
+  set_mode(falls ? FlightMode::geodesic : static_cast<FlightMode>((static_cast<int>(mode_) + 1) % 4));
+}
+
+void Navigator::reverse_orbit() {
+  orbit_sense_ = -orbit_sense_;
+  if (committed()) {
+    return;
+  }
+  end_ride();
+  asked_velocity_.reset();
+}
+
+void Navigator::ride(const Vector3<double>& velocity) {
+  if (!(dot(velocity, velocity) < 1.0)) {
+    throw Error("orbit", "the speed is not below the speed of light", "choose a speed below 1");
+  }
+  set_mode(FlightMode::geodesic);
+  if (committed()) {
+    return;
+  }
+  end_ride();
+  asked_velocity_ = velocity;
+}
+
+std::optional<ObserverView> Navigator::own_observer(std::string_view language) const {
+  if (course_ != Course::free) {
+    return std::nullopt;
+  }
+  if (ride_) {
+    return observer_on_ride(language);
+  }
+  const CameraPose here = pose();
+  if (mode_ == FlightMode::hover) {
+    return observer_of(ObserverMotion::fixed, {}, spin_, here.r, here.theta, language);
+  }
+  return std::nullopt;
+}
+
+std::string_view Navigator::mode_name(std::string_view language) const {
+  constexpr std::array<std::string_view, 4> english = {"around the hole", "spaceship", "hovering", "free fall"};
+  constexpr std::array<std::string_view, 4> german = {"um das Loch", "Raumschiff", "Schweben", "freier Fall"};
+  if (course_ != Course::free) {
+    const bool back = course_ == Course::returning;
+    return language == "de" ? (back ? "zurück zur Vorführung" : "Vorführung") : (back ? "back to the show" : "show");
+  }
+  return (language == "de" ? german : english)[static_cast<std::size_t>(mode_)];
+}
+
+bool Navigator::committed() const {
+  return course_ == Course::free && falls_through() && is_beyond_return(spin_, place_.r);
+}
+
+CameraPose Navigator::pose() const {
+  if (course_ == Course::path) {
+    return path_;
+  }
+  if (!falls_through()) {
+    CameraPose pose = pose_of(place_);
+    pose.clock_lead = clock_lead_;
+    return pose;
+  }
+  CameraPose pose = pose_of_ingoing(place_, spin_);
+  pose.velocity = ride_->velocity();
+  pose.velocity_in_rain = true;
+  pose.clock_lead = outer_lag(spin_, pose.r) + lead_over_lag_;
+  return pose;
+}
+
+//! Returns how fast ingoing azimuths rotate relative to Boyer-Lindquist azimuths during a ride
+//! outside the horizon [rad/s].
+glm::dvec3 Navigator::turn_of_azimuth() const {
+  const KerrFunctions f = kerr_functions(spin_, place_.r, 0.0);
+  return {0.0, 0.0, spin_ / f.delta * ride_->radial_speed()};
+}
+
+//! Starts a ride from rest, or at the camera's velocity. An infalling orbit leads through the
+//! horizon if allowed.
+void Navigator::begin_ride() {
+  if (motion_.coasts() && !(asked_velocity_ && at_rest(motion_.around()))) {
+    return;
+  }
+  const CameraPose here = pose_of(place_);
+  const Vector3<double> velocity = asked_velocity_.value_or(circular_velocity(spin_, here.r, here.theta, orbit_sense_));
+  OrbitRide ride(space_, settings_, place_, velocity);
+  if (!ride.take_over(place_, motion_.fly()) && motion_.coasts()) {
+    return;
+  }
+  ride_ = ride;
+  asked_velocity_.reset();
+  if (leads_through_ && ride.falls_into_hole()) {
+    CameraPose falls = here;
+    falls.velocity = velocity;
+    falls = in_rain_frame(falls, spin_);
+    ride_ = OrbitRide::through_horizon(spin_, settings_, falls);
+    ride_->take_clock_of(ride);
+    lead_over_lag_ = clock_lead_ - outer_lag(spin_, falls.r);
+    place_ = before_ = ingoing_place(falls, spin_);
+    ride_before_ = ride_->velocity();
+    turn_ += turn_of_azimuth();
+    take_east_from_view();
+  }
+}
+
+//! Ends a ride. One through the horizon that ends outside converts the camera to the azimuths and
+//! axes of other flights.
+void Navigator::end_ride() {
+  if (falls_through()) {
+    CameraPose before = pose_of_ingoing(before_, spin_);
+    before.velocity = ride_before_;
+    before.velocity_in_rain = true;
+    place_ = place_of(in_zamo_frame(pose(), spin_));
+    before_ = place_of(in_zamo_frame(before, spin_));
+    take_velocity_of(before_, place_, frame_s_, space_);
+    take_east_from_view();
+  }
+  ride_.reset();
+}
+
+//! Returns whether the path falls along an orbit that a visitor may continue through the horizon.
+bool Navigator::may_fall_on() const {
+  if (!leads_through_ || !path_falls_ || !path_.velocity || !path_.velocity_in_rain) {
+    return false;
+  }
+  return !(path_.r > horizon_radius(spin_)) || OrbitRide::through_horizon(spin_, settings_, path_).falls_into_hole();
+}
+
+//! Continues along the orbit of a path that falls through the horizon, as fast as the path, inside
+//! or outside.
+void Navigator::fall_on() {
+  place_ = ingoing_place(path_, spin_);
+  before_ = ingoing_place(in_rain_frame(path_before_, spin_), spin_);
+  ride_ = OrbitRide::through_horizon(spin_, settings_, path_);
+  ride_before_ = ride_->velocity();
+  lead_over_lag_ = path_.clock_lead - outer_lag(spin_, path_.r);
+  take_velocity_of(before_, place_, frame_s_, ride_->space());
+  ride_->go_as(place_, motion_.fly());
+  course_ = Course::free;
+  mode_ = FlightMode::geodesic;
+  return_.reset();
+  asked_velocity_.reset();
+  motion_.forget_mouse();
+  take_east_from_view();
+}
+
+void Navigator::let_go() {
+  if (course_ == Course::path && settings_.from == FlightStart::path && may_fall_on()) {
+    fall_on();
+  } else if (!(course_ == Course::free && falls_through())) {
+    ride({0.0, 0.0, 0.0});
+  }
+}
+
+ObserverView Navigator::observer_on_ride(std::string_view language) const {
+  const CameraPose here = pose();
+  const bool german = language == "de";
+  if (falls_through()) {
+    const Vector3<double> velocity = in_zamo_frame(here, spin_).velocity.value_or(Vector3<double>{});
+    ObserverView view = falling_into_hole(here.r, spin_, velocity, ride_->left(), language);
+    if (ride_->held() && !(here.r > horizon_radius(spin_))) {
+      view.sentence += german ? " (tiefer geht es nicht: die Zeit ist angehalten)"
+                              : " (no deeper fall is possible: time is stopped)";
+    }
+    return view;
+  }
+  ObserverView view = observer_of(ObserverMotion::velocity, ride_->velocity(), spin_, here.r, here.theta, language);
+  view.name = german ? "auf freier Umlaufbahn" : "in free orbit";
+  view.sentence = view.name + view.sentence.substr(view.sentence.rfind(','));
+  // Within so many guard radii, the observer's description includes where the fall ends.
+  constexpr double near = 2.0;
+  if (kept_outside_ && here.r < near * space_.guard_r() && ride_->falls_into_hole()) {
+    view.sentence +=
+        " (" + text_in(*kept_outside_, language) + (german ? ": der Fall endet davor)" : ": the fall ends outside it)");
+  } else if (ride_->held()) {
+    view.sentence += german ? " (sie verlässt das Fluggebiet: die Zeit ist angehalten)"
+                            : " (the orbit leaves the flight region: time is stopped)";
+  }
+  return view;
 }
 
 }  // namespace ergodome

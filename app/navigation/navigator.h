@@ -9,7 +9,7 @@
 #include "app/navigation/observer_mode.h"
 #include "app/navigation/orbit_ride.h"
 #include "app/navigation/path_return.h"
-#include "app/navigation/turn_limits.h"
+#include "app/navigation/steered_motion.h"
 #include "content/show/show.h"
 
 namespace ergodome {
@@ -80,20 +80,10 @@ class Navigator {
   //! Return the rotation rate of the view relative to fixed directions [rad/s] and the velocity of
   //! a ship [distances/s], which the limits of comfort apply to.
   [[nodiscard]] const glm::dvec3& turn_rate() const { return turn_; }
-  [[nodiscard]] const glm::dvec3& fly_velocity() const { return fly_; }
+  [[nodiscard]] const glm::dvec3& fly_velocity() const { return motion_.fly(); }
   [[nodiscard]] const FlightSpace& space() const { return space_; }
 
  private:
-  //! Requested rates of a step.
-  struct Wish {
-    glm::dvec3 head{0.0};    //!< about the view's axes [rad/s]
-    glm::dvec3 around{0.0};  //!< to the camera's east and north [rad/s], outward [distances/s]
-    glm::dvec3 fly{0.0};     //!< [distances/s]
-    double hurry = 0.0;
-  };
-  [[nodiscard]] Wish wish(const Steering& steering, double seconds);
-  //! Takes the part of a pending mouse motion that the limits allow in a step.
-  glm::dvec3 from_mouse(glm::dvec3& pending, double most, double seconds) const;
   void step(const Steering& steering, double seconds);
   void begin_ride();
   void end_ride();
@@ -102,7 +92,6 @@ class Navigator {
   [[nodiscard]] bool may_fall_on() const;
   [[nodiscard]] glm::dvec3 turn_of_azimuth() const;
   [[nodiscard]] ObserverView observer_on_ride(std::string_view language) const;
-  void follow_wish(const Wish& wish, double seconds);
   void move_around(double seconds, glm::dvec3& turn);
   void move_on_orbit(double hurry, double seconds, glm::dvec3& turn);
   void turn_view(const glm::dvec3& wanted, double seconds);
@@ -111,12 +100,11 @@ class Navigator {
   void take_velocity_of(const CameraPlace& before, const CameraPlace& now, double seconds, const FlightSpace& space);
   void advance_return(double seconds);
   void start_return();
-  [[nodiscard]] bool coasting() const;
 
   double spin_;
   FlightSettings settings_;
   FlightSpace space_;
-  TurnLimits limits_;
+  SteeredMotion motion_;
   std::optional<LocalText> kept_outside_;  //!< why visitors do not fall through the horizon, if so
   bool leads_through_;                     //!< whether infalling orbits lead through the horizon
   CameraPlace start_;
@@ -131,14 +119,9 @@ class Navigator {
   double frame_s_ = 0.0;  //!< time between the last two frames
   bool begun_ = false;
   bool moved_ = true;
-  glm::dvec3 head_{0.0};  //!< rates as in Wish
-  glm::dvec3 around_{0.0};
-  glm::dvec3 fly_{0.0};
   glm::dvec3 turn_{0.0};
   //! Horizontal and perpendicular to `towards`; keeps its direction across the axis.
   glm::dvec3 east_{0.0, 1.0, 0.0};
-  glm::dvec3 mouse_turn_{0.0};  //!< remaining pitch, yaw, roll [rad]
-  glm::dvec3 mouse_way_{0.0};   //!< remaining right, up, forward [distances]
   //! A ride through the horizon has `place_` and `before_` in ingoing azimuths.
   std::optional<OrbitRide> ride_;
   Vector3<double> ride_before_{};  //!< its velocity at `before_`
