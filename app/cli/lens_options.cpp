@@ -11,6 +11,7 @@
 #include "app/cli/usage_error.h"
 #include "content/files/console.h"
 #include "content/files/counted.h"
+#include "content/show/stereo_eyes.h"
 #include "kernels/core/error.h"
 #include "kernels/projection/pixel_measure.h"
 #include "render/frame/show_renderer.h"
@@ -138,7 +139,7 @@ std::vector<std::string> stream_notes(const StationStream* stream, const Show& s
     return {};
   }
   const TrajectoryReader& trajectory = stream->trajectory();
-  if (eye_count(show.stereo) > 1 && show.stereo.model == StereoModel::omni) {
+  if (has_camera_per_direction(show.stereo)) {
     const bool asked_for = !options.trajectory.empty() || lens_choice(options) == LensChoice::streamed;
     return asked_for ? std::vector{fmt::format(
                            "stereo model omni has a camera for each pixel, so the trajectory {} is not used",

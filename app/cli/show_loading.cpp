@@ -14,6 +14,7 @@
 #include "content/objects/object_reader.h"
 #include "content/show/animated_show.h"
 #include "content/show/show_reader.h"
+#include "content/show/stereo_eyes.h"
 #include "content/sky/sky_map.h"
 #include "kernels/core/error.h"
 #include "render/plan/frame_needs.h"
@@ -207,7 +208,7 @@ std::optional<TraceMethod> follow_method(const std::string& name, const std::str
     throw UsageError("--method " + name, "applies only to heat maps of steps and errors",
                      "add --view steps or --view error");
   }
-  if (eye_count(show.stereo) > 1 && show.stereo.model == StereoModel::omni) {
+  if (has_camera_per_direction(show.stereo)) {
     throw UsageError("--method " + name, "traces rays of one camera, but stereo model omni has a camera for each pixel",
                      "add --stereo mono");
   }

@@ -10,6 +10,7 @@
 #include "content/camera/key_curve.h"
 #include "content/fall/rain_pose.h"
 #include "content/show/animated_show.h"
+#include "content/show/stereo_eyes.h"
 #include "render/passes/overlay/overlay_place.h"
 
 namespace ergodome {
@@ -390,8 +391,8 @@ StereoSettings PlayerSession::stereo_now() const {
     stereo.layout = StereoLayout::side_by_side;
   }
   const bool may_be_within = leads_within(show_) || navigator_->pose().velocity_in_rain;
-  if (may_be_within && stereo.model == StereoModel::flat) {
-    stereo.model = StereoModel::physical;  // flat eyes are undefined inside the horizon
+  if (may_be_within) {
+    stereo.model = model_for_fall(stereo.model);
   }
   return stereo;
 }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "content/show/animated_show.h"
+#include "content/show/stereo_eyes.h"
 #include "kernels/spacetime/kerr/kerr.h"
 
 namespace ergodome {
@@ -25,7 +26,7 @@ std::optional<LocalText> hidden_within(const Show& show) {
   if (has_polygon_objects(show)) {
     return LocalText{{"en", "objects with method = \"polygon\""}, {"de", "Objekte mit method = \"polygon\""}};
   }
-  return show.stereo.model == StereoModel::flat
+  return model_for_fall(show.stereo.model) != show.stereo.model
              ? std::optional(LocalText{{"en", "stereo.model = \"flat\""}, {"de", "stereo.model = \"flat\""}})
              : std::nullopt;
 }

@@ -9,6 +9,7 @@
 #include "app/cli/show_loading.h"
 #include "content/files/atomic_file.h"
 #include "content/show/animated_show.h"
+#include "content/show/stereo_eyes.h"
 #include "render/eyes/eye_distance.h"
 #include "render/frame/view_projection.h"
 #include "render/output/frame_names.h"
@@ -40,7 +41,7 @@ Facts number_in(const Show& show, const char* path, double unchanging, FrameSpan
 //! only in stereo models other than `physical`; these are evaluated in at most a few hundred
 //! frames, because each evaluation may take as long as a lens.
 Facts baselines_in(const Show& show, FrameSpan frames) {
-  if (show.stereo.model == StereoModel::physical) {
+  if (fits_everywhere(show.stereo.model)) {
     return number_in(show, "stereo.baseline", show.stereo.baseline, frames);
   }
   constexpr int most_asked = 256;

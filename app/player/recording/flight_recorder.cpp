@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "content/fall/rain_pose.h"
+#include "content/show/stereo_eyes.h"
 #include "kernels/core/angles.h"
 
 namespace ergodome {
@@ -197,9 +198,7 @@ Show recorded_show(const Show& scene, RecordedPath path, const std::string& titl
   show.camera.keys = std::move(path.keys);
   if (path.fall) {
     put_fall(*path.fall, show);
-    if (show.stereo.model == StereoModel::flat) {
-      show.stereo.model = StereoModel::physical;  // as in the player
-    }
+    show.stereo.model = model_for_fall(show.stereo.model);  // as in the player
   }
   const auto place = [&](std::string& file) {
     const std::filesystem::path beside = std::filesystem::path(scene.folder) / file;

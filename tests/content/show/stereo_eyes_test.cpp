@@ -1,0 +1,25 @@
+#include "content/show/stereo_eyes.h"
+
+#include <gtest/gtest.h>
+
+namespace ergodome {
+namespace {
+
+TEST(StereoEyes, HaveACameraPerDirectionOnlyWithTwoEyes) {
+  StereoSettings stereo;
+  stereo.model = StereoModel::omni;
+  EXPECT_FALSE(has_camera_per_direction(stereo));
+  stereo.layout = StereoLayout::side_by_side;
+  EXPECT_TRUE(has_camera_per_direction(stereo));
+  stereo.model = StereoModel::flat;
+  EXPECT_FALSE(has_camera_per_direction(stereo));
+}
+
+TEST(StereoEyes, OfAFallAreThoseThatAreDefinedInside) {
+  EXPECT_EQ(model_for_fall(StereoModel::flat), StereoModel::physical);
+  EXPECT_EQ(model_for_fall(StereoModel::omni), StereoModel::omni);
+  EXPECT_EQ(model_for_fall(StereoModel::physical), StereoModel::physical);
+}
+
+}  // namespace
+}  // namespace ergodome
