@@ -7,8 +7,6 @@
 #include <utility>
 
 #include "app/player/stereo_controls.h"
-#include "content/camera/key_curve.h"
-#include "content/fall/rain_pose.h"
 #include "content/show/animated_show.h"
 #include "content/show/stereo_eyes.h"
 #include "render/passes/overlay/overlay_place.h"
@@ -161,7 +159,7 @@ void PlayerSession::apply(const TransportCommand& command) {
       convergence_.reset();
       stereo_ = show_.stereo;
       zoom_steps_ = 0.0;
-      observer_ = ObserverMode::natural;
+      observer_.reset();
       mode_ = ViewMode::sky;
       if (flying()) {
         navigator_->reset();
@@ -218,8 +216,7 @@ void PlayerSession::press_view(KeyAction action) {
       navigator_->let_go();
       break;
     case KeyAction::next_observer:
-      // Inside the horizon there is only one.
-      observer_ = frame_.pose.r > horizon_radius(show_now_.spin) ? next_observer(observer_) : observer_;
+      observer_.choose_next(frame_.pose, show_now_.spin);
       break;
     default:
       adjust_stereo(action);
@@ -270,7 +267,7 @@ std::string PlayerSession::caption() const {
   std::string text;
   if (flying()) {
     text = fmt::format("{}: {}", navigator_->mode_name(playback_.language()), frame_.observer.sentence);
-  } else if (observer_ != ObserverMode::natural) {
+  } else if (observer_.is_chosen()) {
     text = frame_.observer.sentence;
   }
   if (now_s() < message_until_s_) {
@@ -297,7 +294,7 @@ void PlayerSession::look(double seconds, double shown_time_s) {
   if (!flying()) {
     frame_.path_time_s = time_s;
   }
-  observe(seconds, time_s);
+  observer_.observe(seconds, {show_, show_now_.spin, time_s, *navigator_, language}, frame_);
   frame_.mode = mode_;
   frame_.field_of_view_deg = field_of_view_deg();
   frame_.stereo = stereo_now();
@@ -305,71 +302,6 @@ void PlayerSession::look(double seconds, double shown_time_s) {
   frame_.language = language;
   frame_.captions = playback_.captions();
   frame_.light = playback_.light();
-}
-
-void PlayerSession::observe(double seconds, double time_s) {
-  // Inside the horizon, only infalling observers exist.
-  const bool within = !(frame_.pose.r > horizon_radius(show_now_.spin));
-  const ObserverMode mode = within ? ObserverMode::natural : observer_;
-  const CameraPose in_zamo = in_zamo_frame(frame_.pose, show_now_.spin);
-  const ObserverView wanted = observer_view(mode, show_.camera, own_observer(in_zamo, time_s), show_now_.spin,
-                                            frame_.pose.r, frame_.pose.theta, playback_.language());
-  frame_.observer = observer_fade_.advance(seconds, wanted, show_now_.spin, frame_.pose);
-  if (!frame_.pose.velocity_in_rain) {
-    other_eyes_from_r_ = frame_.pose.r;
-  }
-  const bool falls_off_path = flying() && frame_.pose.velocity_in_rain;
-  if (mode != ObserverMode::natural || (falls_off_path && !within && observer_fade_.fading())) {
-    look_as_other(in_zamo);
-  } else if (!flying()) {
-    // Baked lenses are for the show's observer.
-    frame_.observer.motion = show_.camera.motion;
-    frame_.observer.velocity = show_.camera.velocity;
-  }
-}
-
-std::optional<ObserverView> PlayerSession::own_observer(const CameraPose& in_zamo, double time_s) const {
-  const std::string& language = playback_.language();
-  if (navigator_->course() == Navigator::Course::free) {
-    return navigator_->own_observer(language);
-  }
-  if (!(in_zamo.r > horizon_radius(show_now_.spin))) {
-    return falling_within(language);
-  }
-  // While returning to a path with velocities, the observer already moves as the path does, so that
-  // nothing jumps when the path is reached.
-  const std::optional<Vector3<double>> moves = navigator_->course() == Navigator::Course::returning
-                                                   ? in_zamo_frame(camera_pose(show_, time_s), show_now_.spin).velocity
-                                                   : in_zamo.velocity;
-  return moves ? std::optional(observer_at(*moves)) : std::nullopt;
-}
-
-void PlayerSession::look_as_other(const CameraPose& in_zamo) {
-  const double horizon = horizon_radius(show_now_.spin);
-  const double nearest = 1.002 * horizon;
-  const double farthest = std::min(1.3 * horizon, other_eyes_from_r_);
-  const double r = in_zamo.r;
-  const double nearness = !frame_.pose.velocity_in_rain || r >= farthest ? 0.0
-                          : r <= nearest                                 ? 1.0
-                                                                         : eased((farthest - r) / (farthest - nearest));
-  if (nearness == 1.0) {
-    return;
-  }
-  const Vector3<double> falls = in_zamo.velocity.value_or(Vector3<double>{});
-  frame_.pose = in_zamo;
-  frame_.pose.velocity.reset();
-  if (nearness > 0.0) {
-    const ObserverView& seen = frame_.observer;
-    const Vector3<double> other = observer_velocity(seen.motion, show_now_.spin, r, frame_.pose.theta, seen.velocity);
-    frame_.pose.velocity = other + nearness * (falls - other);
-  }
-}
-
-ObserverView PlayerSession::observer_at(const Vector3<double>& velocity) const {
-  const std::string& language = playback_.language();
-  return show_.camera.orbit != nullptr ? falling_observer(velocity, language)
-                                       : observer_of(ObserverMotion::velocity, velocity, show_now_.spin, frame_.pose.r,
-                                                     frame_.pose.theta, language);
 }
 
 double PlayerSession::field_of_view_deg() const {

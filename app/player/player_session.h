@@ -7,10 +7,10 @@
 
 #include "app/navigation/controls/actions.h"
 #include "app/navigation/navigator.h"
-#include "app/navigation/observer_mode.h"
 #include "app/playback/playback.h"
 #include "app/player/recording/session_recording.h"
 #include "app/player/renderers/player_frame.h"
+#include "app/player/session_observer.h"
 
 namespace ergodome {
 
@@ -96,15 +96,6 @@ class PlayerSession {
   void look(double seconds, double shown_time_s);
   //! Returns whether a visible caption or an overlay is present at a show time.
   [[nodiscard]] bool has_words_at(double time_s) const;
-  //! Chooses the observer and its velocity for the camera's position at a show time.
-  void observe(double seconds, double time_s);
-  //! Returns how the camera itself moves, if that determines the observer; `in_zamo` is its pose.
-  [[nodiscard]] std::optional<ObserverView> own_observer(const CameraPose& in_zamo, double time_s) const;
-  //! Uses another observer than the infalling one for the frame's pose. Toward the horizon, blends
-  //! into the infalling observer, because no other can cross it and the view must not jump there.
-  void look_as_other(const CameraPose& in_zamo);
-  //! Returns the observer of a path with a velocity.
-  [[nodiscard]] ObserverView observer_at(const Vector3<double>& velocity) const;
   //! Ends the recording of a flight in this scene, which a fall has ended.
   void end_recording(const Show& scene);
   //! Returns the show with its current numbers and the operator's stereo settings.
@@ -120,10 +111,7 @@ class PlayerSession {
   Show show_now_;  //!< with its current numbers
   Playback playback_;
   std::optional<Navigator> navigator_;
-  ObserverMode observer_ = ObserverMode::natural;
-  ObserverFade observer_fade_;
-  //! Radius at which the camera began to fall through the horizon [M].
-  double other_eyes_from_r_ = 1e300;
+  SessionObserver observer_;
   SessionRecording recording_;
 
   ViewMode mode_ = ViewMode::sky;

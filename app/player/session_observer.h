@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/navigation/navigator.h"
+#include "app/navigation/observer_mode.h"
+#include "app/player/renderers/player_frame.h"
+
+namespace ergodome {
+
+//! What the observer of a frame depends on.
+struct ObserverScene {
+  const Show& show;  //!< as in its file
+  double spin;       //!< of the hole now
+  double time_s;     //!< show time
+  const Navigator& navigator;
+  const std::string& language;
+};
+
+//! The observer of a session's frames: the show's, the camera's own, or one that a user chooses.
+class SessionObserver {
+ public:
+  //! Chooses the next observer for a camera at a pose. Inside the horizon there is only one.
+  void choose_next(const CameraPose& pose, double spin);
+  void reset() { mode_ = ObserverMode::natural; }
+  [[nodiscard]] bool is_chosen() const { return mode_ != ObserverMode::natural; }
+
+  //! Sets a frame's observer, and its pose if the observer differs from a falling camera. The frame
+  //! has the navigator's pose.
+  void observe(double seconds, const ObserverScene& scene, PlayerFrame& frame);
+
+ private:
+  //! Changes a frame to another observer than the infalling one. Toward the horizon, blends into the
+  //! infalling observer, because no other can cross it and the view must not jump there.
+  void use_other_observer(const ObserverScene& scene, const CameraPose& in_zamo, PlayerFrame& frame) const;
+
+  ObserverMode mode_ = ObserverMode::natural;
+  ObserverFade fade_;
+  double other_eyes_from_r_ = 1e300;  //!< radius at which the camera began to fall through the horizon [M]
+};
+
+}  // namespace ergodome
