@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "app/pads/pad_decoder.h"
+#include "app/pads/decoders/pad_decoder.h"
 #include "app/pads/pad_hub.h"
 #include "content/files/console.h"
 #include "content/files/counted.h"

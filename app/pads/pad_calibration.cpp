@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/pads/pad_names.h"
+#include "app/pads/state/pad_names.h"
 
 namespace ergodome {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "app/pads/pad_raw.h"
 #include "app/pads/pad_settings.h"
+#include "app/pads/state/pad_raw.h"
 
 namespace ergodome {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "app/pads/pad_names.h"
+#include "app/pads/state/pad_names.h"
 #include "content/files/counted.h"
 
 namespace ergodome {

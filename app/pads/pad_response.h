@@ -2,8 +2,8 @@
 
 #include <span>
 
-#include "app/pads/pad_raw.h"
 #include "app/pads/pad_settings.h"
+#include "app/pads/state/pad_raw.h"
 
 namespace ergodome {
 

@@ -3,8 +3,8 @@
 #include <functional>
 #include <memory>
 
+#include "app/pads/decoders/pad_decoder.h"
 #include "app/pads/hid/hid_api.h"
-#include "app/pads/pad_decoder.h"
 #include "app/pads/pad_response.h"
 
 namespace ergodome {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/pads/pad_state.h"
+#include "app/pads/state/pad_state.h"
 
 namespace ergodome {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cctype>
 
-#include "app/pads/pad_names.h"
-#include "app/pads/pad_raw.h"
 #include "app/pads/pad_settings.h"
+#include "app/pads/state/pad_names.h"
+#include "app/pads/state/pad_raw.h"
 #include "content/files/toml_table.h"
 
 namespace ergodome {

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "app/pads/pad_names.h"
 #include "app/pads/pad_settings.h"
+#include "app/pads/state/pad_names.h"
 
 namespace ergodome {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "app/pads/pad_decoder.h"
+#include "app/pads/decoders/pad_decoder.h"
 #include "app/pads/pad_response.h"
 
 // The first byte chooses a pad and its bus; the rest are reports, each preceded by its length (0:

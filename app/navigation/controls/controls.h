@@ -10,7 +10,7 @@
 #include "app/navigation/controls/actions.h"
 #include "app/navigation/controls/input_names.h"
 #include "app/navigation/controls/steering.h"
-#include "app/pads/pad_state.h"
+#include "app/pads/state/pad_state.h"
 
 namespace ergodome {
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <utility>
 
-#include "app/pads/pad_state.h"
+#include "app/pads/state/pad_state.h"
 
 namespace ergodome {
 

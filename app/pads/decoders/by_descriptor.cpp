@@ -7,7 +7,7 @@
 #include "app/pads/decoders/decoders.h"
 #include "app/pads/decoders/generic_mapping.h"
 #include "app/pads/hid/hid_descriptor.h"
-#include "app/pads/pad_names.h"
+#include "app/pads/state/pad_names.h"
 
 namespace ergodome {
 

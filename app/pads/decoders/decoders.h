@@ -3,7 +3,7 @@
 #include <memory>
 #include <span>
 
-#include "app/pads/pad_decoder.h"
+#include "app/pads/decoders/pad_decoder.h"
 
 namespace ergodome {
 

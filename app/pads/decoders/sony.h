@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/pads/hid/report_bytes.h"
+#include "app/pads/decoders/report_bytes.h"
 
 namespace ergodome {
 

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <initializer_list>
 
-#include "app/pads/hid/report_bytes.h"
+#include "app/pads/decoders/report_bytes.h"
 
 namespace ergodome {
 

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "app/pads/decoders/pad_decoder.h"
 #include "app/pads/hid/hid_fixture.h"
-#include "app/pads/pad_decoder.h"
-#include "app/pads/pad_names.h"
 #include "app/pads/pad_response.h"
+#include "app/pads/state/pad_names.h"
 
 // Recordings of pads for tests, and what decoders should read from them.
 namespace ergodome::test {

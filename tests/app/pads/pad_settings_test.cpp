@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "app/pads/pad_names.h"
+#include "app/pads/state/pad_names.h"
 #include "tests/support/errors.h"
 #include "tests/support/folder_test.h"
 

@@ -2,7 +2,7 @@
 
 #include "app/pads/decoders/decoders.h"
 #include "app/pads/decoders/generic_mapping.h"
-#include "app/pads/pad_names.h"
+#include "app/pads/state/pad_names.h"
 #include "tests/app/pads/fixtures.h"
 
 namespace ergodome::test {

@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "app/pads/pad_names.h"
+#include "app/pads/state/pad_names.h"
 #include "tests/app/pads/fixtures.h"
 
 namespace ergodome::test {

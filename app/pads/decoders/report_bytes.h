@@ -5,7 +5,7 @@
 #include <initializer_list>
 #include <span>
 
-#include "app/pads/pad_raw.h"
+#include "app/pads/state/pad_raw.h"
 
 namespace ergodome {
 

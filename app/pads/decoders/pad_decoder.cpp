@@ -1,4 +1,4 @@
-#include "app/pads/pad_decoder.h"
+#include "app/pads/decoders/pad_decoder.h"
 
 #include <algorithm>
 #include <array>

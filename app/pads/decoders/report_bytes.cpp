@@ -1,4 +1,4 @@
-#include "app/pads/hid/report_bytes.h"
+#include "app/pads/decoders/report_bytes.h"
 
 #include <array>
 

@@ -1,9 +1,9 @@
-#include "app/pads/pad_names.h"
+#include "app/pads/state/pad_names.h"
 
 #include <algorithm>
 #include <charconv>
 
-#include "app/pads/pad_raw.h"
+#include "app/pads/state/pad_raw.h"
 
 namespace ergodome {
 

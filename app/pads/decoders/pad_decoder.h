@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
+#include "app/pads/decoders/report_bytes.h"
 #include "app/pads/hid/hid_api.h"
-#include "app/pads/hid/report_bytes.h"
-#include "app/pads/pad_raw.h"
+#include "app/pads/state/pad_raw.h"
 
 namespace ergodome {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/pads/pad_state.h"
+#include "app/pads/state/pad_state.h"
 
 namespace ergodome {
 
