@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "app/playback/show_clock.h"
+#include "app/playback/clock/show_clock.h"
 
 namespace ergodome {
 

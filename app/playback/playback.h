@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "app/playback/clock/show_clock.h"
 #include "app/playback/external_clock.h"
-#include "app/playback/show_clock.h"
 #include "app/playback/sound/audio_mixer.h"
 #include "app/playback/sound/fader.h"
 #include "app/playback/transport.h"

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "app/playback/show_time.h"
+#include "app/playback/clock/show_time.h"
 #include "content/show/show.h"
 
 namespace ergodome {

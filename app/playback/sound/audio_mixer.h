@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/playback/show_clock.h"
+#include "app/playback/clock/show_clock.h"
 #include "app/playback/sound/audio_output.h"
 #include "app/playback/sound/audio_voice.h"
 #include "content/timeline/timeline.h"

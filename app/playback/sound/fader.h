@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/playback/show_time.h"
+#include "app/playback/clock/show_time.h"
 
 namespace ergodome {
 

@@ -1,4 +1,4 @@
-#include "app/playback/show_time.h"
+#include "app/playback/clock/show_time.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "app/playback/show_clock.h"
+#include "app/playback/clock/show_clock.h"
 
 #include <algorithm>
 #include <cmath>
