@@ -20,7 +20,7 @@ if(CMAKE_SCRIPT_MODE_FILE)
       set(is_file TRUE)
     endif()
   endforeach()
-  file(WRITE "${OUTPUT}" "#include \"app/remote/page_files.h\"\n\nnamespace ergodome {\n\nnamespace {\n\n${arrays}\n"
+  file(WRITE "${OUTPUT}" "#include \"app/remote/web/page_files.h\"\n\nnamespace ergodome {\n\nnamespace {\n\n${arrays}\n"
                          "constexpr PageFile files[] = {\n${rows}};\n\n}  // namespace\n\n"
                          "std::span<const PageFile> page_files() { return files; }\n\n}  // namespace ergodome\n")
   return()

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/remote/command_rules.h"
+#include "app/remote/common/command_rules.h"
 
 namespace ergodome {
 

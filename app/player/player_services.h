@@ -11,7 +11,7 @@
 #include "app/playback/playback.h"
 #include "app/playback/sound/audio_player.h"
 #include "app/playback/watched_shows.h"
-#include "app/remote/log_ring.h"
+#include "app/remote/common/log_ring.h"
 #include "app/remote/remote_control.h"
 
 namespace ergodome {

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "app/remote/command_rules.h"
+#include "app/remote/common/command_rules.h"
 #include "app/remote/web/json_command.h"
 #include "kernels/core/error.h"
 

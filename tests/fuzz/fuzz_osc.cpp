@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <span>
 
-#include "app/remote/command_rules.h"
+#include "app/remote/common/command_rules.h"
 #include "app/remote/osc/osc_handler.h"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/remote/descriptor.h"
+#include "app/remote/common/descriptor.h"
 
 namespace ergodome::test {
 

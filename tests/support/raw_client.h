@@ -7,7 +7,7 @@
 #include <chrono>
 #include <string>
 
-#include "app/remote/net_address.h"
+#include "app/remote/common/net_address.h"
 
 namespace ergodome::test {
 

@@ -9,7 +9,7 @@
 #include <charconv>
 #include <limits>
 
-#include "app/remote/command_rules.h"
+#include "app/remote/common/command_rules.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {

@@ -8,11 +8,11 @@
 
 #include "app/playback/external_clock.h"
 #include "app/playback/transport.h"
-#include "app/remote/command_rules.h"
-#include "app/remote/net_address.h"
+#include "app/remote/common/command_rules.h"
+#include "app/remote/common/net_address.h"
+#include "app/remote/common/rate_limit.h"
 #include "app/remote/osc/osc_message.h"
 #include "app/remote/osc/osc_subscribers.h"
-#include "app/remote/web/rate_limit.h"
 
 namespace ergodome {
 

@@ -2,8 +2,8 @@
 
 #include <thread>
 
+#include "app/remote/common/stop_signal.h"
 #include "app/remote/osc/osc_handler.h"
-#include "app/remote/stop_signal.h"
 
 namespace ergodome {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/remote/net_address.h"
+#include "app/remote/common/net_address.h"
 
 namespace ergodome {
 

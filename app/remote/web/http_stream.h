@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "app/remote/net_address.h"
-#include "app/remote/stop_signal.h"
+#include "app/remote/common/net_address.h"
+#include "app/remote/common/stop_signal.h"
 
 namespace ergodome {
 

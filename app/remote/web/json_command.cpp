@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "app/remote/command_rules.h"
+#include "app/remote/common/command_rules.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {

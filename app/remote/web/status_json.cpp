@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/remote/command_rules.h"
+#include "app/remote/common/command_rules.h"
 
 namespace ergodome {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/playback/transport.h"
-#include "app/remote/log_ring.h"
+#include "app/remote/common/log_ring.h"
 
 namespace ergodome {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/remote/net_address.h"
+#include "app/remote/common/net_address.h"
 
 namespace ergodome {
 

@@ -8,9 +8,9 @@
 #include <string>
 
 #include "app/playback/transport.h"
-#include "app/remote/log_ring.h"
+#include "app/remote/common/log_ring.h"
+#include "app/remote/common/rate_limit.h"
 #include "app/remote/web/http_stream.h"
-#include "app/remote/web/rate_limit.h"
 #include "app/remote/web/web_guard.h"
 
 namespace ergodome {

@@ -8,9 +8,9 @@
 #include <thread>
 
 #include "app/playback/transport.h"
-#include "app/remote/log_ring.h"
-#include "app/remote/net_address.h"
-#include "app/remote/stop_signal.h"
+#include "app/remote/common/log_ring.h"
+#include "app/remote/common/net_address.h"
+#include "app/remote/common/stop_signal.h"
 #include "app/remote/web/web_guard.h"
 #include "app/remote/web/web_lobby.h"
 

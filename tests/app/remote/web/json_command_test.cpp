@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "app/remote/command_rules.h"
+#include "app/remote/common/command_rules.h"
 #include "app/remote/web/status_json.h"
 #include "tests/support/errors.h"
 #include "tests/support/fake_player.h"

@@ -1,11 +1,11 @@
-#include "app/remote/log_ring.h"
+#include "app/remote/common/log_ring.h"
 
 #include <spdlog/details/null_mutex.h>
 #include <spdlog/sinks/base_sink.h>
 
 #include <algorithm>
 
-#include "app/remote/short_text.h"
+#include "app/remote/common/short_text.h"
 
 namespace ergodome {
 

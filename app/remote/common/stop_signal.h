@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "app/remote/descriptor.h"
+#include "app/remote/common/descriptor.h"
 
 namespace ergodome {
 

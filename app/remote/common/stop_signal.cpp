@@ -1,4 +1,4 @@
-#include "app/remote/stop_signal.h"
+#include "app/remote/common/stop_signal.h"
 
 #include <poll.h>
 #include <sys/eventfd.h>

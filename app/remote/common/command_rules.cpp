@@ -1,4 +1,4 @@
-#include "app/remote/command_rules.h"
+#include "app/remote/common/command_rules.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "app/remote/log_ring.h"
+#include "app/remote/common/log_ring.h"
 
 #include <gtest/gtest.h>
 #include <spdlog/logger.h>

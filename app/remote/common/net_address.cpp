@@ -1,4 +1,4 @@
-#include "app/remote/net_address.h"
+#include "app/remote/common/net_address.h"
 
 #include <arpa/inet.h>
 #include <fmt/format.h>
