@@ -61,7 +61,7 @@ struct PlayArguments {
 //! Returns the keys for --help, one line each.
 std::string key_help() {
   std::string text = "Keys:\n";
-  std::istringstream lines(Controls().help_text({.pads = false}));
+  std::istringstream lines(help_text(Controls(), {.pads = false}));
   for (std::string line; std::getline(lines, line);) {
     text += fmt::format("  {}\n", line);
   }

@@ -339,7 +339,7 @@ std::string Player::help_text(HelpForm form) const {
   choice.reader = exhibit_ ? ActionUser::visitor : ActionUser::presenter;
   choice.language = session_->playback().language();
   choice.form = form;
-  return inputs_.controls().help_text(choice);
+  return ergodome::help_text(inputs_.controls(), choice);
 }
 
 void Player::update_texts() {

@@ -9,7 +9,7 @@
 #include "app/exhibit/exhibit_scenes.h"
 #include "app/exhibit/light_watch.h"
 #include "app/exhibit/operator_log.h"
-#include "app/navigation/controls/controls.h"
+#include "app/navigation/controls/help_text.h"
 #include "app/pads/hid/hid_api.h"
 #include "app/player/eye_notice.h"
 #include "app/player/frame_times.h"

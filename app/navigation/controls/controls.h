@@ -23,18 +23,6 @@ struct MouseState {
   double radians_per_px = 0;  //!< angle of view per pixel of the window
 };
 
-//! Formats of the help: aligned columns for monospaced fonts; cells separated by tabs, for
-//! fit_list(); or lines of words for any font, with only the controller's inputs if there is one.
-enum class HelpForm { columns, cells, words };
-
-//! Contents of the help.
-struct HelpChoice {
-  bool pads = true;                           //!< includes a column for controllers
-  ActionUser reader = ActionUser::presenter;  //!< visitors see only their own actions
-  std::string_view language = "en";           //!< "de", otherwise English
-  HelpForm form = HelpForm::columns;
-};
-
 //! Bindings of keys, mouse and controllers to actions and steering. A file can change them (see
 //! reference/controls.md).
 class Controls {
@@ -62,15 +50,8 @@ class Controls {
   [[nodiscard]] std::vector<KeyAction> mouse_pressed(int button) const;
   [[nodiscard]] std::vector<KeyAction> wheel_turned(double steps) const;
 
-  //! Returns the bindings as text: keys and mouse, controller, current action; columns are for
-  //! monospaced fonts. Omits actions without inputs.
-  [[nodiscard]] std::string help_text(const HelpChoice& choice) const;
-
   [[nodiscard]] const std::vector<Input>& inputs_of(KeyAction action) const;
   [[nodiscard]] const std::vector<SteerBinding>& inputs_of(double Steering::*component) const;
-
-  //! Returns the bindings as a file that parse_controls() reads, with a comment on each line.
-  [[nodiscard]] std::string to_toml() const;
 
  private:
   friend Controls parse_controls(std::string_view text, const std::string& file);
@@ -86,6 +67,9 @@ class Controls {
 //! and for an input bound twice.
 Controls parse_controls(std::string_view text, const std::string& file);
 Controls read_controls(const std::filesystem::path& path);
+
+//! Returns bindings as a file that parse_controls() reads, with a comment on each line.
+std::string to_toml(const Controls& controls);
 
 //! Returns the path of the user's controls, $XDG_CONFIG_HOME/ergodome/controls.toml (or ~/.config);
 //! empty if neither folder is known.

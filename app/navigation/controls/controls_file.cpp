@@ -216,7 +216,7 @@ Controls load_controls(const std::filesystem::path& chosen) {
   return !own.empty() && std::filesystem::exists(own, problem) ? read_controls(own) : Controls();
 }
 
-std::string Controls::to_toml() const {
+std::string to_toml(const Controls& controls) {
   std::string text =
       "# Assigns keys, mouse and pads to actions. Actions that are not listed keep their default inputs; [] means no "
       "input.\n"
@@ -224,7 +224,7 @@ std::string Controls::to_toml() const {
       "...\n\n[actions]\n";
   for (const ActionFacts& facts : all_actions()) {
     std::vector<std::string> names;
-    for (const Input& input : inputs_of(facts.action)) {
+    for (const Input& input : controls.inputs_of(facts.action)) {
       names.push_back(name_of(input));
     }
     text += fmt::format("{} = {}  # {}\n", facts.name, list_of(names), facts.english);
@@ -232,7 +232,7 @@ std::string Controls::to_toml() const {
   text += "\n# A minus sign reverses an input, a factor scales it: \"-A\", \"0.5*pad.left_x\".\n[steer]\n";
   for (const SteerFacts& facts : all_steering()) {
     std::vector<std::string> names;
-    for (const SteerBinding& binding : inputs_of(facts.component)) {
+    for (const Controls::SteerBinding& binding : controls.inputs_of(facts.component)) {
       names.push_back(text_of(binding));
     }
     text += fmt::format("{} = {}  # {}\n", facts.name, list_of(names), facts.english);
@@ -245,7 +245,7 @@ void write_default_controls(const std::filesystem::path& path) {
   if (std::filesystem::exists(path, problem)) {
     throw Error(path.string(), "already exists", "choose another name, or remove the file first");
   }
-  write_text_atomically(path, Controls().to_toml());
+  write_text_atomically(path, to_toml(Controls()));
 }
 
 }  // namespace ergodome

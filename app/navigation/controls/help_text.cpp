@@ -1,3 +1,5 @@
+#include "app/navigation/controls/help_text.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "app/navigation/controls/controls.h"
 #include "app/navigation/controls/help_layout.h"
 
 namespace ergodome {
@@ -227,17 +228,17 @@ void add_steering(HelpLines& lines, const Controls& controls, HelpGroup group) {
 
 }  // namespace
 
-std::string Controls::help_text(const HelpChoice& choice) const {
+std::string help_text(const Controls& controls, const HelpChoice& choice) {
   HelpLines lines(choice);
   for (std::size_t i = 0; i < group_names.size(); ++i) {
     const auto group = static_cast<HelpGroup>(i);
     lines.begin_group(group_names[i].english, group_names[i].german);
-    add_steering(lines, *this, group);
+    add_steering(lines, controls, group);
     for (const HelpRow& row : help_rows()) {
       const bool may_use =
           choice.reader == ActionUser::presenter || facts_of(row.actions.front()).user == ActionUser::visitor;
       if (row.group == group && may_use) {
-        add_row(lines, *this, row);
+        add_row(lines, controls, row);
       }
     }
   }

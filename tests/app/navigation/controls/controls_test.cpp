@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "app/navigation/controls/help_text.h"
 #include "tests/support/errors.h"
 #include "tests/support/folder_test.h"
 
@@ -88,15 +89,15 @@ TEST(Controls, EveryActionHasFacts) {
   }
 }
 
-TEST(Controls, TheProgramsMapBindsNothingTwice) { EXPECT_EQ(error_of(Controls().to_toml()), ""); }
+TEST(Controls, TheProgramsMapBindsNothingTwice) { EXPECT_EQ(error_of(to_toml(Controls())), ""); }
 
 TEST(Controls, ComeBackFromTheirFile) {
-  const std::string text = Controls().to_toml();
-  EXPECT_EQ(parse_controls(text, "c.toml").to_toml(), text);
+  const std::string text = to_toml(Controls());
+  EXPECT_EQ(to_toml(parse_controls(text, "c.toml")), text);
   const Controls own = parse_controls(
       "[actions]\npause = \"Ctrl+Alt+P\"\nquit = []\n[steer]\nright = [\"0.5*pad.right_x\", \"-K\"]\n", "c.toml");
-  EXPECT_EQ(parse_controls(own.to_toml(), "again.toml").to_toml(), own.to_toml());
-  EXPECT_THAT(own.to_toml(), HasSubstr("right = [\"0.5*pad.right_x\", \"-K\"]"));
+  EXPECT_EQ(to_toml(parse_controls(to_toml(own), "again.toml")), to_toml(own));
+  EXPECT_THAT(to_toml(own), HasSubstr("right = [\"0.5*pad.right_x\", \"-K\"]"));
 }
 
 TEST(Controls, EveryInputComesBackFromItsName) {
@@ -195,21 +196,21 @@ TEST(Controls, SaysWhereAFileIsWrongAndWhatWasMeant) {
 
 TEST(ControlsHelp, ShowsWhatIsBoundNow) {
   const Controls own = parse_controls("[actions]\npause = [\"J\", \"pad.east\"]\nquit = []\n", "c.toml");
-  const std::string help = own.help_text({});
+  const std::string help = help_text(own, {});
   EXPECT_THAT(help, testing::ContainsRegex("J +B / Circle +pause, resume\n"));
   EXPECT_THAT(help, Not(HasSubstr("quit")));
-  EXPECT_THAT(own.help_text({.pads = false}), Not(HasSubstr("Circle")));
+  EXPECT_THAT(help_text(own, {.pads = false}), Not(HasSubstr("Circle")));
 }
 
 TEST(ControlsHelp, ManyKeysOfOneActionTakeSeveralLines) {
   const Controls own =
       parse_controls("[actions]\npause = [\"Shift+Ctrl+J\", \"Shift+Ctrl+K\", \"Shift+Ctrl+L\"]\n", "c.toml");
-  EXPECT_THAT(own.help_text({.pads = false}),
+  EXPECT_THAT(help_text(own, {.pads = false}),
               testing::ContainsRegex("\n[^\n]*Shift[^\n]*, [^\n]*, +pause, resume\n[^\n,]*Shift[^\n,]*\n"));
 }
 
 TEST(ControlsHelp, GroupsLinesBySubject) {
-  const std::string help = Controls().help_text({.pads = false});
+  const std::string help = help_text(Controls(), {.pads = false});
   std::vector<std::size_t> places;
   for (const char* line :
        {"Flight\n", "\n\nCamera\n", "\n\nPicture\n", "\n\nShow\n", "\n\nStereo\n", "\n\nProgram\n"}) {
@@ -220,7 +221,7 @@ TEST(ControlsHelp, GroupsLinesBySubject) {
   EXPECT_THAT(help, testing::ContainsRegex("\n  W, S +move forward, back\n"));
   EXPECT_THAT(help, testing::ContainsRegex("\n  Left, Right +2 s back, forward\n"));
   // Visitors cannot change the stereo settings.
-  EXPECT_THAT(Controls().help_text({.reader = ActionUser::visitor}), Not(HasSubstr("Stereo")));
+  EXPECT_THAT(help_text(Controls(), {.reader = ActionUser::visitor}), Not(HasSubstr("Stereo")));
 }
 
 TEST(ControlsHelp, HasEveryActionOfAPresenterOnce) {
@@ -229,7 +230,7 @@ TEST(ControlsHelp, HasEveryActionOfAPresenterOnce) {
       continue;
     }
     const Controls own = parse_controls(fmt::format("[actions]\n{} = [\"Keypad9\"]\n", facts.name), "c.toml");
-    const std::string help = own.help_text({.pads = false});
+    const std::string help = help_text(own, {.pads = false});
     const std::size_t first = help.find("Keypad 9");
     EXPECT_NE(first, std::string::npos) << facts.name;
     EXPECT_EQ(help.find("Keypad 9", first + 1), std::string::npos) << facts.name;
@@ -238,26 +239,26 @@ TEST(ControlsHelp, HasEveryActionOfAPresenterOnce) {
 
 TEST(ControlsHelp, TellsOfOneOfTwoActionsWhereTheOtherHasNoKey) {
   const Controls own = parse_controls("[actions]\nvolume_down = []\n", "c.toml");
-  EXPECT_THAT(own.help_text({.pads = false}), testing::ContainsRegex("\n  F7 +louder\n"));
-  EXPECT_THAT(own.help_text({.pads = false}), Not(HasSubstr("quieter")));
+  EXPECT_THAT(help_text(own, {.pads = false}), testing::ContainsRegex("\n  F7 +louder\n"));
+  EXPECT_THAT(help_text(own, {.pads = false}), Not(HasSubstr("quieter")));
 }
 
 TEST(ControlsHelp, LeavesOutForVisitorsWhatIsThePresenters) {
-  const std::string help = Controls().help_text({.reader = ActionUser::visitor});
+  const std::string help = help_text(Controls(), {.reader = ActionUser::visitor});
   EXPECT_THAT(help, HasSubstr("next observer"));
   EXPECT_THAT(help, Not(HasSubstr("leave the exhibit")));
 }
 
 TEST(Controls, HelpInWordsTellsOfThePadAloneWhereThereIsOne) {
-  const std::string with = Controls().help_text({.reader = ActionUser::visitor, .form = HelpForm::words});
+  const std::string with = help_text(Controls(), {.reader = ActionUser::visitor, .form = HelpForm::words});
   EXPECT_THAT(with, HasSubstr(": this help\n"));
   EXPECT_THAT(with, Not(HasSubstr("F1")));
   EXPECT_THAT(with, Not(HasSubstr("  ")));
-  EXPECT_THAT(Controls().help_text({.pads = false, .form = HelpForm::words}), HasSubstr("F1: this help\n"));
+  EXPECT_THAT(help_text(Controls(), {.pads = false, .form = HelpForm::words}), HasSubstr("F1: this help\n"));
 }
 
 TEST(ControlsHelp, HasTheSameLinesInBothLanguages) {
-  const std::string german = Controls().help_text({.language = "de"});
+  const std::string german = help_text(Controls(), {.language = "de"});
   for (const char* key : {"Leertaste", "Umschalt+", "Strg+", "Pos1", "Kreuz"}) {
     EXPECT_THAT(german, HasSubstr(key));
   }
@@ -266,7 +267,7 @@ TEST(ControlsHelp, HasTheSameLinesInBothLanguages) {
   }
   // Keys that take several lines in one language may take more in the other.
   const auto lines_of = [](std::string_view language) {
-    const std::string cells = Controls().help_text({.language = language, .form = HelpForm::cells});
+    const std::string cells = help_text(Controls(), {.language = language, .form = HelpForm::cells});
     return std::ranges::count(cells, '\t');
   };
   EXPECT_EQ(lines_of("en"), lines_of("de"));
@@ -307,7 +308,7 @@ TEST_F(ControlsFile, IsWrittenOnceAndReadFromTheUsersFolder) {
   std::filesystem::create_directories(path.parent_path());
   write_default_controls(path);
   EXPECT_THAT(test::error_of([&] { write_default_controls(path); }), HasSubstr("already exists"));
-  EXPECT_EQ(load_controls(path).to_toml(), Controls().to_toml());
+  EXPECT_EQ(to_toml(load_controls(path)), to_toml(Controls()));
   EXPECT_THAT(test::error_of([&] { load_controls(folder_ / "none.toml"); }), HasSubstr("none.toml"));
 }
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "app/navigation/controls/controls.h"
+#include "app/navigation/controls/help_text.h"
 
 namespace ergodome {
 namespace {
@@ -70,7 +70,7 @@ TEST(HelpLayout, TheProgramsHelpFitsIntoSmallWindows) {
   for (const auto& [window, least_px] : {std::pair(TextSize{700, 700}, 8), std::pair(TextSize{640, 360}, 7)}) {
     for (const char* language : {"en", "de"}) {
       const HelpChoice choice = {.pads = false, .language = language, .form = HelpForm::cells};
-      const FittedText fitted = fit(Controls().help_text(choice), window, 14);
+      const FittedText fitted = fit(help_text(Controls(), choice), window, 14);
       const TextSize size = measured(fitted.text, fitted.letter_px);
       EXPECT_LE(size.width_px, window.width_px) << language;
       EXPECT_LE(size.height_px, window.height_px) << language;

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "app/navigation/controls/controls.h"
+
+namespace ergodome {
+
+//! Formats of the help: aligned columns for monospaced fonts; cells separated by tabs, for
+//! fit_list(); or lines of words for any font, with only the controller's inputs if there is one.
+enum class HelpForm { columns, cells, words };
+
+//! Contents of the help.
+struct HelpChoice {
+  bool pads = true;                           //!< includes a column for controllers
+  ActionUser reader = ActionUser::presenter;  //!< visitors see only their own actions
+  std::string_view language = "en";           //!< "de", otherwise English
+  HelpForm form = HelpForm::columns;
+};
+
+//! Returns bindings as text: keys and mouse, controller, current action; columns are for monospaced
+//! fonts. Omits actions without inputs.
+std::string help_text(const Controls& controls, const HelpChoice& choice);
+
+}  // namespace ergodome
