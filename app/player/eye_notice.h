@@ -24,7 +24,7 @@ class EyeNotice {
   }
 
  private:
-  std::set<std::pair<StereoModel, std::optional<double>>> told_;
+  std::set<std::pair<decltype(NarrowedEyes::model), std::optional<double>>> told_;
 };
 
 //! Returns the line for the screen, in a language (tag).

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "content/show/stereo_eyes.h"
+
 namespace ergodome {
 
 namespace {
@@ -69,7 +71,7 @@ StereoSettings adjusted(const StereoSettings& stereo, KeyAction action, const St
       made.layout = after(stereo.layout);
       break;
     case KeyAction::next_model:
-      made.model = static_cast<StereoModel>((static_cast<std::size_t>(stereo.model) + 1) % stereo_model_names.size());
+      made.model = next_model(stereo.model);
       break;
     default:
       break;

@@ -11,7 +11,7 @@ namespace ergodome {
 //! Minimum distance of two keys of a number, or of the camera [s].
 inline constexpr double least_key_gap_s = 1e-6;
 
-//! Minimum elevation range over which the baseline of StereoModel::omni fades [deg].
+//! Minimum elevation range over which the baseline of omnidirectional stereo fades [deg].
 inline constexpr double least_fade_deg = 1.0;
 
 //! Reads a text that is either a string or a table of strings by language tags. Throws Error if it

@@ -15,6 +15,15 @@ TEST(StereoEyes, HaveACameraPerDirectionOnlyWithTwoEyes) {
   EXPECT_FALSE(has_camera_per_direction(stereo));
 }
 
+TEST(StereoEyes, FollowOneAnotherInARing) {
+  StereoModel model = StereoModel::physical;
+  for (std::size_t i = 0; i < stereo_model_names.size(); ++i) {
+    model = next_model(model);
+  }
+  EXPECT_EQ(model, StereoModel::physical);
+  EXPECT_EQ(next_model(model), StereoModel::flat);
+}
+
 TEST(StereoEyes, OfAFallAreThoseThatAreDefinedInside) {
   EXPECT_EQ(model_for_fall(StereoModel::flat), StereoModel::physical);
   EXPECT_EQ(model_for_fall(StereoModel::omni), StereoModel::omni);
