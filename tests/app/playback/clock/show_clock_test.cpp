@@ -148,7 +148,7 @@ TEST(ShowClock, WithoutALoopItStopsAtItsEndAndShowsTheLastFrame) {
   EXPECT_FALSE(end.playing);
   clock.play();
   time.pass(0.5);
-  EXPECT_EQ(clock.read().time, 500ms) << "played again, it begins anew";
+  EXPECT_EQ(clock.read().time, 500ms) << "played again, it restarts";
 }
 
 TEST(ShowClock, WithoutALoopItStopsAtItsStartBackwards) {
