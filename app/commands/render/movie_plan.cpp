@@ -1,4 +1,4 @@
-#include "app/commands/movie/movie_plan.h"
+#include "app/commands/render/movie_plan.h"
 
 #include <fmt/format.h>
 
