@@ -4,7 +4,7 @@
 #include <string>
 
 #include "kernels/projection/projection.h"
-#include "render/frame/eye_renderer.h"
+#include "render/picture/picture.h"
 
 // Cuts a cube's picture into its faces.
 

@@ -74,21 +74,6 @@ int rows_of_a_block(Backend backend, int width_px, int height_px) {
 
 int rows_of_a_strip(int width_px) { return std::max(strip_pixels / width_px, 1); }
 
-HeatRange heat_range(ViewMode mode, bool logarithmic_steps) {
-  switch (mode) {
-    case ViewMode::steps:
-      return logarithmic_steps ? HeatRange{1.0, 1e3, true} : HeatRange{0.0, 16.0, false};
-    case ViewMode::error_estimate:
-      return {1e-7, 1e-2, true};
-    case ViewMode::image_order:
-      return {0.0, 3.0, false};
-    case ViewMode::frequency_ratio:
-      return {0.25, 4.0, true};
-    default:
-      return {1e-3, 1e3, true};
-  }
-}
-
 LensPixels EyeRenderer::channels(std::size_t pixels, const PictureSettings& settings, bool second) {
   const LensChannels wanted = lens_channels(settings.mode, {settings.filter, settings.shift, settings.brightening});
   const auto count = static_cast<std::size_t>(wanted.floats());

@@ -9,7 +9,6 @@
 #include "render/backend/buffer.h"
 #include "render/lens/follow_lens.h"
 #include "render/lens/lens_chooser.h"
-#include "render/output/tone.h"
 #include "render/passes/disk/disk_grids.h"
 #include "render/passes/disk/streamed_disk.h"
 #include "render/passes/near_field/near_field.h"
@@ -18,17 +17,11 @@
 #include "render/passes/sky/sky_cube.h"
 #include "render/passes/stars/drawing/tiled_stars.h"
 #include "render/passes/stars/star_pass.h"
-#include "render/picture/pixel_values.h"
+#include "render/picture/picture.h"
 
 // Renders the pictures of one eye or two.
 
 namespace ergodome {
-
-//! Ends of a heat map's color bar, in the units that are displayed.
-struct ViewRange {
-  double low;
-  double high;
-};
 
 //! How the view through the lens is turned into a picture.
 struct PictureSettings {
@@ -64,38 +57,14 @@ struct PictureSettings {
   std::optional<ViewRange> range{};
 };
 
+//! Returns the range of a heat map's color bar with these settings.
+HeatRange heat_range(const PictureSettings& settings);
+
 //! Returns the rows of a picture that are rendered at a time, which bounds memory at any size.
 int rows_of_a_block(Backend backend, int width_px, int height_px);
 //! Returns the rows of a block that are rendered at a time if both eyes' skies are rendered
 //! alternately.
 int rows_of_a_strip(int width_px);
-
-//! Ends of a heat map's color bar, in the units that are displayed, and whether it is logarithmic.
-struct HeatRange {
-  double low;
-  double high;
-  bool logarithmic;
-};
-
-//! One eye's picture: linear light, four floats per pixel (red, green, blue, coverage), top row
-//! first.
-struct Picture {
-  int width = 0;
-  int height = 0;
-  PixelValues rgba;
-  const char* lens = "";       //!< source of the lens: LensSource::name()
-  bool behind = false;         //!< LensSource::behind()
-  long unresolved_pixels = 0;  //!< rays that did not converge; they show the mean of the sky
-  std::optional<HeatRange> heat_range;
-  Tone tone;  //!< for display
-};
-
-//! A picture in the backend's memory: four floats per pixel.
-struct PictureInPlace {
-  float* rgba = nullptr;
-  const char* lens = "";  //!< as in Picture
-  bool behind = false;
-};
 
 //! Input for rendering an eye's picture.
 struct EyePicture {
@@ -229,10 +198,5 @@ class EyeRenderer {
   Buffer<float> rgba_;
   Buffer<float> aside_;  //!< a picture to keep
 };
-
-//! Returns the range of a heat map's color bar. It is logarithmic for steps of methods that differ
-//! by orders of magnitude.
-HeatRange heat_range(ViewMode mode, bool logarithmic_steps = false);
-HeatRange heat_range(const PictureSettings& settings);
 
 }  // namespace ergodome

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "kernels/projection/projection.h"
-#include "render/frame/eye_renderer.h"
+#include "render/picture/picture.h"
 
 namespace ergodome {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "kernels/spacetime/shadow/edge_curve.h"
-#include "render/frame/eye_renderer.h"
+#include "render/picture/picture.h"
 
 namespace ergodome {
 

@@ -14,6 +14,7 @@
 #include "kernels/spacetime/kerr/kerr.h"
 #include "render/frame/image_alpha.h"
 #include "render/output/stereo_layout.h"
+#include "render/output/tone.h"
 #include "render/passes/overlay/camera_readout.h"
 #include "render/passes/overlay/caption_notes.h"
 #include "render/passes/overlay/overlay_place.h"

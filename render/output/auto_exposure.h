@@ -1,6 +1,7 @@
 #pragma once
 
-#include "render/frame/eye_renderer.h"
+#include "content/show/show.h"
+#include "render/picture/picture.h"
 
 // Automatic exposure.
 

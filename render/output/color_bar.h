@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "render/frame/eye_renderer.h"
+#include "render/picture/picture.h"
 
 // Draws the color bar of a heat map.
 

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "render/frame/eye_renderer.h"
 #include "render/output/frame_format.h"
+#include "render/picture/picture.h"
 
 // Writes image files.
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "content/show/show.h"
-#include "render/frame/eye_renderer.h"
+#include "render/picture/picture.h"
 
 // Combines two eyes' pictures into one image.
 

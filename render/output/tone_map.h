@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/frame/eye_renderer.h"
+#include "render/picture/picture.h"
 
 namespace ergodome {
 

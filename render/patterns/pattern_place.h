@@ -4,7 +4,7 @@
 
 #include "kernels/projection/pixel_measure.h"
 #include "kernels/projection/projection.h"
-#include "render/frame/eye_renderer.h"
+#include "render/picture/picture.h"
 
 // The framework in which all patterns are drawn.
 

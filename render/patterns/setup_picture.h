@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "calibration/projectors/projector_picture.h"
-#include "render/frame/eye_renderer.h"
+#include "render/picture/picture.h"
 
 // Shows which projector lights which part of the dome.
 

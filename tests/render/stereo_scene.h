@@ -3,7 +3,7 @@
 #include <string>
 
 #include "content/show/show_reader.h"
-#include "render/frame/eye_renderer.h"
+#include "render/picture/picture.h"
 #include "tests/support/tiny_sky.h"
 
 // Shows with two eyes, for tests of stereo.

@@ -12,14 +12,9 @@
 #include "render/passes/objects/lamp_guesses.h"
 #include "render/passes/objects/placed_meshes.h"
 #include "render/passes/objects/surface_store.h"
+#include "render/picture/picture.h"
 
 namespace ergodome {
-
-//! A block of rows of a picture.
-struct RowBlock {
-  int first;
-  int count;
-};
 
 //! A show's objects as exact rays see them, around a hole of any spin: all image orders, shadows,
 //! frequency shift, light travel time.

@@ -5,7 +5,7 @@
 
 #include "kernels/image/light_levels.h"
 #include "render/backend/buffer.h"
-#include "render/frame/eye_renderer.h"
+#include "render/picture/picture.h"
 
 // Light of a domemaster for projectors, computed with kernels.
 

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "kernels/launch/instruction_set.h"
+#include "kernels/launch/launch.h"
 #include "render/output/image_reader.h"
 #include "render/output/image_writer.h"
 #include "tests/support/sanitized.h"
