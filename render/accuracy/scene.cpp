@@ -7,7 +7,7 @@
 #include "content/camera/camera_path.h"
 #include "content/show/animated_show.h"
 #include "kernels/projection/pixel_measure.h"
-#include "render/frame/view_projection.h"
+#include "render/eyes/view_projection.h"
 
 namespace ergodome {
 

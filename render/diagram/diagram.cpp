@@ -16,7 +16,7 @@
 #include "render/diagram/spread_choice.h"
 #include "render/diagram/traced_curves.h"
 #include "render/diagram/view_outline.h"
-#include "render/frame/view_projection.h"
+#include "render/eyes/view_projection.h"
 
 namespace ergodome {
 

@@ -5,7 +5,7 @@
 
 #include "kernels/core/angles.h"
 #include "kernels/spacetime/kerr/frame_boost.h"
-#include "render/frame/view_projection.h"
+#include "render/eyes/view_projection.h"
 
 namespace ergodome {
 

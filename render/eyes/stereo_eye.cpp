@@ -7,7 +7,7 @@
 #include "kernels/objects/light_ray.h"
 #include "kernels/spacetime/kerr/frame_boost.h"
 #include "kernels/spacetime/shadow/shadow_chart.h"
-#include "render/frame/view_projection.h"
+#include "render/eyes/view_projection.h"
 
 namespace ergodome {
 

@@ -6,7 +6,7 @@
 #include "content/show/show_reader.h"
 #include "kernels/launch/parallel_for.h"
 #include "kernels/projection/pixel_measure.h"
-#include "render/frame/view_projection.h"
+#include "render/eyes/view_projection.h"
 #include "render/passes/disk/disk_grids.h"
 #include "render/passes/disk/disk_layers.h"
 #include "render/passes/near_field/near_field.h"

@@ -6,7 +6,7 @@
 #include "content/camera/camera_path.h"
 #include "content/show/show_reader.h"
 #include "content/sky/sky_map.h"
-#include "render/frame/view_projection.h"
+#include "render/eyes/view_projection.h"
 #include "render/passes/objects/object_pass.h"
 #include "render/passes/objects/traced_objects.h"
 #include "tests/bench/cuda_bench.h"

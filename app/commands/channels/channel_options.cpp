@@ -9,7 +9,7 @@
 #include "app/cli/usage_error.h"
 #include "kernels/core/error.h"
 #include "render/channels/channel_names.h"
-#include "render/frame/view_projection.h"
+#include "render/eyes/view_projection.h"
 #include "render/output/frame_format.h"
 #include "render/output/stereo_layout.h"
 

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "content/files/atomic_file.h"
+#include "render/eyes/view_projection.h"
 #include "render/frame/cube_pictures.h"
-#include "render/frame/view_projection.h"
 #include "render/output/frame_names.h"
 #include "render/output/stereo_layout.h"
 #include "render/patterns/test_pattern.h"

@@ -11,7 +11,7 @@
 #include "content/show/animated_show.h"
 #include "content/show/stereo_eyes.h"
 #include "render/eyes/eye_distance.h"
-#include "render/frame/view_projection.h"
+#include "render/eyes/view_projection.h"
 #include "render/output/frame_names.h"
 
 namespace ergodome {

@@ -8,7 +8,7 @@
 #include "calibration/projectors/projector_optics.h"
 #include "kernels/core/angles.h"
 #include "kernels/projection/make_projection.h"
-#include "render/frame/view_projection.h"
+#include "render/eyes/view_projection.h"
 #include "render/patterns/pattern_place.h"
 
 namespace ergodome {

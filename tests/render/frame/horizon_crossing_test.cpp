@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "content/show/show_reader.h"
-#include "render/frame/view_projection.h"
+#include "render/eyes/view_projection.h"
 #include "render/lens/direct_lens.h"
 #include "render/lens/lens_chooser.h"
 #include "render/passes/stars/drawing/star_trails.h"

@@ -8,7 +8,7 @@
 
 #include "kernels/launch/launch.h"
 #include "kernels/projection/pixel_measure.h"
-#include "render/frame/view_projection.h"
+#include "render/eyes/view_projection.h"
 #include "tests/render/plan/frame_plan_scenes.h"
 #include "tests/support/baked_show.h"
 

@@ -1,4 +1,4 @@
-#include "render/frame/view_projection.h"
+#include "render/eyes/view_projection.h"
 
 #include <gtest/gtest.h>
 
