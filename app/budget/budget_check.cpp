@@ -6,7 +6,7 @@
 #include "kernels/projection/pixel_measure.h"
 #include "render/accuracy/statistics.h"
 #include "render/eyes/eye_camera.h"
-#include "render/plan/frame_needs.h"
+#include "render/passes/sky/sky_shading.h"
 
 namespace ergodome {
 
@@ -23,7 +23,7 @@ BudgetCheck check_error(ShowRenderer& renderer, const Show& show, const FrameQua
     const Projection projection = make_projection(renderer.show().view, size_px > 0 ? size_px : show.view.size_px, 0.0);
     const LensErrors exact(eye_camera(renderer.show(), pose, 0.0), projection,
                            row_samples(projection, rows, rows, random()), pixel_angle(projection));
-    const bool footprints = lens_channels(ViewMode::sky, frame_needs(renderer.show(), ViewMode::sky).shading).footprint;
+    const bool footprints = lens_channels(ViewMode::sky, shading_of(renderer.show())).footprint;
     const auto lens = renderer.lens_of(pose, projection, {time_s});
     const std::vector<double> all =
         exact.errors(renderer.backend(), *lens, footprints ? PixelNeed::footprint : PixelNeed::sky);

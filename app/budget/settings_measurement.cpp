@@ -16,7 +16,7 @@
 #include "render/accuracy/picture_race.h"
 #include "render/accuracy/statistics.h"
 #include "render/eyes/eye_camera.h"
-#include "render/plan/frame_needs.h"
+#include "render/passes/sky/sky_shading.h"
 
 namespace ergodome {
 
@@ -62,9 +62,8 @@ class SettingsMeter {
         order_(order),
         deadline_(order.now, order.limit_s),
         first_quality_(renderer.quality()),
-        need_(lens_channels(ViewMode::sky, frame_needs(renderer.show(), ViewMode::sky).shading).footprint
-                  ? PixelNeed::footprint
-                  : PixelNeed::sky) {
+        need_(lens_channels(ViewMode::sky, shading_of(renderer.show())).footprint ? PixelNeed::footprint
+                                                                                  : PixelNeed::sky) {
     result_.width_px = order.size_px > 0 ? order.size_px : renderer.show().view.size_px;
   }
 

@@ -22,8 +22,8 @@
 #include "content/sky/sky_map.h"
 #include "kernels/core/error.h"
 #include "kernels/launch/work_counter.h"
+#include "render/frame/frame_passes.h"
 #include "render/frame/show_renderer.h"
-#include "render/plan/frame_plan.h"
 
 namespace ergodome {
 

@@ -16,7 +16,7 @@
 #include "render/accuracy/station_axis.h"
 #include "render/accuracy/stereo_axis.h"
 #include "render/accuracy/stopwatch.h"
-#include "render/plan/frame_needs.h"
+#include "render/passes/sky/sky_shading.h"
 
 namespace ergodome {
 
@@ -64,9 +64,7 @@ std::vector<std::string> notes_of(const Show& show, const AccuracySettings& sett
   return notes;
 }
 
-bool has_footprints(const Show& show) {
-  return lens_channels(ViewMode::sky, frame_needs(show, ViewMode::sky).shading).footprint;
-}
+bool has_footprints(const Show& show) { return lens_channels(ViewMode::sky, shading_of(show)).footprint; }
 
 bool has_near_things(const Show& show) { return show.disk || !show.shells.empty() || !show.objects.empty(); }
 

@@ -10,12 +10,12 @@
 #include "kernels/core/angles.h"
 #include "render/accuracy/source_lens.h"
 #include "render/eyes/view_projection.h"
-#include "render/frame/shadow_mask.h"
 #include "render/lens/direct_lens.h"
 #include "render/lens/flat/flat_shadow.h"
 #include "render/lens/grid/edge_table.h"
 #include "render/lens/lens_chooser.h"
 #include "render/lens/omni_chooser.h"
+#include "render/passes/flat_shadow/shadow_mask.h"
 
 namespace ergodome {
 

@@ -7,18 +7,11 @@
 #include "kernels/launch/work_counter.h"
 #include "kernels/projection/pixel_measure.h"
 #include "render/passes/effects/bloom_across_seams.h"
-#include "render/plan/frame_needs.h"
+#include "render/passes/sky/sky_shading.h"
 
 namespace ergodome {
 
 namespace {
-
-//! Pixels per block. GPUs need many; on the CPU the lens channels (6 MiB) stay in the cache until
-//! they are shaded.
-constexpr int block_pixels_on_device = 1 << 20;
-constexpr int block_pixels_on_host = 1 << 17;
-//! The channels of two eyes need twice the memory.
-constexpr int strip_pixels = 1 << 15;
 
 //! Sets the ends of the color bar in the kernel's unit for a channel
 //! (kernels/image/shade_pixels_kernel.h).
@@ -66,13 +59,6 @@ HeatRange heat_range(const PictureSettings& settings) {
   }
   return range;
 }
-
-int rows_of_a_block(Backend backend, int width_px, int height_px) {
-  const int pixels = backend == Backend::cpu ? block_pixels_on_host : block_pixels_on_device;
-  return std::clamp(pixels / width_px, 1, height_px);
-}
-
-int rows_of_a_strip(int width_px) { return std::max(strip_pixels / width_px, 1); }
 
 LensPixels EyeRenderer::channels(std::size_t pixels, const PictureSettings& settings, bool second) {
   const LensChannels wanted = lens_channels(settings.mode, {settings.filter, settings.shift, settings.brightening});

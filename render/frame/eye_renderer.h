@@ -18,6 +18,7 @@
 #include "render/passes/stars/drawing/tiled_stars.h"
 #include "render/passes/stars/star_pass.h"
 #include "render/picture/picture.h"
+#include "render/picture/picture_rows.h"
 
 // Renders the pictures of one eye or two.
 
@@ -59,12 +60,6 @@ struct PictureSettings {
 
 //! Returns the range of a heat map's color bar with these settings.
 HeatRange heat_range(const PictureSettings& settings);
-
-//! Returns the rows of a picture that are rendered at a time, which bounds memory at any size.
-int rows_of_a_block(Backend backend, int width_px, int height_px);
-//! Returns the rows of a block that are rendered at a time if both eyes' skies are rendered
-//! alternately.
-int rows_of_a_strip(int width_px);
 
 //! Input for rendering an eye's picture.
 struct EyePicture {

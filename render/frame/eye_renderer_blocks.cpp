@@ -7,19 +7,6 @@
 // Renders pictures in host memory, block by block.
 namespace ergodome {
 
-namespace {
-
-//! Calls visit(rows) for parts of a block with at most `most` rows.
-template <class Visit>
-void visit_rows(const RowBlock& block, int most, const Visit& visit) {
-  const int end = block.first + block.count;
-  for (int row = block.first; row < end; row += most) {
-    visit(RowBlock{row, std::min(most, end - row)});
-  }
-}
-
-}  // namespace
-
 //! A picture in progress. The arguments must outlive it.
 struct EyeRenderer::Making {
   const EyeCamera& eye;

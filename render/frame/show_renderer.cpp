@@ -13,12 +13,16 @@
 #include "kernels/core/error.h"
 #include "kernels/spacetime/kerr/kerr.h"
 #include "render/frame/image_alpha.h"
+#include "render/lens/lens_choice.h"
 #include "render/output/stereo_layout.h"
 #include "render/output/tone.h"
+#include "render/passes/effects/image_edge.h"
+#include "render/passes/near_field/near_field_kind.h"
+#include "render/passes/objects/object_kind.h"
 #include "render/passes/overlay/camera_readout.h"
 #include "render/passes/overlay/caption_notes.h"
 #include "render/passes/overlay/overlay_place.h"
-#include "render/plan/frame_needs.h"
+#include "render/passes/stars/star_kind.h"
 
 namespace ergodome {
 
@@ -184,7 +188,8 @@ PictureSettings ShowRenderer::picture_settings(const CameraPose& pose, ViewMode 
   PictureSettings settings;
   settings.mode = mode;
   settings.range = range_;
-  const FrameNeeds needs = frame_needs(show_, mode);
+  const StarNeeds stars = star_needs(show_, mode);
+  const NearFieldNeeds needs = near_field_needs(show_, mode);
   settings.filter = show_.sky.filter;
   settings.shift = sky_.shift();
   settings.brightening = show_.sky.brightening;
@@ -195,7 +200,7 @@ PictureSettings ShowRenderer::picture_settings(const CameraPose& pose, ViewMode 
   settings.accuracy = {show_.quality.budget_px, 0.2 * show_.quality.budget_px};
   settings.moment = moment;
   settings.scheme = show_.grid_scheme;
-  settings.stars = needs.stars ? stars_.get() : nullptr;
+  settings.stars = stars.stars ? stars_.get() : nullptr;
   settings.near_field = {needs.disk ? disk_.get() : nullptr, needs.shells ? shells_.get() : nullptr,
                          needs.traced_objects ? traced_objects_.get() : nullptr};
   if (needs.shells) {
@@ -205,14 +210,14 @@ PictureSettings ShowRenderer::picture_settings(const CameraPose& pose, ViewMode 
     require_rays_from(pose);
     settings.follow = {method_.value_or(TraceMethod::taylor), watched_shells(show_.shells), method_.has_value()};
   }
-  settings.objects = needs.objects ? objects_.get() : nullptr;
+  settings.objects = needs_polygons(show_, mode) ? objects_.get() : nullptr;
   settings.time_s = moment.time_s.value_or(time_s_);
-  settings.clear_outside = needs.clear_outside;
-  if (needs.bloom) {
+  settings.clear_outside = spreads_beyond_image(show_, mode);
+  if (needs_bloom(show_, mode)) {
     settings.bloom = show_.effects.bloom;
   }
   // In free flight the camera's future path is unknown.
-  if (needs.trails && moment.time_s) {
+  if (stars.trails && moment.time_s) {
     settings.shutter.emplace();
     for (const CameraPose& each : shutter_poses(pose, *moment.time_s)) {
       settings.shutter->eyes.emplace_back(eye_camera(show_, each, eye_offset));

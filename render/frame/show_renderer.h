@@ -16,7 +16,6 @@
 #include "render/output/auto_exposure.h"
 #include "render/passes/overlay/overlay_pass.h"
 #include "render/passes/sky/show_sky.h"
-#include "render/plan/frame_needs.h"
 
 // Renders the frames of a show.
 

@@ -28,8 +28,8 @@ bool same_spikes(const Show& a, const Show& b) {
   if (!one || !other) {
     return !one && !other;
   }
-  const bool ever = frame_needs(show_at_most(a), ViewMode::sky).spikes;
-  return ever == frame_needs(show_at_most(b), ViewMode::sky).spikes && one->pattern == other->pattern &&
+  const bool ever = shows_spikes(show_at_most(a), ViewMode::sky);
+  return ever == shows_spikes(show_at_most(b), ViewMode::sky) && one->pattern == other->pattern &&
          one->blades == other->blades && one->vanes == other->vanes && one->size_px == other->size_px;
 }
 

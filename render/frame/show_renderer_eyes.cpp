@@ -8,10 +8,12 @@
 #include "kernels/core/error.h"
 #include "kernels/projection/pixel_measure.h"
 #include "render/eyes/eye_distance.h"
-#include "render/frame/shadow_mask.h"
 #include "render/frame/show_renderer.h"
 #include "render/lens/flat/flat_shadow.h"
 #include "render/output/stereo_layout.h"
+#include "render/passes/effects/bloom_pass.h"
+#include "render/passes/effects/exposure_kind.h"
+#include "render/passes/flat_shadow/shadow_mask.h"
 #include "render/passes/near_field/flat_near_field.h"
 
 // Renders two eyes with each stereo model.
@@ -201,7 +203,7 @@ std::vector<Picture> ShowRenderer::render_omni_eyes(const CameraPose& pose, cons
 }
 
 bool ShowRenderer::may_stay_in_place(ViewMode mode) const {
-  if (backend() == Backend::cpu || frame_needs(show_, ViewMode::sky).finishes_pictures()) {
+  if (backend() == Backend::cpu || needs_bloom(show_, ViewMode::sky) || needs_auto_exposure(show_, ViewMode::sky)) {
     return false;
   }
   const StereoSettings& stereo = show_.stereo;

@@ -25,4 +25,8 @@ inline bool shows_rays(ViewMode mode) {
   return mode == ViewMode::steps || mode == ViewMode::error_estimate || mode == ViewMode::image_order;
 }
 
+//! Returns whether a mode is a heat map of the cost of following rays, which includes rays to
+//! shells.
+inline bool follows_rays(ViewMode mode) { return mode == ViewMode::steps || mode == ViewMode::error_estimate; }
+
 }  // namespace ergodome

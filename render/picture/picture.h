@@ -30,10 +30,4 @@ struct PictureInPlace {
   bool behind = false;
 };
 
-//! A block of rows of a picture.
-struct RowBlock {
-  int first;
-  int count;
-};
-
 }  // namespace ergodome

@@ -57,7 +57,7 @@ struct FramePlan {
   std::vector<PlannedBuffer> buffers;
 };
 
-//! Input of plan_frame besides the show.
+//! What a plan depends on besides the show.
 struct FrameRequest {
   Backend backend = Backend::cpu;
   ViewMode mode = ViewMode::sky;
@@ -69,11 +69,5 @@ struct FrameRequest {
   long overlay_bytes = 0;               //!< of overlay images (OverlayPass::image_bytes)
   long mesh_bytes = 0;                  //!< of the objects (ObjectPass::mesh_bytes)
 };
-
-//! Plans the pictures that ShowRenderer::render makes. For a show with animated numbers, the plan
-//! holds all work at their maximum; work that their minimum does not need is marked `if_needed`.
-//! Renderer and plan decide on effects and channels with the same functions
-//! (render/plan/frame_needs.h). The plan repeats LensChooser's order of trying lenses.
-FramePlan plan_frame(const Show& show, const FrameRequest& request);
 
 }  // namespace ergodome

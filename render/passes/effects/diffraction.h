@@ -1,12 +1,21 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
+#include "content/show/show.h"
 #include "kernels/core/vector3.h"
+#include "kernels/image/shade_pixels.h"
 #include "render/passes/effects/far_field.h"
 
 namespace ergodome {
+
+//! Returns whether the stars of a show have spikes.
+inline bool shows_spikes(const Show& show, ViewMode mode) {
+  const std::optional<DiffractionSettings>& diffraction = show.effects.diffraction;
+  return mode == ViewMode::sky && !show.sky.stars.empty() && diffraction && diffraction->strength > 0.0;
+}
 
 //! Diffraction pattern of a point of light behind an aperture. Its center is that of the square.
 struct DiffractionPattern {

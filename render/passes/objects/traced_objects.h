@@ -12,7 +12,7 @@
 #include "render/passes/objects/lamp_guesses.h"
 #include "render/passes/objects/placed_meshes.h"
 #include "render/passes/objects/surface_store.h"
-#include "render/picture/picture.h"
+#include "render/picture/picture_rows.h"
 
 namespace ergodome {
 

@@ -12,7 +12,6 @@
 #include "kernels/launch/work_counter.h"
 #include "kernels/projection/pixel_measure.h"
 #include "render/passes/stars/drawing/picture_sheets.h"
-#include "render/plan/frame_needs.h"
 
 namespace ergodome {
 
@@ -54,7 +53,7 @@ SplatSettings splat_settings(const Show& show, const std::optional<DiffractionPa
                       0.0F,
                       0.0,
                       psf.cutoff_px};
-  if (spikes && frame_needs(show, ViewMode::sky).spikes) {
+  if (spikes && shows_spikes(show, ViewMode::sky)) {
     splat.spikes_from = illuminance_of(show.effects.diffraction->brighter_than_mag);
     splat.spike_strength = static_cast<float>(show.effects.diffraction->strength);
     splat.spike_reach_px = 0.5 * spikes->size_px + 1.0;
@@ -85,7 +84,7 @@ StarPass::StarPass(const Show& show, Backend backend, const StarCatalogue& catal
   }
   search_field();
   // Computes the pattern in advance, so that spikes that appear later do not delay a picture.
-  if (frame_needs(show_at_most(show), ViewMode::sky).spikes) {
+  if (shows_spikes(show_at_most(show), ViewMode::sky)) {
     make_pattern(show);
   }
   splat_ = splat_settings(show, spikes_);

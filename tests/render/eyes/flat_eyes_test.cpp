@@ -12,9 +12,9 @@
 #include "kernels/spacetime/geodesic/affine_distance.h"
 #include "kernels/spacetime/shadow/critical_curve.h"
 #include "kernels/spacetime/shadow/pixel_coverage.h"
-#include "render/frame/shadow_mask.h"
 #include "render/frame/show_renderer.h"
 #include "render/lens/flat/flat_shadow.h"
+#include "render/passes/flat_shadow/shadow_mask.h"
 #include "tests/render/stereo_scene.h"
 #include "tests/support/sanitized.h"
 

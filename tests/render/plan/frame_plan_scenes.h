@@ -13,9 +13,9 @@
 
 #include "content/show/animatable_number.h"
 #include "kernels/launch/work_counter.h"
+#include "render/frame/frame_passes.h"
 #include "render/frame/show_renderer.h"
 #include "render/output/image_writer.h"
-#include "render/plan/frame_plan.h"
 #include "tests/support/folder_test.h"
 #include "tests/support/sanitized.h"
 

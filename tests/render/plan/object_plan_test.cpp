@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "kernels/launch/work_counter.h"
+#include "render/frame/frame_passes.h"
 #include "render/frame/show_renderer.h"
 #include "render/output/image_writer.h"
-#include "render/plan/frame_plan.h"
 #include "tests/render/passes/objects/object_scene.h"
 #include "tests/support/folder_test.h"
 

@@ -1,4 +1,4 @@
-#include "render/frame/shadow_mask.h"
+#include "render/passes/flat_shadow/shadow_mask.h"
 
 #include <algorithm>
 #include <cmath>

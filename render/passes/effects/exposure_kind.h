@@ -1,0 +1,18 @@
+#pragma once
+
+#include "render/plan/plan_writer.h"
+
+namespace ergodome {
+
+inline bool needs_auto_exposure(const Show& show, ViewMode mode) {
+  return mode == ViewMode::sky && show.tone.automatic.has_value();
+}
+
+//! Adapts the exposure to the light of finished pictures.
+inline constexpr PassKind exposure_kind = {"exposure", needs_auto_exposure, [](PlanWriter& plan) {
+                                             if (needs_auto_exposure(plan.most(), plan.request().mode)) {
+                                               plan.picture_pass("meter_light", plan.why("tone.auto"));
+                                             }
+                                           }};
+
+}  // namespace ergodome

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "render/passes/effects/bloom_pass.h"
+#include "render/passes/effects/diffraction.h"
+
+namespace ergodome {
+
+//! Returns whether light may be spread beyond the image.
+inline bool spreads_beyond_image(const Show& show, ViewMode mode) {
+  return needs_bloom(show, mode) || shows_spikes(show, mode);
+}
+
+void plan_image_edge(PlanWriter& plan);
+
+//! Blackens pixels outside the image: halos and spikes extend beyond its edge.
+inline constexpr PassKind image_edge_kind = {"image_edge", spreads_beyond_image, plan_image_edge};
+
+}  // namespace ergodome

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "render/plan/plan_writer.h"
+
+namespace ergodome {
+
+//! Returns whether both eyes use one lens, that of the head, from different positions.
+inline bool eyes_are_flat(const Show& show, ViewMode /*mode*/) {
+  return eye_count(show.stereo) > 1 && show.stereo.model == StereoModel::flat && show.stereo.baseline > 0.0;
+}
+
+void plan_flat_shadow(PlanWriter& plan);
+
+//! The shadow that each eye of the stereo model `flat` sees.
+inline constexpr PassKind flat_shadow_kind = {"flat_shadow", eyes_are_flat, plan_flat_shadow};
+
+}  // namespace ergodome

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "render/plan/plan_writer.h"
+
+namespace ergodome {
+
+//! The things near the hole that pictures show.
+struct NearFieldNeeds {
+  bool disk;
+  bool disk_pattern;
+  bool shells;  //!< any visible shell; heat maps of rays show them as lines
+  bool traced_objects;
+
+  [[nodiscard]] bool any() const { return disk || shells || traced_objects; }
+};
+
+NearFieldNeeds near_field_needs(const Show& show, ViewMode mode);
+
+//! Plans disk, shells and traced objects.
+void plan_near_field(PlanWriter& plan);
+
+inline constexpr PassKind near_field_kind = {
+    "near_field", [](const Show& show, ViewMode mode) { return near_field_needs(show, mode).any(); }, plan_near_field,
+    true};
+
+}  // namespace ergodome

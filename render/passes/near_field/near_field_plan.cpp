@@ -1,0 +1,273 @@
+#include <algorithm>
+
+#include "content/show/animated_show.h"
+#include "render/lens/flat/flat_shadow.h"
+#include "render/lens/grid/edge_table.h"
+#include "render/lens/lens_choice.h"
+#include "render/passes/disk/disk_grids.h"
+#include "render/passes/disk/disk_pass.h"
+#include "render/passes/near_field/near_field_kind.h"
+#include "render/passes/objects/object_kind.h"
+#include "render/passes/shells/shell_pass.h"
+#include "render/passes/stars/drawing/blackbody_colours.h"
+
+namespace ergodome {
+
+NearFieldNeeds near_field_needs(const Show& show, ViewMode mode) {
+  const bool sky = mode == ViewMode::sky;
+  NearFieldNeeds needs{};
+  needs.disk = sky && show.disk && show.disk->opacity > 0.0;
+  needs.disk_pattern = needs.disk && show.disk->pattern != DiskPattern::none && show.disk->contrast > 0.0;
+  const bool one_camera = eye_count(show.stereo) < 2 || show.stereo.model != StereoModel::omni;
+  needs.shells = (sky || (follows_rays(mode) && one_camera)) && std::ranges::any_of(show.shells, is_visible);
+  needs.traced_objects = sky && has_objects(show, ObjectMethod::trace);
+  return needs;
+}
+
+namespace {
+
+//! Plans what is near the hole, for rays and grids, for one eye and two.
+class NearFieldPlan {
+ public:
+  explicit NearFieldPlan(PlanWriter& writer)
+      : plan_(writer),
+        needs_(near_field_needs(writer.most(), writer.request().mode)),
+        always_(near_field_needs(writer.least(), writer.request().mode)) {}
+
+  //! Plans disk and shells. Their tables are built for all view modes.
+  void plan_disk_and_shells();
+  //! Plans one ray per tile, and several per pixel of tiles that may see objects.
+  void plan_traced_objects(const std::string& objects);
+
+ private:
+  //! Returns whether the disk may be empty at times because its edges move.
+  [[nodiscard]] bool disk_edges_move() const;
+  [[nodiscard]] bool has_disk_always() const;
+  void plan_disk_grid(const std::string& reason, bool if_needed);
+  void plan_streamed_disk(const std::string& reason);
+  //! Plans a disk without shells: from baked layers or from grids, if these are worth building,
+  //! except for pixels that show traced objects.
+  void plan_disk_without_shells(DiskDrawing drawing, const std::string& reason, bool if_needed);
+  //! Plans one ray for each pixel that may see disk, shells or objects, whatever the sky's lens.
+  //! `shells`: with shells or without.
+  void plan_near_rays(bool shells);
+  //! Adds a pass over all pixels of both eyes of the stereo model `flat`.
+  void flat_pass(const std::string& name, const std::string& reason, bool if_needed);
+  void plan_flat_disk(bool if_needed);
+  void plan_flat_near_field();
+
+  PlanWriter& plan_;
+  NearFieldNeeds needs_;   //!< at any time
+  NearFieldNeeds always_;  //!< at all times
+};
+
+bool NearFieldPlan::disk_edges_move() const {
+  return find_animation(plan_.most(), "disk.outer") != nullptr || find_animation(plan_.most(), "hole.spin") != nullptr;
+}
+
+bool NearFieldPlan::has_disk_always() const { return always_.disk && !disk_edges_move(); }
+
+void NearFieldPlan::plan_disk_grid(const std::string& reason, bool if_needed) {
+  for (const char* const name : {"trace_disk_nodes", "check_disk_cells"}) {
+    plan_.pass(name, WorkMoment::place, 0, 0, reason, if_needed);
+  }
+  for (const char* const name : {"disk grid being traced", "disk grid"}) {
+    plan_.buffer(name, WorkMoment::place, 0, reason);
+  }
+}
+
+void NearFieldPlan::plan_streamed_disk(const std::string& reason) {
+  plan_.buffer("disk grid at a position between stations", WorkMoment::picture, 0, reason);
+  if (plan_.eyes() > 1) {
+    // As for the lens, stations serve an eye beside the camera's path as long as traced rays
+    // confirm them.
+    plan_.pass("check_disk_grid", WorkMoment::picture, 0, 0, reason + ", " + plan_.why("stereo.model"), true);
+  }
+}
+
+void NearFieldPlan::plan_disk_without_shells(DiskDrawing drawing, const std::string& reason, bool if_needed) {
+  const bool omni = plan_.eyes_are_omni();
+  const bool asked = plan_.request().lens == LensChoice::live;
+  const bool may_read =
+      may_read_disk_grid(plan_.request().backend, plan_.request().lens, plan_.most().grid_scheme) && !omni;
+  const bool streamed = may_read && plan_.request().streamed && !asked;
+  const bool may_make =
+      may_read && (asked || is_worth_a_disk_grid(plan_.request().backend, static_cast<double>(plan_.pixels())));
+  if (!streamed && !may_make) {
+    return plan_.pixel_pass(near_field_name(drawing, false), reason, if_needed);
+  }
+  const std::string with_budget = reason + ", " + plan_.why("quality.budget_px");
+  if (streamed) {
+    plan_streamed_disk(with_budget);
+  }
+  if (may_make) {
+    plan_disk_grid(with_budget, if_needed || streamed || plan_.most().disk->plunging);
+  }
+  // Matter that falls from the last stable orbit has no grid. For other disks the grid leaves most
+  // pixels to rays at some positions.
+  const bool certain = asked && !plan_.most().disk->plunging;
+  plan_.pixel_pass(disk_look_up_name(drawing), with_budget, if_needed || !certain);
+  if (needs_.traced_objects) {
+    return plan_.pixel_pass(near_field_name(drawing, false), reason + ", " + plan_.why("objects"), if_needed);
+  }
+  if (!certain) {
+    plan_.pixel_pass(near_field_name(drawing, false), reason, true);
+  }
+}
+
+void NearFieldPlan::plan_near_rays(bool shells) {
+  const bool edges_move = disk_edges_move();
+  const bool shells_go = needs_.shells != always_.shells;
+  const std::string with = ", " + plan_.why("shells");
+  const auto disk_pass = [&](DiskDrawing drawing, const std::string& reason, bool if_needed) {
+    if (shells) {
+      plan_.pixel_pass(near_field_name(drawing, true), reason + with, if_needed);
+    } else {
+      plan_disk_without_shells(drawing, reason, if_needed);
+    }
+  };
+  if (needs_.disk) {
+    const bool pattern = needs_.disk_pattern;
+    disk_pass(pattern ? DiskDrawing::pattern : DiskDrawing::plain, plan_.why(pattern ? "disk.pattern" : "disk"),
+              edges_move || shells_go || !always_.disk || pattern != always_.disk_pattern || plan_.eyes_are_flat());
+  }
+  if (needs_.disk_pattern && !always_.disk_pattern) {
+    disk_pass(DiskDrawing::plain, plan_.why("disk.contrast"), true);
+  }
+  if (shells && (!always_.disk || edges_move)) {
+    plan_.pixel_pass(near_field_name(DiskDrawing::none, true), plan_.why("shells"),
+                     needs_.disk || shells_go || plan_.eyes_are_flat());
+  }
+}
+
+void NearFieldPlan::flat_pass(const std::string& name, const std::string& reason, bool if_needed) {
+  plan_.pass(name, WorkMoment::picture, plan_.shown() * plan_.blocks(), plan_.shown() * plan_.pixels(),
+             reason + ", " + plan_.why("stereo.model"), if_needed || plan_.eyes_are_together_at_times());
+}
+
+void NearFieldPlan::plan_flat_disk(bool if_needed) {
+  const bool asked = plan_.request().lens == LensChoice::live;
+  const auto pixels = static_cast<double>(plan_.pixels());
+  const bool may_make = may_read_disk_grid(plan_.request().backend, plan_.request().lens, plan_.most().grid_scheme) &&
+                        (asked || is_worth_a_disk_grid(plan_.request().backend, pixels));
+  // As for other disks: some have no grid, and for others the grid leaves most pixels to rays at
+  // some positions.
+  const bool certain = asked && !plan_.most().disk->plunging;
+  const bool pattern_changes = needs_.disk_pattern != always_.disk_pattern;
+  const std::string reason = plan_.why(needs_.disk_pattern ? "disk.pattern" : "disk");
+  if (may_make) {
+    const std::string with_budget = reason + ", " + plan_.why("quality.budget_px");
+    plan_disk_grid(with_budget, if_needed || !certain || plan_.eyes_are_together_at_times());
+    for (const bool pattern : {true, false}) {
+      if (pattern ? needs_.disk_pattern : !always_.disk_pattern) {
+        flat_pass(flat_look_up_name(pattern ? DiskDrawing::pattern : DiskDrawing::plain), with_budget,
+                  if_needed || !certain || pattern_changes);
+      }
+    }
+  }
+  if (!may_make || !certain || needs_.traced_objects) {
+    // Pixels that show objects need rays beside a grid.
+    flat_pass(flat_eyes_name(DiskDrawing::plain, false),
+              needs_.traced_objects ? reason + ", " + plan_.why("objects") : reason,
+              if_needed || (may_make && !always_.traced_objects));
+  }
+}
+
+void NearFieldPlan::plan_flat_near_field() {
+  constexpr long places = FlatShadow::spokes * FlatShadow::depths;
+  const bool certain =
+      (always_.disk || always_.shells || always_.traced_objects) && !plan_.eyes_are_together_at_times();
+  plan_.buffer("flat shadow", WorkMoment::picture, certain ? (edge_points + places) * long{sizeof(float)} : 0,
+               plan_.why("stereo.model"));
+  if (!plan_.on_cpu()) {
+    plan_.buffer("flat eye's picture", WorkMoment::start, 0, plan_.why("stereo.model"));
+  }
+  plan_.pass("see_horizon", WorkMoment::picture, certain ? plan_.shown() : 0, certain ? plan_.shown() * places : 0,
+             plan_.why("stereo.model"), !certain);
+  const bool disk_goes = needs_.disk && (!always_.disk || disk_edges_move());
+  const bool changes = disk_goes || needs_.shells != always_.shells;
+  const std::string with_shells = needs_.disk ? plan_.why("disk") + ", " + plan_.why("shells") : plan_.why("shells");
+  if (needs_.shells) {
+    flat_pass(flat_eyes_name(needs_.disk ? DiskDrawing::plain : DiskDrawing::none, true), with_shells, changes);
+    if (disk_goes) {
+      flat_pass(flat_eyes_name(DiskDrawing::none, true), plan_.why("shells"), true);
+    }
+  }
+  if (needs_.disk && !always_.shells) {
+    plan_flat_disk(changes);
+  }
+}
+
+void NearFieldPlan::plan_traced_objects(const std::string& objects) {
+  plan_.buffer("meshes", WorkMoment::start, 0, objects);
+  if (!needs_.traced_objects) {
+    return;
+  }
+  // The number of these pixels is not known in advance.
+  if (plan_.eyes_are_flat()) {
+    plan_.pass("mark_flat_object_tiles", WorkMoment::picture, 0, 0, objects, plan_.eyes_are_together_at_times());
+    plan_.pass("look_at_flat_objects", WorkMoment::picture, 0, 0, objects, true);
+    if (!has_disk_always() && !always_.shells) {
+      flat_pass("lay_objects", objects, needs_.disk || needs_.shells);
+    }
+  }
+  const bool together = !plan_.eyes_are_flat() || plan_.eyes_are_together_at_times();
+  if (together) {
+    plan_.pass("mark_object_tiles", WorkMoment::picture, 0, 0, objects, plan_.eyes_are_flat());
+    plan_.pass("look_at_objects", WorkMoment::picture, 0, 0, objects, true);
+    plan_.pass("look_at_objects, slices", WorkMoment::picture, 0, 0, objects, true);
+  }
+  if (together && !has_disk_always() && !always_.shells) {
+    plan_.pixel_pass("lay_objects", objects, needs_.disk || needs_.shells || plan_.eyes_are_flat());
+  }
+  for (const char* const name : {"objects' tiles", "objects' pixels", "objects' picture"}) {
+    plan_.buffer(name, WorkMoment::picture, 0, objects);
+  }
+  if (plan_.eyes_are_omni()) {
+    plan_.buffer("objects' cameras", WorkMoment::picture, 0, plan_.why("stereo.model"));
+  }
+}
+
+void NearFieldPlan::plan_disk_and_shells() {
+  if (plan_.most().disk) {
+    const bool recoloured = find_animation(plan_.most(), "disk.temperature_K") != nullptr;
+    plan_.buffer("blackbody table", WorkMoment::start, BlackbodyColours::bytes,
+                 plan_.why(recoloured ? "disk.temperature_K" : "disk"));
+    plan_.buffer("disk profile", WorkMoment::start, DiskPass::profile_bytes, plan_.why("disk"));
+  }
+  if (!plan_.most().shells.empty()) {
+    plan_.buffer("shells", WorkMoment::start, static_cast<long>(plan_.most().shells.size()) * ShellPass::shell_bytes,
+                 plan_.why("shells"));
+    if (std::ranges::any_of(plan_.most().shells, [](const ShellSettings& shell) { return !shell.texture.empty(); })) {
+      plan_.buffer("shell texture", WorkMoment::start, 0, plan_.why("shells"));
+    }
+  }
+  if (plan_.eyes_are_flat()) {
+    if (needs_.disk || needs_.shells || needs_.traced_objects) {
+      plan_flat_near_field();
+    }
+    if (!plan_.eyes_are_together_at_times()) {
+      return;
+    }
+  }
+  // If one part is missing at times, the other is drawn alone then.
+  for (const bool shells : {true, false}) {
+    if (shells ? needs_.shells : !always_.shells) {
+      plan_near_rays(shells);
+    }
+  }
+}
+
+}  // namespace
+
+void plan_near_field(PlanWriter& plan) {
+  NearFieldPlan near_field(plan);
+  near_field.plan_disk_and_shells();
+  if (has_objects(plan.most(), ObjectMethod::trace)) {
+    const std::string objects = plan.why("objects");
+    plan_mesh_loading(plan, objects);
+    near_field.plan_traced_objects(objects);
+  }
+}
+
+}  // namespace ergodome

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "render/plan/plan_writer.h"
+
+namespace ergodome {
+
+inline bool needs_polygons(const Show& show, ViewMode mode) {
+  return mode == ViewMode::sky && has_objects(show, ObjectMethod::polygon);
+}
+
+//! Plans reading the meshes of a show's objects, for all view modes: a window can switch between
+//! them.
+void plan_mesh_loading(PlanWriter& plan, const std::string& reason);
+
+//! Plans objects that are drawn as polygons.
+void plan_polygons(PlanWriter& plan);
+
+inline constexpr PassKind polygon_kind = {"polygons", needs_polygons, plan_polygons};
+
+}  // namespace ergodome

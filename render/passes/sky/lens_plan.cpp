@@ -1,0 +1,111 @@
+#include "render/passes/sky/lens_plan.h"
+
+#include <fmt/format.h>
+
+#include "render/lens/grid/edge_table.h"
+#include "render/lens/lens_choice.h"
+
+namespace ergodome {
+
+namespace {
+
+//! Returns the name of a kernel's variant for the channels.
+std::string variant(const LensChannels& channels, const char* kernel) {
+  return channels.footprint ? fmt::format("{}, footprints", kernel) : kernel;
+}
+
+void plan_direct(PlanWriter& plan, const LensChannels& channels, const std::string& reason) {
+  plan.set_lens("direct");
+  plan.pixel_pass(variant(channels, "trace_pixels"), reason);
+  plan.buffer("shadow edge", WorkMoment::picture, plan.eyes() * edge_points * static_cast<long>(sizeof(float)), reason);
+}
+
+//! Plans rays that a heat map follows with one method, or to shells.
+void plan_followed(PlanWriter& plan, const ShellsFollowed& shells) {
+  const bool always = plan.request().method || shells.always;
+  const std::string reason = shells.at_most ? plan.why_view() + ", " + plan.why("shells") : plan.why_view();
+  plan.set_lens("direct");
+  plan.pixel_pass("follow_rays", reason, !always);
+  if (!always) {
+    plan.pixel_pass("trace_pixels", plan.why_view(), true);
+    plan.buffer("shadow edge", WorkMoment::picture, 0, plan.why_view());
+  }
+}
+
+//! Plans the lenses that OmniChooser would choose.
+void plan_omni(PlanWriter& plan, const LensChannels& channels) {
+  const std::string model = plan.why("stereo.model");
+  const bool asked = plan.request().lens == LensChoice::live || plan.request().lens == LensChoice::streamed;
+  const bool traced = !plan.on_cpu() || plan.request().lens == LensChoice::direct || shows_rays(plan.request().mode) ||
+                      (!asked && !is_worth_a_grid(plan.request().backend, static_cast<double>(plan.pixels())));
+  plan.buffer("omni cameras", WorkMoment::picture, 0, model);
+  plan.set_lens(traced ? "direct" : "live");
+  if (traced) {
+    plan.pixel_pass(variant(channels, "trace_omni_pixels"), model);
+    return plan.buffer("shadow edge", WorkMoment::picture, plan.eyes() * edge_points * static_cast<long>(sizeof(float)),
+                       model);
+  }
+  plan_grid(plan, model, !asked);
+  plan.buffer("lens grid", WorkMoment::place, 0, model);
+  plan.pixel_pass(variant(channels, "look_up_omni_pixels"), model, !asked);
+  if (!asked) {
+    // Used where a grid would leave most pixels to rays or would need double precision.
+    plan.pixel_pass(variant(channels, "trace_omni_pixels"), model, true);
+    plan.buffer("shadow edge", WorkMoment::picture, 0, model);
+  }
+}
+
+}  // namespace
+
+void plan_grid(PlanWriter& plan, const std::string& reason, bool if_needed) {
+  plan.pass("trace_nodes", WorkMoment::place, 0, 0, reason, if_needed);
+  plan.pass("check_cells", WorkMoment::place, 0, 0, reason, if_needed);
+  plan.buffer("lens grid being traced", WorkMoment::place, 0, reason);
+}
+
+void plan_lens(PlanWriter& plan, const LensChannels& channels, const ShellsFollowed& shells) {
+  if (plan.eyes_are_omni()) {
+    return plan_omni(plan, channels);
+  }
+  if (follows_rays(plan.request().mode) && (plan.request().method || shells.at_most)) {
+    return plan_followed(plan, shells);
+  }
+  const double pixels = static_cast<double>(plan.pixels());
+  const bool asked = plan.request().lens == LensChoice::live || plan.request().lens == LensChoice::streamed;
+  const std::string quality = plan.why("quality.budget_px");
+  if (shows_rays(plan.request().mode) || plan.request().lens == LensChoice::direct) {
+    return plan_direct(plan, channels, plan.why_view());
+  }
+  if (plan.most().grid_scheme == GridScheme::quadtree && plan.on_cpu()) {
+    plan.set_lens("quadtree");
+    plan.pass("trace_rays, double", WorkMoment::place, 0, 0, plan.why("grid.scheme"));
+    return plan.pixel_pass("read_quadtree_pixels", plan.why("grid.scheme"));
+  }
+  const bool streamed = plan.request().streamed && plan.request().lens != LensChoice::live;
+  if (!streamed && !asked && !is_worth_a_grid(plan.request().backend, pixels)) {
+    return plan_direct(plan, channels, plan.why("view.size_px"));
+  }
+  plan.set_lens(streamed ? "streamed" : "live");
+  plan_grid(plan, quality, streamed);
+  plan.buffer("lens grid", WorkMoment::place, 0, quality);
+  plan.pixel_pass(variant(channels, "look_up_pixels"), quality, !asked);
+  const bool converge = plan.least().stereo.convergence > 0.0 && plan.least().stereo.baseline > 0.0;
+  if (plan.makes_eyes_in_turn() && !converge) {
+    // If both eyes have grids, the grids are read together.
+    plan.buffer("second lens channels", WorkMoment::start, 0, plan.why("stereo.layout"));
+  }
+  if (!asked) {
+    // Used where a grid would leave most pixels to rays.
+    plan.pixel_pass(variant(channels, "trace_pixels"), quality, true);
+  }
+  if (streamed) {
+    plan.buffer("lens grid at a position between stations", WorkMoment::picture, 0, quality);
+    if (plan.eyes() > 1) {
+      // Stations serve an eye beside the camera's path as long as traced rays confirm them.
+      plan.pass("check_blend", WorkMoment::picture, 0, 0, quality + ", " + plan.why("stereo.model"), true);
+    }
+  }
+  plan.buffer("shadow edge", WorkMoment::picture, 0, quality);
+}
+
+}  // namespace ergodome

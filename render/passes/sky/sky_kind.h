@@ -1,0 +1,13 @@
+#pragma once
+
+#include "render/plan/plan_writer.h"
+
+namespace ergodome {
+
+//! Plans the lens, the sky map and its shading.
+void plan_sky(PlanWriter& plan);
+
+//! The sky, seen through the lens; every picture has it.
+inline constexpr PassKind sky_kind = {"sky", [](const Show&, ViewMode) { return true; }, plan_sky};
+
+}  // namespace ergodome

@@ -1,0 +1,100 @@
+#include "content/show/animated_show.h"
+#include "render/passes/effects/diffraction.h"
+#include "render/passes/sky/lens_plan.h"
+#include "render/passes/stars/drawing/blackbody_colours.h"
+#include "render/passes/stars/drawing/picture_sheets.h"
+#include "render/passes/stars/star_kind.h"
+
+namespace ergodome {
+
+StarNeeds star_needs(const Show& show, ViewMode mode) {
+  const bool stars = mode == ViewMode::sky && !show.sky.stars.empty();
+  const std::optional<TrailSettings>& trails = show.effects.trails;
+  return {stars, stars && show.sky.star_method == StarMethod::gather, stars && trails && trails->shutter_s > 0.0,
+          shows_spikes(show, mode)};
+}
+
+namespace {
+
+//! Plans loading for all view modes, as a window can switch between them.
+void plan_star_loading(PlanWriter& plan) {
+  const bool turns = plan.sky_turns();
+  const std::string stars = plan.why("sky.stars") + (turns ? ", " + plan.why("sky.spin_axis") : "");
+  const WorkMoment moment = turns ? WorkMoment::picture : WorkMoment::start;
+  plan.pass("load_stars", moment, turns ? 0 : 1, 0, stars, turns);
+  plan.buffer("blackbody table", moment, turns ? 0 : BlackbodyColours::bytes, stars);
+  if (shows_spikes(plan.most(), ViewMode::sky)) {
+    const bool changes = find_animation(plan.most(), "effects.diffraction.obstruction") != nullptr ||
+                         find_animation(plan.most(), "effects.diffraction.scale") != nullptr;
+    plan.buffer("diffraction pattern", turns || changes ? WorkMoment::picture : WorkMoment::start, 0,
+                plan.why("effects.diffraction"));
+  }
+}
+
+//! Plans a gathering for each flat part of a picture.
+void plan_gathering(PlanWriter& plan) {
+  long gathers = 0;
+  long pixels = 0;
+  for (const PictureSheet& sheet : picture_sheets(plan.projection())) {
+    ++gathers;
+    pixels += static_cast<long>(sheet.cell.width_px) * sheet.cell.height_px;
+  }
+  plan.pass("gather_stars", WorkMoment::picture, plan.eyes() * gathers, plan.eyes() * pixels, plan.why("stars.method"));
+}
+
+void plan_star_drawing(PlanWriter& plan, const StarNeeds& needs) {
+  const std::string stars = plan.why("sky.stars");
+  if (needs.gather) {
+    plan_gathering(plan);
+    plan.pass("trace_rays, double", WorkMoment::picture, 0, 0, plan.why("stars.method"));
+  } else {
+    plan_grid(plan, stars, false);
+    plan.buffer("shadow edge", WorkMoment::place, 0, stars);
+    // Not needed if the previous picture had the same camera, even slightly turned. Eyes that see
+    // the same share the result.
+    const bool may_share = plan.eyes() > 1 && (plan.eyes_are_flat() || plan.eyes_are_together_at_times());
+    plan.pass("search_patches", WorkMoment::picture, may_share ? 0 : plan.eyes(), 0, stars, true);
+    plan.pass("find_star_images", WorkMoment::picture, 0, 0, stars, true);
+    plan.pass("find_star_images, double", WorkMoment::picture, 0, 0, stars, true);
+  }
+  if (needs.trails) {
+    plan.pass("follow_trails", WorkMoment::picture, plan.eyes(), 0, plan.why("effects.trails"),
+              !star_needs(plan.least(), ViewMode::sky).trails);
+    if (needs.gather) {
+      plan.pass("find_star_images", WorkMoment::picture, 0, 0, plan.why("effects.trails"), true);
+      plan.pass("find_star_images, double", WorkMoment::picture, 0, 0, plan.why("effects.trails"), true);
+    }
+  }
+  if (!plan.on_cpu()) {
+    // Stars are searched for and drawn in the memory of the picture.
+    if (!needs.gather) {
+      plan.buffer("star search", WorkMoment::start, 0, stars);
+      plan.buffer("star images", WorkMoment::picture, 0, stars);
+      plan.pass("place_star_images", WorkMoment::picture, 0, 0, stars, true);
+    }
+    plan.buffer("star points", WorkMoment::picture, 0, stars);
+    plan.buffer("star tiles", WorkMoment::picture, 0, stars);
+    if (needs.spikes) {
+      plan.buffer("diffraction pattern, placed", WorkMoment::picture, 0, plan.why("effects.diffraction"));
+    }
+  }
+  plan.pass("splat_stars", WorkMoment::picture, plan.eyes() * plan.blocks(), 0, stars, true);
+  if (needs.spikes) {
+    plan.pass("draw_spikes", WorkMoment::picture, plan.eyes() * plan.blocks(), 0, plan.why("effects.diffraction"),
+              true);
+  }
+}
+
+}  // namespace
+
+void plan_stars(PlanWriter& plan) {
+  if (!plan.most().sky.stars.empty()) {
+    plan_star_loading(plan);
+  }
+  const StarNeeds needs = star_needs(plan.most(), plan.request().mode);
+  if (needs.stars) {
+    plan_star_drawing(plan, needs);
+  }
+}
+
+}  // namespace ergodome
