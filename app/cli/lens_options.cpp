@@ -14,6 +14,7 @@
 #include "content/show/stereo_eyes.h"
 #include "kernels/core/error.h"
 #include "kernels/projection/pixel_measure.h"
+#include "render/frame/require_path.h"
 #include "render/frame/show_renderer.h"
 #include "render/lens/lens_choice.h"
 #include "render/lens/lens_chooser.h"

@@ -27,6 +27,7 @@
 #include "kernels/core/error.h"
 #include "kernels/projection/pixel_measure.h"
 #include "render/bake/trajectory_baker.h"
+#include "render/frame/require_path.h"
 #include "render/frame/show_renderer.h"
 
 namespace ergodome {

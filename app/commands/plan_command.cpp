@@ -24,6 +24,7 @@
 #include "kernels/launch/work_counter.h"
 #include "render/frame/frame_passes.h"
 #include "render/frame/show_renderer.h"
+#include "render/passes/objects/object_pass.h"
 
 namespace ergodome {
 

@@ -1,91 +1,102 @@
 #include "render/frame/eye_renderer.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "kernels/launch/parallel_for.h"
 #include "kernels/launch/work_counter.h"
-#include "kernels/projection/pixel_measure.h"
-#include "render/passes/effects/bloom_across_seams.h"
-#include "render/passes/sky/sky_shading.h"
 
 namespace ergodome {
 
 namespace {
 
-//! Sets the ends of the color bar in the kernel's unit for a channel
-//! (kernels/image/shade_pixels_kernel.h).
-void set_kernel_range(ShadeBatch& batch, const HeatRange& range) {
-  const auto measure = [&](double value) {
-    switch (batch.mode) {
-      case ViewMode::steps:
-        return range.logarithmic ? std::log10(value) : value;
-      case ViewMode::error_estimate:
-      case ViewMode::magnification:
-        return std::log10(value);
-      case ViewMode::frequency_ratio:
-        return std::log2(value);
-      default:
-        return value;
-    }
-  };
-  batch.range_low = static_cast<float>(measure(range.low));
-  batch.range_high = static_cast<float>(measure(range.high));
+std::size_t picture_pixels(const Projection& projection, int rows) {
+  return static_cast<std::size_t>(projection.width_px) * static_cast<std::size_t>(rows);
 }
 
-//! Blackens pixels outside the image: halos and spikes extend beyond its edge.
-void clear_outside(const Projection& projection, Picture& picture) {
-  static WorkCounter counter("clear_outside");
-  const WorkScope work(counter, static_cast<long>(picture.width) * picture.height);
-  parallel_for(picture.height, 16, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      for (int x = 0; x < picture.width; ++x) {
-        if (!(image_coverage(projection, x + 0.5, y + 0.5) > 0.0)) {
-          const auto at = static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width);
-          std::fill_n(picture.rgba.begin() + static_cast<long>(4 * (at + static_cast<std::size_t>(x))), 3, 0.0F);
-        }
-      }
-    }
-  });
+std::vector<std::unique_ptr<PassDrawing>> prepare_passes(const EyePicture& wanted) {
+  std::vector<std::unique_ptr<PassDrawing>> drawings;
+  drawings.reserve(wanted.settings.passes.size());
+  for (Pass* pass : wanted.settings.passes) {
+    drawings.push_back(pass->prepare(wanted));
+  }
+  return drawings;
 }
 
 }  // namespace
 
-HeatRange heat_range(const PictureSettings& settings) {
-  HeatRange range = heat_range(settings.mode, settings.follow && settings.follow->logarithmic);
-  if (settings.range) {
-    range.low = settings.range->low;
-    range.high = settings.range->high;
+//! A picture in progress, rendered block by block into host memory.
+class EyeRenderer::Making {
+ public:
+  //! `wanted` and `sky` must outlive it. Passes are prepared before the lens is chosen: they may
+  //! work in other threads meanwhile.
+  Making(EyeRenderer& renderer, const EyePicture& wanted, const SkyCube& sky)
+      : renderer_(renderer),
+        wanted_(wanted),
+        block_rows_(rows_of_a_block(renderer.backend_, wanted.projection.width_px, wanted.projection.height_px)),
+        drawings_(prepare_passes(wanted)),
+        sky_(renderer.sky_, wanted, sky, block_rows_) {
+    picture_.width = wanted.projection.width_px;
+    picture_.height = wanted.projection.height_px;
+    if (wanted.settings.mode != ViewMode::sky) {
+      picture_.heat_range = heat_range(wanted.settings);
+    }
+    picture_.rgba.resize(4 * picture_pixels(wanted.projection, picture_.height));
+    count_work("buffer: finished picture", static_cast<long>(picture_.rgba.size() * sizeof(float)));
+    picture_.lens = sky_.lens().name();
+    picture_.behind = sky_.lens().behind();
   }
-  return range;
-}
 
-LensPixels EyeRenderer::channels(std::size_t pixels, const PictureSettings& settings, bool second) {
-  const LensChannels wanted = lens_channels(settings.mode, {settings.filter, settings.shift, settings.brightening});
-  const auto count = static_cast<std::size_t>(wanted.floats());
-  Buffer<float>& room = second ? second_lens_ : lens_;
-  if (room.size() < count * pixels) {
-    room = Buffer<float>(backend_, count * pixels, second ? "second lens channels" : "lens channels");
+  [[nodiscard]] int block_rows() const { return block_rows_; }
+
+  void make_sky(const RowBlock& rows) {
+    sky_.draw(rows, memory_of(rows));
+    picture_.unresolved_pixels += sky_.count_unresolved();
   }
-  float* next = room.data();
-  const auto take = [&](bool needed) {
-    float* channel = needed ? next : nullptr;
-    next += needed ? pixels : 0;
-    return channel;
-  };
-  LensPixels lens{};
-  lens.coverage = take(true);
-  lens.error_estimate = take(true);
-  for (int i = 0; i < 3; ++i) {
-    lens.sky[i] = take(wanted.sky);
-    lens.sky_along_x[i] = take(wanted.footprint);
-    lens.sky_along_y[i] = take(wanted.footprint);
+
+  static bool share_work(const Making (&both)[2]) { return both[0].sky_.lens().shares_work_with(both[1].sky_.lens()); }
+
+  //! Makes the sky of both eyes, whose lenses share work.
+  static void make_sky_of_both(Making (&both)[2], const RowBlock& rows) {
+    SkyDrawing::draw_both(both[0].sky_, both[1].sky_, rows, both[0].memory_of(rows), both[1].memory_of(rows));
+    for (Making& making : both) {
+      making.picture_.unresolved_pixels += making.sky_.count_unresolved();
+    }
   }
-  lens.frequency_ratio = take(wanted.frequency_ratio);
-  lens.steps = take(wanted.steps);
-  lens.half_orbits = take(wanted.half_orbits);
-  return lens;
-}
+
+  //! Draws the passes over rows of the sky.
+  void draw_over(const RowBlock& rows) {
+    float* const memory = memory_of(rows);
+    for (const std::unique_ptr<PassDrawing>& drawing : drawings_) {
+      drawing->draw(rows, memory);
+    }
+    if (renderer_.backend_ != Backend::cpu) {
+      renderer_.rgba_.read(light(rows), 4 * picture_pixels(wanted_.projection, rows.count));
+    }
+  }
+
+  Picture finish() {
+    for (const std::unique_ptr<PassDrawing>& drawing : drawings_) {
+      drawing->finish(picture_);
+    }
+    return std::move(picture_);
+  }
+
+ private:
+  float* light(const RowBlock& rows) {
+    return picture_.rgba.data() + 4 * picture_pixels(wanted_.projection, rows.first);
+  }
+  //! Returns the backend's memory for rows: on the CPU, rows are made directly in the picture.
+  float* memory_of(const RowBlock& rows) {
+    return renderer_.backend_ == Backend::cpu ? light(rows)
+                                              : renderer_.room_for(picture_pixels(wanted_.projection, block_rows_));
+  }
+
+  EyeRenderer& renderer_;
+  const EyePicture& wanted_;
+  int block_rows_;
+  Picture picture_;
+  Drawings drawings_;
+  SkyDrawing sky_;
+};
 
 float* EyeRenderer::room_for(std::size_t pixels) {
   if (rgba_.size() < 4 * pixels) {
@@ -94,164 +105,87 @@ float* EyeRenderer::room_for(std::size_t pixels) {
   return rgba_.data();
 }
 
-void EyeRenderer::filter_polygons(const ShadeBatch& shade, const PolygonFilter& polygons) {
-  if (backend_ == Backend::cpu) {
-    return polygons.filter(shade.lens, shade.count, shade.rgba);
-  }
-  const auto pixels = static_cast<std::size_t>(shade.count);
-  std::vector<float> values(14 * pixels);
-  float* next = values.data() + 4 * pixels;
-  const auto fetch = [&](const float* channel) {
-    copy_to_host(backend_, next, channel, pixels);
-    next += pixels;
-    return next - pixels;
-  };
-  LensPixels lens{};
-  for (int i = 0; i < 3; ++i) {
-    lens.sky[i] = fetch(shade.lens.sky[i]);
-    lens.sky_along_x[i] = fetch(shade.lens.sky_along_x[i]);
-    lens.sky_along_y[i] = fetch(shade.lens.sky_along_y[i]);
-  }
-  lens.coverage = fetch(shade.lens.coverage);
-  polygons.filter(lens, shade.count, values.data());
-  rgba_.write(values.data(), 4 * pixels);
-}
-
-void EyeRenderer::shade_rows(ShadeBatch& shade, const PolygonFilter* polygons, const RowBlock& rows) {
-  shade.first_row = rows.first;
-  shade.count = rows.count * shade.projection.width_px;
-  if (shade.mode == ViewMode::sky && shade.filter == SkyFilter::polygon) {
-    filter_polygons(shade, *polygons);
-  }
-  shade_pixels(backend_, shade);
-}
-
-ShadeBatch EyeRenderer::prepare(const Projection& projection, const SkyCube& sky, const PictureSettings& settings,
-                                std::size_t pixels) {
-  const LensPixels lens = channels(pixels, settings);
-  ShadeBatch shade{lens,
-                   sky.view(),
-                   settings.mode,
-                   settings.filter,
-                   settings.shift,
-                   settings.brightening,
-                   settings.colours,
-                   converted_projection<float>(projection),
-                   0,
-                   settings.exposure,
-                   0.0F,
-                   1.0F,
-                   nullptr,
-                   0};
-  if (settings.mode != ViewMode::sky) {
-    set_kernel_range(shade, heat_range(settings));
-  }
-  return shade;
-}
-
-std::future<FoundPoints> EyeRenderer::seek_stars(const EyeCamera& eye, const Projection& projection,
-                                                 const PictureSettings& settings) const {
-  // The CPU part of the star search overlaps GPU rendering.
-  const bool meanwhile = settings.stars != nullptr && backend_ != Backend::cpu;
-  return std::async(meanwhile ? std::launch::async : std::launch::deferred, [this, &eye, &projection, &settings] {
-    const UrgentDeviceWork urgent(backend_);
-    const StarEye seen_by = settings.turning ? StarEye(settings.turning) : StarEye(eye);
-    const PixelMatch match = settings.moment.patience_s < ShowMoment::forever_s ? PixelMatch::about : PixelMatch::exact;
-    return settings.stars != nullptr ? settings.stars->find_points(seen_by, projection, settings.shutter, match)
-                                     : FoundPoints();
+Picture EyeRenderer::render(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
+                            const PictureSettings& settings) {
+  const EyePicture wanted{eye, projection, settings};
+  Making making(*this, wanted, sky);
+  visit_rows({0, projection.height_px}, making.block_rows(), [&](const RowBlock& rows) {
+    making.make_sky(rows);
+    making.draw_over(rows);
   });
+  return making.finish();
 }
 
-std::unique_ptr<LensSource> EyeRenderer::lens_for(const EyeCamera& eye, const Projection& projection,
-                                                  const PictureSettings& settings) {
-  if (settings.follow) {
-    return std::make_unique<FollowLens>(backend_, eye, projection, settings.accuracy.tolerance_px, *settings.follow);
+std::vector<Picture> EyeRenderer::render_pair(const EyePair& wanted, const SkyCube& sky) {
+  const EyePicture& first = wanted.first;
+  const EyePicture& second = wanted.second;
+  std::vector<Picture> pictures;
+  // On GPUs, the rows of a picture and its stars are stored for one picture only.
+  if (backend_ != Backend::cpu ||
+      std::ranges::any_of(first.settings.passes, [](const Pass* pass) { return pass->kind().serves_one_picture; })) {
+    pictures.push_back(render(first.eye, first.projection, sky, first.settings));
+    pictures.push_back(render(second.eye, second.projection, sky, second.settings));
+    return pictures;
   }
-  return lenses_.choose(
-      {settings.lens, eye, projection, settings.mode, settings.accuracy, settings.moment, settings.scheme});
+  Making both[] = {{*this, first, sky}, {*this, second, sky}};
+  const bool at_once = wanted.one_projection && Making::share_work(both);
+  visit_rows({0, first.projection.height_px}, both[0].block_rows(), [&](const RowBlock& block) {
+    visit_rows(block, rows_of_a_strip(first.projection.width_px), [&](const RowBlock& rows) {
+      if (at_once) {
+        return Making::make_sky_of_both(both, rows);
+      }
+      both[0].make_sky(rows);
+      both[1].make_sky(rows);
+    });
+    both[0].draw_over(block);
+    both[1].draw_over(block);
+  });
+  for (Making& making : both) {
+    pictures.push_back(making.finish());
+  }
+  return pictures;
+}
+
+void EyeRenderer::finish_in_place(const EyePicture& wanted, const Drawings& drawings) {
+  const std::vector<Pass*>& passes = wanted.settings.passes;
+  Picture picture;
+  for (std::size_t i = 0; i < passes.size(); ++i) {
+    const PassKind& kind = passes[i]->kind();
+    if (kind.stage != PassStage::near || !kind.in_host_memory) {
+      continue;
+    }
+    if (picture.rgba.empty()) {
+      picture.width = wanted.projection.width_px;
+      picture.height = wanted.projection.height_px;
+      picture.rgba.resize(4 * picture_pixels(wanted.projection, picture.height));
+      rgba_.read(picture.rgba.data(), picture.rgba.size());
+    }
+    drawings[i]->finish(picture);
+  }
+  if (!picture.rgba.empty()) {
+    rgba_.write(picture.rgba.data(), picture.rgba.size());
+  }
 }
 
 PictureInPlace EyeRenderer::render_in_place(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
                                             const PictureSettings& settings) {
   const DeviceWorkInOrder in_order(backend_);
-  const std::size_t pixels =
-      static_cast<std::size_t>(projection.width_px) * static_cast<std::size_t>(projection.height_px);
-  ShadeBatch shade = prepare(projection, sky, settings, pixels);
-  shade.rgba = room_for(pixels);
-  std::future<FoundPoints> seeking = seek_stars(eye, projection, settings);
-  const auto source = lens_for(eye, projection, settings);
-  near_field_ = near_field_of(eye, projection, settings);
-  source->fill(0, projection.height_px, shade.lens);
-  shade_rows(shade, settings.polygons, {0, projection.height_px});
-  const FoundPoints stars = seeking.get();
-  place_stars(stars, projection, settings);
-  if (!stars.empty()) {
-    tiled_stars_.draw(0, projection.height_px, shade.rgba);
+  const EyePicture wanted{eye, projection, settings};
+  const Drawings drawings = prepare_passes(wanted);
+  SkyDrawing lens_and_sky(sky_, wanted, sky, projection.height_px);
+  const RowBlock all = {0, projection.height_px};
+  float* const memory = room_for(picture_pixels(projection, all.count));
+  lens_and_sky.draw(all, memory);
+  for (const std::unique_ptr<PassDrawing>& drawing : drawings) {
+    drawing->draw(all, memory);
   }
-  draw_near_rows(eye, projection, settings, {0, projection.height_px}, shade.rgba);
-  draw_objects_in_place(eye, projection, settings);
-  return {rgba_.data(), source->name(), source->behind()};
+  finish_in_place(wanted, drawings);
+  return {rgba_.data(), lens_and_sky.lens().name(), lens_and_sky.lens().behind()};
 }
 
-NearField EyeRenderer::near_field_of(const EyeCamera& eye, const Projection& projection,
-                                     const PictureSettings& settings) {
-  NearField near_field = settings.near_field;
-  const bool own_lens = settings.given == nullptr && settings.turning == nullptr;
-  if (own_lens && is_disk_without_shells(near_field) && may_read_disk_grid(backend_, settings.lens, settings.scheme)) {
-    const DiskLook disk = near_field.disk->look_at(settings.time_s);
-    const double pixels = static_cast<double>(projection.width_px) * projection.height_px;
-    const DiskGridRequest request = {
-        eye, disk, pixel_angle(projection), settings.accuracy.budget_px, pixels, settings.lens == LensChoice::live};
-    near_field.disk_grid = streamed_disk_.layers_for(request, settings.lens, settings.moment.time_s);
-    if (!near_field.disk_grid) {
-      near_field.disk_grid = disk_grids_.grid_for(request);
-    }
-  }
-  return near_field;
-}
-
-void EyeRenderer::draw_near_rows(const EyeCamera& eye, const Projection& projection, const PictureSettings& settings,
-                                 const RowBlock& rows, float* rgba) const {
-  if (!near_field_.empty()) {
-    const PictureView view = {eye, settings.turning.get(), projection, settings.accuracy.tolerance_px, settings.time_s};
-    draw_near_field(backend_, near_field_, view, rows, rgba);
-  }
-}
-
-void EyeRenderer::draw_objects_in_place(const EyeCamera& eye, const Projection& projection,
-                                        const PictureSettings& settings) {
-  if (settings.objects == nullptr) {
-    return;
-  }
-  if (backend_ == Backend::cpu) {
-    return settings.objects->draw(eye, projection, settings.time_s, rgba_.data(), settings.turning_view.get());
-  }
-  std::vector<float> picture(4 * static_cast<std::size_t>(projection.width_px) *
-                             static_cast<std::size_t>(projection.height_px));
-  rgba_.read(picture.data(), picture.size());
-  settings.objects->draw(eye, projection, settings.time_s, picture.data(), settings.turning_view.get());
-  rgba_.write(picture.data(), picture.size());
-}
-
-void EyeRenderer::place_stars(const FoundPoints& stars, const Projection& projection, const PictureSettings& settings) {
-  if (stars.empty()) {
-    return;
-  }
-  const SplatSettings splat = settings.stars->splat_for(projection);
-  const DiffractionPattern* const spikes = settings.stars->spikes();
-  if (stars.in_place.count > 0) {
-    tiled_stars_.set(stars.in_place, projection, splat, spikes);
-  } else {
-    tiled_stars_.set(stars.in_host, projection, splat, spikes);
-  }
-}
-
-void EyeRenderer::finish(Picture& picture, const Projection& projection, const PictureSettings& settings) {
-  if (settings.bloom) {
-    add_bloom(picture, projection, *settings.bloom);
-  }
-  if (settings.clear_outside) {
-    clear_outside(projection, picture);
+void EyeRenderer::finish(Picture& picture, const EyePicture& wanted) {
+  for (const std::unique_ptr<PassDrawing>& drawing : prepare_passes(wanted)) {
+    drawing->finish(picture);
   }
 }
 

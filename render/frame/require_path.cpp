@@ -1,10 +1,10 @@
+#include "render/frame/require_path.h"
+
 #include <cmath>
 
 #include "content/camera/camera_path.h"
 #include "content/show/animated_show.h"
-#include "content/trajectory/trajectory_reader.h"
 #include "kernels/core/error.h"
-#include "render/frame/show_renderer.h"
 
 namespace ergodome {
 

@@ -16,9 +16,8 @@
 #include "render/lens/lens_choice.h"
 #include "render/output/stereo_layout.h"
 #include "render/output/tone.h"
-#include "render/passes/effects/image_edge.h"
-#include "render/passes/near_field/near_field_kind.h"
-#include "render/passes/objects/object_kind.h"
+#include "render/passes/near_field/near_field_pass.h"
+#include "render/passes/objects/object_pass.h"
 #include "render/passes/overlay/camera_readout.h"
 #include "render/passes/overlay/caption_notes.h"
 #include "render/passes/overlay/overlay_place.h"
@@ -57,17 +56,11 @@ void add_images(std::vector<Picture> eyes, StereoLayout layout, std::optional<Cu
   }
 }
 
-//! Returns a show with its shells as heat maps draw them: thin lines over the map.
-Show lines_alone(Show show) {
-  for (ShellSettings& shell : show.shells) {
-    shell.line_opacity = is_visible(shell) ? 0.5 : 0.0;
-    shell.line_width_deg = 0.5;
-    shell.line_color = {1.0, 1.0, 1.0};
-    shell.fill_opacity = 0.0;
-    shell.exposure = 1.0;
-  }
-  show.effects.redshift = false;
-  return show;
+//! Returns whether two shows use one map in the same way, so that it need not be read again.
+bool same_map(const Show& a, const Show& b) {
+  return a.folder == b.folder && a.sky.map == b.sky.map && a.sky.map_layout == b.sky.map_layout &&
+         a.sky.spin_axis_ra_deg == b.sky.spin_axis_ra_deg && a.sky.spin_axis_dec_deg == b.sky.spin_axis_dec_deg &&
+         a.sky.filter == b.sky.filter && a.sky.shift == b.sky.shift && a.effects.redshift == b.effects.redshift;
 }
 
 }  // namespace
@@ -77,11 +70,7 @@ ShowRenderer::ShowRenderer(const Show& show, Backend backend, LensChoice lens, s
       lens_(lens),
       stream_(std::move(stream)),
       sky_(show_, backend),
-      stars_(show.sky.stars.empty() ? nullptr : std::make_unique<StarPass>(show_, backend)),
-      disk_(show_.disk ? std::make_unique<DiskPass>(show_, backend) : nullptr),
-      shells_(show_.shells.empty() ? nullptr : std::make_unique<ShellPass>(show_, backend)),
-      traced_objects_(traced_objects_of(show_, backend)),
-      objects_(polygons_of(show_)),
+      passes_({show_, backend, stream_}),
       renderer_(backend, stream_),
       omni_lenses_(backend),
       overlays_(show_) {
@@ -92,27 +81,78 @@ ShowRenderer::ShowRenderer(const Show& show, Backend backend, LensChoice lens, s
 
 std::vector<std::string> ShowRenderer::notes() const {
   std::vector<std::string> notes;
-  if (stars_ && stars_->empty()) {
-    notes.push_back(note_of_no_stars(show_));
-  }
-  if (stars_ && lacks_stars(stars_->left_out())) {
-    notes.push_back(note_of_left_out(show_, stars_->left_out()));
-  }
   if (sky_.repaired().are_a_mistake()) {
     notes.push_back(note_of_repair(show_, "sky.map", show_.sky.map, sky_.repaired()));
   }
-  for (std::size_t i = 0; shells_ && i < shells_->repaired().size(); ++i) {
-    if (shells_->repaired()[i].are_a_mistake()) {
-      notes.push_back(
-          note_of_repair(show_, fmt::format("shells[{}].texture", i), show_.shells[i].texture, shells_->repaired()[i]));
-    }
-  }
-  for (const ObjectInHorizon& inside :
-       traced_objects_ ? traced_objects_->in_horizon() : std::vector<ObjectInHorizon>{}) {
-    notes.push_back(note_of(show_, inside));
-  }
+  std::ranges::move(passes_.notes(show_), std::back_inserter(notes));
   std::ranges::copy(notes_of_captions(show_), std::back_inserter(notes));
   return notes;
+}
+
+void ShowRenderer::apply(double time_s) {
+  time_s_ = time_s;
+  const NumberChange change = animate(show_, time_s);
+  if (change.sky) {
+    sky_.turn(show_, backend());
+  }
+  passes_.apply(show_, change);
+  if (change.exposure && exposure_) {
+    exposure_->set(*show_.tone.automatic);
+  }
+}
+
+void ShowRenderer::set_quality(const FrameQuality& quality) {
+  show_.quality.budget_px = quality.budget_px;
+  lens_ = quality.lens;
+  if (show_.sky.filter != SkyFilter::polygon && quality.filter != SkyFilter::polygon) {
+    show_.sky.filter = quality.filter;
+  }
+}
+
+FrameQuality ShowRenderer::quality() const { return {show_.quality.budget_px, lens_, show_.sky.filter}; }
+
+void ShowRenderer::set_show(const Show& show, std::shared_ptr<StationStream> stream) {
+  Show next = show_at(show, time_s_);
+  const std::vector<MissingFeature> missing = missing_features(next);
+  if (!missing.empty()) {
+    throw Error(next.name, missing.front().problem, missing.front().remedy);
+  }
+  std::optional<ShowSky> sky;
+  if (!same_map(show_, next)) {
+    sky.emplace(next, backend());
+  }
+  ShowPasses::Change passes = passes_.changed_for(show_, {next, backend(), stream});
+  overlays_.set_show(next);
+  // Nothing below throws.
+  if (sky) {
+    sky_ = std::move(*sky);
+  }
+  passes_.replace(std::move(passes));
+  if (!next.tone.automatic) {
+    exposure_.reset();
+  } else if (exposure_) {
+    exposure_->set(*next.tone.automatic);
+  } else {
+    exposure_.emplace(*next.tone.automatic);
+  }
+  show_ = std::move(next);
+  passes_.apply(show_, {.stars = true});
+  stream_ = std::move(stream);
+  renderer_.set_stream(stream_);
+}
+
+PlacedMeshes ShowRenderer::hiding_objects() const {
+  const auto* const near_field = passes_.find<NearFieldPass>();
+  return near_field != nullptr && near_field->objects() != nullptr ? near_field->objects()->hiding(time_s_)
+                                                                   : PlacedMeshes{};
+}
+
+std::vector<PlacedOutline> ShowRenderer::object_outlines() const {
+  if (const auto* const near_field = passes_.find<NearFieldPass>(); near_field != nullptr && near_field->objects()) {
+    return near_field->objects()->outlines(time_s_);
+  }
+  const auto* const polygons = passes_.find<ObjectPass>();
+  return polygons != nullptr ? polygons->outlines(time_s_) : std::vector<PlacedOutline>{};
 }
 
 Tone ShowRenderer::tone() const {
@@ -188,8 +228,6 @@ PictureSettings ShowRenderer::picture_settings(const CameraPose& pose, ViewMode 
   PictureSettings settings;
   settings.mode = mode;
   settings.range = range_;
-  const StarNeeds stars = star_needs(show_, mode);
-  const NearFieldNeeds needs = near_field_needs(show_, mode);
   settings.filter = show_.sky.filter;
   settings.shift = sky_.shift();
   settings.brightening = show_.sky.brightening;
@@ -200,24 +238,16 @@ PictureSettings ShowRenderer::picture_settings(const CameraPose& pose, ViewMode 
   settings.accuracy = {show_.quality.budget_px, 0.2 * show_.quality.budget_px};
   settings.moment = moment;
   settings.scheme = show_.grid_scheme;
-  settings.stars = stars.stars ? stars_.get() : nullptr;
-  settings.near_field = {needs.disk ? disk_.get() : nullptr, needs.shells ? shells_.get() : nullptr,
-                         needs.traced_objects ? traced_objects_.get() : nullptr};
-  if (needs.shells) {
-    shells_->set_numbers(mode == ViewMode::sky ? show_ : lines_alone(show_));
-  }
-  if (follows_rays(mode) && (method_ || needs.shells)) {
+  settings.show = &show_;
+  settings.passes = passes_.of_pictures(show_, mode);
+  const bool shells = near_field_needs(show_, mode).shells;
+  if (follows_rays(mode) && (method_ || shells)) {
     require_rays_from(pose);
     settings.follow = {method_.value_or(TraceMethod::taylor), watched_shells(show_.shells), method_.has_value()};
   }
-  settings.objects = needs_polygons(show_, mode) ? objects_.get() : nullptr;
   settings.time_s = moment.time_s.value_or(time_s_);
-  settings.clear_outside = spreads_beyond_image(show_, mode);
-  if (needs_bloom(show_, mode)) {
-    settings.bloom = show_.effects.bloom;
-  }
   // In free flight the camera's future path is unknown.
-  if (stars.trails && moment.time_s) {
+  if (star_needs(show_, mode).trails && moment.time_s) {
     settings.shutter.emplace();
     for (const CameraPose& each : shutter_poses(pose, *moment.time_s)) {
       settings.shutter->eyes.emplace_back(eye_camera(show_, each, eye_offset));

@@ -12,8 +12,11 @@
 #include "render/eyes/view_projection.h"
 #include "render/frame/cube_pictures.h"
 #include "render/frame/eye_renderer.h"
+#include "render/frame/show_passes.h"
 #include "render/lens/omni_chooser.h"
 #include "render/output/auto_exposure.h"
+#include "render/passes/objects/placed_meshes.h"
+#include "render/passes/objects/polygons/object_outline.h"
 #include "render/passes/overlay/overlay_pass.h"
 #include "render/passes/sky/show_sky.h"
 
@@ -183,9 +186,6 @@ class ShowRenderer {
   //! them, and the shadow is where flat space would have it.
   std::vector<Picture> render_flat_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode,
                                         const ShowMoment& moment);
-  //! Returns the grid of the disk for such eyes, if it is worth building.
-  std::optional<DiskGrid> flat_disk(const EyeCamera& head, const Projection& projection,
-                                    const PictureSettings& settings);
   //! Renders both ODS eyes; each direction of the view has its own camera.
   std::vector<Picture> render_omni_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode,
                                         const ShowMoment& moment);
@@ -228,15 +228,9 @@ class ShowRenderer {
   LensChoice lens_;
   std::shared_ptr<StationStream> stream_;
   ShowSky sky_;
-  std::unique_ptr<StarPass> stars_;                //!< if the show has stars
-  std::unique_ptr<DiskPass> disk_;                 //!< if the show has a disk
-  std::unique_ptr<ShellPass> shells_;              //!< if the show has shells
-  std::unique_ptr<TracedObjects> traced_objects_;  //!< if the show has traced objects
-  std::unique_ptr<ObjectPass> objects_;            //!< if the show has polygon objects
+  ShowPasses passes_;
   EyeRenderer renderer_;
   OmniChooser omni_lenses_;
-  DiskGrids flat_disks_;     //!< of heads whose eyes share a lens
-  Buffer<float> flat_rows_;  //!< rows of such eyes' pictures in GPU memory
   std::optional<AutoExposure> exposure_;
   OverlayPass overlays_;
   double overlay_distance_ = 0.0;
@@ -248,8 +242,5 @@ class ShowRenderer {
   std::optional<TraceMethod> method_;  //!< ViewChoice::method of the current pictures
   std::optional<ViewRange> range_;     //!< ViewChoice::range of the current pictures
 };
-
-//! Throws Error unless the trajectory was baked along the show's camera path, for its hole.
-void require_path_of(const Show& show, const TrajectoryReader& trajectory);
 
 }  // namespace ergodome

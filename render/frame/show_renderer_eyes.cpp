@@ -8,13 +8,13 @@
 #include "kernels/core/error.h"
 #include "kernels/projection/pixel_measure.h"
 #include "render/eyes/eye_distance.h"
+#include "render/frame/frame_passes.h"
 #include "render/frame/show_renderer.h"
 #include "render/lens/flat/flat_shadow.h"
 #include "render/output/stereo_layout.h"
-#include "render/passes/effects/bloom_pass.h"
-#include "render/passes/effects/exposure_kind.h"
 #include "render/passes/flat_shadow/shadow_mask.h"
-#include "render/passes/near_field/flat_near_field.h"
+#include "render/passes/near_field/near_field_pass.h"
+#include "render/passes/objects/object_kind.h"
 
 // Renders two eyes with each stereo model.
 namespace ergodome {
@@ -29,6 +29,18 @@ void draw_flat_rows(Backend backend, FlatNearField& near_field, const PictureVie
     const std::size_t first = 4 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(row);
     near_field.draw(view, {row, rows}, picture.rgba.data() + first);
   }
+}
+
+//! Returns the passes up to a stage.
+std::vector<Pass*> passes_until(std::vector<Pass*> passes, PassStage last) {
+  std::erase_if(passes, [&](const Pass* pass) { return pass->kind().stage > last; });
+  return passes;
+}
+
+//! Returns the passes after a stage.
+std::vector<Pass*> passes_after(std::vector<Pass*> passes, PassStage last) {
+  std::erase_if(passes, [&](const Pass* pass) { return pass->kind().stage <= last; });
+  return passes;
 }
 
 }  // namespace
@@ -59,17 +71,6 @@ std::vector<Picture> ShowRenderer::render_eyes(const CameraPose& pose, const Pro
   return renderer_.render_pair({wanted(-0.5), wanted(0.5), one_projection}, sky_.cube());
 }
 
-std::optional<DiskGrid> ShowRenderer::flat_disk(const EyeCamera& head, const Projection& projection,
-                                                const PictureSettings& settings) {
-  if (!is_disk_without_shells(settings.near_field) || !may_read_disk_grid(backend(), settings.lens, settings.scheme)) {
-    return std::nullopt;
-  }
-  const DiskLook disk = settings.near_field.disk->look_at(settings.time_s);
-  const double pixels = static_cast<double>(projection.width_px) * projection.height_px;
-  return flat_disks_.grid_for({head, disk, pixel_angle(projection), settings.accuracy.budget_px, pixels,
-                               settings.lens == LensChoice::live, true});
-}
-
 std::vector<Picture> ShowRenderer::render_flat_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode,
                                                     const ShowMoment& moment) {
   const StereoSettings& stereo = show_.stereo;
@@ -81,15 +82,9 @@ std::vector<Picture> ShowRenderer::render_flat_eyes(const CameraPose& pose, cons
     shadow.emplace(head);
     note_baseline(pose, std::min(stereo.baseline, shadow->greatest_baseline()));
   }
-  // Spread light only after the shadow, and everything with its own parallax, has been drawn over
-  // it.
+  // Light is spread only after the shadow, and everything with its own parallax, has been drawn.
   PictureSettings sharp = settings;
-  if (apart) {
-    sharp.near_field = {};
-    sharp.objects = nullptr;
-  }
-  sharp.bloom.reset();
-  sharp.clear_outside = false;
+  sharp.passes = passes_until(settings.passes, apart ? PassStage::distant : PassStage::near);
   std::vector<Picture> eyes;
   for (const double side : {-0.5, 0.5}) {
     if (eyes.empty() || flat_pictures(stereo) > 1) {
@@ -99,10 +94,13 @@ std::vector<Picture> ShowRenderer::render_flat_eyes(const CameraPose& pose, cons
       eyes.push_back(copied_picture(eyes.front()));
     }
   }
+  const EyePicture of_head{head, projection, settings};
+  NearField parts;
   std::optional<FlatNearField> near_field;
-  if (apart && !settings.near_field.empty()) {
-    settings.near_field.disk_grid = flat_disk(head, projection, settings);
-    near_field.emplace(backend(), settings.near_field, head, *shadow, flat_rows_);
+  if (apart && near_field_needs(show_, mode).any()) {
+    auto* const pass = passes_.find<NearFieldPass>();
+    parts = pass->parts_for_head(of_head);
+    near_field.emplace(pass->flat_eyes(parts, head, *shadow));
   }
   for (std::size_t i = 0; i < 2; ++i) {
     const double offset = (i == 0 ? -0.5 : 0.5) * baseline_;
@@ -115,11 +113,11 @@ std::vector<Picture> ShowRenderer::render_flat_eyes(const CameraPose& pose, cons
         draw_flat_rows(backend(), *near_field, {head, nullptr, own, settings.accuracy.tolerance_px, settings.time_s},
                        eyes[i]);
       }
-      if (settings.objects != nullptr) {
-        settings.objects->draw(head, own, settings.time_s, eyes[i].rgba.data(), nullptr, offset);
-      }
     }
-    EyeRenderer::finish(eyes[i], own, settings);
+    EyePicture over{head, own, settings};
+    over.settings.beside = offset;
+    over.settings.passes = passes_after(settings.passes, apart ? PassStage::distant : PassStage::near);
+    EyeRenderer::finish(eyes[i], over);
   }
   return eyes;
 }
@@ -189,7 +187,7 @@ std::vector<Picture> ShowRenderer::render_omni_eyes(const CameraPose& pose, cons
     settings.given = lens.get();
     if (turns) {
       settings.turning = eye;
-      if (settings.objects != nullptr) {
+      if (needs_polygons(show_, mode)) {
         settings.turning_view = std::make_shared<const TurningView>(turning_view(*eye, eye_at));
       }
     }
@@ -203,7 +201,10 @@ std::vector<Picture> ShowRenderer::render_omni_eyes(const CameraPose& pose, cons
 }
 
 bool ShowRenderer::may_stay_in_place(ViewMode mode) const {
-  if (backend() == Backend::cpu || needs_bloom(show_, ViewMode::sky) || needs_auto_exposure(show_, ViewMode::sky)) {
+  const auto keeps_from_gpu = [&](const PassKind& kind) {
+    return kind.stage >= PassStage::finished && kind.in_host_memory && kind.draws(show_, ViewMode::sky);
+  };
+  if (backend() == Backend::cpu || std::ranges::any_of(frame_passes(), keeps_from_gpu)) {
     return false;
   }
   const StereoSettings& stereo = show_.stereo;

@@ -9,6 +9,7 @@
 #include "kernels/launch/parallel_for.h"
 #include "render/frame/show_renderer.h"
 #include "render/lens/direct_lens.h"
+#include "render/passes/stars/star_pass.h"
 
 // Measures the cost of effects that a scene does not use: frames of the full renderer relative to
 // frames written out by hand from only the passes that are needed, which have no support for

@@ -10,8 +10,15 @@ inline bool needs_bloom(const Show& show, ViewMode mode) {
 }
 
 void plan_bloom(PlanWriter& plan);
+std::unique_ptr<Pass> make_bloom_pass(const PassInput& input);
 
 //! Spreads light over finished pictures.
-inline constexpr PassKind bloom_kind = {"bloom", needs_bloom, plan_bloom};
+inline constexpr PassKind bloom_kind = {"bloom",
+                                        PassStage::finished,
+                                        needs_bloom,
+                                        plan_bloom,
+                                        make_bloom_pass,
+                                        /*serves_one_picture=*/false,
+                                        /*in_host_memory=*/true};
 
 }  // namespace ergodome

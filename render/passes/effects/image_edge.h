@@ -11,8 +11,10 @@ inline bool spreads_beyond_image(const Show& show, ViewMode mode) {
 }
 
 void plan_image_edge(PlanWriter& plan);
+std::unique_ptr<Pass> make_image_edge_pass(const PassInput& input);
 
 //! Blackens pixels outside the image: halos and spikes extend beyond its edge.
-inline constexpr PassKind image_edge_kind = {"image_edge", spreads_beyond_image, plan_image_edge};
+inline constexpr PassKind image_edge_kind = {"image_edge", PassStage::finished, spreads_beyond_image, plan_image_edge,
+                                             make_image_edge_pass};
 
 }  // namespace ergodome

@@ -12,6 +12,6 @@ inline bool eyes_are_flat(const Show& show, ViewMode /*mode*/) {
 void plan_flat_shadow(PlanWriter& plan);
 
 //! The shadow that each eye of the stereo model `flat` sees.
-inline constexpr PassKind flat_shadow_kind = {"flat_shadow", eyes_are_flat, plan_flat_shadow};
+inline constexpr PassKind flat_shadow_kind = {"flat_shadow", PassStage::frame, eyes_are_flat, plan_flat_shadow};
 
 }  // namespace ergodome

@@ -19,8 +19,14 @@ NearFieldNeeds near_field_needs(const Show& show, ViewMode mode);
 //! Plans disk, shells and traced objects.
 void plan_near_field(PlanWriter& plan);
 
+std::unique_ptr<Pass> make_near_field_pass(const PassInput& input);
+
 inline constexpr PassKind near_field_kind = {
-    "near_field", [](const Show& show, ViewMode mode) { return near_field_needs(show, mode).any(); }, plan_near_field,
-    true};
+    "near_field",
+    PassStage::near,
+    [](const Show& show, ViewMode mode) { return near_field_needs(show, mode).any(); },
+    plan_near_field,
+    make_near_field_pass,
+    /*serves_one_picture=*/true};
 
 }  // namespace ergodome

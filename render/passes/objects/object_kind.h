@@ -17,6 +17,14 @@ void plan_mesh_loading(PlanWriter& plan, const std::string& reason);
 //! Plans objects that are drawn as polygons.
 void plan_polygons(PlanWriter& plan);
 
-inline constexpr PassKind polygon_kind = {"polygons", needs_polygons, plan_polygons};
+std::unique_ptr<Pass> make_polygon_pass(const PassInput& input);
+
+inline constexpr PassKind polygon_kind = {"polygons",
+                                          PassStage::near,
+                                          needs_polygons,
+                                          plan_polygons,
+                                          make_polygon_pass,
+                                          /*serves_one_picture=*/false,
+                                          /*in_host_memory=*/true};
 
 }  // namespace ergodome

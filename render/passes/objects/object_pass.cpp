@@ -38,10 +38,30 @@ void lay_over(const std::vector<float>& drawn, const PictureTile& tile, const Pi
   });
 }
 
+//! The polygons of one picture.
+class ObjectPassDrawing : public PassDrawing {
+ public:
+  ObjectPassDrawing(ObjectPass& pass, const EyePicture& picture) : pass_(pass), picture_(picture) {}
+
+  void finish(Picture& picture) override {
+    const PictureSettings& settings = picture_.settings;
+    pass_.draw(picture_.eye, picture_.projection, settings.time_s, picture.rgba.data(), settings.turning_view.get(),
+               settings.beside);
+  }
+
+ private:
+  ObjectPass& pass_;
+  const EyePicture& picture_;
+};
+
 }  // namespace
 
-std::unique_ptr<ObjectPass> polygons_of(const Show& show) {
-  return has_objects(show, ObjectMethod::polygon) ? std::make_unique<ObjectPass>(show) : nullptr;
+std::unique_ptr<Pass> make_polygon_pass(const PassInput& input) {
+  return has_objects(input.show, ObjectMethod::polygon) ? std::make_unique<ObjectPass>(input.show) : nullptr;
+}
+
+std::unique_ptr<PassDrawing> ObjectPass::prepare(const EyePicture& picture) {
+  return std::make_unique<ObjectPassDrawing>(*this, picture);
 }
 
 long ObjectPass::mesh_bytes(const Show& show) {

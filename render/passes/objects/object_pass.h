@@ -5,21 +5,27 @@
 
 #include "content/show/show.h"
 #include "render/eyes/eye_camera.h"
+#include "render/passes/objects/object_kind.h"
 #include "render/passes/objects/polygons/gl_thread.h"
 #include "render/passes/objects/polygons/object_drawing.h"
 #include "render/passes/objects/polygons/object_outline.h"
+#include "render/passes/pass.h"
 
 namespace ergodome {
 
 //! Draws a show's polygon objects over finished pictures, with OpenGL, independent of the backend.
-class ObjectPass {
+class ObjectPass : public Pass {
  public:
   //! Loads the meshes and opens OpenGL; the show must have objects. Throws Error if a mesh cannot
   //! be read or there is no driver.
   explicit ObjectPass(const Show& show);
-  ~ObjectPass();
-  ObjectPass(const ObjectPass&) = delete;
-  ObjectPass& operator=(const ObjectPass&) = delete;
+  ~ObjectPass() override;
+
+  [[nodiscard]] const PassKind& kind() const override { return polygon_kind; }
+  std::unique_ptr<PassDrawing> prepare(const EyePicture& picture) override;
+  [[nodiscard]] bool serves(const Show& /*now*/, const Show& /*next*/) const override {
+    return false;  // meshes are read again, as their files may have changed
+  }
 
   //! Draws over a picture in host memory: four floats per pixel. Throws Error if an object is too
   //! close to the hole at that show time, or if the eye is inside the photon sphere.
@@ -56,8 +62,5 @@ class ObjectPass {
   GlThread gl_;
   std::unique_ptr<ObjectDrawing> drawing_;  //!< created and destroyed on that thread
 };
-
-//! Creates the pass of a show with polygon objects; otherwise returns nullptr.
-std::unique_ptr<ObjectPass> polygons_of(const Show& show);
 
 }  // namespace ergodome

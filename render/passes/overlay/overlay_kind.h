@@ -14,6 +14,6 @@ inline bool has_overlays(const Show& show, ViewMode mode) {
 void plan_overlays(PlanWriter& plan);
 
 //! Captions and images over pictures.
-inline constexpr PassKind overlay_kind = {"overlays", has_overlays, plan_overlays};
+inline constexpr PassKind overlay_kind = {"overlays", PassStage::frame, has_overlays, plan_overlays};
 
 }  // namespace ergodome

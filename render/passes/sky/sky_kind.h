@@ -8,6 +8,6 @@ namespace ergodome {
 void plan_sky(PlanWriter& plan);
 
 //! The sky, seen through the lens; every picture has it.
-inline constexpr PassKind sky_kind = {"sky", [](const Show&, ViewMode) { return true; }, plan_sky};
+inline constexpr PassKind sky_kind = {"sky", PassStage::distant, [](const Show&, ViewMode) { return true; }, plan_sky};
 
 }  // namespace ergodome

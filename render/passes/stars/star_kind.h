@@ -17,7 +17,10 @@ StarNeeds star_needs(const Show& show, ViewMode mode);
 //! Plans the stars of a show.
 void plan_stars(PlanWriter& plan);
 
-inline constexpr PassKind star_kind = {
-    "stars", [](const Show& show, ViewMode mode) { return star_needs(show, mode).stars; }, plan_stars};
+std::unique_ptr<Pass> make_star_pass(const PassInput& input);
+
+inline constexpr PassKind star_kind = {"stars", PassStage::distant,
+                                       [](const Show& show, ViewMode mode) { return star_needs(show, mode).stars; },
+                                       plan_stars, make_star_pass};
 
 }  // namespace ergodome

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <future>
 #include <limits>
 
 #include "content/show/animated_show.h"
@@ -67,7 +68,108 @@ bool same_pattern(const DiffractionSettings& a, const DiffractionSettings& b) {
   return !a.pattern.empty() || (a.obstruction == b.obstruction && a.scale == b.scale);
 }
 
+bool same_turn(const SkySettings& a, const SkySettings& b) {
+  return a.spin_axis_ra_deg == b.spin_axis_ra_deg && a.spin_axis_dec_deg == b.spin_axis_dec_deg;
+}
+
+//! Returns whether two shows' spikes differ at most in animatable numbers.
+bool same_spikes(const Show& a, const Show& b) {
+  const auto& one = a.effects.diffraction;
+  const auto& other = b.effects.diffraction;
+  if (!one || !other) {
+    return !one && !other;
+  }
+  const bool ever = shows_spikes(show_at_most(a), ViewMode::sky);
+  return ever == shows_spikes(show_at_most(b), ViewMode::sky) && one->pattern == other->pattern &&
+         one->blades == other->blades && one->vanes == other->vanes && one->size_px == other->size_px;
+}
+
 }  // namespace
+
+//! The stars of one picture.
+class StarPass::Drawing : public PassDrawing {
+ public:
+  Drawing(StarPass& pass, const EyePicture& picture)
+      : pass_(pass),
+        picture_(picture),
+        // The CPU part of the search overlaps GPU rendering.
+        seeking_(std::async(on_cpu() ? std::launch::deferred : std::launch::async, [this] { return find(); })) {}
+
+  void draw(const RowBlock& rows, float* rgba) override {
+    if (seeking_.valid()) {
+      points_ = seeking_.get();
+      if (!on_cpu() && !points_.empty()) {
+        place();
+      }
+    }
+    if (points_.empty()) {
+      return;
+    }
+    if (on_cpu()) {
+      return pass_.draw(points_.in_host, picture_.projection, rows.first, rows.count, rgba);
+    }
+    pass_.tiled_.draw(rows.first, rows.count, rgba);
+  }
+
+ private:
+  [[nodiscard]] bool on_cpu() const { return pass_.backend_ == Backend::cpu; }
+
+  FoundPoints find() const {
+    const UrgentDeviceWork urgent(pass_.backend_);
+    const PictureSettings& settings = picture_.settings;
+    const StarEye eye = settings.turning ? StarEye(settings.turning) : StarEye(picture_.eye);
+    const PixelMatch match = settings.moment.patience_s < ShowMoment::forever_s ? PixelMatch::about : PixelMatch::exact;
+    return pass_.find_points(eye, picture_.projection, settings.shutter, match);
+  }
+
+  //! Copies the points to the memory in which the picture is made.
+  void place() {
+    const SplatSettings splat = pass_.splat_for(picture_.projection);
+    if (points_.in_place.count > 0) {
+      pass_.tiled_.set(points_.in_place, picture_.projection, splat, pass_.spikes());
+    } else {
+      pass_.tiled_.set(points_.in_host, picture_.projection, splat, pass_.spikes());
+    }
+  }
+
+  StarPass& pass_;
+  const EyePicture& picture_;
+  FoundPoints points_;
+  std::future<FoundPoints> seeking_;
+};
+
+std::unique_ptr<Pass> make_star_pass(const PassInput& input) {
+  return input.show.sky.stars.empty() ? nullptr : std::make_unique<StarPass>(input.show, input.backend);
+}
+
+std::unique_ptr<PassDrawing> StarPass::prepare(const EyePicture& picture) {
+  return std::make_unique<Drawing>(*this, picture);
+}
+
+void StarPass::apply(const Show& show, const NumberChange& change) {
+  if (change.sky) {
+    turn_sky(show);
+  }
+  if (change.stars) {
+    set_numbers(show);
+  }
+}
+
+bool StarPass::serves(const Show& now, const Show& next) const {
+  return now.folder == next.folder && now.sky.stars == next.sky.stars && now.sky.star_method == next.sky.star_method &&
+         same_turn(now.sky, next.sky) && now.effects.redshift == next.effects.redshift && same_spikes(now, next);
+}
+
+std::vector<std::string> StarPass::notes(const Show& show) const {
+  std::vector<std::string> notes;
+  if (empty()) {
+    notes.push_back(note_of_no_stars(show));
+  }
+  if (lacks_stars(left_out_)) {
+    notes.push_back(note_of_left_out(show, left_out_));
+  }
+  return notes;
+}
 
 StarPass::StarPass(const Show& show, Backend backend) : StarPass(show, backend, load_stars(show)) {}
 
@@ -78,7 +180,8 @@ StarPass::StarPass(const Show& show, Backend backend, const StarCatalogue& catal
       field_(catalogue, sky_from_equatorial(show.sky), colours_.view()),
       all_gathered_(show.sky.star_method == StarMethod::gather),
       settings_(star_settings(show)),
-      order_(backend == Backend::cpu ? PointOrder::by_row : PointOrder::of_images) {
+      order_(backend == Backend::cpu ? PointOrder::by_row : PointOrder::of_images),
+      tiled_(backend) {
   if (all_gathered_) {
     tree_.emplace(field_);
   }

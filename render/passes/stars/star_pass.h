@@ -7,13 +7,16 @@
 #include "render/lens/grid/edge_table.h"
 #include "render/lens/grid/grid_tracer.h"
 #include "render/passes/effects/diffraction.h"
+#include "render/passes/pass.h"
 #include "render/passes/stars/drawing/blackbody_colours.h"
 #include "render/passes/stars/drawing/point_placer.h"
 #include "render/passes/stars/drawing/star_splat.h"
+#include "render/passes/stars/drawing/tiled_stars.h"
 #include "render/passes/stars/kept_star_images.h"
 #include "render/passes/stars/search/image_joiner.h"
 #include "render/passes/stars/search/star_finder.h"
 #include "render/passes/stars/star_gather.h"
+#include "render/passes/stars/star_kind.h"
 
 namespace ergodome {
 
@@ -38,11 +41,17 @@ struct FoundPoints {
 //! Draws the stars of a show. Caches the last inverted lens grids: a camera that rotates or moves
 //! around the spin axis needs no new grid. For a camera that only rotates, the images of the last
 //! picture are reused too.
-class StarPass {
+class StarPass : public Pass {
  public:
   //! Loads the catalog. Throws Error if it cannot be read. On a GPU backend, images are also sought
   //! on the GPU.
   explicit StarPass(const Show& show, Backend backend = Backend::cpu);
+
+  [[nodiscard]] const PassKind& kind() const override { return star_kind; }
+  std::unique_ptr<PassDrawing> prepare(const EyePicture& picture) override;
+  void apply(const Show& show, const NumberChange& change) override;
+  [[nodiscard]] bool serves(const Show& now, const Show& next) const override;
+  [[nodiscard]] std::vector<std::string> notes(const Show& show) const override;
 
   //! Returns whether the catalog contains no star.
   [[nodiscard]] bool empty() const { return field_.stars().empty(); }
@@ -79,6 +88,8 @@ class StarPass {
             float* rgba) const;
 
  private:
+  class Drawing;
+
   StarPass(const Show& show, Backend backend, const StarCatalogue& catalogue);
 
   //! Returns the search settings for a picture.
@@ -136,6 +147,7 @@ class StarPass {
   KeptStarImages<PlacedImages> images_in_place_;
   std::optional<ImageJoiner> joiner_;  //!< only on a GPU backend
   std::optional<PointPlacer> placer_;
+  TiledStars tiled_;  //!< on a GPU backend, of one picture
 };
 
 }  // namespace ergodome

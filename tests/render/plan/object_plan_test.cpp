@@ -6,6 +6,7 @@
 #include "render/frame/frame_passes.h"
 #include "render/frame/show_renderer.h"
 #include "render/output/image_writer.h"
+#include "render/passes/objects/object_pass.h"
 #include "tests/render/passes/objects/object_scene.h"
 #include "tests/support/folder_test.h"
 

@@ -8,6 +8,7 @@
 #include "content/sky/sky_map.h"
 #include "kernels/core/error.h"
 #include "kernels/projection/pixel_measure.h"
+#include "render/frame/require_path.h"
 #include "render/frame/show_renderer.h"
 #include "tests/support/baked_show.h"
 #include "tests/support/folder_test.h"

@@ -16,6 +16,7 @@
 #include "kernels/projection/pixel_measure.h"
 #include "render/eyes/view_projection.h"
 #include "render/frame/eye_renderer.h"
+#include "render/passes/near_field/near_field_pass.h"
 #include "tests/support/baked_show.h"
 #include "tests/support/folder_test.h"
 #include "tests/support/sanitized.h"
@@ -23,13 +24,32 @@
 namespace ergodome {
 namespace {
 
+//! Renders the sky and the disk of a show, from baked stations if there are any.
+class DiskRenderer {
+ public:
+  explicit DiskRenderer(std::shared_ptr<StationStream> stream = nullptr)
+      : stream_(std::move(stream)), eyes_(Backend::cpu, stream_) {}
+
+  Picture render(const Show& show, const EyeCamera& eye, const Projection& projection, PictureSettings settings) {
+    static const SkyCube sky(Backend::cpu, make_grid_sky(16), glm::dmat3(1.0));
+    NearFieldPass disk({show, Backend::cpu, stream_});
+    settings.show = &show;
+    settings.passes = {&disk};
+    return eyes_.render(eye, projection, sky, settings);
+  }
+
+ private:
+  std::shared_ptr<StationStream> stream_;
+  EyeRenderer eyes_;
+};
+
 //! A show with a disk, its bake, and its pictures.
 class StreamedDiskPictures : public test::FolderTest {
  protected:
   void bake(const Show& show, bool derivatives = true) {
     show_ = show;
     projection_ = make_projection(show.view, show.view.size_px, 0.0);
-    disk_ = std::make_unique<DiskPass>(show, Backend::cpu);
+    pictured_ = show;
     test::bake_to(show, file(), pixel_angle(projection_), derivatives);
   }
 
@@ -41,16 +61,15 @@ class StreamedDiskPictures : public test::FolderTest {
   }
 
   //! Returns the picture of an eye at a time of the show; `work_` receives the work counts.
-  std::vector<float> picture(EyeRenderer& renderer, double time_s, const Vector3<double>& eye_offset, LensChoice lens) {
-    static const SkyCube sky(Backend::cpu, make_grid_sky(16), glm::dmat3(1.0));
+  std::vector<float> picture(DiskRenderer& renderer, double time_s, const Vector3<double>& eye_offset,
+                             LensChoice lens) {
     PictureSettings settings;
     settings.lens = lens;
     settings.moment = {time_s};
     settings.time_s = time_s;
-    settings.near_field.disk = disk_.get();
     const EyeCamera eye = eye_camera(show_, camera_pose(show_, time_s), eye_offset);
     const auto before = work_done();
-    const Picture made = renderer.render(eye, projection_, sky, settings);
+    const Picture made = renderer.render(pictured_, eye, projection_, settings);
     work_ = work_between(before, work_done());
     return {made.rgba.begin(), made.rgba.end()};
   }
@@ -58,9 +77,9 @@ class StreamedDiskPictures : public test::FolderTest {
   [[nodiscard]] bool did(const std::string& work) const { return work_.contains(work) && work_.at(work).runs > 0; }
 
   //! Compares a streamed picture with one by rays.
-  void expect_like_rays(EyeRenderer& streamed, double time_s, const Vector3<double>& eye_offset) {
+  void expect_like_rays(DiskRenderer& streamed, double time_s, const Vector3<double>& eye_offset) {
     SCOPED_TRACE(testing::Message() << time_s << " s, eye " << eye_offset.x);
-    EyeRenderer direct(Backend::cpu);
+    DiskRenderer direct;
     const std::vector<float> by_rays = picture(direct, time_s, eye_offset, LensChoice::direct);
     const std::vector<float> read = picture(streamed, time_s, eye_offset, LensChoice::automatic);
     EXPECT_TRUE(did("look_up_disk") || did("look_up_disk, pattern"));
@@ -79,7 +98,7 @@ class StreamedDiskPictures : public test::FolderTest {
 
   Show show_;
   Projection projection_{};
-  std::unique_ptr<DiskPass> disk_;
+  Show pictured_;  //!< the show whose disk is drawn
   std::map<std::string, WorkCount> work_;
   std::string said_;
 };
@@ -87,7 +106,7 @@ class StreamedDiskPictures : public test::FolderTest {
 TEST_F(StreamedDiskPictures, AreThoseOfRaysAtAnyTimeAndForBothEyes) {
   for (const bool clouds : {false, true}) {
     bake(test::show_with_disk(clouds));
-    EyeRenderer streamed(Backend::cpu, stream());
+    DiskRenderer streamed(stream());
     for (const double time_s : test::sanitized ? std::vector{2.3} : std::vector{0.0, 0.3, 1.1, 2.3, 3.7, 9.1}) {
       expect_like_rays(streamed, time_s, {});
       EXPECT_FALSE(did("check_disk_grid"));
@@ -99,15 +118,15 @@ TEST_F(StreamedDiskPictures, AreThoseOfRaysAtAnyTimeAndForBothEyes) {
 
 TEST_F(StreamedDiskPictures, WithoutDerivativesAreThoseOfRays) {
   bake(test::show_with_disk(), false);
-  EyeRenderer streamed(Backend::cpu, stream());
+  DiskRenderer streamed(stream());
   expect_like_rays(streamed, 3.7, {});
 }
 
 TEST_F(StreamedDiskPictures, OfAnotherDiskThanTheBakedOneAreNotReadFromIt) {
   bake(test::show_with_disk());
-  EyeRenderer streamed(Backend::cpu, stream());
+  DiskRenderer streamed(stream());
   const auto read = [&](const Show& show) {
-    disk_ = std::make_unique<DiskPass>(show, Backend::cpu);
+    pictured_ = show;
     picture(streamed, 3.7, {}, LensChoice::automatic);
     return did("look_up_disk") || did("look_up_disk, pattern");
   };
@@ -127,7 +146,7 @@ TEST_F(StreamedDiskPictures, OfAnotherDiskThanTheBakedOneAreNotReadFromIt) {
 
 TEST_F(StreamedDiskPictures, OfAnEyeFarBesideThePathAreNotReadFromIt) {
   bake(test::show_with_disk());
-  EyeRenderer streamed(Backend::cpu, stream());
+  DiskRenderer streamed(stream());
   picture(streamed, 3.7, {0.0, 12.0, 0.0}, LensChoice::automatic);
   EXPECT_FALSE(did("look_up_disk"));
 }
@@ -143,13 +162,13 @@ TEST_F(StreamedDiskPictures, AreMadeWithoutLayersThatAreDamaged) {
     raw.put('y');
   }
   const auto read = stream();
-  EyeRenderer streamed(Backend::cpu, read);
+  DiskRenderer streamed(read);
   const std::vector<float> made = picture(streamed, 0.1, {}, LensChoice::automatic);
   EXPECT_FALSE(did("look_up_disk"));
   EXPECT_TRUE(did("look_up_pixels, footprints"));
   EXPECT_THAT(said_, testing::HasSubstr("station 1, disk: is damaged"));
   EXPECT_EQ(read->statistics().lost_disks, 1);
-  EyeRenderer direct(Backend::cpu);
+  DiskRenderer direct;
   const std::vector<float> by_rays = picture(direct, 0.1, {}, LensChoice::direct);
   expect_alike(made, by_rays);
 }
@@ -164,7 +183,7 @@ TEST_F(StreamedDiskPictures, AreNotReadFromTheNextStationInPlaceOfOneThatIsDamag
     raw.put('x');
     raw.put('y');
   }
-  EyeRenderer streamed(Backend::cpu, stream());
+  DiskRenderer streamed(stream());
   picture(streamed, 0.1, {}, LensChoice::automatic);
   EXPECT_FALSE(did("look_up_disk"));
 }

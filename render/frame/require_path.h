@@ -1,0 +1,11 @@
+#pragma once
+
+#include "content/show/show.h"
+#include "content/trajectory/trajectory_reader.h"
+
+namespace ergodome {
+
+//! Throws Error unless the trajectory was baked along the show's camera path, for its hole.
+void require_path_of(const Show& show, const TrajectoryReader& trajectory);
+
+}  // namespace ergodome

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/passes/pass.h"
+
+namespace ergodome {
+
+//! The passes that a show needs at any time, in the order of frame_passes().
+class ShowPasses {
+ public:
+  //! Throws Error if something that a pass draws cannot be read.
+  explicit ShowPasses(const PassInput& input);
+
+  //! Returns the passes of pictures with the show's present numbers.
+  [[nodiscard]] std::vector<Pass*> of_pictures(const Show& show, ViewMode mode) const;
+
+  //! Returns the pass of a type, or nullptr if the show has none.
+  template <class T>
+  [[nodiscard]] T* find() const {
+    for (const std::unique_ptr<Pass>& pass : passes_) {
+      if (auto* const found = dynamic_cast<T*>(pass.get())) {
+        return found;
+      }
+    }
+    return nullptr;
+  }
+
+  void apply(const Show& show, const NumberChange& change);
+  [[nodiscard]] std::vector<std::string> notes(const Show& show) const;
+
+  //! The passes of another show, where the present ones do not serve it.
+  using Change = std::vector<std::optional<std::unique_ptr<Pass>>>;
+
+  //! Makes the passes of another show (`input.show`) that the present ones cannot draw. Throws
+  //! Error like the constructor, and changes nothing.
+  [[nodiscard]] Change changed_for(const Show& now, PassInput input) const;
+  void replace(Change change);
+
+ private:
+  std::vector<std::unique_ptr<Pass>> passes_;  //!< one for each of frame_passes(); null if not needed
+};
+
+}  // namespace ergodome

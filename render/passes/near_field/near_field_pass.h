@@ -1,0 +1,62 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "render/backend/buffer.h"
+#include "render/passes/disk/disk_grids.h"
+#include "render/passes/disk/streamed_disk.h"
+#include "render/passes/near_field/flat_near_field.h"
+#include "render/passes/near_field/near_field.h"
+#include "render/passes/near_field/near_field_kind.h"
+#include "render/passes/pass.h"
+
+namespace ergodome {
+
+//! Draws disk, shells and traced objects of a show, which a ray meets one after the other.
+class NearFieldPass : public Pass {
+ public:
+  //! Loads the shells' textures and the objects' meshes, or shares them with the pass of the show
+  //! before. Throws Error if something cannot be read.
+  explicit NearFieldPass(const PassInput& input);
+
+  [[nodiscard]] const PassKind& kind() const override { return near_field_kind; }
+  std::unique_ptr<PassDrawing> prepare(const EyePicture& picture) override;
+  void apply(const Show& show, const NumberChange& change) override;
+  [[nodiscard]] bool serves(const Show& now, const Show& next) const override;
+  [[nodiscard]] std::vector<std::string> notes(const Show& show) const override;
+
+  //! Returns the parts that a picture shows, with the numbers of its view mode, for an eye of the
+  //! stereo model `flat`. Reads the disk from a grid at the head, if that is worth building.
+  NearField parts_for_head(const EyePicture& head);
+
+  //! Draws over pictures of such eyes; see FlatNearField. The arguments must outlive it.
+  FlatNearField flat_eyes(const NearField& parts, const EyeCamera& head, const FlatShadow& shadow) {
+    return {backend_, parts, head, shadow, flat_rows_};
+  }
+
+  //! Returns the traced objects, or nullptr for a show without them.
+  [[nodiscard]] const TracedObjects* objects() const { return objects_.get(); }
+
+ private:
+  class Drawing;
+
+  //! Grids of the disk, which stay valid when the show changes.
+  struct Grids {
+    DiskGrids eyes;
+    DiskGrids heads;  //!< of heads whose eyes share a lens
+  };
+
+  [[nodiscard]] NearField parts_for(const EyePicture& picture) const;
+
+  Backend backend_;
+  std::shared_ptr<DiskPass> disk_;          //!< if the show has a disk
+  std::shared_ptr<ShellPass> shells_;       //!< if the show has shells
+  std::unique_ptr<TracedObjects> objects_;  //!< if the show has traced objects
+  std::shared_ptr<Grids> grids_;
+  StreamedDisk streamed_disk_;
+  Buffer<float> flat_rows_;  //!< rows of `flat` eyes' pictures in GPU memory
+};
+
+}  // namespace ergodome

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "content/show/animatable_number.h"
+#include "render/passes/eye_picture.h"
+#include "render/picture/picture.h"
+#include "render/picture/picture_rows.h"
+#include "render/plan/pass_kind.h"
+
+// The interface of everything that draws into an eye's picture.
+
+namespace ergodome {
+
+//! What a pass draws into one picture.
+class PassDrawing {
+ public:
+  PassDrawing() = default;
+  virtual ~PassDrawing() = default;
+  PassDrawing(const PassDrawing&) = delete;
+  PassDrawing& operator=(const PassDrawing&) = delete;
+
+  //! Draws over rows of the picture in the backend's memory: four floats per pixel. Called for all
+  //! rows, block by block.
+  virtual void draw(const RowBlock& rows, float* rgba) {
+    static_cast<void>(rows);
+    static_cast<void>(rgba);
+  }
+
+  //! Draws over the whole picture in host memory, once all rows are drawn.
+  virtual void finish(Picture& picture) { static_cast<void>(picture); }
+};
+
+//! A stage of a show's pictures. Owns the tables and buffers that it needs for all of them.
+class Pass {
+ public:
+  Pass() = default;
+  virtual ~Pass() = default;
+  Pass(const Pass&) = delete;
+  Pass& operator=(const Pass&) = delete;
+
+  [[nodiscard]] virtual const PassKind& kind() const = 0;
+
+  //! Starts work for a picture, which may go on in other threads, and returns what draws it.
+  //! `picture` must outlive the drawing.
+  virtual std::unique_ptr<PassDrawing> prepare(const EyePicture& picture) = 0;
+
+  //! Applies the show's numbers at another time; `change`: which of them differ.
+  virtual void apply(const Show& show, const NumberChange& change) {
+    static_cast<void>(show);
+    static_cast<void>(change);
+  }
+
+  //! Returns whether apply() suffices to go on with another show.
+  [[nodiscard]] virtual bool serves(const Show& now, const Show& next) const {
+    static_cast<void>(now);
+    static_cast<void>(next);
+    return true;
+  }
+
+  //! Returns warnings about parts of the show that will not be visible.
+  [[nodiscard]] virtual std::vector<std::string> notes(const Show& show) const {
+    static_cast<void>(show);
+    return {};
+  }
+};
+
+}  // namespace ergodome

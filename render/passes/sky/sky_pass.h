@@ -1,0 +1,81 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "kernels/image/shade_pixels.h"
+#include "render/backend/buffer.h"
+#include "render/lens/lens_chooser.h"
+#include "render/passes/eye_picture.h"
+#include "render/picture/picture.h"
+#include "render/picture/picture_rows.h"
+
+namespace ergodome {
+
+//! Draws the sky, or a heat map of the lens, with which every picture starts. Owns the lens
+//! channels and keeps lenses for the next picture.
+class SkyPass {
+ public:
+  SkyPass(Backend backend, std::shared_ptr<StationStream> stream)
+      : backend_(backend), lenses_(backend, std::move(stream)) {}
+
+  //! Replaces the stream of baked stations; nullptr stops streaming.
+  void set_stream(std::shared_ptr<StationStream> stream) { lenses_.set_stream(std::move(stream)); }
+
+  //! Returns the lens of a picture, using cached grids of earlier pictures.
+  std::unique_ptr<LensSource> lens_for(const EyeCamera& eye, const Projection& projection,
+                                       const PictureSettings& settings);
+
+  //! Returns the floats allocated for lens channels.
+  [[nodiscard]] std::size_t lens_floats() const { return lens_.size(); }
+
+ private:
+  friend class SkyDrawing;
+
+  //! Returns the channels that a picture needs and no others. `second`: in addition to another
+  //! eye's.
+  LensPixels channels(std::size_t pixels, const PictureSettings& settings, bool second = false);
+
+  Backend backend_;
+  LensChooser lenses_;
+  Buffer<float> lens_;
+  Buffer<float> second_lens_;  //!< of the other eye, if both are read together
+};
+
+//! The sky of one picture.
+class SkyDrawing {
+ public:
+  //! Chooses the lens of the picture, and makes room for the channels of `most_rows` rows. The
+  //! arguments must outlive the drawing.
+  SkyDrawing(SkyPass& pass, const EyePicture& picture, const SkyCube& sky, int most_rows);
+
+  [[nodiscard]] const LensSource& lens() const { return *lens_; }
+  //! Makes rows of the picture in the backend's memory: four floats per pixel.
+  void draw(const RowBlock& rows, float* rgba);
+
+  //! Makes the same rows of two pictures whose lenses share work.
+  static void draw_both(SkyDrawing& first, SkyDrawing& second, const RowBlock& rows, float* rgba,
+                        float* rgba_of_second);
+
+  //! Returns the rays of the rows last drawn that did not converge.
+  [[nodiscard]] long count_unresolved() const;
+
+ private:
+  //! Shades rows whose lens channels are filled.
+  void shade(const RowBlock& rows, float* rgba);
+  //! Filters the map over the pixels' outlines, on the CPU: copies channels from the GPU and the
+  //! light back.
+  void filter_polygons(const PolygonFilter& polygons) const;
+
+  SkyPass& pass_;
+  const EyePicture& picture_;
+  int most_rows_;
+  ShadeBatch shade_;
+  std::unique_ptr<LensSource> chosen_;
+  const LensSource* lens_;
+};
+
+//! Returns the range of a heat map's color bar with these settings.
+HeatRange heat_range(const PictureSettings& settings);
+
+}  // namespace ergodome
