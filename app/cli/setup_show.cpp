@@ -10,6 +10,7 @@
 #include "content/files/atomic_file.h"
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"
+#include "render/eyes/view_projection.h"
 #include "render/output/frame_names.h"
 #include "render/output/image_writer.h"
 #include "render/output/tone_map.h"

@@ -12,7 +12,6 @@
 #include "content/sky/repaired_texels.h"
 #include "kernels/core/error.h"
 #include "kernels/spacetime/kerr/kerr.h"
-#include "render/frame/image_alpha.h"
 #include "render/lens/lens_choice.h"
 #include "render/output/stereo_layout.h"
 #include "render/output/tone.h"
@@ -22,6 +21,8 @@
 #include "render/passes/overlay/caption_notes.h"
 #include "render/passes/overlay/overlay_place.h"
 #include "render/passes/stars/star_kind.h"
+#include "render/picture/cube_pictures.h"
+#include "render/picture/image_alpha.h"
 
 namespace ergodome {
 

@@ -10,7 +10,6 @@
 #include "content/show/show.h"
 #include "render/eyes/narrowed_eyes.h"
 #include "render/eyes/view_projection.h"
-#include "render/frame/cube_pictures.h"
 #include "render/frame/eye_renderer.h"
 #include "render/frame/show_passes.h"
 #include "render/lens/omni_chooser.h"
@@ -19,20 +18,11 @@
 #include "render/passes/objects/polygons/object_outline.h"
 #include "render/passes/overlay/overlay_pass.h"
 #include "render/passes/sky/show_sky.h"
+#include "render/picture/frame_image.h"
 
 // Renders the frames of a show.
 
 namespace ergodome {
-
-//! The part of a frame that an image is.
-enum class FramePart { whole, left, right };
-
-//! An image to show or to write: linear light, four floats per pixel.
-struct FrameImage {
-  FramePart part = FramePart::whole;
-  Picture picture;
-  std::optional<CubeFace> face{};  //!< the face of a cube, if each face has a file
-};
 
 //! Choices of the user that are not part of the show.
 struct ViewChoice {

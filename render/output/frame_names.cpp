@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "render/picture/cube_pictures.h"
+
 namespace ergodome {
 
 std::filesystem::path eye_folder(FramePart part) {

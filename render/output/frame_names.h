@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "render/frame/show_renderer.h"
+#include "render/picture/frame_image.h"
 
 // Paths of frame files.
 

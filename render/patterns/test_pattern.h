@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "render/frame/show_renderer.h"
 #include "render/patterns/pattern_place.h"
+#include "render/picture/frame_image.h"
 
 // Pictures for setting up domes, projectors and stereo displays. All are in linear light that is
 // shown without a tone curve: the display gets the values on a pattern's labels.

@@ -8,6 +8,7 @@
 #include "content/camera/camera_path.h"
 #include "kernels/core/angles.h"
 #include "render/output/stereo_layout.h"
+#include "render/picture/cube_pictures.h"
 
 namespace ergodome {
 

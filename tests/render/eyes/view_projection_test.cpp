@@ -5,7 +5,7 @@
 #include "kernels/core/angles.h"
 #include "kernels/projection/make_projection.h"
 #include "kernels/projection/pixel_measure.h"
-#include "render/frame/cube_pictures.h"
+#include "render/picture/cube_pictures.h"
 
 namespace ergodome {
 namespace {

@@ -1,4 +1,4 @@
-#include "render/frame/image_alpha.h"
+#include "render/picture/image_alpha.h"
 
 #include "kernels/launch/parallel_for.h"
 

@@ -1,4 +1,4 @@
-#include "render/frame/cube_pictures.h"
+#include "render/picture/cube_pictures.h"
 
 #include <algorithm>
 
