@@ -12,6 +12,8 @@
 #include "content/sky/repaired_texels.h"
 #include "kernels/core/error.h"
 #include "kernels/spacetime/kerr/kerr.h"
+#include "render/frame/flat_eyes.h"
+#include "render/frame/frame_passes.h"
 #include "render/lens/lens_choice.h"
 #include "render/output/stereo_layout.h"
 #include "render/output/tone.h"
@@ -73,7 +75,7 @@ ShowRenderer::ShowRenderer(const Show& show, Backend backend, LensChoice lens, s
       sky_(show_, backend),
       passes_({show_, backend, stream_}),
       renderer_(backend, stream_),
-      omni_lenses_(backend),
+      omni_eyes_(backend),
       overlays_(show_) {
   if (show_.tone.automatic) {
     exposure_.emplace(*show_.tone.automatic);
@@ -276,6 +278,74 @@ PictureInPlace ShowRenderer::render_eye_in_place(const CameraPose& pose, double 
                                                         picture_settings(pose, mode, moment, eye_offset));
   draw_overlays({backend(), made.rgba, tone(), mode != ViewMode::sky}, pose, projection, eye_offset, mode, moment);
   return made;
+}
+
+std::vector<Picture> ShowRenderer::render_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode,
+                                               const ShowMoment& moment) {
+  const StereoSettings& stereo = show_.stereo;
+  note_baseline(pose, stereo.baseline);
+  if (eye_count(stereo) < 2) {
+    std::vector<Picture> eyes;
+    eyes.push_back(render_eye(pose, 0.0, projection, mode, moment));
+    return eyes;
+  }
+  const auto wanted = [&](double offset) {
+    return EyePicture{eye_camera(show_, pose, offset), converged_projection(projection, offset, stereo.convergence),
+                      picture_settings(pose, mode, moment, offset)};
+  };
+  if (stereo.model == StereoModel::physical) {
+    const bool one_projection = !(stereo.convergence > 0.0) || stereo.baseline == 0.0;
+    return renderer_.render_pair({wanted(-0.5 * stereo.baseline), wanted(0.5 * stereo.baseline), one_projection},
+                                 sky_.cube());
+  }
+  const EyePicture head{eye_camera(show_, pose, 0.0), projection, picture_settings(pose, mode, moment, 0.0)};
+  const std::vector<CameraPose> shutter =
+      head.settings.shutter ? shutter_poses(pose, *moment.time_s) : std::vector<CameraPose>{};
+  StereoPictures made = stereo.model == StereoModel::flat
+                            ? render_flat_eyes(renderer_, head, sky_.cube(), passes_.find<NearFieldPass>())
+                            : omni_eyes_.render(renderer_, pose, head, sky_.cube(), shutter);
+  note_baseline(pose, made.baseline);
+  return std::move(made.eyes);
+}
+
+void ShowRenderer::note_baseline(const CameraPose& pose, double baseline) {
+  const StereoSettings& stereo = show_.stereo;
+  baseline_ = baseline;
+  narrowed_.reset();
+  if (baseline < stereo.baseline) {
+    narrowed_ = {stereo.model, pose.r, stereo.baseline, baseline};
+  }
+}
+
+bool ShowRenderer::may_stay_in_place(ViewMode mode) const {
+  const auto keeps_from_gpu = [&](const PassKind& kind) {
+    return kind.stage >= PassStage::finished && kind.in_host_memory && kind.draws(show_, ViewMode::sky);
+  };
+  if (backend() == Backend::cpu || std::ranges::any_of(frame_passes(), keeps_from_gpu)) {
+    return false;
+  }
+  const StereoSettings& stereo = show_.stereo;
+  // Color bars span both eyes.
+  return eye_count(stereo) < 2 || (stereo.model == StereoModel::physical && mode == ViewMode::sky &&
+                                   shows_eyes_whole(stereo.layout) && !stereo.tint_eyes);
+}
+
+EyesInPlace ShowRenderer::render_eyes_in_place(const CameraPose& pose, const Projection& projection, ViewMode mode,
+                                               const ShowMoment& moment) {
+  const StereoSettings& stereo = show_.stereo;
+  note_baseline(pose, stereo.baseline);
+  if (eye_count(stereo) < 2) {
+    return {render_eye_in_place(pose, 0.0, projection, mode, moment), {}};
+  }
+  const auto render = [&](double side) {
+    const double offset = side * stereo.baseline;
+    return render_eye_in_place(pose, offset, converged_projection(projection, offset, stereo.convergence), mode,
+                               moment);
+  };
+  const PictureInPlace left = render(-0.5);
+  renderer_.set_aside();
+  const PictureInPlace right = render(0.5);
+  return stereo.swap_eyes ? EyesInPlace{right, left} : EyesInPlace{left, right};
 }
 
 void ShowRenderer::draw_overlays(const OverlayTarget& target, const CameraPose& pose, const Projection& projection,

@@ -11,8 +11,8 @@
 #include "render/eyes/narrowed_eyes.h"
 #include "render/eyes/view_projection.h"
 #include "render/frame/eye_renderer.h"
+#include "render/frame/omni_eyes.h"
 #include "render/frame/show_passes.h"
-#include "render/lens/omni_chooser.h"
 #include "render/output/auto_exposure.h"
 #include "render/passes/objects/placed_meshes.h"
 #include "render/passes/objects/polygons/object_outline.h"
@@ -172,14 +172,6 @@ class ShowRenderer {
   std::vector<Picture> render_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode,
                                    const ShowMoment& moment);
 
-  //! Renders both eyes through the head's lens: infinitely distant points are where the head sees
-  //! them, and the shadow is where flat space would have it.
-  std::vector<Picture> render_flat_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode,
-                                        const ShowMoment& moment);
-  //! Renders both ODS eyes; each direction of the view has its own camera.
-  std::vector<Picture> render_omni_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode,
-                                        const ShowMoment& moment);
-
   //! Sets the tone of pictures that are shown together, at a time of any clock.
   void expose(std::span<Picture> eyes, double clock_s);
 
@@ -191,17 +183,6 @@ class ShowRenderer {
   //! Applies exposure, overlays, tint and swapping of eyes as the show requires.
   void finish_eyes(std::vector<Picture>& eyes, const CameraPose& pose, const Projection& projection, ViewMode mode,
                    const ShowMoment& moment, double clock_s);
-
-  //! Returns the cameras of ODS eyes at a pose, `baseline` M apart, with errors up to `tolerance`
-  //! [rad].
-  [[nodiscard]] std::shared_ptr<const OmniCamera> omni_cameras(const CameraPose& pose, double baseline,
-                                                               double tolerance) const;
-  //! Returns ODS eyes with the show's baseline or, if it does not fit, with the largest that does;
-  //! stores which. Throws Error if even one eye does not fit.
-  OmniPair fitting_omni_pair(const CameraPose& pose, double tolerance);
-  //! Returns the ODS cameras at a pose while the shutter is open, with the largest baseline that
-  //! fits there.
-  [[nodiscard]] std::shared_ptr<const OmniCamera> fitting_omni_cameras(const CameraPose& pose, double tolerance) const;
 
   //! Stores the baseline of the current picture [M].
   void note_baseline(const CameraPose& pose, double baseline);
@@ -220,7 +201,7 @@ class ShowRenderer {
   ShowSky sky_;
   ShowPasses passes_;
   EyeRenderer renderer_;
-  OmniChooser omni_lenses_;
+  OmniEyes omni_eyes_;
   std::optional<AutoExposure> exposure_;
   OverlayPass overlays_;
   double overlay_distance_ = 0.0;
