@@ -72,6 +72,7 @@ constexpr std::array numbers = {
     number("effects.bloom.radius_px", 0.0, 4096.0, picture,
            [](auto& show) { return part_of(show.effects.bloom, &BloomSettings::radius_px); }),
     number("view.fov_deg", 1e-6, 360.0, picture, [](auto& show) { return &show.view.field_of_view_deg; }),
+    number("view.vignette", 0.0, 1.0, picture, [](auto& show) { return &show.view.vignette; }),
     number("view.tilt_deg", -180.0, 180.0, picture, [](auto& show) { return &show.view.tilt_deg; }),
     number("stereo.baseline", 0.0, 1e6, picture, [](auto& show) { return &show.stereo.baseline; }),
     number("stereo.convergence", 1e-6, 1e9, picture, [](auto& show) { return &show.stereo.convergence; }),

@@ -121,6 +121,9 @@ void add_view(const Show& show, Idle& idle) {
   if (projection != ViewProjection::dome) {
     idle.add({"view.tilt_deg"}, "is used only with projection = \"dome\"");
   }
+  if (projection != ViewProjection::dome && projection != ViewProjection::pinhole) {
+    idle.add({"view.vignette"}, "is used only with projection = \"dome\" or \"pinhole\"");
+  }
   if (show.view.frustum) {
     idle.add({"view.aspect", "view.fov_deg"}, "is replaced by view.frustum");
   } else if (projection != ViewProjection::pinhole) {

@@ -153,6 +153,7 @@ struct ViewSettings {
   int size_px = 1024;                   //!< width of the image; of one face if each has a file
   double aspect = 1.0;                  //!< width over height, for the pinhole view
   bool from_outside = false;            //!< mirrors the image
+  double vignette = 0.0;                //!< part of the light lost at the edge of a dome's or pinhole's picture
   LensLaw lens = LensLaw::equidistant;  //!< of the dome, as are the next three
   std::array<double, 4> polynomial =
       {};  //!< for LensLaw::polynomial: coefficients of t, t³, t⁵, t⁷ [rad], t in half widths of the image

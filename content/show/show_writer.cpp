@@ -121,6 +121,9 @@ toml::table view_of(const ViewSettings& view) {
                     {"size_px", view.size_px},
                     {"aspect", view.aspect},
                     {"from_outside", view.from_outside}};
+  if (view.vignette > 0.0) {
+    table.insert("vignette", view.vignette);
+  }
   if (view.projection == ViewProjection::dome) {
     table.insert("lens", lenses[static_cast<int>(view.lens)]);
     if (view.lens == LensLaw::polynomial) {

@@ -136,6 +136,7 @@ void read_view(const toml::table& table, const std::string& file, ViewSettings& 
   view.size_px = reader.integer("size_px", view.size_px, 1, 16384);
   view.aspect = reader.number("aspect", 1.0, 0.01, 100.0);
   view.from_outside = reader.boolean("from_outside", false);
+  view.vignette = own_number(reader, "vignette", 0.0);
   switch (view.projection) {
     case ViewProjection::dome:
       read_dome(reader, file, view);

@@ -32,7 +32,7 @@ TEST(View, HasTheUsualFieldOfEachProjection) {
 TEST(View, OfADomeReadsBackAsItIsWritten) {
   const Show show = viewed(
       "fov_deg = 210\nlens = \"polynomial\"\npolynomial = [0.6, 0.01]\ntruncate = { bottom = 0.25, top = 0.1 }\n"
-      "viewer = [0.1, -0.2, 0.3]\nfrom_outside = true\n");
+      "viewer = [0.1, -0.2, 0.3]\nfrom_outside = true\nvignette = 0.4\n");
   const ViewSettings back = parse_show(to_toml(show), "show.toml").view;
   EXPECT_EQ(back.lens, LensLaw::polynomial);
   EXPECT_EQ(back.field_of_view_deg, 210.0);
@@ -43,6 +43,7 @@ TEST(View, OfADomeReadsBackAsItIsWritten) {
   EXPECT_EQ(back.viewer.y, -0.2);
   EXPECT_EQ(back.viewer.z, 0.3);
   EXPECT_TRUE(back.from_outside);
+  EXPECT_EQ(back.vignette, 0.4);
 }
 
 TEST(View, OfACubeReadsBackAsItIsWritten) {

@@ -117,6 +117,7 @@ TEST_F(FramePlans, HoldForEffectsThatComeAndGo) {
                                                                  {"disk.contrast", 1.0},
                                                                  {"shells[1].fill_opacity", 1.0},
                                                                  {"effects.trails.shutter_s", 0.1},
+                                                                 {"view.vignette", 0.7},
                                                                  {"effects.diffraction.scale", 1.5},
                                                                  {"sky.spin_axis.ra_deg", 30.0}}) {
     if (test::sanitized && effect++ % 3 != 0) {

@@ -51,6 +51,7 @@ inline const std::vector<Effect>& effects() {
       {"trails", [](Show& show) { show.effects.trails = TrailSettings{0.3}; }},
       {"diffraction", [](Show& show) { show.effects.diffraction = DiffractionSettings{}; }},
       {"bloom", [](Show& show) { show.effects.bloom = BloomSettings{}; }},
+      {"vignette", [](Show& show) { show.view.vignette = 0.5; }},
       {"caption",
        [](Show& show) {
          Caption caption;
