@@ -5,6 +5,10 @@
 # adds the sources if CUDA is available and defines ERGODOME_HAVE_CUDA=1 on <target> and its
 # dependents; does nothing otherwise. The runtime is linked statically, so a program with CUDA
 # starts on a machine without driver or GPU.
+#
+#   ergodome_compile_for_gpus(<target> <file.cpp>...)
+#
+# adds sources that register kernels (kernels/launch/register.h) a second time, as CUDA.
 set(ERGODOME_HAVE_CUDA OFF)
 
 if(ERGODOME_CUDA AND NOT ERGODOME_SANITIZE)
@@ -36,4 +40,13 @@ function(ergodome_add_cuda_sources target)
     target_compile_definitions(${target} PUBLIC ERGODOME_HAVE_CUDA=1)
     target_link_libraries(${target} PUBLIC CUDA::cudart_static)
   endif()
+endfunction()
+
+function(ergodome_compile_for_gpus target)
+  foreach(source IN LISTS ARGN)
+    string(REGEX REPLACE "\\.cpp$" ".cu" as_cuda "${CMAKE_CURRENT_BINARY_DIR}/cuda/${source}")
+    file(RELATIVE_PATH include "${PROJECT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}/${source}")
+    file(CONFIGURE OUTPUT "${as_cuda}" CONTENT "#include \"${include}\"\n")
+    ergodome_add_cuda_sources(${target} "${as_cuda}")
+  endforeach()
 endfunction()

@@ -1,12 +1,13 @@
 # Compiles one source for several instruction sets.
 #
-#   ergodome_add_simd_library(<target> SOURCES <file>... [LINK <library>...])
+#   ergodome_add_simd_library(<target> [SOURCES <file>...] [CUDA <file>...] [LINK <library>...])
 #
 # compiles every source once per instruction set, with ERGO_TARGET set to its name (portable, avx2,
 # avx512), and puts the objects into <target>, which is created as a static library if it does not
-# exist. ERGODOME_SIMD_PORTABLE=1, ERGODOME_SIMD_AVX2=1 and ERGODOME_SIMD_AVX512=1 on <target> and
-# its dependents state which sets are built; the program picks one at run time. These sources must
-# contain only code in `ergodome::ERGO_TARGET`: tests/check_instruction_sets enforces this.
+# exist. Sources after CUDA are also compiled for GPUs. ERGODOME_SIMD_PORTABLE=1,
+# ERGODOME_SIMD_AVX2=1 and ERGODOME_SIMD_AVX512=1 on <target> and its dependents state which sets
+# are built; the program picks one at run time. These sources must contain only code in
+# `ergodome::ERGO_TARGET`: tests/check_instruction_sets enforces this.
 option(ERGODOME_NATIVE "Build CPU kernels only for this machine's instruction set" OFF)
 
 set(ERGODOME_SIMD_FLAGS_portable "")
@@ -37,7 +38,7 @@ endif()
 message(STATUS "Ergodome: CPU kernels ${ERGODOME_SIMD_TARGETS}")
 
 function(ergodome_add_simd_library target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINK")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;CUDA;LINK")
   if(NOT TARGET ${target})
     add_library(${target})
     set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
@@ -67,7 +68,10 @@ function(ergodome_add_simd_library target)
         set_property(GLOBAL APPEND PROPERTY ERGODOME_SIMD_OBJECTS ${objects})
       endif()
     endif()
-    target_sources(${objects} PRIVATE ${arg_SOURCES})
+    target_sources(${objects} PRIVATE ${arg_SOURCES} ${arg_CUDA})
     target_link_libraries(${objects} PRIVATE ${arg_LINK})
   endforeach()
+  if(ERGODOME_HAVE_CUDA AND arg_CUDA)
+    ergodome_compile_for_gpus(${target} ${arg_CUDA})
+  endif()
 endfunction()

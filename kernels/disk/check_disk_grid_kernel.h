@@ -54,4 +54,13 @@ struct CheckDiskGrid {
   }
 };
 
+template <class T, class Action>
+void dispatch(const DiskGridCheckBatch& batch, const Action& action) {
+  if (batch.camera.pattern) {
+    action(CheckDiskGrid<T, true>{batch});
+  } else {
+    action(CheckDiskGrid<T, false>{batch});
+  }
+}
+
 }  // namespace ergodome::inline ERGO_TARGET

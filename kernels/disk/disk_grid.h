@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernels/disk/layer_limits.h"
+#include "kernels/launch/kernel.h"
 #include "kernels/lens/grid_build.h"
 #include "kernels/near_field/draw_near_field.h"
 
@@ -96,6 +97,62 @@ struct DiskLookUpBatch {
   NearFieldBatch near_field;  //!< without shells and without omnidirectional stereo
   DiskGrid grid;
   AberrationOf<float> aberration;
+};
+
+template <>
+struct Kernel<DiskNodeBatch> : KernelDefaults {
+  static constexpr int grain = grid_grain;
+  static const char* name(const DiskNodeBatch& /*batch*/) { return "trace_disk_nodes"; }
+  static int elements(const DiskNodeBatch& batch) { return batch.count; }
+
+  template <class Visit>
+  static void visit_outputs(const DiskNodeBatch& batch, const Visit& visit) {
+    for (int set = 0; set < (batch.camera.pattern ? layer_orders : 1); ++set) {
+      visit("nodes", batch.nodes[set], static_cast<long>(batch.count) * floats_a_node);
+    }
+  }
+};
+
+template <>
+struct Kernel<DiskCheckBatch> : KernelDefaults {
+  static constexpr int grain = grid_grain;
+  static const char* name(const DiskCheckBatch& /*batch*/) { return "check_disk_cells"; }
+  static int elements(const DiskCheckBatch& batch) { return batch.count; }
+
+  template <class Visit>
+  static void visit_outputs(const DiskCheckBatch& batch, const Visit& visit) {
+    visit("error_px", batch.error_px, batch.count);
+    visit("area_px", batch.area_px, batch.count);
+  }
+};
+
+template <>
+struct Kernel<DiskGridCheckBatch> : KernelDefaults {
+  static constexpr int grain = grid_grain;
+  static const char* name(const DiskGridCheckBatch& /*batch*/) { return "check_disk_grid"; }
+  static int elements(const DiskGridCheckBatch& batch) { return batch.count; }
+
+  template <class Visit>
+  static void visit_outputs(const DiskGridCheckBatch& batch, const Visit& visit) {
+    visit("error_px", batch.error_px, batch.count);
+    visit("area_px", batch.area_px, batch.count);
+  }
+};
+
+//! Returns the counter's name for drawing the disk from a grid.
+constexpr const char* disk_look_up_name(DiskDrawing disk) {
+  return disk == DiskDrawing::pattern ? "look_up_disk, pattern" : "look_up_disk";
+}
+
+template <>
+struct Kernel<DiskLookUpBatch> : KernelDefaults {
+  static const char* name(const DiskLookUpBatch& batch) { return disk_look_up_name(batch.near_field.drawing); }
+  static PixelRows rows(const DiskLookUpBatch& batch) { return Kernel<NearFieldBatch>::rows(batch.near_field); }
+
+  template <class Visit>
+  static void visit_outputs(const DiskLookUpBatch& batch, const Visit& visit) {
+    Kernel<NearFieldBatch>::visit_outputs(batch.near_field, visit);
+  }
 };
 
 }  // namespace ergodome

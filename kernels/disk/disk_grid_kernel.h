@@ -164,4 +164,22 @@ struct CheckDiskCells {
   }
 };
 
+template <class T, class Action>
+void dispatch(const DiskNodeBatch& batch, const Action& action) {
+  if (batch.camera.pattern) {
+    action(TraceDiskNodes<T, true>{batch});
+  } else {
+    action(TraceDiskNodes<T, false>{batch});
+  }
+}
+
+template <class T, class Action>
+void dispatch(const DiskCheckBatch& batch, const Action& action) {
+  if (batch.camera.pattern) {
+    action(CheckDiskCells<T, true>{batch});
+  } else {
+    action(CheckDiskCells<T, false>{batch});
+  }
+}
+
 }  // namespace ergodome::inline ERGO_TARGET

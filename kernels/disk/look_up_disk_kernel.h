@@ -167,4 +167,13 @@ struct LookUpDisk {
   }
 };
 
+template <class T, class Action>
+void dispatch(const DiskLookUpBatch& batch, const Action& action) {
+  if (batch.near_field.drawing == DiskDrawing::pattern) {
+    action(LookUpDisk<T, true>{batch});
+  } else {
+    action(LookUpDisk<T, false>{batch});
+  }
+}
+
 }  // namespace ergodome::inline ERGO_TARGET

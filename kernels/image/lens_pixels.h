@@ -21,4 +21,19 @@ struct LensPixels {
 //! Returns whether footprints are wanted; kernels have a variant without.
 constexpr bool has_footprints(const LensPixels& pixels) { return pixels.sky_along_x[0] != nullptr; }
 
+//! Calls visit(channel, values, count) for the channels of `count` pixels.
+template <class Visit>
+void visit_channels(const LensPixels& pixels, long count, const Visit& visit) {
+  for (int axis = 0; axis < 3; ++axis) {
+    visit("sky", pixels.sky[axis], count);
+    visit("sky_along_x", pixels.sky_along_x[axis], count);
+    visit("sky_along_y", pixels.sky_along_y[axis], count);
+  }
+  visit("coverage", pixels.coverage, count);
+  visit("frequency_ratio", pixels.frequency_ratio, count);
+  visit("steps", pixels.steps, count);
+  visit("error_estimate", pixels.error_estimate, count);
+  visit("half_orbits", pixels.half_orbits, count);
+}
+
 }  // namespace ergodome

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "kernels/image/tone_curve.h"
+#include "kernels/launch/kernel.h"
 
 // The light of a picture for projectors, in mip levels that are computed tile by tile.
 namespace ergodome {
@@ -52,5 +53,21 @@ inline namespace ERGO_TARGET {
 //! Returns the number of tiles along one side of a picture.
 constexpr int light_tiles(int size) { return (size + light_tile_px - 1) / light_tile_px; }
 }  // namespace ERGO_TARGET
+
+template <>
+struct Kernel<ToneBatch> : KernelDefaults {
+  static constexpr bool one_element_a_call = true;
+  static constexpr int grain = grid_grain;
+  static const char* name(const ToneBatch& /*batch*/) { return "tone_tiles"; }
+  static int elements(const ToneBatch& batch) { return batch.count; }
+};
+
+template <>
+struct Kernel<AverageBatch> : KernelDefaults {
+  static constexpr bool one_element_a_call = true;
+  static constexpr int grain = grid_grain;
+  static const char* name(const AverageBatch& /*batch*/) { return "average_tiles"; }
+  static int elements(const AverageBatch& batch) { return batch.count; }
+};
 
 }  // namespace ergodome

@@ -97,4 +97,14 @@ struct AverageTiles {
   }
 };
 
+template <class T, class Action>
+void dispatch(const ToneBatch& batch, const Action& action) {
+  action(ToneTiles<T>{batch});
+}
+
+template <class T, class Action>
+void dispatch(const AverageBatch& batch, const Action& action) {
+  action(AverageTiles{batch});
+}
+
 }  // namespace ergodome::inline ERGO_TARGET

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "kernels/image/lens_pixels.h"
+#include "kernels/launch/kernel.h"
 #include "kernels/projection/projection.h"
 #include "kernels/sky/blackbody.h"
 #include "kernels/sky/cube_map.h"
@@ -34,6 +35,37 @@ struct ShadeBatch {
   //! map texels.
   float* rgba;
   int count;  //!< whole rows
+};
+
+//! Returns the counter's name for a variant of shading the sky; each variant is compiled
+//! separately.
+constexpr const char* shading_name(SkyFilter filter, SkyShift shift, bool brightening) {
+  constexpr const char* names[3][3][2] = {
+      {{"shade_sky", "shade_sky, brightening"},
+       {"shade_sky, luminance", "shade_sky, luminance, brightening"},
+       {"shade_sky, blackbody_fit", "shade_sky, blackbody_fit, brightening"}},
+      {{"shade_sky, point", "shade_sky, point, brightening"},
+       {"shade_sky, point, luminance", "shade_sky, point, luminance, brightening"},
+       {"shade_sky, point, blackbody_fit", "shade_sky, point, blackbody_fit, brightening"}},
+      {{"shade_sky, polygon", "shade_sky, polygon, brightening"},
+       {"shade_sky, polygon, luminance", "shade_sky, polygon, luminance, brightening"},
+       {"shade_sky, polygon, blackbody_fit", "shade_sky, polygon, blackbody_fit, brightening"}}};
+  return names[static_cast<int>(filter)][static_cast<int>(shift)][brightening ? 1 : 0];
+}
+
+template <>
+struct Kernel<ShadeBatch> : KernelDefaults {
+  static const char* name(const ShadeBatch& batch) {
+    return batch.mode == ViewMode::sky ? shading_name(batch.filter, batch.shift, batch.brightening) : "shade_heat_map";
+  }
+  static PixelRows rows(const ShadeBatch& batch) {
+    return {batch.projection.width_px, batch.count / batch.projection.width_px};
+  }
+
+  template <class Visit>
+  static void visit_outputs(const ShadeBatch& batch, const Visit& visit) {
+    visit("rgba", batch.rgba, 4L * batch.count);
+  }
 };
 
 }  // namespace ergodome

@@ -193,4 +193,27 @@ struct ShadeHeatMap {
   }
 };
 
+//! Calls a functor for each element of a register.
+template <class T, class Functor>
+struct EachLane {
+  Functor functor;
+  int count;  //!< elements in all
+
+  ERGO_HD void operator()(int index) const {
+    constexpr int lanes = RealTraits<T>::lane_count;
+    for (int i = index * lanes; i < (index + 1) * lanes && i < count; ++i) {
+      functor(i);
+    }
+  }
+};
+
+template <class T, class Action>
+void dispatch(const ShadeBatch& batch, const Action& action) {
+  if (batch.mode == ViewMode::sky) {
+    dispatch_shading<T>(batch, action);
+  } else {
+    action(EachLane<T, ShadeHeatMap>{{batch}, batch.count});
+  }
+}
+
 }  // namespace ergodome::inline ERGO_TARGET

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "kernels/image/light_levels.h"
+#include "kernels/launch/kernel.h"
 
 // Warping of a master's light to a projector's raster.
 namespace ergodome {
@@ -57,5 +58,15 @@ inline namespace ERGO_TARGET {
 //! Returns the number of groups in a row of pixels.
 constexpr int warp_groups(int width_px) { return (width_px + warp_group_px - 1) / warp_group_px; }
 }  // namespace ERGO_TARGET
+
+template <>
+struct Kernel<WarpBatch> : KernelDefaults {
+  static constexpr bool one_element_a_call = true;
+  static constexpr int grain = 512;
+  static const char* name(const WarpBatch& /*batch*/) { return "warp_pixels"; }
+  //! Groups of pixels.
+  static int elements(const WarpBatch& batch) { return warp_groups(batch.width_px) * batch.height_px; }
+  static long work(const WarpBatch& batch) { return static_cast<long>(batch.width_px) * batch.height_px; }
+};
 
 }  // namespace ergodome

@@ -232,4 +232,13 @@ struct WarpPixels {
   }
 };
 
+template <class T, class Action>
+void dispatch(const WarpBatch& batch, const Action& action) {
+  if (batch.coloured) {
+    action(WarpPixels<T, true>{batch});
+  } else {
+    action(WarpPixels<T, false>{batch});
+  }
+}
+
 }  // namespace ergodome::inline ERGO_TARGET

@@ -6,8 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "kernels/launch/launch_cuda.cuh"
-#include "kernels/launch/launch_cuda.h"
+#include "kernels/launch/launch_on_cuda.cuh"
 #include "kernels/launch/parallel_for.h"
 
 // Device memory, and copies between device and host.

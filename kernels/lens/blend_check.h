@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/launch/kernel.h"
 #include "kernels/lens/grid_build.h"
 #include "kernels/lens/look_up.h"
 
@@ -16,6 +17,20 @@ struct BlendCheckBatch {
   const double* s;
   double* error_px;  //!< displacement on the screen; 0 for pixels that the lens leaves to rays
   double* area_px;   //!< screen area of one turn times one unit of s [px²]
+};
+
+template <>
+struct Kernel<BlendCheckBatch> : KernelDefaults {
+  using Real = double;
+  static constexpr int grain = grid_grain;
+  static const char* name(const BlendCheckBatch& /*batch*/) { return "check_blend"; }
+  static int elements(const BlendCheckBatch& batch) { return batch.count; }
+
+  template <class Visit>
+  static void visit_outputs(const BlendCheckBatch& batch, const Visit& visit) {
+    visit("error_px", batch.error_px, batch.count);
+    visit("area_px", batch.area_px, batch.count);
+  }
 };
 
 }  // namespace ergodome

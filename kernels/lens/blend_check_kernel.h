@@ -44,4 +44,9 @@ struct CheckBlend {
   }
 };
 
+template <class T, class Action>
+void dispatch(const BlendCheckBatch& batch, const Action& action) {
+  action(CheckBlend<T>{batch});
+}
+
 }  // namespace ergodome::inline ERGO_TARGET

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
+#include "kernels/launch/kernel.h"
 #include "kernels/lens/lens_grid.h"
 #include "kernels/spacetime/geodesic/integration_settings.h"
 #include "kernels/spacetime/kerr/camera_station.h"
@@ -62,6 +64,39 @@ struct CheckBatch {
   // Includes the error of the tracing itself. Huge if unknown.
   float* gamma_parts;
   float* s_parts;
+};
+
+template <class S, class Camera>
+struct Kernel<NodeBatch<S, Camera>> : KernelDefaults {
+  using Real = S;
+  static constexpr int grain = grid_grain;
+  static const char* name(const NodeBatch<S, Camera>& /*batch*/) {
+    return std::is_same_v<S, double> ? "trace_nodes, double" : "trace_nodes";
+  }
+  static int elements(const NodeBatch<S, Camera>& batch) { return batch.count; }
+
+  template <class Visit>
+  static void visit_outputs(const NodeBatch<S, Camera>& batch, const Visit& visit) {
+    visit("nodes", batch.nodes, static_cast<long>(batch.count) * floats_a_node);
+  }
+};
+
+template <class S, class Camera>
+struct Kernel<CheckBatch<S, Camera>> : KernelDefaults {
+  using Real = S;
+  static constexpr int grain = grid_grain;
+  static const char* name(const CheckBatch<S, Camera>& /*batch*/) {
+    return std::is_same_v<S, double> ? "check_cells, double" : "check_cells";
+  }
+  static int elements(const CheckBatch<S, Camera>& batch) { return batch.count; }
+
+  template <class Visit>
+  static void visit_outputs(const CheckBatch<S, Camera>& batch, const Visit& visit) {
+    visit("error_px", batch.error_px, batch.count);
+    visit("area_px", batch.area_px, batch.count);
+    visit("gamma_parts", batch.gamma_parts, batch.count);
+    visit("s_parts", batch.s_parts, batch.count);
+  }
 };
 
 }  // namespace ergodome

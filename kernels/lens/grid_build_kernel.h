@@ -205,4 +205,14 @@ struct CheckCells {
   }
 };
 
+template <class T, class Camera, class Action>
+void dispatch(const NodeBatch<ScalarOf<T>, Camera>& batch, const Action& action) {
+  action(TraceNodes<T, Camera>{batch});
+}
+
+template <class T, class Camera, class Action>
+void dispatch(const CheckBatch<ScalarOf<T>, Camera>& batch, const Action& action) {
+  action(CheckCells<T, Camera>{batch});
+}
+
 }  // namespace ergodome::inline ERGO_TARGET

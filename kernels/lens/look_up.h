@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernels/eyes/omni/omni_camera.h"
+#include "kernels/launch/kernel.h"
 #include "kernels/lens/lens_grid.h"
 #include "kernels/spacetime/kerr/frame_boost.h"
 #include "kernels/spacetime/trace/trace_pixels.h"
@@ -93,6 +94,59 @@ struct LookUpRaysBatch {
   RayBatch<S> rays;
   LensBlend lens;
   AberrationOf<S> aberration;
+};
+
+template <>
+struct Kernel<LookUpBatch> : KernelDefaults {
+  static const char* name(const LookUpBatch& batch) {
+    return has_footprints(batch.pixels.out) ? "look_up_pixels, footprints" : "look_up_pixels";
+  }
+  static PixelRows rows(const LookUpBatch& batch) { return Kernel<PixelBatch>::rows(batch.pixels); }
+
+  template <class Visit>
+  static void visit_outputs(const LookUpBatch& batch, const Visit& visit) {
+    Kernel<PixelBatch>::visit_outputs(batch.pixels, visit);
+  }
+};
+
+template <>
+struct Kernel<LookUpPairBatch> : KernelDefaults {
+  //! One per eye, like two separate launches.
+  static constexpr int counted_launches = 2;
+  static const char* name(const LookUpPairBatch& batch) { return Kernel<LookUpBatch>::name(batch.eyes[0]); }
+  static PixelRows rows(const LookUpPairBatch& batch) { return Kernel<LookUpBatch>::rows(batch.eyes[0]); }
+
+  template <class Visit>
+  static void visit_outputs(const LookUpPairBatch& batch, const Visit& visit) {
+    for (const LookUpBatch& eye : batch.eyes) {
+      Kernel<LookUpBatch>::visit_outputs(eye, visit);
+    }
+  }
+};
+
+template <>
+struct Kernel<OmniLookUpBatch> : KernelDefaults {
+  static const char* name(const OmniLookUpBatch& batch) {
+    return has_footprints(batch.pixels.out) ? "look_up_omni_pixels, footprints" : "look_up_omni_pixels";
+  }
+  static PixelRows rows(const OmniLookUpBatch& batch) { return Kernel<PixelBatch>::rows(batch.pixels); }
+
+  template <class Visit>
+  static void visit_outputs(const OmniLookUpBatch& batch, const Visit& visit) {
+    Kernel<PixelBatch>::visit_outputs(batch.pixels, visit);
+  }
+};
+
+template <class S>
+struct Kernel<LookUpRaysBatch<S>> : KernelDefaults {
+  using Real = S;
+  static const char* name(const LookUpRaysBatch<S>& /*batch*/) { return "look_up_rays"; }
+  static int elements(const LookUpRaysBatch<S>& batch) { return batch.rays.count; }
+
+  template <class Visit>
+  static void visit_outputs(const LookUpRaysBatch<S>& batch, const Visit& visit) {
+    Kernel<RayBatch<S>>::visit_outputs(batch.rays, visit);
+  }
 };
 
 }  // namespace ergodome

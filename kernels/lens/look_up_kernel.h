@@ -170,4 +170,36 @@ struct LookUpRays {
   }
 };
 
+template <class T, class Action>
+void dispatch(const LookUpBatch& batch, const Action& action) {
+  if (has_footprints(batch.pixels.out)) {
+    action(LookUpPixels<T, true, LookUpBatch>{batch});
+  } else {
+    action(LookUpPixels<T, false, LookUpBatch>{batch});
+  }
+}
+
+template <class T, class Action>
+void dispatch(const OmniLookUpBatch& batch, const Action& action) {
+  if (has_footprints(batch.pixels.out)) {
+    action(LookUpPixels<T, true, OmniLookUpBatch>{batch});
+  } else {
+    action(LookUpPixels<T, false, OmniLookUpBatch>{batch});
+  }
+}
+
+template <class T, class Action>
+void dispatch(const LookUpPairBatch& batch, const Action& action) {
+  if (has_footprints(batch.eyes[0].pixels.out)) {
+    action(LookUpPixelPairs<T, true>{batch});
+  } else {
+    action(LookUpPixelPairs<T, false>{batch});
+  }
+}
+
+template <class T, class Action>
+void dispatch(const LookUpRaysBatch<double>& batch, const Action& action) {
+  action(LookUpRays<T>{batch});
+}
+
 }  // namespace ergodome::inline ERGO_TARGET

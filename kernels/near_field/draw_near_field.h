@@ -2,6 +2,7 @@
 
 #include "kernels/disk/disk_look.h"
 #include "kernels/eyes/omni/omni_camera.h"
+#include "kernels/launch/kernel.h"
 #include "kernels/objects/lay_objects.h"
 #include "kernels/shells/shell_look.h"
 #include "kernels/spacetime/trace/trace_pixels.h"
@@ -65,5 +66,27 @@ inline void dispatch_near_field(const NearFieldBatch& batch, const Action& actio
                     : action(Functor<T, DiskDrawing::pattern, false, false>{batch});
   }
 }
+
+//! Returns the counter's name for a variant of drawing the near field; each variant is compiled
+//! separately. Returns nullptr if there is nothing to draw.
+constexpr const char* near_field_name(DiskDrawing disk, bool shells) {
+  constexpr const char* names[3][2] = {{nullptr, "draw_shells"},
+                                       {"draw_disk", "draw_shells, disk"},
+                                       {"draw_disk, pattern", "draw_shells, disk, pattern"}};
+  return names[static_cast<int>(disk)][shells ? 1 : 0];
+}
+
+template <>
+struct Kernel<NearFieldBatch> : KernelDefaults {
+  static const char* name(const NearFieldBatch& batch) {
+    return near_field_name(batch.drawing, batch.shells.count > 0);
+  }
+  static PixelRows rows(const NearFieldBatch& batch) { return Kernel<PixelBatch>::rows(batch.pixels); }
+
+  template <class Visit>
+  static void visit_outputs(const NearFieldBatch& batch, const Visit& visit) {
+    visit("rgba", batch.rgba, 4L * element_count(batch));
+  }
+};
 
 }  // namespace ergodome

@@ -198,4 +198,9 @@ struct DrawNearField {
   }
 };
 
+template <class T, class Action>
+void dispatch(const NearFieldBatch& batch, const Action& action) {
+  dispatch_near_field<DrawNearField, T>(batch, action);
+}
+
 }  // namespace ergodome::inline ERGO_TARGET

@@ -4,6 +4,7 @@
 
 #include "kernels/eyes/flat/flat_horizon.h"
 #include "kernels/eyes/omni/omni_camera.h"
+#include "kernels/launch/kernel.h"
 #include "kernels/objects/lamp_place.h"
 #include "kernels/objects/mesh_rays.h"
 #include "kernels/objects/surface.h"
@@ -137,5 +138,43 @@ inline void dispatch_flat_objects(bool retarded, const Batch& batch, const Actio
     action(Functor<T, NearParts::azimuth_and_distance>{batch});
   }
 }
+
+template <>
+struct Kernel<ObjectTileBatch> : KernelDefaults {
+  using Real = double;
+  static constexpr int grain = grid_grain;
+  static const char* name(const ObjectTileBatch& /*batch*/) { return "mark_object_tiles"; }
+  static int elements(const ObjectTileBatch& batch) { return batch.count; }
+};
+
+template <>
+struct Kernel<ObjectPixelBatch> : KernelDefaults {
+  using Real = double;
+  static constexpr int grain = grid_grain;
+  static const char* name(const ObjectPixelBatch& batch) {
+    return batch.pattern == PixelPattern::slices ? "look_at_objects, slices" : "look_at_objects";
+  }
+  static int elements(const ObjectPixelBatch& batch) { return batch.count; }
+  static long work(const ObjectPixelBatch& batch) {
+    return batch.pattern == PixelPattern::slices ? static_cast<long>(batch.count) * batch.samples * batch.samples
+                                                 : batch.count;
+  }
+};
+
+template <>
+struct Kernel<FlatObjectTileBatch> : KernelDefaults {
+  using Real = double;
+  static constexpr int grain = grid_grain;
+  static const char* name(const FlatObjectTileBatch& /*batch*/) { return "mark_flat_object_tiles"; }
+  static int elements(const FlatObjectTileBatch& batch) { return batch.tiles.count; }
+};
+
+template <>
+struct Kernel<FlatObjectPixelBatch> : KernelDefaults {
+  using Real = double;
+  static constexpr int grain = grid_grain;
+  static const char* name(const FlatObjectPixelBatch& /*batch*/) { return "look_at_flat_objects"; }
+  static int elements(const FlatObjectPixelBatch& batch) { return batch.pixels.count; }
+};
 
 }  // namespace ergodome

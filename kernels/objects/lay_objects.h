@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/launch/kernel.h"
 #include "kernels/projection/projection.h"
 
 // Composes objects that are already drawn with a picture.
@@ -49,5 +50,19 @@ struct LayObjects {
   }
 };
 
+template <class T, class Action>
+void dispatch(const LayObjectsBatch& batch, const Action& action) {
+  action(LayObjects{batch});
+}
+
 }  // namespace ERGO_TARGET
+template <>
+struct Kernel<LayObjectsBatch> : KernelDefaults {
+  static constexpr bool wide = false;
+  static constexpr bool compiled_once = true;
+  static constexpr int grain = 2048;
+  static const char* name(const LayObjectsBatch& /*batch*/) { return "lay_objects"; }
+  static int elements(const LayObjectsBatch& batch) { return batch.row_count * batch.projection.width_px; }
+};
+
 }  // namespace ergodome

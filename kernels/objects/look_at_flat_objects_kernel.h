@@ -188,4 +188,9 @@ struct LookAtFlatObjects {
   }
 };
 
+template <class T, class Action>
+void dispatch(const FlatObjectPixelBatch& batch, const Action& action) {
+  dispatch_flat_objects<LookAtFlatObjects, T>(batch.pixels.objects.retarded, batch, action);
+}
+
 }  // namespace ergodome::inline ERGO_TARGET

@@ -46,4 +46,9 @@ struct LookAtObjects {
   }
 };
 
+template <class T, class Action>
+void dispatch(const ObjectPixelBatch& batch, const Action& action) {
+  dispatch_objects<LookAtObjects, T>(batch, action);
+}
+
 }  // namespace ergodome::inline ERGO_TARGET

@@ -169,4 +169,9 @@ struct MarkFlatTiles {
   }
 };
 
+template <class T, class Action>
+void dispatch(const FlatObjectTileBatch& batch, const Action& action) {
+  dispatch_flat_objects<MarkFlatTiles, T>(batch.tiles.objects.retarded, batch, action);
+}
+
 }  // namespace ergodome::inline ERGO_TARGET

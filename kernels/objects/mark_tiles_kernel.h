@@ -63,4 +63,9 @@ struct MarkTiles {
   }
 };
 
+template <class T, class Action>
+void dispatch(const ObjectTileBatch& batch, const Action& action) {
+  dispatch_objects<MarkTiles, T>(batch, action);
+}
+
 }  // namespace ergodome::inline ERGO_TARGET

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "kernels/image/tone_curve.h"
+#include "kernels/launch/kernel.h"
 #include "kernels/overlay/overlay_sheet.h"
 #include "kernels/overlay/overlay_texture.h"
 #include "kernels/projection/projection.h"
@@ -30,6 +31,17 @@ struct OverlayBatch {
   const std::int32_t* tiles;  //!< numbers of tiles, row by row from the top left
   int tile_columns;           //!< tiles per row of the picture
   int count;                  //!< pixels of the tiles
+};
+
+template <>
+struct Kernel<OverlayBatch> : KernelDefaults {
+  static const char* name(const OverlayBatch& /*batch*/) { return "draw_overlay"; }
+  static int elements(const OverlayBatch& batch) { return batch.count; }
+
+  template <class Visit>
+  static void visit_outputs(const OverlayBatch& batch, const Visit& visit) {
+    visit("rgba", batch.rgba, 4L * batch.projection.width_px * batch.projection.height_px);
+  }
 };
 
 }  // namespace ergodome

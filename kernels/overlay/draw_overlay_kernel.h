@@ -90,4 +90,9 @@ struct DrawOverlay {
   }
 };
 
+template <class T, class Action>
+void dispatch(const OverlayBatch& batch, const Action& action) {
+  action(DrawOverlay<T>{batch});
+}
+
 }  // namespace ergodome::inline ERGO_TARGET

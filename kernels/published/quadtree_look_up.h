@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/launch/kernel.h"
 #include "kernels/published/quadtree_grid.h"
 #include "kernels/spacetime/trace/trace_pixels.h"
 #include "kernels/spacetime/trace/trace_rays.h"
@@ -91,4 +92,31 @@ ERGO_HD SkyAngles read_quadtree(const QuadtreeLookUp& look_up, float row, float 
 }
 
 }  // namespace ERGO_TARGET
+template <>
+struct Kernel<QuadtreeRaysBatch> : KernelDefaults {
+  using Real = double;
+  static constexpr bool wide = false;
+  static constexpr int grain = 512;
+  static const char* name(const QuadtreeRaysBatch& /*batch*/) { return "read_quadtree_rays"; }
+  static int elements(const QuadtreeRaysBatch& batch) { return batch.rays.count; }
+
+  template <class Visit>
+  static void visit_outputs(const QuadtreeRaysBatch& batch, const Visit& visit) {
+    Kernel<RayBatch<double>>::visit_outputs(batch.rays, visit);
+  }
+};
+
+template <>
+struct Kernel<QuadtreePixelBatch> : KernelDefaults {
+  static constexpr bool wide = false;
+  static constexpr int grain = 512;
+  static const char* name(const QuadtreePixelBatch& /*batch*/) { return "read_quadtree_pixels"; }
+  static PixelRows rows(const QuadtreePixelBatch& batch) { return Kernel<PixelBatch>::rows(batch.pixels); }
+
+  template <class Visit>
+  static void visit_outputs(const QuadtreePixelBatch& batch, const Visit& visit) {
+    Kernel<PixelBatch>::visit_outputs(batch.pixels, visit);
+  }
+};
+
 }  // namespace ergodome

@@ -99,4 +99,14 @@ struct ReadQuadtreePixels {
   }
 };
 
+template <class T, class Action>
+void dispatch(const QuadtreeRaysBatch& batch, const Action& action) {
+  action(ReadQuadtreeRays{batch});
+}
+
+template <class T, class Action>
+void dispatch(const QuadtreePixelBatch& batch, const Action& action) {
+  action(ReadQuadtreePixels{batch});
+}
+
 }  // namespace ergodome::inline ERGO_TARGET

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "kernels/launch/kernel.h"
 #include "kernels/projection/cube_cells.h"
 #include "kernels/projection/projection.h"
 #include "kernels/stars/star_point.h"
@@ -12,6 +13,10 @@ namespace ergodome {
 
 //! Side of the square tiles by which pixels find the points that shine on them [px].
 inline constexpr int star_tile_px = 16;
+
+//! Steps, run in this order: count each tile's points, list them at the offsets in `first`, and
+//! sort each tile's list by point number.
+enum class StarTileStep { count, list, sort };
 
 //! Finds the points of light that may shine on each tile. Arrays lie in the backend's memory.
 struct StarTileBatch {
@@ -30,11 +35,8 @@ struct StarTileBatch {
   //! Index in `members` of each tile's first point; has tile_count + 1 elements.
   std::int32_t* first;
   std::int32_t* members;
+  StarTileStep step = StarTileStep::count;
 };
-
-//! Steps, run in this order: count each tile's points, list them at the offsets in `first`, and
-//! sort each tile's list by point number.
-enum class StarTileStep { count, list, sort };
 
 //! Adds the light of points to rows of a picture. Each pixel is computed on its own, so the result
 //! does not depend on the number of threads. Arrays lie in the backend's memory.
@@ -45,6 +47,7 @@ struct StarLightBatch {
   int row_count;
   PixelCell cells[cube_faces];  //!< part of the picture that each sheet covers
   const StarPoint* points;
+  int point_count;
   const std::int32_t* first;  //!< see StarTileBatch
   //! Numbers of points in the order in which their light is added; a repeated number counts once.
   const std::int32_t* members;
@@ -56,6 +59,33 @@ struct StarLightBatch {
   //! Spike pattern, three floats per pixel: spikes are drawn instead of points; or nullptr.
   const float* pattern;
   int pattern_px;
+};
+
+template <>
+struct Kernel<StarTileBatch> : KernelDefaults {
+  static constexpr bool wide = false;
+  static constexpr bool compiled_once = true;
+  static constexpr bool counted = false;
+  static const char* name(const StarTileBatch& /*batch*/) { return "place_stars"; }
+  static int elements(const StarTileBatch& batch) {
+    return batch.step == StarTileStep::sort ? batch.tile_count : batch.point_threads * batch.point_count;
+  }
+};
+
+template <>
+struct Kernel<StarLightBatch> : KernelDefaults {
+  static constexpr bool wide = false;
+  static constexpr bool compiled_once = true;
+  static const char* name(const StarLightBatch& batch) {
+    return batch.pattern != nullptr ? "draw_spikes" : "splat_stars";
+  }
+  static PixelRows rows(const StarLightBatch& batch) { return {batch.projection.width_px, batch.row_count}; }
+  static long work(const StarLightBatch& batch) { return batch.point_count; }
+
+  template <class Visit>
+  static void visit_outputs(const StarLightBatch& batch, const Visit& visit) {
+    visit("rgba", batch.rgba, 4L * element_count(batch));
+  }
 };
 
 }  // namespace ergodome

@@ -186,4 +186,22 @@ struct DrawStars {
   }
 };
 
+template <class T, class Action>
+void dispatch(const StarTileBatch& batch, const Action& action) {
+  switch (batch.step) {
+    case StarTileStep::count:
+      return action(PlaceStar<false>{batch});
+    case StarTileStep::list:
+      return action(PlaceStar<true>{batch});
+    case StarTileStep::sort:
+      break;
+  }
+  action(SortTile{batch});
+}
+
+template <class T, class Action>
+void dispatch(const StarLightBatch& batch, const Action& action) {
+  action(DrawStars{batch});
+}
+
 }  // namespace ergodome::inline ERGO_TARGET

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/launch/kernel.h"
 #include "kernels/lens/lens_chart.h"
 #include "kernels/spacetime/kerr/camera_station.h"
 #include "kernels/spacetime/kerr/frame_boost.h"
@@ -18,6 +19,13 @@ struct ObservedPlaceBatch {
   float* direction[3];     //!< out: unit vectors in the observer's frame
   float* area;             //!< out: the observer's solid angle per area of the chart [sr/turn]
   float* frequency_ratio;  //!< out: g
+};
+
+template <>
+struct Kernel<ObservedPlaceBatch> : KernelDefaults {
+  static constexpr bool counted = false;
+  static const char* name(const ObservedPlaceBatch& /*batch*/) { return "observe_places"; }
+  static int elements(const ObservedPlaceBatch& batch) { return batch.count; }
 };
 
 }  // namespace ergodome

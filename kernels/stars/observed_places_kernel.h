@@ -51,4 +51,9 @@ struct ObservePlaces {
   }
 };
 
+template <class T, class Action>
+void dispatch(const ObservedPlaceBatch& batch, const Action& action) {
+  action(ObservePlaces<T>{batch});
+}
+
 }  // namespace ergodome::inline ERGO_TARGET

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "kernels/launch/kernel.h"
+
 // Stars sorted by position on the sky, and the search for those in a part of it.
 namespace ergodome {
 
@@ -30,6 +32,13 @@ struct StarSearchBatch {
   //! Out: numbers of stars in the order of the bands; needs room for all stars.
   int* found;
   int* count;  //!< out: number of stars found
+};
+
+template <>
+struct Kernel<StarSearchBatch> : KernelDefaults {
+  static constexpr bool counted = false;
+  static const char* name(const StarSearchBatch& /*batch*/) { return "search_stars"; }
+  static int elements(const StarSearchBatch& /*batch*/) { return 1; }
 };
 
 }  // namespace ergodome

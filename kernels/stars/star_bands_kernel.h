@@ -58,4 +58,9 @@ struct SearchStars {
   ERGO_HD static T load(const float* from, int at) { return load_lanes<T>(from, at, at + lanes); }
 };
 
+template <class T, class Action>
+void dispatch(const StarSearchBatch& batch, const Action& action) {
+  action(SearchStars<T>{batch});
+}
+
 }  // namespace ergodome::inline ERGO_TARGET

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/launch/kernel.h"
 #include "kernels/lens/lens_chart.h"
 #include "kernels/spacetime/geodesic/integration_settings.h"
 #include "kernels/spacetime/kerr/camera_station.h"
@@ -46,6 +47,14 @@ struct StarImageBatch {
   //! Estimated distance of the image from its exact position [rad]; huge if no light arrives.
   S* miss;
   S* change;  //!< estimated relative error of its magnification; 0 below the tolerance
+};
+
+template <class S, class Camera>
+struct Kernel<StarImageBatch<S, Camera>> : KernelDefaults {
+  using Real = S;
+  static constexpr bool counted = false;
+  static const char* name(const StarImageBatch<S, Camera>& /*batch*/) { return "find_star_images"; }
+  static int elements(const StarImageBatch<S, Camera>& batch) { return batch.count; }
 };
 
 }  // namespace ergodome

@@ -181,4 +181,9 @@ struct FindStarImages {
   }
 };
 
+template <class T, class Camera, class Action>
+void dispatch(const StarImageBatch<ScalarOf<T>, Camera>& batch, const Action& action) {
+  action(FindStarImages<T, Camera>{batch});
+}
+
 }  // namespace ergodome::inline ERGO_TARGET

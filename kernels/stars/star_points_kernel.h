@@ -30,4 +30,9 @@ struct PlaceImage {
   }
 };
 
+template <class T, class Action>
+void dispatch(const StarPointBatch& batch, const Action& action) {
+  action(PlaceImage{batch});
+}
+
 }  // namespace ergodome::inline ERGO_TARGET

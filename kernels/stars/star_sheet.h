@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernels/core/vector3.h"
+#include "kernels/launch/kernel.h"
 #include "kernels/projection/cube_cells.h"
 #include "kernels/projection/pixel_measure.h"
 #include "kernels/projection/projection.h"
@@ -31,6 +32,7 @@ struct StarPointBatch {
   const StarImage* images;  //!< entries with a star of -1 are unused
   StarPoint* points;        //!< unused points lie outside all pictures
   std::int32_t* spiked;     //!< number of points with spikes
+  int count;                //!< number of images
 };
 
 inline namespace ERGO_TARGET {
@@ -71,4 +73,12 @@ ERGO_HD bool has_spikes(const StarSheet& sheet, const Vector3<float>& illuminanc
 }
 
 }  // namespace ERGO_TARGET
+template <>
+struct Kernel<StarPointBatch> : KernelDefaults {
+  static constexpr bool wide = false;
+  static constexpr bool compiled_once = true;
+  static const char* name(const StarPointBatch& /*batch*/) { return "place_star_images"; }
+  static int elements(const StarPointBatch& batch) { return batch.count; }
+};
+
 }  // namespace ergodome

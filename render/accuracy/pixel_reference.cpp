@@ -10,6 +10,7 @@
 #include "kernels/projection/pixel_measure.h"
 #include "kernels/spacetime/geodesic/taylor.h"
 #include "kernels/spacetime/shadow/critical_curve.h"
+#include "kernels/spacetime/trace/trace_rays.h"
 #include "render/accuracy/scene.h"
 #include "render/lens/direct_lens.h"
 
@@ -68,7 +69,7 @@ PixelReference::PixelReference(const EyeCamera& eye, const Projection& projectio
     batch.sky[k] = sky[k].data();
   }
   batch.status = status.data();
-  trace_rays(Backend::cpu, batch);
+  launch(Backend::cpu, batch);
   for (std::size_t i = 0; i < count; ++i) {
     const bool escaped = status[i] == static_cast<double>(RayStatus::escaped);
     points_[i].counts = points_[i].counts && escaped == points_[i].lit;

@@ -50,7 +50,7 @@ class RayLens : public PixelLens {
     batch_.settings = {tolerance, method == TraceMethod::baseline_rk34 ? baseline_step_limit : ray_step_limit, true};
   }
 
-  void draw() override { trace_rays(Backend::cpu, batch_); }
+  void draw() override { launch(Backend::cpu, batch_); }
   [[nodiscard]] std::optional<Vector3<double>> sky(std::int64_t pixel) const override { return sky_of(rays_, pixel); }
 
  private:
@@ -66,7 +66,7 @@ class QuadtreePixels : public PixelLens {
     batch_ = {batch_of<double>(scene), look_up_of(grid_.view(), how)};
   }
 
-  void draw() override { read_quadtree_rays(Backend::cpu, batch_); }
+  void draw() override { launch(Backend::cpu, batch_); }
   [[nodiscard]] std::optional<Vector3<double>> sky(std::int64_t pixel) const override { return sky_of(rays_, pixel); }
   [[nodiscard]] std::size_t bytes() const override {
     return (static_cast<std::size_t>(grid_.view().mask) + 1) * sizeof(QuadtreeVertex);

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "kernels/launch/cuda.h"
 #include "kernels/launch/launch.h"
-#include "kernels/launch/launch_cuda.h"
 #include "kernels/launch/work_counter.h"
 
 // Arrays in a backend's memory, and the order of GPU work.

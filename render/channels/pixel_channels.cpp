@@ -138,7 +138,7 @@ class ChannelTracer {
     batch.error_estimate = rays.error.data();
     batch.mino_time = rays.mino_time.data();
     if (batch.count > 0) {
-      trace_rays(Backend::cpu, batch);
+      launch(Backend::cpu, batch);
     }
   }
 

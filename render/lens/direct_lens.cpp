@@ -6,6 +6,7 @@
 #include "kernels/core/angles.h"
 #include "kernels/projection/pixel_measure.h"
 #include "kernels/spacetime/kerr/kerr.h"
+#include "kernels/spacetime/trace/trace_pixels.h"
 
 namespace ergodome {
 
@@ -63,7 +64,7 @@ void DirectLens::fill(int first_row, int row_count, const LensPixels& out) const
   batch.first_row = first_row;
   batch.row_count = row_count;
   batch.out = out;
-  trace_pixels(backend_, batch);
+  launch(backend_, batch);
 }
 
 }  // namespace ergodome

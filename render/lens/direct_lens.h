@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernels/launch/launch.h"
+#include "kernels/spacetime/trace/trace_pixels.h"
 #include "render/eyes/eye_camera.h"
 #include "render/lens/grid/edge_table.h"
 #include "render/lens/lens_source.h"

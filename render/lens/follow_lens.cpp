@@ -5,8 +5,8 @@
 #include <functional>
 #include <utility>
 
-#include "kernels/launch/launch_cuda.h"
-#include "kernels/launch/view_kernels.h"
+#include "kernels/launch/cuda.h"
+#include "kernels/launch/launch.h"
 
 namespace ergodome {
 
@@ -47,7 +47,7 @@ void FollowLens::fill(int first_row, int row_count, const LensPixels& out) const
   batch.pixels.out.coverage = coverage.data();
   batch.pixels.out.error_estimate = error.data();
   batch.pixels.out.steps = out.steps != nullptr ? steps.data() : nullptr;
-  follow_rays(batch);
+  launch(batch);
   if (rays_.logarithmic) {
     std::ranges::transform(steps, steps.begin(), [](float count) { return std::log10(std::max(count, 1.0F)); });
   }

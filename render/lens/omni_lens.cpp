@@ -76,7 +76,7 @@ void OmniLens::fill(int first_row, int row_count, const LensPixels& out) const {
   batch.pixels.first_row = first_row;
   batch.pixels.row_count = row_count;
   batch.pixels.out = out;
-  trace_omni_pixels(backend_, batch);
+  launch(backend_, batch);
 }
 
 OmniGridLens::OmniGridLens(std::shared_ptr<const OmniEye> eye, const std::shared_ptr<const StationBuffers>& station,
@@ -91,7 +91,7 @@ void OmniGridLens::fill(int first_row, int row_count, const LensPixels& out) con
   batch.pixels.first_row = first_row;
   batch.pixels.row_count = row_count;
   batch.pixels.out = out;
-  look_up_pixels(batch);
+  launch(batch);
 }
 
 LensStation build_omni_station(const OmniEye& eye, const GridSettings& settings, GridStatistics* statistics) {

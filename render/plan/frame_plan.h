@@ -7,6 +7,7 @@
 #include "content/show/show.h"
 #include "kernels/image/shade_pixels.h"
 #include "kernels/launch/launch.h"
+#include "kernels/spacetime/trace/trace_rays.h"
 #include "render/lens/lens_source.h"
 
 // Plans the work of a picture before it is rendered.

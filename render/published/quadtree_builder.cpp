@@ -132,7 +132,7 @@ class QuadtreeBuilder {
       batch.sky[k] = sky[k].data();
     }
     batch.status = status.data();
-    trace_rays(Backend::cpu, batch);
+    launch(Backend::cpu, batch);
     for (std::size_t i = 0; i < count; ++i) {
       if (status[i] == 0.0) {
         const double azimuth = std::atan2(sky[1][i], sky[0][i]);

@@ -17,7 +17,7 @@ void QuadtreeSource::fill(int first_row, int row_count, const LensPixels& out) c
   batch.pixels.first_row = first_row;
   batch.pixels.row_count = row_count;
   batch.pixels.out = out;
-  read_quadtree_pixels(batch);
+  launch(batch);
 }
 
 }  // namespace ergodome

@@ -69,7 +69,7 @@ class MinimalFrame {
     shade.exposure = static_cast<float>(show_.sky.exposure);
     shade.rgba = rgba_.data();
     shade.count = size_px * size_px;
-    shade_pixels(Backend::cpu, shade);
+    launch(Backend::cpu, shade);
     std::vector<float> picture(rgba_.size());
     rgba_.read(picture.data(), picture.size());
     if (stars_) {

@@ -7,6 +7,7 @@
 
 #include "kernels/launch/launch.h"
 #include "kernels/launch/parallel_for.h"
+#include "kernels/spacetime/trace/trace_rays.h"
 
 // The time that accuracy costs: all-sky rays of a camera at a = 0.999, r = 5 M, by method,
 // precision and tolerance, on all CPU threads. Counters: nanoseconds per ray (wall clock), million
@@ -69,7 +70,7 @@ RayBatch<S> batch_of(Rays<S>& rays, TraceMethod method, double tolerance) {
 const Rays<double>& reference() {
   static const Rays<double> exact = [] {
     Rays<double> rays = all_sky<double>();
-    trace_rays(Backend::cpu, batch_of(rays, TraceMethod::taylor, 1e-14));
+    launch(Backend::cpu, batch_of(rays, TraceMethod::taylor, 1e-14));
     return rays;
   }();
   return exact;
@@ -81,7 +82,7 @@ void trace_all_sky(benchmark::State& state, TraceMethod method, double tolerance
   Rays<S> rays = all_sky<S>();
   const RayBatch<S> batch = batch_of(rays, method, tolerance);
   for (auto _ : state) {
-    trace_rays(Backend::cpu, batch);
+    launch(Backend::cpu, batch);
   }
   std::vector<double> errors;
   int lost = 0;

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "kernels/launch/launch_cuda.cuh"
+#include "kernels/launch/launch_on_cuda.cuh"
 
 // Runs kernels on GPU and CPU, times them and compares the results.
 namespace ergodome::gpu_check {

@@ -58,7 +58,7 @@ struct PlantedRays {
 TEST_F(NumbersChecked, APlantedNanIsFoundWithItsKernelChannelAndIndex) {
   PlantedRays rays(std::nan(""));
   try {
-    trace_rays(Backend::cpu, rays.batch());
+    launch(Backend::cpu, rays.batch());
     FAIL() << "nothing was found";
   } catch (const Error& error) {
     EXPECT_EQ(error.place(), "kernel trace_rays, double");
@@ -68,13 +68,13 @@ TEST_F(NumbersChecked, APlantedNanIsFoundWithItsKernelChannelAndIndex) {
 
 TEST_F(NumbersChecked, RaysWithoutOnePass) {
   PlantedRays rays(0.0);
-  EXPECT_NO_THROW(trace_rays(Backend::cpu, rays.batch()));
+  EXPECT_NO_THROW(launch(Backend::cpu, rays.batch()));
 }
 
 TEST_F(NumbersChecked, NothingIsLookedAtWhenItIsSwitchedOff) {
   set_numbers_checked(false);
   PlantedRays rays(std::nan(""));
-  EXPECT_NO_THROW(trace_rays(Backend::cpu, rays.batch()));
+  EXPECT_NO_THROW(launch(Backend::cpu, rays.batch()));
 }
 
 //! Returns a built-in show with a sky of a few pixels.

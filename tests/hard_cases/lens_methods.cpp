@@ -77,14 +77,14 @@ std::shared_ptr<const StationBuffers> streamed(const LensStation& station) {
 
 SeenSky by_rays(const Place& place, const Directions& rays, TraceMethod method, double tolerance) {
   Arrays<double> arrays(rays);
-  trace_rays(Backend::cpu, arrays.batch(station_at(place), {tolerance, step_limit}, method));
+  launch(Backend::cpu, arrays.batch(station_at(place), {tolerance, step_limit}, method));
   return arrays.seen();
 }
 
 SeenSky by_float_rays(const Place& place, const Directions& rays, TraceMethod method, double tolerance) {
   Arrays<float> arrays(rays);
-  trace_rays(Backend::cpu,
-             arrays.batch(converted_station<float>(station_at(place)), {tolerance, step_limit, true}, method));
+  launch(Backend::cpu,
+         arrays.batch(converted_station<float>(station_at(place)), {tolerance, step_limit, true}, method));
   return arrays.seen();
 }
 
@@ -94,7 +94,7 @@ SeenSky by_lens(const LensBlend& lens, const Place& place, const Directions& ray
   batch.rays = arrays.batch(station_at(place), {1e-10, step_limit}, TraceMethod::taylor);
   batch.lens = lens;
   batch.aberration = observer_of(place);
-  look_up_rays(Backend::cpu, batch);
+  launch(Backend::cpu, batch);
   return arrays.seen();
 }
 
@@ -125,7 +125,7 @@ SeenSky by_quadtree(const Place& place, const Directions& rays) {
   Arrays<double> arrays(rays);
   const QuadtreeRaysBatch batch = {arrays.batch(camera, {1e-9, step_limit}, TraceMethod::taylor),
                                    look_up_of(lens.view(), QuadtreeInterpolation::spline)};
-  read_quadtree_rays(Backend::cpu, batch);
+  launch(Backend::cpu, batch);
   return arrays.seen();
 }
 

@@ -72,7 +72,7 @@ class LensAbout {
       batch.direction[axis] = values.data() + axis * count;
       batch.sky[axis] = values.data() + (3 + axis) * count;
     }
-    trace_rays(Backend::cpu, batch);
+    launch(Backend::cpu, batch);
     std::vector<double> changes;
     changes.reserve(asked.size());
     for (std::size_t place = 0; place < asked.size(); ++place) {

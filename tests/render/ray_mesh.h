@@ -95,7 +95,7 @@ class RayMesh {
       batch.direction[i] = values[i].data();
       batch.sky[i] = values[3 + i].data();
     }
-    trace_rays(Backend::cpu, batch);
+    launch(Backend::cpu, batch);
     for (std::size_t i = 0; i < values[0].size(); ++i) {
       camera_.push_back({values[0][i], values[1][i], values[2][i]});
       sky_.push_back({values[3][i], values[4][i], values[5][i]});

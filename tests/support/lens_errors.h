@@ -7,6 +7,7 @@
 
 #include "kernels/core/dual.h"
 #include "kernels/launch/launch.h"
+#include "kernels/lens/look_up.h"
 #include "kernels/spacetime/geodesic/taylor.h"
 #include "kernels/spacetime/shadow/shadow_chart.h"
 #include "tests/support/sanitized.h"
@@ -53,7 +54,7 @@ inline void read_through(const LensBlend& lens, const CameraStation& camera, con
   batch.rays.steps = rays.steps.data();
   batch.lens = lens;
   batch.aberration = observer;
-  look_up_rays(Backend::cpu, batch);
+  launch(Backend::cpu, batch);
 }
 
 //! Returns the displacement on the observer's screen [rad] that turns the exact sky direction of

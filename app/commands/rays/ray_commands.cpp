@@ -145,7 +145,7 @@ void trace_group(const std::vector<RayRow>& rows, std::size_t begin, std::size_t
     batch.settings.step_limit = 20'000;  // 10 times the published tracer's limit
   }
   batch.method = methods.at(options.method);
-  trace_rays(Backend::cpu, batch);
+  launch(Backend::cpu, batch);
   append_rays(rows, begin, arrays, table);
 }
 
@@ -167,7 +167,7 @@ void look_up_group(const std::vector<RayRow>& rows, std::size_t begin, std::size
   const LensGrid grid = grid_view(station);
   LookUpRaysBatch<double> batch{batch_of(rows, begin, arrays), {grid.chart, {grid, grid}, {}, 0.0F}, settings.observer};
   batch.rays.settings = {options.tolerance > 0.0 ? options.tolerance : 1e-9, 10'000};
-  look_up_rays(Backend::cpu, batch);
+  launch(Backend::cpu, batch);
   append_rays(rows, begin, arrays, table);
   print_out(
       "a {:.9g} r {:.9g} theta {:.9g}: {}{}, {} traced, {}, {} of them ({:.0f} px) left to direct rays, "
@@ -211,7 +211,7 @@ void read_quadtree_group(const std::vector<RayRow>& rows, std::size_t begin, std
                                   cameras.size() > 1 ? 0.5F : 0.0F,
                                   linear ? QuadtreeInterpolation::linear : QuadtreeInterpolation::spline};
   BatchArrays<double> arrays(end - begin);
-  read_quadtree_rays(Backend::cpu, {batch_of(rows, begin, arrays), look_up});
+  launch(Backend::cpu, QuadtreeRaysBatch{batch_of(rows, begin, arrays), look_up});
   append_rays(rows, begin, arrays, table);
   print_out("a {:.9g} r {:.9g} theta {:.9g}: {} rays traced{}, {:.1f} ms\n", row.spin, row.r, row.theta,
             lenses.front().vertex_count() + (lenses.size() > 1 ? lenses.back().vertex_count() : 0),

@@ -2,6 +2,7 @@
 
 #include "kernels/disk/disk_grid.h"
 #include "kernels/eyes/flat/flat_horizon.h"
+#include "kernels/launch/kernel.h"
 #include "kernels/near_field/draw_near_field.h"
 
 // Batches that draw the near field for one eye of the stereo model `flat`.
@@ -25,6 +26,43 @@ struct FlatEyeLookUpBatch {
   FlatEyeBatch eye;
   DiskGrid grid;
   AberrationOf<float> aberration;
+};
+
+//! Returns the counter's name for a variant of drawing the near field for eyes of the stereo model
+//! `flat`; nullptr if there is nothing to draw.
+constexpr const char* flat_eyes_name(DiskDrawing disk, bool shells) {
+  constexpr const char* names[2][2] = {{nullptr, "draw_flat_eyes, shells"},
+                                       {"draw_flat_eyes, disk", "draw_flat_eyes, disk, shells"}};
+  return names[disk == DiskDrawing::none ? 0 : 1][shells ? 1 : 0];
+}
+
+//! Returns the counter's name for drawing the disk for such eyes from a grid.
+constexpr const char* flat_look_up_name(DiskDrawing disk) {
+  return disk == DiskDrawing::pattern ? "look_up_flat_eyes, pattern" : "look_up_flat_eyes";
+}
+
+template <>
+struct Kernel<FlatEyeBatch> : KernelDefaults {
+  static const char* name(const FlatEyeBatch& batch) {
+    return flat_eyes_name(batch.near_field.drawing, batch.near_field.shells.count > 0);
+  }
+  static PixelRows rows(const FlatEyeBatch& batch) { return Kernel<NearFieldBatch>::rows(batch.near_field); }
+
+  template <class Visit>
+  static void visit_outputs(const FlatEyeBatch& batch, const Visit& visit) {
+    Kernel<NearFieldBatch>::visit_outputs(batch.near_field, visit);
+  }
+};
+
+template <>
+struct Kernel<FlatEyeLookUpBatch> : KernelDefaults {
+  static const char* name(const FlatEyeLookUpBatch& batch) { return flat_look_up_name(batch.eye.near_field.drawing); }
+  static PixelRows rows(const FlatEyeLookUpBatch& batch) { return Kernel<FlatEyeBatch>::rows(batch.eye); }
+
+  template <class Visit>
+  static void visit_outputs(const FlatEyeLookUpBatch& batch, const Visit& visit) {
+    Kernel<FlatEyeBatch>::visit_outputs(batch.eye, visit);
+  }
 };
 
 }  // namespace ergodome

@@ -79,7 +79,7 @@ struct DrawFlatEyes {
 
 //! Calls action(functor) with the variant for a batch; does nothing without disk and shells.
 template <class T, class Action>
-inline void dispatch_flat_eyes(const FlatEyeBatch& batch, const Action& action) {
+void dispatch(const FlatEyeBatch& batch, const Action& action) {
   const bool shells = batch.near_field.shells.count > 0;
   if (batch.near_field.drawing != DiskDrawing::none) {
     return shells ? action(DrawFlatEyes<T, true, true>{batch}) : action(DrawFlatEyes<T, true, false>{batch});

@@ -152,4 +152,13 @@ struct LookUpFlatEyes {
   }
 };
 
+template <class T, class Action>
+void dispatch(const FlatEyeLookUpBatch& batch, const Action& action) {
+  if (batch.eye.near_field.drawing == DiskDrawing::pattern) {
+    action(LookUpFlatEyes<T, true>{batch});
+  } else {
+    action(LookUpFlatEyes<T, false>{batch});
+  }
+}
+
 }  // namespace ergodome::inline ERGO_TARGET

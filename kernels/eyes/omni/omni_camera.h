@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/launch/kernel.h"
 #include "kernels/near_rays/horizon_winding.h"
 #include "kernels/spacetime/trace/trace_pixels.h"
 #include "kernels/spacetime/trace/trace_rays.h"
@@ -196,4 +197,29 @@ ERGO_HD T energy_of(const OmniCameraOf<ScalarOf<T>>& camera, const Vector3<T>& v
 }
 
 }  // namespace ERGO_TARGET
+template <>
+struct Kernel<OmniBatch> : KernelDefaults {
+  static const char* name(const OmniBatch& batch) {
+    return has_footprints(batch.pixels.out) ? "trace_omni_pixels, footprints" : "trace_omni_pixels";
+  }
+  static PixelRows rows(const OmniBatch& batch) { return Kernel<PixelBatch>::rows(batch.pixels); }
+
+  template <class Visit>
+  static void visit_outputs(const OmniBatch& batch, const Visit& visit) {
+    Kernel<PixelBatch>::visit_outputs(batch.pixels, visit);
+  }
+};
+
+template <>
+struct Kernel<OmniRayBatch> : KernelDefaults {
+  using Real = double;
+  static const char* name(const OmniRayBatch& /*batch*/) { return "trace_rays, double"; }
+  static int elements(const OmniRayBatch& batch) { return batch.rays.count; }
+
+  template <class Visit>
+  static void visit_outputs(const OmniRayBatch& batch, const Visit& visit) {
+    Kernel<RayBatch<double>>::visit_outputs(batch.rays, visit);
+  }
+};
+
 }  // namespace ergodome

@@ -42,4 +42,13 @@ struct TraceOmniPixels {
   }
 };
 
+template <class T, class Action>
+void dispatch(const OmniBatch& batch, const Action& action) {
+  if (has_footprints(batch.pixels.out)) {
+    action(TraceOmniPixels<T, true>{batch});
+  } else {
+    action(TraceOmniPixels<T, false>{batch});
+  }
+}
+
 }  // namespace ergodome::inline ERGO_TARGET

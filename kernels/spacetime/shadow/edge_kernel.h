@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/launch/kernel.h"
 #include "kernels/spacetime/shadow/critical_curve.h"
 
 namespace ergodome {
@@ -26,5 +27,19 @@ struct SolveEdge {
   }
 };
 
+template <class T, class Action>
+void dispatch(const EdgeBatch& batch, const Action& action) {
+  action(SolveEdge{batch});
+}
+
 }  // namespace ERGO_TARGET
+template <>
+struct Kernel<EdgeBatch> : KernelDefaults {
+  using Real = double;
+  static constexpr bool wide = false;
+  static constexpr bool counted = false;
+  static const char* name(const EdgeBatch& /*batch*/) { return "solve_edge"; }
+  static int elements(const EdgeBatch& batch) { return batch.count; }
+};
+
 }  // namespace ergodome

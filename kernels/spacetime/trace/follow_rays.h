@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/launch/kernel.h"
 #include "kernels/spacetime/trace/trace_pixels.h"
 #include "kernels/spacetime/trace/trace_rays.h"
 
@@ -19,6 +20,17 @@ struct FollowBatch {
   TraceMethod method;          //!< must take steps
   const WatchedShell* shells;  //!< the outermost first; outside the horizon
   int shell_count;
+};
+
+template <>
+struct Kernel<FollowBatch> : KernelDefaults {
+  static const char* name(const FollowBatch& /*batch*/) { return "follow_rays"; }
+  static PixelRows rows(const FollowBatch& batch) { return Kernel<PixelBatch>::rows(batch.pixels); }
+
+  template <class Visit>
+  static void visit_outputs(const FollowBatch& batch, const Visit& visit) {
+    visit("error_estimate", batch.pixels.out.error_estimate, element_count(batch));
+  }
 };
 
 }  // namespace ergodome

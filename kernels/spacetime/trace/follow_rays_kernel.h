@@ -108,4 +108,9 @@ inline void dispatch_follower(TraceMethod method, const Action& action) {
   }
 }
 
+template <class T, class Action>
+void dispatch(const FollowBatch& batch, const Action& action) {
+  dispatch_follower(batch.method, [&](auto follower) { action(FollowRays<decltype(follower), T>{batch}); });
+}
+
 }  // namespace ergodome::inline ERGO_TARGET

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernels/image/lens_pixels.h"
+#include "kernels/launch/kernel.h"
 #include "kernels/projection/projection.h"
 #include "kernels/spacetime/geodesic/integration_settings.h"
 #include "kernels/spacetime/kerr/camera_station.h"
@@ -24,6 +25,19 @@ struct PixelBatch {
   int first_row;  //!< first row of the image in this block
   int row_count;
   LensPixels out;  //!< row_count * width elements per channel
+};
+
+template <>
+struct Kernel<PixelBatch> : KernelDefaults {
+  static const char* name(const PixelBatch& batch) {
+    return has_footprints(batch.out) ? "trace_pixels, footprints" : "trace_pixels";
+  }
+  static PixelRows rows(const PixelBatch& batch) { return {batch.projection.width_px, batch.row_count}; }
+
+  template <class Visit>
+  static void visit_outputs(const PixelBatch& batch, const Visit& visit) {
+    visit_channels(batch.out, element_count(batch), visit);
+  }
 };
 
 }  // namespace ergodome

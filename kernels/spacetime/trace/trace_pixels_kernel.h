@@ -80,4 +80,13 @@ struct TracePixels {
   }
 };
 
+template <class T, class Action>
+void dispatch(const PixelBatch& batch, const Action& action) {
+  if (has_footprints(batch.out)) {
+    action(TracePixels<T, true>{batch});
+  } else {
+    action(TracePixels<T, false>{batch});
+  }
+}
+
 }  // namespace ergodome::inline ERGO_TARGET

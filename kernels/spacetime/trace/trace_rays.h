@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
+#include "kernels/launch/kernel.h"
 #include "kernels/spacetime/geodesic/integration_settings.h"
 #include "kernels/spacetime/kerr/camera_station.h"
 
@@ -25,6 +27,27 @@ struct RayBatch {
   Scalar* steps;               //!< integration steps
   Scalar* error_estimate;      //!< the integrator's estimate [rad]
   Scalar* mino_time;           //!< [1/M]
+};
+
+template <class Scalar>
+struct Kernel<RayBatch<Scalar>> : KernelDefaults {
+  using Real = Scalar;
+  static const char* name(const RayBatch<Scalar>& /*batch*/) {
+    return std::is_same_v<Scalar, double> ? "trace_rays, double" : "trace_rays";
+  }
+  static int elements(const RayBatch<Scalar>& batch) { return batch.count; }
+
+  template <class Visit>
+  static void visit_outputs(const RayBatch<Scalar>& batch, const Visit& visit) {
+    for (const Scalar* sky : batch.sky) {
+      visit("sky", sky, batch.count);
+    }
+    visit("frequency_ratio", batch.frequency_ratio, batch.count);
+    visit("status", batch.status, batch.count);
+    visit("steps", batch.steps, batch.count);
+    visit("error_estimate", batch.error_estimate, batch.count);
+    visit("mino_time", batch.mino_time, batch.count);
+  }
 };
 
 }  // namespace ergodome

@@ -151,4 +151,14 @@ inline void dispatch_method(TraceMethod method, const Action& action) {
   }
 }
 
+template <class T, class Action>
+void dispatch(const RayBatch<ScalarOf<T>>& batch, const Action& action) {
+  dispatch_method(batch.method, [&](auto tracer) { action(TraceRays<decltype(tracer), T>{batch}); });
+}
+
+template <class T, class Action>
+void dispatch(const OmniRayBatch& batch, const Action& action) {
+  action(TraceOmniRays<T>{batch});
+}
+
 }  // namespace ergodome::inline ERGO_TARGET

@@ -46,13 +46,13 @@ struct SeeFoldedPair {
   }
 };
 
-//! Halves a part that has been halved `depth` times, and drops halves whose control points exclude
+//! Halves a part that has been halved `batch.depth` times, and drops halves whose control points exclude
 //! the star.
 struct HalveSeenPart {
   PatchSearchBatch batch;
-  int depth;
 
   ERGO_HD void operator()(int index) const {
+    const int depth = batch.depth;
     const SharedParts& from = batch.halved[depth % 2];
     if (index >= *from.count || index >= from.room) {
       return;

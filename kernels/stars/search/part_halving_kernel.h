@@ -169,4 +169,14 @@ struct HalveParts {
   }
 };
 
+template <class T, class Action>
+void dispatch(const SeePatchesBatch& batch, const Action& action) {
+  action(SeePatches<T>{batch});
+}
+
+template <class T, class Action>
+void dispatch(const HalvePartsBatch& batch, const Action& action) {
+  action(HalveParts<T>{batch});
+}
+
 }  // namespace ergodome::inline ERGO_TARGET

@@ -133,4 +133,9 @@ struct SolveParts {
   }
 };
 
+template <class T, class Action>
+void dispatch(const SolvePartsBatch& batch, const Action& action) {
+  action(SolveParts<T>{batch});
+}
+
 }  // namespace ergodome::inline ERGO_TARGET

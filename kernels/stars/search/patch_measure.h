@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/launch/kernel.h"
 #include "kernels/lens/lens_chart.h"
 #include "kernels/spacetime/kerr/camera_station.h"
 #include "kernels/spacetime/kerr/frame_boost.h"
@@ -33,6 +34,13 @@ struct PatchMeasureBatch {
   DirectionForm<float> energy;
   AberrationOf<float> observer;  //!< between the observer's frame and the rain frame
   PatchMeasures* out;
+};
+
+template <>
+struct Kernel<PatchMeasureBatch> : KernelDefaults {
+  static constexpr bool counted = false;
+  static const char* name(const PatchMeasureBatch& /*batch*/) { return "measure_patch"; }
+  static int elements(const PatchMeasureBatch& /*batch*/) { return 1; }
 };
 
 }  // namespace ergodome

@@ -107,4 +107,9 @@ struct MeasurePatch {
   }
 };
 
+template <class T, class Action>
+void dispatch(const PatchMeasureBatch& batch, const Action& action) {
+  action(MeasurePatch<T>{batch});
+}
+
 }  // namespace ergodome::inline ERGO_TARGET

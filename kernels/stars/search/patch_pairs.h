@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/launch/kernel.h"
 #include "kernels/stars/search/bezier_patch.h"
 
 // Batches of pairs of a patch and a star, to find where in the patch the star is.
@@ -34,6 +35,20 @@ struct PatchNewtonBatch {
   //! Jacobian determinant there: area in the plane per area of the unit square; negative for
   //! inverted parity.
   float* area;
+};
+
+template <>
+struct Kernel<PatchSideBatch> : KernelDefaults {
+  static constexpr bool counted = false;
+  static const char* name(const PatchSideBatch& /*batch*/) { return "find_patch_sides"; }
+  static int elements(const PatchSideBatch& batch) { return batch.pairs.count; }
+};
+
+template <>
+struct Kernel<PatchNewtonBatch> : KernelDefaults {
+  static constexpr bool counted = false;
+  static const char* name(const PatchNewtonBatch& /*batch*/) { return "invert_patches"; }
+  static int elements(const PatchNewtonBatch& batch) { return batch.pairs.count; }
 };
 
 }  // namespace ergodome

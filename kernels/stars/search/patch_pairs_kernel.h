@@ -171,4 +171,14 @@ struct FindPatchSides {
   }
 };
 
+template <class T, class Action>
+void dispatch(const PatchSideBatch& batch, const Action& action) {
+  action(FindPatchSides<T>{batch});
+}
+
+template <class T, class Action>
+void dispatch(const PatchNewtonBatch& batch, const Action& action) {
+  action(InvertPatches<T>{batch});
+}
+
 }  // namespace ergodome::inline ERGO_TARGET

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "kernels/launch/kernel.h"
 #include "kernels/spacetime/kerr/camera_station.h"
 #include "kernels/spacetime/kerr/frame_boost.h"
 #include "kernels/stars/field_star.h"
@@ -64,6 +65,24 @@ struct SharedParts {
 //! few enough for their parts to fit into its memory.
 inline constexpr int most_searched_together = 1 << 15;
 
+//! Steps of the search, in this order: pairs of all patches, then their roots by the shapes of the
+//! patches. Undecided pairs of bent patches are added to those of folded ones. Parts of folded
+//! pairs are halved repeatedly, in parallel: a pair next to a fold has hundreds of parts, most
+//! pairs have one. Most counts are only known on the GPU, so a step may be launched for as many
+//! elements as its list has room for.
+enum class PatchSearchStep {
+  find_pairs,
+  regular,
+  bent,
+  see_folded,
+  halve,
+  solve_plain,
+  solve_folded,
+  tell_plain,
+  tell_folded,
+  take_roots
+};
+
 //! The search for images of stars in the patches of a lens, on the GPU: several threads per patch,
 //! then one per pair. On the CPU, RoughImageFinder works on packs of pairs.
 struct PatchSearchBatch {
@@ -107,24 +126,18 @@ struct PatchSearchBatch {
   std::int32_t* told_counts;
   std::int32_t* told_first;
   FoldedRoot* told;
+  PatchSearchStep step = PatchSearchStep::find_pairs;
+  int count = 0;  //!< number of patches, pairs or parts of this step
+  int depth = 0;  //!< number of halvings of the parts to halve
 };
 
-//! Steps of the search, in this order: pairs of all patches, then their roots by the shapes of the
-//! patches. Undecided pairs of bent patches are added to those of folded ones. Parts of folded
-//! pairs are halved repeatedly, in parallel: a pair next to a fold has hundreds of parts, most
-//! pairs have one. Most counts are only known on the GPU, so a step may be launched for as many
-//! elements as its list has room for.
-enum class PatchSearchStep {
-  find_pairs,
-  regular,
-  bent,
-  see_folded,
-  halve,
-  solve_plain,
-  solve_folded,
-  tell_plain,
-  tell_folded,
-  take_roots
+template <>
+struct Kernel<PatchSearchBatch> : KernelDefaults {
+  static constexpr bool wide = false;
+  static constexpr bool compiled_once = true;
+  static constexpr bool counted = false;
+  static const char* name(const PatchSearchBatch& /*batch*/) { return "search_patches"; }
+  static int elements(const PatchSearchBatch& batch) { return batch.count; }
 };
 
 }  // namespace ergodome

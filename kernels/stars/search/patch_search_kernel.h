@@ -129,11 +129,9 @@ struct InvertPair {
   }
 };
 
-//! Calls action(functor) with the functor of a step. `depth`: how often the parts to be halved have
-//! been halved before.
-template <class Action>
-inline void with_search_step(const PatchSearchBatch& batch, PatchSearchStep step, int depth, const Action& action) {
-  switch (step) {
+template <class T, class Action>
+void dispatch(const PatchSearchBatch& batch, const Action& action) {
+  switch (batch.step) {
     case PatchSearchStep::find_pairs:
       return action(FindPatchPairs{batch});
     case PatchSearchStep::regular:
@@ -143,7 +141,7 @@ inline void with_search_step(const PatchSearchBatch& batch, PatchSearchStep step
     case PatchSearchStep::see_folded:
       return action(SeeFoldedPair{batch});
     case PatchSearchStep::halve:
-      return action(HalveSeenPart{batch, depth});
+      return action(HalveSeenPart{batch});
     case PatchSearchStep::solve_plain:
       return action(SolveSeenPart<false>{batch});
     case PatchSearchStep::solve_folded:

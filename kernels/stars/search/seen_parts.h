@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/launch/kernel.h"
 #include "kernels/stars/search/patch_pairs.h"
 
 // Batches of the search in folded patches: parts of patches as stars see them, halved until
@@ -67,6 +68,27 @@ struct SolvePartsBatch {
   //! Area in the plane per area of the patch's unit square; negative for inverted parity, 0 for a
   //! guess.
   float* area;
+};
+
+template <>
+struct Kernel<SeePatchesBatch> : KernelDefaults {
+  static constexpr bool counted = false;
+  static const char* name(const SeePatchesBatch& /*batch*/) { return "see_patches"; }
+  static int elements(const SeePatchesBatch& batch) { return batch.pairs.count; }
+};
+
+template <>
+struct Kernel<HalvePartsBatch> : KernelDefaults {
+  static constexpr bool counted = false;
+  static const char* name(const HalvePartsBatch& /*batch*/) { return "halve_parts"; }
+  static int elements(const HalvePartsBatch& /*batch*/) { return 1; }
+};
+
+template <>
+struct Kernel<SolvePartsBatch> : KernelDefaults {
+  static constexpr bool counted = false;
+  static const char* name(const SolvePartsBatch& /*batch*/) { return "solve_parts"; }
+  static int elements(const SolvePartsBatch& batch) { return batch.parts.count; }
 };
 
 }  // namespace ergodome

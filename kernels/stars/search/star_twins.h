@@ -2,9 +2,14 @@
 
 #include <cstdint>
 
+#include "kernels/launch/kernel.h"
 #include "kernels/stars/seen_image.h"
 
 namespace ergodome {
+
+//! Steps, run in this order: count the images of each star, list their numbers at the offsets in
+//! `first`, and take each image once.
+enum class StarTwinStep { count, number, take };
 
 //! Collects images star by star. An image on a border may have been found from both sides, and is
 //! kept once. Arrays lie in the backend's memory.
@@ -18,10 +23,18 @@ struct StarTwinBatch {
   const std::int32_t* first;  //!< index of each star's first number; has star_count + 1 elements
   std::int32_t* numbers;
   StarImage* images;  //!< as many as numbers, star by star; duplicates have a star of -1
+  StarTwinStep step = StarTwinStep::count;
 };
 
-//! Steps, run in this order: count the images of each star, list their numbers at the offsets in
-//! `first`, and take each image once.
-enum class StarTwinStep { count, number, take };
+template <>
+struct Kernel<StarTwinBatch> : KernelDefaults {
+  static constexpr bool wide = false;
+  static constexpr bool compiled_once = true;
+  static constexpr bool counted = false;
+  static const char* name(const StarTwinBatch& /*batch*/) { return "join_star_images"; }
+  static int elements(const StarTwinBatch& batch) {
+    return batch.step == StarTwinStep::take ? batch.star_count : batch.found_count[0] + batch.found_count[1];
+  }
+};
 
 }  // namespace ergodome

@@ -57,4 +57,17 @@ struct TakeImages {
   }
 };
 
+template <class T, class Action>
+void dispatch(const StarTwinBatch& batch, const Action& action) {
+  switch (batch.step) {
+    case StarTwinStep::count:
+      return action(CountImage<false>{batch});
+    case StarTwinStep::number:
+      return action(CountImage<true>{batch});
+    case StarTwinStep::take:
+      break;
+  }
+  action(TakeImages{batch});
+}
+
 }  // namespace ergodome::inline ERGO_TARGET

@@ -6,6 +6,7 @@
 #include "kernels/core/angles.h"
 #include "kernels/launch/parallel_for.h"
 #include "kernels/spacetime/shadow/critical_curve.h"
+#include "kernels/spacetime/shadow/edge_kernel.h"
 
 namespace ergodome {
 
@@ -120,7 +121,7 @@ EdgeTable::EdgeTable(Backend backend, const CameraStation& camera, int count) {
     return;
   }
   polar_angle_ = Buffer<float>(backend, static_cast<std::size_t>(count), "shadow edge");
-  solve_edge_cuda({camera, chart, count, polar_angle_.data()});
+  launch_on_cuda(EdgeBatch{camera, chart, count, polar_angle_.data()});
   std::vector<float> polar_angle(polar_angle_.size());
   polar_angle_.read(polar_angle.data(), polar_angle.size());
   curve_ = edge_view(chart, polar_angle);

@@ -27,7 +27,7 @@ LookUpBatch GridLens::rows(int first_row, int row_count, const LensPixels& out) 
 }
 
 void GridLens::fill(int first_row, int row_count, const LensPixels& out) const {
-  look_up_pixels(backend_, rows(first_row, row_count, out));
+  launch(backend_, rows(first_row, row_count, out));
 }
 
 bool GridLens::shares_work_with(const LensSource& other) const {
@@ -37,7 +37,7 @@ bool GridLens::shares_work_with(const LensSource& other) const {
 void GridLens::fill_both(const LensSource& other, int first_row, int row_count, const LensPixels& out,
                          const LensPixels& of_other) const {
   const auto& beside = dynamic_cast<const GridLens&>(other);
-  look_up_pixels({{rows(first_row, row_count, out), beside.rows(first_row, row_count, of_other)}});
+  launch(LookUpPairBatch{{rows(first_row, row_count, out), beside.rows(first_row, row_count, of_other)}});
 }
 
 }  // namespace ergodome

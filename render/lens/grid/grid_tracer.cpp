@@ -23,12 +23,12 @@ void put(Backend backend, Buffer<T>& buffer, const T* from, std::size_t count) {
   buffer.write(from, count);
 }
 
-void run(Backend backend, const NodeBatch<float>& batch) { trace_nodes(backend, batch); }
-void run(Backend, const NodeBatch<double>& batch) { trace_nodes(batch); }
-void run(Backend backend, const CheckBatch<float>& batch) { check_cells(backend, batch); }
-void run(Backend, const CheckBatch<double>& batch) { check_cells(batch); }
-void run(Backend, const OmniNodeBatch& batch) { trace_nodes(batch); }
-void run(Backend, const OmniCheckBatch& batch) { check_cells(batch); }
+void run(Backend backend, const NodeBatch<float>& batch) { launch(backend, batch); }
+void run(Backend, const NodeBatch<double>& batch) { launch(batch); }
+void run(Backend backend, const CheckBatch<float>& batch) { launch(backend, batch); }
+void run(Backend, const CheckBatch<double>& batch) { launch(batch); }
+void run(Backend, const OmniNodeBatch& batch) { launch(batch); }
+void run(Backend, const OmniCheckBatch& batch) { launch(batch); }
 
 }  // namespace
 

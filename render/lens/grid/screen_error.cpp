@@ -6,6 +6,7 @@
 
 #include "kernels/core/angles.h"
 #include "kernels/launch/launch.h"
+#include "kernels/lens/blend_check.h"
 #include "kernels/lens/lens_chart.h"
 #include "render/lens/spread_point.h"
 
@@ -164,15 +165,15 @@ ScreenError measure_screen_error(const LensBlend& lens, const LensView& view, co
   const std::size_t count = samples.s.size();
   std::vector<double> error_px(count);
   std::vector<double> area_px(count);
-  check_blend(BlendCheckBatch{{rain, lens.chart, {1e-9, reference_step_limit, true}},
-                              lens,
-                              view.observer,
-                              view.pixel,
-                              static_cast<int>(count),
-                              samples.gamma_turns.data(),
-                              samples.s.data(),
-                              error_px.data(),
-                              area_px.data()});
+  launch(BlendCheckBatch{{rain, lens.chart, {1e-9, reference_step_limit, true}},
+                         lens,
+                         view.observer,
+                         view.pixel,
+                         static_cast<int>(count),
+                         samples.gamma_turns.data(),
+                         samples.s.data(),
+                         error_px.data(),
+                         area_px.data()});
   for (std::size_t i = 0; i < count; ++i) {
     area_px[i] *= samples.extent[i];
   }

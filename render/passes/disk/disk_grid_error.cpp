@@ -11,9 +11,10 @@ ScreenError measure_disk_error(const DiskGrid& grid, double spin, const LensPlac
   const std::vector<float> s(samples.s.begin(), samples.s.end());
   std::vector<float> found_px(s.size());
   std::vector<float> density_px(s.size());
-  check_disk_grid({at.camera, grid, converted_aberration<float>(settings.observer), static_cast<float>(settings.pixel),
-                   disk_span_on_screen(settings, place.r), static_cast<int>(s.size()), gamma_turns.data(), s.data(),
-                   found_px.data(), density_px.data()});
+  launch(DiskGridCheckBatch{at.camera, grid, converted_aberration<float>(settings.observer),
+                            static_cast<float>(settings.pixel), disk_span_on_screen(settings, place.r),
+                            static_cast<int>(s.size()), gamma_turns.data(), s.data(), found_px.data(),
+                            density_px.data()});
   const std::vector<double> error_px(found_px.begin(), found_px.end());
   std::vector<double> area_px(s.size());
   for (std::size_t i = 0; i < s.size(); ++i) {

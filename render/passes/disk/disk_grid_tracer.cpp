@@ -60,7 +60,7 @@ void DiskGridTracer::add_nodes(const std::vector<float>& gamma_turns, const std:
     batch.nodes[set] = nodes_[set].data() + first;
   }
   batch.nearness = has_nearness_ ? nearness_.data() + first : nullptr;
-  trace_disk_nodes(batch);
+  launch(batch);
   node_count_ += count;
 }
 
@@ -89,7 +89,7 @@ void DiskGridTracer::check(const std::vector<GridCell>& cells) {
     batch.u[order] = u_[order].data();
     batch.width[order] = width_[order].data();
   }
-  check_disk_cells(batch);
+  launch(batch);
 }
 
 }  // namespace ergodome

@@ -117,20 +117,20 @@ void FlatNearField::draw_over(const PictureView& view, const RowBlock& rows, flo
   if (near_field_.objects != nullptr) {
     scene.objects = look_at_objects(view, rows);
     if (scene.drawing == DiskDrawing::none && scene.shells.count == 0) {
-      return lay_objects(backend_, {scene.objects, scene.pixels.projection, rows.first, rows.count, rgba});
+      return launch(backend_, LayObjectsBatch{scene.objects, scene.pixels.projection, rows.first, rows.count, rgba});
     }
   }
   if (near_field_.disk_grid) {
     const EyeCamera& head = view.eye;
-    look_up_flat_eyes(
-        {batch, *near_field_.disk_grid,
-         converted_aberration<float>(aberration_to_rain(head.spin, head.r, head.theta, head.motion, head.velocity))});
+    launch(FlatEyeLookUpBatch{
+        batch, *near_field_.disk_grid,
+        converted_aberration<float>(aberration_to_rain(head.spin, head.r, head.theta, head.motion, head.velocity))});
     if (near_field_.objects == nullptr) {
       return;
     }
     scene.objects_alone = true;
   }
-  draw_flat_eyes(backend_, batch);
+  launch(backend_, batch);
 }
 
 void FlatNearField::draw(const PictureView& view, const RowBlock& rows, float* rgba) {

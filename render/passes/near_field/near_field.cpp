@@ -23,20 +23,20 @@ void draw_near_field(Backend backend, const NearField& near_field, const Picture
   if (near_field.objects != nullptr) {
     batch.objects = near_field.objects->look(view, rows);
     if (batch.drawing == DiskDrawing::none && batch.shells.count == 0) {
-      return lay_objects(backend, {batch.objects, batch.pixels.projection, rows.first, rows.count, rgba});
+      return launch(backend, LayObjectsBatch{batch.objects, batch.pixels.projection, rows.first, rows.count, rgba});
     }
   }
   if (near_field.disk_grid) {
     const EyeCamera& eye = view.camera();
-    look_up_disk(
-        {batch, *near_field.disk_grid,
-         converted_aberration<float>(aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity))});
+    launch(DiskLookUpBatch{
+        batch, *near_field.disk_grid,
+        converted_aberration<float>(aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity))});
     if (near_field.objects == nullptr) {
       return;
     }
     batch.objects_alone = true;
   }
-  draw_near_field(backend, batch);
+  launch(backend, batch);
 }
 
 }  // namespace ergodome

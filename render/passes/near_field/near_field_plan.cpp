@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "content/show/animated_show.h"
+#include "kernels/eyes/flat/draw_flat_eyes.h"
 #include "render/lens/flat/flat_shadow.h"
 #include "render/lens/grid/edge_table.h"
 #include "render/lens/lens_choice.h"

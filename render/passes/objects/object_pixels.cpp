@@ -113,9 +113,9 @@ void ObjectPixels::look_at(const std::vector<std::int32_t>& pixels, PixelPattern
                                   rgba.data(), time.data(),   content.data()};
   if (flat_) {
     const Buffer<FlatReach> reach(backend_, reach_of(pixels), "objects' pixels");
-    look_at_objects(backend_, {batch, *flat_, reach.data()});
+    launch(backend_, FlatObjectPixelBatch{batch, *flat_, reach.data()});
   } else {
-    look_at_objects(backend_, batch);
+    launch(backend_, batch);
   }
   std::vector<float> light(4 * count);
   std::vector<float> times(count);

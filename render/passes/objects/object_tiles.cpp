@@ -74,11 +74,12 @@ void ObjectPixels::look_through(Tiles& tiles, int side_px, std::vector<TileMark>
   if (flat_) {
     const Buffer<FlatReach> along(backend_, tiles.reach, "objects' tiles");
     const Buffer<FlatReach> seen(backend_, count, "objects' tiles");
-    mark_object_tiles(backend_, {batch, *flat_, std::max(side_px, least_part_px) * pixel_angle(objects_.projection),
-                                 along.data(), seen.data()});
+    launch(backend_,
+           FlatObjectTileBatch{batch, *flat_, std::max(side_px, least_part_px) * pixel_angle(objects_.projection),
+                               along.data(), seen.data()});
     seen.read(tiles.reach.data(), count);
   } else {
-    mark_object_tiles(backend_, batch);
+    launch(backend_, batch);
   }
   marked.read(marks.data(), count);
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "content/show/show.h"
+#include "kernels/objects/draw_objects.h"
 #include "kernels/objects/lay_objects.h"
 #include "render/backend/buffer.h"
 #include "render/lens/picture_view.h"

@@ -251,11 +251,12 @@ OverlayPass::TileRows OverlayPass::draw_sheet(const OverlayTarget& target, const
   if (on_device) {
     tile_numbers_.write(numbers.data(), numbers.size());
   }
-  draw_overlay(target.backend, {target.rgba, converted_projection<float>(projection),
-                                texture.layout.view(on_device ? texture.device.data() : texture.host.data()), sheet,
-                                static_cast<float>(std::clamp(opacity, 0.0, 1.0)), target.tone, target.display_colours,
-                                on_device ? tile_numbers_.data() : numbers.data(), tiles.columns(),
-                                static_cast<int>(numbers.size()) * overlay_tile_px * overlay_tile_px});
+  launch(target.backend,
+         OverlayBatch{target.rgba, converted_projection<float>(projection),
+                      texture.layout.view(on_device ? texture.device.data() : texture.host.data()), sheet,
+                      static_cast<float>(std::clamp(opacity, 0.0, 1.0)), target.tone, target.display_colours,
+                      on_device ? tile_numbers_.data() : numbers.data(), tiles.columns(),
+                      static_cast<int>(numbers.size()) * overlay_tile_px * overlay_tile_px});
   return {numbers.front() / tiles.columns(), numbers.back() / tiles.columns() + 1};
 }
 

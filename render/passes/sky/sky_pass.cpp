@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "kernels/launch/cuda.h"
 #include "kernels/launch/launch.h"
-#include "kernels/launch/launch_cuda.h"
 #include "render/passes/sky/sky_shading.h"
 
 namespace ergodome {
@@ -143,7 +143,7 @@ void SkyDrawing::shade(const RowBlock& rows, float* rgba) {
   if (shade_.mode == ViewMode::sky && shade_.filter == SkyFilter::polygon) {
     filter_polygons(*picture_.settings.polygons);
   }
-  shade_pixels(pass_.backend_, shade_);
+  launch(pass_.backend_, shade_);
 }
 
 long SkyDrawing::count_unresolved() const {

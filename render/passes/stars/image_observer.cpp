@@ -5,6 +5,7 @@
 
 #include "kernels/launch/launch.h"
 #include "kernels/spacetime/shadow/shadow_chart.h"
+#include "kernels/stars/observed_places.h"
 #include "render/passes/stars/drawing/edge_rounding.h"
 
 namespace ergodome {
@@ -76,15 +77,16 @@ ObservedPlaces ImageObserver::observe(std::span<const RoughImage> images) const 
        {&places.direction[0], &places.direction[1], &places.direction[2], &places.area, &places.frequency_ratio}) {
     part->resize(images.size());
   }
-  observe_places({chart_,
-                  energy(),
-                  observer(),
-                  static_cast<int>(images.size()),
-                  gamma_turns.data(),
-                  s.data(),
-                  {places.direction[0].data(), places.direction[1].data(), places.direction[2].data()},
-                  places.area.data(),
-                  places.frequency_ratio.data()});
+  run_on_this_thread(
+      ObservedPlaceBatch{chart_,
+                         energy(),
+                         observer(),
+                         static_cast<int>(images.size()),
+                         gamma_turns.data(),
+                         s.data(),
+                         {places.direction[0].data(), places.direction[1].data(), places.direction[2].data()},
+                         places.area.data(),
+                         places.frequency_ratio.data()});
   if (cameras_) {
     // Each camera of an ODS eye has its own energies, in the chart's frame.
     const OmniCameraOf<double> cameras = cameras_->cameras->exact(cameras_->side);

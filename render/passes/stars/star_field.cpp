@@ -171,7 +171,7 @@ int StarField::search(const SkyPart& part, const StarFloor& floor, std::vector<i
   batch.faintest = faintest;
   batch.found = found.data();
   batch.count = &count;
-  search_stars(batch);
+  run_on_this_thread(batch);
   const ShiftGain& gain = gains_.row(floor.shift_row);
   int kept = 0;
   for (int i = 0; i < count; ++i) {

@@ -84,9 +84,9 @@ void MasterLight::update(const MasterPicture& picture) {
     const Buffer<std::int32_t>& tiles = tiles_[static_cast<std::size_t>(i)];
     const int count = static_cast<int>(tiles.size());
     if (i == 0) {
-      tone_tiles(backend_, {picture.rgba, levels_.level[0], picture.tone, picture.heat_map, tiles.data(), count});
+      launch(backend_, ToneBatch{picture.rgba, levels_.level[0], picture.tone, picture.heat_map, tiles.data(), count});
     } else if (count > 0) {
-      average_tiles(backend_, {levels_.level[i - 1], levels_.level[i], tiles.data(), count});
+      launch(backend_, AverageBatch{levels_.level[i - 1], levels_.level[i], tiles.data(), count});
     }
   }
 }

@@ -24,7 +24,7 @@ class ProjectorWarp {
 
   //! Fills a raster: three bytes per pixel, top row first. Does not wait for a GPU.
   void draw(const LightLevels& light, float shown, std::uint8_t* rgb) const {
-    warp_pixels(backend_, batch(light, shown, rgb));
+    launch(backend_, batch(light, shown, rgb));
   }
 
  private:

@@ -1,3 +1,5 @@
+#include "kernels/sky/cube_map.h"
+
 #include <ImfChannelList.h>
 #include <ImfEnvmap.h>
 #include <ImfEnvmapAttribute.h>

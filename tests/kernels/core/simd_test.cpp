@@ -8,8 +8,8 @@
 #include "kernels/core/arithmetic.h"
 #include "kernels/core/chosen_lanes.h"
 #include "kernels/core/lanes.h"
-#include "kernels/launch/kernel_table.h"
 #include "kernels/launch/launch.h"
+#include "kernels/spacetime/trace/trace_rays.h"
 
 namespace ergodome {
 namespace {
@@ -109,8 +109,8 @@ std::vector<double> sky_of(InstructionSet set) {
     batch.direction[i] = n[i].data();
     batch.sky[i] = sky.data() + i * count;
   }
-  const KernelTable& table = kernel_table(set);
-  table.trace_rays_double(batch, 0, (count - 1) / table.lanes_double + 1);
+  const auto kernel = cpu_kernel<RayBatch<double>>(set);
+  kernel.run(batch, 0, kernel.calls(batch));
   return sky;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernels/launch/launch.h"
+#include "kernels/spacetime/trace/trace_rays.h"
 #include "render/eyes/eye_camera.h"
 
 namespace ergodome::test {
@@ -19,7 +20,7 @@ inline Vector3<double> cash_karp_sky(const EyeCamera& eye, const Vector3<double>
     batch.direction[i] = &direction[i];
     batch.sky[i] = &sky[i];
   }
-  trace_rays(Backend::cpu, batch);
+  launch(Backend::cpu, batch);
   return {sky[0], sky[1], sky[2]};
 }
 

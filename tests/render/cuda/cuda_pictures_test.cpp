@@ -9,8 +9,8 @@
 
 #include "content/show/show_reader.h"
 #include "content/sky/sky_map.h"
+#include "kernels/launch/cuda.h"
 #include "kernels/launch/launch.h"
-#include "kernels/launch/launch_cuda.h"
 #include "render/frame/show_renderer.h"
 #include "render/output/stereo_layout.h"
 #include "tests/support/tiny_sky.h"

@@ -35,7 +35,7 @@ long unresolved_pixels(const EyeCamera& eye, int step_limit) {
   for (std::size_t i = 0; i < 3; ++i) {
     batch.out.sky[i] = channels.data() + (2 + i) * pixels;
   }
-  trace_pixels(Backend::cpu, batch);
+  launch(Backend::cpu, batch);
   const float* const estimates = batch.out.error_estimate;
   return std::count_if(estimates, estimates + pixels, [](float estimate) { return estimate < 0.0F; });
 }

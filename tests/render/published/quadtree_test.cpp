@@ -46,7 +46,7 @@ struct FullGrid {
     batch.settings = {1e-8, 100'000};
     batch.count = static_cast<int>(status.size());
     batch.status = status.data();
-    trace_rays(Backend::cpu, batch);
+    launch(Backend::cpu, batch);
   }
 
   static std::size_t index(int row, int column) {

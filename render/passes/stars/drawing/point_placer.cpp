@@ -20,10 +20,11 @@ PlacedPoints PointPlacer::place(const PlacedImages& images, const EyeCamera& eye
   std::copy(&eye.frame_from_view[0][0], &eye.frame_from_view[0][0] + 9, &batch.frame_from_view[0][0]);
   batch.images = images.images.data();
   batch.spiked = spiked_.data();
+  batch.count = images.count;
   for (const StarSheet& sheet : sheets) {
     batch.sheet = sheet;
     batch.points = points_.data() + static_cast<std::ptrdiff_t>(sheet.number) * images.count;
-    place_star_images(backend_, batch, images.count);
+    launch(backend_, batch);
   }
   std::int32_t spiked = 0;
   spiked_.read(&spiked, 1);

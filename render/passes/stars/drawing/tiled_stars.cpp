@@ -45,21 +45,21 @@ void TiledStars::place(double reach_px, bool spikes_alone, Placed& placed) const
   const auto count = static_cast<std::size_t>(tiles);
   reserve(backend_, count, "star tiles", placed.counts);
   reserve(backend_, count + 1, "star tiles", placed.first);
-  const StarTileBatch batch{points_.points,
-                            points_.count,
-                            spikes_alone ? threads_of_spikes : 1,
-                            spikes_alone,
-                            reach_px,
-                            projection_.width_px,
-                            projection_.height_px,
-                            wraps_around(projection_),
-                            columns(),
-                            tiles,
-                            placed.counts.data(),
-                            placed.first.data(),
-                            nullptr};
+  StarTileBatch batch{points_.points,
+                      points_.count,
+                      spikes_alone ? threads_of_spikes : 1,
+                      spikes_alone,
+                      reach_px,
+                      projection_.width_px,
+                      projection_.height_px,
+                      wraps_around(projection_),
+                      columns(),
+                      tiles,
+                      placed.counts.data(),
+                      placed.first.data(),
+                      nullptr};
   clear(backend_, placed.counts, count);
-  place_stars(backend_, batch, StarTileStep::count);
+  launch(backend_, batch);
   sum_counts(backend_, placed.counts.data(), tiles, placed.first.data());
   std::int32_t members = 0;
   copy_to_host(backend_, &members, placed.first.data() + tiles, 1);
@@ -69,11 +69,12 @@ void TiledStars::place(double reach_px, bool spikes_alone, Placed& placed) const
     return;
   }
   reserve(backend_, static_cast<std::size_t>(members), "star tiles", placed.numbers);
-  StarTileBatch listed = batch;
-  listed.members = placed.numbers.data();
+  batch.members = placed.numbers.data();
   clear(backend_, placed.counts, count);
-  place_stars(backend_, listed, StarTileStep::list);
-  place_stars(backend_, listed, StarTileStep::sort);
+  batch.step = StarTileStep::list;
+  launch(backend_, batch);
+  batch.step = StarTileStep::sort;
+  launch(backend_, batch);
 }
 
 void TiledStars::set_pattern(const DiffractionPattern& pattern) {
@@ -125,6 +126,7 @@ StarLightBatch TiledStars::batch_of(const Placed& placed) const {
     batch.cells[i] = sheets[i].cell;
   }
   batch.points = points_.points;
+  batch.point_count = points_.count;
   batch.first = placed.first.data();
   batch.members = placed.numbers.data();
   batch.tile_columns = columns();
@@ -153,7 +155,7 @@ void TiledStars::draw(int first_row, int row_count, float* rgba) const {
       batch.pattern = pattern_.data();
       batch.pattern_px = pattern_px_;
     }
-    draw_stars(backend_, batch, points_.count);
+    launch(backend_, batch);
   }
 }
 

@@ -82,8 +82,9 @@ CandidateRays::CandidateRays(const ImageSearch& search)
       exact_(setup_of<double>(search)) {}
 
 std::size_t CandidateRays::lanes(RayKind kind) {
-  const StarImageLanes lanes = star_image_lanes();
-  return static_cast<std::size_t>(kind == RayKind::quick ? lanes.in_float : lanes.in_double);
+  const InstructionSet set = active_instruction_set();
+  return static_cast<std::size_t>(kind == RayKind::quick ? cpu_kernel<StarImageBatch<float>>(set).lanes
+                                                         : cpu_kernel<StarImageBatch<double>>(set).lanes);
 }
 
 template <class S>
@@ -102,21 +103,21 @@ void CandidateRays::follow_in(const Setup<S>& setup, RayKind kind, std::span<Sta
   const auto channel = [&](std::size_t part) { return values[part].data(); };
   std::visit(
       [&](const auto& camera) {
-        find_star_images(StarImageBatch<S, std::decay_t<decltype(camera)>>{camera,
-                                                                           setup.chart,
-                                                                           {tolerance_of(kind), step_limit_, true},
-                                                                           static_cast<S>(last_miss(kind, pixel_)),
-                                                                           1,
-                                                                           static_cast<int>(candidates.size()),
-                                                                           {channel(0), channel(1), channel(2)},
-                                                                           channel(6),
-                                                                           channel(7),
-                                                                           {channel(3), channel(4), channel(5)},
-                                                                           channel(8),
-                                                                           channel(9),
-                                                                           channel(10),
-                                                                           channel(11),
-                                                                           channel(12)});
+        run_on_this_thread(StarImageBatch<S, std::decay_t<decltype(camera)>>{camera,
+                                                                             setup.chart,
+                                                                             {tolerance_of(kind), step_limit_, true},
+                                                                             static_cast<S>(last_miss(kind, pixel_)),
+                                                                             1,
+                                                                             static_cast<int>(candidates.size()),
+                                                                             {channel(0), channel(1), channel(2)},
+                                                                             channel(6),
+                                                                             channel(7),
+                                                                             {channel(3), channel(4), channel(5)},
+                                                                             channel(8),
+                                                                             channel(9),
+                                                                             channel(10),
+                                                                             channel(11),
+                                                                             channel(12)});
       },
       setup.camera);
   for (std::size_t i = 0; i < candidates.size(); ++i) {

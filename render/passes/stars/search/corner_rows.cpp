@@ -63,9 +63,9 @@ void CornerRows::trace(const std::vector<std::size_t>& asked) {
   batch.frequency_ratio = channel(6);
   batch.status = channel(7);
   if (eye_.omni) {
-    trace_rays({batch, eye_.omni->cameras->exact(eye_.omni->side)});
+    launch(OmniRayBatch{batch, eye_.omni->cameras->exact(eye_.omni->side)});
   } else {
-    trace_rays(Backend::cpu, batch);
+    launch(Backend::cpu, batch);
   }
   for (std::size_t i = 0; i < count; ++i) {
     corners_[asked[i]] = {{channel(3)[i], channel(4)[i], channel(5)[i]},

@@ -56,7 +56,7 @@ void FoldedSearch::search_some(const PatchPairBatch& pairs, std::span<const Fold
   PartList& whole = level_[0];
   whole.parts.count = 0;
   whole.reserve(pairs.count);
-  see_patches({pairs, asked_.data(), asked_.data() + count, whole.parts});
+  run_on_this_thread(SeePatchesBatch{pairs, asked_.data(), asked_.data() + count, whole.parts});
   whole.parts.count = pairs.count;
   regular_.parts.count = 0;
   folded_.parts.count = 0;
@@ -74,7 +74,7 @@ void FoldedSearch::halve(int depth) {
     for (PartList* list : {&to, &regular_, &folded_}) {
       list->reserve(2 * (last - first));
     }
-    halve_parts({from.parts, first, last, depth, &to.parts, &regular_.parts, &folded_.parts});
+    run_on_this_thread(HalvePartsBatch{from.parts, first, last, depth, &to.parts, &regular_.parts, &folded_.parts});
     if (to.parts.count > 0) {
       halve(depth + 1);
     }
@@ -89,7 +89,8 @@ void FoldedSearch::solve(PartList& leaves, bool folded, std::span<const FoldedPa
   const std::size_t each = count * (folded ? most_part_roots : 1);
   solved_.resize(4 * each);
   float* const solved = solved_.data();
-  solve_parts({leaves.parts, folded, solved, solved + each, solved + 2 * each, solved + 3 * each});
+  run_on_this_thread(
+      SolvePartsBatch{leaves.parts, folded, solved, solved + each, solved + 2 * each, solved + 3 * each});
   for (std::size_t i = 0; i < each; ++i) {
     if (solved[i] != 0.0F) {
       const auto pair =

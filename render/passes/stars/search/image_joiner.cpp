@@ -1,6 +1,7 @@
 #include "render/passes/stars/search/image_joiner.h"
 
 #include "kernels/launch/launch.h"
+#include "kernels/stars/search/star_twins.h"
 
 namespace ergodome {
 
@@ -23,7 +24,7 @@ PlacedImages ImageJoiner::join(const FoundInPlace& found, const std::vector<Seen
                       nullptr,
                       nullptr};
   clear(backend_, counts_, stars);
-  join_star_images(backend_, batch, StarTwinStep::count);
+  launch(backend_, batch);
   sum_counts(backend_, counts_.data(), stars_, first_.data());
   std::int32_t count = 0;
   copy_to_host(backend_, &count, first_.data() + stars_, 1);
@@ -37,8 +38,10 @@ PlacedImages ImageJoiner::join(const FoundInPlace& found, const std::vector<Seen
   batch.numbers = numbers_.data();
   batch.images = placed.images.data();
   clear(backend_, counts_, stars);
-  join_star_images(backend_, batch, StarTwinStep::number);
-  join_star_images(backend_, batch, StarTwinStep::take);
+  batch.step = StarTwinStep::number;
+  launch(backend_, batch);
+  batch.step = StarTwinStep::take;
+  launch(backend_, batch);
   return placed;
 }
 

@@ -109,34 +109,42 @@ bool PatchSearch::have_room(const Counts& counts) const {
   return std::equal(counts.begin(), counts.end(), rooms_.begin(), std::less_equal<>());
 }
 
+//! Runs a step on `count` patches, pairs or parts.
+void PatchSearch::run(PatchSearchBatch& batch, PatchSearchStep step, int count, int depth) const {
+  batch.step = step;
+  batch.count = count;
+  batch.depth = depth;
+  launch(backend_, batch);
+}
+
 //! Searches a slice of the pairs of folded patches. Only the GPU has the numbers of parts: reading
 //! them in each step takes longer than running threads without work.
-void PatchSearch::search_slice(const PatchSearchBatch& batch, int pairs) {
+void PatchSearch::search_slice(PatchSearchBatch batch, int pairs) {
   clear(backend_, counts_, 4, halved);
-  search_patches(backend_, batch, PatchSearchStep::see_folded, pairs);
+  run(batch, PatchSearchStep::see_folded, pairs);
   for (int depth = 0; depth < batch.deepest; ++depth) {
     const SharedParts& to = batch.halved[1 - depth % 2];
     clear(backend_, counts_, 1, static_cast<std::size_t>(halves - depth % 2));
-    search_patches(backend_, batch, PatchSearchStep::halve, to.room, depth);
+    run(batch, PatchSearchStep::halve, to.room, depth);
   }
   const auto lists = 2 * static_cast<std::size_t>(pairs);
   clear(backend_, told_counts_, lists);
-  search_patches(backend_, batch, PatchSearchStep::solve_plain, batch.plain_parts.room);
-  search_patches(backend_, batch, PatchSearchStep::solve_folded, batch.folded_parts.room);
+  run(batch, PatchSearchStep::solve_plain, batch.plain_parts.room);
+  run(batch, PatchSearchStep::solve_folded, batch.folded_parts.room);
   sum_counts(backend_, told_counts_.data(), 2 * pairs, told_first_.data());
   clear(backend_, told_counts_, lists);
-  search_patches(backend_, batch, PatchSearchStep::tell_plain, batch.plain_parts.room);
-  search_patches(backend_, batch, PatchSearchStep::tell_folded, batch.folded_parts.room);
-  search_patches(backend_, batch, PatchSearchStep::take_roots, pairs);
+  run(batch, PatchSearchStep::tell_plain, batch.plain_parts.room);
+  run(batch, PatchSearchStep::tell_folded, batch.folded_parts.room);
+  run(batch, PatchSearchStep::take_roots, pairs);
 }
 
 //! Returns the lengths of the lists. If one exceeds its capacity, the result is incomplete and the
 //! list must be enlarged.
 PatchSearch::Counts PatchSearch::search(PatchSearchBatch batch) {
   clear(backend_, counts_, list_count);
-  search_patches(backend_, batch, PatchSearchStep::find_pairs, batch.patch_threads * batch.sides * batch.patch_count);
-  search_patches(backend_, batch, PatchSearchStep::regular, rooms_[regular]);
-  search_patches(backend_, batch, PatchSearchStep::bent, rooms_[bent]);
+  run(batch, PatchSearchStep::find_pairs, batch.patch_threads * batch.sides * batch.patch_count);
+  run(batch, PatchSearchStep::regular, rooms_[regular]);
+  run(batch, PatchSearchStep::bent, rooms_[bent]);
   // Each pair of a folded patch starts as one part. Usually there are few pairs: the first slice is
   // searched before their number is known.
   const int slice = std::min({most_searched_together, rooms_[halved], rooms_[folded]});

@@ -99,7 +99,8 @@ class PatchSearch {
   void share(PatchSearchBatch& batch) const;
   [[nodiscard]] bool have_room(const Counts& counts) const;
   Counts search(PatchSearchBatch batch);
-  void search_slice(const PatchSearchBatch& batch, int pairs);
+  void run(PatchSearchBatch& batch, PatchSearchStep step, int count, int depth = 0) const;
+  void search_slice(PatchSearchBatch batch, int pairs);
 
   Backend backend_;
   PlacedArrays arrays_;

@@ -105,7 +105,8 @@ void RoughImageFinder::invert(const PairList& list, float farthest, int rounds) 
   const std::size_t count = list.pairs.size();
   roots_.resize(4 * count);
   float* const roots = roots_.data();
-  invert_patches({list.batch(), farthest, rounds, roots, roots + count, roots + 2 * count, roots + 3 * count});
+  run_on_this_thread(
+      PatchNewtonBatch{list.batch(), farthest, rounds, roots, roots + count, roots + 2 * count, roots + 3 * count});
 }
 
 bool RoughImageFinder::within(std::size_t pair) const {
@@ -125,7 +126,7 @@ void RoughImageFinder::finish_regular(std::vector<RoughImage>& found) {
 
 void RoughImageFinder::finish_bent(std::vector<RoughImage>& found) {
   sides_.resize(bent_.pairs.size());
-  find_patch_sides({bent_.batch(), sides_.data()});
+  run_on_this_thread(PatchSideBatch{bent_.batch(), sides_.data()});
   PairList held;
   for (std::size_t i = 0; i < bent_.pairs.size(); ++i) {
     if (sides_[i] != static_cast<float>(PatchSide::outside)) {

@@ -214,8 +214,8 @@ void StarPatches::add_patch(const Wanted& wanted, const StarPatch& patch, int de
     own.sky = in_frame(patch.sky, own.frame);
     own.halvings = search_halvings + (deepest_patch - depth) / 2;
     PatchMeasures measures;
-    measure_patch({&own.sky, chart_, own.gamma_turns, own.s, own.width_turns, own.height, wanted.light.energy(),
-                   wanted.light.observer(), &measures});
+    run_on_this_thread(PatchMeasureBatch{&own.sky, chart_, own.gamma_turns, own.s, own.width_turns, own.height,
+                                         wanted.light.energy(), wanted.light.observer(), &measures});
     const Stretching stretching = stretching_of(measures, own);
     own.shape = stretching.folded ? PatchShape::folded : measures.regular ? PatchShape::regular : PatchShape::bent;
     own.error = stretching.folded ? static_cast<float>(exactness_.fold_error) : 0.0F;

@@ -58,7 +58,7 @@ class PatchPairs : public testing::Test {
 
   [[nodiscard]] std::vector<float> sides() const {
     std::vector<float> sides(u_.size());
-    find_patch_sides({pairs(), sides.data()});
+    run_on_this_thread(PatchSideBatch{pairs(), sides.data()});
     return sides;
   }
 
@@ -105,7 +105,7 @@ TEST_F(PatchPairs, NewtonFindsThePlaceOfEachStar) {
   const std::size_t count = u_.size();
   std::vector<float> roots(4 * count);
   float* const to = roots.data();
-  invert_patches({pairs(), 1e6F, 16, to, to + count, to + 2 * count, to + 3 * count});
+  run_on_this_thread(PatchNewtonBatch{pairs(), 1e6F, 16, to, to + count, to + 2 * count, to + 3 * count});
   for (std::size_t i = 0; i < count; ++i) {
     EXPECT_EQ(roots[i], 1.0F);
     EXPECT_NEAR(roots[count + i], u_[i], 1e-4);

@@ -67,7 +67,7 @@ Comparison compare(const Place& first, const Place& second) {
     rays.sky[k] = exact[k].data();
   }
   rays.status = status.data();
-  trace_rays(Backend::cpu, rays);
+  launch(Backend::cpu, rays);
   const StationBlend blend(Backend::cpu, station_at(first), station_at(second), {middle.r, middle.theta});
   batch.lens = blend.view();
   batch.aberration = aberration_to_rain(spin, middle.r, middle.theta, motion_at(middle), {});
@@ -75,7 +75,7 @@ Comparison compare(const Place& first, const Place& second) {
     rays.sky[k] = blended[k].data();
   }
   rays.status = blended_status.data();
-  look_up_rays(Backend::cpu, batch);
+  launch(Backend::cpu, batch);
   Comparison result;
   for (std::size_t i = 0; i < status.size(); ++i) {
     if (status[i] != 0.0) {

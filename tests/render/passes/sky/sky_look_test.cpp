@@ -50,20 +50,11 @@ class Looks {
     if (settings.filter == SkyFilter::polygon) {
       settings.polygons->filter(lens, count, rgba_.data());
     }
-    shade_pixels(Backend::cpu, {lens,
-                                sky,
-                                ViewMode::sky,
-                                settings.filter,
-                                settings.shift,
-                                false,
-                                settings.colours,
-                                {},
-                                0,
-                                1.0F,
-                                0.0F,
-                                1.0F,
-                                rgba_.data(),
-                                count});
+    ProjectionOf<float> row{};
+    row.width_px = count;
+    row.height_px = 1;
+    launch(Backend::cpu, ShadeBatch{lens, sky, ViewMode::sky, settings.filter, settings.shift, false, settings.colours,
+                                    row, 0, 1.0F, 0.0F, 1.0F, rgba_.data(), count});
     return rgba_;
   }
 

@@ -39,21 +39,21 @@ class EdgeImages {
   //! Returns how many images are found within a few rounds in a chart.
   std::size_t found_in(const StarChartOf<double>& chart) {
     constexpr int rounds = 8;
-    find_star_images({camera_,
-                      chart,
-                      {1e-11, 400, true},
-                      1e-10,
-                      rounds,
-                      static_cast<int>(count),
-                      {star_[0].data(), star_[1].data(), star_[2].data()},
-                      edge_distance_.data(),
-                      radius_.data(),
-                      {direction_[0].data(), direction_[1].data(), direction_[2].data()},
-                      solid_angle_.data(),
-                      stretch_.data(),
-                      frequency_ratio_.data(),
-                      miss_.data(),
-                      change_.data()});
+    run_on_this_thread(StarImageBatch<double>{camera_,
+                                              chart,
+                                              {1e-11, 400, true},
+                                              1e-10,
+                                              rounds,
+                                              static_cast<int>(count),
+                                              {star_[0].data(), star_[1].data(), star_[2].data()},
+                                              edge_distance_.data(),
+                                              radius_.data(),
+                                              {direction_[0].data(), direction_[1].data(), direction_[2].data()},
+                                              solid_angle_.data(),
+                                              stretch_.data(),
+                                              frequency_ratio_.data(),
+                                              miss_.data(),
+                                              change_.data()});
     std::size_t found = 0;
     for (std::size_t i = 0; i < count; ++i) {
       const Vector3<double> off = Vector3<double>{direction_[0][i], direction_[1][i], direction_[2][i]} - there_[i];

@@ -65,7 +65,7 @@ TEST(DeviceLight, IsTonedAsTheProcessorTonesIt) {
       ToneBatch batch = {master.rgba.data(), by_texels.view, {curve, 1.5F, 3.0F, 2.2F}, heat_map, tiles.data(), 4};
       run_all(ToneTexels{batch}, 4 * light_tile_texels);
       batch.to = by_tiles.view;
-      tone_tiles(Backend::cpu, batch);
+      launch(Backend::cpu, batch);
       expect_alike(by_texels, by_tiles);
       EXPECT_EQ(by_texels.rgba[4 * 70], -1.0F);
       EXPECT_GT(by_texels.rgba[4 * 149], 0.0F);
@@ -81,7 +81,7 @@ TEST(DeviceLight, IsAveragedAsTheProcessorAveragesIt) {
   Level by_tiles(150, 150);
   const std::vector<std::int32_t> tiles = tiles_of({0, 4, 5, 8});
   run_all(AverageTexels{{finer.view, by_texels.view, tiles.data(), 4}}, 4 * light_tile_texels);
-  average_tiles(Backend::cpu, {finer.view, by_tiles.view, tiles.data(), 4});
+  launch(Backend::cpu, AverageBatch{finer.view, by_tiles.view, tiles.data(), 4});
   expect_alike(by_texels, by_tiles);
   EXPECT_GT(by_texels.rgba[4 * (150 * 149 + 149)], 0.0F);
 }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "kernels/launch/kernel_table.h"
+#include "kernels/launch/launch.h"
 #include "tests/support/patch_maps.h"
 
 namespace ergodome {
@@ -170,11 +170,11 @@ std::vector<std::array<float, 4>> halves_by(InstructionSet set) {
   for (int i = 0; i < 4; ++i) {
     lists[i] = {memory.data() + i * part_channels * room, room, 0};
   }
-  const KernelTable& kernels = kernel_table(set);
-  kernels.see_patches({{count, patches.data(), a.data(), b.data()}, error.data(), halvings.data(), lists[0]}, 0,
-                      (count - 1) / kernels.lanes_float + 1);
+  const auto see = cpu_kernel<SeePatchesBatch>(set);
+  const SeePatchesBatch seen{{count, patches.data(), a.data(), b.data()}, error.data(), halvings.data(), lists[0]};
+  see.run(seen, 0, see.calls(seen));
   lists[0].count = count;
-  kernels.halve_parts({lists[0], 0, count, 0, &lists[1], &lists[2], &lists[3]}, 0, 1);
+  cpu_kernel<HalvePartsBatch>(set).run({lists[0], 0, count, 0, &lists[1], &lists[2], &lists[3]}, 0, 1);
   std::vector<std::array<float, 4>> told;
   for (int list = 1; list < 4; ++list) {
     const SeenParts& parts = lists[list];

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "kernels/core/error.h"
+#include "kernels/launch/kernel.h"
+
+// What the rest of the program may ask of a GPU. Without a CUDA toolkit, without_cuda.cpp refuses.
+namespace ergodome {
+
+//! Returns why CUDA cannot be used here, or nullptr if it can. Determined once; any driver error
+//! counts as no GPU.
+const char* cuda_unavailable_reason();
+
+//! Runs the kernel of a batch on the GPU. Defined where kernels are registered
+//! (kernels/launch/register.h).
+template <class Batch>
+void launch_on_cuda(const Batch& batch);
+
+//! Waits for everything that the calling thread has launched. Throws Error if a launch failed.
+void wait_for_device(Backend backend);
+
+//! Computes the prefix sums of counts, and their total at the end: `count` + 1 values. Both arrays
+//! are in the GPU's memory.
+void sum_counts_cuda(const std::int32_t* counts, int count, std::int32_t* sums);
+
+//! Returns how many of the values, which are in the GPU's memory, are below 0.
+long count_negative_cuda(const float* values, long count);
+
+//! Begin and end of DeviceWorkInOrder and UrgentDeviceWork (render/backend/buffer.h).
+bool begin_in_order_cuda();
+void end_in_order_cuda(bool before, bool may_throw);
+void* begin_urgent_cuda();
+void end_urgent_cuda(void* before);
+
+//! GPU memory, and copies between it and the host's.
+void* allocate_cuda(std::size_t bytes);
+void release_cuda(void* memory) noexcept;
+void clear_cuda(void* memory, std::size_t bytes);
+void copy_to_cuda(void* to, const void* from, std::size_t bytes);
+void copy_from_cuda(void* to, const void* from, std::size_t bytes);
+
+#if !defined(ERGODOME_HAVE_CUDA) && !defined(__CUDACC__)
+//! Throws the Error of a program without CUDA.
+[[noreturn]] void refuse_cuda();
+
+template <class Batch>
+void launch_on_cuda(const Batch& /*batch*/) {
+  refuse_cuda();
+}
+#endif
+
+}  // namespace ergodome

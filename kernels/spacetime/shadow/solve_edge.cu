@@ -1,0 +1,8 @@
+#include "kernels/launch/register.h"
+#include "kernels/spacetime/shadow/edge_kernel.h"
+
+namespace ergodome {
+
+ERGO_KERNEL(EdgeBatch);
+
+}  // namespace ergodome

@@ -1,0 +1,8 @@
+#include "kernels/launch/register.h"
+#include "kernels/spacetime/trace/follow_rays_kernel.h"
+
+namespace ergodome {
+
+ERGO_CPU_KERNEL(FollowBatch);
+
+}  // namespace ergodome

@@ -1,0 +1,23 @@
+#include "kernels/launch/register.h"
+#include "kernels/stars/observed_places_kernel.h"
+#include "kernels/stars/search/part_halving_kernel.h"
+#include "kernels/stars/search/part_solving_kernel.h"
+#include "kernels/stars/search/patch_measure_kernel.h"
+#include "kernels/stars/search/patch_pairs_kernel.h"
+#include "kernels/stars/star_bands_kernel.h"
+#include "kernels/stars/star_images_kernel.h"
+
+namespace ergodome {
+
+ERGO_CPU_KERNEL(StarImageBatch<float>);
+ERGO_CPU_KERNEL(StarImageBatch<double>);
+ERGO_CPU_KERNEL(ObservedPlaceBatch);
+ERGO_CPU_KERNEL(StarSearchBatch);
+ERGO_CPU_KERNEL(PatchMeasureBatch);
+ERGO_CPU_KERNEL(PatchSideBatch);
+ERGO_CPU_KERNEL(PatchNewtonBatch);
+ERGO_CPU_KERNEL(SeePatchesBatch);
+ERGO_CPU_KERNEL(HalvePartsBatch);
+ERGO_CPU_KERNEL(SolvePartsBatch);
+
+}  // namespace ergodome
