@@ -172,12 +172,12 @@ std::string TomlTable::lines(std::string_view key, const std::string& otherwise)
   return *value;
 }
 
-int TomlTable::choice(std::string_view key, int otherwise, std::initializer_list<std::string_view> words) {
+int TomlTable::choice(std::string_view key, int otherwise, std::span<const char* const> words) {
   if (node(key) == nullptr) {
     return otherwise;
   }
   const std::string word = text(key, "");
-  const auto* const found = std::find(words.begin(), words.end(), word);
+  const auto found = std::ranges::find(words, word);
   if (found != words.end()) {
     return static_cast<int>(found - words.begin());
   }

@@ -4,6 +4,7 @@
 
 #include <initializer_list>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -33,7 +34,10 @@ class TomlTable {
   std::string lines(std::string_view key, const std::string& otherwise);
 
   //! Reads one of the given words; returns its index.
-  int choice(std::string_view key, int otherwise, std::initializer_list<std::string_view> words);
+  int choice(std::string_view key, int otherwise, std::span<const char* const> words);
+  int choice(std::string_view key, int otherwise, std::initializer_list<const char*> words) {
+    return choice(key, otherwise, std::span(words.begin(), words.size()));
+  }
 
   //! Returns a table below this one, or nullptr.
   const toml::table* table(std::string_view key);
@@ -44,6 +48,10 @@ class TomlTable {
 
   [[nodiscard]] bool has(std::string_view key) const { return table_.contains(key); }
   [[nodiscard]] std::string path_of(std::string_view key) const;
+  //! Returns a reader of a table below this one, whose messages call it `key`.
+  [[nodiscard]] TomlTable below(const toml::table& table, std::string_view key) const {
+    return {table, file_, path_of(key)};
+  }
 
   //! Returns an error about a key: "FILE:LINE: KEY PROBLEM; REMEDY". If the key was set on the
   //! command line, the option and the key replace file and line.

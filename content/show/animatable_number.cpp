@@ -1,11 +1,14 @@
 #include "content/show/animatable_number.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <vector>
 
 #include "content/show/shell_numbers.h"
+#include "content/show/show_schema.h"
 #include "kernels/core/angles.h"
 
 namespace ergodome {
@@ -15,14 +18,12 @@ namespace {
 constexpr NumberChange picture{};
 constexpr NumberChange stars{true, false, false};
 constexpr NumberChange sky{true, true, false};
-constexpr NumberChange exposure{false, false, true};
 
 //! Returns an entry of the list. `place(show)` returns a pointer to the number in a const or
 //! mutable show, or nullptr.
 template <class Place>
-constexpr AnimatableNumber number(std::string_view path, double least, double greatest, const NumberChange& change,
-                                  Place) {
-  return {path,
+AnimatableNumber number(std::string_view path, double least, double greatest, const NumberChange& change, Place) {
+  return {std::string(path),
           {least, greatest},
           change,
           [](const Show& show) {
@@ -41,7 +42,7 @@ constexpr auto part_of(auto& part, auto member) -> decltype(&((*part).*member)) 
   return part ? &((*part).*member) : nullptr;
 }
 
-constexpr std::array numbers = {
+const std::array numbers = {
     number("camera.fall.clock", 0.0, 1e9, picture,
            [](auto& show) { return part_of(show.camera.fall, &FallSettings::clock); }),
     number("hole.spin", -1.0, 1.0, picture, [](auto& show) { return &show.spin; }),
@@ -55,22 +56,6 @@ constexpr std::array numbers = {
     number("disk.opacity", 0.0, 1.0, picture, [](auto& show) { return part_of(show.disk, &DiskSettings::opacity); }),
     number("disk.exposure", 0.0, 1e12, picture, [](auto& show) { return part_of(show.disk, &DiskSettings::exposure); }),
     number("disk.contrast", 0.0, 4.0, picture, [](auto& show) { return part_of(show.disk, &DiskSettings::contrast); }),
-    number("effects.psf.sigma_px", 0.0, 100.0, stars, [](auto& show) { return &show.effects.psf.sigma_px; }),
-    number("effects.psf.cutoff_px", 0.0, 100.0, stars, [](auto& show) { return &show.effects.psf.cutoff_px; }),
-    number("effects.trails.shutter_s", 0.0, 1e6, picture,
-           [](auto& show) { return part_of(show.effects.trails, &TrailSettings::shutter_s); }),
-    number("effects.diffraction.brighter_than_mag", -40.0, 40.0, stars,
-           [](auto& show) { return part_of(show.effects.diffraction, &DiffractionSettings::brighter_than_mag); }),
-    number("effects.diffraction.strength", 0.0, 1.0, stars,
-           [](auto& show) { return part_of(show.effects.diffraction, &DiffractionSettings::strength); }),
-    number("effects.diffraction.obstruction", 0.0, 0.9, stars,
-           [](auto& show) { return part_of(show.effects.diffraction, &DiffractionSettings::obstruction); }),
-    number("effects.diffraction.scale", 0.25, 8.0, stars,
-           [](auto& show) { return part_of(show.effects.diffraction, &DiffractionSettings::scale); }),
-    number("effects.bloom.strength", 0.0, 1.0, picture,
-           [](auto& show) { return part_of(show.effects.bloom, &BloomSettings::strength); }),
-    number("effects.bloom.radius_px", 0.0, 4096.0, picture,
-           [](auto& show) { return part_of(show.effects.bloom, &BloomSettings::radius_px); }),
     number("view.fov_deg", 1e-6, 360.0, picture, [](auto& show) { return &show.view.field_of_view_deg; }),
     number("view.vignette", 0.0, 1.0, picture, [](auto& show) { return &show.view.vignette; }),
     number("view.tilt_deg", -180.0, 180.0, picture, [](auto& show) { return &show.view.tilt_deg; }),
@@ -78,17 +63,6 @@ constexpr std::array numbers = {
     number("stereo.convergence", 1e-6, 1e9, picture, [](auto& show) { return &show.stereo.convergence; }),
     number("stereo.fade.from_deg", 0.0, 90.0, picture, [](auto& show) { return &show.stereo.fade_from_deg; }),
     number("stereo.fade.to_deg", 0.0, 90.0, picture, [](auto& show) { return &show.stereo.fade_to_deg; }),
-    number("tone.exposure_stops", -40.0, 40.0, picture, [](auto& show) { return &show.tone.exposure_stops; }),
-    number("tone.white", 1e-3, 1e6, picture, [](auto& show) { return &show.tone.white; }),
-    number("tone.gamma", 0.1, 10.0, picture, [](auto& show) { return &show.tone.gamma; }),
-    number("tone.auto.target", 1e-4, 1.0, exposure,
-           [](auto& show) { return part_of(show.tone.automatic, &AutoExposureSettings::target); }),
-    number("tone.auto.least_stops", -40.0, 40.0, exposure,
-           [](auto& show) { return part_of(show.tone.automatic, &AutoExposureSettings::least_stops); }),
-    number("tone.auto.most_stops", -40.0, 40.0, exposure,
-           [](auto& show) { return part_of(show.tone.automatic, &AutoExposureSettings::most_stops); }),
-    number("tone.auto.adapt_s", 0.0, 1e3, exposure,
-           [](auto& show) { return part_of(show.tone.automatic, &AutoExposureSettings::adapt_s); }),
 };
 
 struct Reason {
@@ -98,7 +72,6 @@ struct Reason {
 
 constexpr const char* of_the_picture = "all frames of a show have the same size";
 constexpr const char* of_the_screen = "it describes the screen, which does not change during a show";
-constexpr const char* of_the_spikes = "a whole number cannot change gradually";
 constexpr std::array fixed_numbers = {
     Reason{"duration_s", "a show has only one duration"},
     Reason{"frame_rate_hz", "a show has only one frame rate"},
@@ -111,14 +84,63 @@ constexpr std::array fixed_numbers = {
     Reason{"view.truncate", of_the_screen},
     Reason{"view.viewer", of_the_screen},
     Reason{"view.polynomial", of_the_screen},
-    Reason{"effects.diffraction.blades", of_the_spikes},
-    Reason{"effects.diffraction.vanes", of_the_spikes},
-    Reason{"effects.diffraction.size_px", of_the_spikes},
     Reason{"stereo.comfort_deg", "it describes the viewers, not the show"},
     Reason{"camera.observer", "the kind of observer is the same for the whole show"},
     Reason{"camera", "to move the camera, write [[camera.key]]"},
     Reason{"quality.budget_px", "a show is baked for a single budget"},
 };
+
+//! A key on the way from a show to a number; of a list, its entry.
+struct Step {
+  const ShowKey* key;
+  std::size_t entry;
+};
+using Steps = std::vector<Step>;
+
+//! Returns a pointer to a number, or nullptr if the show lacks a part on the way to it.
+double* number_at(const Show& show, const Steps& steps) {
+  void* at = const_cast<Show*>(&show);
+  for (const Step& step : steps) {
+    at = at != nullptr ? step.key->at(at, step.entry) : nullptr;
+  }
+  return static_cast<double*>(at);
+}
+
+//! Adds the numbers among these keys and those in the tables below them.
+void add_numbers(std::span<const ShowKey> keys, const std::string& path, const Steps& steps,
+                 std::vector<AnimatableNumber>& numbers) {
+  for (const ShowKey& key : keys) {
+    for (std::size_t i = 0; i < std::max<std::size_t>(key.most, 1); ++i) {
+      Steps way = steps;
+      way.push_back({&key, i});
+      const std::string own =
+          path + std::string(key.name) + (key.kind == KeyKind::tables ? fmt::format("[{}]", i) : "");
+      add_numbers(key.keys, own + ".", way, numbers);
+      if (key.changes) {
+        numbers.push_back({own, key.limits, *key.changes,
+                           [way](const Show& show) {
+                             const double* const at = number_at(show, way);
+                             return at != nullptr ? std::optional(*at) : std::nullopt;
+                           },
+                           [way](Show& show, double value) {
+                             if (double* const at = number_at(show, way)) {
+                               *at = value;
+                             }
+                           }});
+      }
+    }
+  }
+}
+
+//! Returns why the key at a path below these keys cannot be animated, or nullptr.
+const char* why_fixed(std::span<const ShowKey> keys, std::string_view path) {
+  const std::string_view name = path.substr(0, path.find('.'));
+  const auto key = std::ranges::find(keys, name, &ShowKey::name);
+  if (key == keys.end() || key->fixed != nullptr) {
+    return key == keys.end() ? nullptr : key->fixed;
+  }
+  return name.size() < path.size() ? why_fixed(key->keys, path.substr(name.size() + 1)) : nullptr;
+}
 
 }  // namespace
 
@@ -132,6 +154,7 @@ NumberChange& NumberChange::operator|=(const NumberChange& other) {
 std::span<const AnimatableNumber> animatable_numbers() {
   static const std::vector<AnimatableNumber> all = [] {
     std::vector<AnimatableNumber> list(numbers.begin(), numbers.end());
+    add_numbers(show_keys(), "", {}, list);
     list.insert(list.end(), shell_numbers().begin(), shell_numbers().end());
     return list;
   }();
@@ -168,6 +191,9 @@ NumberLimits limits_in(const Show& show, const AnimatableNumber& number) {
 }
 
 std::optional<std::string> why_not_animatable(std::string_view path) {
+  if (const char* const reason = why_fixed(show_keys(), path)) {
+    return reason;
+  }
   for (const Reason& each : fixed_numbers) {
     if (path.starts_with(each.path) && (path.size() == each.path.size() || path[each.path.size()] == '.')) {
       return each.reason;

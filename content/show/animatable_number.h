@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -30,11 +31,11 @@ inline constexpr double widest_pinhole_deg = 179.0;
 //! A number of a show that can be animated. Integers, and numbers that belong to the screen or to
 //! the size of the image, cannot.
 struct AnimatableNumber {
-  std::string_view path;  //!< its path in the file: "hole.spin"
-  NumberLimits limits;    //!< of its own key, in any show
+  std::string path;     //!< its path in the file: "hole.spin"
+  NumberLimits limits;  //!< of its own key, in any show
   NumberChange change;
-  std::optional<double> (*get)(const Show&);  //!< returns nothing if the show lacks the part
-  void (*put)(Show&, double);                 //!< requires that the show has the part
+  std::function<std::optional<double>(const Show&)> get;  //!< returns nothing if the show lacks the part
+  std::function<void(Show&, double)> put;                 //!< requires that the show has the part
 };
 
 //! Returns all animatable numbers.

@@ -83,7 +83,7 @@ Animation read_animation(TomlTable& table, const std::string& file, const Show& 
                          "put all its keys into one [[animate]]");
   }
   if (!number.get(show)) {
-    const std::string_view part = number.path.substr(0, number.path.rfind('.'));
+    const std::string_view part = std::string_view(number.path).substr(0, number.path.rfind('.'));
     throw table.error_at("number", fmt::format("is \"{}\", but the show has no {}", number.path, part),
                          part.find('[') == std::string_view::npos
                              ? fmt::format("add [{}] to the show", part)

@@ -7,6 +7,7 @@
 
 #include "content/fall/free_fall.h"
 #include "content/show/animated_show.h"
+#include "content/show/show_schema.h"
 
 namespace ergodome {
 
@@ -49,6 +50,24 @@ class Idle {
   std::vector<IdleLine> lines_;
 };
 
+//! Adds the unused keys of a table and of the tables below it.
+void add_keys(std::span<const ShowKey> keys, const std::string& path, const Show& show, const void* settings,
+              Idle& idle) {
+  for (const ShowKey& key : keys) {
+    const bool list = key.kind == KeyKind::tables;
+    const char* const why = key.unused != nullptr ? key.unused(show, settings) : nullptr;
+    if (why != nullptr) {
+      idle.add({path + std::string(key.name)}, why);
+    }
+    for (std::size_t i = 0; !key.keys.empty() && i < std::max<std::size_t>(key.most, 1); ++i) {
+      if (const void* const below = key.at(const_cast<void*>(settings), i)) {
+        const std::string own = path + std::string(key.name) + (list ? "[" + std::to_string(i) + "]" : "");
+        add_keys(key.keys, own + ".", show, below, idle);
+      }
+    }
+  }
+}
+
 void add_sky(const Show& show, Idle& idle) {
   if (show.sky.map == "black") {
     idle.add({"sky.filter", "sky.shift", "sky.brightening"}, "has no effect on map = \"black\"");
@@ -62,13 +81,7 @@ void add_sky(const Show& show, Idle& idle) {
     idle.add({"sky.spin_axis"}, "has no effect on map = \"grid\", which uses the hole's own axes");
   }
   if (show.sky.stars.empty()) {
-    idle.add({"stars.method", "sky.faintest_mag", "effects.magnification", "effects.psf", "effects.trails",
-              "effects.diffraction"},
-             "has no effect without sky.stars");
-  } else if (show.effects.diffraction && !show.effects.diffraction->pattern.empty()) {
-    idle.add({"effects.diffraction.blades", "effects.diffraction.vanes", "effects.diffraction.obstruction",
-              "effects.diffraction.size_px", "effects.diffraction.scale"},
-             "is replaced by effects.diffraction.pattern");
+    idle.add({"stars.method", "sky.faintest_mag"}, "has no effect without sky.stars");
   }
 }
 
@@ -148,12 +161,7 @@ void add_stereo(const Show& show, Idle& idle) {
 
 std::vector<IdleLine> idle_lines(const Show& show) {
   Idle idle(show);
-  if (show.tone.curve != ToneCurve::reinhard) {
-    idle.add({"tone.white"}, "is used only with curve = \"reinhard\"");
-  }
-  if (show.tone.curve != ToneCurve::gamma) {
-    idle.add({"tone.gamma"}, "is used only with curve = \"gamma\"");
-  }
+  add_keys(show_keys(), "", show, &show, idle);
   if (show.disk && show.disk->pattern == DiskPattern::none) {
     idle.add({"disk.contrast", "disk.speed"}, "is used only with pattern = \"procedural\"");
   }

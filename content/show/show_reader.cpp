@@ -8,10 +8,11 @@
 #include "content/files/whole_file.h"
 #include "content/objects/object_reader.h"
 #include "content/show/disk_reader.h"
-#include "content/show/effects_reader.h"
 #include "content/show/flight_reader.h"
+#include "content/show/key_table.h"
 #include "content/show/own_number.h"
 #include "content/show/shell_reader.h"
+#include "content/show/show_schema.h"
 #include "content/show/show_settings.h"
 #include "content/show/view_reader.h"
 #include "content/sky/map_layout_reader.h"
@@ -97,10 +98,9 @@ void read_parts(TomlTable& root, const std::string& file, Show& show) {
   });
   part("disk", [&](const toml::table& table) { show.disk = read_disk(table, file); });
   show.shells = read_shells(root, file);
-  part("effects", [&](const toml::table& table) { read_effects(table, file, show.effects); });
+  read_some_keys(show_keys(), root, &show);
   part("view", [&](const toml::table& table) { read_view(table, file, show.view); });
   part("stereo", [&](const toml::table& table) { read_stereo(table, file, show.stereo); });
-  part("tone", [&](const toml::table& table) { read_tone(table, file, show.tone); });
   part("flight", [&](const toml::table& table) { read_flight(table, file, show.flight); });
   part("grid", [&](const toml::table& table) {
     TomlTable grid(table, file, "grid");

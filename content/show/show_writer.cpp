@@ -8,8 +8,10 @@
 #include "content/objects/object_reader.h"
 #include "content/show/disk_reader.h"
 #include "content/show/flight_reader.h"
+#include "content/show/key_table.h"
 #include "content/show/shell_reader.h"
 #include "content/show/show_reader.h"
+#include "content/show/show_schema.h"
 #include "content/sky/map_layout_reader.h"
 #include "content/timeline/timeline_writer.h"
 #include "kernels/core/angles.h"
@@ -86,30 +88,6 @@ toml::table camera_of(const CameraSettings& camera) {
   return table;
 }
 
-toml::table effects_of(const EffectSettings& effects) {
-  toml::table table{{"redshift", effects.redshift},
-                    {"magnification", effects.magnification},
-                    {"psf", toml::table{{"sigma_px", effects.psf.sigma_px}, {"cutoff_px", effects.psf.cutoff_px}}}};
-  if (effects.trails) {
-    table.insert("trails", toml::table{{"shutter_s", effects.trails->shutter_s}});
-  }
-  if (effects.diffraction) {
-    const DiffractionSettings& spikes = *effects.diffraction;
-    table.insert("diffraction", toml::table{{"brighter_than_mag", spikes.brighter_than_mag},
-                                            {"strength", spikes.strength},
-                                            {"pattern", spikes.pattern},
-                                            {"blades", spikes.blades},
-                                            {"vanes", spikes.vanes},
-                                            {"obstruction", spikes.obstruction},
-                                            {"size_px", spikes.size_px},
-                                            {"scale", spikes.scale}});
-  }
-  if (effects.bloom) {
-    table.insert("bloom", toml::table{{"strength", effects.bloom->strength}, {"radius_px", effects.bloom->radius_px}});
-  }
-  return table;
-}
-
 toml::table view_of(const ViewSettings& view) {
   constexpr const char* projections[] = {"dome", "equirect", "cube", "cylinder", "pinhole"};
   constexpr const char* lenses[] = {"equidistant", "equisolid", "stereographic", "orthographic", "polynomial"};
@@ -141,20 +119,6 @@ toml::table view_of(const ViewSettings& view) {
                                         {"right_deg", view.frustum->right_deg},
                                         {"up_deg", view.frustum->up_deg},
                                         {"down_deg", view.frustum->down_deg}});
-  }
-  return table;
-}
-
-toml::table tone_of(const ToneSettings& tone) {
-  toml::table table{{"curve", tone_curve_names[static_cast<std::size_t>(tone.curve)]},
-                    {"exposure_stops", tone.exposure_stops},
-                    {"white", tone.white},
-                    {"gamma", tone.gamma}};
-  if (tone.automatic) {
-    table.insert("auto", toml::table{{"target", tone.automatic->target},
-                                     {"least_stops", tone.automatic->least_stops},
-                                     {"most_stops", tone.automatic->most_stops},
-                                     {"adapt_s", tone.automatic->adapt_s}});
   }
   return table;
 }
@@ -194,13 +158,14 @@ std::string to_toml(const Show& show) {
                                        {"spin_axis", toml::table{{"ra_deg", show.sky.spin_axis_ra_deg},
                                                                  {"dec_deg", show.sky.spin_axis_dec_deg}}}}},
                    {"stars", toml::table{{"method", methods[static_cast<int>(show.sky.star_method)]}}},
-                   {"effects", effects_of(show.effects)},
                    {"view", view_of(show.view)},
                    {"stereo", stereo_of(show.stereo)},
-                   {"tone", tone_of(show.tone)},
                    {"flight", flight_table(show.flight)},
                    {"grid", toml::table{{"scheme", schemes[static_cast<int>(show.grid_scheme)]}}},
                    {"quality", toml::table{{"budget_px", show.quality.budget_px}}}};
+  for (auto& [name, part] : written_keys(show_keys(), &show)) {
+    root.insert(name, std::move(part));
+  }
   if (show.readout) {
     root.insert("readout", toml::table{{"azimuth_deg", show.readout->place.azimuth_deg},
                                        {"elevation_deg", show.readout->place.elevation_deg},

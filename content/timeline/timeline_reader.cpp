@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "content/camera/camera_path.h"
+#include "content/files/printable.h"
 #include "content/show/animated_show.h"
 #include "content/show/animation_reader.h"
 

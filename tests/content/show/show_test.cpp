@@ -147,6 +147,36 @@ TEST(Show, EveryBuiltInShowReadsAndCanBeDrawn) {
   EXPECT_GE(shows, 4);
 }
 
+//! Returns the paths of all shows that are built in or seeds of the fuzzers.
+std::vector<std::filesystem::path> all_show_files() {
+  std::vector<std::filesystem::path> files;
+  for (const char* const folder : {"/content/shows", "/tests/fuzz/corpus/show", "/tests/fuzz/corpus/show_reload"}) {
+    for (const auto& entry : std::filesystem::directory_iterator(ERGODOME_SOURCE_DIR + std::string(folder))) {
+      files.push_back(entry.path());
+    }
+  }
+  return files;
+}
+
+//! Returns a written show without its camera: velocities and angles are rounded when they are read.
+std::string without_camera(std::string text) {
+  const std::size_t begin = text.find("\n[camera]\n");
+  return text.erase(begin, text.find("\n[", begin + 1) - begin);
+}
+
+TEST(Show, IsWrittenTheSameAfterReadingWhatWasWritten) {
+  int shows = 0;
+  for (const std::filesystem::path& path : all_show_files()) {
+    std::string text;
+    if (error_of([&] { text = to_toml(read_show(path)); }).empty()) {
+      const std::string again = to_toml(parse_show(text, path.string()));
+      EXPECT_EQ(without_camera(again), without_camera(text)) << path;
+      ++shows;
+    }
+  }
+  EXPECT_GE(shows, 30);
+}
+
 TEST(Show, CountsTelevisionsFramesByTheirExactRate) {
   const Show show = parse_show("duration_s = 4000\nframe_rate_hz = 29.97\n[[camera.key]]\nr = 8\n", "a.toml");
   EXPECT_NEAR(frame_time_s(show, 30'000 * 3), 1001.0 * 3, 1e-9);

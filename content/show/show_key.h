@@ -1,0 +1,326 @@
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "content/files/toml_table.h"
+#include "content/show/animatable_number.h"
+#include "content/show/show.h"
+
+// The schema of the show file. A key is declared once, in the table of its struct:
+//
+//   constexpr auto bloom_keys = keys_of<BloomSettings>(
+//       key<&BloomSettings::strength>("strength").range(0.0, 1.0).animated().means("Part of ..."),
+//       key<&BloomSettings::radius_px>("radius_px").range(0.0, 4096.0).unit("px").means("Width."));
+//
+// The type follows from the member, the default from the member's initial value. Reader, writer,
+// animatable numbers, unused keys and the tables of the reference pages follow from it.
+namespace ergodome {
+
+enum class KeyKind {
+  number,
+  integer,
+  boolean,
+  text,
+  word,    //!< one of a list: an enumeration
+  color,   //!< three numbers
+  table,   //!< a table; absent if its struct is an empty optional
+  tables,  //!< a list of tables: a vector of structs
+  other    //!< has its own functions for reading and writing
+};
+
+//! Declaration of a key. All functions get the struct of the key's table as `settings`.
+struct ShowKey {
+  std::string_view name;
+  KeyKind kind = KeyKind::other;
+  NumberLimits limits{0.0, 0.0};        //!< of numbers, also in lists
+  std::span<const char* const> words;   //!< of a word, by the values of the enumeration
+  std::int32_t first_word = 0;          //!< the value of the first word
+  std::span<const ShowKey> keys;        //!< of a table
+  std::size_t most = 0;                 //!< tables in a list
+  const char* missing = nullptr;        //!< remedy if the key is absent; nullptr: the key is optional
+  std::optional<NumberChange> changes;  //!< by animation; absent: cannot be animated
+  const char* fixed = nullptr;          //!< why the key, or a key in this table, cannot be animated
+
+  //! Returns the value; of a list, entry `i`. Returns nullptr if it is absent.
+  void* (*at)(void* settings, std::size_t i) = nullptr;
+  //! Makes an absent value, or another entry of a list, and returns it.
+  void* (*make)(void* settings) = nullptr;
+  void (*before)(TomlTable& table, void* settings) = nullptr;  //!< runs before the key is read
+  void (*after)(TomlTable& table, void* settings) = nullptr;   //!< runs after the key was read
+  void (*read)(TomlTable& table, void* settings) = nullptr;    //!< for KeyKind::other
+  void (*write)(toml::table& table, const void* settings) = nullptr;
+  bool (*applies)(const void* settings) = nullptr;           //!< false: the key is unknown
+  bool (*written)(const void* settings) = nullptr;           //!< false: the writer omits the key
+  NumberLimits (*narrower)(const void* settings) = nullptr;  //!< limits that depend on other keys
+  //! Returns why the key is unused in a show, or nullptr if it is used.
+  const char* (*unused)(const Show& show, const void* settings) = nullptr;
+
+  // For the reference tables of the documents; empty: follows from the rest.
+  std::string_view type;
+  std::string_view unit;
+  std::string_view otherwise;  //!< the default
+  std::string_view bounds;     //!< the range
+  std::string_view meaning;    //!< one or two sentences; empty: the table has no row for the key
+};
+
+//! Returns the limits of a number in these settings.
+inline NumberLimits limits_of(const ShowKey& key, const void* settings) {
+  return key.narrower != nullptr ? key.narrower(settings) : key.limits;
+}
+
+// What an animation of a number changes, besides the picture itself.
+inline constexpr NumberChange changes_stars{true, false, false};
+inline constexpr NumberChange changes_sky{true, true, false};
+inline constexpr NumberChange changes_exposure{false, false, true};
+
+//! The keys of a table whose values are in a struct.
+template <class Settings>
+struct KeyTable {
+  std::span<const ShowKey> keys;
+};
+
+//! Declaration of a key of a struct; its functions add what does not follow from the member.
+template <class Settings>
+struct KeyOf {
+  ShowKey key;
+
+  constexpr KeyOf range(double least, double greatest) {
+    key.limits = {least, greatest};
+    return *this;
+  }
+  //! The range in this struct, if it is narrower than range().
+  template <class Function>
+  constexpr KeyOf range_in(Function /*function*/) {
+    key.narrower = [](const void* settings) { return Function{}(*static_cast<const Settings*>(settings)); };
+    return *this;
+  }
+  template <std::size_t Count>
+  constexpr KeyOf words(const std::array<const char*, Count>& all) {
+    key.words = all;
+    return *this;
+  }
+  //! The value that the first word stands for.
+  template <class Word>
+  constexpr KeyOf first(Word word) {
+    key.first_word = static_cast<std::int32_t>(word);
+    return *this;
+  }
+  constexpr KeyOf animated(const NumberChange& change = {}) {
+    key.changes = change;
+    return *this;
+  }
+  constexpr KeyOf fixed(const char* reason) {
+    key.fixed = reason;
+    return *this;
+  }
+  constexpr KeyOf required(const char* remedy) {
+    key.missing = remedy;
+    return *this;
+  }
+  //! A key that files may have, and have when written, only if `function(settings)` is true.
+  template <class Function>
+  constexpr KeyOf only_if(Function /*function*/) {
+    key.applies = [](const void* settings) { return Function{}(*static_cast<const Settings*>(settings)); };
+    return *this;
+  }
+  template <class Function>
+  constexpr KeyOf written_if(Function /*function*/) {
+    key.written = [](const void* settings) { return Function{}(*static_cast<const Settings*>(settings)); };
+    return *this;
+  }
+  //! Calls `function(table, settings)` before the key is read, to set a default that depends on
+  //! other keys.
+  template <class Function>
+  constexpr KeyOf before(Function /*function*/) {
+    key.before = [](TomlTable& table, void* settings) { Function{}(table, *static_cast<Settings*>(settings)); };
+    return *this;
+  }
+  //! Calls `function(table, settings)` after the key was read, to check it against the keys above.
+  template <class Function>
+  constexpr KeyOf after(Function /*function*/) {
+    key.after = [](TomlTable& table, void* settings) { Function{}(table, *static_cast<Settings*>(settings)); };
+    return *this;
+  }
+  //! A key is unused if `function(show, settings)` returns a reason.
+  template <class Function>
+  constexpr KeyOf unused_if(Function /*function*/) {
+    key.unused = [](const Show& show, const void* settings) -> const char* {
+      return Function{}(show, *static_cast<const Settings*>(settings));
+    };
+    return *this;
+  }
+  constexpr KeyOf type(std::string_view words) {
+    key.type = words;
+    return *this;
+  }
+  constexpr KeyOf unit(std::string_view words) {
+    key.unit = words;
+    return *this;
+  }
+  constexpr KeyOf otherwise(std::string_view words) {
+    key.otherwise = words;
+    return *this;
+  }
+  constexpr KeyOf bounds(std::string_view words) {
+    key.bounds = words;
+    return *this;
+  }
+  constexpr KeyOf means(std::string_view words) {
+    key.meaning = words;
+    return *this;
+  }
+};
+
+//! Types of a pointer to a member.
+template <class Pointer>
+struct MemberTypes;
+template <class SettingsType, class ValueType>
+struct MemberTypes<ValueType SettingsType::*> {
+  using Settings = SettingsType;
+  using Value = ValueType;
+};
+
+template <class Value>
+inline constexpr bool is_optional = false;
+template <class Value>
+inline constexpr bool is_optional<std::optional<Value>> = true;
+template <class Value>
+inline constexpr bool is_vector = false;
+template <class Value>
+inline constexpr bool is_vector<std::vector<Value>> = true;
+
+//! Returns the kind of a key by the type of its member.
+template <class Value>
+constexpr KeyKind kind_of() {
+  if constexpr (is_optional<Value>) {
+    return kind_of<typename Value::value_type>();
+  } else if constexpr (std::is_same_v<Value, double>) {
+    return KeyKind::number;
+  } else if constexpr (std::is_same_v<Value, int>) {
+    return KeyKind::integer;
+  } else if constexpr (std::is_same_v<Value, bool>) {
+    return KeyKind::boolean;
+  } else if constexpr (std::is_same_v<Value, std::string>) {
+    return KeyKind::text;
+  } else if constexpr (std::is_enum_v<Value>) {
+    static_assert(sizeof(Value) == sizeof(std::int32_t));
+    return KeyKind::word;
+  } else if constexpr (std::is_same_v<Value, std::array<double, 3>>) {
+    return KeyKind::color;
+  } else if constexpr (is_vector<Value>) {
+    return KeyKind::tables;
+  } else {
+    return KeyKind::table;
+  }
+}
+
+//! Declares the key of a member, or of a member of a member.
+template <auto First, auto... Rest>
+constexpr auto key(std::string_view name) {
+  using Settings = typename MemberTypes<decltype(First)>::Settings;
+  constexpr auto member = [](void* settings) -> auto& {
+    return ((static_cast<Settings*>(settings)->*First).*....*Rest);
+  };
+  using Value = std::remove_reference_t<decltype(member(nullptr))>;
+  KeyOf<Settings> made;
+  made.key.name = name;
+  made.key.kind = kind_of<Value>();
+  made.key.at = [](void* settings, [[maybe_unused]] std::size_t i) -> void* {
+    Value& value = decltype(member){}(settings);
+    if constexpr (is_optional<Value>) {
+      return value ? &*value : nullptr;
+    } else if constexpr (is_vector<Value>) {
+      return i < value.size() ? &value[i] : nullptr;
+    } else {
+      return &value;
+    }
+  };
+  if constexpr (is_optional<Value>) {
+    made.key.make = [](void* settings) -> void* { return &decltype(member){}(settings).emplace(); };
+  } else if constexpr (is_vector<Value>) {
+    made.key.make = [](void* settings) -> void* { return &decltype(member){}(settings).emplace_back(); };
+  }
+  return made;
+}
+
+//! Type of the struct of a table's keys, which may be optional or in a list.
+template <class Value>
+struct TableOf {
+  using Type = Value;
+};
+template <class Value>
+requires(is_optional<Value> || is_vector<Value>) struct TableOf<Value> {
+  using Type = typename Value::value_type;
+};
+
+//! Declares the table of a member that is a struct, an optional struct or a vector of at most
+//! `most` structs.
+template <auto Member, class Types = MemberTypes<decltype(Member)>>
+constexpr KeyOf<typename Types::Settings> table(std::string_view name,
+                                                KeyTable<typename TableOf<typename Types::Value>::Type> keys,
+                                                std::size_t most = 0) {
+  auto made = key<Member>(name);
+  made.key.keys = keys.keys;
+  made.key.most = most;
+  return made;
+}
+
+//! Declares a table whose keys are members of the same struct as the keys around it.
+template <class Settings>
+constexpr KeyOf<Settings> group(std::string_view name, KeyTable<Settings> keys) {
+  KeyOf<Settings> made;
+  made.key.name = name;
+  made.key.kind = KeyKind::table;
+  made.key.keys = keys.keys;
+  made.key.at = [](void* settings, std::size_t /*i*/) { return settings; };
+  return made;
+}
+
+//! Declares a key with its own functions `read(table, settings)` and `write(toml, settings)`, which
+//! decide whether the key is present.
+template <class Settings, class Read, class Write>
+constexpr KeyOf<Settings> other(std::string_view name, Read /*read*/, Write /*write*/) {
+  KeyOf<Settings> made;
+  made.key.name = name;
+  made.key.read = [](TomlTable& table, void* settings) { Read{}(table, *static_cast<Settings*>(settings)); };
+  made.key.write = [](toml::table& table, const void* settings) {
+    Write{}(table, *static_cast<const Settings*>(settings));
+  };
+  return made;
+}
+
+//! The declarations of a table's keys, in the order in which they are read and documented.
+template <class Settings, std::size_t Count>
+struct KeyList {
+  std::array<ShowKey, Count> keys;
+
+  // NOLINTNEXTLINE(google-explicit-constructor): a list is used where its table is wanted
+  constexpr operator KeyTable<Settings>() const { return {keys}; }
+};
+
+//! Returns the list of a struct's keys. Keys of another struct, numbers without a range and words
+//! without names do not compile.
+template <class Settings, class... Keys>
+constexpr KeyList<Settings, sizeof...(Keys)> keys_of(const Keys&... keys) {
+  static_assert((std::is_same_v<Keys, KeyOf<Settings>> && ...));
+  const auto complete = [](const ShowKey& key) {
+    const bool number = key.kind == KeyKind::number || key.kind == KeyKind::integer || key.kind == KeyKind::color;
+    return (!number || key.limits.least < key.limits.greatest) && (key.kind != KeyKind::word || !key.words.empty());
+  };
+  if (!(complete(keys.key) && ...)) {
+    throw std::logic_error("a number has no range, or a word no names");
+  }
+  return {{keys.key...}};
+}
+
+}  // namespace ergodome

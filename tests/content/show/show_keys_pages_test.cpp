@@ -1,0 +1,142 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include "content/files/whole_file.h"
+#include "content/show/show_schema.h"
+
+// The tables of keys in the reference pages follow from the schema. With the environment variable
+// ERGODOME_RENEW_REFERENCES, the tests write them into the pages instead of comparing them.
+namespace ergodome {
+namespace {
+
+//! Returns a number as the pages write it: 1e6, not 1e+06.
+std::string page_number(double value) {
+  std::string text = fmt::format("{:g}", value);
+  for (const auto& [from, to] : {std::pair{"e+0", "e"}, {"e+", "e"}, {"e-0", "e-"}}) {
+    if (const std::size_t at = text.find(from); at != std::string::npos) {
+      text.replace(at, std::strlen(from), to);
+    }
+  }
+  return text;
+}
+
+std::string type_on_page(const ShowKey& key) {
+  constexpr const char* types[] = {"number", "integer",        "Boolean", "string", "word", "list of 3 numbers",
+                                   "table",  "list of tables", ""};
+  return key.type.empty() ? types[static_cast<std::size_t>(key.kind)] : std::string(key.type);
+}
+
+//! Returns the default of a key, which is `value` in new settings; nullptr if it is absent there.
+std::string default_on_page(const ShowKey& key, const void* value) {
+  if (!key.otherwise.empty() || key.missing != nullptr) {
+    return key.missing != nullptr ? "required" : std::string(key.otherwise);
+  }
+  if (value == nullptr || key.kind == KeyKind::table) {
+    return "absent";
+  }
+  switch (key.kind) {
+    case KeyKind::number:
+      return page_number(*static_cast<const double*>(value));
+    case KeyKind::integer:
+      return std::to_string(*static_cast<const int*>(value));
+    case KeyKind::boolean:
+      return *static_cast<const bool*>(value) ? "`true`" : "`false`";
+    case KeyKind::text:
+      return fmt::format("`\"{}\"`", *static_cast<const std::string*>(value));
+    case KeyKind::color: {
+      const auto& color = *static_cast<const std::array<double, 3>*>(value);
+      return fmt::format("`[{:g}, {:g}, {:g}]`", color[0], color[1], color[2]);
+    }
+    default: {
+      std::int32_t word = 0;
+      std::memcpy(&word, value, sizeof(word));
+      return fmt::format("`\"{}\"`", key.words[static_cast<std::size_t>(word - key.first_word)]);
+    }
+  }
+}
+
+std::string range_on_page(const ShowKey& key) {
+  if (!key.bounds.empty()) {
+    return std::string(key.bounds);
+  }
+  if (key.limits.least < key.limits.greatest) {
+    return fmt::format("{} to {}{}", page_number(key.limits.least), page_number(key.limits.greatest),
+                       key.kind == KeyKind::color ? " each" : "");
+  }
+  std::string words;
+  for (const char* const word : key.words) {
+    words += fmt::format("{}`\"{}\"`", words.empty() ? "" : ", ", word);
+  }
+  return words;
+}
+
+//! Adds the row of each key in a table and in the tables below it. `settings` are new.
+void add_rows(std::span<const ShowKey> keys, const std::string& prefix, void* settings, std::string& rows) {
+  for (const ShowKey& key : keys) {
+    const bool has_value = key.kind != KeyKind::other;
+    const std::string name = prefix + std::string(key.name);
+    void* const value = has_value ? key.at(settings, 0) : nullptr;
+    if (!key.meaning.empty()) {
+      for (const std::string& cell :
+           {fmt::format("`{}`", name), type_on_page(key), default_on_page(key, value), range_on_page(key),
+            std::string(key.unit), std::string(key.changes ? "yes" : "no"), std::string(key.meaning)}) {
+        rows += cell.empty() ? "| " : fmt::format("| {} ", cell);
+      }
+      rows += "|\n";
+    }
+    if (key.kind == KeyKind::table) {
+      add_rows(key.keys, name + ".", value != nullptr ? value : key.make(settings), rows);
+    }
+  }
+}
+
+//! A table of keys in a page: that of `table` in the show file, below the heading.
+struct DocumentedTable {
+  const char* page;
+  const char* heading;
+  const char* table;
+};
+
+void PrintTo(const DocumentedTable& documented, std::ostream* out) { *out << documented.heading; }
+
+std::string rows_of(const DocumentedTable& documented) {
+  std::string rows =
+      "| key | type | default | range | unit | changes with time | meaning |\n|---|---|---|---|---|---|---|\n";
+  Show show;
+  for (const ShowKey& key : show_keys()) {
+    if (key.name == documented.table) {
+      void* const settings = key.make != nullptr ? key.make(&show) : key.at(&show, 0);
+      add_rows(key.keys, "", settings, rows);
+    }
+  }
+  return rows;
+}
+
+class ShowKeysPages : public testing::TestWithParam<DocumentedTable> {};
+
+TEST_P(ShowKeysPages, ListTheKeysOfTheSchema) {
+  const std::string path = std::string(ERGODOME_SOURCE_DIR "/content/docs/reference/") + GetParam().page;
+  std::string page = read_whole_file(path, 1U << 20U, "");
+  const std::size_t heading = page.find(fmt::format("\n{}\n", GetParam().heading));
+  ASSERT_NE(heading, std::string::npos);
+  const std::size_t begin = page.find("\n| key |", heading) + 1;
+  const std::size_t size = page.find("\n\n", begin) + 1 - begin;
+  const std::string rows = rows_of(GetParam());
+  if (std::getenv("ERGODOME_RENEW_REFERENCES") != nullptr) {
+    std::ofstream(path) << page.replace(begin, size, rows);
+  } else {
+    EXPECT_EQ(page.substr(begin, size), rows);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Tables, ShowKeysPages,
+                         testing::Values(DocumentedTable{"show-keys.md", "## `[effects]`", "effects"},
+                                         DocumentedTable{"show-keys.md", "## `[tone]`", "tone"}));
+
+}  // namespace
+}  // namespace ergodome
