@@ -45,7 +45,6 @@ constexpr auto part_of(auto& part, auto member) -> decltype(&((*part).*member)) 
 const std::array numbers = {
     number("camera.fall.clock", 0.0, 1e9, picture,
            [](auto& show) { return part_of(show.camera.fall, &FallSettings::clock); }),
-    number("hole.spin", -1.0, 1.0, picture, [](auto& show) { return &show.spin; }),
     number("sky.exposure", 0.0, 1e12, stars, [](auto& show) { return &show.sky.exposure; }),
     number("sky.faintest_mag", -30.0, 60.0, stars, [](auto& show) { return &show.sky.faintest_mag; }),
     number("sky.spin_axis.ra_deg", -360.0, 360.0, sky, [](auto& show) { return &show.sky.spin_axis_ra_deg; }),
@@ -59,10 +58,6 @@ const std::array numbers = {
     number("view.fov_deg", 1e-6, 360.0, picture, [](auto& show) { return &show.view.field_of_view_deg; }),
     number("view.vignette", 0.0, 1.0, picture, [](auto& show) { return &show.view.vignette; }),
     number("view.tilt_deg", -180.0, 180.0, picture, [](auto& show) { return &show.view.tilt_deg; }),
-    number("stereo.baseline", 0.0, 1e6, picture, [](auto& show) { return &show.stereo.baseline; }),
-    number("stereo.convergence", 1e-6, 1e9, picture, [](auto& show) { return &show.stereo.convergence; }),
-    number("stereo.fade.from_deg", 0.0, 90.0, picture, [](auto& show) { return &show.stereo.fade_from_deg; }),
-    number("stereo.fade.to_deg", 0.0, 90.0, picture, [](auto& show) { return &show.stereo.fade_to_deg; }),
 };
 
 struct Reason {
@@ -84,10 +79,8 @@ constexpr std::array fixed_numbers = {
     Reason{"view.truncate", of_the_screen},
     Reason{"view.viewer", of_the_screen},
     Reason{"view.polynomial", of_the_screen},
-    Reason{"stereo.comfort_deg", "it describes the viewers, not the show"},
     Reason{"camera.observer", "the kind of observer is the same for the whole show"},
     Reason{"camera", "to move the camera, write [[camera.key]]"},
-    Reason{"quality.budget_px", "a show is baked for a single budget"},
 };
 
 //! A key on the way from a show to a number; of a list, its entry.

@@ -147,16 +147,6 @@ void add_view(const Show& show, Idle& idle) {
   }
 }
 
-void add_stereo(const Show& show, Idle& idle) {
-  if (eye_count(show.stereo) == 1) {
-    idle.add({"stereo.model", "stereo.baseline", "stereo.convergence", "stereo.fade", "stereo.comfort_deg",
-              "stereo.swap_eyes", "stereo.tint_eyes"},
-             "needs two eyes; layout = \"mono\" has one unless --stereo or a keystroke changes it");
-  } else if (show.stereo.model != StereoModel::omni) {
-    idle.add({"stereo.fade"}, "is used only with model = \"omni\"");
-  }
-}
-
 }  // namespace
 
 std::vector<IdleLine> idle_lines(const Show& show) {
@@ -165,7 +155,6 @@ std::vector<IdleLine> idle_lines(const Show& show) {
   if (show.disk && show.disk->pattern == DiskPattern::none) {
     idle.add({"disk.contrast", "disk.speed"}, "is used only with pattern = \"procedural\"");
   }
-  add_stereo(show, idle);
   if (show.camera.orbit && show.camera.orbit->least_r() > (1.0 + 1e-9) * show.camera.fall->least_r) {
     idle.add({"camera.fall.least_r"}, "has no effect: the fall never comes this close to the hole");
   }

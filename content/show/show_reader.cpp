@@ -8,7 +8,6 @@
 #include "content/files/whole_file.h"
 #include "content/objects/object_reader.h"
 #include "content/show/disk_reader.h"
-#include "content/show/flight_reader.h"
 #include "content/show/key_table.h"
 #include "content/show/own_number.h"
 #include "content/show/shell_reader.h"
@@ -52,44 +51,12 @@ void read_sky(const toml::table& table, const std::string& file, SkySettings& sk
   reader.refuse_unknown_keys();
 }
 
-void read_stereo(const toml::table& table, const std::string& file, StereoSettings& stereo) {
-  TomlTable reader(table, file, "stereo");
-  stereo.layout = static_cast<StereoLayout>(
-      reader.choice("layout", 0,
-                    {"mono", "side_by_side", "top_bottom", "separate", "multiview", "anaglyph", "dubois", "rows",
-                     "quad_buffer", "half_side_by_side", "half_top_bottom"}));
-  stereo.model = static_cast<StereoModel>(reader.choice("model", 0, {"physical", "flat", "omni"}));
-  stereo.baseline = own_number(reader, "baseline", 0.0);
-  stereo.convergence = own_number(reader, "convergence", 0.0);
-  if (const toml::table* fade = reader.table("fade")) {
-    TomlTable angles(*fade, file, "stereo.fade");
-    stereo.fade_from_deg = own_number(angles, "from_deg", stereo.fade_from_deg);
-    stereo.fade_to_deg = own_number(angles, "to_deg", stereo.fade_to_deg);
-    if (!(stereo.fade_to_deg - stereo.fade_from_deg >= least_fade_deg)) {
-      throw angles.error_at(
-          "to_deg",
-          fmt::format("is {}, less than 1 degree above from_deg ({})", stereo.fade_to_deg, stereo.fade_from_deg),
-          "make it at least 1 degree larger than from_deg");
-    }
-    angles.refuse_unknown_keys();
-  }
-  stereo.comfort_deg = reader.number("comfort_deg", stereo.comfort_deg, 1e-3, 180.0);
-  stereo.swap_eyes = reader.boolean("swap_eyes", false);
-  stereo.tint_eyes = reader.boolean("tint_eyes", false);
-  reader.refuse_unknown_keys();
-}
-
 void read_parts(TomlTable& root, const std::string& file, Show& show) {
   const auto part = [&](std::string_view key, auto read) {
     if (const toml::table* table = root.table(key)) {
       read(*table);
     }
   };
-  part("hole", [&](const toml::table& table) {
-    TomlTable hole(table, file, "hole");
-    show.spin = own_number(hole, "spin", 0.0);
-    hole.refuse_unknown_keys();
-  });
   part("sky", [&](const toml::table& table) { read_sky(table, file, show.sky); });
   part("stars", [&](const toml::table& table) {
     TomlTable stars(table, file, "stars");
@@ -100,19 +67,6 @@ void read_parts(TomlTable& root, const std::string& file, Show& show) {
   show.shells = read_shells(root, file);
   read_some_keys(show_keys(), root, &show);
   part("view", [&](const toml::table& table) { read_view(table, file, show.view); });
-  part("stereo", [&](const toml::table& table) { read_stereo(table, file, show.stereo); });
-  part("flight", [&](const toml::table& table) { read_flight(table, file, show.flight); });
-  part("grid", [&](const toml::table& table) {
-    TomlTable grid(table, file, "grid");
-    show.grid_scheme = static_cast<GridScheme>(grid.choice("scheme", 0, {"conforming", "quadtree"}));
-    grid.refuse_unknown_keys();
-  });
-  part("quality", [&](const toml::table& table) {
-    TomlTable quality(table, file, "quality");
-    show.quality.budget_px = quality.number("budget_px", show.quality.budget_px, 1e-6, 100.0);
-    quality.refuse_unknown_keys();
-  });
-  part("readout", [&](const toml::table& table) { show.readout = read_readout(table, file); });
   read_objects(root, file, show);
   read_fall(root.table("camera"), file, show);
   // The timeline needs the limits of these numbers, and the camera the animated spin.

@@ -7,6 +7,8 @@
 namespace ergodome {
 
 extern const KeyTable<EffectSettings> effect_keys;
+extern const KeyTable<FlightSettings> flight_keys;
+extern const KeyTable<StereoSettings> stereo_keys;
 extern const KeyTable<ToneSettings> tone_keys;
 
 //! Returns the keys of the whole file.

@@ -7,7 +7,6 @@
 #include "content/files/toml_table.h"
 #include "content/objects/object_reader.h"
 #include "content/show/disk_reader.h"
-#include "content/show/flight_reader.h"
 #include "content/show/key_table.h"
 #include "content/show/shell_reader.h"
 #include "content/show/show_reader.h"
@@ -123,30 +122,14 @@ toml::table view_of(const ViewSettings& view) {
   return table;
 }
 
-toml::table stereo_of(const StereoSettings& stereo) {
-  toml::table table{{"layout", stereo_layout_names[static_cast<std::size_t>(stereo.layout)]},
-                    {"model", stereo_model_names[static_cast<std::size_t>(stereo.model)]},
-                    {"baseline", stereo.baseline},
-                    {"fade", toml::table{{"from_deg", stereo.fade_from_deg}, {"to_deg", stereo.fade_to_deg}}},
-                    {"comfort_deg", stereo.comfort_deg},
-                    {"swap_eyes", stereo.swap_eyes},
-                    {"tint_eyes", stereo.tint_eyes}};
-  if (stereo.convergence > 0.0) {
-    table.insert("convergence", stereo.convergence);
-  }
-  return table;
-}
-
 }  // namespace
 
 std::string to_toml(const Show& show) {
-  constexpr const char* schemes[] = {"conforming", "quadtree"};
   constexpr const char* methods[] = {"inverse", "gather"};
   constexpr const char* filters[] = {"ewa", "point", "polygon"};
   const bool fitted = show.sky.shift == SkyShift::blackbody_fit;
   toml::table root{{"duration_s", show.duration_s},
                    {"frame_rate_hz", show.frame_rate_hz},
-                   {"hole", toml::table{{"spin", show.spin}}},
                    {"camera", camera_of(show.camera)},
                    {"sky", toml::table{{"map", show.sky.map},
                                        {"stars", show.sky.stars},
@@ -158,18 +141,9 @@ std::string to_toml(const Show& show) {
                                        {"spin_axis", toml::table{{"ra_deg", show.sky.spin_axis_ra_deg},
                                                                  {"dec_deg", show.sky.spin_axis_dec_deg}}}}},
                    {"stars", toml::table{{"method", methods[static_cast<int>(show.sky.star_method)]}}},
-                   {"view", view_of(show.view)},
-                   {"stereo", stereo_of(show.stereo)},
-                   {"flight", flight_table(show.flight)},
-                   {"grid", toml::table{{"scheme", schemes[static_cast<int>(show.grid_scheme)]}}},
-                   {"quality", toml::table{{"budget_px", show.quality.budget_px}}}};
+                   {"view", view_of(show.view)}};
   for (auto& [name, part] : written_keys(show_keys(), &show)) {
     root.insert(name, std::move(part));
-  }
-  if (show.readout) {
-    root.insert("readout", toml::table{{"azimuth_deg", show.readout->place.azimuth_deg},
-                                       {"elevation_deg", show.readout->place.elevation_deg},
-                                       {"letter_deg", show.readout->letter_deg}});
   }
   if (!show.title.empty()) {
     add_local_text(show.title, "title", root);

@@ -18,8 +18,6 @@ constexpr std::size_t most_entries = 10'000;
 constexpr std::size_t most_languages = 64;
 constexpr double longest_s = 1e9;
 constexpr double usual_fade_s = 0.5;
-constexpr double least_letter_deg = 0.05;
-constexpr double largest_letter_deg = 45.0;
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
@@ -105,7 +103,7 @@ Caption read_caption(TomlTable& table, const std::string& file) {
   Caption caption;
   caption.presence = read_presence(table);
   caption.place = read_place(table);
-  caption.letter_deg = table.number("letter_deg", caption.letter_deg, least_letter_deg, largest_letter_deg);
+  caption.letter_deg = table.number("letter_deg", caption.letter_deg, 0.05, 45.0);
   caption.width_deg = table.number("width_deg", caption.width_deg, 0.5, 360.0);
   const std::vector<double> color = table.numbers("color", 3, 3, 0.0, 1e6);
   std::ranges::copy(color, caption.color.begin());
@@ -169,16 +167,6 @@ void read_each(TomlTable& root, const std::string& file, const char* name, std::
 }
 
 }  // namespace
-
-ReadoutSettings read_readout(const toml::table& table, const std::string& file) {
-  TomlTable reader(table, file, "readout");
-  ReadoutSettings readout;
-  readout.place.azimuth_deg = reader.number("azimuth_deg", readout.place.azimuth_deg, -360.0, 360.0);
-  readout.place.elevation_deg = reader.number("elevation_deg", readout.place.elevation_deg, -90.0, 90.0);
-  readout.letter_deg = reader.number("letter_deg", readout.letter_deg, least_letter_deg, largest_letter_deg);
-  reader.refuse_unknown_keys();
-  return readout;
-}
 
 LocalText read_local_text(TomlTable& table, const std::string& file, std::string_view key) {
   const toml::node* const node = table.node(key);

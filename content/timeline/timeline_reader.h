@@ -18,9 +18,6 @@ inline constexpr double least_fade_deg = 1.0;
 //! is missing or empty.
 LocalText read_local_text(TomlTable& table, const std::string& file, std::string_view key);
 
-//! Reads [readout], which shows spin and camera position.
-ReadoutSettings read_readout(const toml::table& table, const std::string& file);
-
 //! Reads [[animate]], [[chapter]], [[caption]], [[overlay]] and [[audio]]. All other numbers of the
 //! show, except its camera, must have been read. Throws Error with file, line and key for invalid
 //! values.

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -95,11 +96,11 @@ void add_rows(std::span<const ShowKey> keys, const std::string& prefix, void* se
   }
 }
 
-//! A table of keys in a page: that of `table` in the show file, below the heading.
+//! A table of keys in a page, below the heading, and the tables of the show file that it has.
 struct DocumentedTable {
   const char* page;
   const char* heading;
-  const char* table;
+  std::vector<std::string_view> tables;
 };
 
 void PrintTo(const DocumentedTable& documented, std::ostream* out) { *out << documented.heading; }
@@ -109,9 +110,9 @@ std::string rows_of(const DocumentedTable& documented) {
       "| key | type | default | range | unit | changes with time | meaning |\n|---|---|---|---|---|---|---|\n";
   Show show;
   for (const ShowKey& key : show_keys()) {
-    if (key.name == documented.table) {
+    if (std::ranges::count(documented.tables, key.name) > 0) {
       void* const settings = key.make != nullptr ? key.make(&show) : key.at(&show, 0);
-      add_rows(key.keys, "", settings, rows);
+      add_rows(key.keys, documented.tables.size() > 1 ? std::string(key.name) + "." : "", settings, rows);
     }
   }
   return rows;
@@ -135,8 +136,15 @@ TEST_P(ShowKeysPages, ListTheKeysOfTheSchema) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Tables, ShowKeysPages,
-                         testing::Values(DocumentedTable{"show-keys.md", "## `[effects]`", "effects"},
-                                         DocumentedTable{"show-keys.md", "## `[tone]`", "tone"}));
+                         testing::Values(DocumentedTable{"show-keys.md", "## `[hole]`", {"hole"}},
+                                         DocumentedTable{"show-keys.md", "## `[effects]`", {"effects"}},
+                                         DocumentedTable{"show-keys.md", "## `[stereo]`", {"stereo"}},
+                                         DocumentedTable{"stereo.md", "## Keys", {"stereo"}},
+                                         DocumentedTable{"show-keys.md", "## `[tone]`", {"tone"}},
+                                         DocumentedTable{"show-keys.md", "## `[flight]`", {"flight"}},
+                                         DocumentedTable{
+                                             "show-keys.md", "## `[grid]` and `[quality]`", {"grid", "quality"}},
+                                         DocumentedTable{"show-keys.md", "## `[readout]`", {"readout"}}));
 
 }  // namespace
 }  // namespace ergodome
