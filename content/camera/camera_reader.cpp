@@ -10,7 +10,9 @@
 #include "content/fall/fall_reader.h"
 #include "content/files/toml_table.h"
 #include "content/show/animated_show.h"
+#include "content/show/key_table.h"
 #include "content/show/show_reader.h"
+#include "content/show/show_schema.h"
 #include "content/timeline/timeline_reader.h"
 #include "kernels/core/angles.h"
 #include "kernels/spacetime/kerr/kerr.h"
@@ -22,25 +24,111 @@ namespace {
 constexpr double largest_camera_angle_deg = 1e9;
 constexpr std::size_t most_keys = 100'000;
 
-CameraKey read_key(TomlTable& table) {
-  CameraKey key;
-  key.time_s = table.number("t_s", 0.0, -1e12, 1e12);
-  key.r = table.number("r", 10.0, 0.0, 1e9);
-  key.theta = one_degree * table.number("theta_deg", 90.0, 0.0, 180.0);
-  key.phi = one_degree * table.number("phi_deg", 0.0, -largest_camera_angle_deg, largest_camera_angle_deg);
-  key.yaw = one_degree * table.number("yaw_deg", 0.0, -largest_camera_angle_deg, largest_camera_angle_deg);
-  key.pitch = one_degree * table.number("pitch_deg", 0.0, -largest_camera_angle_deg, largest_camera_angle_deg);
-  key.roll = one_degree * table.number("roll_deg", 0.0, -largest_camera_angle_deg, largest_camera_angle_deg);
+constexpr std::array camera_eases = {"smooth", "linear", "in", "out", "in_out"};
+
+constexpr auto read_direction = [](TomlTable& table, CameraKey& key) {
   const toml::node* look = table.node("look");
   if (look != nullptr && look->is_array()) {
     key.look = {LookTarget::Kind::direction, read_vector(table, "look", *look)};
   } else if (table.choice("look", 0, {"hole", "away"}) == 1) {
     key.look.kind = LookTarget::Kind::away;
   }
-  key.hold_s = table.number("hold_s", 0.0, 0.0, 1e12);
-  key.ease = static_cast<Ease>(table.choice("ease", 0, {"smooth", "linear", "in", "out", "in_out"}));
-  return key;
-}
+};
+
+constexpr auto write_direction = [](toml::table& table, const CameraKey& key) {
+  if (key.look.kind == LookTarget::Kind::direction) {
+    table.insert("look", toml::array{key.look.direction.x, key.look.direction.y, key.look.direction.z});
+  } else {
+    table.insert("look", key.look.kind == LookTarget::Kind::hole ? "hole" : "away");
+  }
+};
+
+constexpr auto write_velocity = [](toml::table& table, const CameraKey& key) {
+  if (key.velocity) {
+    write_motion(table, "velocity", {ObserverMotion::velocity, *key.velocity});
+  }
+};
+
+constexpr auto keys_of_key = keys_of<CameraKey>(
+    key<&CameraKey::time_s>("t_s")
+        .range(-1e12, 1e12)
+        .unit("s")
+        .means("Time of the key. Keys are in order of time, at least 1e-6 s apart."),
+    key<&CameraKey::r>("r")
+        .range(0.0, 1e9)
+        .otherwise("required")
+        .bounds("above the horizon, to 1e9")
+        .unit("M")
+        .varies("by keys")
+        .means("Boyer-Lindquist radius."),
+    key<&CameraKey::theta>("theta_deg")
+        .degrees(0.0, 180.0)
+        .unit("deg")
+        .varies("by keys")
+        .means("Polar angle from the spin axis. 90 is the equator."),
+    key<&CameraKey::phi>("phi_deg")
+        .degrees(-largest_camera_angle_deg, largest_camera_angle_deg)
+        .unit("deg")
+        .varies("by keys")
+        .means("Azimuth. It grows in the direction in which a hole of positive spin turns, and may exceed 360."),
+    other<CameraKey>("look")
+        .by(read_direction, write_direction)
+        .type("word or list of 3 numbers")
+        .otherwise("`\"hole\"`")
+        .bounds("`\"hole\"`, `\"away\"`, `[e_r, e_theta, e_phi]`")
+        .varies("by keys")
+        .means("Direction of view before `yaw_deg`, `pitch_deg` and `roll_deg`. The list is a direction of any length "
+               "except 0."),
+    key<&CameraKey::yaw>("yaw_deg")
+        .degrees(-largest_camera_angle_deg, largest_camera_angle_deg)
+        .unit("deg")
+        .varies("by keys")
+        .means("Turns the view to the right."),
+    key<&CameraKey::pitch>("pitch_deg")
+        .degrees(-largest_camera_angle_deg, largest_camera_angle_deg)
+        .unit("deg")
+        .varies("by keys")
+        .means("Turns the view up."),
+    key<&CameraKey::roll>("roll_deg")
+        .degrees(-largest_camera_angle_deg, largest_camera_angle_deg)
+        .unit("deg")
+        .varies("by keys")
+        .means("Rolls the view clockwise."),
+    key<&CameraKey::hold_s>("hold_s")
+        .range(0.0, 1e12)
+        .unit("s")
+        .written_if([](const CameraKey& key) { return key.hold_s > 0.0; })
+        .means("The camera stays at this key for this time, starting at `t_s`."),
+    key<&CameraKey::ease>("ease")
+        .words(camera_eases)
+        .written_if([](const CameraKey& key) { return key.ease != Ease::smooth; })
+        .means("Motion from this key to the next: [easing](#easing)."),
+    other<CameraKey>("velocity")
+        // take_velocity() reads it, because it depends on the spin.
+        .by([](TomlTable& table, CameraKey& /*key*/) { table.node("velocity"); }, write_velocity)
+        .type("word or table")
+        .otherwise("absent")
+        .bounds("see [observers](#observers)")
+        .varies("by keys")
+        .means("Velocity of the observer at this key. It replaces `camera.observer`."));
+
+//! Writes the keys; those during a fall have no position.
+constexpr auto write_camera_keys = [](toml::table& table, const CameraSettings& camera) {
+  toml::array keys;
+  for (const CameraKey& key : camera.keys) {
+    toml::table each = written_settings<CameraKey>(keys_of_key, key);
+    if (camera.fall && falls_at(*camera.fall, key.time_s)) {
+      for (const char* const position : {"r", "theta_deg", "phi_deg"}) {
+        each.erase(position);
+      }
+    }
+    keys.push_back(std::move(each));
+  }
+  table.insert("key", std::move(keys));
+};
+
+// read_camera() reads these tables in its own order, because they depend on the animated spin.
+constexpr auto read_later = [](TomlTable& /*table*/, CameraSettings& /*camera*/) {};
 
 //! Returns true if the show's observer would have to be faster than light there.
 bool outruns_light(const CameraSettings& camera, double spin, double r, double theta) {
@@ -187,6 +275,28 @@ void check_ways(const std::vector<const toml::table*>& tables, const std::string
 
 }  // namespace
 
+KeyTable<CameraSettings> camera_keys() {
+  static const auto all = keys_of<CameraSettings>(
+      other<CameraSettings>("observer")
+          .by(read_later,
+              [](toml::table& table, const CameraSettings& camera) {
+                write_motion(table, "observer", {camera.motion, camera.velocity});
+              })
+          .type("word or table")
+          .otherwise("`\"zamo\"`")
+          .bounds("see [observers](#observers)")
+          .fixed("the kind of observer is the same for the whole show")
+          .means("Velocity of the observer at the camera position. It sets aberration and frequency shift."),
+      table<&CameraSettings::keys>("key", keys_of_key)
+          .by(read_later, write_camera_keys)
+          .otherwise("required")
+          .bounds("1 to 100,000 entries")
+          .varies("its own keys")
+          .means("Positions of the camera: `[[camera.key]]`."),
+      table<&CameraSettings::fall>("fall", fall_keys).means("Free fall: [`[camera.fall]`](#camerafall)."));
+  return all;
+}
+
 void read_camera(const toml::table* table, const std::string& file, Show& show) {
   const toml::table empty;
   TomlTable camera(table != nullptr ? *table : empty, file, "camera");
@@ -199,7 +309,8 @@ void read_camera(const toml::table* table, const std::string& file, Show& show) 
   }
   for (std::size_t i = 0; i < keys.size(); ++i) {
     TomlTable each(*keys[i], file, fmt::format("camera.key[{}]", i));
-    CameraKey key = read_key(each);
+    CameraKey key;
+    read_settings<CameraKey>(keys_of_key, each, key);
     const bool falls = show.camera.fall && falls_at(*show.camera.fall, key.time_s);
     if (falls && i > 0) {
       take_place_of_fall(each, show.camera.keys.back(), key);

@@ -1,10 +1,19 @@
 #include "content/camera/motion_reader.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "content/show/show_reader.h"
 
 namespace ergodome {
+
+namespace {
+
+//! Words for the values of ObserverMotion that have one.
+constexpr std::array motion_names = {"zamo", "static", "geodesic", "retrograde", "rain"};
+
+}  // namespace
 
 Vector3<double> read_vector(TomlTable& table, std::string_view key, const toml::node& node) {
   const toml::array* list = node.as_array();
@@ -35,7 +44,7 @@ WrittenMotion read_motion(TomlTable& table, std::string_view key, const std::str
   if (!at->is_table()) {
     constexpr ObserverMotion motions[] = {ObserverMotion::zamo, ObserverMotion::fixed, ObserverMotion::geodesic,
                                           ObserverMotion::retrograde, ObserverMotion::rain};
-    return {motions[table.choice(key, 0, {"zamo", "static", "geodesic", "retrograde", "rain"})], {}};
+    return {motions[table.choice(key, 0, motion_names)], {}};
   }
   TomlTable velocity(*at->as_table(), file, table.path_of(key));
   const double beta = velocity.number("beta", 0.0, 0.0, 1.0);
@@ -49,6 +58,17 @@ WrittenMotion read_motion(TomlTable& table, std::string_view key, const std::str
   const Vector3<double> v = read_vector(velocity, "toward", *toward);
   velocity.refuse_unknown_keys();
   return {ObserverMotion::velocity, (beta / std::sqrt(dot(v, v))) * v};
+}
+
+void write_motion(toml::table& table, std::string_view key, const WrittenMotion& written) {
+  if (written.motion != ObserverMotion::velocity) {
+    table.insert(key, motion_names[static_cast<std::size_t>(written.motion)]);
+    return;
+  }
+  const Vector3<double>& v = written.velocity;
+  const double beta = std::min(std::sqrt(dot(v, v)), fastest_observer);
+  const Vector3<double> toward = beta > 1e-100 ? (1.0 / beta) * v : Vector3<double>{1.0, 0.0, 0.0};
+  table.insert(key, toml::table{{"beta", beta}, {"toward", toml::array{toward.x, toward.y, toward.z}}});
 }
 
 }  // namespace ergodome

@@ -22,4 +22,7 @@ WrittenMotion read_motion(TomlTable& table, std::string_view key, const std::str
 //! Reads a direction: three numbers that are not all 0. Throws Error for anything else.
 Vector3<double> read_vector(TomlTable& table, std::string_view key, const toml::node& node);
 
+//! Writes a velocity as read_motion() reads it.
+void write_motion(toml::table& table, std::string_view key, const WrittenMotion& written);
+
 }  // namespace ergodome

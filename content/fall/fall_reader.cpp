@@ -9,8 +9,9 @@
 #include "content/camera/motion_reader.h"
 #include "content/fall/within.h"
 #include "content/show/animated_show.h"
-#include "content/show/own_number.h"
+#include "content/show/key_table.h"
 #include "content/show/show_reader.h"
+#include "content/show/show_schema.h"
 #include "content/timeline/timeline_reader.h"
 #include "kernels/spacetime/kerr/kerr.h"
 
@@ -98,7 +99,50 @@ void check_beginning(const TomlTable& table, const Show& show) {
   }
 }
 
+constexpr auto keys_of_fall = keys_of<FallSettings>(
+    key<&FallSettings::time_s>("t_s")
+        .range(-1e12, 1e12)
+        .unit("s")
+        .means("Start of the fall. A camera key must have the same `t_s`, and it must be before the end of the show."),
+    other<FallSettings>("velocity")
+        // let_fall() reads it, because its default is the velocity of the camera's observer.
+        .by([](TomlTable& table, FallSettings& /*fall*/) { table.node("velocity"); },
+            [](toml::table& table, const FallSettings& fall) {
+              write_motion(table, "velocity", {fall.motion, fall.velocity});
+            })
+        .type("word or table")
+        .otherwise("that of `camera.observer`")
+        .bounds("see [observers](#observers)")
+        .means("Velocity at the start."),
+    key<&FallSettings::clock>("clock")
+        .range(0.0, 1e9)
+        .otherwise("required, unless animated")
+        .unit("M/s")
+        .animated()
+        .means("The camera's own time that passes in one second of the show. It must be above 0 at some time."),
+    key<&FallSettings::ease_s>("ease_s").range(0.0, 60.0).unit("s").means(
+        "Time in which the velocity changes before the fall, and in which the clock starts."),
+    key<&FallSettings::least_r>("least_r")
+        .range(0.0, 1e9)
+        .otherwise("absent")
+        .bounds("see [into the hole](#into-the-hole)")
+        .unit("M")
+        .written_if([](const FallSettings& fall) { return fall.least_r > 0.0; })
+        .unused_if([](const Show& show, const FallSettings& fall) {
+          return show.camera.orbit && show.camera.orbit->least_r() > (1.0 + 1e-9) * fall.least_r
+                     ? "has no effect: the fall never comes this close to the hole"
+                     : nullptr;
+        })
+        .means("Radius at which the clock stops. A value below the horizon leads the fall through the horizon."),
+    key<&FallSettings::until_s>("until_s")
+        .range(-1e12, 1e12)
+        .bounds("`t_s` + 2 `ease_s` to `duration_s`")
+        .unit("s")
+        .means("End of the fall. If absent, the camera falls until the end of the show."));
+
 }  // namespace
+
+constinit const KeyTable<FallSettings> fall_keys = keys_of_fall;
 
 void read_fall(const toml::table* camera, const std::string& file, Show& show) {
   const toml::node* const at = camera != nullptr ? camera->get("fall") : nullptr;
@@ -108,14 +152,7 @@ void read_fall(const toml::table* camera, const std::string& file, Show& show) {
   }
   TomlTable table(*from, file, "camera.fall");
   FallSettings& fall = show.camera.fall.emplace();
-  fall.time_s = table.number("t_s", 0.0, -1e12, 1e12);
-  fall.clock = own_number(table, "clock", 0.0);
-  fall.ease_s = table.number("ease_s", fall.ease_s, 0.0, 60.0);
-  if (table.has("until_s")) {
-    fall.until_s = table.number("until_s", 0.0, -1e12, 1e12);
-  }
-  fall.least_r = table.number("least_r", 0.0, 0.0, 1e9);
-  table.node("velocity");
+  read_settings(fall_keys, table, fall);
   check_end(table, show);
   table.refuse_unknown_keys();
 }

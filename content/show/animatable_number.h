@@ -1,10 +1,10 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "content/show/show.h"
 
@@ -25,17 +25,26 @@ struct NumberLimits {
   double greatest;
 };
 
-//! Maximum field of view of a pinhole view.
-inline constexpr double widest_pinhole_deg = 179.0;
+struct ShowKey;
 
-//! A number of a show that can be animated. Integers, and numbers that belong to the screen or to
-//! the size of the image, cannot.
+//! A number of a show that can be animated: one whose key is declared so. Integers, and numbers that
+//! belong to the screen or to the size of the image, cannot.
 struct AnimatableNumber {
+  //! A key on the way from the whole file to the number; of a list of tables, one entry.
+  struct Step {
+    const ShowKey* key;
+    std::size_t entry;
+  };
+
   std::string path;     //!< its path in the file: "hole.spin"
   NumberLimits limits;  //!< of its own key, in any show
   NumberChange change;
-  std::function<std::optional<double>(const Show&)> get;  //!< returns nothing if the show lacks the part
-  std::function<void(Show&, double)> put;                 //!< requires that the show has the part
+  std::vector<Step> steps;
+
+  //! Returns nothing if the show lacks the part.
+  [[nodiscard]] std::optional<double> get(const Show& show) const;
+  //! Does nothing if the show lacks the part.
+  void put(Show& show, double value) const;
 };
 
 //! Returns all animatable numbers.

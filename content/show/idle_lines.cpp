@@ -5,8 +5,6 @@
 #include <string>
 #include <string_view>
 
-#include "content/fall/free_fall.h"
-#include "content/show/animated_show.h"
 #include "content/show/show_schema.h"
 
 namespace ergodome {
@@ -68,23 +66,6 @@ void add_keys(std::span<const ShowKey> keys, const std::string& path, const Show
   }
 }
 
-void add_sky(const Show& show, Idle& idle) {
-  if (show.sky.map == "black") {
-    idle.add({"sky.filter", "sky.shift", "sky.brightening"}, "has no effect on map = \"black\"");
-    if (show.sky.stars.empty()) {
-      idle.add({"sky.exposure", "sky.spin_axis"}, "has no effect without stars on map = \"black\"");
-    }
-  } else if (!show.effects.redshift) {
-    idle.add({"sky.shift"}, "is used only with effects.redshift = true");
-  }
-  if (show.sky.map == "grid") {
-    idle.add({"sky.spin_axis"}, "has no effect on map = \"grid\", which uses the hole's own axes");
-  }
-  if (show.sky.stars.empty()) {
-    idle.add({"stars.method", "sky.faintest_mag"}, "has no effect without sky.stars");
-  }
-}
-
 void add_light(const Show& show, Idle& idle) {
   if (!show.light) {
     return;
@@ -111,58 +92,13 @@ void add_objects(const Show& show, Idle& idle) {
   }
 }
 
-void add_shells(const Show& show, Idle& idle) {
-  for (std::size_t i = 0; i < show.shells.size(); ++i) {
-    const ShellSettings& shell = show.shells[i];
-    const std::string of = "shells[" + std::to_string(i) + "].";
-    const auto never = [&](const char* key, double value) {
-      return value <= 0.0 && find_animation(show, of + key) == nullptr;
-    };
-    if (never("line_width_deg", shell.line_width_deg)) {
-      idle.add({of + "line_color", of + "line_opacity", of + "spacing_deg"}, "has no effect while line_width_deg is 0");
-    } else if (never("line_opacity", shell.line_opacity)) {
-      idle.add({of + "line_color", of + "line_width_deg", of + "spacing_deg"}, "has no effect while line_opacity is 0");
-    }
-    if (never("fill_opacity", shell.fill_opacity)) {
-      idle.add({of + "fill_color", of + "texture"}, "has no effect while fill_opacity is 0");
-    }
-  }
-}
-
-void add_view(const Show& show, Idle& idle) {
-  const ViewProjection projection = show.view.projection;
-  if (projection != ViewProjection::dome) {
-    idle.add({"view.tilt_deg"}, "is used only with projection = \"dome\"");
-  }
-  if (projection != ViewProjection::dome && projection != ViewProjection::pinhole) {
-    idle.add({"view.vignette"}, "is used only with projection = \"dome\" or \"pinhole\"");
-  }
-  if (show.view.frustum) {
-    idle.add({"view.aspect", "view.fov_deg"}, "is replaced by view.frustum");
-  } else if (projection != ViewProjection::pinhole) {
-    idle.add({"view.aspect"}, "is used only with projection = \"pinhole\"");
-  }
-  if (projection == ViewProjection::equirect || projection == ViewProjection::cube) {
-    idle.add({"view.fov_deg"}, "has no effect: this projection shows the whole sphere");
-  }
-}
-
 }  // namespace
 
 std::vector<IdleLine> idle_lines(const Show& show) {
   Idle idle(show);
   add_keys(show_keys(), "", show, &show, idle);
-  if (show.disk && show.disk->pattern == DiskPattern::none) {
-    idle.add({"disk.contrast", "disk.speed"}, "is used only with pattern = \"procedural\"");
-  }
-  if (show.camera.orbit && show.camera.orbit->least_r() > (1.0 + 1e-9) * show.camera.fall->least_r) {
-    idle.add({"camera.fall.least_r"}, "has no effect: the fall never comes this close to the hole");
-  }
-  add_sky(show, idle);
   add_light(show, idle);
   add_objects(show, idle);
-  add_shells(show, idle);
-  add_view(show, idle);
   return idle.in_order();
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "kernels/core/angles.h"
+
 namespace ergodome {
 
 namespace {
@@ -15,19 +17,23 @@ std::int32_t word_at(const void* value) {
   return word;
 }
 
+void read_whole_table(const ShowKey& key, TomlTable&& table, void* settings) {
+  read_keys(key.keys, table, settings);
+  table.refuse_unknown_keys();
+}
+
 //! Reads a table, or the tables of a list.
 void read_tables(const ShowKey& key, TomlTable& table, void* settings) {
   if (key.kind == KeyKind::table) {
     if (const toml::table* const below = table.table(key.name)) {
-      TomlTable reader = table.below(*below, key.name);
-      read_keys(key.keys, reader, key.make != nullptr ? key.make(settings) : key.at(settings, 0));
+      read_whole_table(key, table.below(*below, key.name),
+                       key.make != nullptr ? key.make(settings) : key.at(settings, 0));
     }
     return;
   }
   std::size_t i = 0;
   for (const toml::table* const each : table.tables(key.name, key.most)) {
-    TomlTable reader = table.below(*each, fmt::format("{}[{}]", key.name, i++));
-    read_keys(key.keys, reader, key.make(settings));
+    read_whole_table(key, table.below(*each, fmt::format("{}[{}]", key.name, i++)), key.make(settings));
   }
 }
 
@@ -43,7 +49,8 @@ void read_value(const ShowKey& key, TomlTable& table, void* settings) {
   const NumberLimits limits = limits_of(key, settings);
   switch (key.kind) {
     case KeyKind::number:
-      *static_cast<double*>(value) = table.number(key.name, 0.0, limits.least, limits.greatest);
+      *static_cast<double*>(value) =
+          (key.degrees ? one_degree : 1.0) * table.number(key.name, 0.0, limits.least, limits.greatest);
       break;
     case KeyKind::integer:
       *static_cast<int*>(value) =
@@ -76,7 +83,7 @@ void read_key(const ShowKey& key, TomlTable& table, void* settings) {
   if (key.before != nullptr) {
     key.before(table, settings);
   }
-  if (key.kind == KeyKind::other) {
+  if (key.read != nullptr) {
     key.read(table, settings);
   } else if (key.kind == KeyKind::table || key.kind == KeyKind::tables) {
     read_tables(key, table, settings);
@@ -90,9 +97,13 @@ void read_key(const ShowKey& key, TomlTable& table, void* settings) {
 
 void write_value(const ShowKey& key, const void* value, toml::table& table) {
   switch (key.kind) {
-    case KeyKind::number:
-      table.insert(key.name, *static_cast<const double*>(value));
+    case KeyKind::number: {
+      const double number = *static_cast<const double*>(value);
+      // Rounding may exceed the range of an angle.
+      table.insert(key.name,
+                   key.degrees ? std::clamp(number * radian_deg, key.limits.least, key.limits.greatest) : number);
       break;
+    }
     case KeyKind::integer:
       table.insert(key.name, *static_cast<const int*>(value));
       break;
@@ -117,15 +128,10 @@ void write_value(const ShowKey& key, const void* value, toml::table& table) {
 
 }  // namespace
 
-void read_some_keys(std::span<const ShowKey> keys, TomlTable& table, void* settings) {
+void read_keys(std::span<const ShowKey> keys, TomlTable& table, void* settings) {
   for (const ShowKey& key : keys) {
     read_key(key, table, settings);
   }
-}
-
-void read_keys(std::span<const ShowKey> keys, TomlTable& table, void* settings) {
-  read_some_keys(keys, table, settings);
-  table.refuse_unknown_keys();
 }
 
 toml::table written_keys(std::span<const ShowKey> keys, const void* settings) {
@@ -134,7 +140,7 @@ toml::table written_keys(std::span<const ShowKey> keys, const void* settings) {
     if ((key.applies != nullptr && !key.applies(settings)) || (key.written != nullptr && !key.written(settings))) {
       continue;
     }
-    if (key.kind == KeyKind::other) {
+    if (key.write != nullptr) {
       key.write(table, settings);
       continue;
     }

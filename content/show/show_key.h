@@ -47,6 +47,7 @@ struct ShowKey {
   std::int32_t first_word = 0;          //!< the value of the first word
   std::span<const ShowKey> keys;        //!< of a table
   std::size_t most = 0;                 //!< tables in a list
+  bool degrees = false;                 //!< the file has degrees, the member radians
   const char* missing = nullptr;        //!< remedy if the key is absent; nullptr: the key is optional
   std::optional<NumberChange> changes;  //!< by animation; absent: cannot be animated
   const char* fixed = nullptr;          //!< why the key, or a key in this table, cannot be animated
@@ -57,7 +58,7 @@ struct ShowKey {
   void* (*make)(void* settings) = nullptr;
   void (*before)(TomlTable& table, void* settings) = nullptr;  //!< runs before the key is read
   void (*after)(TomlTable& table, void* settings) = nullptr;   //!< runs after the key was read
-  void (*read)(TomlTable& table, void* settings) = nullptr;    //!< for KeyKind::other
+  void (*read)(TomlTable& table, void* settings) = nullptr;    //!< replaces the reader of the kind
   void (*write)(toml::table& table, const void* settings) = nullptr;
   bool (*applies)(const void* settings) = nullptr;           //!< false: the key is unknown
   bool (*written)(const void* settings) = nullptr;           //!< false: the writer omits the key
@@ -70,6 +71,7 @@ struct ShowKey {
   std::string_view unit;
   std::string_view otherwise;  //!< the default
   std::string_view bounds;     //!< the range
+  std::string_view varies;     //!< whether it changes with time
   std::string_view meaning;    //!< one or two sentences; empty: the table has no row for the key
 };
 
@@ -97,6 +99,11 @@ struct KeyOf {
   constexpr KeyOf range(double least, double greatest) {
     key.limits = {least, greatest};
     return *this;
+  }
+  //! The range is in degrees, as in the file; the member is in radians.
+  constexpr KeyOf degrees(double least, double greatest) {
+    key.degrees = true;
+    return range(least, greatest);
   }
   //! The range in this struct, if it is narrower than range().
   template <class Function>
@@ -151,6 +158,16 @@ struct KeyOf {
     key.after = [](TomlTable& table, void* settings) { Function{}(table, *static_cast<Settings*>(settings)); };
     return *this;
   }
+  //! Reads and writes the key, if it is present, by `read(table, settings)` and
+  //! `write(toml, settings)`.
+  template <class Read, class Write>
+  constexpr KeyOf by(Read /*read*/, Write /*write*/) {
+    key.read = [](TomlTable& table, void* settings) { Read{}(table, *static_cast<Settings*>(settings)); };
+    key.write = [](toml::table& table, const void* settings) {
+      Write{}(table, *static_cast<const Settings*>(settings));
+    };
+    return *this;
+  }
   //! A key is unused if `function(show, settings)` returns a reason.
   template <class Function>
   constexpr KeyOf unused_if(Function /*function*/) {
@@ -173,6 +190,10 @@ struct KeyOf {
   }
   constexpr KeyOf bounds(std::string_view words) {
     key.bounds = words;
+    return *this;
+  }
+  constexpr KeyOf varies(std::string_view words) {
+    key.varies = words;
     return *this;
   }
   constexpr KeyOf means(std::string_view words) {
@@ -286,16 +307,11 @@ constexpr KeyOf<Settings> group(std::string_view name, KeyTable<Settings> keys) 
   return made;
 }
 
-//! Declares a key with its own functions `read(table, settings)` and `write(toml, settings)`, which
-//! decide whether the key is present.
-template <class Settings, class Read, class Write>
-constexpr KeyOf<Settings> other(std::string_view name, Read /*read*/, Write /*write*/) {
+//! Declares a key that is not a single member; KeyOf::by() reads and writes it.
+template <class Settings>
+constexpr KeyOf<Settings> other(std::string_view name) {
   KeyOf<Settings> made;
   made.key.name = name;
-  made.key.read = [](TomlTable& table, void* settings) { Read{}(table, *static_cast<Settings*>(settings)); };
-  made.key.write = [](toml::table& table, const void* settings) {
-    Write{}(table, *static_cast<const Settings*>(settings));
-  };
   return made;
 }
 

@@ -1,5 +1,10 @@
 #include "content/show/show_schema.h"
 
+#include "content/show/key_table.h"
+#include "content/timeline/frame_rate.h"
+#include "content/timeline/timeline_reader.h"
+#include "content/timeline/timeline_writer.h"
+
 namespace ergodome {
 
 namespace {
@@ -33,14 +38,64 @@ constexpr auto readout_keys = keys_of<ReadoutSettings>(
         .means("As for captions."),
     key<&ReadoutSettings::letter_deg>("letter_deg").range(0.05, 45.0).unit("deg").means("Height of the line."));
 
+//! Reads the title, which must fit one line in every language. Without one, it is the show's name.
+constexpr auto read_title = [](TomlTable& root, Show& show) {
+  const toml::node* const node = root.node("title");
+  if (node == nullptr || !node->is_table()) {
+    show.title = {{"", root.text("title", show.name)}};
+    return;
+  }
+  show.title = read_local_text(root, "title");
+  TomlTable languages = root.below(*node->as_table(), "title");
+  for (const auto& [tag, words] : show.title) {
+    languages.text(tag, "");
+  }
+};
+
+constexpr auto write_title = [](toml::table& root, const Show& show) {
+  if (!show.title.empty()) {
+    add_local_text(show.title, "title", root);
+  }
+};
+
+// read_camera() reads it when the numbers that it depends on are known.
+constexpr auto read_camera_later = [](TomlTable& root, Show& /*show*/) { root.node("camera"); };
+
+constexpr auto write_camera = [](toml::table& root, const Show& show) {
+  root.insert("camera", written_settings(camera_keys(), show.camera));
+};
+
 }  // namespace
 
 std::span<const ShowKey> show_keys() {
-  static const auto all =
-      keys_of<Show>(group<Show>("hole", hole_keys), table<&Show::effects>("effects", effect_keys),
-                    table<&Show::stereo>("stereo", stereo_keys), table<&Show::tone>("tone", tone_keys),
-                    table<&Show::flight>("flight", flight_keys), group<Show>("grid", grid_keys),
-                    table<&Show::quality>("quality", quality_keys), table<&Show::readout>("readout", readout_keys));
+  static const auto all = keys_of<Show>(
+      other<Show>("title")
+          .by(read_title, write_title)
+          .type("text")
+          .otherwise("the file's name")
+          .bounds("one line, 4096 bytes")
+          .means("Title of the show. `render` stores it in the frames, in the language of `--language`."),
+      key<&Show::duration_s>("duration_s")
+          .range(0.0, 1e9)
+          .unit("s")
+          .fixed("a show has only one duration")
+          .means("Length of the show. 0 makes a still picture."),
+      key<&Show::frame_rate_hz>("frame_rate_hz")
+          .range(0.001, 1000.0)
+          .unit("1/s")
+          .fixed("a show has only one frame rate")
+          .after([](const TomlTable& /*root*/, Show& show) { show.frame_rate_hz = exact_rate_hz(show.frame_rate_hz); })
+          .means("Frames per second. 23.976, 29.97, 47.952, 59.94 and 119.88 mean the exact rates, for example "
+                 "30000/1001."),
+      table<&Show::camera>("camera", camera_keys())
+          .by(read_camera_later, write_camera)
+          .fixed("to move the camera, write [[camera.key]]"),
+      group<Show>("hole", hole_keys), table<&Show::sky>("sky", sky_keys), table<&Show::sky>("stars", star_keys),
+      table<&Show::disk>("disk", disk_keys), table<&Show::effects>("effects", effect_keys),
+      table<&Show::view>("view", view_keys), table<&Show::stereo>("stereo", stereo_keys),
+      table<&Show::tone>("tone", tone_keys), table<&Show::shells>("shells", shell_keys, most_shells),
+      table<&Show::flight>("flight", flight_keys), group<Show>("grid", grid_keys),
+      table<&Show::quality>("quality", quality_keys), table<&Show::readout>("readout", readout_keys));
   return all.keys;
 }
 

@@ -6,12 +6,27 @@
 // them together.
 namespace ergodome {
 
+extern const KeyTable<DiskSettings> disk_keys;
 extern const KeyTable<EffectSettings> effect_keys;
+extern const KeyTable<FallSettings> fall_keys;
 extern const KeyTable<FlightSettings> flight_keys;
+extern const KeyTable<ShellSettings> shell_keys;
+extern const KeyTable<SkySettings> sky_keys;
+extern const KeyTable<SkySettings> star_keys;
 extern const KeyTable<StereoSettings> stereo_keys;
 extern const KeyTable<ToneSettings> tone_keys;
+extern const KeyTable<ViewSettings> view_keys;
+
+KeyTable<CameraSettings> camera_keys();
 
 //! Returns the keys of the whole file.
 std::span<const ShowKey> show_keys();
+
+//! Throws Error if the disk's edges are out of order, or if its matter cannot exist there at some
+//! time.
+void check_disk(const toml::table& table, const std::string& file, const Show& show);
+
+//! Throws Error if a shell is inside the horizon, or too close to it, at any time.
+void check_shells(TomlTable& root, const std::string& file, const Show& show);
 
 }  // namespace ergodome

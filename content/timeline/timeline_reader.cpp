@@ -92,14 +92,14 @@ DomePlace read_place(TomlTable& table) {
   return place;
 }
 
-Chapter read_chapter(TomlTable& table, const std::string& file) {
+Chapter read_chapter(TomlTable& table) {
   if (!table.has("t_s")) {
     throw table.error_at("t_s", "is missing", "write the time at which the chapter begins, for example t_s = 20");
   }
-  return {table.number("t_s", 0.0, 0.0, longest_s), read_local_text(table, file, "title")};
+  return {table.number("t_s", 0.0, 0.0, longest_s), read_local_text(table, "title")};
 }
 
-Caption read_caption(TomlTable& table, const std::string& file) {
+Caption read_caption(TomlTable& table) {
   Caption caption;
   caption.presence = read_presence(table);
   caption.place = read_place(table);
@@ -107,7 +107,7 @@ Caption read_caption(TomlTable& table, const std::string& file) {
   caption.width_deg = table.number("width_deg", caption.width_deg, 0.5, 360.0);
   const std::vector<double> color = table.numbers("color", 3, 3, 0.0, 1e6);
   std::ranges::copy(color, caption.color.begin());
-  caption.text = read_local_text(table, file, "text");
+  caption.text = read_local_text(table, "text");
   return caption;
 }
 
@@ -120,7 +120,7 @@ std::string read_path(TomlTable& table, std::string_view key) {
   return path;
 }
 
-Overlay read_overlay(TomlTable& table, const std::string&) {
+Overlay read_overlay(TomlTable& table) {
   Overlay overlay;
   overlay.image = read_path(table, "image");
   overlay.presence = read_presence(table);
@@ -132,7 +132,7 @@ Overlay read_overlay(TomlTable& table, const std::string&) {
   return overlay;
 }
 
-AudioTrack read_track(TomlTable& table, const std::string&) {
+AudioTrack read_track(TomlTable& table) {
   AudioTrack track;
   track.file = read_path(table, "file");
   track.from_s = table.number("from_s", 0.0, 0.0, longest_s);
@@ -152,10 +152,10 @@ AudioTrack read_track(TomlTable& table, const std::string&) {
 //! Reads each table of an array with `read`.
 template <class Entry>
 void read_each(TomlTable& root, const std::string& file, const char* name, std::vector<Entry>& entries,
-               Entry (*read)(TomlTable&, const std::string&)) {
+               Entry (*read)(TomlTable&)) {
   for (const toml::table* each : root.tables(name, most_entries)) {
     TomlTable table(*each, file, fmt::format("{}[{}]", name, entries.size()));
-    Entry entry = read(table, file);
+    Entry entry = read(table);
     if constexpr (std::is_same_v<Entry, Chapter>) {
       if (!entries.empty() && !(entry.time_s > entries.back().time_s)) {
         throw table.error_at("t_s", "is not later than that of the previous chapter", "sort the chapters by time");
@@ -168,7 +168,7 @@ void read_each(TomlTable& root, const std::string& file, const char* name, std::
 
 }  // namespace
 
-LocalText read_local_text(TomlTable& table, const std::string& file, std::string_view key) {
+LocalText read_local_text(TomlTable& table, std::string_view key) {
   const toml::node* const node = table.node(key);
   if (node == nullptr) {
     throw table.error_at(key, "is missing", "write \"TEXT\", or { en = \"TEXT\", de = \"TEXT\" }");
@@ -181,7 +181,7 @@ LocalText read_local_text(TomlTable& table, const std::string& file, std::string
     throw table.error_at(key, languages.empty() ? "has no language" : "has too many languages",
                          fmt::format("give it 1 to {} languages", most_languages));
   }
-  TomlTable reader(languages, file, table.path_of(key));
+  TomlTable reader = table.below(languages, key);
   LocalText text;
   for (const auto& [tag, words] : languages) {
     // An empty tag is for languages without a text.

@@ -16,7 +16,7 @@ inline constexpr double least_fade_deg = 1.0;
 
 //! Reads a text that is either a string or a table of strings by language tags. Throws Error if it
 //! is missing or empty.
-LocalText read_local_text(TomlTable& table, const std::string& file, std::string_view key);
+LocalText read_local_text(TomlTable& table, std::string_view key);
 
 //! Reads [[animate]], [[chapter]], [[caption]], [[overlay]] and [[audio]]. All other numbers of the
 //! show, except its camera, must have been read. Throws Error with file, line and key for invalid

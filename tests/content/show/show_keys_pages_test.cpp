@@ -9,6 +9,7 @@
 
 #include "content/files/whole_file.h"
 #include "content/show/show_schema.h"
+#include "kernels/core/angles.h"
 
 // The tables of keys in the reference pages follow from the schema. With the environment variable
 // ERGODOME_RENEW_REFERENCES, the tests write them into the pages instead of comparing them.
@@ -42,7 +43,7 @@ std::string default_on_page(const ShowKey& key, const void* value) {
   }
   switch (key.kind) {
     case KeyKind::number:
-      return page_number(*static_cast<const double*>(value));
+      return page_number((key.degrees ? radian_deg : 1.0) * *static_cast<const double*>(value));
     case KeyKind::integer:
       return std::to_string(*static_cast<const int*>(value));
     case KeyKind::boolean:
@@ -76,44 +77,82 @@ std::string range_on_page(const ShowKey& key) {
   return words;
 }
 
-//! Adds the row of each key in a table and in the tables below it. `settings` are new.
-void add_rows(std::span<const ShowKey> keys, const std::string& prefix, void* settings, std::string& rows) {
-  for (const ShowKey& key : keys) {
-    const bool has_value = key.kind != KeyKind::other;
-    const std::string name = prefix + std::string(key.name);
-    void* const value = has_value ? key.at(settings, 0) : nullptr;
-    if (!key.meaning.empty()) {
-      for (const std::string& cell :
-           {fmt::format("`{}`", name), type_on_page(key), default_on_page(key, value), range_on_page(key),
-            std::string(key.unit), std::string(key.changes ? "yes" : "no"), std::string(key.meaning)}) {
-        rows += cell.empty() ? "| " : fmt::format("| {} ", cell);
-      }
-      rows += "|\n";
-    }
-    if (key.kind == KeyKind::table) {
-      add_rows(key.keys, name + ".", value != nullptr ? value : key.make(settings), rows);
-    }
-  }
+std::string changes_on_page(const ShowKey& key) {
+  return !key.varies.empty() ? std::string(key.varies) : key.changes ? "yes" : "no";
 }
 
-//! A table of keys in a page, below the heading, and the tables of the show file that it has.
+//! A table of keys in a page, below the heading, and the tables of the show file that it has: by
+//! their paths, or "" for the keys outside of tables.
 struct DocumentedTable {
   const char* page;
   const char* heading;
-  std::vector<std::string_view> tables;
+  std::vector<std::string> tables;
 };
 
 void PrintTo(const DocumentedTable& documented, std::ostream* out) { *out << documented.heading; }
 
+const std::vector<DocumentedTable> documented_tables = {
+    {"show-keys.md", "## Top level", {""}},
+    {"show-keys.md", "## `[hole]`", {"hole"}},
+    {"show-keys.md", "## `[camera]`", {"camera"}},
+    {"show-keys.md", "### `[[camera.key]]`", {"camera.key"}},
+    {"show-keys.md", "## `[camera.fall]`", {"camera.fall"}},
+    {"show-keys.md", "## `[sky]`", {"sky"}},
+    {"show-keys.md", "## `[stars]`", {"stars"}},
+    {"show-keys.md", "## `[effects]`", {"effects"}},
+    {"show-keys.md", "## `[view]`", {"view"}},
+    {"show-keys.md", "## `[stereo]`", {"stereo"}},
+    {"stereo.md", "## Keys", {"stereo"}},
+    {"show-keys.md", "## `[tone]`", {"tone"}},
+    {"show-keys.md", "## `[flight]`", {"flight"}},
+    {"show-keys.md", "## `[grid]` and `[quality]`", {"grid", "quality"}},
+    {"show-keys.md", "## `[readout]`", {"readout"}},
+    {"disk.md", "## Keys", {"disk"}},
+    {"shells.md", "## Keys", {"shells"}},
+};
+
+bool has_own_section(const std::string& path) {
+  return std::ranges::any_of(documented_tables, [&](const DocumentedTable& documented) {
+    return std::ranges::count(documented.tables, path) > 0;
+  });
+}
+
+//! Adds the row of each key in the table at `path`, and in the tables below it that have no section.
+//! `settings` are new.
+void add_rows(std::span<const ShowKey> keys, const std::string& path, const std::string& prefix, void* settings,
+              std::string& rows) {
+  for (const ShowKey& key : keys) {
+    const std::string name = prefix + std::string(key.name);
+    void* const value = key.at != nullptr ? key.at(settings, 0) : nullptr;
+    if (!key.meaning.empty()) {
+      for (const std::string& cell :
+           {fmt::format("`{}`", name), type_on_page(key), default_on_page(key, value), range_on_page(key),
+            std::string(key.unit), changes_on_page(key), std::string(key.meaning)}) {
+        rows += cell.empty() ? "| " : fmt::format("| {} ", cell);
+      }
+      rows += "|\n";
+    }
+    const std::string below = path.empty() ? std::string(key.name) : fmt::format("{}.{}", path, key.name);
+    if (key.kind == KeyKind::table && !has_own_section(below)) {
+      add_rows(key.keys, below, name + ".", value != nullptr ? value : key.make(settings), rows);
+    }
+  }
+}
+
 std::string rows_of(const DocumentedTable& documented) {
   std::string rows =
       "| key | type | default | range | unit | changes with time | meaning |\n|---|---|---|---|---|---|---|\n";
-  Show show;
-  for (const ShowKey& key : show_keys()) {
-    if (std::ranges::count(documented.tables, key.name) > 0) {
-      void* const settings = key.make != nullptr ? key.make(&show) : key.at(&show, 0);
-      add_rows(key.keys, documented.tables.size() > 1 ? std::string(key.name) + "." : "", settings, rows);
+  for (const std::string& path : documented.tables) {
+    Show show;
+    std::span<const ShowKey> keys = show_keys();
+    void* settings = &show;
+    std::istringstream names(path);
+    for (std::string name; std::getline(names, name, '.');) {
+      const ShowKey& key = *std::ranges::find(keys, name, &ShowKey::name);
+      settings = key.make != nullptr ? key.make(settings) : key.at(settings, 0);
+      keys = key.keys;
     }
+    add_rows(keys, path, documented.tables.size() > 1 ? path + "." : "", settings, rows);
   }
   return rows;
 }
@@ -135,16 +174,7 @@ TEST_P(ShowKeysPages, ListTheKeysOfTheSchema) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Tables, ShowKeysPages,
-                         testing::Values(DocumentedTable{"show-keys.md", "## `[hole]`", {"hole"}},
-                                         DocumentedTable{"show-keys.md", "## `[effects]`", {"effects"}},
-                                         DocumentedTable{"show-keys.md", "## `[stereo]`", {"stereo"}},
-                                         DocumentedTable{"stereo.md", "## Keys", {"stereo"}},
-                                         DocumentedTable{"show-keys.md", "## `[tone]`", {"tone"}},
-                                         DocumentedTable{"show-keys.md", "## `[flight]`", {"flight"}},
-                                         DocumentedTable{
-                                             "show-keys.md", "## `[grid]` and `[quality]`", {"grid", "quality"}},
-                                         DocumentedTable{"show-keys.md", "## `[readout]`", {"readout"}}));
+INSTANTIATE_TEST_SUITE_P(Tables, ShowKeysPages, testing::ValuesIn(documented_tables));
 
 }  // namespace
 }  // namespace ergodome

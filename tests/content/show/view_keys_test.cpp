@@ -1,5 +1,3 @@
-#include "content/show/view_reader.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

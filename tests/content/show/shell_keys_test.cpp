@@ -1,5 +1,3 @@
-#include "content/show/shell_reader.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
