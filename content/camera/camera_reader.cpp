@@ -50,67 +50,49 @@ constexpr auto write_velocity = [](toml::table& table, const CameraKey& key) {
 };
 
 constexpr auto keys_of_key = keys_of<CameraKey>(
-    key<&CameraKey::time_s>("t_s")
-        .range(-1e12, 1e12)
-        .unit("s")
-        .means("Time of the key. Keys are in order of time, at least 1e-6 s apart."),
-    key<&CameraKey::r>("r")
-        .range(0.0, 1e9)
-        .otherwise("required")
-        .bounds("above the horizon, to 1e9")
-        .unit("M")
-        .varies("by keys")
-        .means("Boyer-Lindquist radius."),
-    key<&CameraKey::theta>("theta_deg")
+    key<&CameraKey::time_s>("t_s", "Time of the key. Keys are in order of time, at least 1e-6 s apart.")
+        .range(-1e12, 1e12, "s"),
+    key<&CameraKey::r>("r", "Boyer-Lindquist radius.")
+        .range(0.0, 1e9, "M")
+        .page({.otherwise = "required", .bounds = "above the horizon, to 1e9", .varies = "by keys"}),
+    key<&CameraKey::theta>("theta_deg", "Polar angle from the spin axis. 90 is the equator.")
         .degrees(0.0, 180.0)
-        .unit("deg")
-        .varies("by keys")
-        .means("Polar angle from the spin axis. 90 is the equator."),
-    key<&CameraKey::phi>("phi_deg")
+        .page({.varies = "by keys"}),
+    key<&CameraKey::phi>(
+        "phi_deg", "Azimuth. It grows in the direction in which a hole of positive spin turns, and may exceed 360.")
         .degrees(-largest_camera_angle_deg, largest_camera_angle_deg)
-        .unit("deg")
-        .varies("by keys")
-        .means("Azimuth. It grows in the direction in which a hole of positive spin turns, and may exceed 360."),
-    other<CameraKey>("look")
+        .page({.varies = "by keys"}),
+    other<CameraKey>(
+        "look",
+        "Direction of view before `yaw_deg`, `pitch_deg` and `roll_deg`. The list is a direction of any length "
+        "except 0.")
         .by(read_direction, write_direction)
-        .type("word or list of 3 numbers")
-        .otherwise("`\"hole\"`")
-        .bounds("`\"hole\"`, `\"away\"`, `[e_r, e_theta, e_phi]`")
-        .varies("by keys")
-        .means("Direction of view before `yaw_deg`, `pitch_deg` and `roll_deg`. The list is a direction of any length "
-               "except 0."),
-    key<&CameraKey::yaw>("yaw_deg")
+        .page({.type = "word or list of 3 numbers",
+               .otherwise = "`\"hole\"`",
+               .bounds = "`\"hole\"`, `\"away\"`, `[e_r, e_theta, e_phi]`",
+               .varies = "by keys"}),
+    key<&CameraKey::yaw>("yaw_deg", "Turns the view to the right.")
         .degrees(-largest_camera_angle_deg, largest_camera_angle_deg)
-        .unit("deg")
-        .varies("by keys")
-        .means("Turns the view to the right."),
-    key<&CameraKey::pitch>("pitch_deg")
+        .page({.varies = "by keys"}),
+    key<&CameraKey::pitch>("pitch_deg", "Turns the view up.")
         .degrees(-largest_camera_angle_deg, largest_camera_angle_deg)
-        .unit("deg")
-        .varies("by keys")
-        .means("Turns the view up."),
-    key<&CameraKey::roll>("roll_deg")
+        .page({.varies = "by keys"}),
+    key<&CameraKey::roll>("roll_deg", "Rolls the view clockwise.")
         .degrees(-largest_camera_angle_deg, largest_camera_angle_deg)
-        .unit("deg")
-        .varies("by keys")
-        .means("Rolls the view clockwise."),
-    key<&CameraKey::hold_s>("hold_s")
-        .range(0.0, 1e12)
-        .unit("s")
-        .written_if([](const CameraKey& key) { return key.hold_s > 0.0; })
-        .means("The camera stays at this key for this time, starting at `t_s`."),
-    key<&CameraKey::ease>("ease")
+        .page({.varies = "by keys"}),
+    key<&CameraKey::hold_s>("hold_s", "The camera stays at this key for this time, starting at `t_s`.")
+        .range(0.0, 1e12, "s")
+        .written_if([](const CameraKey& key) { return key.hold_s > 0.0; }),
+    key<&CameraKey::ease>("ease", "Motion from this key to the next: [easing](#easing).")
         .words(camera_eases)
-        .written_if([](const CameraKey& key) { return key.ease != Ease::smooth; })
-        .means("Motion from this key to the next: [easing](#easing)."),
-    other<CameraKey>("velocity")
-        // take_velocity() reads it, because it depends on the spin.
+        .written_if([](const CameraKey& key) { return key.ease != Ease::smooth; }),
+    // take_velocity() reads it, because it depends on the spin.
+    other<CameraKey>("velocity", "Velocity of the observer at this key. It replaces `camera.observer`.")
         .by([](TomlTable& table, CameraKey& /*key*/) { table.node("velocity"); }, write_velocity)
-        .type("word or table")
-        .otherwise("absent")
-        .bounds("see [observers](#observers)")
-        .varies("by keys")
-        .means("Velocity of the observer at this key. It replaces `camera.observer`."));
+        .page({.type = "word or table",
+               .otherwise = "absent",
+               .bounds = "see [observers](#observers)",
+               .varies = "by keys"}));
 
 //! Writes the keys; those during a fall have no position.
 constexpr auto write_camera_keys = [](toml::table& table, const CameraSettings& camera) {
@@ -277,23 +259,18 @@ void check_ways(const std::vector<const toml::table*>& tables, const std::string
 
 KeyTable<CameraSettings> camera_keys() {
   static const auto all = keys_of<CameraSettings>(
-      other<CameraSettings>("observer")
+      other<CameraSettings>("observer",
+                            "Velocity of the observer at the camera position. It sets aberration and frequency shift.")
           .by(read_later,
               [](toml::table& table, const CameraSettings& camera) {
                 write_motion(table, "observer", {camera.motion, camera.velocity});
               })
-          .type("word or table")
-          .otherwise("`\"zamo\"`")
-          .bounds("see [observers](#observers)")
           .fixed("the kind of observer is the same for the whole show")
-          .means("Velocity of the observer at the camera position. It sets aberration and frequency shift."),
-      table<&CameraSettings::keys>("key", keys_of_key)
+          .page({.type = "word or table", .otherwise = "`\"zamo\"`", .bounds = "see [observers](#observers)"}),
+      table<&CameraSettings::keys>("key", keys_of_key, "Positions of the camera: `[[camera.key]]`.")
           .by(read_later, write_camera_keys)
-          .otherwise("required")
-          .bounds("1 to 100,000 entries")
-          .varies("its own keys")
-          .means("Positions of the camera: `[[camera.key]]`."),
-      table<&CameraSettings::fall>("fall", fall_keys).means("Free fall: [`[camera.fall]`](#camerafall)."));
+          .page({.otherwise = "required", .bounds = "1 to 100,000 entries", .varies = "its own keys"}),
+      table<&CameraSettings::fall>("fall", fall_keys, "Free fall: [`[camera.fall]`](#camerafall)."));
   return all;
 }
 

@@ -100,45 +100,39 @@ void check_beginning(const TomlTable& table, const Show& show) {
 }
 
 constexpr auto keys_of_fall = keys_of<FallSettings>(
-    key<&FallSettings::time_s>("t_s")
-        .range(-1e12, 1e12)
-        .unit("s")
-        .means("Start of the fall. A camera key must have the same `t_s`, and it must be before the end of the show."),
-    other<FallSettings>("velocity")
-        // let_fall() reads it, because its default is the velocity of the camera's observer.
+    key<&FallSettings::time_s>(
+        "t_s", "Start of the fall. A camera key must have the same `t_s`, and it must be before the end of the show.")
+        .range(-1e12, 1e12, "s"),
+    // let_fall() reads it, because its default is the velocity of the camera's observer.
+    other<FallSettings>("velocity", "Velocity at the start.")
         .by([](TomlTable& table, FallSettings& /*fall*/) { table.node("velocity"); },
             [](toml::table& table, const FallSettings& fall) {
               write_motion(table, "velocity", {fall.motion, fall.velocity});
             })
-        .type("word or table")
-        .otherwise("that of `camera.observer`")
-        .bounds("see [observers](#observers)")
-        .means("Velocity at the start."),
-    key<&FallSettings::clock>("clock")
-        .range(0.0, 1e9)
-        .otherwise("required, unless animated")
-        .unit("M/s")
+        .page({.type = "word or table",
+               .otherwise = "that of `camera.observer`",
+               .bounds = "see [observers](#observers)"}),
+    key<&FallSettings::clock>(
+        "clock", "The camera's own time that passes in one second of the show. It must be above 0 at some time.")
+        .range(0.0, 1e9, "M/s")
         .animated()
-        .means("The camera's own time that passes in one second of the show. It must be above 0 at some time."),
-    key<&FallSettings::ease_s>("ease_s").range(0.0, 60.0).unit("s").means(
-        "Time in which the velocity changes before the fall, and in which the clock starts."),
-    key<&FallSettings::least_r>("least_r")
-        .range(0.0, 1e9)
-        .otherwise("absent")
-        .bounds("see [into the hole](#into-the-hole)")
-        .unit("M")
+        .page({.otherwise = "required, unless animated"}),
+    key<&FallSettings::ease_s>("ease_s",
+                               "Time in which the velocity changes before the fall, and in which the clock starts.")
+        .range(0.0, 60.0, "s"),
+    key<&FallSettings::least_r>(
+        "least_r", "Radius at which the clock stops. A value below the horizon leads the fall through the horizon.")
+        .range(0.0, 1e9, "M")
         .written_if([](const FallSettings& fall) { return fall.least_r > 0.0; })
         .unused_if([](const Show& show, const FallSettings& fall) {
           return show.camera.orbit && show.camera.orbit->least_r() > (1.0 + 1e-9) * fall.least_r
                      ? "has no effect: the fall never comes this close to the hole"
                      : nullptr;
         })
-        .means("Radius at which the clock stops. A value below the horizon leads the fall through the horizon."),
-    key<&FallSettings::until_s>("until_s")
-        .range(-1e12, 1e12)
-        .bounds("`t_s` + 2 `ease_s` to `duration_s`")
-        .unit("s")
-        .means("End of the fall. If absent, the camera falls until the end of the show."));
+        .page({.otherwise = "absent", .bounds = "see [into the hole](#into-the-hole)"}),
+    key<&FallSettings::until_s>("until_s", "End of the fall. If absent, the camera falls until the end of the show.")
+        .range(-1e12, 1e12, "s")
+        .page({.bounds = "`t_s` + 2 `ease_s` to `duration_s`"}));
 
 }  // namespace
 

@@ -65,54 +65,40 @@ constexpr auto check_plunging = [](const TomlTable& table, const DiskSettings& d
 };
 
 constexpr auto keys_of_disk = keys_of<DiskSettings>(
-    other<DiskSettings>("inner")
+    other<DiskSettings>("inner", "Inner edge. `\"isco\"` is the innermost stable circular orbit along +φ.")
         .by(read_inner, write_inner)
-        .type("`\"isco\"` or number")
-        .otherwise("`\"isco\"`")
-        .bounds("1 to 1e6")
-        .unit("M")
         .fixed("to let it follow the spin, write inner = \"isco\"")
-        .means("Inner edge. `\"isco\"` is the innermost stable circular orbit along +φ."),
-    key<&DiskSettings::outer>("outer")
-        .range(1.0, 1e6)
-        .bounds("1 to 1e6, above `inner`")
-        .unit("M")
+        .page({.type = "`\"isco\"` or number", .unit = "M", .otherwise = "`\"isco\"`", .bounds = "1 to 1e6"}),
+    key<&DiskSettings::outer>("outer", "Outer edge.")
+        .range(1.0, 1e6, "M")
         .animated()
-        .means("Outer edge."),
-    key<&DiskSettings::profile>("profile")
-        .words(profile_names)
-        .means("[Temperature at each radius](#temperature-profiles)."),
-    key<&DiskSettings::temperature_k>("temperature_K")
-        .range(300.0, 1e7)
-        .unit("K")
-        .animated()
-        .means("Highest temperature of the disk."),
-    key<&DiskSettings::exposure>("exposure")
-        .range(0.0, 1e12)
-        .unit("display white")
-        .animated()
-        .means("Emitted light at the hottest radius, before any frequency shift."),
-    key<&DiskSettings::opacity>("opacity").range(0.0, 1.0).animated().means(
-        "Opacity of each crossing of the disk. The background shows through the rest."),
-    key<&DiskSettings::limb_darkening>("limb_darkening")
-        .means("`true`: the disk emits [less light at grazing angles](#limb-darkening)."),
-    key<&DiskSettings::plunging>("plunging")
-        .after(check_plunging)
-        .means("`true`: [matter falls in](#plunging-matter) from the innermost stable orbit to `inner`."),
-    key<&DiskSettings::pattern>("pattern")
-        .words(pattern_names)
-        .means("`\"procedural\"`: [clouds](#clouds) that orbit with the matter."),
-    key<&DiskSettings::contrast>("contrast")
+        .page({.bounds = "1 to 1e6, above `inner`"}),
+    key<&DiskSettings::profile>("profile", "[Temperature at each radius](#temperature-profiles).").words(profile_names),
+    key<&DiskSettings::temperature_k>("temperature_K", "Highest temperature of the disk.")
+        .range(300.0, 1e7, "K")
+        .animated(),
+    key<&DiskSettings::exposure>("exposure", "Emitted light at the hottest radius, before any frequency shift.")
+        .range(0.0, 1e12, "display white")
+        .animated(),
+    key<&DiskSettings::opacity>("opacity",
+                                "Opacity of each crossing of the disk. The background shows through the rest.")
+        .range(0.0, 1.0)
+        .animated(),
+    key<&DiskSettings::limb_darkening>("limb_darkening",
+                                       "`true`: the disk emits [less light at grazing angles](#limb-darkening)."),
+    key<&DiskSettings::plunging>(
+        "plunging", "`true`: [matter falls in](#plunging-matter) from the innermost stable orbit to `inner`.")
+        .after(check_plunging),
+    key<&DiskSettings::pattern>("pattern", "`\"procedural\"`: [clouds](#clouds) that orbit with the matter.")
+        .words(pattern_names),
+    key<&DiskSettings::contrast>("contrast", "Contrast of the clouds, as the logarithm of their brightness.")
         .range(0.0, 4.0)
         .animated()
-        .unused_if(unused_without_clouds)
-        .means("Contrast of the clouds, as the logarithm of their brightness."),
-    key<&DiskSettings::speed>("speed")
-        .range(-1e6, 1e6)
-        .unit("M/s")
+        .unused_if(unused_without_clouds),
+    key<&DiskSettings::speed>("speed", "Speed of the clouds: M of the hole's time in one second of the show.")
+        .range(-1e6, 1e6, "M/s")
         .fixed("changing it would make the clouds jump")
-        .unused_if(unused_without_clouds)
-        .means("Speed of the clouds: M of the hole's time in one second of the show."));
+        .unused_if(unused_without_clouds));
 
 }  // namespace
 

@@ -16,43 +16,30 @@ constexpr auto unused_with_pattern = [](const Show& show, const DiffractionSetti
 
 constexpr const char* no_fractions = "a whole number cannot change gradually";
 
-constexpr auto psf_keys =
-    keys_of<PointSpreadSettings>(key<&PointSpreadSettings::sigma_px>("sigma_px")
-                                     .range(0.0, 100.0)
-                                     .unit("px")
-                                     .animated(changes_stars)
-                                     .means("Spread of a star image. 0: one hard pixel."),
-                                 key<&PointSpreadSettings::cutoff_px>("cutoff_px")
-                                     .range(0.0, 100.0)
-                                     .unit("px")
-                                     .animated(changes_stars)
-                                     .means("Radius at which the spot ends. 0: three times `sigma_px`."));
+constexpr auto psf_keys = keys_of<PointSpreadSettings>(
+    key<&PointSpreadSettings::sigma_px>("sigma_px", "Spread of a star image. 0: one hard pixel.")
+        .range(0.0, 100.0, "px")
+        .animated(changes_stars),
+    key<&PointSpreadSettings::cutoff_px>("cutoff_px", "Radius at which the spot ends. 0: three times `sigma_px`.")
+        .range(0.0, 100.0, "px")
+        .animated(changes_stars));
 
-constexpr auto trail_keys =
-    keys_of<TrailSettings>(key<&TrailSettings::shutter_s>("shutter_s")
-                               .range(0.0, 1e6)
-                               .unit("s")
-                               .animated()
-                               .means("Time that the shutter is open, half of it before the frame's time."));
+constexpr auto trail_keys = keys_of<TrailSettings>(
+    key<&TrailSettings::shutter_s>("shutter_s", "Time that the shutter is open, half of it before the frame's time.")
+        .range(0.0, 1e6, "s")
+        .animated());
 
 constexpr auto diffraction_keys = keys_of<DiffractionSettings>(
-    key<&DiffractionSettings::brighter_than_mag>("brighter_than_mag")
-        .range(-40.0, 40.0)
-        .unit("mag")
-        .animated(changes_stars)
-        .means("Star images at least this bright have spikes."),
-    key<&DiffractionSettings::strength>("strength")
+    key<&DiffractionSettings::brighter_than_mag>("brighter_than_mag", "Star images at least this bright have spikes.")
+        .range(-40.0, 40.0, "mag")
+        .animated(changes_stars),
+    key<&DiffractionSettings::strength>("strength", "Part of a star's light that is in the spikes.")
         .range(0.0, 1.0)
-        .animated(changes_stars)
-        .means("Part of a star's light that is in the spikes."),
-    key<&DiffractionSettings::pattern>("pattern")
-        .type("path")
-        .otherwise("absent")
-        .bounds("up to 1025 x 1025 px")
-        .means("Image of the pattern, in place of an aperture."),
-    key<&DiffractionSettings::blades>("blades")
+        .animated(changes_stars),
+    key<&DiffractionSettings::pattern>("pattern", "Image of the pattern, in place of an aperture.")
+        .page({.type = "path", .otherwise = "absent", .bounds = "up to 1025 x 1025 px"}),
+    key<&DiffractionSettings::blades>("blades", "Sides of the aperture. 0: round.")
         .range(0, 64)
-        .bounds("0, 3 to 64")
         .fixed(no_fractions)
         .unused_if(unused_with_pattern)
         .after([](TomlTable& table, DiffractionSettings& spikes) {
@@ -61,21 +48,17 @@ constexpr auto diffraction_keys = keys_of<DiffractionSettings>(
                                  "choose 3 or more, or 0 for a round aperture");
           }
         })
-        .means("Sides of the aperture. 0: round."),
-    key<&DiffractionSettings::vanes>("vanes")
+        .page({.bounds = "0, 3 to 64"}),
+    key<&DiffractionSettings::vanes>("vanes", "Arms that hold a secondary mirror, the first one upwards.")
         .range(0, 64)
         .fixed(no_fractions)
-        .unused_if(unused_with_pattern)
-        .means("Arms that hold a secondary mirror, the first one upwards."),
-    key<&DiffractionSettings::obstruction>("obstruction")
+        .unused_if(unused_with_pattern),
+    key<&DiffractionSettings::obstruction>("obstruction", "Radius of a central mirror, relative to the aperture.")
         .range(0.0, 0.9)
         .animated(changes_stars)
-        .unused_if(unused_with_pattern)
-        .means("Radius of a central mirror, relative to the aperture."),
-    key<&DiffractionSettings::size_px>("size_px")
-        .range(3, 1025)
-        .bounds("odd, 3 to 1025")
-        .unit("px")
+        .unused_if(unused_with_pattern),
+    key<&DiffractionSettings::size_px>("size_px", "Width of the pattern.")
+        .range(3, 1025, "px")
         .fixed(no_fractions)
         .unused_if(unused_with_pattern)
         .after([](TomlTable& table, DiffractionSettings& spikes) {
@@ -84,37 +67,32 @@ constexpr auto diffraction_keys = keys_of<DiffractionSettings>(
                                  "choose an odd number");
           }
         })
-        .means("Width of the pattern."),
-    key<&DiffractionSettings::scale>("scale")
+        .page({.bounds = "odd, 3 to 1025"}),
+    key<&DiffractionSettings::scale>("scale",
+                                     "Radius of a round aperture's first dark ring at 550 nm, in units of 2 px.")
         .range(0.25, 8.0)
         .animated(changes_stars)
-        .unused_if(unused_with_pattern)
-        .means("Radius of a round aperture's first dark ring at 550 nm, in units of 2 px."));
+        .unused_if(unused_with_pattern));
 
 constexpr auto bloom_keys = keys_of<BloomSettings>(
-    key<&BloomSettings::strength>("strength").range(0.0, 1.0).animated().means("Part of the light that is scattered."),
-    key<&BloomSettings::radius_px>("radius_px")
-        .range(0.0, 4096.0)
-        .unit("px")
-        .animated()
-        .means("Root mean square distance of the scattered light along an axis."));
+    key<&BloomSettings::strength>("strength", "Part of the light that is scattered.").range(0.0, 1.0).animated(),
+    key<&BloomSettings::radius_px>("radius_px", "Root mean square distance of the scattered light along an axis.")
+        .range(0.0, 4096.0, "px")
+        .animated());
 
 constexpr auto keys_of_effects = keys_of<EffectSettings>(
-    key<&EffectSettings::redshift>("redshift")
-        .means("Frequency shift of stars, map, disk, shells and traced objects. A star of temperature T looks like a "
-               "blackbody of g T, where g is the ratio of the observed frequency to the emitted one."),
-    key<&EffectSettings::magnification>("magnification")
-        .unused_if(unused_without_stars)
-        .means("Star images are as bright as the lens makes them."),
+    key<&EffectSettings::redshift>(
+        "redshift",
+        "Frequency shift of stars, map, disk, shells and traced objects. A star of temperature T looks like a "
+        "blackbody of g T, where g is the ratio of the observed frequency to the emitted one."),
+    key<&EffectSettings::magnification>("magnification", "Star images are as bright as the lens makes them.")
+        .unused_if(unused_without_stars),
     table<&EffectSettings::psf>("psf", psf_keys).unused_if(unused_without_stars),
-    table<&EffectSettings::trails>("trails", trail_keys)
-        .unused_if(unused_without_stars)
-        .means("Light trails of moving stars. An empty table is enough."),
-    table<&EffectSettings::diffraction>("diffraction", diffraction_keys)
-        .unused_if(unused_without_stars)
-        .means("Spikes on bright stars."),
-    table<&EffectSettings::bloom>("bloom", bloom_keys)
-        .means("Halo around bright light. The total light stays the same."));
+    table<&EffectSettings::trails>("trails", trail_keys, "Light trails of moving stars. An empty table is enough.")
+        .unused_if(unused_without_stars),
+    table<&EffectSettings::diffraction>("diffraction", diffraction_keys, "Spikes on bright stars.")
+        .unused_if(unused_without_stars),
+    table<&EffectSettings::bloom>("bloom", bloom_keys, "Halo around bright light. The total light stays the same."));
 
 }  // namespace
 

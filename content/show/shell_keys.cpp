@@ -50,54 +50,40 @@ constexpr auto make_lines_close = [](const TomlTable& table, ShellSettings& shel
 };
 
 constexpr auto keys_of_shell = keys_of<ShellSettings>(
-    key<&ShellSettings::radius>("radius")
-        .range(1.0, 1e9)
-        .unit("M")
+    key<&ShellSettings::radius>("radius", "Radius of the sphere; at least 1.001 times the radius of the horizon.")
+        .range(1.0, 1e9, "M")
         .required("give the radius of the shell in units of M, for example radius = 10")
-        .animated()
-        .means("Radius of the sphere; at least 1.001 times the radius of the horizon."),
-    key<&ShellSettings::spacing_deg>("spacing_deg")
-        .range(0.5, 180.0)
-        .bounds("0.5 to 180, divides 180")
-        .unit("deg")
+        .animated(),
+    key<&ShellSettings::spacing_deg>("spacing_deg", "Angle between neighboring lines.")
+        .range(0.5, 180.0, "deg")
         .after(make_lines_close)
         .unused_if(unused_without_lines)
-        .means("Angle between neighboring lines."),
-    key<&ShellSettings::line_width_deg>("line_width_deg")
-        .range(0.0, 90.0)
-        .unit("deg")
+        .page({.bounds = "0.5 to 180, divides 180"}),
+    key<&ShellSettings::line_width_deg>("line_width_deg", "Width of the lines, the same at all latitudes. 0: no lines.")
+        .range(0.0, 90.0, "deg")
         .animated()
-        .unused_if(unused_without_opacity)
-        .means("Width of the lines, the same at all latitudes. 0: no lines."),
-    key<&ShellSettings::line_color>("line_color")
-        .range(0.0, 1e6)
-        .unit("display white")
-        .unused_if(unused_without_lines)
-        .means("Color of the lines: red, green, blue in linear light."),
-    key<&ShellSettings::fill_color>("fill_color")
-        .range(0.0, 1e6)
-        .unit("display white")
+        .unused_if(unused_without_opacity),
+    key<&ShellSettings::line_color>("line_color", "Color of the lines: red, green, blue in linear light.")
+        .range(0.0, 1e6, "display white")
+        .unused_if(unused_without_lines),
+    key<&ShellSettings::fill_color>("fill_color", "Color between the lines. With a texture, a factor on its color.")
+        .range(0.0, 1e6, "display white")
+        .unused_if(unused_without_fill),
+    key<&ShellSettings::texture>("texture", "[Image](#texture) on the sphere, relative to the folder of the show.")
         .unused_if(unused_without_fill)
-        .means("Color between the lines. With a texture, a factor on its color."),
-    key<&ShellSettings::texture>("texture")
-        .type("path")
-        .otherwise("none")
-        .unused_if(unused_without_fill)
-        .means("[Image](#texture) on the sphere, relative to the folder of the show."),
-    key<&ShellSettings::line_opacity>("line_opacity")
+        .page({.type = "path", .otherwise = "none"}),
+    key<&ShellSettings::line_opacity>("line_opacity", "Opacity of the lines at each crossing.")
         .range(0.0, 1.0)
         .animated()
-        .unused_if(unused_without_width)
-        .means("Opacity of the lines at each crossing."),
-    key<&ShellSettings::fill_opacity>("fill_opacity")
+        .unused_if(unused_without_width),
+    key<&ShellSettings::fill_opacity>("fill_opacity", "Opacity between the lines at each crossing.")
         .range(0.0, 1.0)
-        .otherwise("0; 1 with `texture`")
         .animated()
         .before([](const TomlTable& /*table*/, ShellSettings& shell) {
           shell.fill_opacity = shell.texture.empty() ? 0.0 : 1.0;
         })
-        .means("Opacity between the lines at each crossing."),
-    key<&ShellSettings::exposure>("exposure").range(0.0, 1e12).animated().means("Factor on all light of the shell."));
+        .page({.otherwise = "0; 1 with `texture`"}),
+    key<&ShellSettings::exposure>("exposure", "Factor on all light of the shell.").range(0.0, 1e12).animated());
 
 //! Returns the largest horizon radius at any time of the show.
 double greatest_horizon(const Show& show) {

@@ -19,8 +19,10 @@
 // The schema of the show file. A key is declared once, in the table of its struct:
 //
 //   constexpr auto bloom_keys = keys_of<BloomSettings>(
-//       key<&BloomSettings::strength>("strength").range(0.0, 1.0).animated().means("Part of ..."),
-//       key<&BloomSettings::radius_px>("radius_px").range(0.0, 4096.0).unit("px").means("Width."));
+//       key<&BloomSettings::strength>("strength", "Part of the light that is scattered.")
+//           .range(0.0, 1.0)
+//           .animated(),
+//       key<&BloomSettings::radius_px>("radius_px", "Width of the halo.").range(0.0, 4096.0, "px"));
 //
 // The type follows from the member, the default from the member's initial value. Reader, writer,
 // animatable numbers, unused keys and the tables of the reference pages follow from it.
@@ -36,6 +38,16 @@ enum class KeyKind {
   table,   //!< a table; absent if its struct is an empty optional
   tables,  //!< a list of tables: a vector of structs
   other    //!< has its own functions for reading and writing
+};
+
+//! Cells of a key's row in the tables of the reference pages. Those that are empty follow from the
+//! declaration.
+struct PageText {
+  std::string_view type{};
+  std::string_view unit{};
+  std::string_view otherwise{};  //!< the default
+  std::string_view bounds{};     //!< the range
+  std::string_view varies{};     //!< whether it changes with time
 };
 
 //! Declaration of a key. All functions get the struct of the key's table as `settings`.
@@ -66,13 +78,8 @@ struct ShowKey {
   //! Returns why the key is unused in a show, or nullptr if it is used.
   const char* (*unused)(const Show& show, const void* settings) = nullptr;
 
-  // For the reference tables of the documents; empty: follows from the rest.
-  std::string_view type;
-  std::string_view unit;
-  std::string_view otherwise;  //!< the default
-  std::string_view bounds;     //!< the range
-  std::string_view varies;     //!< whether it changes with time
-  std::string_view meaning;    //!< one or two sentences; empty: the table has no row for the key
+  std::string_view meaning;  //!< one or two sentences; empty: only for tables
+  PageText page;
 };
 
 //! Returns the limits of a number in these settings.
@@ -96,14 +103,15 @@ template <class Settings>
 struct KeyOf {
   ShowKey key;
 
-  constexpr KeyOf range(double least, double greatest) {
+  constexpr KeyOf range(double least, double greatest, std::string_view unit = "") {
     key.limits = {least, greatest};
+    key.page.unit = unit;
     return *this;
   }
   //! The range is in degrees, as in the file; the member is in radians.
   constexpr KeyOf degrees(double least, double greatest) {
     key.degrees = true;
-    return range(least, greatest);
+    return range(least, greatest, "deg");
   }
   //! The range in this struct, if it is narrower than range().
   template <class Function>
@@ -176,28 +184,11 @@ struct KeyOf {
     };
     return *this;
   }
-  constexpr KeyOf type(std::string_view words) {
-    key.type = words;
-    return *this;
-  }
-  constexpr KeyOf unit(std::string_view words) {
-    key.unit = words;
-    return *this;
-  }
-  constexpr KeyOf otherwise(std::string_view words) {
-    key.otherwise = words;
-    return *this;
-  }
-  constexpr KeyOf bounds(std::string_view words) {
-    key.bounds = words;
-    return *this;
-  }
-  constexpr KeyOf varies(std::string_view words) {
-    key.varies = words;
-    return *this;
-  }
-  constexpr KeyOf means(std::string_view words) {
-    key.meaning = words;
+  constexpr KeyOf page(PageText text) {
+    if (text.unit.empty()) {
+      text.unit = key.page.unit;
+    }
+    key.page = text;
     return *this;
   }
 };
@@ -247,7 +238,7 @@ constexpr KeyKind kind_of() {
 
 //! Declares the key of a member, or of a member of a member.
 template <auto First, auto... Rest>
-constexpr auto key(std::string_view name) {
+constexpr auto key(std::string_view name, std::string_view meaning) {
   using Settings = typename MemberTypes<decltype(First)>::Settings;
   constexpr auto member = [](void* settings) -> auto& {
     return ((static_cast<Settings*>(settings)->*First).*....*Rest);
@@ -255,6 +246,7 @@ constexpr auto key(std::string_view name) {
   using Value = std::remove_reference_t<decltype(member(nullptr))>;
   KeyOf<Settings> made;
   made.key.name = name;
+  made.key.meaning = meaning;
   made.key.kind = kind_of<Value>();
   made.key.at = [](void* settings, [[maybe_unused]] std::size_t i) -> void* {
     Value& value = decltype(member){}(settings);
@@ -289,8 +281,8 @@ requires(is_optional<Value> || is_vector<Value>) struct TableOf<Value> {
 template <auto Member, class Types = MemberTypes<decltype(Member)>>
 constexpr KeyOf<typename Types::Settings> table(std::string_view name,
                                                 KeyTable<typename TableOf<typename Types::Value>::Type> keys,
-                                                std::size_t most = 0) {
-  auto made = key<Member>(name);
+                                                std::string_view meaning = "", std::size_t most = 0) {
+  auto made = key<Member>(name, meaning);
   made.key.keys = keys.keys;
   made.key.most = most;
   return made;
@@ -309,9 +301,10 @@ constexpr KeyOf<Settings> group(std::string_view name, KeyTable<Settings> keys) 
 
 //! Declares a key that is not a single member; KeyOf::by() reads and writes it.
 template <class Settings>
-constexpr KeyOf<Settings> other(std::string_view name) {
+constexpr KeyOf<Settings> other(std::string_view name, std::string_view meaning) {
   KeyOf<Settings> made;
   made.key.name = name;
+  made.key.meaning = meaning;
   return made;
 }
 
@@ -324,17 +317,18 @@ struct KeyList {
   constexpr operator KeyTable<Settings>() const { return {keys}; }
 };
 
-//! Returns the list of a struct's keys. Keys of another struct, numbers without a range and words
-//! without names do not compile.
+//! Returns the list of a struct's keys. Keys of another struct, numbers without a range, words
+//! without names and values without a meaning do not compile.
 template <class Settings, class... Keys>
 constexpr KeyList<Settings, sizeof...(Keys)> keys_of(const Keys&... keys) {
   static_assert((std::is_same_v<Keys, KeyOf<Settings>> && ...));
   const auto complete = [](const ShowKey& key) {
     const bool number = key.kind == KeyKind::number || key.kind == KeyKind::integer || key.kind == KeyKind::color;
-    return (!number || key.limits.least < key.limits.greatest) && (key.kind != KeyKind::word || !key.words.empty());
+    return (!number || key.limits.least < key.limits.greatest) && (key.kind != KeyKind::word || !key.words.empty()) &&
+           (!key.keys.empty() || !key.meaning.empty());
   };
   if (!(complete(keys.key) && ...)) {
-    throw std::logic_error("a number has no range, or a word no names");
+    throw std::logic_error("a key has no range, names or meaning");
   }
   return {{keys.key...}};
 }

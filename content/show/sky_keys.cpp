@@ -11,28 +11,23 @@ constexpr std::array shift_names = {"luminance", "blackbody_fit"};
 constexpr std::array method_names = {"inverse", "gather"};
 
 constexpr auto layout_keys = keys_of<MapLayout>(
-    key<&MapLayout::coordinates>("coordinates").words(coordinate_names).means("Coordinates of the map (J2000)."),
-    key<&MapLayout::middle_deg>("middle_deg")
-        .range(-360.0, 360.0)
-        .unit("deg")
-        .otherwise("270 for equatorial, else 0")
+    key<&MapLayout::coordinates>("coordinates", "Coordinates of the map (J2000).").words(coordinate_names),
+    key<&MapLayout::middle_deg>("middle_deg", "Longitude in the middle of the image.")
+        .range(-360.0, 360.0, "deg")
         .before([](TomlTable& /*table*/, MapLayout& layout) {
           // The middle of the built-in map, the galactic center, or the vernal equinox.
           layout.middle_deg = layout.coordinates == MapCoordinates::equatorial ? MapLayout{}.middle_deg : 0.0;
         })
-        .means("Longitude in the middle of the image."),
-    key<&MapLayout::mirrored>("mirrored").means("`true`: longitude grows to the right."));
+        .page({.otherwise = "270 for equatorial, else 0"}),
+    key<&MapLayout::mirrored>("mirrored", "`true`: longitude grows to the right."));
 
-constexpr auto axis_keys = keys_of<SkySettings>(key<&SkySettings::spin_axis_ra_deg>("ra_deg")
-                                                    .range(-360.0, 360.0)
-                                                    .unit("deg")
-                                                    .animated(changes_sky)
-                                                    .means("Right ascension (J2000) of the spin axis."),
-                                                key<&SkySettings::spin_axis_dec_deg>("dec_deg")
-                                                    .range(-90.0, 90.0)
-                                                    .unit("deg")
-                                                    .animated(changes_sky)
-                                                    .means("Declination (J2000) of the spin axis."));
+constexpr auto axis_keys =
+    keys_of<SkySettings>(key<&SkySettings::spin_axis_ra_deg>("ra_deg", "Right ascension (J2000) of the spin axis.")
+                             .range(-360.0, 360.0, "deg")
+                             .animated(changes_sky),
+                         key<&SkySettings::spin_axis_dec_deg>("dec_deg", "Declination (J2000) of the spin axis.")
+                             .range(-90.0, 90.0, "deg")
+                             .animated(changes_sky));
 
 constexpr auto unused_on_black = [](const Show& /*show*/, const SkySettings& sky) {
   return sky.map == "black" ? "has no effect on map = \"black\"" : nullptr;
@@ -47,11 +42,10 @@ constexpr auto unused_for_no_stars = [](const Show& /*show*/, const SkySettings&
 };
 
 constexpr auto keys_of_sky = keys_of<SkySettings>(
-    key<&SkySettings::map>("map")
-        .bounds("`\"milky_way\"`, `\"grid\"`, `\"black\"`, or a path")
-        .means("Map of the sky. See [sky images](sky-images.md) for formats, layers and cube maps."),
-    table<&SkySettings::map_layout>("map_layout", layout_keys)
-        .otherwise("that of the built-in map")
+    key<&SkySettings::map>("map", "Map of the sky. See [sky images](sky-images.md) for formats, layers and cube maps.")
+        .page({.bounds = "`\"milky_way\"`, `\"grid\"`, `\"black\"`, or a path"}),
+    table<&SkySettings::map_layout>("map_layout", layout_keys,
+                                    "Coordinates of your own map. Not allowed with a built-in map.")
         .before([](TomlTable& table, SkySettings& sky) {
           if (table.table("map_layout") != nullptr && is_built_in_sky(sky.map)) {
             throw table.error_at("map_layout", "cannot be used with the built-in map \"" + sky.map + "\"",
@@ -59,48 +53,42 @@ constexpr auto keys_of_sky = keys_of<SkySettings>(
           }
         })
         .written_if([](const SkySettings& sky) { return sky.map_layout != MapLayout{}; })
-        .means("Coordinates of your own map. Not allowed with a built-in map."),
-    key<&SkySettings::stars>("stars")
-        .otherwise("absent: no stars")
-        .bounds("`\"bright_stars\"`, `\"all_stars\"`, or a path")
-        .means("Star catalog. See [star tables](star-tables.md). `bright_stars` has the stars up to magnitude 6.5."),
-    key<&SkySettings::faintest_mag>("faintest_mag")
-        .range(-30.0, 60.0)
-        .unit("mag")
+        .page({.otherwise = "that of the built-in map"}),
+    key<&SkySettings::stars>(
+        "stars", "Star catalog. See [star tables](star-tables.md). `bright_stars` has the stars up to magnitude 6.5.")
+        .page({.otherwise = "absent: no stars", .bounds = "`\"bright_stars\"`, `\"all_stars\"`, or a path"}),
+    key<&SkySettings::faintest_mag>("faintest_mag", "Star images that appear fainter than this are left out.")
+        .range(-30.0, 60.0, "mag")
         .animated(changes_stars)
-        .unused_if(unused_for_no_stars)
-        .means("Star images that appear fainter than this are left out."),
-    key<&SkySettings::exposure>("exposure")
+        .unused_if(unused_for_no_stars),
+    key<&SkySettings::exposure>("exposure", "Factor on the light of map and stars.")
         .range(0.0, 1e12)
         .animated(changes_stars)
-        .unused_if(unused_without_light)
-        .means("Factor on the light of map and stars."),
+        .unused_if(unused_without_light),
     group<SkySettings>("spin_axis", axis_keys).unused_if([](const Show& show, const SkySettings& sky) {
       return sky.map == "grid" ? "has no effect on map = \"grid\", which uses the hole's own axes"
                                : unused_without_light(show, sky);
     }),
-    key<&SkySettings::filter>("filter")
+    key<&SkySettings::filter>("filter", "How a pixel samples the map. See below.")
         .words(filter_names)
-        .unused_if(unused_on_black)
-        .means("How a pixel samples the map. See below."),
-    key<&SkySettings::shift>("shift")
+        .unused_if(unused_on_black),
+    key<&SkySettings::shift>("shift", "Effect of `effects.redshift` on the map. See below.")
         .words(shift_names)
         .first(SkyShift::luminance)
         .unused_if([](const Show& show, const SkySettings& sky) {
           const char* const black = unused_on_black(show, sky);
           return black == nullptr && !show.effects.redshift ? "is used only with effects.redshift = true" : black;
-        })
-        .means("Effect of `effects.redshift` on the map. See below."),
-    key<&SkySettings::brightening>("brightening")
-        .unused_if(unused_on_black)
-        .means("`true`: the map's light is multiplied by the magnification."));
+        }),
+    key<&SkySettings::brightening>("brightening", "`true`: the map's light is multiplied by the magnification.")
+        .unused_if(unused_on_black));
 
 constexpr auto keys_of_stars = keys_of<SkySettings>(
-    key<&SkySettings::star_method>("method")
+    key<&SkySettings::star_method>(
+        "method",
+        "`inverse` finds every image of each star. `gather` takes the stars that each pixel covers; it is less "
+        "exact, and is there for comparison.")
         .words(method_names)
-        .unused_if(unused_for_no_stars)
-        .means("`inverse` finds every image of each star. `gather` takes the stars that each pixel covers; it is less "
-               "exact, and is there for comparison."));
+        .unused_if(unused_for_no_stars));
 
 }  // namespace
 

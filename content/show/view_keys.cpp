@@ -152,87 +152,70 @@ constexpr auto unused_vignette = [](const Show& /*show*/, const ViewSettings& vi
 };
 
 constexpr auto truncation_keys = keys_of<DomeTruncation>(
-    key<&DomeTruncation::bottom>("bottom").range(0.0, 1.0).unit("height").means(
-        "Dome: part of the picture's height at the bottom that stays black and is not rendered."),
-    key<&DomeTruncation::top>("top").range(0.0, 1.0).unit("height").means(
-        "Dome: the same at the top. Both parts together are below 1."));
+    key<&DomeTruncation::bottom>(
+        "bottom", "Dome: part of the picture's height at the bottom that stays black and is not rendered.")
+        .range(0.0, 1.0, "height"),
+    key<&DomeTruncation::top>("top", "Dome: the same at the top. Both parts together are below 1.")
+        .range(0.0, 1.0, "height"));
 
 constexpr auto frustum_keys = keys_of<FrustumAngles>(
-    key<&FrustumAngles::left_deg>("left_deg")
-        .range(-89.5, 89.5)
-        .unit("deg")
-        .means("Pinhole: left side, as an angle from the axis. A frustum replaces `fov_deg` and `aspect`."),
-    key<&FrustumAngles::right_deg>("right_deg")
-        .range(-89.5, 89.5)
-        .bounds("-89.5 to 89.5, above `left_deg`")
-        .unit("deg")
+    key<&FrustumAngles::left_deg>(
+        "left_deg", "Pinhole: left side, as an angle from the axis. A frustum replaces `fov_deg` and `aspect`.")
+        .range(-89.5, 89.5, "deg"),
+    key<&FrustumAngles::right_deg>("right_deg", "Pinhole: right side.")
+        .range(-89.5, 89.5, "deg")
         .after([](const TomlTable& table, const FrustumAngles& angles) {
           if (!(angles.right_deg - angles.left_deg >= 1e-6)) {
             throw table.error_at("right_deg", "is not to the right of left_deg",
                                  "choose a larger angle; angles to the left are negative");
           }
         })
-        .means("Pinhole: right side."),
-    key<&FrustumAngles::up_deg>("up_deg").range(-89.5, 89.5).unit("deg").means("Pinhole: upper side."),
-    key<&FrustumAngles::down_deg>("down_deg")
-        .range(-89.5, 89.5)
-        .bounds("-89.5 to 89.5, below `up_deg`")
-        .unit("deg")
+        .page({.bounds = "-89.5 to 89.5, above `left_deg`"}),
+    key<&FrustumAngles::up_deg>("up_deg", "Pinhole: upper side.").range(-89.5, 89.5, "deg"),
+    key<&FrustumAngles::down_deg>("down_deg", "Pinhole: lower side.")
+        .range(-89.5, 89.5, "deg")
         .after([](const TomlTable& table, const FrustumAngles& angles) {
           if (!(angles.up_deg - angles.down_deg >= 1e-6)) {
             throw table.error_at("up_deg", "is not above down_deg",
                                  "choose a larger angle; angles downward are negative");
           }
         })
-        .means("Pinhole: lower side."));
+        .page({.bounds = "-89.5 to 89.5, below `up_deg`"}));
 
 constexpr auto keys_of_view = keys_of<ViewSettings>(
-    key<&ViewSettings::projection>("projection")
-        .words(projection_names)
-        .means("[Projection](projections.md) of the picture."),
-    key<&ViewSettings::size_px>("size_px")
-        .range(1, 16384)
-        .unit("px")
-        .fixed(of_the_picture)
-        .means("Width of one eye's picture. With `cube_layout = \"faces\"`: width of a face."),
-    key<&ViewSettings::field_of_view_deg>("fov_deg")
-        .range(1e-6, 360.0)
+    key<&ViewSettings::projection>("projection", "[Projection](projections.md) of the picture.")
+        .words(projection_names),
+    key<&ViewSettings::size_px>("size_px",
+                                "Width of one eye's picture. With `cube_layout = \"faces\"`: width of a face.")
+        .range(1, 16384, "px")
+        .fixed(of_the_picture),
+    key<&ViewSettings::field_of_view_deg>("fov_deg", "Field of view.")
+        .range(1e-6, 360.0, "deg")
         .range_in(field_limits)
-        .otherwise("dome 180, cylinder 360, pinhole 60")
-        .bounds("see below")
-        .unit("deg")
         .animated()
         .before(usual_field)
         .after(check_whole_sky)
         .unused_if(unused_field)
-        .means("Field of view."),
-    key<&ViewSettings::tilt_deg>("tilt_deg")
-        .range(-180.0, 180.0)
-        .unit("deg")
+        .page({.otherwise = "dome 180, cylinder 360, pinhole 60", .bounds = "see below"}),
+    key<&ViewSettings::tilt_deg>("tilt_deg", "Dome: tilt of the picture.")
+        .range(-180.0, 180.0, "deg")
         .animated()
-        .unused_if(unused_tilt)
-        .means("Dome: tilt of the picture."),
-    key<&ViewSettings::artistic_tilt>("artistic_tilt")
-        .means("`false`: a tilt in the dome setup replaces `tilt_deg`. `true`: the show keeps its own tilt."),
-    key<&ViewSettings::from_outside>("from_outside").means("`true`: the mirror image, as seen from outside the dome."),
-    key<&ViewSettings::vignette>("vignette")
+        .unused_if(unused_tilt),
+    key<&ViewSettings::artistic_tilt>(
+        "artistic_tilt", "`false`: a tilt in the dome setup replaces `tilt_deg`. `true`: the show keeps its own tilt."),
+    key<&ViewSettings::from_outside>("from_outside", "`true`: the mirror image, as seen from outside the dome."),
+    key<&ViewSettings::vignette>(
+        "vignette", "Dome and pinhole: part of the light that is lost at the edge of the picture. See below.")
         .range(0.0, 1.0)
         .animated()
         .written_if([](const ViewSettings& view) { return view.vignette > 0.0; })
-        .unused_if(unused_vignette)
-        .means("Dome and pinhole: part of the light that is lost at the edge of the picture. See below."),
-    key<&ViewSettings::lens>("lens")
-        .words(lens_names)
-        .only_if(only_in<ViewProjection::dome>)
-        .means("Dome: fisheye lens."),
-    other<ViewSettings>("polynomial")
+        .unused_if(unused_vignette),
+    key<&ViewSettings::lens>("lens", "Dome: fisheye lens.").words(lens_names).only_if(only_in<ViewProjection::dome>),
+    other<ViewSettings>("polynomial", "Dome: `[f1, f3, f5, f7]` of the lens `polynomial`. See below.")
         .by(read_polynomial, write_polynomial)
         .only_if(only_in<ViewProjection::dome>)
-        .type("list of 1 to 4 numbers")
-        .otherwise("absent")
-        .bounds("-1e6 to 1e6 each")
         .fixed(of_the_screen)
-        .means("Dome: `[f1, f3, f5, f7]` of the lens `polynomial`. See below."),
+        .page({.type = "list of 1 to 4 numbers", .otherwise = "absent", .bounds = "-1e6 to 1e6 each"}),
     table<&ViewSettings::truncation>("truncate", truncation_keys)
         .only_if(only_in<ViewProjection::dome>)
         .fixed(of_the_screen)
@@ -242,30 +225,25 @@ constexpr auto keys_of_view = keys_of<ViewSettings>(
                                  "choose bottom and top that add up to less than 1");
           }
         }),
-    other<ViewSettings>("viewer")
+    other<ViewSettings>("viewer", "Dome: position `[right, up, back]` of the viewer for whom the picture is right.")
         .by(read_viewer, write_viewer)
         .only_if(only_in<ViewProjection::dome>)
-        .type("list of 3 numbers")
-        .otherwise("`[0, 0, 0]`")
-        .bounds("up to 0.95 from the center")
-        .unit("dome radii")
         .fixed(of_the_screen)
-        .means("Dome: position `[right, up, back]` of the viewer for whom the picture is right."),
-    key<&ViewSettings::cube_files>("cube_layout")
+        .page({.type = "list of 3 numbers",
+               .unit = "dome radii",
+               .otherwise = "`[0, 0, 0]`",
+               .bounds = "up to 0.95 from the center"}),
+    key<&ViewSettings::cube_files>("cube_layout", "Cube: arrangement of the faces.")
         .words(cube_file_names)
-        .only_if(only_in<ViewProjection::cube>)
-        .means("Cube: arrangement of the faces."),
-    key<&ViewSettings::height_deg>("height_deg")
-        .range(1e-6, 179.0)
-        .unit("deg")
+        .only_if(only_in<ViewProjection::cube>),
+    key<&ViewSettings::height_deg>("height_deg", "Cylinder: field of view in elevation, symmetric about the horizon.")
+        .range(1e-6, 179.0, "deg")
         .only_if(only_in<ViewProjection::cylinder>)
-        .fixed(of_the_picture)
-        .means("Cylinder: field of view in elevation, symmetric about the horizon."),
-    key<&ViewSettings::aspect>("aspect")
+        .fixed(of_the_picture),
+    key<&ViewSettings::aspect>("aspect", "Pinhole: width over height.")
         .range(0.01, 100.0)
         .fixed(of_the_picture)
-        .unused_if(unused_aspect)
-        .means("Pinhole: width over height."),
+        .unused_if(unused_aspect),
     table<&ViewSettings::frustum>("frustum", frustum_keys)
         .only_if(only_in<ViewProjection::pinhole>)
         .fixed(of_the_screen));

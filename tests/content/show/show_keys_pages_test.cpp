@@ -30,13 +30,13 @@ std::string page_number(double value) {
 std::string type_on_page(const ShowKey& key) {
   constexpr const char* types[] = {"number", "integer",        "Boolean", "string", "word", "list of 3 numbers",
                                    "table",  "list of tables", ""};
-  return key.type.empty() ? types[static_cast<std::size_t>(key.kind)] : std::string(key.type);
+  return key.page.type.empty() ? types[static_cast<std::size_t>(key.kind)] : std::string(key.page.type);
 }
 
 //! Returns the default of a key, which is `value` in new settings; nullptr if it is absent there.
 std::string default_on_page(const ShowKey& key, const void* value) {
-  if (!key.otherwise.empty() || key.missing != nullptr) {
-    return key.missing != nullptr ? "required" : std::string(key.otherwise);
+  if (!key.page.otherwise.empty() || key.missing != nullptr) {
+    return key.missing != nullptr ? "required" : std::string(key.page.otherwise);
   }
   if (value == nullptr || key.kind == KeyKind::table) {
     return "absent";
@@ -63,8 +63,8 @@ std::string default_on_page(const ShowKey& key, const void* value) {
 }
 
 std::string range_on_page(const ShowKey& key) {
-  if (!key.bounds.empty()) {
-    return std::string(key.bounds);
+  if (!key.page.bounds.empty()) {
+    return std::string(key.page.bounds);
   }
   if (key.limits.least < key.limits.greatest) {
     return fmt::format("{} to {}{}", page_number(key.limits.least), page_number(key.limits.greatest),
@@ -78,7 +78,7 @@ std::string range_on_page(const ShowKey& key) {
 }
 
 std::string changes_on_page(const ShowKey& key) {
-  return !key.varies.empty() ? std::string(key.varies) : key.changes ? "yes" : "no";
+  return !key.page.varies.empty() ? std::string(key.page.varies) : key.changes ? "yes" : "no";
 }
 
 //! A table of keys in a page, below the heading, and the tables of the show file that it has: by
@@ -127,7 +127,7 @@ void add_rows(std::span<const ShowKey> keys, const std::string& path, const std:
     if (!key.meaning.empty()) {
       for (const std::string& cell :
            {fmt::format("`{}`", name), type_on_page(key), default_on_page(key, value), range_on_page(key),
-            std::string(key.unit), changes_on_page(key), std::string(key.meaning)}) {
+            std::string(key.page.unit), changes_on_page(key), std::string(key.meaning)}) {
         rows += cell.empty() ? "| " : fmt::format("| {} ", cell);
       }
       rows += "|\n";
