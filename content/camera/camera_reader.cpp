@@ -13,7 +13,6 @@
 #include "content/show/key_table.h"
 #include "content/show/show_reader.h"
 #include "content/show/show_schema.h"
-#include "content/timeline/timeline_reader.h"
 #include "kernels/core/angles.h"
 #include "kernels/spacetime/kerr/kerr.h"
 
@@ -308,6 +307,39 @@ void read_camera(const toml::table* table, const std::string& file, Show& show) 
   }
   check_ways(keys, file, show);
   camera.refuse_unknown_keys();
+}
+
+void check_spin_on_path(const std::string& file, const Show& show) {
+  const Animation* const spin = find_animation(show, "hole.spin");
+  if (spin == nullptr) {
+    return;
+  }
+  std::vector<double> times;
+  times.reserve(spin->keys.size() + show.camera.keys.size());
+  for (const NumberKey& key : spin->keys) {
+    times.push_back(key.time_s);
+  }
+  for (const CameraKey& key : show.camera.keys) {
+    times.push_back(key.time_s);
+  }
+  std::ranges::sort(times);
+  constexpr int between = 8;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const double span_s = i + 1 < times.size() ? times[i + 1] - times[i] : 0.0;
+    for (int k = 0; k < (span_s > 0.0 ? between : 1); ++k) {
+      const double time_s = times[i] + span_s * k / between;
+      const double horizon = horizon_radius(value_at(*spin, time_s));
+      const double r = camera_pose(show, time_s).r;
+      if (!(r > horizon)) {
+        const int line = show.lines.at("animate.hole.spin");
+        throw Error(
+            line == key_set_outside ? show_setting_option : fmt::format("{}:{}", file, line),
+            fmt::format("at {:.6g} s this spin has its horizon at {:.6g} M, so that the camera at {:.6g} M is inside",
+                        time_s, horizon, r),
+            "keep the camera farther out, or choose a larger spin");
+      }
+    }
+  }
 }
 
 }  // namespace ergodome

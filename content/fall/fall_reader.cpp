@@ -12,7 +12,6 @@
 #include "content/show/key_table.h"
 #include "content/show/show_reader.h"
 #include "content/show/show_schema.h"
-#include "content/timeline/timeline_reader.h"
 #include "kernels/spacetime/kerr/kerr.h"
 
 namespace ergodome {

@@ -7,7 +7,6 @@
 
 #include "content/fall/free_fall.h"
 #include "content/show/animated_show.h"
-#include "content/timeline/timeline_reader.h"
 #include "kernels/core/angles.h"
 
 namespace ergodome {

@@ -1,7 +1,5 @@
 #include "content/show/animatable_number.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <stdexcept>
 
@@ -22,18 +20,17 @@ void* part_at(const Show& show, Steps steps) {
   return at;
 }
 
+bool has_number(const ShowKey& key) { return key.changes || std::ranges::any_of(key.keys, has_number); }
+
 //! Adds the numbers among these keys and those in the tables below them.
 void add_numbers(std::span<const ShowKey> keys, const std::string& path, Steps steps,
                  std::vector<AnimatableNumber>& numbers) {
   for (const ShowKey& key : keys) {
-    for (std::size_t i = 0; i < std::max<std::size_t>(key.most, 1); ++i) {
+    for (std::size_t i = 0; has_number(key) && i < std::max<std::size_t>(key.most, 1); ++i) {
       AnimatableNumber number{path + std::string(key.name), key.limits, key.changes.value_or(NumberChange{}), {}};
       number.steps.assign(steps.begin(), steps.end());
       number.steps.push_back({&key, i});
-      if (key.kind == KeyKind::tables) {
-        number.path += fmt::format("[{}]", i);
-      }
-      add_numbers(key.keys, number.path + ".", number.steps, numbers);
+      add_numbers(key.keys, path_below(path, key, i), number.steps, numbers);
       if (key.changes) {
         numbers.push_back(std::move(number));
       }

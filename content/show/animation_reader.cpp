@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "content/show/animated_show.h"
-#include "content/timeline/timeline_reader.h"
 
 namespace ergodome {
 

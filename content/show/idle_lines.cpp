@@ -52,16 +52,16 @@ class Idle {
 void add_keys(std::span<const ShowKey> keys, const std::string& path, const Show& show, const void* settings,
               Idle& idle) {
   for (const ShowKey& key : keys) {
-    const bool list = key.kind == KeyKind::tables;
     const char* const why = key.unused != nullptr ? key.unused(show, settings) : nullptr;
     if (why != nullptr) {
       idle.add({path + std::string(key.name)}, why);
     }
     for (std::size_t i = 0; !key.keys.empty() && i < std::max<std::size_t>(key.most, 1); ++i) {
-      if (const void* const below = key.at(const_cast<void*>(settings), i)) {
-        const std::string own = path + std::string(key.name) + (list ? "[" + std::to_string(i) + "]" : "");
-        add_keys(key.keys, own + ".", show, below, idle);
+      const void* const below = key.at(const_cast<void*>(settings), i);
+      if (below == nullptr) {
+        break;
       }
+      add_keys(key.keys, path_below(path, key, i), show, below, idle);
     }
   }
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "content/timeline/local_text.h"
 #include "kernels/core/angles.h"
 
 namespace ergodome {
@@ -40,6 +41,10 @@ void read_tables(const ShowKey& key, TomlTable& table, void* settings) {
 //! Reads a value that is not a table.
 void read_value(const ShowKey& key, TomlTable& table, void* settings) {
   void* value = key.at(settings, 0);
+  if (key.kind == KeyKind::local_text) {
+    *static_cast<LocalText*>(value) = read_local_text(table, key.name);
+    return;
+  }
   if (table.node(key.name) == nullptr) {
     return;
   }
@@ -85,6 +90,8 @@ void read_key(const ShowKey& key, TomlTable& table, void* settings) {
   }
   if (key.read != nullptr) {
     key.read(table, settings);
+  } else if (key.kind == KeyKind::part) {
+    read_keys(key.keys, table, key.at(settings, 0));
   } else if (key.kind == KeyKind::table || key.kind == KeyKind::tables) {
     read_tables(key, table, settings);
   } else {
@@ -113,6 +120,9 @@ void write_value(const ShowKey& key, const void* value, toml::table& table) {
     case KeyKind::text:
       table.insert(key.name, *static_cast<const std::string*>(value));
       break;
+    case KeyKind::local_text:
+      add_local_text(*static_cast<const LocalText*>(value), key.name, table);
+      break;
     case KeyKind::color: {
       const auto& color = *static_cast<const std::array<double, 3>*>(value);
       table.insert(key.name, toml::array{color[0], color[1], color[2]});
@@ -121,12 +131,23 @@ void write_value(const ShowKey& key, const void* value, toml::table& table) {
     case KeyKind::table:
       table.insert(key.name, written_keys(key.keys, value));
       break;
+    case KeyKind::part:
+      for (auto& [name, node] : written_keys(key.keys, value)) {
+        table.insert(name, std::move(node));
+      }
+      break;
     default:
       table.insert(key.name, key.words[static_cast<std::size_t>(word_at(value) - key.first_word)]);
   }
 }
 
 }  // namespace
+
+std::string path_below(const std::string& path, const ShowKey& key, std::size_t i) {
+  return key.kind == KeyKind::part     ? path
+         : key.kind == KeyKind::tables ? fmt::format("{}{}[{}].", path, key.name, i)
+                                       : fmt::format("{}{}.", path, key.name);
+}
 
 void read_keys(std::span<const ShowKey> keys, TomlTable& table, void* settings) {
   for (const ShowKey& key : keys) {

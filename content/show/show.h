@@ -187,6 +187,9 @@ inline constexpr std::array stereo_layout_names = {"mono",        "side_by_side"
 enum class StereoModel { physical, flat, omni };
 inline constexpr std::array stereo_model_names = {"physical", "flat", "omni"};
 
+//! Minimum elevation range over which the baseline of StereoModel::omni fades [deg].
+inline constexpr double least_fade_deg = 1.0;
+
 struct StereoSettings {
   StereoLayout layout = StereoLayout::mono;
   StereoModel model = StereoModel::physical;

@@ -33,11 +33,13 @@ enum class KeyKind {
   integer,
   boolean,
   text,
-  word,    //!< one of a list: an enumeration
-  color,   //!< three numbers
-  table,   //!< a table; absent if its struct is an empty optional
-  tables,  //!< a list of tables: a vector of structs
-  other    //!< has its own functions for reading and writing
+  local_text,  //!< in several languages; always required
+  word,        //!< one of a list: an enumeration
+  color,       //!< three numbers
+  table,       //!< a table; absent if its struct is an empty optional
+  tables,      //!< a list of tables: a vector of structs
+  part,        //!< a struct whose keys are in the same table
+  other        //!< has its own functions for reading and writing
 };
 
 //! Cells of a key's row in the tables of the reference pages. Those that are empty follow from the
@@ -166,11 +168,17 @@ struct KeyOf {
     key.after = [](TomlTable& table, void* settings) { Function{}(table, *static_cast<Settings*>(settings)); };
     return *this;
   }
+  //! Reads the key by `read(table, settings)`.
+  template <class Read>
+  constexpr KeyOf by(Read /*read*/) {
+    key.read = [](TomlTable& table, void* settings) { Read{}(table, *static_cast<Settings*>(settings)); };
+    return *this;
+  }
   //! Reads and writes the key, if it is present, by `read(table, settings)` and
   //! `write(toml, settings)`.
   template <class Read, class Write>
-  constexpr KeyOf by(Read /*read*/, Write /*write*/) {
-    key.read = [](TomlTable& table, void* settings) { Read{}(table, *static_cast<Settings*>(settings)); };
+  constexpr KeyOf by(Read read, Write /*write*/) {
+    by(read);
     key.write = [](toml::table& table, const void* settings) {
       Write{}(table, *static_cast<const Settings*>(settings));
     };
@@ -224,6 +232,8 @@ constexpr KeyKind kind_of() {
     return KeyKind::boolean;
   } else if constexpr (std::is_same_v<Value, std::string>) {
     return KeyKind::text;
+  } else if constexpr (std::is_same_v<Value, LocalText>) {
+    return KeyKind::local_text;
   } else if constexpr (std::is_enum_v<Value>) {
     static_assert(sizeof(Value) == sizeof(std::int32_t));
     return KeyKind::word;
@@ -288,6 +298,15 @@ constexpr KeyOf<typename Types::Settings> table(std::string_view name,
   return made;
 }
 
+//! Declares the keys of a member that is a struct, in the same table as the keys around it.
+template <auto Member, class Types = MemberTypes<decltype(Member)>>
+constexpr KeyOf<typename Types::Settings> part(KeyTable<typename Types::Value> keys) {
+  auto made = key<Member>("", "");
+  made.key.kind = KeyKind::part;
+  made.key.keys = keys.keys;
+  return made;
+}
+
 //! Declares a table whose keys are members of the same struct as the keys around it.
 template <class Settings>
 constexpr KeyOf<Settings> group(std::string_view name, KeyTable<Settings> keys) {
@@ -307,6 +326,10 @@ constexpr KeyOf<Settings> other(std::string_view name, std::string_view meaning)
   made.key.meaning = meaning;
   return made;
 }
+
+//! Returns the path of the keys in a table with a path of its own ("" or "sky."); of a list, of its
+//! entry `i`.
+std::string path_below(const std::string& path, const ShowKey& key, std::size_t i);
 
 //! The declarations of a table's keys, in the order in which they are read and documented.
 template <class Settings, std::size_t Count>

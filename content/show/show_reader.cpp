@@ -7,10 +7,10 @@
 #include "content/files/toml_table.h"
 #include "content/files/whole_file.h"
 #include "content/objects/object_reader.h"
+#include "content/show/animation_reader.h"
 #include "content/show/key_table.h"
 #include "content/show/show_schema.h"
 #include "content/show/show_settings.h"
-#include "content/timeline/timeline_reader.h"
 
 namespace ergodome {
 
@@ -22,8 +22,8 @@ constexpr std::size_t largest_mib = 16;
 void read_dependent_parts(TomlTable& root, const std::string& file, Show& show) {
   read_objects(root, file, show);
   read_fall(root.table("camera"), file, show);
-  // The timeline needs the limits of these numbers, and the camera the animated spin.
-  read_timeline(root, file, show);
+  // Animations need the limits of these numbers, and the camera the animated spin.
+  read_animations(root, file, show);
   read_camera(root.table("camera"), file, show);
   check_spin_on_path(file, show);
   check_objects(root, show);

@@ -2,8 +2,7 @@
 
 #include "content/show/key_table.h"
 #include "content/timeline/frame_rate.h"
-#include "content/timeline/timeline_reader.h"
-#include "content/timeline/timeline_writer.h"
+#include "content/timeline/local_text.h"
 
 namespace ergodome {
 
@@ -89,7 +88,8 @@ std::span<const ShowKey> show_keys() {
       table<&Show::view>("view", view_keys), table<&Show::stereo>("stereo", stereo_keys),
       table<&Show::tone>("tone", tone_keys), table<&Show::shells>("shells", shell_keys, "", most_shells),
       table<&Show::flight>("flight", flight_keys), group<Show>("grid", grid_keys),
-      table<&Show::quality>("quality", quality_keys), table<&Show::readout>("readout", readout_keys));
+      table<&Show::quality>("quality", quality_keys), table<&Show::readout>("readout", readout_keys),
+      part<&Show::timeline>(timeline_keys));
   return all.keys;
 }
 

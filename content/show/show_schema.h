@@ -14,6 +14,7 @@ extern const KeyTable<ShellSettings> shell_keys;
 extern const KeyTable<SkySettings> sky_keys;
 extern const KeyTable<SkySettings> star_keys;
 extern const KeyTable<StereoSettings> stereo_keys;
+extern const KeyTable<Timeline> timeline_keys;
 extern const KeyTable<ToneSettings> tone_keys;
 extern const KeyTable<ViewSettings> view_keys;
 

@@ -4,14 +4,12 @@
 #include "content/show/key_table.h"
 #include "content/show/show_reader.h"
 #include "content/show/show_schema.h"
-#include "content/timeline/timeline_writer.h"
 
 namespace ergodome {
 
 std::string to_toml(const Show& show) {
   toml::table root = written_keys(show_keys(), &show);
   add_objects(show, root);
-  add_timeline(show.timeline, root);
   std::ostringstream text;
   text << root << '\n';
   return text.str();

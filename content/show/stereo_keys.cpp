@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include "content/show/show_schema.h"
-#include "content/timeline/timeline_reader.h"
 
 namespace ergodome {
 

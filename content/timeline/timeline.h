@@ -18,6 +18,9 @@ namespace ergodome {
 enum class Ease { smooth, linear, in, out, in_out, hold };
 inline constexpr std::array ease_names = {"smooth", "linear", "in", "out", "in_out", "hold"};
 
+//! Minimum distance of two keys of a number, or of the camera [s].
+inline constexpr double least_key_gap_s = 1e-6;
+
 //! The value of an animated number at one instant.
 struct NumberKey {
   double time_s = 0.0;

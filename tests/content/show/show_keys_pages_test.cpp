@@ -28,15 +28,18 @@ std::string page_number(double value) {
 }
 
 std::string type_on_page(const ShowKey& key) {
-  constexpr const char* types[] = {"number", "integer",        "Boolean", "string", "word", "list of 3 numbers",
-                                   "table",  "list of tables", ""};
+  constexpr const char* types[] = {"number", "integer",           "Boolean", "string",         "text",
+                                   "word",   "list of 3 numbers", "table",   "list of tables", ""};
   return key.page.type.empty() ? types[static_cast<std::size_t>(key.kind)] : std::string(key.page.type);
 }
 
 //! Returns the default of a key, which is `value` in new settings; nullptr if it is absent there.
 std::string default_on_page(const ShowKey& key, const void* value) {
-  if (!key.page.otherwise.empty() || key.missing != nullptr) {
-    return key.missing != nullptr ? "required" : std::string(key.page.otherwise);
+  if (key.missing != nullptr || key.kind == KeyKind::local_text) {
+    return "required";
+  }
+  if (!key.page.otherwise.empty()) {
+    return std::string(key.page.otherwise);
   }
   if (value == nullptr || key.kind == KeyKind::table) {
     return "absent";
@@ -107,11 +110,18 @@ const std::vector<DocumentedTable> documented_tables = {
     {"show-keys.md", "## `[flight]`", {"flight"}},
     {"show-keys.md", "## `[grid]` and `[quality]`", {"grid", "quality"}},
     {"show-keys.md", "## `[readout]`", {"readout"}},
+    {"show-keys.md", "## `[[animate]]`", {"animate"}},
+    {"show-keys.md", "## `[[chapter]]`", {"chapter"}},
+    {"show-keys.md", "## `[[caption]]`", {"caption"}},
+    {"show-keys.md", "## `[[overlay]]`", {"overlay"}},
+    {"show-keys.md", "## `[[audio]]`", {"audio"}},
     {"disk.md", "## Keys", {"disk"}},
     {"shells.md", "## Keys", {"shells"}},
 };
 
-bool has_own_section(const std::string& path) {
+//! Returns true if the table at a path ("camera.key.") has a table of its own in the pages.
+bool has_own_section(std::string_view path) {
+  path.remove_suffix(path.ends_with('.') ? 1 : 0);
   return std::ranges::any_of(documented_tables, [&](const DocumentedTable& documented) {
     return std::ranges::count(documented.tables, path) > 0;
   });
@@ -122,21 +132,35 @@ bool has_own_section(const std::string& path) {
 void add_rows(std::span<const ShowKey> keys, const std::string& path, const std::string& prefix, void* settings,
               std::string& rows) {
   for (const ShowKey& key : keys) {
-    const std::string name = prefix + std::string(key.name);
+    const std::string name(key.name);
     void* const value = key.at != nullptr ? key.at(settings, 0) : nullptr;
     if (!key.meaning.empty()) {
       for (const std::string& cell :
-           {fmt::format("`{}`", name), type_on_page(key), default_on_page(key, value), range_on_page(key),
+           {fmt::format("`{}{}`", prefix, name), type_on_page(key), default_on_page(key, value), range_on_page(key),
             std::string(key.page.unit), changes_on_page(key), std::string(key.meaning)}) {
         rows += cell.empty() ? "| " : fmt::format("| {} ", cell);
       }
       rows += "|\n";
     }
-    const std::string below = path.empty() ? std::string(key.name) : fmt::format("{}.{}", path, key.name);
-    if (key.kind == KeyKind::table && !has_own_section(below)) {
-      add_rows(key.keys, below, name + ".", value != nullptr ? value : key.make(settings), rows);
+    if (key.kind == KeyKind::part) {
+      add_rows(key.keys, path, prefix, value, rows);
+    } else if (!key.keys.empty() && !has_own_section(path + name)) {
+      add_rows(key.keys, path + name + ".", prefix + name + ".", value != nullptr ? value : key.make(settings), rows);
     }
   }
+}
+
+//! Finds a key by its name; sets `settings` to the part that has it.
+const ShowKey* find_key(std::span<const ShowKey> keys, std::string_view name, void*& settings) {
+  for (const ShowKey& key : keys) {
+    void* part = key.kind == KeyKind::part ? key.at(settings, 0) : settings;
+    const ShowKey* const found = key.kind == KeyKind::part ? find_key(key.keys, name, part) : &key;
+    if (found != nullptr && found->name == name) {
+      settings = part;
+      return found;
+    }
+  }
+  return nullptr;
 }
 
 std::string rows_of(const DocumentedTable& documented) {
@@ -148,11 +172,12 @@ std::string rows_of(const DocumentedTable& documented) {
     void* settings = &show;
     std::istringstream names(path);
     for (std::string name; std::getline(names, name, '.');) {
-      const ShowKey& key = *std::ranges::find(keys, name, &ShowKey::name);
+      const ShowKey& key = *find_key(keys, name, settings);
       settings = key.make != nullptr ? key.make(settings) : key.at(settings, 0);
       keys = key.keys;
     }
-    add_rows(keys, path, documented.tables.size() > 1 ? path + "." : "", settings, rows);
+    const std::string below = path.empty() ? "" : path + ".";
+    add_rows(keys, below, documented.tables.size() > 1 ? below : "", settings, rows);
   }
   return rows;
 }
