@@ -11,7 +11,7 @@
 
 #include "app/cli/usage_error.h"
 #include "content/files/console.h"
-#include "content/objects/object_reader.h"
+#include "content/objects/object_checks.h"
 #include "content/show/animated_show.h"
 #include "content/show/show_reader.h"
 #include "content/show/stereo_eyes.h"

@@ -38,6 +38,13 @@ void read_tables(const ShowKey& key, TomlTable& table, void* settings) {
   }
 }
 
+double unit_of(const ShowKey& key) { return key.degrees ? one_degree : 1.0; }
+
+//! Returns a number as it is written. Rounding may exceed the range of an angle.
+double written_number(const ShowKey& key, double value) {
+  return key.degrees ? std::clamp(value * radian_deg, key.limits.least, key.limits.greatest) : value;
+}
+
 //! Reads a value that is not a table.
 void read_value(const ShowKey& key, TomlTable& table, void* settings) {
   void* value = key.at(settings, 0);
@@ -54,8 +61,7 @@ void read_value(const ShowKey& key, TomlTable& table, void* settings) {
   const NumberLimits limits = limits_of(key, settings);
   switch (key.kind) {
     case KeyKind::number:
-      *static_cast<double*>(value) =
-          (key.degrees ? one_degree : 1.0) * table.number(key.name, 0.0, limits.least, limits.greatest);
+      *static_cast<double*>(value) = unit_of(key) * table.number(key.name, 0.0, limits.least, limits.greatest);
       break;
     case KeyKind::integer:
       *static_cast<int*>(value) =
@@ -67,6 +73,11 @@ void read_value(const ShowKey& key, TomlTable& table, void* settings) {
     case KeyKind::text:
       *static_cast<std::string*>(value) = table.text(key.name, "");
       break;
+    case KeyKind::vector: {
+      const auto parts = table.numbers(key.name, 3, 3, limits.least, limits.greatest);
+      *static_cast<Vector3<double>*>(value) = unit_of(key) * Vector3<double>{parts[0], parts[1], parts[2]};
+      break;
+    }
     case KeyKind::color:
       std::ranges::copy(table.numbers(key.name, 3, 3, limits.least, limits.greatest),
                         static_cast<std::array<double, 3>*>(value)->begin());
@@ -104,11 +115,12 @@ void read_key(const ShowKey& key, TomlTable& table, void* settings) {
 
 void write_value(const ShowKey& key, const void* value, toml::table& table) {
   switch (key.kind) {
-    case KeyKind::number: {
-      const double number = *static_cast<const double*>(value);
-      // Rounding may exceed the range of an angle.
-      table.insert(key.name,
-                   key.degrees ? std::clamp(number * radian_deg, key.limits.least, key.limits.greatest) : number);
+    case KeyKind::number:
+      table.insert(key.name, written_number(key, *static_cast<const double*>(value)));
+      break;
+    case KeyKind::vector: {
+      const auto& v = *static_cast<const Vector3<double>*>(value);
+      table.insert(key.name, toml::array{written_number(key, v.x), written_number(key, v.y), written_number(key, v.z)});
       break;
     }
     case KeyKind::integer:

@@ -35,7 +35,8 @@ enum class KeyKind {
   text,
   local_text,  //!< in several languages; always required
   word,        //!< one of a list: an enumeration
-  color,       //!< three numbers
+  color,       //!< three numbers: an array
+  vector,      //!< three numbers: a Vector3
   table,       //!< a table; absent if its struct is an empty optional
   tables,      //!< a list of tables: a vector of structs
   part,        //!< a struct whose keys are in the same table
@@ -239,6 +240,8 @@ constexpr KeyKind kind_of() {
     return KeyKind::word;
   } else if constexpr (std::is_same_v<Value, std::array<double, 3>>) {
     return KeyKind::color;
+  } else if constexpr (std::is_same_v<Value, Vector3<double>>) {
+    return KeyKind::vector;
   } else if constexpr (is_vector<Value>) {
     return KeyKind::tables;
   } else {
@@ -309,9 +312,10 @@ constexpr KeyOf<typename Types::Settings> part(KeyTable<typename Types::Value> k
 
 //! Declares a table whose keys are members of the same struct as the keys around it.
 template <class Settings>
-constexpr KeyOf<Settings> group(std::string_view name, KeyTable<Settings> keys) {
+constexpr KeyOf<Settings> group(std::string_view name, KeyTable<Settings> keys, std::string_view meaning = "") {
   KeyOf<Settings> made;
   made.key.name = name;
+  made.key.meaning = meaning;
   made.key.kind = KeyKind::table;
   made.key.keys = keys.keys;
   made.key.at = [](void* settings, std::size_t /*i*/) { return settings; };
@@ -346,7 +350,8 @@ template <class Settings, class... Keys>
 constexpr KeyList<Settings, sizeof...(Keys)> keys_of(const Keys&... keys) {
   static_assert((std::is_same_v<Keys, KeyOf<Settings>> && ...));
   const auto complete = [](const ShowKey& key) {
-    const bool number = key.kind == KeyKind::number || key.kind == KeyKind::integer || key.kind == KeyKind::color;
+    const bool number = key.kind == KeyKind::number || key.kind == KeyKind::integer || key.kind == KeyKind::color ||
+                        key.kind == KeyKind::vector;
     return (!number || key.limits.least < key.limits.greatest) && (key.kind != KeyKind::word || !key.words.empty()) &&
            (!key.keys.empty() || !key.meaning.empty());
   };

@@ -6,7 +6,7 @@
 #include "content/fall/fall_reader.h"
 #include "content/files/toml_table.h"
 #include "content/files/whole_file.h"
-#include "content/objects/object_reader.h"
+#include "content/objects/object_checks.h"
 #include "content/show/animation_reader.h"
 #include "content/show/key_table.h"
 #include "content/show/show_schema.h"
@@ -20,7 +20,11 @@ constexpr std::size_t largest_mib = 16;
 
 //! Reads the parts that depend on others, and checks what depends on the whole show.
 void read_dependent_parts(TomlTable& root, const std::string& file, Show& show) {
-  read_objects(root, file, show);
+  for (ObjectSettings& object : show.objects) {
+    if (object.orbit) {
+      object.orbit->spin = show.spin;
+    }
+  }
   read_fall(root.table("camera"), file, show);
   // Animations need the limits of these numbers, and the camera the animated spin.
   read_animations(root, file, show);

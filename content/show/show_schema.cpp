@@ -1,5 +1,7 @@
 #include "content/show/show_schema.h"
 
+#include <algorithm>
+
 #include "content/show/key_table.h"
 #include "content/timeline/frame_rate.h"
 #include "content/timeline/local_text.h"
@@ -56,6 +58,13 @@ constexpr auto write_title = [](toml::table& root, const Show& show) {
   }
 };
 
+constexpr std::size_t most_objects = 256;
+
+constexpr auto unused_light = [](const Show& show, const Show& /*settings*/) {
+  return std::ranges::none_of(show.objects, &ObjectSettings::lit) ? "is used only by objects with light = \"lambert\""
+                                                                  : nullptr;
+};
+
 // read_camera() reads it when the numbers that it depends on are known.
 constexpr auto read_camera_later = [](TomlTable& root, Show& /*show*/) { root.node("camera"); };
 
@@ -89,7 +98,8 @@ std::span<const ShowKey> show_keys() {
       table<&Show::tone>("tone", tone_keys), table<&Show::shells>("shells", shell_keys, "", most_shells),
       table<&Show::flight>("flight", flight_keys), group<Show>("grid", grid_keys),
       table<&Show::quality>("quality", quality_keys), table<&Show::readout>("readout", readout_keys),
-      part<&Show::timeline>(timeline_keys));
+      part<&Show::timeline>(timeline_keys), table<&Show::objects>("objects", object_keys, "", most_objects),
+      table<&Show::light>("light", light_keys).unused_if(unused_light));
   return all.keys;
 }
 

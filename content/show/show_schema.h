@@ -10,6 +10,8 @@ extern const KeyTable<DiskSettings> disk_keys;
 extern const KeyTable<EffectSettings> effect_keys;
 extern const KeyTable<FallSettings> fall_keys;
 extern const KeyTable<FlightSettings> flight_keys;
+extern const KeyTable<PointLight> light_keys;
+extern const KeyTable<ObjectSettings> object_keys;
 extern const KeyTable<ShellSettings> shell_keys;
 extern const KeyTable<SkySettings> sky_keys;
 extern const KeyTable<SkySettings> star_keys;

@@ -1,6 +1,5 @@
 #include <sstream>
 
-#include "content/objects/object_reader.h"
 #include "content/show/key_table.h"
 #include "content/show/show_reader.h"
 #include "content/show/show_schema.h"
@@ -8,10 +7,8 @@
 namespace ergodome {
 
 std::string to_toml(const Show& show) {
-  toml::table root = written_keys(show_keys(), &show);
-  add_objects(show, root);
   std::ostringstream text;
-  text << root << '\n';
+  text << written_keys(show_keys(), &show) << '\n';
   return text.str();
 }
 

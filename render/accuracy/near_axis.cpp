@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "content/objects/object_reader.h"
+#include "content/objects/object_checks.h"
 #include "render/accuracy/picture_race.h"
 
 namespace ergodome {

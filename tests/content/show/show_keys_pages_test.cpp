@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -19,6 +20,9 @@ namespace {
 //! Returns a number as the pages write it: 1e6, not 1e+06.
 std::string page_number(double value) {
   std::string text = fmt::format("{:g}", value);
+  if (const std::string power = fmt::format("{:.0e}", value); std::abs(value) >= 1e5 && std::stod(power) == value) {
+    text = power;
+  }
   for (const auto& [from, to] : {std::pair{"e+0", "e"}, {"e+", "e"}, {"e-0", "e-"}}) {
     if (const std::size_t at = text.find(from); at != std::string::npos) {
       text.replace(at, std::strlen(from), to);
@@ -28,18 +32,19 @@ std::string page_number(double value) {
 }
 
 std::string type_on_page(const ShowKey& key) {
-  constexpr const char* types[] = {"number", "integer",           "Boolean", "string",         "text",
-                                   "word",   "list of 3 numbers", "table",   "list of tables", ""};
+  constexpr const char* types[] = {
+      "number", "integer",        "Boolean", "string", "text", "word", "list of 3 numbers", "list of 3 numbers",
+      "table",  "list of tables", "",        ""};
   return key.page.type.empty() ? types[static_cast<std::size_t>(key.kind)] : std::string(key.page.type);
 }
 
 //! Returns the default of a key, which is `value` in new settings; nullptr if it is absent there.
 std::string default_on_page(const ShowKey& key, const void* value) {
-  if (key.missing != nullptr || key.kind == KeyKind::local_text) {
-    return "required";
-  }
   if (!key.page.otherwise.empty()) {
     return std::string(key.page.otherwise);
+  }
+  if (key.missing != nullptr || key.kind == KeyKind::local_text) {
+    return "required";
   }
   if (value == nullptr || key.kind == KeyKind::table) {
     return "absent";
@@ -57,6 +62,10 @@ std::string default_on_page(const ShowKey& key, const void* value) {
       const auto& color = *static_cast<const std::array<double, 3>*>(value);
       return fmt::format("`[{:g}, {:g}, {:g}]`", color[0], color[1], color[2]);
     }
+    case KeyKind::vector: {
+      const auto& v = *static_cast<const Vector3<double>*>(value);
+      return fmt::format("`[{:g}, {:g}, {:g}]`", v.x, v.y, v.z);
+    }
     default: {
       std::int32_t word = 0;
       std::memcpy(&word, value, sizeof(word));
@@ -71,7 +80,7 @@ std::string range_on_page(const ShowKey& key) {
   }
   if (key.limits.least < key.limits.greatest) {
     return fmt::format("{} to {}{}", page_number(key.limits.least), page_number(key.limits.greatest),
-                       key.kind == KeyKind::color ? " each" : "");
+                       key.kind == KeyKind::color || key.kind == KeyKind::vector ? " each" : "");
   }
   std::string words;
   for (const char* const word : key.words) {
@@ -90,6 +99,7 @@ struct DocumentedTable {
   const char* page;
   const char* heading;
   std::vector<std::string> tables;
+  std::vector<std::string_view> only{};  //!< names of keys; empty: all
 };
 
 void PrintTo(const DocumentedTable& documented, std::ostream* out) { *out << documented.heading; }
@@ -117,6 +127,18 @@ const std::vector<DocumentedTable> documented_tables = {
     {"show-keys.md", "## `[[audio]]`", {"audio"}},
     {"disk.md", "## Keys", {"disk"}},
     {"shells.md", "## Keys", {"shells"}},
+    {"objects.md", "## Shape", {"objects"}, {"mesh", "shape"}},
+    {"objects.md", "## Position", {"objects"}, {"size", "turn_deg", "position", "orbit", "key"}},
+    {"objects.md", "Keys of `orbit`:", {"objects.orbit"}},
+    {"objects.md",
+     "## Appearance",
+     {"objects"},
+     {"color", "exposure", "checker", "light", "method", "retarded", "images", "tessellation"}},
+    {"objects.md", "Keys of `checker`:", {"objects.checker"}},
+    {"objects.md",
+     "Keys of `tessellation`. [Polygons](../explanation/scene-objects.md#polygons) explains the formula.",
+     {"objects.tessellation"}},
+    {"objects.md", "## The lamp", {"light"}},
 };
 
 //! Returns true if the table at a path ("camera.key.") has a table of its own in the pages.
@@ -130,11 +152,11 @@ bool has_own_section(std::string_view path) {
 //! Adds the row of each key in the table at `path`, and in the tables below it that have no section.
 //! `settings` are new.
 void add_rows(std::span<const ShowKey> keys, const std::string& path, const std::string& prefix, void* settings,
-              std::string& rows) {
+              const std::vector<std::string_view>& only, std::string& rows) {
   for (const ShowKey& key : keys) {
     const std::string name(key.name);
     void* const value = key.at != nullptr ? key.at(settings, 0) : nullptr;
-    if (!key.meaning.empty()) {
+    if (!key.meaning.empty() && (only.empty() || std::ranges::count(only, name) > 0)) {
       for (const std::string& cell :
            {fmt::format("`{}{}`", prefix, name), type_on_page(key), default_on_page(key, value), range_on_page(key),
             std::string(key.page.unit), changes_on_page(key), std::string(key.meaning)}) {
@@ -143,9 +165,10 @@ void add_rows(std::span<const ShowKey> keys, const std::string& path, const std:
       rows += "|\n";
     }
     if (key.kind == KeyKind::part) {
-      add_rows(key.keys, path, prefix, value, rows);
+      add_rows(key.keys, path, prefix, value, only, rows);
     } else if (!key.keys.empty() && !has_own_section(path + name)) {
-      add_rows(key.keys, path + name + ".", prefix + name + ".", value != nullptr ? value : key.make(settings), rows);
+      add_rows(key.keys, path + name + ".", prefix + name + ".", value != nullptr ? value : key.make(settings), only,
+               rows);
     }
   }
 }
@@ -177,7 +200,7 @@ std::string rows_of(const DocumentedTable& documented) {
       keys = key.keys;
     }
     const std::string below = path.empty() ? "" : path + ".";
-    add_rows(keys, below, documented.tables.size() > 1 ? below : "", settings, rows);
+    add_rows(keys, below, documented.tables.size() > 1 ? below : "", settings, documented.only, rows);
   }
   return rows;
 }

@@ -8,9 +8,6 @@
 
 namespace ergodome {
 
-//! Reads [[objects]] and [light]. Throws Error with file, line and key for invalid values.
-void read_objects(TomlTable& root, const std::string& file, Show& show);
-
 //! Why the method "polygon" cannot draw a show's objects, and the remedy.
 struct PolygonLimit {
   std::string problem;
@@ -23,8 +20,5 @@ std::optional<PolygonLimit> polygon_limit(const Show& show);
 //! Throws Error if hole, camera or light of the show do not allow its objects to be drawn. All of
 //! these must have been read.
 void check_objects(const TomlTable& root, const Show& show);
-
-//! Writes [[objects]] and [light] into a show's table.
-void add_objects(const Show& show, toml::table& root);
 
 }  // namespace ergodome

@@ -1,10 +1,9 @@
-#include "content/objects/object_reader.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "content/objects/object_checks.h"
 #include "content/objects/object_motion.h"
 #include "content/show/show_reader.h"
 #include "kernels/core/angles.h"
