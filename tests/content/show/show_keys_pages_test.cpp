@@ -102,7 +102,7 @@ struct DocumentedTable {
   std::vector<std::string_view> only{};  //!< names of keys; empty: all
 };
 
-void PrintTo(const DocumentedTable& documented, std::ostream* out) { *out << documented.heading; }
+std::ostream& operator<<(std::ostream& out, const DocumentedTable& documented) { return out << documented.heading; }
 
 const std::vector<DocumentedTable> documented_tables = {
     {"show-keys.md", "## Top level", {""}},
