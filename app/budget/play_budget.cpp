@@ -21,10 +21,11 @@ constexpr std::size_t telling_errors = 100;
 //! Minimum number of errors before the lens is changed: in a smaller sample, the largest are mostly
 //! chance.
 constexpr std::size_t sure_errors = 500;
-//! Step factor of the lens's budget, its smallest share, and the share of the allowed error below
-//! which a step is taken back.
+//! While errors exceed the allowed error, the lens's budget is multiplied by this.
 constexpr double finer_step = 0.7;
+//! At this share of its original value, the lens's budget is not reduced further.
 constexpr double finest_share = 0.1;
+//! If errors are below this share of the allowed error, one reduction of the budget is undone.
 constexpr double far_within = 0.25;
 
 std::vector<double> rung_times(const std::vector<Rung>& ladder) {

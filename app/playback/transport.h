@@ -95,7 +95,7 @@ class CommandQueue {
 struct PadStatus {
   std::string name;
   std::string connection;  //!< "USB", "Bluetooth"
-  bool active = false;     //!< moved within the last second
+  bool active = false;     //!< an input changed within the last second
 };
 
 struct ChapterStatus {

@@ -15,7 +15,8 @@ class WatchedShows {
  public:
   explicit WatchedShows(FileWatch::Settings settings = {}) : settings_(settings) {}
 
-  //! Watches a show's files; it was read at `read_at`. Does nothing if it is already watched.
+  //! Watches the files of a show that was read at `read_at`. Does nothing if the show is already
+  //! watched.
   void add(const Show& show, FileWatch::WallTime read_at, ShowReload::Loader load);
   //! Watches a show's files and makes it the running one.
   void run(const Show& show, FileWatch::WallTime read_at, ShowReload::Loader load);

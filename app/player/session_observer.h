@@ -26,8 +26,8 @@ class SessionObserver {
   void reset() { mode_ = ObserverMode::natural; }
   [[nodiscard]] bool is_chosen() const { return mode_ != ObserverMode::natural; }
 
-  //! Sets a frame's observer, and its pose if the observer differs from a falling camera. The frame
-  //! has the navigator's pose.
+  //! Sets a frame's observer. The frame must have the navigator's pose, which is adapted if the
+  //! observer is not the infalling one.
   void observe(double seconds, const ObserverScene& scene, PlayerFrame& frame);
 
  private:

@@ -35,8 +35,9 @@ ERGO_HD CircularOrbit circular_orbit(double spin, double r) {
   return {(1.0 - 2.0 / r + swirl) / norm, root * (1.0 - 2.0 * swirl + spin * spin / (r * r)) / norm};
 }
 
-//! Returns the flow of the disk about a hole. For spin 1 the innermost stable orbit is the horizon,
-//! and no matter falls from it.
+//! Returns the flow of the disk about a hole: the innermost stable orbit, with its energy and
+//! angular momentum. For spin 1 that orbit is at the horizon's radius, and no matter falls inwards
+//! from it.
 ERGO_HD DiskFlow<double> make_disk_flow(double spin) {
   const double r = innermost_stable_radius(spin, 1.0);
   // The limits of 0 / 0 as a goes to 1.

@@ -146,8 +146,8 @@ class EyeStep {
   //! Selects a neighbor's direction for the calls that follow.
   ERGO_HD void turn_to(const Vector3<double>& m) { reference_.m = m; }
 
-  //! Returns the kept part as a path of its own. The eye's offset from the ray is a parabola in the
-  //! ray's time.
+  //! Returns the eye's path along the kept part of the step, without derivatives. The eye's offset
+  //! from the reference ray is approximated by a parabola in the ray's time.
   [[nodiscard]] ERGO_HD PathStep<Order, Parts, double> along() {
     if (!moved_) {
       move_to_begin();

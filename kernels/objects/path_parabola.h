@@ -71,7 +71,8 @@ ERGO_HD bool may_cross(const PathParabola& path, const PlaneOnPiece& plane, doub
   const double least = ::fmin(::fabs(plane.at_from), ::fmin(::fabs(plane.at_middle), ::fabs(plane.at_to)));
   const bool below = plane.at_from < 0.0 && plane.at_middle < 0.0 && plane.at_to < 0.0;
   const bool above = plane.at_from > 0.0 && plane.at_middle > 0.0 && plane.at_to > 0.0;
-  // Between its three points a parabola is at most a sixteenth of its bow away from their chords.
+  // Between neighboring points, the parabola deviates from their chord by at most |bow| / 16, where
+  // `bow` is its quadratic coefficient.
   if ((below || above) && least > reach + 0.0625 * ::fabs(bow)) {
     return false;
   }

@@ -111,8 +111,8 @@ ERGO_HD PixelOnPath pixel_on_path(const Vector3<Dual<double>>& place, const Vect
           (1.0 / length) * narrow};
 }
 
-//! Returns how far neighbors within some pixels of a ray leave the surface in which they are
-//! stretched [M].
+//! Returns the maximum distance of a ray's neighbors, at most `within_px` pixels away, from the
+//! surface along which their image is stretched [M].
 ERGO_HD double reach_out_of_plane(const PixelOnPath& pixel, double within_px, double turn_per_px) {
   // Rays that separate beside a hole stay in one plane through it, except for the rotation by its
   // spin.
@@ -120,14 +120,15 @@ ERGO_HD double reach_out_of_plane(const PixelOnPath& pixel, double within_px, do
   return within_px * (::sqrt(2.0) * pixel.narrowest + (turned + within_px * turn_per_px) * pixel.widest);
 }
 
-//! Pixels about a ray.
+//! Pixels around that of a ray.
 struct Neighbours {
   double half_px;      //!< their maximum distance in the picture
   double turn_per_px;  //!< rotation of the planes of their rays from pixel to pixel [rad]
   NeighbourTimes times;
 };
 
-//! Returns the maximum distance of neighbors within some pixels from a piece of a ray's path [M].
+//! Returns the maximum distance between a piece of a ray's path and its neighbors, which are at
+//! most `within_px` pixels away in the picture [M].
 ERGO_HD double footprint_reach(const PathPiece& piece, const PixelOnPath& pixel, double within_px,
                                NeighbourTimes times) {
   const double whole = within_px * pixel.width;

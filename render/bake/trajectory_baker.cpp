@@ -39,8 +39,8 @@ constexpr int most_stalls = 2;
 //! A stretch of fewer frames is not divided: building a grid for each costs no more than reading
 //! stations.
 constexpr double fewest_frames = 4.0;
-//! The disk's layers jump where a camera crosses the disk; this is how closely the jump is
-//! approached.
+//! Maximum number of times that a stretch is halved because of errors of the disk's layers. They
+//! are discontinuous where a camera crosses the disk, so that halving would never end there.
 constexpr int most_halvings_for_the_disk = 4;
 
 class Baker {

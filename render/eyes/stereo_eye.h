@@ -30,7 +30,8 @@ class StereoEye {
   [[nodiscard]] Projection image(const Projection& projection) const;
 
   //! Returns the direction in which the eye's image shows a thing, by light on the short way round
-  //! the hole. Returns nothing if no such light is found or either end is within 2 M.
+  //! the hole. Returns nothing if no such light is found, or if the eye or the thing is within 2 M
+  //! of the hole.
   [[nodiscard]] std::optional<Vector3<double>> sees(const SeenThing& thing) const;
 
  private:
@@ -41,12 +42,13 @@ class StereoEye {
 
 //! A thing as seen by light on the short way round the hole.
 struct SeenPlace {
-  Vector3<double> view;   //!< unit vector, in the view's axes
+  Vector3<double> view;   //!< unit vector to where the eye sees the thing, in the view's axes
   Vector3<double> place;  //!< where the light left the thing, pseudo-Cartesian [M]
 };
 
-//! Returns where an eye sees a thing; nothing if no such light is found or either end is within 2
-//! M.
+//! Returns the direction in which an eye sees a thing, and the point where the light left it.
+//! Returns nothing if no light on the short way round the hole is found, or if the eye or the thing
+//! is within 2 M of the hole.
 std::optional<SeenPlace> seen_by_camera(const EyeCamera& eye, const SeenThing& thing);
 
 //! Returns the approximate direction of a point, as if light traveled straight.

@@ -39,7 +39,7 @@ class PlanWriter {
   [[nodiscard]] int block_rows() const { return block_rows_; }
   [[nodiscard]] int blocks() const;
 
-  //! Returns whether both eyes use one lens, that of the head, from different positions.
+  //! Returns whether both eyes use the head's lens, each from its own position.
   [[nodiscard]] bool eyes_are_flat() const;
   //! Returns whether there are two omnidirectional stereo eyes.
   [[nodiscard]] bool eyes_are_omni() const;

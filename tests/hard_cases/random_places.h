@@ -25,9 +25,9 @@ constexpr double room_of(Seed seed) { return seed == Seed::by_chance ? 100.0 : 1
 //! Motion: at rest in the ZAMO frame, in free fall, or at up to 0.99 c.
 Place random_place(std::mt19937_64& random, double least_height);
 
-//! Returns a random camera inside the horizon. Spins: to ±0.9999 and 0. Radii: down to the minimum
-//! for cameras. Polar angles: as above. Motion: in free fall from rest at infinity, or at up to
-//! 0.99 c relative to that.
+//! Returns a random camera inside the horizon. Spins: from -0.9999 to 0.9999, and 0. Radii: down to
+//! the minimum for cameras. Polar angles: as for random_place(). Motion: in free fall from rest at
+//! infinity, or at up to 0.99 c relative to that.
 Place random_place_within(std::mt19937_64& random);
 
 //! Returns random rays: half over the whole sky; the rest near principal rays, near light through

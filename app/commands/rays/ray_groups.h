@@ -8,7 +8,7 @@
 
 namespace ergodome {
 
-//! Rows sorted by camera; cameras are in order of their first row.
+//! Table rows grouped by camera. The groups are in the order of their first rows in the table.
 struct GroupedRows {
   std::vector<RayRow> rows;
   std::vector<std::size_t> place;  //!< original index of each row

@@ -138,8 +138,8 @@ struct TurningDelay {
   }
 };
 
-//! The same integrands over dx, where v = middle + spread sinh x. The singularity is at least 0.4
-//! away.
+//! The integrands of TurningDelay over dx, where v = middle + spread sinh x. The nearest
+//! singularity, u = -g, is at least 0.4 away in x.
 struct PlungingDelay {
   PlungingOrbit orbit;
   double inverse_b;

@@ -4,7 +4,7 @@
 
 namespace ergodome {
 
-//! Returns whether both eyes use one lens, that of the head, from different positions.
+//! Returns whether both eyes use the head's lens, each from its own position.
 inline bool eyes_are_flat(const Show& show, ViewMode /*mode*/) {
   return eye_count(show.stereo) > 1 && show.stereo.model == StereoModel::flat && show.stereo.baseline > 0.0;
 }

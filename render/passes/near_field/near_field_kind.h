@@ -16,7 +16,7 @@ struct NearFieldNeeds {
 
 NearFieldNeeds near_field_needs(const Show& show, ViewMode mode);
 
-//! Plans disk, shells and traced objects.
+//! Adds the work for disk, shells and traced objects to the plan.
 void plan_near_field(PlanWriter& plan);
 
 std::unique_ptr<Pass> make_near_field_pass(const PassInput& input);

@@ -14,7 +14,7 @@ inline bool needs_polygons(const Show& show, ViewMode mode) {
 //! them.
 void plan_mesh_loading(PlanWriter& plan, const std::string& reason);
 
-//! Plans objects that are drawn as polygons.
+//! Adds the work for objects that are drawn as polygons to the plan.
 void plan_polygons(PlanWriter& plan);
 
 std::unique_ptr<Pass> make_polygon_pass(const PassInput& input);

@@ -10,7 +10,8 @@ inline bool has_overlays(const Show& show, ViewMode mode) {
   return mode == ViewMode::sky && (!timeline.overlays.empty() || !timeline.captions.empty() || show.readout);
 }
 
-//! Plans overlays. Images are read for all view modes; what is drawn depends on the time.
+//! Adds the work for overlays to the plan. Images are read for all view modes; which overlays are
+//! drawn depends on the time.
 void plan_overlays(PlanWriter& plan);
 
 //! Captions and images over pictures.

@@ -20,7 +20,7 @@ void plan_direct(PlanWriter& plan, const LensChannels& channels, const std::stri
   plan.buffer("shadow edge", WorkMoment::picture, plan.eyes() * edge_points * static_cast<long>(sizeof(float)), reason);
 }
 
-//! Plans rays that a heat map follows with one method, or to shells.
+//! Adds the rays that a heat map follows, with one method or to shells, to the plan.
 void plan_followed(PlanWriter& plan, const ShellsFollowed& shells) {
   const bool always = plan.request().method || shells.always;
   const std::string reason = shells.at_most ? plan.why_view() + ", " + plan.why("shells") : plan.why_view();
@@ -32,7 +32,7 @@ void plan_followed(PlanWriter& plan, const ShellsFollowed& shells) {
   }
 }
 
-//! Plans the lenses that OmniChooser would choose.
+//! Adds the lenses that OmniChooser would choose to the plan.
 void plan_omni(PlanWriter& plan, const LensChannels& channels) {
   const std::string model = plan.why("stereo.model");
   const bool asked = plan.request().lens == LensChoice::live || plan.request().lens == LensChoice::streamed;

@@ -13,10 +13,10 @@ struct ShellsFollowed {
   bool always;
 };
 
-//! Plans the lens of a picture, in LensChooser's order of trying lenses.
+//! Adds the lenses of a picture to the plan, in the order in which LensChooser tries them.
 void plan_lens(PlanWriter& plan, const LensChannels& channels, const ShellsFollowed& shells);
 
-//! Plans a grid that is traced at each new position.
+//! Adds a grid that is traced at each new position to the plan.
 void plan_grid(PlanWriter& plan, const std::string& reason, bool if_needed);
 
 }  // namespace ergodome

@@ -4,7 +4,7 @@
 
 namespace ergodome {
 
-//! Plans the lens, the sky map and its shading.
+//! Adds the work for the lens, for the sky map and for its shading to the plan.
 void plan_sky(PlanWriter& plan);
 
 //! The sky, seen through the lens; every picture has it.

@@ -50,10 +50,10 @@ class SkyDrawing {
   SkyDrawing(SkyPass& pass, const EyePicture& picture, const SkyCube& sky, int most_rows);
 
   [[nodiscard]] const LensSource& lens() const { return *lens_; }
-  //! Makes rows of the picture in the backend's memory: four floats per pixel.
+  //! Renders rows of the picture into the backend's memory: four floats per pixel.
   void draw(const RowBlock& rows, float* rgba);
 
-  //! Makes the same rows of two pictures whose lenses share work.
+  //! Renders the same rows of two pictures whose lenses share work.
   static void draw_both(SkyDrawing& first, SkyDrawing& second, const RowBlock& rows, float* rgba,
                         float* rgba_of_second);
 

@@ -35,7 +35,7 @@ void plan_channels(PlanWriter& plan, const LensChannels& channels, const SkyShad
               plan.why("view.size_px"));
 }
 
-//! Plans the map in the form that its filter reads.
+//! Adds the sky map to the plan, in the form that its filter reads.
 void plan_map(PlanWriter& plan, const SkyShading& shading) {
   const bool polygons = shading.filter == SkyFilter::polygon;
   const bool fitted = shading.shift == SkyShift::blackbody_fit;

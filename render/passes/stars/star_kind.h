@@ -14,7 +14,7 @@ struct StarNeeds {
 
 StarNeeds star_needs(const Show& show, ViewMode mode);
 
-//! Plans the stars of a show.
+//! Adds the work for a show's stars to the plan.
 void plan_stars(PlanWriter& plan);
 
 std::unique_ptr<Pass> make_star_pass(const PassInput& input);

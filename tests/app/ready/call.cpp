@@ -57,7 +57,7 @@ bool receive_all(int socket, char* bytes, std::size_t count) {
   return true;
 }
 
-//! A message with a header and three file descriptors.
+//! A socket message that holds a Head and, as ancillary data, three file descriptors.
 struct HeadMessage {
   Head head{};
   iovec part = {&head, sizeof head};

@@ -60,7 +60,7 @@ Disparity disparity_of(const Show& show) {
   return disparity.value_or(Disparity{});
 }
 
-//! Returns the horizontal center of the light within a few pixels of the brightest one [px].
+//! Returns the horizontal center of the light within 25 pixels of the brightest pixel [px].
 double middle_of_light(const Picture& picture) {
   const auto width = static_cast<std::size_t>(picture.width);
   std::size_t brightest = 0;

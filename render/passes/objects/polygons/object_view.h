@@ -15,7 +15,7 @@ struct ObjectView {
   Vector3<double> boost_axis;    //!< direction of the observer's motion
   double boost_stretch;  //!< of the aberration from the rest frame to the observer's (kernels/metric/frame_boost.h)
 
-  //! Returns the components of a pseudo-Cartesian vector along the axes.
+  //! Returns the components of a pseudo-Cartesian vector along `axes`.
   [[nodiscard]] Vector3<double> in_frame(const Vector3<double>& v) const {
     return {dot(axes[0], v), dot(axes[1], v), dot(axes[2], v)};
   }

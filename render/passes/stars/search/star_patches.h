@@ -39,8 +39,9 @@ struct GridExactness {
 //! Memory of patches that is reused at the next position. A moving camera computes patches for each
 //! picture; letting the system clear new memory would add a third to the time.
 struct PatchRoom {
-  std::vector<std::vector<StarPatch>> parts;  //!< for the leaves of one thread each
-  std::vector<StarPatch> patches;             //!< memory of a discarded set
+  //! Patches of each chunk of leaves; one thread computes a chunk.
+  std::vector<std::vector<StarPatch>> parts;
+  std::vector<StarPatch> patches;  //!< memory of a discarded set
 };
 
 //! If the error of the corrected grid is below this, images need no rays [px].

@@ -52,7 +52,7 @@ FittedText fit(const std::string& list, const TextSize& window, int usual_px) {
 }
 
 TEST(HelpLayout, LettersAreAsLargeAsTheWindowLetsThem) {
-  // Two lines are four letters high.
+  // With line spacing and margin, two lines are four letters high: 50 px allow letters of 12 px.
   const FittedText roomy = fit("a\nb\n\nc\nd\n", {1000, 1000}, 20);
   EXPECT_EQ(roomy.text, "a    c\nb    d\n");
   EXPECT_EQ(roomy.letter_px, 20);

@@ -56,7 +56,7 @@ struct Middle {
   double light = 0.0;
 };
 
-//! Returns the center of the light within a few pixels of a position.
+//! Returns the center of the light within 30 pixels of a position.
 inline Middle middle_about(double x_px, double y_px, const Picture& picture) {
   Middle middle;
   for (int y = 0; y < picture.height; ++y) {

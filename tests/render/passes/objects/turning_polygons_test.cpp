@@ -43,7 +43,7 @@ struct Blob {
   double light = 0.0;
 };
 
-//! Returns the center of the light within a few pixels of a position.
+//! Returns the center of the light within `within_px` of a position.
 Blob blob_about(const Blob& place, double within_px, const Picture& picture) {
   Blob blob;
   for (int y = 0; y < picture.height; ++y) {

@@ -86,7 +86,7 @@ class OmniStars : public testing::TestWithParam<std::size_t> {
     return make_omni_eye(cameras, side, eye_at_);
   }
 
-  //! Returns the images that pixels gather.
+  //! Returns the star images that gather_stars() finds pixel by pixel.
   [[nodiscard]] std::vector<Found> gathered_by_pixels(double side) const {
     const StarEye eye(eye_of(side));
     const StarTree tree(field_);

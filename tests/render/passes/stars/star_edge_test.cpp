@@ -15,8 +15,8 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): the cameras and stars of these tests
 
-//! Images at position angles all around a shadow, very close to its edge, searched from positions
-//! off by a quarter of an e-fold of that distance.
+//! Images at position angles all around a shadow, very close to its edge. Each search starts at a
+//! position whose distance from the edge differs by a factor of e^(±1/4).
 class EdgeImages {
  public:
   explicit EdgeImages(const Place& place) : eye_(eye_at_place({place.spin, place.r, place.theta, 0.0, place.motion})) {

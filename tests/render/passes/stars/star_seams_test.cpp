@@ -72,8 +72,8 @@ TEST_P(LightOfStars, IsTheSameInEveryProjection) {
     if (!pixel_from_direction(projection, widened(image.direction), x, y)) {
       continue;
     }
-    // Well away from the edge of the image, and from the poles of maps, around which a spot does
-    // not close.
+    // Keeps stars well away from the edge of the image, where their spots are cut off, and from the
+    // poles of maps, where a spot around the pole is not closed.
     const bool cube = projection.kind == ProjectionKind::cube && projection.cube.layout != CubeLayout::face;
     const bool inside = cube || (y > 12.0 && y < projection.height_px - 12.0 &&
                                  (wraps_around(projection) || (x > 12.0 && x < projection.width_px - 12.0)));
