@@ -40,7 +40,7 @@ constexpr int most_stalls = 2;
 //! stations.
 constexpr double fewest_frames = 4.0;
 //! Maximum number of times that a stretch is halved because of errors of the disk's layers. They
-//! are discontinuous where a camera crosses the disk, so that halving would never end there.
+//! are discontinuous where a camera crosses the disk, and halving does not remove that error.
 constexpr int most_halvings_for_the_disk = 4;
 
 class Baker {

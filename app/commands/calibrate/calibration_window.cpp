@@ -44,7 +44,7 @@ CalibrationWindow::CalibrationWindow(const LiveOptions& options)
   try {
     require_writable(options_.setup);
   } catch (const Error& problem) {
-    // Patterns can still be shown, but the operator has to know before any work is lost.
+    // Patterns can still be shown, but the operator has to know now that nothing can be saved.
     message_ = std::string("cannot save: ") + problem.what();
     tell_refusal(problem.what());
   }
