@@ -78,7 +78,7 @@ struct RunEstimate {
   int frames = 0;
   int measured_frame = 0;  //!< from 0
   RunFrameCost frame;
-  std::uintmax_t free_bytes = 0;  //!< on the disk of --out
+  std::uintmax_t free_bytes = 0;  //!< free space on the disk of --out
 
   [[nodiscard]] std::uintmax_t bytes() const { return frame.bytes * static_cast<std::uintmax_t>(frames); }
 };

@@ -24,7 +24,7 @@ struct DiskStation {
   NodeSets nodes_along_r;
   NodeSets nodes_along_theta;
   std::vector<unsigned char> orders;
-  std::vector<float> nearness;  //!< DiskGrid::nearness; empty if not requested, and in files
+  std::vector<float> nearness;  //!< DiskGrid::nearness; empty if not requested; never stored in files
 
   //! Returns the number of sets of nodes.
   [[nodiscard]] int sets() const { return pattern ? layer_orders : 1; }

@@ -21,7 +21,7 @@ struct DiskPlace {
   Dual<T> s;
 };
 
-//! Returns the position of a unit direction of the rain frame.
+//! Returns the position in the chart of a unit direction in the rain frame.
 template <class T>
 ERGO_HD DiskPlace<T> disk_place(const EdgeCurve& edge, const Vector3<Dual<T>>& n) {
   using S = ScalarOf<T>;

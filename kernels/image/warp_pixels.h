@@ -49,7 +49,8 @@ struct WarpBatch {
   float factor_scale[3];  //!< factor of the square of the number, per channel
   float lift_scale[3];    //!< the same for the lift; if not `coloured`, the lift itself
   float exponent;         //!< of the projector's curve: value = light ^ exponent
-  //! Light below this is black: 2^-100, or its root of degree `exponent` if that is above 1.
+  //! Light is raised to at least this, which is still black: 2^-100, or 2^(-100 / exponent) if the
+  //! exponent is above 1.
   float least;
   std::uint8_t* rgb;  //!< three bytes per pixel, top row first
 };

@@ -41,7 +41,7 @@ struct GridCell {
   float height;
 };
 
-//! Points at which a cell is checked: two inside, and the middles of its sides at s0, s1, γ0, γ1.
+//! Points at which a cell is checked: two inside, and the midpoints of its sides at s0, s1, γ0, γ1.
 //! At the center, the error of a cubic can be 0 by symmetry although it is large elsewhere.
 inline constexpr int checks_a_cell = 6;
 

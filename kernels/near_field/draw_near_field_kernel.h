@@ -33,8 +33,8 @@ struct DrawNearField {
     lay(at, seen);
   }
 
-  //! First of two steps for GPUs, whose threads wait for one another: draws what the pixel's middle
-  //! sees. If the pixel contains finer images, draws nothing and returns true.
+  //! First of two steps for GPUs, whose threads wait for one another: draws what is seen at the
+  //! pixel's center. If the pixel contains finer images, draws nothing and returns true.
   ERGO_HD bool draw_middle(int index) const {
     const Place at(batch, index);
     Mask fine = at.inside > T(S(0));

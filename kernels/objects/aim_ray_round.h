@@ -22,9 +22,9 @@ struct EdgePlace {
   double x;
 };
 
-//! Returns the position of a direction about a hole without spin, in closed form. Its chart is
-//! centered on the hole, and the edge has sinα = √27 u √(1 - 2u), cosα = (1 - 3u) √(1 + 6u), u =
-//! 1/r.
+//! Returns the position in the chart of a direction, for a hole without spin, in closed form. The
+//! chart is centered on the hole, and the edge has sinα = √27 u √(1 - 2u),
+//! cosα = (1 - 3u) √(1 + 6u), u = 1/r.
 ERGO_HD EdgePlace place_without_spin(double u, const Vector3<double>& direction) {
   constexpr double least = 1e-15;  // for rays that rounding puts into the shadow
   const double aside = ::sqrt(direction.y * direction.y + direction.z * direction.z);

@@ -78,7 +78,8 @@ struct ObjectPixelBatch {
   std::int32_t* content;
 };
 
-//! Calls action(functor) with Functor<T, quantities that rays carry> for a batch.
+//! Calls action(functor) with Functor<T, parts> for a batch. `parts`: the quantities that rays
+//! carry; they include the delay only if a mesh is retarded.
 template <template <class, NearParts> class Functor, class T, class Batch, class Action>
 inline void dispatch_objects(const Batch& batch, const Action& action) {
   if (batch.objects.retarded) {

@@ -129,7 +129,7 @@ ERGO_HD PixelSlices slice_pixel(const CameraStation& camera, const NearRay<Dual<
              : even;
 }
 
-//! Returns the observer's direction through the middle of a pixel of a batch, with its derivatives.
+//! Returns the observer's direction through the center of a pixel of a batch, with its derivatives.
 ERGO_HD Vector3<Dual<double>> middle_of_pixel(const ObjectPixelBatch& batch, int at) {
   const std::int32_t* const pixel = batch.pixels + 2 * static_cast<long>(at);
   return observed_footprint(batch.objects, pixel[0] + 0.5, pixel[1] + 0.5);

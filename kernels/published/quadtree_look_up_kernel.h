@@ -40,7 +40,7 @@ struct ReadQuadtreeRays {
 };
 
 //! Reads the pixels of a batch from quadtree grids, one per index. The footprint of a pixel is
-//! spanned by the middles of its sides. A pixel is dark if its center is, because the grids know
+//! spanned by the midpoints of its sides. A pixel is dark if its center is, because the grids know
 //! the shadow only by vertices.
 struct ReadQuadtreePixels {
   using D = Dual<float>;

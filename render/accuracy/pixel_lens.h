@@ -106,7 +106,7 @@ LensChoiceToMeasure grid_choice(double budget_px);
 LensChoiceToMeasure quadtree_choice(int finest_level, bool spline);
 
 //! Returns the same with splines, as the renderer reads it: five times per pixel, with a footprint
-//! from the middles of the pixel's sides.
+//! from the midpoints of the pixel's sides.
 LensChoiceToMeasure quadtree_pixel_choice(int finest_level);
 
 }  // namespace ergodome

@@ -38,13 +38,13 @@ struct AccuracyMoment {
   double pixel = 0.0;  //!< angle of the pixel that is the unit of errors [rad]
 };
 
-//! The middle of a pixel in a picture, in the coordinates of direction_from_pixel.
+//! The center of a pixel in a picture, in the coordinates of direction_from_pixel.
 struct PixelMiddle {
   double x_px;
   double y_px;
 };
 
-//! Returns the middle of a pixel, given as row times width plus column.
+//! Returns the center of a pixel, given as row times width plus column.
 inline PixelMiddle pixel_middle(std::int64_t pixel, int width_px) {
   const std::int64_t row = pixel / width_px;
   const std::int64_t column = pixel % width_px;

@@ -56,7 +56,8 @@ class PairPixels : public PixelLens {
   std::vector<std::unique_ptr<LensSource>> sources_;
 };
 
-//! The head's lens for both eyes, masked with the shadow that each eye sees.
+//! Eyes of the stereo model `flat`: both read the lens of the head's camera, masked with the shadow
+//! as each eye sees it.
 class FlatPixels : public PairPixels {
  public:
   FlatPixels(LensScene& scene, std::vector<std::unique_ptr<LensSource>> sources)

@@ -42,7 +42,8 @@ struct ApparentSettings {
 ApparentVertex apparent_vertex(const Vector3<double>& observer, const Vector3<double>& point, int order,
                                const std::array<double, 2>& texture = {0.0, 0.0});
 
-//! Returns the position of a point of an object's mesh [M].
+//! Transforms a point from a mesh's own coordinates to pseudo-Cartesian coordinates [M]: scales,
+//! rotates and moves it as the object is placed.
 Vector3<double> placed_point(const ObjectPlacement& placement, double size, const float (&position)[3]);
 
 //! Computes the mesh of an image. Edges are halved until they are straight, consistently for both

@@ -46,7 +46,8 @@ Vector3<double> in_eye_frame(const EyeCamera& eye, const Vector3<double>& view) 
           m[2][0] * view.x + m[2][1] * view.y + m[2][2] * view.z};
 }
 
-//! Traces rays through the middles of all pixels that the image covers.
+//! Traces a ray through the center of each pixel that is at least half covered by the image (a
+//! fisheye's image covers only a circle). Returns the rays that converged.
 std::vector<LookedAt> look_through(const EyeCamera& eye, const Projection& coarse, const ObjectRays& objects,
                                    double reach) {
   const CameraStation camera = station_of(eye);

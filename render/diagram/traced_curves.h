@@ -15,7 +15,7 @@ enum class CurveEnd { object, hole, sky };
 
 //! The path of a ray that an eye sees, for any spin of the hole.
 struct TracedCurve {
-  //! pseudo-Cartesian, from the origin of the light to the eye [M].
+  //! Points of the path from the origin of the light to the eye, pseudo-Cartesian [M].
   std::vector<Vector3<double>> places;
   CurveEnd end = CurveEnd::sky;
   int object = -1;     //!< number of the object, for CurveEnd::object

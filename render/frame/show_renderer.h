@@ -45,8 +45,8 @@ struct FrameQuality {
 
 //! Pictures that stay in the backend's memory until the next one.
 struct EyesInPlace {
-  PictureInPlace first;                 //!< the left one of two
-  std::optional<PictureInPlace> right;  //!< if there are two
+  PictureInPlace first;                 //!< the only picture, or that of the left eye
+  std::optional<PictureInPlace> right;  //!< picture of the right eye, if there is one
 };
 
 //! Renders the frames of a show.

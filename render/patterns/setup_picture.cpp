@@ -33,7 +33,7 @@ float mask_at(const BlendMap& mask, const WarpNode& place) {
   return mask.values[sample * static_cast<std::size_t>(mask.channels)];
 }
 
-//! Inverts a warp: returns the raster position of each part of the master, at the middles of size x
+//! Inverts a warp: returns the raster position of each part of the master, at the centers of size x
 //! size pixels. Nodes where the mask has no light, and those outside the image circle of a fisheye,
 //! are invalid.
 WarpMesh raster_of_master(const ProjectorPicture& picture, int size_px) {

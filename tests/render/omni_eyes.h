@@ -19,10 +19,11 @@ inline Vector3<double> omni_place(const Vector3<double>& view, double offset) {
   return {offset * part * std::cos(azimuth), 0.0, offset * part * std::sin(azimuth)};
 }
 
-//! A ray in a direction of the view, from the camera of that direction alone.
+//! A ray in one direction of the view, from a camera that is set up at the eye's position for this
+//! direction only.
 struct OwnRay {
   CameraStation camera;
-  Vector3<double> n;  //!< in that camera's frame
+  Vector3<double> n;  //!< unit vector of the ray, in the frame of `camera`
 };
 
 inline OwnRay own_ray(const EyePlace& eye_at, const Vector3<double>& view, double offset, double convergence) {

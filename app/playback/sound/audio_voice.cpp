@@ -17,7 +17,7 @@ namespace {
 constexpr double steerable_s = 0.04;
 //! Allowed offset right after a start.
 constexpr double tolerable_s = 0.01;
-//! Offset beyond any jitter of the measurement.
+//! An offset above this cannot be jitter of the measurement: even a single one causes a restart.
 constexpr double lost_s = 0.15;
 constexpr double steering_s = 1.0;
 constexpr double most_steering = 0.01;

@@ -54,7 +54,7 @@ std::optional<FallBeginning> beginning_of(double spin, const CameraPose& first) 
     return FallBeginning{first, 0.0};
   }
   constexpr double tolerance = 1e-13;
-  constexpr double longest_step = 0.02;  // in units of the radius
+  constexpr double longest_step = 0.02;  // maximum step of proper time over the radius r
   constexpr int most_steps = 2000;
   const RainOrbit orbit = orbit_of(spin, first);
   OrbitState state = orbit.state;

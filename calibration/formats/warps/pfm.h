@@ -29,9 +29,9 @@ enum class RowOrder { bottom_up, top_down };
 std::size_t known_samples(const FloatMap& map);
 
 //! Reads a map. Throws Error for another type of map ("Pf" has one component), sizes below 2 x 2 or
-//! beyond the limits of warp_mesh.h, scales that are zero or not finite, maps without a known
-//! sample, and a number of bytes that differs from the size in the header. Allocates nothing before
-//! these checks.
+//! beyond the limits of warp_mesh.h, scales that are zero or not finite, maps in which every sample
+//! is unknown, and a number of bytes that differs from the size in the header. Allocates nothing
+//! before these checks.
 FloatMap parse_float_map(std::span<const std::byte> bytes, const std::string& name, RowOrder order);
 
 //! Reads a map from a file.

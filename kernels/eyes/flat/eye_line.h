@@ -117,8 +117,8 @@ ERGO_HD MetSheet<T> chosen(const Mask& mask, const MetSheet<T>& yes, const MetSh
 //! Limits of the search for a sheet.
 template <class S>
 struct SheetSearch {
-  S most_w;     //!< nothing nearer than this is searched for [1/M]
-  S precision;  //!< maximum length of the last step in w [1/M]
+  S most_w;     //!< maximum w: sheets nearer to the eye are not found [1/M]
+  S precision;  //!< a sheet counts as met once a step in w is shorter than this [1/M]
 };
 
 //! Maximum number of rounds of the search. A few suffice, except where the distance jumps.

@@ -141,7 +141,7 @@ struct FlatEyePixels {
     lay_over(seen, at.inside, at.first, pixel_count(batch.near_field.pixels), batch.near_field.rgba);
   }
 
-  //! Maximum length of the last step to a sheet, as seen in the image [px].
+  //! The search for a sheet ends when its step is shorter than this in the image [px].
   static constexpr S precision_px = S(0.1);
 
   //! Returns the lanes that may see anything, from samples along their lines in steps that are

@@ -5,7 +5,8 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Sheets of the disk from a grid of the head's camera, with one patch per leaf.
+//! Sheets of the disk, interpolated in a grid that was traced from the head. Each leaf of the grid
+//! holds one bicubic patch.
 template <class T, bool WithPattern>
 class GridSheets {
  public:

@@ -31,7 +31,7 @@ template <class S>
 struct OmniCameraOf {
   S spin;
   S horizon_r;
-  S offset;  //!< of the eye, to the right [M]
+  S offset;  //!< distance of the eye from the head's center, positive to the right [M]
   S inverse_convergence;
   S fade_begin;     //!< cosine of the elevation at which the offset is 0
   S fade_scale;     //!< 1 / (cosine at which the offset is full - fade_begin)

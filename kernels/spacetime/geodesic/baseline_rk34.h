@@ -106,8 +106,8 @@ ERGO_HD RayEnd<T> trace_baseline_rk34(ScalarOf<T> spin, const RayStart<T>& start
   T time = zero;
   T error = zero;
   steps = zero;
-  // Boyer-Lindquist's azimuth diverges at the horizon, so the angles of light that came in through
-  // it are meaningless.
+  // Rays to a camera inside the horizon are not traced: the Boyer-Lindquist azimuth of their light
+  // diverges where it enters.
   const S horizon_r = S(1) + safe_sqrt((S(1) - spin) * (S(1) + spin));
   const MaskOf<T> begun = active_at_start & (horizon_r * start.u < T(S(1)));
   auto active = begun;

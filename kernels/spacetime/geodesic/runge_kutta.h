@@ -6,8 +6,8 @@
 // Null geodesics by embedded Runge-Kutta pairs.
 namespace ergodome::inline ERGO_TARGET {
 
-//! Returns the rate of frame dragging, backwards: ψ' = -(2 a u - a² L u²) / (1 - 2u + a² u²) in
-//! Boyer-Lindquist's azimuth.
+//! Returns the rate of frame dragging, backwards: ψ' = -(2 a u - a² L u²) / (1 - 2u + a² u²) in the
+//! Boyer-Lindquist azimuth.
 //!
 //! For light that moves only inwards (RayStart::ingoing) the azimuth is that of ingoing Kerr
 //! coordinates, dφ + (a/Δ) dr. Such light has dr/dλ = -√R, and with X = r² + a² - a L

@@ -67,7 +67,7 @@ struct ConnectionView {
 inline constexpr int fan_steps_to_pi = 20;
 inline constexpr int fan_stencil = 10;
 
-//! A point as read from a table.
+//! The ray that connects a point with the observer, as interpolated from a table.
 struct SeenPoint {
   double xi;               //!< as in ConnectingRay [rad]
   double travel_time;      //!< [M]

@@ -53,7 +53,7 @@ ERGO_HD Quartic quartic(float t) {
 
 ERGO_HD float mixed(float a, float b, float t) { return a + t * (b - a); }
 
-//! Interpolates a displacement along one axis. Checks 1 and 2 are the middles of the sides at s0
+//! Interpolates a displacement along one axis. Checks 1 and 2 are the midpoints of the sides at s0
 //! and s1, 3 and 4 those at γ0 and γ1.
 ERGO_HD float blended(const float* c, const Quartic& along, const Quartic& across, float u, float v) {
   return along.value * mixed(c[1], c[2], v) + across.value * mixed(c[3], c[4], u);

@@ -10,7 +10,7 @@ namespace ergodome {
 struct PatchPairBatch {
   int count;
   const BezierPatch* const* patch;
-  const float* a;  //!< position of the star in the plane z = 1 of the patch
+  const float* a;  //!< (a, b): the star in gnomonic projection about the patch's axis
   const float* b;
 };
 

@@ -158,7 +158,7 @@ struct FindPatchSides {
     const T zero(0.0F);
     const T way_p = to_p - from_p;
     const T way_q = to_q - from_q;
-    // Positive where the star is to the left.
+    // Positive where the star, which is the origin, is to the left of the chord.
     const T left = from_p * to_q - from_q * to_p;
     const Mask up = (from_q <= zero) & (to_q > zero) & (left > zero);
     const Mask down = (from_q > zero) & (to_q <= zero) & (left < zero);

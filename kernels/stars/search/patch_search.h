@@ -40,7 +40,7 @@ struct SearchedPair {
   std::int32_t patch;
   std::int32_t star;  //!< number in the field
   float depth;        //!< cosine of the angle to the patch's axis
-  float a;            //!< position of the star in the plane z = 1 of the patch
+  float a;            //!< (a, b): the star in gnomonic projection about the patch's axis
   float b;
   bool mirrored;
 };

@@ -118,8 +118,8 @@ void FarField::integrate(const float* amplitudes) {
       const float* amplitude = line + 2 * ((i + half) % cells_);
       const double re = static_cast<double>(amplitude[0]);
       const double im = static_cast<double>(amplitude[1]);
-      // The edges of the mask are one cell wide, which attenuates the amplitude by sin(f) / f;
-      // divides by that.
+      // At its edges the mask rises from 0 to 1 over one cell. That attenuates the amplitude by
+      // sin(f) / f, so the intensity is divided by the square of this factor.
       const double f = pi * std::hypot(i - half, j - half) / cells_;
       const double dimming = f > 0.0 ? std::sin(f) / f : 1.0;
       sum += (re * re + im * im) / (dimming * dimming);

@@ -7,7 +7,7 @@
 #include "render/passes/objects/object_pixels.h"
 #include "render/passes/stars/drawing/picture_sheets.h"
 
-// Finds the pixels in which objects may be seen, by rays through the middles of tiles.
+// Finds the pixels in which objects may be seen, by rays through the centers of tiles.
 namespace ergodome {
 
 namespace {

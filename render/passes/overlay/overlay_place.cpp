@@ -35,7 +35,8 @@ PlaceAxes axes_of(const DomePlace& place) {
   return {middle, std::cos(roll) * right - std::sin(roll) * up, std::sin(roll) * right + std::cos(roll) * up};
 }
 
-//! Returns the latitude of the middle of a bent sheet in the sheet's latitude system.
+//! Returns how strongly a caption is bent: the latitude [rad], in the sheet's own coordinates, of
+//! the circle that its middle line follows. At 0 it is a great circle.
 double bend_of(const DomePlace& place) {
   const double e = one_degree * std::clamp(place.elevation_deg, -90.0, 90.0);
   const double size = std::abs(e);

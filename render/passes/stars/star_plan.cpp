@@ -50,8 +50,8 @@ void plan_star_drawing(PlanWriter& plan, const StarNeeds& needs) {
   } else {
     plan_grid(plan, stars, false);
     plan.buffer("shadow edge", WorkMoment::place, 0, stars);
-    // Not needed if the previous picture had the same camera, even slightly turned. Eyes that see
-    // the same share the result.
+    // The search of patches is skipped if the previous picture had the same camera, or one that
+    // was only turned slightly. Eyes that see the same stars share one search.
     const bool may_share = plan.eyes() > 1 && (plan.eyes_are_flat() || plan.eyes_are_together_at_times());
     plan.pass("search_patches", WorkMoment::picture, may_share ? 0 : plan.eyes(), 0, stars, true);
     plan.pass("find_star_images", WorkMoment::picture, 0, 0, stars, true);

@@ -8,7 +8,7 @@
 
 namespace ergodome {
 
-//! Values of a projector's mesh at the middle of a pixel.
+//! Values of a projector's mesh at the center of a pixel.
 struct MeshSample {
   float source[2] = {};  //!< in the master, 0 to 1
   float mask[2] = {};    //!< in the masks
@@ -17,7 +17,7 @@ struct MeshSample {
   float along_y[2] = {};  //!< change of `source` down a column
 };
 
-//! Samples a mesh at the middles of a raster's pixels, as OpenGL does: corners lie on a lattice of
+//! Samples a mesh at the centers of a raster's pixels, as OpenGL does: corners lie on a lattice of
 //! 1/256 pixel, and a pixel on an edge belongs to one triangle. Corners more than 15 raster sizes
 //! away are moved to that distance.
 class MeshRaster {

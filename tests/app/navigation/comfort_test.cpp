@@ -30,7 +30,7 @@ struct Worst {
 
 Worst worst_of(Navigator& navigator, const CameraPose& path, int frames,
                const std::function<SteeringInput(int)>& input) {
-  constexpr double step_s = 1.0 / 240.0;  // the navigator's own step, so that finite differences resolve it
+  constexpr double step_s = 1.0 / 240.0;  // as long as the navigator's steps: resolves every change
   Worst worst;
   glm::dquat view = steady_view(navigator);
   bool falls = navigator.pose().velocity_in_rain;

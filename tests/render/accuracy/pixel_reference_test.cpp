@@ -29,7 +29,7 @@ class PixelReferenceOfADome : public testing::Test {
         lattice_(pixel_lattice(moment_.projection, 16, 1)),
         reference_(moment_.eye, moment_.projection, lattice_.pixels, moment_.pixel) {}
 
-  //! Returns the sky direction at an offset from the middle of a pixel.
+  //! Returns the sky direction at an offset from the center of a pixel.
   [[nodiscard]] Vector3<double> beside(std::size_t i, double right_px, double down_px) const {
     const auto [x, y] = pixel_middle(lattice_.pixels[i], moment_.projection.width_px);
     return traced(moment_, x + right_px, y + down_px);

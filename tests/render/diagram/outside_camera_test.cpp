@@ -32,7 +32,7 @@ TEST(OutsideCameras, HaveAllPlacesInTheirBandOfThePicture) {
       EXPECT_LT(-at.z, camera.farthest);
       widest = std::max({widest, std::abs(x), (std::abs(y - 0.2)) / 0.8});
     }
-    // They fill the band in one direction, up to the margin.
+    // The points reach the margin of the band horizontally or vertically.
     EXPECT_GT(widest, 0.9) << elevation;
   }
 }

@@ -10,7 +10,7 @@ namespace ergodome {
 //! edges: the whole picture, or one face of a cube. Light that spreads across the edge of a sheet
 //! is drawn on every sheet that it reaches.
 struct PictureSheet {
-  Projection projection;  //!< of the sheet as a separate picture
+  Projection projection;  //!< projection of the sheet as if it were a picture of its own
   PixelCell cell;         //!< its position in the picture
 };
 

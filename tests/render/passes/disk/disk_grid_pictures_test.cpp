@@ -125,7 +125,7 @@ TEST(DiskGridPictures, AreThoseOfRays) {
     const TwoPictures pictures = draw_both(at);
     const std::vector<float> found = differences(pictures);
     ASSERT_GT(found.size(), pictured_px * pictured_px / 22U);
-    // The coverage of edges follows from the derivative of 1/r in the middle of a pixel; where it
+    // The coverage of edges follows from the derivative of 1/r at the center of a pixel; where it
     // changes fast, it differs in the last bits.
     EXPECT_LT(found[found.size() / 2], 1e-3F);
     EXPECT_LT(found[found.size() * 99 / 100], 0.04F);

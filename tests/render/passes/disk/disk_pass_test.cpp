@@ -46,7 +46,7 @@ DrawnDisk draw_disk(const Show& show, const EyeCamera& eye, double field_of_view
   return drawn;
 }
 
-//! The exact ray of a pixel's middle, in double.
+//! The exact ray through a pixel's center, in double.
 struct ExactRay {
   NearRay<double> ray;
   EquatorialCrossing<double> crossings[crossing_orders];

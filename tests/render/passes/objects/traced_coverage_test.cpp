@@ -21,7 +21,7 @@ using test::observed;
 using test::show_of;
 using test::station;
 
-//! Returns the fraction of a pixel in which exact rays meet an object, through the middles of the
+//! Returns the fraction of a pixel in which exact rays meet an object, through the centers of the
 //! cells of a grid. If `sheared`, the samples are shifted so that no two are aligned with a side of
 //! the pixel.
 double exact_part(const ObjectRays& rays, const EyeCamera& eye, const Projection& projection, int x, int y, int side,

@@ -94,7 +94,7 @@ NearRay<double> exact_shell_ray(const EyeCamera& eye, const Projection& projecti
   return start_near_ray(camera, observed(eye, projection, x + 0.5, y + 0.5));
 }
 
-//! Returns the shells that the exact ray of a pixel's middle crosses, in double; radii are sorted
+//! Returns the shells that the exact ray of a pixel's center crosses, in double; radii are sorted
 //! from the outermost.
 std::vector<Met> met(const EyeCamera& eye, const Projection& projection, int x, int y,
                      const std::vector<double>& radii) {

@@ -162,7 +162,7 @@ StarCatalogue stars_at(const EyeCamera& eye, const Projection& projection, const
   return catalogue;
 }
 
-//! Returns the corners of pixels, and the middles of their sides and diagonals.
+//! Returns the corners of pixels, and the midpoints of their sides and diagonals.
 std::vector<PlaceOnScreen> places_between_pixels(int width_px, int height_px) {
   std::vector<PlaceOnScreen> places;
   for (int y = 1; y < height_px; y += 3) {
