@@ -18,8 +18,8 @@
 #include "tests/support/gl_driver.h"
 #include "tests/support/simulated_dome.h"
 
-// Disables leak reports if a driver was loaded.
-// NOLINTNEXTLINE: the checker's name
+// Hook of LeakSanitizer: disables its reports if a test loaded an OpenGL driver (gl_driver.h).
+// NOLINTNEXTLINE: LeakSanitizer prescribes the name
 extern "C" int __lsan_is_turned_off() { return ergodome::test::driver_was_loaded ? 1 : 0; }
 
 // Compares frames of windows and projectors, drawn through EGL, with reference frames that a person

@@ -7,8 +7,8 @@
 #include "tests/render/passes/objects/object_scene.h"
 #include "tests/support/sanitized.h"
 
-// Disables leak reports if a driver was loaded.
-// NOLINTNEXTLINE: the checker's name
+// Hook of LeakSanitizer: disables its reports if a test loaded an OpenGL driver (gl_driver.h).
+// NOLINTNEXTLINE: LeakSanitizer prescribes the name
 extern "C" int __lsan_is_turned_off() { return ergodome::test::driver_was_loaded ? 1 : 0; }
 
 // Objects appear at the positions of the closed form.
