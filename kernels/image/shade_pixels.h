@@ -25,7 +25,7 @@ struct ShadeBatch {
   SkyShift shift;
   bool brightening;                //!< multiplies the map's light by the magnification
   BlackbodyTable colours;          //!< for SkyShift::blackbody_fit
-  ProjectionOf<float> projection;  //!< for brightening, and for rows on devices
+  ProjectionOf<float> projection;  //!< for brightening, and for the width of a row
   int first_row;                   //!< of the image in this batch, for brightening
   float exposure;                  //!< factor of the sky's light
   //! Value at the low end of a heat map, or its logarithm for logarithmic ones.

@@ -16,16 +16,17 @@ struct PixelRows {
 struct KernelDefaults {
   //! Type of a lane.
   using Real = float;
-  //! The CPU kernel computes in registers (WidePack<Real>), and a call covers one of elements.
+  //! The CPU kernel computes with registers of several lanes (WidePack<Real>), not with Real. A call
+  //! then computes one element per lane.
   static constexpr bool wide = true;
-  //! A call of the CPU kernel computes one element all the same, a tile for example.
+  //! A call of the CPU kernel computes one element, such as a tile, whatever the number of lanes.
   static constexpr bool one_element_a_call = false;
   //! Number of calls that a CPU thread takes at a time: tens of microseconds of work, so that
   //! uneven rays balance.
   static constexpr int grain = 32;
   //! Launches are counted by work_counter().
   static constexpr bool counted = true;
-  //! Number of launches that one launch counts as.
+  //! Number of launches that work_counter() is adds for one, such as 2 for a launch that serves both eyes.
   static constexpr int counted_launches = 1;
   //! The CPU kernel is compiled once, not for each instruction set.
   static constexpr bool compiled_once = false;
@@ -35,7 +36,7 @@ struct KernelDefaults {
   static void visit_outputs(const Batch& /*batch*/, const Visit& /*visit*/) {}
 };
 
-//! Grain of kernels that trace the rays of a grid: there are only hundreds, and each costs more.
+//! Grain of kernels that trace the rays of a grid: a grid has only hundreds, and each costs more.
 inline constexpr int grid_grain = 4;
 
 //! Declares the kernel that runs a batch. Each batch has a specialization in its header, derived
@@ -45,9 +46,10 @@ inline constexpr int grid_grain = 4;
 //!     static int elements(const Batch&);          or: static PixelRows rows(const Batch&);
 //!     static long work(const Batch&);             counted elements, if they are not elements()
 //!
-//! The kernel itself is in a header that only registrations include (kernels/launch/register.h).
-//! There, dispatch<T>(batch, action) calls action(functor) with the functor whose call (index)
-//! computes the elements of one T: WidePack<Real> on the CPU, Real on a GPU.
+//! The kernel itself is in another header (NAME_kernel.h), for the sources that register kernels
+//! (kernels/launch/register.h). It defines dispatch<T>(batch, action), which calls action(functor)
+//! for the variant that the batch needs. functor(index) computes the elements of one T, which is
+//! WidePack<Real> on the CPU and Real on a GPU.
 template <class Batch>
 struct Kernel;
 

@@ -91,8 +91,8 @@ void count_and_check(Backend backend, const Batch& batch, const Run& run) {
 }
 
 //! Runs the kernel of a batch, whose arrays are in the backend's memory. With Backend::cuda, returns
-//! after the device has finished, unless the thread works in order (DeviceWorkInOrder) or the
-//! kernel is one of those that wait_for_device() is for.
+//! after the device has finished. Two exceptions need wait_for_device(): threads that work in order
+//! (DeviceWorkInOrder), and the kernels of kernels/image/warp_pixels.cu.
 //!
 //! Throws Error if a launch fails, or if numbers are checked and an output is not finite.
 template <class Batch>

@@ -12,8 +12,8 @@
 #include "kernels/core/pack.h"
 #endif
 
-// Registers kernels. Sources that are compiled for each instruction set, and for GPUs if CUDA can
-// be built, contain nothing but such lines, in namespace ergodome:
+// Registers kernels. A source *_kernels.cpp is compiled for each instruction set and, if a GPU runs
+// its kernels, as CUDA. It contains nothing but such lines, in namespace ergodome:
 //
 //     ERGO_KERNEL(PixelBatch);                 for CPU and GPU
 //     ERGO_CPU_KERNEL(NodeBatch<double>);      for the CPU alone
