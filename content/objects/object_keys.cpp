@@ -11,7 +11,7 @@ namespace ergodome {
 namespace {
 
 constexpr double largest_angle_deg = 1e6;
-constexpr std::size_t most_way_keys = 10'000;
+constexpr std::size_t most_object_keys = 10'000;
 
 constexpr std::array shape_names = {"triangle", "sphere", "disk"};
 constexpr std::array object_method_names = {"polygon", "trace"};
@@ -97,46 +97,33 @@ constexpr auto orbit_keys = keys_of<ObjectOrbit>(
     key<&ObjectOrbit::speed>("speed", "M of the hole's time in one second of the show. Negative: backward.")
         .range(-1e6, 1e6, "M/s"));
 
-constexpr auto read_way = [](TomlTable& table, ObjectSettings& object) {
-  const auto keys = table.tables("key", most_way_keys);
-  if (table.has("key") && keys.empty()) {
+constexpr auto object_key_keys = keys_of<ObjectKey>(
+    key<&ObjectKey::time_s>("t_s", "Time of the show. Entries are in order of time, at least 1e-6 s apart.")
+        .range(-1e12, 1e12, "s"),
+    key<&ObjectKey::position>("position", "[Position](#coordinates) at that time.")
+        .range(-farthest_of_objects, farthest_of_objects, "M")
+        .required("write { t_s = 0, position = [10, 0, 0] }")
+        .page({.type = "position"}),
+    key<&ObjectKey::ease>("ease", "Motion to the next entry.")
+        .words(ease_names)
+        .page({.bounds = "see [easing](show-keys.md#easing)"}));
+
+constexpr auto check_keys = [](TomlTable& table, const ObjectSettings& object) {
+  if (table.has("key") && object.keys.empty()) {
     throw table.error_at("key", "is an empty list",
                          "write [{ t_s = 0, position = [10, 0, 0] }], or position in place of it");
   }
-  auto& way = object.way;
-  for (const toml::table* each : keys) {
-    TomlTable reader = table.below(*each, fmt::format("key[{}]", way[0].keys.size()));
-    const double time_s = reader.number("t_s", 0.0, -1e12, 1e12);
-    if (!reader.has("position")) {
-      throw reader.error_at("position", "is missing", "write { t_s = 0, position = [10, 0, 0] }");
-    }
-    const std::vector<double> position = reader.numbers("position", 3, 3, -farthest_of_objects, farthest_of_objects);
-    const auto ease = static_cast<Ease>(reader.choice("ease", 0, ease_names));
-    if (!way[0].keys.empty() && !(time_s - way[0].keys.back().time_s >= least_key_gap_s)) {
-      throw reader.error_at("t_s", "is not later than that of the previous key", "sort the keys by time");
-    }
-    reader.refuse_unknown_keys();
-    for (std::size_t i = 0; i < 3; ++i) {
-      way[i].keys.push_back({time_s, position[i], ease});
+  const auto tables = table.tables("key", most_object_keys);
+  for (std::size_t i = 1; i < tables.size(); ++i) {
+    if (!(object.keys[i].time_s - object.keys[i - 1].time_s >= least_key_gap_s)) {
+      throw table.below(*tables[i], fmt::format("key[{}]", i))
+          .error_at("t_s", "is not later than that of the previous key", "sort the keys by time");
     }
   }
 };
 
-constexpr auto write_way = [](toml::table& table, const ObjectSettings& object) {
-  toml::array keys;
-  for (std::size_t i = 0; i < object.way[0].keys.size(); ++i) {
-    const NumberKey& key = object.way[0].keys[i];
-    keys.push_back(
-        toml::table{{"t_s", key.time_s},
-                    {"position", toml::array{key.value, object.way[1].keys[i].value, object.way[2].keys[i].value}},
-                    {"ease", ease_names[static_cast<std::size_t>(key.ease)]}});
-  }
-  if (!keys.empty()) {
-    table.insert("key", std::move(keys));
-  }
-};
-
-constexpr auto check_motions = [](const TomlTable& table, const ObjectSettings& /*object*/) {
+constexpr auto check_motion = [](TomlTable& table, const ObjectSettings& object) {
+  check_keys(table, object);
   const int motions = static_cast<int>(table.has("position")) + static_cast<int>(table.has("orbit")) +
                       static_cast<int>(table.has("key"));
   if (motions > 1) {
@@ -162,7 +149,7 @@ constexpr auto check_retarded = [](const TomlTable& table, const ObjectSettings&
   if (object.method != ObjectMethod::trace) {
     throw table.error_at("retarded", "cannot be used with method = \"polygon\"", "write method = \"trace\"");
   }
-  if (!object.way[0].keys.empty()) {
+  if (!object.keys.empty()) {
     throw table.error_at("retarded", "needs a motion in the time of the hole, but keys use the time of the show",
                          "write orbit = { r = 10, speed = 20 } in place of the keys");
   }
@@ -211,14 +198,13 @@ constexpr auto keys_of_object = keys_of<ObjectSettings>(
         .degrees(-largest_angle_deg, largest_angle_deg),
     key<&ObjectSettings::position>("position", "[Position](#coordinates) of the origin of the mesh.")
         .range(-farthest_of_objects, farthest_of_objects, "M")
-        .written_if([](const ObjectSettings& object) { return !object.orbit && object.way[0].keys.empty(); })
+        .written_if([](const ObjectSettings& object) { return !object.orbit && object.keys.empty(); })
         .page({.type = "position"}),
     table<&ObjectSettings::orbit>("orbit", orbit_keys, "Circular orbit of the origin of the mesh.")
         .page({.otherwise = "none", .bounds = "see below"}),
-    other<ObjectSettings>("key", "Positions that the object passes.")
-        .by(read_way, write_way)
-        .after(check_motions)
-        .page({.type = "list of tables", .otherwise = "none", .bounds = "1 to 10,000 entries"}),
+    table<&ObjectSettings::keys>("key", object_key_keys, "Positions that the object passes.", most_object_keys)
+        .after(check_motion)
+        .page({.otherwise = "none", .bounds = "1 to 10,000 entries"}),
     key<&ObjectSettings::color>("color", "Factor on the colors of the mesh: red, green, blue in linear light.")
         .range(0.0, 1e6, "display white"),
     key<&ObjectSettings::exposure>("exposure", "Factor on all light of the object.").range(0.0, 1e12),

@@ -25,8 +25,16 @@ Vector3<double> position_at(const ObjectSettings& object, double time_s) {
   if (object.orbit) {
     return place_on(*object.orbit, time_s, 0.0);
   }
-  if (!object.way[0].keys.empty()) {
-    return {value_at(object.way[0], time_s), value_at(object.way[1], time_s), value_at(object.way[2], time_s)};
+  if (const auto& keys = object.keys; !keys.empty()) {
+    const auto coordinate = [&](double Vector3<double>::*const part) {
+      return value_at(
+          keys.size(),
+          [&](std::size_t i) {
+            return NumberKey{keys[i].time_s, keys[i].position.*part, keys[i].ease};
+          },
+          time_s);
+    };
+    return {coordinate(&Vector3<double>::x), coordinate(&Vector3<double>::y), coordinate(&Vector3<double>::z)};
   }
   return object.position;
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,6 +32,13 @@ struct ObjectOrbit {
   bool operator==(const ObjectOrbit&) const = default;
 };
 
+//! The position of an object at a time of the show.
+struct ObjectKey {
+  double time_s = 0.0;
+  Vector3<double> position = {0.0, 0.0, 0.0};  //!< of the mesh's origin [M]
+  Ease ease = Ease::smooth;                    //!< from this key to the next
+};
+
 //! A checkerboard over the texture coordinates.
 struct CheckerSettings {
   int columns = 8;
@@ -54,7 +60,7 @@ struct ObjectSettings {
   Vector3<double> turn = {0.0, 0.0, 0.0};      //!< around the x, then the y, then the z axis [rad]
   Vector3<double> position = {0.0, 0.0, 0.0};  //!< of the mesh's origin [M]
   std::optional<ObjectOrbit> orbit;            //!< in place of the position
-  std::array<Animation, 3> way;                //!< x, y, z as functions of time; replaces the position if it has keys
+  std::vector<ObjectKey> keys;                 //!< in order of time; replace the position if there are any
   Vector3<double> color = {1.0, 1.0, 1.0};     //!< linear light; multiplies the color of the mesh
   double exposure = 1.0;
   std::optional<CheckerSettings> checker;

@@ -1,6 +1,7 @@
 #include "content/show/animated_show.h"
 
 #include <algorithm>
+#include <ranges>
 
 #include "content/camera/key_curve.h"
 
@@ -8,29 +9,32 @@ namespace ergodome {
 
 namespace {
 
-using NumberKeys = std::vector<NumberKey>;
+using KeyAt = std::function<NumberKey(std::size_t)>;
 
-Chord chord(const NumberKeys& keys, std::size_t i) {
-  const double span_s = keys[i + 1].time_s - keys[i].time_s;
-  return {(keys[i + 1].value - keys[i].value) / span_s, span_s};
+Chord chord(const KeyAt& key, std::size_t i) {
+  const NumberKey from = key(i);
+  const NumberKey to = key(i + 1);
+  const double span_s = to.time_s - from.time_s;
+  return {(to.value - from.value) / span_s, span_s};
 }
 
-//! Returns the value between key `i` and the next one, t in [0, 1).
-double value_between(const NumberKeys& keys, std::size_t i, double t) {
-  const double from = keys[i].value;
-  const double to = keys[i + 1].value;
-  if (keys[i].ease == Ease::hold) {
+//! Returns the value between key `i` of `count` and the next one, t in [0, 1).
+double value_between(std::size_t count, const KeyAt& key, std::size_t i, double t) {
+  const double from = key(i).value;
+  const double to = key(i + 1).value;
+  if (key(i).ease == Ease::hold) {
     return from;
   }
-  if (keys[i].ease == Ease::linear) {
+  if (key(i).ease == Ease::linear) {
     return from + (to - from) * t;
   }
-  const SpanEnds ends = span_ends(keys.size(), i, [&](std::size_t k) {
-    return CurveKey{keys[k].time_s, keys[k].time_s, keys[k].ease};
+  const SpanEnds ends = span_ends(count, i, [&](std::size_t k) {
+    const NumberKey at = key(k);
+    return CurveKey{at.time_s, at.time_s, at.ease};
   });
-  const Chord own = chord(keys, i);
-  return quintic(from, to, own.span_s, motion_at_begin(ends.begin, i > 0 ? chord(keys, i - 1) : own, own),
-                 motion_at_end(ends.end, own, i + 2 < keys.size() ? chord(keys, i + 1) : own), t);
+  const Chord own = chord(key, i);
+  return quintic(from, to, own.span_s, motion_at_begin(ends.begin, i > 0 ? chord(key, i - 1) : own, own),
+                 motion_at_end(ends.end, own, i + 2 < count ? chord(key, i + 1) : own), t);
 }
 
 //! Sets each animated number to `value(animation)`.
@@ -53,18 +57,22 @@ NumberChange put_values(Show& show, const Value& value) {
 
 }  // namespace
 
+double value_at(std::size_t count, const KeyAt& key, double time_s) {
+  const std::size_t after = *std::ranges::upper_bound(std::views::iota(std::size_t{0}, count), time_s, {},
+                                                      [&](std::size_t i) { return key(i).time_s; });
+  if (after == 0) {
+    return key(0).value;
+  }
+  if (after == count) {
+    return key(count - 1).value;
+  }
+  const double from_s = key(after - 1).time_s;
+  return value_between(count, key, after - 1, (time_s - from_s) / (key(after).time_s - from_s));
+}
+
 double value_at(const Animation& animation, double time_s) {
-  const NumberKeys& keys = animation.keys;
-  const auto after =
-      std::upper_bound(keys.begin(), keys.end(), time_s, [](double t, const NumberKey& key) { return t < key.time_s; });
-  if (after == keys.begin()) {
-    return keys.front().value;
-  }
-  if (after == keys.end()) {
-    return keys.back().value;
-  }
-  const auto i = static_cast<std::size_t>(after - keys.begin()) - 1;
-  return value_between(keys, i, (time_s - keys[i].time_s) / (keys[i + 1].time_s - keys[i].time_s));
+  return value_at(
+      animation.keys.size(), [&](std::size_t i) { return animation.keys[i]; }, time_s);
 }
 
 NumberChange animate(Show& show, double time_s) {
@@ -82,7 +90,7 @@ const Animation* find_animation(const Show& show, std::string_view path) {
 }
 
 bool changes_by_itself(const Show& show) {
-  const auto moves = [](const ObjectSettings& object) { return object.orbit || !object.way[0].keys.empty(); };
+  const auto moves = [](const ObjectSettings& object) { return object.orbit || !object.keys.empty(); };
   return !show.timeline.animations.empty() || (show.disk && show.disk->pattern != DiskPattern::none) ||
          std::ranges::any_of(show.objects, moves);
 }

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
+
 #include "content/show/animatable_number.h"
 
 namespace ergodome {
@@ -11,6 +14,9 @@ namespace ergodome {
 //! other kinds are described at Ease. Times are measured from the preceding key, so late in a show
 //! they are as exact as doubles can represent them.
 double value_at(const Animation& animation, double time_s);
+
+//! Returns the same for a number with `count` keys, at least one; `key(i)` returns any of them.
+double value_at(std::size_t count, const std::function<NumberKey(std::size_t)>& key, double time_s);
 
 //! Sets every animated number of the show to its value at a show time, and returns what must be
 //! updated. A show without animations is not changed; nothing is copied.

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "content/show/animated_show.h"
+#include "content/show/key_table.h"
+#include "content/show/show_schema.h"
 
 namespace ergodome {
 
@@ -10,7 +12,6 @@ namespace {
 
 constexpr std::size_t most_animations = 1000;
 constexpr std::size_t most_number_keys = 100'000;
-constexpr double longest_animation_s = 1e12;
 
 const AnimatableNumber& number_of(TomlTable& table) {
   const std::string path = table.text("number", "");
@@ -53,15 +54,9 @@ std::vector<NumberKey> read_keys(TomlTable& table, const std::string& file, cons
   std::vector<NumberKey> keys;
   for (const toml::table* each : table.tables("key", most_number_keys)) {
     TomlTable reader(*each, file, fmt::format("{}[{}]", table.path_of("key"), keys.size()));
-    for (const char* const needed : {"t_s", "value"}) {
-      if (!reader.has(needed)) {
-        throw reader.error_at(needed, "is missing", "write { t_s = 0, value = 1 }");
-      }
-    }
     NumberKey key;
-    key.time_s = reader.number("t_s", 0.0, -longest_animation_s, longest_animation_s);
-    key.value = reader.number("value", 0.0, limits.least, limits.greatest);
-    key.ease = static_cast<Ease>(reader.choice("ease", 0, {"smooth", "linear", "in", "out", "in_out", "hold"}));
+    reader.number("value", 0.0, limits.least, limits.greatest);  // narrower than the schema's range
+    read_settings(number_key_keys, reader, key);
     if (!keys.empty() && !(key.time_s - keys.back().time_s >= least_key_gap_s)) {
       throw reader.error_at("t_s", "is not later than that of the previous key", "sort the keys by time");
     }

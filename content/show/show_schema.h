@@ -11,6 +11,7 @@ extern const KeyTable<EffectSettings> effect_keys;
 extern const KeyTable<FallSettings> fall_keys;
 extern const KeyTable<FlightSettings> flight_keys;
 extern const KeyTable<PointLight> light_keys;
+extern const KeyTable<NumberKey> number_key_keys;
 extern const KeyTable<ObjectSettings> object_keys;
 extern const KeyTable<ShellSettings> shell_keys;
 extern const KeyTable<SkySettings> sky_keys;

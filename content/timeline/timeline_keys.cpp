@@ -76,11 +76,14 @@ constexpr auto place_keys = keys_of<DomePlace>(
         .range(-90.0, 90.0, "deg"),
     key<&DomePlace::roll_deg>("roll_deg", "Clockwise roll.").range(-360.0, 360.0, "deg"));
 
-constexpr auto number_key_keys = keys_of<NumberKey>(
-    key<&NumberKey::time_s>("t_s", "Time of the value.").range(-1e12, 1e12, "s").page({.otherwise = "required"}),
+constexpr const char* remedy_for_values = "write { t_s = 0, value = 1 }";
+
+constexpr auto keys_of_number_key = keys_of<NumberKey>(
+    key<&NumberKey::time_s>("t_s", "Time of the value.").range(-1e12, 1e12, "s").required(remedy_for_values),
     key<&NumberKey::value>("value", "Value at that time.")
         .range(-1e12, 1e12)
-        .page({.unit = "as the number", .otherwise = "required", .bounds = "range of the number"}),
+        .required(remedy_for_values)
+        .page({.unit = "as the number", .bounds = "range of the number"}),
     key<&NumberKey::ease>("ease", "Change from this key to the next.")
         .words(ease_names)
         .page({.bounds = "see [easing](#easing)"}));
@@ -88,7 +91,7 @@ constexpr auto number_key_keys = keys_of<NumberKey>(
 constexpr auto animation_keys = keys_of<Animation>(
     key<&Animation::path>("number", "Path of the number, for example `\"sky.exposure\"`. Each number has one entry.")
         .page({.otherwise = "required", .bounds = "a key with *yes* in these tables"}),
-    table<&Animation::keys>("key", number_key_keys, "Values in order of time, at least 1e-6 s apart.")
+    table<&Animation::keys>("key", keys_of_number_key, "Values in order of time, at least 1e-6 s apart.")
         .page({.otherwise = "required", .bounds = "1 to 100,000 entries"}));
 
 constexpr auto chapter_keys =
@@ -160,6 +163,7 @@ constexpr auto keys_of_timeline = keys_of<Timeline>(
 
 }  // namespace
 
+constinit const KeyTable<NumberKey> number_key_keys = keys_of_number_key;
 constinit const KeyTable<Timeline> timeline_keys = keys_of_timeline;
 
 }  // namespace ergodome

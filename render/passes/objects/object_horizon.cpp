@@ -21,10 +21,8 @@ namespace {
 std::vector<double> times_to_look_at(const Show& show, const ObjectSettings& object) {
   constexpr std::size_t most_looks = 1024;
   std::vector<double> keys_s = {0.0};
-  for (const Animation& coordinate : object.way) {
-    for (const auto& key : coordinate.keys) {
-      keys_s.push_back(key.time_s);
-    }
+  for (const ObjectKey& key : object.keys) {
+    keys_s.push_back(key.time_s);
   }
   if (const Animation* const spin = find_animation(show, "hole.spin")) {
     for (const auto& key : spin->keys) {
@@ -57,11 +55,11 @@ std::vector<ObjectInHorizon> objects_in_horizon(const Show& show, const ObjectMe
     const double radius = object.size * radius_of(mesh);
     std::optional<ObjectInHorizon> inside;
     bool always_whole = true;
-    const bool rests = std::ranges::all_of(object.way, [](const Animation& way) { return way.keys.empty(); });
     std::optional<RadialRange> at_rest;
     for (const double time_s : times_to_look_at(show, object)) {
-      const RadialRange range =
-          rests && at_rest ? *at_rest : radial_range(mesh, placement_at(object, time_s), object.size, radius);
+      const RadialRange range = object.keys.empty() && at_rest
+                                    ? *at_rest
+                                    : radial_range(mesh, placement_at(object, time_s), object.size, radius);
       at_rest = range;
       const double horizon_r = horizon_radius(spin_at(show, time_s));
       always_whole = always_whole && range.farthest <= horizon_r;

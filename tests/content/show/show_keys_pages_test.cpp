@@ -100,6 +100,7 @@ struct DocumentedTable {
   const char* heading;
   std::vector<std::string> tables;
   std::vector<std::string_view> only{};  //!< names of keys; empty: all
+  std::optional<ObjectForm> form{};      //!< of an object, if the table is about one form
 };
 
 std::ostream& operator<<(std::ostream& out, const DocumentedTable& documented) { return out << documented.heading; }
@@ -128,8 +129,21 @@ const std::vector<DocumentedTable> documented_tables = {
     {"disk.md", "## Keys", {"disk"}},
     {"shells.md", "## Keys", {"shells"}},
     {"objects.md", "## Shape", {"objects"}, {"mesh", "shape"}},
+    {"objects.md", "Keys of `shape = \"triangle\"`:", {"objects"}, {"corners"}, ObjectForm::triangle},
+    {"objects.md",
+     "Keys of `shape = \"sphere\"`. The sphere has the radius 1 and its poles on the z axis.",
+     {"objects"},
+     {"segments", "rings"},
+     ObjectForm::sphere},
+    {"objects.md",
+     "Keys of `shape = \"disk\"`. The disk is a thick ring around the z axis: red above, blue below, green at the "
+     "edges.",
+     {"objects"},
+     {"inner", "outer", "thickness", "segments", "rings"},
+     ObjectForm::disk},
     {"objects.md", "## Position", {"objects"}, {"size", "turn_deg", "position", "orbit", "key"}},
     {"objects.md", "Keys of `orbit`:", {"objects.orbit"}},
+    {"objects.md", "Keys of each entry of `key`:", {"objects.key"}},
     {"objects.md",
      "## Appearance",
      {"objects"},
@@ -165,6 +179,10 @@ void add_rows(std::span<const ShowKey> keys, const std::string& path, const std:
       rows += "|\n";
     }
     if (key.kind == KeyKind::part) {
+      const bool another_form = key.applies != nullptr && !key.applies(settings);
+      if (another_form) {
+        continue;
+      }
       add_rows(key.keys, path, prefix, value, only, rows);
     } else if (!key.keys.empty() && !has_own_section(path + name)) {
       add_rows(key.keys, path + name + ".", prefix + name + ".", value != nullptr ? value : key.make(settings), only,
@@ -198,6 +216,9 @@ std::string rows_of(const DocumentedTable& documented) {
       const ShowKey& key = *find_key(keys, name, settings);
       settings = key.make != nullptr ? key.make(settings) : key.at(settings, 0);
       keys = key.keys;
+    }
+    if (documented.form) {
+      static_cast<ObjectSettings*>(settings)->form = *documented.form;
     }
     const std::string below = path.empty() ? "" : path + ".";
     add_rows(keys, below, documented.tables.size() > 1 ? below : "", settings, documented.only, rows);
