@@ -1,7 +1,7 @@
 #include "app/budget/play_plan.h"
 
 #include "app/budget/budget_texts.h"
-#include "render/lens/lens_choice.h"
+#include "render/lens/lens_source.h"
 
 namespace ergodome {
 

@@ -16,8 +16,8 @@
 #include "kernels/projection/pixel_measure.h"
 #include "render/frame/require_path.h"
 #include "render/frame/show_renderer.h"
-#include "render/lens/lens_choice.h"
 #include "render/lens/lens_chooser.h"
+#include "render/lens/lens_source.h"
 
 namespace ergodome {
 

@@ -11,7 +11,7 @@
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "render/eyes/view_projection.h"
-#include "render/output/frame_names.h"
+#include "render/output/frame_files.h"
 #include "render/output/image_writer.h"
 #include "render/output/tone_map.h"
 #include "render/patterns/test_pattern.h"

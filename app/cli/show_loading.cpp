@@ -17,7 +17,7 @@
 #include "content/show/stereo_eyes.h"
 #include "content/sky/sky_map.h"
 #include "kernels/core/error.h"
-#include "render/lens/lens_choice.h"
+#include "render/lens/lens_source.h"
 
 namespace ergodome {
 

@@ -20,7 +20,7 @@
 #include "kernels/core/error.h"
 #include "render/diagram/diagram.h"
 #include "render/diagram/diagram_picture.h"
-#include "render/output/frame_names.h"
+#include "render/output/frame_files.h"
 #include "render/output/image_writer.h"
 
 namespace ergodome {

@@ -6,8 +6,8 @@
 #include "render/lens/direct_lens.h"
 #include "render/lens/grid/grid_builder.h"
 #include "render/lens/grid/grid_lens.h"
-#include "render/lens/lens_choice.h"
-#include "render/published/quadtree_source.h"
+#include "render/lens/lens_source.h"
+#include "render/lens/quadtree_source.h"
 
 namespace ergodome {
 

@@ -12,7 +12,7 @@
 #include "render/accuracy/source_lens.h"
 #include "render/lens/grid/grid_builder.h"
 #include "render/lens/grid/grid_lens.h"
-#include "render/lens/lens_choice.h"
+#include "render/lens/lens_source.h"
 
 namespace ergodome {
 

@@ -7,7 +7,7 @@
 
 #include "render/channels/picture_wcs.h"
 #include "render/channels/pixel_channels.h"
-#include "render/output/frame_format.h"
+#include "render/output/frame_files.h"
 
 // Writes channels to EXR and FITS files.
 

@@ -10,7 +10,7 @@
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "kernels/spacetime/schwarzschild/apparent_place.h"
-#include "render/diagram/diagram_meshes.h"
+#include "render/diagram/diagram_scene.h"
 #include "render/diagram/diagram_surroundings.h"
 #include "render/diagram/light_curve.h"
 #include "render/diagram/spread_choice.h"

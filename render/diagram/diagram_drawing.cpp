@@ -9,7 +9,7 @@
 
 #include "kernels/core/error.h"
 #include "render/diagram/diagram_shaders.h"
-#include "render/present/gl_program.h"
+#include "render/opengl/gl_program.h"
 
 namespace ergodome {
 

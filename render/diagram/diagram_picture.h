@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "render/diagram/diagram_drawing.h"
-#include "render/passes/objects/polygons/gl_thread.h"
+#include "render/opengl/gl_thread.h"
 
 // Draws pictures of diagrams with their texts.
 

@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "content/objects/object_settings.h"
 #include "kernels/core/vector3.h"
+#include "render/diagram/apparent_mesh.h"
 
 // Contents of a diagram before drawing: in flat space, lengths in M.
 namespace ergodome {
@@ -78,5 +80,19 @@ Ink observer();
 Ink photon_sphere();
 Ink other_rays();
 }  // namespace diagram_inks
+
+
+//! Adds an object at its position, with its own color and checkerboard; textures are omitted.
+void add_solid(const ObjectSettings& object, const TriangleMesh& mesh, const ObjectPlacement& placement,
+               std::vector<DiagramCorner>& corners);
+
+//! Adds a translucent image of an object at its apparent position, in one color with the object's
+//! checkerboard.
+void add_veil(const ObjectSettings& object, const ApparentMesh& mesh, const Ink& ink,
+              std::vector<DiagramCorner>& corners);
+
+//! Adds a translucent object at a former position.
+void add_veil(const ObjectSettings& object, const TriangleMesh& mesh, const ObjectPlacement& placement, const Ink& ink,
+              std::vector<DiagramCorner>& corners);
 
 }  // namespace ergodome

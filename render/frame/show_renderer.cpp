@@ -14,9 +14,9 @@
 #include "kernels/spacetime/kerr/kerr.h"
 #include "render/frame/flat_eyes.h"
 #include "render/frame/frame_passes.h"
-#include "render/lens/lens_choice.h"
+#include "render/lens/lens_source.h"
 #include "render/output/stereo_layout.h"
-#include "render/output/tone.h"
+#include "render/output/tone_map.h"
 #include "render/passes/near_field/near_field_pass.h"
 #include "render/passes/objects/object_pass.h"
 #include "render/passes/overlay/camera_readout.h"
@@ -24,7 +24,7 @@
 #include "render/passes/overlay/overlay_place.h"
 #include "render/passes/stars/star_kind.h"
 #include "render/picture/cube_pictures.h"
-#include "render/picture/image_alpha.h"
+#include "render/picture/picture.h"
 
 namespace ergodome {
 

@@ -18,7 +18,7 @@
 #include "render/passes/objects/polygons/object_outline.h"
 #include "render/passes/overlay/overlay_pass.h"
 #include "render/passes/sky/show_sky.h"
-#include "render/picture/frame_image.h"
+#include "render/picture/picture.h"
 
 // Renders the frames of a show.
 

@@ -7,9 +7,9 @@
 #include "kernels/projection/pixel_measure.h"
 #include "render/lens/direct_lens.h"
 #include "render/lens/grid/screen_error.h"
-#include "render/lens/lens_choice.h"
+#include "render/lens/lens_source.h"
+#include "render/lens/quadtree_source.h"
 #include "render/lens/stations/place_turn.h"
-#include "render/published/quadtree_source.h"
 
 namespace ergodome {
 

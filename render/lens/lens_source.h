@@ -1,8 +1,10 @@
 #pragma once
 
 #include "kernels/image/lens_pixels.h"
+#include "kernels/image/shade_pixels.h"
+#include "kernels/launch/launch.h"
 
-// The interface of all lens sources.
+// The interface of all lens sources, and rules for choosing one.
 
 namespace ergodome {
 
@@ -43,5 +45,27 @@ class LensSource {
   //! ready in time.
   [[nodiscard]] virtual bool behind() const { return false; }
 };
+
+//! Frames with fewer pixels are faster without a grid; compare dome_frame/direct and
+//! dome_frame/live_grid in tests/bench.
+inline constexpr double least_grid_pixels = 150'000.0;
+
+//! Smallest budget [rad] down to which grids can be traced in float.
+inline constexpr double finest_float_budget = 2e-5;
+
+//! Returns whether building a grid is cheaper than one ray per pixel. On a GPU it never is.
+inline bool is_worth_a_grid(Backend backend, double pixels) {
+  return backend == Backend::cpu && pixels >= least_grid_pixels;
+}
+
+//! Returns whether a view mode shows properties of the rays. Such modes trace every ray, whatever
+//! lens was requested.
+inline bool shows_rays(ViewMode mode) {
+  return mode == ViewMode::steps || mode == ViewMode::error_estimate || mode == ViewMode::image_order;
+}
+
+//! Returns whether a mode is a heat map of the cost of following rays, which includes rays to
+//! shells.
+inline bool follows_rays(ViewMode mode) { return mode == ViewMode::steps || mode == ViewMode::error_estimate; }
 
 }  // namespace ergodome

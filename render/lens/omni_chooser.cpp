@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "kernels/projection/pixel_measure.h"
-#include "render/lens/lens_choice.h"
+#include "render/lens/lens_source.h"
 
 namespace ergodome {
 

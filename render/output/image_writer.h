@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "render/output/frame_format.h"
+#include "render/output/frame_files.h"
 #include "render/picture/picture.h"
 
 // Writes image files.

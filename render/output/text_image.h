@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-// Draws text into images.
+// Draws text into images, and the dark rim around letters.
 
 namespace ergodome {
 
@@ -33,5 +33,13 @@ TextLinesSize text_lines_size(const std::string& text, int font_px, TextFace fac
 //! that is too long. 0: no limit.
 TextImage text_lines_image(const std::string& text, int font_px, TextFace face = TextFace::proportional,
                            int widest_px = 0);
+
+//! Returns the reach of the dark rim around letters [px] for a line height [px]: at least 2.
+int text_rim_reach_px(int line_px);
+
+//! Returns the darkness of the rim around letters at each pixel, 0 to 1: dark beside the letters,
+//! fading outwards. `coverage`: of the letters, row by row; the image must have a margin of
+//! `reach_px` around them.
+std::vector<float> text_rim(const std::vector<float>& coverage, int width, int height, int reach_px);
 
 }  // namespace ergodome

@@ -1,11 +1,20 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
+#include "content/show/show.h"
+#include "kernels/image/tone_curve.h"
 #include "render/picture/picture.h"
 
 namespace ergodome {
+
+//! Returns the tone of settings, without automatic exposure.
+inline Tone tone_of(const ToneSettings& settings) {
+  return {settings.curve, std::exp2(static_cast<float>(settings.exposure_stops)), static_cast<float>(settings.white),
+          static_cast<float>(settings.gamma)};
+}
 
 //! Returns a picture as display-referred sRGB, three bytes per pixel.
 //!

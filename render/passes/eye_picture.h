@@ -14,7 +14,7 @@
 #include "render/passes/sky/polygon_filter.h"
 #include "render/passes/sky/sky_cube.h"
 #include "render/passes/stars/drawing/star_trails.h"
-#include "render/picture/heat_range.h"
+#include "render/picture/picture.h"
 
 // An eye's picture to be made.
 

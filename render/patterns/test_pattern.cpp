@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "content/images/image_library.h"
 #include "kernels/core/error.h"
-#include "render/patterns/orientation_pattern.h"
 #include "render/patterns/patterns.h"
 
 namespace ergodome {
@@ -49,6 +49,57 @@ Picture draw_test_pattern(TestPattern pattern, const PatternView& projection, Fr
       break;
   }
   return orientation_pattern(projection);
+}
+
+namespace {
+
+constexpr float white_line[4] = {1.0F, 1.0F, 1.0F, 1.0F};
+constexpr float amber_line[4] = {1.0F, 0.6F, 0.05F, 1.0F};
+constexpr float dim_line[4] = {0.3F, 0.3F, 0.3F, 1.0F};
+
+void write(const ImageCanvas& canvas, int x, int y, const std::string& text, int font_px, const float (&colour)[4]) {
+  image_library().draw_text(canvas, x, y, text, {std::max(font_px, 1), colour, TextPlace::centre});
+}
+
+//! Draws a circle: all pixels whose middle is within 0.75 pixels of it.
+void draw_circle(Picture& picture, double radius_px) {
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      const double from_middle = std::hypot(x + 0.5 - 0.5 * picture.width, y + 0.5 - 0.5 * picture.height);
+      if (std::abs(from_middle - radius_px) < 0.75) {
+        std::copy_n(dim_line, 4, picture.rgba.begin() + 4 * (static_cast<std::ptrdiff_t>(y) * picture.width + x));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Picture draw_projector_number(int number, const std::string& name, int width_px, int height_px) {
+  constexpr int largest_px = 16'384;
+  if (width_px < 1 || height_px < 1 || width_px > largest_px || height_px > largest_px) {
+    throw Error(name, fmt::format("has a raster of {} x {} pixels", width_px, height_px),
+                fmt::format("choose 1 to {} pixels a side", largest_px));
+  }
+  Picture picture;
+  picture.width = width_px;
+  picture.height = height_px;
+  picture.tone = {ToneCurve::gamma, 1.0F, 1.0F, 1.0F};
+  picture.rgba.resize(4 * static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px));
+  for (std::size_t i = 0; i < picture.rgba.size(); ++i) {
+    picture.rgba[i] = i % 4 == 3 ? 1.0F : 0.01F;
+  }
+  const int small = std::min(width_px, height_px);
+  draw_circle(picture, 0.45 * small);
+  const ImageCanvas image = {picture.rgba.data(), width_px, height_px, 4};
+  image_library().draw_line(image, 0, 0, width_px - 1, height_px - 1, dim_line);
+  image_library().draw_line(image, 0, height_px - 1, width_px - 1, 0, dim_line);
+  image_library().draw_box(image, 0, 0, width_px - 1, height_px - 1, white_line);
+  write(image, width_px / 2, height_px / 2, fmt::format("{}", number), small / 3, white_line);
+  write(image, width_px / 2, height_px / 2 + small / 4, name, small / 16, amber_line);
+  write(image, width_px / 2, height_px / 2 + small / 3, fmt::format("{} x {}", width_px, height_px), small / 24,
+        amber_line);
+  return picture;
 }
 
 }  // namespace ergodome

@@ -4,14 +4,14 @@
 #include <vector>
 
 #include "render/patterns/pattern_place.h"
-#include "render/picture/frame_image.h"
+#include "render/picture/picture.h"
 
 // Pictures for setting up domes, projectors and stereo displays. All are in linear light that is
 // shown without a tone curve: the display gets the values on a pattern's labels.
 namespace ergodome {
 
 enum class TestPattern {
-  orientation,  //!< which side is which (orientation_pattern.h)
+  orientation,  //!< which side is which (orientation_pattern)
   polar_grid,   //!< circles and meridians every 5°, numbers every 30°, the compass (north in front)
   checker,      //!< fields of 10° in elevation and about the same width
   grey_ramp,    //!< steps of 16 values, a smooth ramp, the darkest and the brightest 17 values

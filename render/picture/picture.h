@@ -2,13 +2,31 @@
 
 #include <optional>
 
+#include "kernels/image/shade_pixels.h"
 #include "kernels/image/tone_curve.h"
-#include "render/picture/heat_range.h"
-#include "render/picture/pixel_values.h"
+#include "kernels/projection/projection.h"
+#include "render/backend/kept_memory.h"
 
 // The pictures that renderers make and outputs take.
 
 namespace ergodome {
+
+//! Ends of a heat map's color bar, in the units that are displayed.
+struct ViewRange {
+  double low;
+  double high;
+};
+
+//! Ends of a heat map's color bar, in the units that are displayed, and whether it is logarithmic.
+struct HeatRange {
+  double low;
+  double high;
+  bool logarithmic;
+};
+
+//! Returns the range of a heat map's color bar. It is logarithmic for steps of methods that differ
+//! by orders of magnitude.
+HeatRange heat_range(ViewMode mode, bool logarithmic_steps = false);
 
 //! One eye's picture: linear light, four floats per pixel (red, green, blue, coverage), top row
 //! first.
@@ -28,6 +46,32 @@ struct PictureInPlace {
   float* rgba = nullptr;
   const char* lens = "";  //!< as in Picture
   bool behind = false;
+};
+
+//! The part of a frame that an image is.
+enum class FramePart { whole, left, right };
+
+//! An image to show or to write: linear light, four floats per pixel.
+struct FrameImage {
+  FramePart part = FramePart::whole;
+  Picture picture;
+  std::optional<CubeFace> face{};  //!< the face of a cube, if each face has a file
+};
+
+//! Sets a picture's alpha channel to the coverage of its image: 1 inside a dome's circle, 0
+//! outside, a fraction on the rim. The hole's shadow is opaque like the rest. `projection`: the
+//! picture's own.
+void set_image_alpha(const Projection& projection, Picture& picture);
+
+//! A picture in GPU memory: four floats per pixel.
+struct DevicePicture {
+  const float* rgba = nullptr;   //!< the picture or the left eye's
+  const float* right = nullptr;  //!< the right eye's, of the same size, if both are shown whole
+  bool above = false;            //!< the left eye is above the right one, not beside it
+  int width_px = 0;              //!< of one eye's picture
+  int height_px = 0;
+  bool heat_map = false;
+  Tone tone;
 };
 
 }  // namespace ergodome

@@ -8,7 +8,7 @@
 #include "kernels/projection/projection.h"
 #include "render/output/stereo_layout.h"
 #include "render/passes/overlay/caption_layer.h"
-#include "render/present/device_picture.h"
+#include "render/picture/picture.h"
 #include "render/present/text_panel.h"
 #include "render/present/window.h"
 

@@ -7,9 +7,9 @@
 #include <span>
 #include <string>
 
+#include "render/opengl/gl_program.h"
 #include "render/present/caption_texture.h"
 #include "render/present/cuda_interop.h"
-#include "render/present/gl_program.h"
 
 namespace ergodome {
 

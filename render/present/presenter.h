@@ -7,7 +7,6 @@
 #include "render/output/stereo_layout.h"
 #include "render/passes/overlay/caption_layer.h"
 #include "render/picture/picture.h"
-#include "render/present/device_picture.h"
 
 // Shows pictures in an OpenGL window.
 

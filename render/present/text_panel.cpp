@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "render/output/text_rim.h"
-#include "render/present/gl_program.h"
+#include "render/opengl/gl_program.h"
+#include "render/output/text_image.h"
 
 namespace ergodome {
 

@@ -24,7 +24,7 @@
 #include "render/channels/channel_files.h"
 #include "render/eyes/view_projection.h"
 #include "render/frame/show_renderer.h"
-#include "render/output/frame_names.h"
+#include "render/output/frame_files.h"
 #include "render/output/image_writer.h"
 #include "render/passes/disk/disk_pass.h"
 

@@ -10,7 +10,7 @@
 #include "kernels/core/error.h"
 #include "render/channels/channel_names.h"
 #include "render/eyes/view_projection.h"
-#include "render/output/frame_format.h"
+#include "render/output/frame_files.h"
 #include "render/output/stereo_layout.h"
 
 namespace ergodome {

@@ -37,8 +37,8 @@
 #include "kernels/spacetime/shadow/critical_curve.h"
 #include "render/frame/show_renderer.h"
 #include "render/lens/grid/grid_builder.h"
+#include "render/lens/grid/grid_picture.h"
 #include "render/output/image_writer.h"
-#include "render/picture/grid_picture.h"
 
 namespace ergodome {
 

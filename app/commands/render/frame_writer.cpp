@@ -20,7 +20,7 @@
 #include "content/files/console.h"
 #include "content/files/counted.h"
 #include "render/output/color_bar.h"
-#include "render/output/frame_names.h"
+#include "render/output/frame_files.h"
 #include "render/output/image_writer.h"
 #include "render/output/stereo_layout.h"
 

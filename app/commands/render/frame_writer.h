@@ -15,7 +15,7 @@
 #include "app/commands/render/render_options.h"
 #include "app/commands/render/run_cost.h"
 #include "render/frame/show_renderer.h"
-#include "render/output/frame_format.h"
+#include "render/output/frame_files.h"
 #include "render/output/stereo_layout.h"
 
 namespace ergodome {

@@ -6,7 +6,7 @@
 #include "app/cli/usage_error.h"
 #include "app/commands/movie/movie.h"
 #include "kernels/core/error.h"
-#include "render/output/frame_names.h"
+#include "render/output/frame_files.h"
 
 namespace ergodome {
 

@@ -5,7 +5,7 @@
 
 #include "content/files/atomic_file.h"
 #include "render/eyes/view_projection.h"
-#include "render/output/frame_names.h"
+#include "render/output/frame_files.h"
 #include "render/output/stereo_layout.h"
 #include "render/patterns/test_pattern.h"
 #include "render/picture/cube_pictures.h"

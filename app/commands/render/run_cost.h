@@ -5,7 +5,7 @@
 #include <string>
 
 #include "render/frame/show_renderer.h"
-#include "render/output/frame_format.h"
+#include "render/output/frame_files.h"
 
 namespace ergodome {
 

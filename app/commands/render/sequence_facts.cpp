@@ -12,7 +12,7 @@
 #include "content/show/stereo_eyes.h"
 #include "render/eyes/eye_distance.h"
 #include "render/eyes/view_projection.h"
-#include "render/output/frame_names.h"
+#include "render/output/frame_files.h"
 
 namespace ergodome {
 

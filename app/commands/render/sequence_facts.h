@@ -4,7 +4,7 @@
 #include <string>
 
 #include "content/show/show.h"
-#include "render/output/frame_format.h"
+#include "render/output/frame_files.h"
 
 namespace ergodome {
 

@@ -4,7 +4,7 @@
 #include "kernels/eyes/flat/draw_flat_eyes.h"
 #include "render/lens/flat/flat_shadow.h"
 #include "render/lens/grid/edge_table.h"
-#include "render/lens/lens_choice.h"
+#include "render/lens/lens_source.h"
 #include "render/passes/disk/disk_grids.h"
 #include "render/passes/disk/disk_pass.h"
 #include "render/passes/near_field/near_field_kind.h"

@@ -5,8 +5,8 @@
 
 #include "content/show/show.h"
 #include "render/eyes/eye_camera.h"
+#include "render/opengl/gl_thread.h"
 #include "render/passes/objects/object_kind.h"
-#include "render/passes/objects/polygons/gl_thread.h"
 #include "render/passes/objects/polygons/object_drawing.h"
 #include "render/passes/objects/polygons/object_outline.h"
 #include "render/passes/pass.h"

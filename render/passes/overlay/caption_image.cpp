@@ -8,7 +8,7 @@
 #include <cstring>
 #include <memory>
 
-#include "render/output/text_rim.h"
+#include "render/output/text_image.h"
 
 namespace ergodome {
 

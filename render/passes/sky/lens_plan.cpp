@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "render/lens/grid/edge_table.h"
-#include "render/lens/lens_choice.h"
+#include "render/lens/lens_source.h"
 
 namespace ergodome {
 

@@ -1,8 +1,8 @@
 #include "render/present/projectors/headless_projectors.h"
 
 #include "kernels/core/error.h"
-#include "render/present/gl_program.h"
-#include "render/present/headless_context.h"
+#include "render/opengl/gl_program.h"
+#include "render/opengl/headless_context.h"
 #include "render/present/offscreen_frame.h"
 #include "render/present/projectors/projector_drawing.h"
 

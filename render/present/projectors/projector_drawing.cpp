@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "render/present/gl_program.h"
+#include "render/opengl/gl_program.h"
 #include "render/present/projectors/projector_mesh.h"
 
 namespace ergodome {
@@ -82,7 +82,7 @@ void main() {
 #endif
   // Does not extend the rim of the master beyond it.
   light *= float(all(greaterThanEqual(source_place, vec2(0.0))) && all(lessThanEqual(source_place, vec2(1.0))));
-  // As in projector_light.h.
+  // tests/render/present/projectors/projector_light.h computes the same.
   vec3 blended = light * intensity;
 #ifdef HAS_BLEND
   blended *= texture(blend, mask_place).rgb;

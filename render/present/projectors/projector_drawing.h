@@ -4,7 +4,7 @@
 
 #include "calibration/projectors/projector_picture.h"
 #include "render/present/caption_texture.h"
-#include "render/present/display_light.h"
+#include "render/present/projectors/display_light.h"
 
 namespace ergodome {
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "kernels/launch/parallel_for.h"
-#include "render/present/projectors/mesh_raster.h"
+#include "render/present/projectors/projector_mesh.h"
 
 namespace ergodome {
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "kernels/core/error.h"
+#include "render/opengl/gl_program.h"
 #include "render/output/image_writer.h"
 #include "render/present/caption_texture.h"
-#include "render/present/gl_program.h"
 #include "render/present/projectors/projector_drawing.h"
 #include "render/present/projectors/projector_outputs.h"
 #include "render/present/projectors/projector_window.h"

@@ -6,8 +6,6 @@
 #include <cstring>
 #include <vector>
 
-#include "render/picture/pixel_values.h"
-
 namespace ergodome {
 namespace {
 

@@ -11,7 +11,7 @@
 #include <random>
 
 #include "kernels/core/error.h"
-#include "render/output/frame_names.h"
+#include "render/output/frame_files.h"
 #include "render/output/image_writer.h"
 #include "render/output/tone_map.h"
 #include "tests/support/folder_test.h"

@@ -1,4 +1,4 @@
-#include "render/patterns/orientation_pattern.h"
+#include "render/patterns/patterns.h"
 
 #include <gtest/gtest.h>
 

@@ -5,15 +5,15 @@
 #include <memory>
 
 #include "kernels/core/error.h"
+#include "render/opengl/headless_context.h"
 #include "render/output/stereo_layout.h"
 #include "render/output/tone_map.h"
 #include "render/present/caption_texture.h"
-#include "render/present/display_light.h"
-#include "render/present/headless_context.h"
 #include "render/present/presenter.h"
+#include "render/present/projectors/display_light.h"
 #include "render/present/projectors/projector_drawing.h"
-#include "render/present/projectors/projector_light.h"
 #include "render/present/text_panel.h"
+#include "tests/render/present/projectors/projector_light.h"
 #include "tests/support/gl_driver.h"
 
 // Hook of LeakSanitizer: disables its reports if a test loaded an OpenGL driver (gl_driver.h).

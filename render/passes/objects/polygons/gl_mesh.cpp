@@ -7,8 +7,8 @@
 #include <cstddef>
 
 #include "kernels/core/error.h"
+#include "render/opengl/gl_program.h"
 #include "render/passes/objects/object_meshes.h"
-#include "render/present/gl_program.h"
 
 namespace ergodome {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/opengl/gl_program.h"
 #include "render/passes/objects/polygons/object_shaders.h"
-#include "render/present/gl_program.h"
 
 namespace ergodome {
 

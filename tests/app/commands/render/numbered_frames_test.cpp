@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "render/output/frame_names.h"
+#include "render/output/frame_files.h"
 #include "render/output/image_writer.h"
 #include "tests/app/cli/command_line.h"
 

@@ -8,10 +8,10 @@
 
 #include "kernels/image/light_texels_kernel.h"
 #include "kernels/image/warp_pixel_kernel.h"
-#include "render/present/projectors/projector_light.h"
 #include "render/present/projectors/software_projectors.h"
 #include "tests/render/curved_projector.h"
 #include "tests/render/present/projectors/projector_frames.h"
+#include "tests/render/present/projectors/projector_light.h"
 
 // The GPU code for projector pictures, run on the CPU here, compared with the CPU code and with the
 // formula.

@@ -7,9 +7,9 @@
 #include <limits>
 
 #include "calibration/warps/warp_conversion.h"
-#include "render/present/projectors/projector_light.h"
 #include "tests/render/curved_projector.h"
 #include "tests/render/present/projectors/projector_frames.h"
+#include "tests/render/present/projectors/projector_light.h"
 #include "tests/support/sanitized.h"
 
 namespace ergodome {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "render/present/projectors/projector_light.h"
 #include "tests/render/present/projectors/projector_frames.h"
+#include "tests/render/present/projectors/projector_light.h"
 #include "tests/support/sanitized.h"
 
 namespace ergodome {

@@ -1,4 +1,4 @@
-#include "render/present/display_light.h"
+#include "render/present/projectors/display_light.h"
 
 #include <epoxy/gl.h>
 
@@ -6,7 +6,7 @@
 #include <bit>
 #include <string>
 
-#include "render/present/gl_program.h"
+#include "render/opengl/gl_program.h"
 
 namespace ergodome {
 

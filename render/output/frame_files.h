@@ -1,12 +1,14 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "content/timeline/frame_rate.h"
+#include "render/picture/picture.h"
 
-// File formats of frames.
+// Formats and paths of frame files.
 
 namespace ergodome {
 
@@ -37,5 +39,15 @@ FrameFormat frame_format(const std::string& image, const std::string& compressio
 
 //! Returns the file name extension of a format, without the dot.
 std::string file_ending(ImageFormat format);
+
+//! Returns the folder for an eye's own files: L or R; empty if a file belongs to no single eye.
+std::filesystem::path eye_folder(FramePart part);
+
+//! Returns the path of a numbered frame inside the output folder: NAME_000001.png, counted from 1.
+//! Separate eyes are in L/ and R/. Sequences of more than 10,000 frames are in folders
+//! NAME_000001_010,000 (domemaster convention). A cube's faces are NAME_000001_px.png (see
+//! cube_face_name). `index` counts from 0.
+std::filesystem::path frame_path(const std::string& name, int index, int frames_in_show, FramePart part,
+                                 const std::string& ending, std::optional<CubeFace> face = std::nullopt);
 
 }  // namespace ergodome

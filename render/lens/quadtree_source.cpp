@@ -1,4 +1,4 @@
-#include "render/published/quadtree_source.h"
+#include "render/lens/quadtree_source.h"
 
 #include <utility>
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "render/output/tone.h"
+#include "kernels/image/tone_curve.h"
 
 // Code that the project's shaders share.
 namespace ergodome {
@@ -13,7 +13,7 @@ namespace ergodome {
 extern const char* const whole_viewport_source;
 
 //! Beginning of a fragment shader, including its version line. Defines `vec3 toned(vec3 light)`,
-//! which computes the same as render/output/tone.h. Uses the uniform locations 1 and 2, which
+//! which computes the same as kernels/image/tone_curve.h. Uses the uniform locations 1 and 2, which
 //! set_tone sets.
 extern const char* const tone_source;
 

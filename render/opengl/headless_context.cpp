@@ -1,4 +1,4 @@
-#include "render/present/headless_context.h"
+#include "render/opengl/headless_context.h"
 
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>

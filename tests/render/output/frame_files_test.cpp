@@ -1,4 +1,4 @@
-#include "render/output/frame_format.h"
+#include "render/output/frame_files.h"
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
+#include "render/output/text_image.h"
+
 #include <gtest/gtest.h>
 
 #include <numeric>
 #include <string>
-
-#include "render/output/text_image.h"
 
 namespace ergodome {
 namespace {

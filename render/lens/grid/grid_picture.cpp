@@ -1,4 +1,4 @@
-#include "render/picture/grid_picture.h"
+#include "render/lens/grid/grid_picture.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "render/present/gl_program.h"
+#include "render/opengl/gl_program.h"
 
 #include <epoxy/gl.h>
 

@@ -1,10 +1,10 @@
-#include "render/passes/objects/polygons/gl_thread.h"
+#include "render/opengl/gl_thread.h"
 
 #include <optional>
 
 #include "kernels/core/error.h"
 #include "kernels/launch/work_counter.h"
-#include "render/present/headless_context.h"
+#include "render/opengl/headless_context.h"
 
 namespace ergodome {
 

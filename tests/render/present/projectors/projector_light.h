@@ -17,7 +17,7 @@ struct ProjectorColour {
 };
 
 //! Returns the value, 0 to 1, that a projector receives for a master's tone-mapped light, 0 to 1.
-//! ProjectorDrawing's shader computes the same.
+//! ProjectorDrawing's shader computes the same; tests compare the two.
 //!
 //! All steps but the last use linear light, in which light of several projectors adds up. The blend
 //! comes before the lift, because overlapping projectors share the picture but each keeps its own
