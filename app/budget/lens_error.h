@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "kernels/launch/launch.h"
-#include "render/accuracy/pixel_lens.h"
-#include "render/accuracy/pixel_reference.h"
+#include "render/accuracy/lenses/pixel_lens.h"
+#include "render/accuracy/references/pixel_reference.h"
 #include "render/lens/lens_source.h"
 
 namespace ergodome {

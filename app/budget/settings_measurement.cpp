@@ -13,7 +13,7 @@
 #include "content/camera/camera_path.h"
 #include "content/show/animated_show.h"
 #include "kernels/projection/pixel_measure.h"
-#include "render/accuracy/picture_race.h"
+#include "render/accuracy/axes/picture_race.h"
 #include "render/accuracy/statistics.h"
 #include "render/eyes/eye_camera.h"
 #include "render/passes/sky/sky_shading.h"

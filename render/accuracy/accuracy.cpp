@@ -11,11 +11,9 @@
 #include "kernels/core/angles.h"
 #include "kernels/launch/instruction_set.h"
 #include "kernels/launch/parallel_for.h"
-#include "render/accuracy/picture_race.h"
-#include "render/accuracy/star_axis.h"
-#include "render/accuracy/station_axis.h"
-#include "render/accuracy/stereo_axis.h"
-#include "render/accuracy/stopwatch.h"
+#include "render/accuracy/axes/axes.h"
+#include "render/accuracy/axes/picture_race.h"
+#include "render/accuracy/statistics.h"
 #include "render/passes/sky/sky_shading.h"
 
 namespace ergodome {

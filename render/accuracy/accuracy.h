@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "render/accuracy/lens_race.h"
+#include "render/accuracy/lenses/lens_race.h"
 
 // Measures cost and accuracy of rendering a show.
 

@@ -1,11 +1,23 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <vector>
 
 // Statistics of errors and times.
 
 namespace ergodome {
+
+//! Measures the wall-clock time since its creation.
+class Stopwatch {
+ public:
+  [[nodiscard]] double elapsed_ms() const {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
 
 //! Summary of a set of errors. NaN counts as an infinite error, so that failures never look
 //! accurate.

@@ -1,4 +1,4 @@
-#include "render/accuracy/pixel_reference.h"
+#include "render/accuracy/references/pixel_reference.h"
 
 #include <algorithm>
 #include <array>

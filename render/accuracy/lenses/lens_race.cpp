@@ -1,12 +1,12 @@
-#include "render/accuracy/lens_race.h"
+#include "render/accuracy/lenses/lens_race.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "kernels/core/error.h"
-#include "render/accuracy/pixel_reference.h"
-#include "render/accuracy/stopwatch.h"
+#include "render/accuracy/references/pixel_reference.h"
+#include "render/accuracy/statistics.h"
 
 namespace ergodome {
 

@@ -1,9 +1,8 @@
 #include <gmock/gmock.h>
 
 #include "render/accuracy/accuracy.h"
-#include "render/accuracy/picture_race.h"
-#include "render/accuracy/star_axis.h"
-#include "render/accuracy/station_axis.h"
+#include "render/accuracy/axes/axes.h"
+#include "render/accuracy/axes/picture_race.h"
 #include "tests/render/accuracy/accuracy_scene.h"
 #include "tests/support/sanitized.h"
 

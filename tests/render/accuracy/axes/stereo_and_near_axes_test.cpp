@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "render/accuracy/accuracy.h"
-#include "render/accuracy/picture_race.h"
-#include "render/accuracy/stereo_axis.h"
+#include "render/accuracy/axes/axes.h"
+#include "render/accuracy/axes/picture_race.h"
 #include "tests/render/accuracy/accuracy_scene.h"
 #include "tests/support/gl_driver.h"
 #include "tests/support/sanitized.h"

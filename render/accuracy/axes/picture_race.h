@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "render/accuracy/lens_race.h"
+#include "render/accuracy/lenses/lens_race.h"
 #include "render/frame/show_renderer.h"
 
 // Measures whole pictures.
@@ -35,9 +35,6 @@ std::vector<Measurement> measure_pictures(const std::vector<PictureChoice>& choi
 //! Averages the pixels of a picture in blocks of `blocks` x `blocks`.
 Picture averaged(const Picture& picture, int blocks);
 
-//! Compares the filters of the sky's map with the light integrated exactly over parts of pixels.
-AccuracyAxis measure_map(const Show& show, const AccuracySettings& settings, const AccuracyProgress& progress);
-
 //! Returns whether frames take seconds without a GPU because they have objects, which OpenGL draws.
 //! Fewer such frames are measured.
 inline bool draws_slowly(const Show& show) { return !show.objects.empty(); }
@@ -48,12 +45,5 @@ AccuracySettings no_wider(AccuracySettings settings, const Show& show, int most_
 //! Returns the settings reduced for shows that draw slowly: one moment, two rounds, small pictures.
 //! A lit object of 1024² pixels takes half a minute with rays.
 AccuracySettings paced(const AccuracySettings& settings, const Show& show);
-
-//! Measures disk, shells and objects alone: with rays, and objects also with the published polygons
-//! if these can draw them. The show must have some.
-AccuracyAxis measure_near(const Show& show, const AccuracySettings& settings, const AccuracyProgress& progress);
-
-//! Measures whole frames of the show with each source of the lens.
-AccuracyAxis measure_frames(const Show& show, const AccuracySettings& settings, const AccuracyProgress& progress);
 
 }  // namespace ergodome

@@ -1,5 +1,3 @@
-#include "render/accuracy/station_axis.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,7 +7,8 @@
 #include "content/camera/camera_path.h"
 #include "content/show/animated_show.h"
 #include "content/trajectory/station_codec.h"
-#include "render/accuracy/source_lens.h"
+#include "render/accuracy/axes/axes.h"
+#include "render/accuracy/lenses/source_lens.h"
 #include "render/lens/grid/grid_builder.h"
 #include "render/lens/grid/grid_lens.h"
 #include "render/lens/lens_source.h"

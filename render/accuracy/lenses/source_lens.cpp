@@ -1,4 +1,4 @@
-#include "render/accuracy/source_lens.h"
+#include "render/accuracy/lenses/source_lens.h"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,11 @@
-#include "render/accuracy/picture_race.h"
+#include "render/accuracy/axes/picture_race.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "kernels/launch/work_counter.h"
-#include "render/accuracy/stopwatch.h"
+#include "render/accuracy/statistics.h"
 
 namespace ergodome {
 

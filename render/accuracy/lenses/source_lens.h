@@ -4,7 +4,7 @@
 #include <memory>
 #include <utility>
 
-#include "render/accuracy/pixel_lens.h"
+#include "render/accuracy/lenses/pixel_lens.h"
 
 // Measures the renderer's lens sources.
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "kernels/launch/launch.h"
-#include "render/accuracy/pixel_lens.h"
+#include "render/accuracy/lenses/pixel_lens.h"
 #include "render/published/quadtree_builder.h"
 
 namespace ergodome {

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <memory>
 
-#include "render/accuracy/picture_race.h"
+#include "content/objects/object_checks.h"
+#include "render/accuracy/axes/axes.h"
+#include "render/accuracy/axes/picture_race.h"
 
 namespace ergodome {
 
@@ -101,6 +103,94 @@ AccuracyAxis measure_frames(const Show& show, const AccuracySettings& settings, 
       "picture, in pictures {} pixels wide",
       moments.front().projection.width_px);
   axis.choices = measure_pictures(choices, reference, moments, asked, progress);
+  return axis;
+}
+
+namespace {
+
+//! Returns a show with only disk, shells and objects, in front of a black sky.
+Show near_things_alone(Show show) {
+  show.sky.map = "grid";
+  show.sky.map_layout = {};
+  show.sky.filter = SkyFilter::point;
+  show.sky.exposure = 0.0;
+  show.sky.stars.clear();
+  show.effects.bloom.reset();
+  show.effects.diffraction.reset();
+  show.effects.trails.reset();
+  show.stereo = {};
+  std::erase_if(show.timeline.animations, [](const Animation& animation) {
+    return animation.path.starts_with("sky.") || animation.path.starts_with("stereo.") ||
+           animation.path.starts_with("effects.");
+  });
+  return show;
+}
+
+Show by_method(Show show, ObjectMethod method) {
+  for (ObjectSettings& object : show.objects) {
+    object.method = method;
+  }
+  return show;
+}
+
+Show by_rays(const Show& show, double budget_px) {
+  Show changed = by_method(show, ObjectMethod::trace);
+  changed.quality.budget_px = budget_px;
+  return changed;
+}
+
+Show by_polygons(const Show& show, int most_divisions) {
+  Show changed = by_method(show, ObjectMethod::polygon);
+  for (ObjectSettings& object : changed.objects) {
+    object.tessellation.most = most_divisions;
+  }
+  return changed;
+}
+
+//! Returns whether the published polygons can draw a show's objects with their motion.
+bool polygons_can_draw(const Show& show) {
+  const Show drawn = by_method(show, ObjectMethod::polygon);
+  const bool waits = std::ranges::any_of(show.objects, &ObjectSettings::retarded);
+  return !show.objects.empty() && !waits && !polygon_limit(drawn).has_value();
+}
+
+std::vector<PictureChoice> near_choices(const Show& show, bool quick) {
+  std::vector<PictureChoice> choices;
+  for (const double budget_px : quick ? std::vector<double>{1.0, 0.25} : std::vector<double>{1.0, 0.25, 0.05}) {
+    choices.push_back(
+        {"rays", fmt::format("budget {:g} px", budget_px), "", by_rays(show, budget_px), LensChoice::direct});
+  }
+  if (polygons_can_draw(show)) {
+    for (const int most : {1, 4, 64}) {
+      choices.push_back(
+          {"polygons", fmt::format("subdivision up to {}", most), "MSW", by_polygons(show, most), LensChoice::direct});
+    }
+  }
+  return choices;
+}
+
+}  // namespace
+
+AccuracyAxis measure_near(const Show& show, const AccuracySettings& asked, const AccuracyProgress& progress) {
+  AccuracySettings settings = paced(asked, show);
+  settings.rounds = std::min(settings.rounds, 3);
+  const Show alone = near_things_alone(show);
+  const std::vector<AccuracyMoment> moments = accuracy_moments(alone, settings);
+  go_on(progress, "reference of disk, shells and objects");
+  ShowRenderer exact(by_rays(alone, 0.005), Backend::cpu, LensChoice::direct);
+  const ReferencePicture reference = [&](const AccuracyMoment& moment, const CameraPose& pose) {
+    exact.apply(moment.time_s);
+    return exact.render_eye(pose, 0.0, moment.projection, ViewMode::sky, {moment.time_s});
+  };
+  AccuracyAxis axis;
+  axis.name = "near";
+  axis.title = "Disk, shells and objects against a black sky";
+  axis.unit = ErrorUnit::light;
+  axis.reference = fmt::format(
+      "rays exact to a thousandth of a pixel, in percent of the mean luminance of the lit pixels, in pictures {} "
+      "pixels wide",
+      moments.front().projection.width_px);
+  axis.choices = measure_pictures(near_choices(alone, settings.quick), reference, moments, settings, progress);
   return axis;
 }
 

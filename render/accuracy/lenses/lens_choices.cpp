@@ -1,6 +1,6 @@
 #include <initializer_list>
 
-#include "render/accuracy/lens_race.h"
+#include "render/accuracy/lenses/lens_race.h"
 
 namespace ergodome {
 

@@ -1,4 +1,4 @@
-#include "render/accuracy/exact_images.h"
+#include "render/accuracy/references/exact_images.h"
 
 #include <gtest/gtest.h>
 

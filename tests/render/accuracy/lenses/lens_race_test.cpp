@@ -1,4 +1,4 @@
-#include "render/accuracy/lens_race.h"
+#include "render/accuracy/lenses/lens_race.h"
 
 #include <gmock/gmock.h>
 

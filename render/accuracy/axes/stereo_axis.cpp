@@ -1,5 +1,3 @@
-#include "render/accuracy/stereo_axis.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,7 +6,8 @@
 
 #include "content/show/animated_show.h"
 #include "kernels/core/angles.h"
-#include "render/accuracy/source_lens.h"
+#include "render/accuracy/axes/axes.h"
+#include "render/accuracy/lenses/source_lens.h"
 #include "render/eyes/view_projection.h"
 #include "render/lens/direct_lens.h"
 #include "render/lens/flat/flat_shadow.h"

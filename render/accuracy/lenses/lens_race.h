@@ -3,8 +3,8 @@
 #include <functional>
 #include <vector>
 
+#include "render/accuracy/lenses/pixel_lens.h"
 #include "render/accuracy/measurement.h"
-#include "render/accuracy/pixel_lens.h"
 
 // Measures methods that find where pixels' light comes from.
 

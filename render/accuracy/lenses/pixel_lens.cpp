@@ -1,5 +1,6 @@
+#include "render/accuracy/lenses/pixel_lens.h"
+
 #include "kernels/launch/parallel_for.h"
-#include "render/accuracy/pixel_lens.h"
 
 namespace ergodome {
 

@@ -1,5 +1,3 @@
-#include "render/accuracy/star_axis.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,8 +5,9 @@
 
 #include "content/sky/sky_map.h"
 #include "kernels/projection/pixel_measure.h"
-#include "render/accuracy/exact_images.h"
-#include "render/accuracy/stopwatch.h"
+#include "render/accuracy/axes/axes.h"
+#include "render/accuracy/references/exact_images.h"
+#include "render/accuracy/statistics.h"
 #include "render/passes/stars/drawing/picture_sheets.h"
 #include "render/passes/stars/search/view_cone.h"
 #include "render/passes/stars/star_pass.h"
