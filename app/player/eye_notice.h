@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "content/show/show.h"
-#include "render/eyes/narrowed_eyes.h"
+#include "render/stereo/narrowed_eyes.h"
 
 namespace ergodome {
 

@@ -6,7 +6,7 @@
 
 #include "app/navigation/controls/actions.h"
 #include "content/show/show.h"
-#include "render/eyes/eye_disparity.h"
+#include "render/stereo/eye_disparity.h"
 
 namespace ergodome {
 

@@ -15,7 +15,7 @@ constexpr bool has_camera_per_direction(const StereoSettings& stereo) {
 }
 
 //! Returns whether the baseline fits at every camera position. Otherwise it may have to be reduced
-//! (render/eyes/eye_distance.h).
+//! (render/stereo/eye_distance.h).
 constexpr bool fits_everywhere(StereoModel model) { return model == StereoModel::physical; }
 
 //! Returns the model that follows in the order of stereo_model_names; the first follows the last.

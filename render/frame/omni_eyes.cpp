@@ -8,8 +8,8 @@
 
 #include "kernels/core/error.h"
 #include "kernels/projection/pixel_measure.h"
-#include "render/eyes/eye_distance.h"
 #include "render/passes/objects/object_kind.h"
+#include "render/stereo/eye_distance.h"
 
 namespace ergodome {
 

@@ -8,7 +8,6 @@
 
 #include "content/camera/camera_path.h"
 #include "content/show/show.h"
-#include "render/eyes/narrowed_eyes.h"
 #include "render/eyes/view_projection.h"
 #include "render/frame/eye_renderer.h"
 #include "render/frame/omni_eyes.h"
@@ -19,6 +18,7 @@
 #include "render/passes/overlay/overlay_pass.h"
 #include "render/passes/sky/show_sky.h"
 #include "render/picture/picture.h"
+#include "render/stereo/narrowed_eyes.h"
 
 // Renders the frames of a show.
 

@@ -9,8 +9,8 @@
 
 #include "content/show/show_reader.h"
 #include "kernels/launch/parallel_for.h"
-#include "render/eyes/eye_disparity.h"
 #include "render/frame/show_renderer.h"
+#include "render/stereo/eye_disparity.h"
 
 // Frames of both eyes compared with frames of one eye, memory to memory.
 namespace {

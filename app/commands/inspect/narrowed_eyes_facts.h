@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "render/eyes/narrowed_eyes.h"
+#include "render/stereo/narrowed_eyes.h"
 
 namespace ergodome {
 

@@ -10,9 +10,9 @@
 #include "content/files/atomic_file.h"
 #include "content/show/animated_show.h"
 #include "content/show/stereo_eyes.h"
-#include "render/eyes/eye_distance.h"
 #include "render/eyes/view_projection.h"
 #include "render/output/frame_files.h"
+#include "render/stereo/eye_distance.h"
 
 namespace ergodome {
 

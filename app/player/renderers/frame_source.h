@@ -10,9 +10,9 @@
 
 #include "app/player/renderers/player_frame.h"
 #include "content/timeline/timeline.h"
-#include "render/eyes/eye_disparity.h"
 #include "render/frame/show_renderer.h"
 #include "render/present/output.h"
+#include "render/stereo/eye_disparity.h"
 
 namespace ergodome {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "render/eyes/eye_disparity.h"
+#include "render/stereo/eye_disparity.h"
 #include "tests/render/passes/disk/compare_with_walk.h"
 #include "tests/support/sanitized.h"
 

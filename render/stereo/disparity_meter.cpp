@@ -1,4 +1,4 @@
-#include "render/eyes/disparity_meter.h"
+#include "render/stereo/disparity_meter.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "kernels/projection/projection.h"
-#include "render/eyes/eye_disparity.h"
-#include "render/eyes/stereo_eye.h"
+#include "render/stereo/eye_disparity.h"
+#include "render/stereo/stereo_eye.h"
 
 namespace ergodome {
 

@@ -1,4 +1,4 @@
-#include "render/eyes/eye_disparity.h"
+#include "render/stereo/eye_disparity.h"
 
 #include <cmath>
 #include <span>
@@ -8,7 +8,7 @@
 #include "kernels/launch/parallel_for.h"
 #include "kernels/spacetime/geodesic/taylor.h"
 #include "kernels/spacetime/shadow/critical_curve.h"
-#include "render/eyes/near_disparity.h"
+#include "render/stereo/near_disparity.h"
 
 namespace ergodome {
 

@@ -1,4 +1,4 @@
-#include "render/eyes/near_disparity.h"
+#include "render/stereo/near_disparity.h"
 
 #include <gtest/gtest.h>
 
@@ -13,9 +13,9 @@
 #include "kernels/core/angles.h"
 #include "kernels/projection/make_projection.h"
 #include "kernels/spacetime/geodesic/affine_distance.h"
-#include "render/eyes/near_sights.h"
 #include "render/frame/show_renderer.h"
 #include "render/lens/direct_lens.h"
+#include "render/stereo/near_sights.h"
 #include "tests/render/passes/objects/object_scene.h"
 #include "tests/support/sanitized.h"
 

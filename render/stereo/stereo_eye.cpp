@@ -1,4 +1,4 @@
-#include "render/eyes/stereo_eye.h"
+#include "render/stereo/stereo_eye.h"
 
 #include <algorithm>
 #include <cmath>

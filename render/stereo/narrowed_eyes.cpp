@@ -1,4 +1,4 @@
-#include "render/eyes/narrowed_eyes.h"
+#include "render/stereo/narrowed_eyes.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include "content/show/animated_show.h"
 #include "content/show/show_files.h"
 #include "kernels/core/error.h"
-#include "render/eyes/eye_distance.h"
+#include "render/stereo/eye_distance.h"
 
 namespace ergodome {
 

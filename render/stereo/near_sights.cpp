@@ -1,4 +1,4 @@
-#include "render/eyes/near_sights.h"
+#include "render/stereo/near_sights.h"
 
 #include <algorithm>
 #include <cmath>

@@ -11,7 +11,7 @@
 namespace ergodome {
 
 //! A baseline that had to be reduced because the show's does not fit at the camera position
-//! (render/eyes/eye_distance.h).
+//! (render/stereo/eye_distance.h).
 struct NarrowedEyes {
   StereoModel model = StereoModel::physical;
   double r = 0.0;         //!< of the head [M]

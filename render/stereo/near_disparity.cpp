@@ -1,4 +1,4 @@
-#include "render/eyes/near_disparity.h"
+#include "render/stereo/near_disparity.h"
 
 #include <algorithm>
 #include <cmath>

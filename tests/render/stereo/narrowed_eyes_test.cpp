@@ -1,4 +1,4 @@
-#include "render/eyes/narrowed_eyes.h"
+#include "render/stereo/narrowed_eyes.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "kernels/spacetime/kerr/kerr.h"
-#include "render/eyes/eye_distance.h"
 #include "render/frame/show_renderer.h"
+#include "render/stereo/eye_distance.h"
 #include "tests/render/stereo_scene.h"
 
 namespace ergodome {

@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "render/eyes/disparity_meter.h"
-#include "render/eyes/near_sights.h"
 #include "render/lens/spread_point.h"
 #include "render/passes/objects/polygons/object_outline.h"
+#include "render/stereo/disparity_meter.h"
+#include "render/stereo/near_sights.h"
 
 // Disparities of disk, shells and objects.
 

@@ -1,4 +1,4 @@
-#include "render/eyes/eye_distance.h"
+#include "render/stereo/eye_distance.h"
 
 #include <algorithm>
 #include <cmath>
