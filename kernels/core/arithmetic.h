@@ -26,7 +26,7 @@ struct RealTraits {
   static constexpr int lane_count = 1;
 };
 
-//! True for real types with a mixed second derivative (kernels/core/mixed_dual.h).
+//! True for real types with a mixed second derivative (kernels/core/dual.h).
 template <class T>
 inline constexpr bool has_mixed_part = false;
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/core/mixed_dual.h"
+#include "kernels/core/dual.h"
 #include "kernels/disk/equatorial_crossings.h"
 #include "kernels/disk/layer_limits.h"
 #include "kernels/disk/lost_winding.h"

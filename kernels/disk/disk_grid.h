@@ -3,7 +3,6 @@
 #include "kernels/disk/layer_limits.h"
 #include "kernels/launch/kernel.h"
 #include "kernels/lens/grid_build.h"
-#include "kernels/near_field/draw_near_field.h"
 
 // Grids of a camera's sky that store where its light crosses the equatorial plane, order by order.
 namespace ergodome {
@@ -16,7 +15,7 @@ inline constexpr int layer_orders = 3;
 //!
 //! Without a pattern, one set of nodes has (u_0, u_1, u_2, 0) and their derivatives. With a pattern
 //! there is a set for each order, of (u, cosφ, sinφ, delay), with azimuth and delay minus the
-//! winding (kernels/near_rays/horizon_winding.h).
+//! winding (kernels/spacetime/kerr/horizon_winding.h).
 struct DiskGrid {
   LensGrid cells;  //!< its `nodes` are not used
   const float* nodes[layer_orders];
@@ -91,14 +90,6 @@ struct DiskGridCheckBatch {
   float* area_px;
 };
 
-//! A block of rows of one image whose disk is read from a grid. Pixels of leaves that remained
-//! inaccurate are traced; pixels that show objects are left unchanged.
-struct DiskLookUpBatch {
-  NearFieldBatch near_field;  //!< without shells and without omnidirectional stereo
-  DiskGrid grid;
-  AberrationOf<float> aberration;
-};
-
 template <>
 struct Kernel<DiskNodeBatch> : KernelDefaults {
   static constexpr int grain = grid_grain;
@@ -136,22 +127,6 @@ struct Kernel<DiskGridCheckBatch> : KernelDefaults {
   static void visit_outputs(const DiskGridCheckBatch& batch, const Visit& visit) {
     visit("error_px", batch.error_px, batch.count);
     visit("area_px", batch.area_px, batch.count);
-  }
-};
-
-//! Returns the counter's name for drawing the disk from a grid.
-constexpr const char* disk_look_up_name(DiskDrawing disk) {
-  return disk == DiskDrawing::pattern ? "look_up_disk, pattern" : "look_up_disk";
-}
-
-template <>
-struct Kernel<DiskLookUpBatch> : KernelDefaults {
-  static const char* name(const DiskLookUpBatch& batch) { return disk_look_up_name(batch.near_field.drawing); }
-  static PixelRows rows(const DiskLookUpBatch& batch) { return Kernel<NearFieldBatch>::rows(batch.near_field); }
-
-  template <class Visit>
-  static void visit_outputs(const DiskLookUpBatch& batch, const Visit& visit) {
-    Kernel<NearFieldBatch>::visit_outputs(batch.near_field, visit);
   }
 };
 

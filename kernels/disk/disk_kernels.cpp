@@ -1,6 +1,5 @@
 #include "kernels/disk/check_disk_grid_kernel.h"
 #include "kernels/disk/disk_grid_kernel.h"
-#include "kernels/disk/look_up_disk_kernel.h"
 #include "kernels/launch/register.h"
 
 namespace ergodome {
@@ -8,6 +7,5 @@ namespace ergodome {
 ERGO_CPU_KERNEL(DiskNodeBatch);
 ERGO_CPU_KERNEL(DiskCheckBatch);
 ERGO_CPU_KERNEL(DiskGridCheckBatch);
-ERGO_CPU_KERNEL(DiskLookUpBatch);
 
 }  // namespace ergodome

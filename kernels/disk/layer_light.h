@@ -1,9 +1,9 @@
 #pragma once
 
 #include "kernels/disk/disk_light.h"
-#include "kernels/near_rays/horizon_winding.h"
 #include "kernels/near_rays/near_ray.h"
 #include "kernels/near_rays/seen_light.h"
+#include "kernels/spacetime/kerr/horizon_winding.h"
 
 // Adds the disk's light at crossings that are read from a grid.
 namespace ergodome::inline ERGO_TARGET {

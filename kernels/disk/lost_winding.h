@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/near_rays/horizon_winding.h"
+#include "kernels/spacetime/kerr/horizon_winding.h"
 
 namespace ergodome::inline ERGO_TARGET {
 

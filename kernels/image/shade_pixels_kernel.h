@@ -3,9 +3,8 @@
 #include "kernels/image/color_map.h"
 #include "kernels/image/shade_pixels.h"
 #include "kernels/projection/pixel_measure.h"
-#include "kernels/sky/blackbody_shift.h"
+#include "kernels/sky/blackbody.h"
 #include "kernels/sky/elliptic_filter.h"
-#include "kernels/sky/point_sample.h"
 
 // Shades pixels: from lens channels to light or a heat map.
 namespace ergodome::inline ERGO_TARGET {

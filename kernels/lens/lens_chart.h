@@ -1,7 +1,6 @@
 #pragma once
 
 #include "kernels/core/dual.h"
-#include "kernels/core/mixed_dual.h"
 #include "kernels/core/transcendental.h"
 #include "kernels/spacetime/shadow/edge_curve.h"
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "kernels/eyes/omni/omni_camera.h"
 #include "kernels/launch/kernel.h"
 #include "kernels/lens/lens_grid.h"
 #include "kernels/spacetime/kerr/frame_boost.h"
+#include "kernels/spacetime/trace/omni_camera.h"
 #include "kernels/spacetime/trace/trace_pixels.h"
 #include "kernels/spacetime/trace/trace_rays.h"
 

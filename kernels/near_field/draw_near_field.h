@@ -1,10 +1,10 @@
 #pragma once
 
 #include "kernels/disk/disk_look.h"
-#include "kernels/eyes/omni/omni_camera.h"
 #include "kernels/launch/kernel.h"
 #include "kernels/objects/lay_objects.h"
 #include "kernels/shells/shell_look.h"
+#include "kernels/spacetime/trace/omni_camera.h"
 #include "kernels/spacetime/trace/trace_pixels.h"
 
 // The batch that draws disk, shells and objects over a picture, and the choice of its kernel

@@ -3,7 +3,7 @@
 #include "kernels/disk/disk_sight.h"
 #include "kernels/near_field/draw_near_field.h"
 #include "kernels/near_field/layer_sight.h"
-#include "kernels/near_rays/pixel_samples.h"
+#include "kernels/near_rays/seen_light.h"
 #include "kernels/shells/shell_sight.h"
 #include "kernels/spacetime/trace/pixel_geometry.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "kernels/launch/launch_in_steps.cuh"
-#include "kernels/near_rays/pixel_samples.h"
+#include "kernels/near_rays/seen_light.h"
 
 // Launches that draw pixels of which few need many samples.
 namespace ergodome {

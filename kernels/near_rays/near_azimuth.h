@@ -1,7 +1,7 @@
 #pragma once
 
-#include "kernels/near_rays/horizon_winding.h"
 #include "kernels/near_rays/near_parts.h"
+#include "kernels/spacetime/kerr/horizon_winding.h"
 
 // Azimuth and coordinate time along a ray's series.
 namespace ergodome::inline ERGO_TARGET {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "kernels/eyes/omni/omni_camera.h"
 #include "kernels/spacetime/kerr/camera_station.h"
+#include "kernels/spacetime/trace/omni_camera.h"
 
 namespace ergodome {
 

@@ -2,13 +2,13 @@
 
 #include <cstdint>
 
-#include "kernels/eyes/flat/flat_horizon.h"
-#include "kernels/eyes/omni/omni_camera.h"
 #include "kernels/launch/kernel.h"
 #include "kernels/objects/lamp_place.h"
 #include "kernels/objects/mesh_rays.h"
 #include "kernels/objects/surface.h"
 #include "kernels/projection/projection.h"
+#include "kernels/spacetime/shadow/flat_horizon.h"
+#include "kernels/spacetime/trace/omni_camera.h"
 
 // Batches that draw objects: tiles are marked first, then their pixels are drawn.
 namespace ergodome {
@@ -90,7 +90,7 @@ inline void dispatch_objects(const Batch& batch, const Action& action) {
 }
 
 //! An eye of the stereo model `flat`. It sees what the head's rays meet, at its position in the
-//! head's flat space (kernels/objects/eye_path.h).
+//! head's flat space (kernels/eyes/flat/eye_path.h).
 struct FlatEyeSight {
   Vector3<double> eye;  //!< relative to the head, in the observer's frame [M]; not 0
   double most_w;        //!< nothing that is nearer to the eye than 1 / most_w is drawn [1/M]

@@ -1,12 +1,67 @@
 #pragma once
 
+#include "kernels/core/arithmetic.h"
+#include "kernels/core/vector3.h"
 #include "kernels/shells/shell_emitter.h"
-#include "kernels/shells/shell_grid.h"
 #include "kernels/shells/shell_look.h"
 #include "kernels/sky/elliptic_filter.h"
 
 // Light of a shell as a pixel sees it.
 namespace ergodome::inline ERGO_TARGET {
+
+namespace detail {
+
+//! Returns the fraction of a stretch [x - f/2, x + f/2] that is covered by lines of width w about
+//! the multiples of a spacing. It is exact for few lines, and w / spacing for many. A NaN stretch
+//! counts as one with many.
+ERGO_HD float line_coverage(float x, float spacing, float width, float stretch) {
+  constexpr float many = 16.0F;
+  if (!(stretch < many * spacing)) {
+    return minimum(width / spacing, 1.0F);
+  }
+  const float w = minimum(width, spacing);
+  const float f = maximum(stretch, 1e-6F);
+  // Measured from the nearest line, so that narrow lines are not lost to rounding.
+  const float from_line = x - spacing * ::floorf(x / spacing + 0.5F);
+  const auto covered_before = [&](float t) {
+    const float lines = ::floorf(t / spacing + 0.5F);
+    return lines * w + minimum(maximum(t - lines * spacing, -0.5F * w), 0.5F * w);
+  };
+  const float covered = covered_before(from_line + 0.5F * f) - covered_before(from_line - 0.5F * f);
+  return minimum(maximum(covered / f, 0.0F), 1.0F);
+}
+
+}  // namespace detail
+
+//! A position on a shell as one pixel sees it.
+struct ShellFootprint {
+  Vector3<float> direction;  //!< unit vector from the shell's center
+  Vector3<float> along_x;    //!< its derivatives per pixel
+  Vector3<float> along_y;
+};
+
+//! Returns the width of a footprint [rad].
+ERGO_HD float footprint_width(const ShellFootprint& at) {
+  return sqrt(maximum(dot(at.along_x, at.along_x), dot(at.along_y, at.along_y)));
+}
+
+//! Returns the fraction of a pixel that a grid covers. All lines are `width` wide [rad], so
+//! meridians cover ever more of a circle of latitude towards the poles, and all of it where they
+//! touch. The result is a round spot of radius width / spacing, without moiré.
+ERGO_HD float grid_coverage(const ShellFootprint& at, float spacing, float width) {
+  const Vector3<float>& d = at.direction;
+  // Limits the sharpness of a pole to a fraction of the pixel's footprint.
+  const float sine = maximum(sqrt(d.x * d.x + d.y * d.y), maximum(0.25F * footprint_width(at), 1e-6F));
+  const auto polar = [&](const Vector3<float>& v) { return (d.z * (d.x * v.x + d.y * v.y)) / sine - sine * v.z; };
+  const auto azimuthal = [&](const Vector3<float>& v) { return (d.x * v.y - d.y * v.x) / (sine * sine); };
+  const auto stretch = [&](float x, float y) { return sqrt(x * x + y * y); };
+  const float theta = ::atan2f(sqrt(d.x * d.x + d.y * d.y), d.z);
+  const float phi = ::atan2f(d.y, d.x);
+  const float circles = detail::line_coverage(theta, spacing, width, stretch(polar(at.along_x), polar(at.along_y)));
+  const float meridians =
+      detail::line_coverage(phi, spacing, width / sine, stretch(azimuthal(at.along_x), azimuthal(at.along_y)));
+  return circles + meridians - circles * meridians;
+}
 
 //! Light of one surface, weighted by how much of the pixel it covers.
 struct CoveredLight {

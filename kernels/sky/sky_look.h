@@ -7,7 +7,7 @@ namespace ergodome {
 //! How a pixel samples the sky map.
 enum class SkyFilter : std::int32_t {
   ewa,     //!< over its elliptic footprint (kernels/sky/elliptic_filter.h)
-  point,   //!< only at its center (kernels/sky/point_sample.h)
+  point,   //!< only at its center (kernels/sky/elliptic_filter.h)
   polygon  //!< over its outline on the map, like Verbraeck & Eisemann, for comparison
 };
 

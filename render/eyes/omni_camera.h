@@ -3,8 +3,8 @@
 #include <functional>
 #include <vector>
 
-#include "kernels/eyes/omni/omni_camera.h"
 #include "kernels/spacetime/shadow/shadow_chart.h"
+#include "kernels/spacetime/trace/omni_camera.h"
 #include "render/backend/buffer.h"
 #include "render/eyes/eye_camera.h"
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "content/show/show.h"
-#include "kernels/spacetime/trace/follow_rays.h"
+#include "kernels/near_rays/follow_rays.h"
 #include "render/lens/direct_lens.h"
 
 // The lens for heat maps of rays.

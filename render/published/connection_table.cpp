@@ -5,7 +5,7 @@
 #include <string>
 
 #include "kernels/core/error.h"
-#include "kernels/spacetime/schwarzschild/make_connection_table.h"
+#include "kernels/spacetime/schwarzschild/connection_table.h"
 
 namespace ergodome {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "kernels/spacetime/geodesic/ray.h"
 #include "kernels/spacetime/kerr/camera_station.h"
+#include "kernels/spacetime/kerr/ray.h"
 
 // Reads the reference tables of rays, edges and disk crossings in tests/data.
 namespace ergodome::test {

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "kernels/disk/disk_grid.h"
-#include "kernels/eyes/flat/flat_horizon.h"
 #include "kernels/launch/kernel.h"
 #include "kernels/near_field/draw_near_field.h"
+#include "kernels/spacetime/shadow/flat_horizon.h"
 
 // Batches that draw the near field for one eye of the stereo model `flat`.
 namespace ergodome {

@@ -4,7 +4,7 @@
 #include "kernels/eyes/flat/eye_line.h"
 #include "kernels/near_field/layer_sight.h"
 #include "kernels/near_rays/near_pixels.h"
-#include "kernels/near_rays/pixel_samples.h"
+#include "kernels/near_rays/seen_light.h"
 #include "kernels/spacetime/trace/pixel_geometry.h"
 
 namespace ergodome::inline ERGO_TARGET {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "kernels/eyes/omni/omni_camera.h"
 #include "kernels/lens/grid_build.h"
 #include "kernels/lens/look_up.h"
+#include "kernels/spacetime/trace/omni_camera.h"
 #include "kernels/stars/star_images.h"
 
 namespace ergodome {

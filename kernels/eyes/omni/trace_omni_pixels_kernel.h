@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/eyes/omni/omni_camera.h"
+#include "kernels/spacetime/trace/omni_camera.h"
 #include "kernels/spacetime/trace/trace_pixels_kernel.h"
 
 namespace ergodome::inline ERGO_TARGET {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "kernels/core/angles.h"
-#include "kernels/spacetime/elliptic/carlson.h"
-#include "kernels/spacetime/geodesic/ray.h"
+#include "kernels/spacetime/geodesic/carlson.h"
+#include "kernels/spacetime/kerr/ray.h"
 
 // Polar motion in closed form. x = cosθ obeys x'² = Q + (a² - C) x² - a² x⁴, so it is an elliptic
 // function of Mino time, and the azimuth is -L ∫ dλ / (1 - x²), a Legendre integral of the third

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/spacetime/elliptic/carlson.h"
+#include "kernels/spacetime/geodesic/carlson.h"
 #include "kernels/spacetime/geodesic/radial_potential.h"
 #include "kernels/spacetime/kerr/kerr.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "kernels/core/arithmetic.h"
-#include "kernels/spacetime/geodesic/ray.h"
+#include "kernels/spacetime/kerr/ray.h"
 
 // The radial potential of null geodesics: which rays come from the sky.
 namespace ergodome::inline ERGO_TARGET {

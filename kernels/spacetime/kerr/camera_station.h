@@ -2,8 +2,8 @@
 
 #include "kernels/core/angles.h"
 #include "kernels/core/arithmetic.h"
-#include "kernels/spacetime/geodesic/ray.h"
 #include "kernels/spacetime/kerr/observer.h"
+#include "kernels/spacetime/kerr/ray.h"
 
 // Cameras in Kerr spacetime: what all rays of one camera share, and the rays that it sees.
 namespace ergodome {

@@ -166,4 +166,9 @@ ERGO_HD SeenPoint look_up_connection(const ConnectionView& view, double r_observ
 }
 
 }  // namespace ERGO_TARGET
+
+//! Makes a table of connecting rays on all CPU threads: solves its fans and interpolates them to
+//! the nodes. See ConnectionBatch.
+void make_connection_table(const ConnectionBatch& batch);
+
 }  // namespace ergodome

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "kernels/spacetime/elliptic/carlson.h"
-#include "kernels/spacetime/elliptic/carlson_real.h"
+#include "kernels/spacetime/geodesic/carlson.h"
 
 // Orbits of light in the plane of a Schwarzschild hole, M = 1: with u = 1/r, azimuth φ and impact
 // parameter b,

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "kernels/core/lanes.h"
-#include "kernels/eyes/omni/omni_camera.h"
 #include "kernels/spacetime/geodesic/baseline_rk34.h"
 #include "kernels/spacetime/geodesic/closed_form.h"
 #include "kernels/spacetime/geodesic/runge_kutta.h"
 #include "kernels/spacetime/geodesic/taylor.h"
+#include "kernels/spacetime/trace/omni_camera.h"
 
 // Traces batches of single rays by any method.
 namespace ergodome::inline ERGO_TARGET {

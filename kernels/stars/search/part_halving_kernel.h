@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/core/chosen_lanes.h"
+#include "kernels/core/lanes.h"
 #include "kernels/stars/search/patch_pairs_kernel.h"
 
 // Halves parts of patches until Newton's method is safe in each; see seen_parts.h.

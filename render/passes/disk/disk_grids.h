@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "content/show/show.h"
+#include "kernels/disk/disk_look.h"
 #include "render/backend/buffer.h"
 #include "render/eyes/eye_camera.h"
 #include "render/lens/lens_source.h"

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "kernels/disk/disk_grid.h"
+#include "kernels/near_field/look_up_disk.h"
 #include "render/lens/picture_view.h"
 #include "render/passes/disk/disk_pass.h"
 #include "render/passes/objects/traced_objects.h"

@@ -2,6 +2,7 @@
 
 #include "content/show/animated_show.h"
 #include "kernels/eyes/flat/draw_flat_eyes.h"
+#include "kernels/near_field/look_up_disk.h"
 #include "render/lens/flat/flat_shadow.h"
 #include "render/lens/grid/edge_table.h"
 #include "render/lens/lens_source.h"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "kernels/sky/blackbody_shift.h"
+#include "kernels/sky/blackbody.h"
 
 namespace ergodome {
 

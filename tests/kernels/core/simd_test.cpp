@@ -6,7 +6,6 @@
 #include <random>
 
 #include "kernels/core/arithmetic.h"
-#include "kernels/core/chosen_lanes.h"
 #include "kernels/core/lanes.h"
 #include "kernels/launch/launch.h"
 #include "kernels/spacetime/trace/trace_rays.h"

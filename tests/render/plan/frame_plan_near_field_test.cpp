@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "kernels/launch/launch.h"
+#include "kernels/near_field/look_up_disk.h"
 #include "kernels/projection/pixel_measure.h"
 #include "render/eyes/view_projection.h"
 #include "tests/render/plan/frame_plan_scenes.h"

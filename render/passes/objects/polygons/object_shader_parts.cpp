@@ -122,7 +122,7 @@ vec3 view_direction(Eye eye, vec3 n, out float energy) {
   return eye.view * ((across + 0.5 * (with_it - against) * eye.boost.xyz) / energy);
 }
 #ifdef TURNING
-// Position of the eye for a direction of the view: omni_offset() of kernels/eyes/omni/omni_camera.h.
+// Position of the eye for a direction of the view: omni_offset() of kernels/spacetime/trace/omni_camera.h.
 vec2 eye_offset(vec3 view) {
   float level = sqrt(dot(view.xz, view.xz) + 1e-20);
   float part = clamp((level - turning.z) * turning.w, 0.0, 1.0);

@@ -12,7 +12,7 @@ namespace ergodome {
 //! 0; and three rows, each followed by a 0, of the matrix from that frame to the eye's view.
 inline constexpr int turning_groups = 5;
 
-//! Parameters for shaders of an omnidirectional stereo eye (kernels/trace/omni_camera.h).
+//! Parameters for shaders of an omnidirectional stereo eye (kernels/spacetime/trace/omni_camera.h).
 struct TurningView {
   OmniCameraOf<float> eye;          //!< how it turns; its own polynomials are not used
   int degree;                       //!< of the polynomials in `coefficients`

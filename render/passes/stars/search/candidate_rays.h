@@ -8,8 +8,8 @@
 #include <span>
 #include <variant>
 
-#include "kernels/eyes/omni/omni_camera.h"
 #include "kernels/spacetime/kerr/camera_station.h"
+#include "kernels/spacetime/trace/omni_camera.h"
 #include "render/passes/stars/search/star_candidate.h"
 
 namespace ergodome {

@@ -9,7 +9,7 @@
 #include "kernels/disk/disk_chart.h"
 #include "kernels/disk/disk_light.h"
 #include "kernels/disk/equatorial_crossings.h"
-#include "kernels/near_rays/horizon_winding.h"
+#include "kernels/spacetime/kerr/horizon_winding.h"
 #include "kernels/spacetime/shadow/shadow_chart.h"
 #include "render/passes/disk/disk_grids.h"
 #include "tests/kernels/reference_tables.h"

@@ -11,7 +11,7 @@
 #include "kernels/disk/equatorial_crossings.h"
 #include "kernels/disk/page_thorne.h"
 #include "kernels/projection/make_projection.h"
-#include "kernels/sky/blackbody_shift.h"
+#include "kernels/sky/blackbody.h"
 #include "render/passes/near_field/near_field.h"
 #include "tests/render/disk_scenes.h"
 #include "tests/render/eye_at.h"

@@ -16,7 +16,7 @@
 #include "kernels/near_rays/near_pixels.h"
 #include "kernels/objects/path_step.h"
 #include "kernels/projection/make_projection.h"
-#include "kernels/sky/blackbody_shift.h"
+#include "kernels/sky/blackbody.h"
 #include "kernels/spacetime/geodesic/affine_distance.h"
 #include "render/frame/show_renderer.h"
 #include "render/lens/direct_lens.h"

@@ -7,8 +7,8 @@
 #include "content/show/show_reader.h"
 #include "kernels/core/angles.h"
 #include "kernels/projection/make_projection.h"
-#include "kernels/sky/blackbody_shift.h"
-#include "kernels/sky/point_sample.h"
+#include "kernels/sky/blackbody.h"
+#include "kernels/sky/elliptic_filter.h"
 #include "render/frame/show_renderer.h"
 #include "render/passes/stars/drawing/blackbody_colours.h"
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "kernels/sky/blackbody_shift.h"
+#include "kernels/sky/blackbody.h"
 #include "render/passes/stars/drawing/blackbody_colours.h"
 
 namespace ergodome {

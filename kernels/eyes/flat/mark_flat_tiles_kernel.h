@@ -1,7 +1,7 @@
 #pragma once
 
 #include "kernels/eyes/flat/eye_line.h"
-#include "kernels/objects/eye_path.h"
+#include "kernels/eyes/flat/eye_path.h"
 #include "kernels/objects/tile_pieces.h"
 
 namespace ergodome::inline ERGO_TARGET {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "kernels/core/dual.h"
-#include "kernels/core/mixed_dual.h"
 #include "kernels/core/transcendental.h"
 
 // The winding W(u): the part of time and azimuth that all light has in common on its way to the

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/objects/eye_path.h"
+#include "kernels/eyes/flat/eye_path.h"
 
 namespace ergodome::inline ERGO_TARGET {
 

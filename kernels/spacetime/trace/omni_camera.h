@@ -1,7 +1,7 @@
 #pragma once
 
 #include "kernels/launch/kernel.h"
-#include "kernels/near_rays/horizon_winding.h"
+#include "kernels/spacetime/kerr/horizon_winding.h"
 #include "kernels/spacetime/trace/trace_pixels.h"
 #include "kernels/spacetime/trace/trace_rays.h"
 

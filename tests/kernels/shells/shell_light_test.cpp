@@ -1,4 +1,4 @@
-#include "kernels/shells/shell_grid.h"
+#include "kernels/shells/shell_light.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "kernels/spacetime/schwarzschild/make_connection_table.h"
+#include "kernels/spacetime/schwarzschild/connection_table.h"
 
 #include "kernels/launch/parallel_for.h"
 #include "kernels/launch/work_counter.h"

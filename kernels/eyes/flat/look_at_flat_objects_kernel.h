@@ -1,8 +1,8 @@
 #pragma once
 
 #include "kernels/eyes/flat/eye_line.h"
+#include "kernels/eyes/flat/pixel_lines.h"
 #include "kernels/objects/look_at_objects_kernel.h"
-#include "kernels/objects/pixel_lines.h"
 
 // Draws objects for an eye of the stereo model `flat`. The sweep of a line of sight is the angle
 // between its ends as the head sees them.

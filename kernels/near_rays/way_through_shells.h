@@ -2,8 +2,8 @@
 
 #include <initializer_list>
 
+#include "kernels/near_rays/follow_rays.h"
 #include "kernels/near_rays/radial_fate.h"
-#include "kernels/spacetime/trace/follow_rays.h"
 
 // Where the path of a ray through shells ends.
 namespace ergodome::inline ERGO_TARGET {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "kernels/core/angles.h"
+#include "kernels/near_rays/follow_to_radius.h"
 #include "kernels/shells/shell_crossings.h"
-#include "kernels/spacetime/trace/follow_to_radius.h"
 #include "tests/kernels/reference_tables.h"
 
 namespace ergodome::test {

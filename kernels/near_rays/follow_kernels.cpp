@@ -1,5 +1,5 @@
 #include "kernels/launch/register.h"
-#include "kernels/spacetime/trace/follow_rays_kernel.h"
+#include "kernels/near_rays/follow_rays_kernel.h"
 
 namespace ergodome {
 

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "kernels/disk/disk_chart.h"
-#include "kernels/disk/disk_grid.h"
 #include "kernels/disk/disk_lane_place.h"
 #include "kernels/disk/disk_sight.h"
 #include "kernels/disk/layer_light.h"
 #include "kernels/near_field/layer_sight.h"
-#include "kernels/near_rays/pixel_samples.h"
+#include "kernels/near_field/look_up_disk.h"
+#include "kernels/near_rays/seen_light.h"
 #include "kernels/spacetime/trace/pixel_geometry.h"
 
 namespace ergodome::inline ERGO_TARGET {

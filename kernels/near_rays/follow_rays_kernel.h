@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/spacetime/trace/follow_to_radius.h"
+#include "kernels/near_rays/follow_to_radius.h"
 #include "kernels/spacetime/trace/trace_pixels_kernel.h"
 
 // Follows the rays of pixels by any integrator, to measure its steps and errors.

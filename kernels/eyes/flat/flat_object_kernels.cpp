@@ -1,6 +1,6 @@
+#include "kernels/eyes/flat/look_at_flat_objects_kernel.h"
+#include "kernels/eyes/flat/mark_flat_tiles_kernel.h"
 #include "kernels/launch/register.h"
-#include "kernels/objects/look_at_flat_objects_kernel.h"
-#include "kernels/objects/mark_flat_tiles_kernel.h"
 
 namespace ergodome {
 

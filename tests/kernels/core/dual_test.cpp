@@ -1,4 +1,4 @@
-#include "kernels/core/mixed_dual.h"
+#include "kernels/core/dual.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "kernels/near_rays/way_through_shells.h"
 #include "kernels/spacetime/geodesic/baseline_rk34.h"
 #include "kernels/spacetime/geodesic/runge_kutta.h"
 #include "kernels/spacetime/geodesic/taylor.h"
-#include "kernels/spacetime/trace/way_through_shells.h"
 
 // The integrators of spacetime/geodesic, each with its own steps, but up to the radius where a ray
 // ends instead of the sky.
