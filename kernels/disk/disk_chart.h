@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernels/lens/lens_chart.h"
+#include "kernels/lens/lens_grid.h"
 
 // A chart of a camera's whole sky, within the shadow and outside: position angle γ about the
 // shadow's center [turns], and s in [0, 1].
@@ -26,23 +27,7 @@ template <class T>
 ERGO_HD DiskPlace<T> disk_place(const EdgeCurve& edge, const Vector3<Dual<T>>& n) {
   using S = ScalarOf<T>;
   using D = Dual<T>;
-  const auto along = [&](const Vector3<float>& axis) { return n.x * S(axis.x) + n.y * S(axis.y) + n.z * S(axis.z); };
-  const D c = along(edge.centre);
-  const D p = along(edge.first);
-  const D q = along(edge.second);
-  // At the chart's poles γ is meaningless. The small addition keeps the derivative of the sine
-  // finite.
-  const D square = p * p + q * q + D(T(S(1e-30)));
-  const D sine = sqrt(square);
-  const T inverse_square = S(1) / square.value;
-  const auto turned = [&](const T& dp, const T& dq) { return (p.value * dq - q.value * dp) * inverse_square; };
-  const D gamma = {arc_tangent(q.value, p.value), turned(p.along_x, q.along_x), turned(p.along_y, q.along_y)};
-  const auto opened = [&](const T& ds, const T& dc) { return c.value * ds - sine.value * dc; };
-  const D alpha = {arc_tangent(sine.value, c.value), opened(sine.along_x, c.along_x), opened(sine.along_y, c.along_y)};
-  T edge_value;
-  T slope;
-  edge_lanes(edge, gamma.value, edge_value, slope);
-  const D edge_alpha = {edge_value, slope * gamma.along_x, slope * gamma.along_y};
+  const auto [gamma, alpha, edge_alpha] = polar_place(edge, n);
   const D half_turn(T(S(3.14159265358979323846)));
   const D from_centre = alpha * (half_turn - edge_alpha);
   const D s = from_centre / (from_centre + edge_alpha * (half_turn - alpha));
@@ -66,6 +51,38 @@ ERGO_HD MixedDual<T> disk_polar_angle(const EdgeCurve& edge, const T& gamma_turn
   const M up(s, zero, one, zero);
   const M half_turn(T(S(3.14159265358979323846)));
   return half_turn * edge_alpha * up / (half_turn * (M(one) - up) - edge_alpha * (M(one) - up - up));
+}
+
+//! Position of one lane in the cells of a disk's grid, with its derivatives along the image's rows
+//! and columns.
+struct DiskLanePlace {
+  float gamma_turns;
+  float s;
+  float gamma_along_x, gamma_along_y;
+  float s_along_x, s_along_y;
+
+  //! Converts derivatives along γ and s to the derivative along the image's rows.
+  [[nodiscard]] ERGO_HD float along_x(float along_gamma, float along_s) const {
+    return along_gamma * gamma_along_x + along_s * s_along_x;
+  }
+  //! Converts derivatives along γ and s to the derivative along the image's columns.
+  [[nodiscard]] ERGO_HD float along_y(float along_gamma, float along_s) const {
+    return along_gamma * gamma_along_y + along_s * s_along_y;
+  }
+};
+
+//! Returns the position of lane `i`. A grid of half the sky is read at -γ for the other half.
+template <class T>
+ERGO_HD DiskLanePlace disk_lane_place(const LensGrid& cells, const DiskPlace<T>& place, int i) {
+  const float turns = lane(place.gamma_turns.value, i);
+  const bool over = cells.mirrored != 0 && turns > 0.5F;
+  const float side = over ? -1.0F : 1.0F;
+  return {over ? 1.0F - turns : turns,
+          lane(place.s.value, i),
+          side * lane(place.gamma_turns.along_x, i),
+          side * lane(place.gamma_turns.along_y, i),
+          lane(place.s.along_x, i),
+          lane(place.s.along_y, i)};
 }
 
 }  // namespace ergodome::inline ERGO_TARGET

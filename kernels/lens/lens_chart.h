@@ -42,12 +42,20 @@ ERGO_HD void edge_lanes(const EdgeCurve& edge, const T& gamma, T& alpha, T& slop
   }
 }
 
-//! Returns the position in the chart of a unit direction in the rain frame.
+//! A direction in polar coordinates about the shadow's center, and the shadow's edge at its position
+//! angle, with their derivatives [rad].
 template <class T>
-ERGO_HD ChartPlace<Dual<T>> chart_place(const LensChart& chart, const Vector3<Dual<T>>& n) {
+struct PolarPlace {
+  Dual<T> gamma;       //!< position angle
+  Dual<T> alpha;       //!< angle from the center
+  Dual<T> edge_alpha;  //!< of the edge
+};
+
+//! Returns the polar coordinates of a unit direction in the rain frame.
+template <class T>
+ERGO_HD PolarPlace<T> polar_place(const EdgeCurve& edge, const Vector3<Dual<T>>& n) {
   using S = ScalarOf<T>;
   using D = Dual<T>;
-  const EdgeCurve& edge = chart.edge;
   const auto along = [&](const Vector3<float>& axis) { return n.x * S(axis.x) + n.y * S(axis.y) + n.z * S(axis.z); };
   const D c = along(edge.centre);
   const D p = along(edge.first);
@@ -64,7 +72,15 @@ ERGO_HD ChartPlace<Dual<T>> chart_place(const LensChart& chart, const Vector3<Du
   T edge_value;
   T slope;
   edge_lanes(edge, gamma.value, edge_value, slope);
-  const D edge_alpha = {edge_value, slope * gamma.along_x, slope * gamma.along_y};
+  return {gamma, alpha, {edge_value, slope * gamma.along_x, slope * gamma.along_y}};
+}
+
+//! Returns the position in the chart of a unit direction in the rain frame.
+template <class T>
+ERGO_HD ChartPlace<Dual<T>> chart_place(const LensChart& chart, const Vector3<Dual<T>>& n) {
+  using S = ScalarOf<T>;
+  using D = Dual<T>;
+  const auto [gamma, alpha, edge_alpha] = polar_place(chart.edge, n);
   const D distance = alpha - edge_alpha;
   const D fraction = distance / (T(S(3.14159265358979323846)) - edge_alpha);
   const T x = maximum(fraction.value, T(S(1e-30)));

@@ -1,4 +1,4 @@
-#include "kernels/launch/launch_in_steps.cuh"
+#include "kernels/launch/launch_on_cuda.cuh"
 #include "kernels/lens/look_up_kernel.h"
 
 // Reads pixels from lens grids on a GPU.

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "kernels/disk/disk_chart.h"
-#include "kernels/disk/disk_lane_place.h"
 #include "kernels/disk/disk_sight.h"
 #include "kernels/disk/layer_light.h"
 #include "kernels/near_field/layer_sight.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/launch/launch_in_steps.cuh"
+#include "kernels/launch/launch_on_cuda.cuh"
 #include "kernels/near_rays/seen_light.h"
 
 // Launches that draw pixels of which few need many samples.

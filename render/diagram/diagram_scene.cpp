@@ -64,7 +64,6 @@ std::vector<Vector3<double>> level_circle(double radius, double height) {
   return circle;
 }
 
-
 namespace {
 
 //! Opacity of a veil.

@@ -81,7 +81,6 @@ Ink photon_sphere();
 Ink other_rays();
 }  // namespace diagram_inks
 
-
 //! Adds an object at its position, with its own color and checkerboard; textures are omitted.
 void add_solid(const ObjectSettings& object, const TriangleMesh& mesh, const ObjectPlacement& placement,
                std::vector<DiagramCorner>& corners);

@@ -12,7 +12,7 @@
 #include "render/frame/eye_renderer.h"
 #include "render/frame/omni_eyes.h"
 #include "render/frame/show_passes.h"
-#include "render/output/auto_exposure.h"
+#include "render/output/tone_map.h"
 #include "render/passes/objects/placed_meshes.h"
 #include "render/passes/objects/polygons/object_outline.h"
 #include "render/passes/overlay/overlay_pass.h"

@@ -2,7 +2,9 @@
 
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
+#include <fmt/format.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "kernels/core/error.h"
@@ -77,6 +79,52 @@ HeadlessContext::~HeadlessContext() {
   eglMakeCurrent(state_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   eglDestroyContext(state_->display, state_->context);
   eglTerminate(state_->display);
+}
+
+std::vector<std::uint8_t> read_framebuffer(int width, int height) {
+  const std::size_t row = 3 * static_cast<std::size_t>(width);
+  std::vector<std::uint8_t> bottom_up(row * static_cast<std::size_t>(height));
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, bottom_up.data());
+  std::vector<std::uint8_t> top_down(bottom_up.size());
+  for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y) {
+    std::copy_n(bottom_up.begin() + static_cast<long>(y * row), row,
+                top_down.begin() + static_cast<long>((static_cast<std::size_t>(height) - 1 - y) * row));
+  }
+  return top_down;
+}
+
+OffscreenFrame::OffscreenFrame(int width, int height) : width_(width), height_(height) {
+  GLint largest = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+  if (width > largest || height > largest) {
+    throw Error("OpenGL", fmt::format("the graphics driver cannot draw a picture of {} x {} pixels", width, height),
+                fmt::format("use at most {} pixels a side", largest));
+  }
+  glCreateTextures(GL_TEXTURE_2D, 1, &texture_);
+  glTextureStorage2D(texture_, 1, GL_RGBA8, width, height);
+  glCreateFramebuffers(1, &framebuffer_);
+  glNamedFramebufferTexture(framebuffer_, GL_COLOR_ATTACHMENT0, texture_, 0);
+  if (glCheckNamedFramebufferStatus(framebuffer_, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+    glDeleteFramebuffers(1, &framebuffer_);
+    glDeleteTextures(1, &texture_);
+    throw Error(
+        "OpenGL",
+        fmt::format("the graphics driver cannot allocate memory for a picture of {} x {} pixels", width, height),
+        "choose a smaller resolution");
+  }
+}
+
+OffscreenFrame::~OffscreenFrame() {
+  glDeleteFramebuffers(1, &framebuffer_);
+  glDeleteTextures(1, &texture_);
+}
+
+void OffscreenFrame::bind() const { glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_); }
+
+std::vector<std::uint8_t> OffscreenFrame::read_back() const {
+  bind();
+  return read_framebuffer(width_, height_);
 }
 
 }  // namespace ergodome

@@ -1,11 +1,10 @@
-#include "render/patterns/patterns.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "kernels/core/angles.h"
+#include "render/patterns/patterns.h"
 
 namespace ergodome {
 

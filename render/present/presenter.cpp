@@ -229,17 +229,4 @@ void Presenter::draw_captions(const PictureArea& shown, const EyeGrid& eyes) {
   glDisable(GL_BLEND);
 }
 
-std::vector<std::uint8_t> Presenter::read_back(int width, int height) {
-  const std::size_t row = 3 * static_cast<std::size_t>(width);
-  std::vector<std::uint8_t> bottom_up(row * static_cast<std::size_t>(height));
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, bottom_up.data());
-  std::vector<std::uint8_t> top_down(bottom_up.size());
-  for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y) {
-    std::copy_n(bottom_up.begin() + static_cast<long>(y * row), row,
-                top_down.begin() + static_cast<long>((static_cast<std::size_t>(height) - 1 - y) * row));
-  }
-  return top_down;
-}
-
 }  // namespace ergodome

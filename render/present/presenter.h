@@ -76,9 +76,6 @@ class Presenter {
   //! Draws the picture, or halves of it, into the bound framebuffer of the given size.
   void draw(int framebuffer_width, int framebuffer_height, PicturePart part = PicturePart::whole);
 
-  //! Returns the bound framebuffer's pixels as RGB bytes, top row first.
-  static std::vector<std::uint8_t> read_back(int width, int height);
-
  private:
   struct State;
   void resize(int width, int height);

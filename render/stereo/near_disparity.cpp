@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "kernels/eyes/flat/eye_line.h"
 #include "kernels/launch/parallel_for.h"
-#include "kernels/projection/flat_parallax.h"
 
 namespace ergodome {
 

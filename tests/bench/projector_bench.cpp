@@ -15,7 +15,6 @@
 #include "kernels/launch/parallel_for.h"
 #include "render/frame/show_renderer.h"
 #include "render/opengl/headless_context.h"
-#include "render/present/offscreen_frame.h"
 #include "render/present/projectors/projector_drawing.h"
 #include "render/present/projectors/software_projectors.h"
 #include "tests/bench/cuda_bench.h"

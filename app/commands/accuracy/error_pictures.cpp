@@ -7,7 +7,7 @@
 #include <set>
 
 #include "kernels/image/color_map.h"
-#include "render/accuracy/equal_error.h"
+#include "render/accuracy/measurement.h"
 #include "render/output/image_writer.h"
 
 namespace ergodome {

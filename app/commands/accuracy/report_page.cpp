@@ -12,7 +12,7 @@
 #include "app/commands/accuracy/report_words.h"
 #include "content/files/counted.h"
 #include "kernels/image/color_map.h"
-#include "render/accuracy/equal_error.h"
+#include "render/accuracy/measurement.h"
 
 namespace ergodome {
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "render/accuracy/equal_error.h"
+#include "render/accuracy/measurement.h"
 
 namespace ergodome {
 

@@ -7,7 +7,7 @@
 #include "app/commands/accuracy/report_numbers.h"
 #include "app/commands/accuracy/report_words.h"
 #include "content/files/counted.h"
-#include "render/accuracy/equal_error.h"
+#include "render/accuracy/measurement.h"
 
 namespace ergodome {
 

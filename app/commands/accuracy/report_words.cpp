@@ -8,7 +8,7 @@
 #include <map>
 
 #include "app/commands/accuracy/report_numbers.h"
-#include "render/accuracy/equal_error.h"
+#include "render/accuracy/measurement.h"
 
 namespace ergodome {
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/opengl/headless_context.h"
 #include "render/output/color_bar.h"
 #include "render/output/image_writer.h"
 #include "render/output/text_image.h"
@@ -137,7 +138,7 @@ void WindowOutput::show() {
 void WindowOutput::save_screenshot(const std::string& file) {
   if (const ImageSize now = size(); now.width > 0 && now.height > 0) {
     draw_window(now);
-    write_png(file, Presenter::read_back(now.width, now.height), now.width, now.height);
+    write_png(file, read_framebuffer(now.width, now.height), now.width, now.height);
   }
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "kernels/core/arithmetic.h"
 #include "kernels/core/dual.h"
 #include "kernels/core/vector3.h"
 
-// The sheets that an eye beside the head sees along its line of sight, in the head's flat tangent
-// space (kernels/projection/flat_parallax.h).
+// What an eye beside the head sees, in the head's flat tangent space: the model of Hamilton &
+// Polhemus (New Journal of Physics 12 (2010) 123027). An object seen in direction n at the affine
+// distance d is at d n, and an eye at e sees it as in flat space.
 //
 // A sheet of images (one order of the disk, or one side of a shell) has an affine distance d in
 // each direction n of the head, and is at d n. An eye at e sees points e + s m. With the nearness w
@@ -14,6 +16,24 @@
 // between w = 0, where everything is infinitely far and n = m, and the nearness of the eye itself.
 // q is continuous, so such a w exists in between.
 namespace ergodome::inline ERGO_TARGET {
+
+//! Returns the direction in which an eye at `eye` [M] sees an object that the head sees in
+//! direction `n` (unit vector) at affine distance `distance` [M]. An infinite distance leaves the
+//! direction unchanged. The object must not be at the eye's position.
+ERGO_HD Vector3<double> seen_by_eye(const Vector3<double>& n, double distance, const Vector3<double>& eye) {
+  const Vector3<double> way = n - (1.0 / distance) * eye;
+  return (1.0 / ::sqrt(dot(way, way))) * way;
+}
+
+//! Returns the direction in which the head sees an object that the eye sees in direction `m`: the
+//! inverse. `distance` is the object's distance from the head [M] and must exceed the eye's.
+ERGO_HD Vector3<double> seen_by_head(const Vector3<double>& m, double distance, const Vector3<double>& eye) {
+  // | e + s m | = d
+  const Vector3<double> e = (1.0 / distance) * eye;
+  const double along = dot(e, m);
+  const double way = ::sqrt(along * along + 1.0 - dot(e, e)) - along;
+  return e + way * m;
+}
 
 //! A point on an eye's line of sight, with derivatives along the image's rows and columns at a
 //! fixed w.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/disk/disk_lane_place.h"
+#include "kernels/disk/disk_chart.h"
 #include "kernels/eyes/flat/sheets.h"
 
 namespace ergodome::inline ERGO_TARGET {

@@ -7,9 +7,9 @@
 
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"
+#include "kernels/eyes/flat/eye_line.h"
 #include "kernels/launch/parallel_for.h"
 #include "kernels/launch/work_counter.h"
-#include "kernels/projection/flat_parallax.h"
 #include "kernels/spacetime/geodesic/affine_distance.h"
 #include "kernels/spacetime/shadow/critical_curve.h"
 #include "render/lens/grid/edge_table.h"

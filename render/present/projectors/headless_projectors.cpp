@@ -3,7 +3,6 @@
 #include "kernels/core/error.h"
 #include "render/opengl/gl_program.h"
 #include "render/opengl/headless_context.h"
-#include "render/present/offscreen_frame.h"
 #include "render/present/projectors/projector_drawing.h"
 
 namespace ergodome {

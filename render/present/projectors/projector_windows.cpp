@@ -6,6 +6,7 @@
 
 #include "kernels/core/error.h"
 #include "render/opengl/gl_program.h"
+#include "render/opengl/headless_context.h"
 #include "render/output/image_writer.h"
 #include "render/present/caption_texture.h"
 #include "render/present/projectors/projector_drawing.h"
@@ -347,7 +348,7 @@ void ProjectorWindows::save_screenshots(const std::filesystem::path& file, const
     state_->screens[i].window->framebuffer_size(width, height);
     std::filesystem::path path = file;
     path.replace_filename(file.stem().string() + "_" + names[i] + ".png");
-    write_png(path, Presenter::read_back(width, height), width, height);
+    write_png(path, read_framebuffer(width, height), width, height);
   }
   state_->control.make_current();
 }

@@ -7,7 +7,7 @@
 
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"
-#include "kernels/projection/flat_parallax.h"
+#include "kernels/eyes/flat/eye_line.h"
 #include "kernels/projection/make_projection.h"
 #include "kernels/spacetime/geodesic/affine_distance.h"
 #include "kernels/spacetime/shadow/critical_curve.h"

@@ -11,7 +11,6 @@
 #include "render/frame/show_renderer.h"
 #include "render/opengl/headless_context.h"
 #include "render/patterns/test_pattern.h"
-#include "render/present/offscreen_frame.h"
 #include "render/present/presenter.h"
 #include "render/present/projectors/headless_projectors.h"
 #include "tests/support/folder_test.h"

@@ -1,9 +1,9 @@
+#include "render/output/tone_map.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
-
-#include "render/output/auto_exposure.h"
 
 namespace ergodome {
 namespace {

@@ -1,5 +1,3 @@
-#include "render/patterns/patterns.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,6 +5,7 @@
 #include "kernels/core/angles.h"
 #include "kernels/projection/make_projection.h"
 #include "render/output/text_image.h"
+#include "render/patterns/patterns.h"
 
 namespace ergodome {
 namespace {

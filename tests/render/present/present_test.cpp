@@ -76,7 +76,7 @@ TEST_F(Present, PictureOfTheWindowsSizeIsTheToneMappedPicture) {
   const Picture picture = corners(40, 20);
   presenter.upload(picture);
   presenter.draw(40, 20);
-  const auto shown = Presenter::read_back(40, 20);
+  const auto shown = read_framebuffer(40, 20);
   const auto expected = tone_mapped(picture);
   ASSERT_EQ(shown.size(), expected.size());
   for (std::size_t i = 0; i < shown.size(); ++i) {
@@ -93,7 +93,7 @@ TEST_F(Present, WindowsShowEveryToneAsFilesDo) {
     picture.tone = {curve, 1.7F, 3.0F, 1.8F};
     presenter.upload(picture);
     presenter.draw(40, 20);
-    const auto shown = Presenter::read_back(40, 20);
+    const auto shown = read_framebuffer(40, 20);
     const auto expected = tone_mapped(picture);
     for (std::size_t i = 0; i < shown.size(); ++i) {
       ASSERT_NEAR(shown[i], expected[i], 1) << i << " " << static_cast<int>(curve);
@@ -108,7 +108,7 @@ TEST_F(Present, PictureOfAnotherShapeIsLetterboxed) {
   std::fill(picture.rgba.begin(), picture.rgba.end(), 1.0F);
   presenter.upload(picture);
   presenter.draw(100, 100);
-  const auto shown = Presenter::read_back(100, 100);
+  const auto shown = read_framebuffer(100, 100);
   const auto light = [&](int x, int y) { return shown[3 * static_cast<std::size_t>(100 * y + x)]; };
   EXPECT_EQ(light(50, 10), 0);
   EXPECT_EQ(light(50, 90), 0);
@@ -120,7 +120,7 @@ TEST_F(Present, BeforeAnyPictureTheWindowIsBlack) {
   make_framebuffer(8, 8);
   Presenter presenter;
   presenter.draw(8, 8);
-  for (const auto byte : Presenter::read_back(8, 8)) {
+  for (const auto byte : read_framebuffer(8, 8)) {
     EXPECT_EQ(byte, 0);
   }
 }
@@ -133,7 +133,7 @@ TEST_F(Present, PicturesMayChangeTheirSize) {
     presenter.draw(16, 16);
   }
   EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
-  EXPECT_GT(Presenter::read_back(16, 16)[0], 150);
+  EXPECT_GT(read_framebuffer(16, 16)[0], 150);
 }
 
 TEST_F(Present, EyesFillOnePictureAsJoinedOnesDo) {
@@ -146,7 +146,7 @@ TEST_F(Present, EyesFillOnePictureAsJoinedOnesDo) {
     Presenter presenter;
     presenter.upload_eyes(left, right, layout == StereoLayout::top_bottom);
     presenter.draw(joined.width, joined.height);
-    const auto shown = Presenter::read_back(joined.width, joined.height);
+    const auto shown = read_framebuffer(joined.width, joined.height);
     const auto expected = tone_mapped(joined);
     ASSERT_EQ(shown.size(), expected.size());
     for (std::size_t i = 0; i < shown.size(); ++i) {
@@ -175,7 +175,7 @@ TEST_F(Present, EyesTakeTurnsByTheFramebuffersRows) {
        {Framebuffer{94, 47, 47}, {30, 15, 15}, {40, 20, 20}, {50, 39, 25}, {50, 40, 25}, {81, 20, 20}}) {
     make_framebuffer(frame.width, frame.height);
     presenter.draw(frame.width, frame.height, PicturePart::halves_by_rows);
-    const auto shown = Presenter::read_back(frame.width, frame.height);
+    const auto shown = read_framebuffer(frame.width, frame.height);
     int lit_rows = 0;
     for (int y = 0; y < frame.height; ++y) {
       int brightest = 0;
@@ -199,7 +199,7 @@ TEST_F(Present, RowsOfAWindowAsHighAsThePictureAreThoseOfFiles) {
   Presenter presenter;
   presenter.upload_eyes(left, right, false);
   presenter.draw(40, 20, PicturePart::halves_by_rows);
-  const auto shown = Presenter::read_back(40, 20);
+  const auto shown = read_framebuffer(40, 20);
   const auto expected = tone_mapped(joined_eyes(left, right, StereoLayout::rows));
   ASSERT_EQ(shown.size(), expected.size());
   for (std::size_t i = 0; i < shown.size(); ++i) {
@@ -216,11 +216,11 @@ TEST_F(Present, AnEyesPictureHasNothingOfTheOtherAtItsEdge) {
   Presenter presenter;
   presenter.upload_eyes(left, right, false);
   presenter.draw(200, 100, PicturePart::left_half);
-  for (const auto byte : Presenter::read_back(200, 100)) {
+  for (const auto byte : read_framebuffer(200, 100)) {
     ASSERT_EQ(byte, 0);
   }
   presenter.draw(200, 100, PicturePart::right_half);
-  for (const auto byte : Presenter::read_back(200, 100)) {
+  for (const auto byte : read_framebuffer(200, 100)) {
     ASSERT_GT(byte, 200);
   }
 }
@@ -234,16 +234,16 @@ TEST_F(Present, CaptionsKeepTheirPixelsOverACoarsePicture) {
   Presenter presenter;
   presenter.upload(picture_of(4, 2, 0.05F));
   presenter.draw(200, 100);
-  const int plain = Presenter::read_back(200, 100)[0];
+  const int plain = read_framebuffer(200, 100)[0];
   presenter.lay_over({captions}, {});
   presenter.draw(200, 100);
-  const auto shown = Presenter::read_back(200, 100);
+  const auto shown = read_framebuffer(200, 100);
   for (int y = 0; y < 100; ++y) {
     EXPECT_NEAR(shown[3 * (200 * static_cast<std::size_t>(y) + 77)], y == row ? 255 : plain, 1) << y;
   }
   presenter.lay_over({}, {});
   presenter.draw(200, 100);
-  EXPECT_NEAR(Presenter::read_back(200, 100)[3 * (200 * row + 77)], plain, 1);
+  EXPECT_NEAR(read_framebuffer(200, 100)[3 * (200 * row + 77)], plain, 1);
 }
 
 TEST_F(Present, CaptionsLieOverEachEye) {
@@ -257,12 +257,12 @@ TEST_F(Present, CaptionsLieOverEachEye) {
   presenter.upload(picture_of(4, 2, 0.0F));
   presenter.lay_over({captions}, {2, 1});
   presenter.draw(200, 100);
-  const auto shown = Presenter::read_back(200, 100);
+  const auto shown = read_framebuffer(200, 100);
   for (const auto& [x, light] : {std::pair(25, 255), std::pair(75, 0), std::pair(125, 255), std::pair(175, 0)}) {
     EXPECT_EQ(shown[3 * (200 * 50 + static_cast<std::size_t>(x))], light) << x;
   }
   presenter.draw(200, 100, PicturePart::right_half);
-  EXPECT_EQ(Presenter::read_back(200, 100)[3 * (200 * 50 + 75)], 255);
+  EXPECT_EQ(read_framebuffer(200, 100)[3 * (200 * 50 + 75)], 255);
 }
 
 TEST_F(Present, CaptionsOnProjectorsKeepTheirPixelsOverACoarseMaster) {
@@ -295,13 +295,13 @@ TEST_F(Present, CaptionsOnProjectorsKeepTheirPixelsOverACoarseMaster) {
   light.update(presenter.shown());
   ProjectorDrawing projector(raster);
   projector.draw(light, side, side);
-  const auto plain = Presenter::read_back(side, side);
+  const auto plain = read_framebuffer(side, side);
   CaptionTexture texture;
   projector.draw_captions(texture, dimmed, light, side, side);
-  EXPECT_EQ(Presenter::read_back(side, side), plain) << "no captions yet";
+  EXPECT_EQ(read_framebuffer(side, side), plain) << "no captions yet";
   texture.set({captions, 0.5});
   projector.draw_captions(texture, dimmed, light, side, side);
-  const auto shown = Presenter::read_back(side, side);
+  const auto shown = read_framebuffer(side, side);
   const float below = std::min(toned(master.tone, 0.05F), 1.0F);
   const ProjectorColour colour = {0.5F, 0.02F, 1.0F, 2.2F};
   const auto value = [&](float seen) { return 255.0F * projector_value(colour, dimmed * seen); };
@@ -322,7 +322,7 @@ TEST_F(Present, TextHasARimThatSetsItOffFromWhite) {
     glClearColor(ground, ground, ground, 1.0F);
     glClear(GL_COLOR_BUFFER_BIT);
     panel.draw(640, 480, PanelPlace::top_left);
-    const auto shown = Presenter::read_back(640, 480);
+    const auto shown = read_framebuffer(640, 480);
     int darkest = 255;
     for (std::size_t x = 0; x < 100; ++x) {
       darkest = std::min<int>(darkest, shown[3 * (640 * 30 + x)]);
@@ -339,7 +339,7 @@ TEST_F(Present, TextLiesInItsCornerAlone) {
   TextPanel panel;
   panel.set("12.3 ms\ndubois", 16);
   panel.draw(640, 480, PanelPlace::top_left);
-  const auto shown = Presenter::read_back(640, 480);
+  const auto shown = read_framebuffer(640, 480);
   long inside = 0;
   long outside = 0;
   for (std::size_t y = 0; y < 480; ++y) {
@@ -359,7 +359,7 @@ TEST_F(Present, EmptyTextLeavesThePictureAlone) {
   panel.set("a", 16);
   panel.set("", 16);
   panel.draw(64, 64, PanelPlace::top_left);
-  for (const auto byte : Presenter::read_back(64, 64)) {
+  for (const auto byte : read_framebuffer(64, 64)) {
     ASSERT_NEAR(byte, 128, 1);
   }
 }

@@ -163,7 +163,7 @@ void look(vec3 place, out vec3 direction, out vec3 view, out float time) {
   see(eye, place, direction, time, affine);
   view = view_direction(eye, direction, energy);
 #ifdef BESIDE
-  // The point lies at d n in the flat space of the head; points nearer to the eye hide it (kernels/projection/flat_parallax.h).
+  // The point lies at d n in the flat space of the head; points nearer to the eye hide it (kernels/eyes/flat/eye_line.h).
   vec3 seen = affine / table_range.w * energy * view - vec3(beside, 0.0, 0.0);
   time = length(seen);
   view = seen / max(time, 1e-30);

@@ -8,7 +8,6 @@
 #include "kernels/disk/crossing_layers.h"
 #include "kernels/eyes/flat/eye_line.h"
 #include "kernels/near_rays/near_pixels.h"
-#include "kernels/projection/flat_parallax.h"
 #include "kernels/shells/shell_crossings.h"
 
 // Sheets of images in the flat tangent space of the head: their distances, and where an eye's line

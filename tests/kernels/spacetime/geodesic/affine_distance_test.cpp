@@ -6,7 +6,7 @@
 #include <random>
 
 #include "kernels/core/angles.h"
-#include "kernels/projection/flat_parallax.h"
+#include "kernels/eyes/flat/eye_line.h"
 #include "kernels/spacetime/shadow/critical_curve.h"
 
 namespace ergodome {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "content/show/show_reader.h"
-#include "kernels/projection/flat_parallax.h"
+#include "kernels/eyes/flat/eye_line.h"
 #include "kernels/spacetime/kerr/frame_boost.h"
 #include "kernels/spacetime/schwarzschild/connecting_ray.h"
 #include "render/frame/show_renderer.h"

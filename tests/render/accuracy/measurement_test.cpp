@@ -1,4 +1,4 @@
-#include "render/accuracy/equal_error.h"
+#include "render/accuracy/measurement.h"
 
 #include <gmock/gmock.h>
 
