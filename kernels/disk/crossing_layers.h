@@ -80,29 +80,6 @@ ERGO_HD T exact_time_to_zero(const T (&c)[Order], const RealOf<T>& side, const R
   }
 }
 
-//! Replaces coefficients 0 and 1 of the series by those about an h that has derivatives.
-template <int Order, class T, NearParts Parts>
-ERGO_HD void move_series_exactly(NearSeries<Order, T, Parts>& s, const T& h) {
-  const auto move = [&h](auto& c) {
-    const T value = series_value(c, h);
-    c[1] = series_rate(c, h);
-    c[0] = value;
-  };
-  move(s.u);
-  move(s.z);
-  if constexpr (has_azimuth(Parts)) {
-    move(s.x);
-    move(s.y);
-    s.drag[0] = series_value(s.drag, h);
-  }
-  if constexpr (has_delay(Parts)) {
-    s.delay[0] = series_value(s.delay, h);
-  }
-  if constexpr (has_distance(Parts)) {
-    s.distance[0] = series_value(s.distance, h);
-  }
-}
-
 //! Returns a layer of which only u = 1/r is known.
 template <class T>
 ERGO_HD CrossingLayer<T> empty_layer(const T& u) {
@@ -303,7 +280,7 @@ ERGO_HD MaskOf<RealOf<T>> trace_layers(ScalarOf<T> spin, const NearRay<T>& start
     if constexpr (has_distance(Parts)) {
       state.rates.distance = select(leaves, series_rate(s.distance, h), state.rates.distance);
     }
-    detail::move_series_exactly(s, h);
+    detail::move_series(s, h);
     if constexpr (has_delay(Parts)) {
       if (any(leaves)) {
         detail::unwind(lost, leaves, rates, s, state.rates);

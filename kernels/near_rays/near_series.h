@@ -126,9 +126,9 @@ ERGO_HD T distance_so_far(const NearSeries<Order, T, Parts>& s) {
   }
 }
 
-//! Replaces coefficients 0 and 1 of the series by those about h.
-template <int Order, class T, NearParts Parts>
-ERGO_HD void move_series(NearSeries<Order, T, Parts>& s, const RealOf<T>& h) {
+//! Replaces coefficients 0 and 1 of the series by those about h, a T or one without derivatives.
+template <int Order, class T, NearParts Parts, class H>
+ERGO_HD void move_series(NearSeries<Order, T, Parts>& s, const H& h) {
   const auto move = [&h](auto& c) {
     const T value = series_value(c, h);
     c[1] = series_rate(c, h);
