@@ -1,8 +1,8 @@
 #include "kernels/eyes/omni/omni_batches.h"
-#include "kernels/eyes/omni/trace_omni_pixels_kernel.h"
 #include "kernels/launch/register.h"
 #include "kernels/lens/grid_build_kernel.h"
 #include "kernels/lens/look_up_kernel.h"
+#include "kernels/spacetime/trace/trace_pixels_kernel.h"
 #include "kernels/spacetime/trace/trace_rays_kernel.h"
 #include "kernels/stars/star_images_kernel.h"
 

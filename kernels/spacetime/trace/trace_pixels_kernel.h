@@ -3,6 +3,7 @@
 #include <type_traits>
 
 #include "kernels/spacetime/geodesic/taylor.h"
+#include "kernels/spacetime/trace/omni_camera.h"
 #include "kernels/spacetime/trace/pixel_geometry.h"
 
 // Traces the pixels of images.
@@ -41,28 +42,33 @@ ERGO_HD void store_traced(const PixelBatch& batch, int first, const RayStart<Ray
   store_lanes(out.half_orbits, first, count, select(reached, sweep * S(0.31830988618), zero));
 }
 
-//! Traces the pixels of a batch. Index i covers the pixels i * lanes, i * lanes + 1, ... of the
-//! block. `Footprints` enables their derivatives at compile time; without, they cost nothing.
-template <class T, bool Footprints>
+ERGO_HD const PixelBatch& pixels_of(const PixelBatch& batch) { return batch; }
+ERGO_HD const PixelBatch& pixels_of(const OmniBatch& batch) { return batch.pixels; }
+
+//! Traces the pixels of a batch: of a camera, or of an omnidirectional eye, with a camera for each
+//! pixel. Index i covers the pixels i * lanes, i * lanes + 1, ... of the block. `Footprints` enables
+//! their derivatives at compile time; without, they cost nothing.
+template <class T, bool Footprints, class Batch = PixelBatch>
 struct TracePixels {
   using D = Dual<T>;
   using Ray = std::conditional_t<Footprints, D, T>;
   using S = ScalarOf<T>;
 
-  PixelBatch batch;
+  Batch batch;
 
   ERGO_HD void operator()(int index) const {
+    const PixelBatch& pixels = pixels_of(batch);
     const int first = index * RealTraits<T>::lane_count;
     const T one(S(1));
     const T zero(S(0));
     T x_px;
     T y_px;
-    pixel_middles(batch, first, x_px, y_px);
-    const T inside = image_coverage(batch.projection, x_px, y_px);
-    Vector3<D> n = observed_direction(batch, x_px, y_px);
+    pixel_middles(pixels, first, x_px, y_px);
+    const T inside = image_coverage(pixels.projection, x_px, y_px);
+    Vector3<D> n = observed_direction(pixels, x_px, y_px);
     T sky_lit = one;
-    if (cover_lanes(batch.edge, n, touches_edge(batch, n), x_px, y_px, sky_lit)) {
-      n = observed_direction(batch, x_px, y_px);
+    if (cover_lanes(pixels.edge, n, touches_edge(pixels, n), x_px, y_px, sky_lit)) {
+      n = observed_direction(pixels, x_px, y_px);
     }
 
     const RayStart<Ray> start = start_ray(batch.camera, part_of<Ray>(n));
@@ -75,17 +81,18 @@ struct TracePixels {
     T steps = zero;
     MaskOf<T> reached = wanted;
     const RayEnd<Ray> end =
-        trace_taylor<picture_order>(batch.camera.spin, start, wanted, batch.settings, steps, reached);
-    store_traced<T>(batch, first, start, end, steps, reached, lit, wanted);
+        trace_taylor<picture_order>(batch.camera.spin, start, wanted, pixels.settings, steps, reached);
+    store_traced<T>(pixels, first, start, end, steps, reached, lit, wanted);
   }
 };
 
-template <class T, class Action>
-void dispatch(const PixelBatch& batch, const Action& action) {
-  if (has_footprints(batch.out)) {
-    action(TracePixels<T, true>{batch});
+template <class T, class Batch, class Action>
+requires std::is_same_v<Batch, PixelBatch> || std::is_same_v<Batch, OmniBatch>
+void dispatch(const Batch& batch, const Action& action) {
+  if (has_footprints(pixels_of(batch).out)) {
+    action(TracePixels<T, true, Batch>{batch});
   } else {
-    action(TracePixels<T, false>{batch});
+    action(TracePixels<T, false, Batch>{batch});
   }
 }
 
