@@ -9,7 +9,7 @@
 
 // Warps groups of pixels on the CPU. Devices warp one pixel at a time
 // (kernels/image/warp_pixel_kernel.h), and OpenGL uses texture units
-// (render/present/projector_drawing.h).
+// (render/present/projectors/projector_drawing.h).
 namespace ergodome::inline ERGO_TARGET {
 
 namespace detail {

@@ -3,7 +3,7 @@
 #include "kernels/core/arithmetic.h"
 #include "kernels/core/vector3.h"
 
-// What pixels see of disk, shells and objects, samples within pixels, and their composition with
+// Light of disk, shells and objects in pixels, samples within pixels, and their composition with
 // the picture.
 
 namespace ergodome::inline ERGO_TARGET {

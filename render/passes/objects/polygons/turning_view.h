@@ -16,7 +16,7 @@ inline constexpr int turning_groups = 5;
 struct TurningView {
   OmniCameraOf<float> eye;          //!< how it turns; its own polynomials are not used
   int degree;                       //!< of the polynomials in `coefficients`
-  std::vector<float> coefficients;  //!< by terms (render/lens/disk_fit.h), turning_groups of four numbers each
+  std::vector<float> coefficients;  //!< by terms (render/eyes/disk_fit.h), turning_groups of four numbers each
   RadialRange radii;                //!< range of the eye's radii [M]
 };
 
