@@ -51,9 +51,10 @@ struct PolarPlace {
   Dual<T> edge_alpha;  //!< of the edge
 };
 
-//! Returns the polar coordinates of a unit direction in the rain frame.
+//! Returns the polar coordinates of a unit direction in the rain frame. Always inlined: its callers
+//! use the results at once, and a call would return nine registers in memory.
 template <class T>
-ERGO_HD PolarPlace<T> polar_place(const EdgeCurve& edge, const Vector3<Dual<T>>& n) {
+[[gnu::always_inline]] ERGO_HD PolarPlace<T> polar_place(const EdgeCurve& edge, const Vector3<Dual<T>>& n) {
   using S = ScalarOf<T>;
   using D = Dual<T>;
   const auto along = [&](const Vector3<float>& axis) { return n.x * S(axis.x) + n.y * S(axis.y) + n.z * S(axis.z); };
