@@ -4,7 +4,7 @@
 #include "kernels/stars/search/part_solving_kernel.h"
 #include "kernels/stars/search/patch_measure_kernel.h"
 #include "kernels/stars/search/patch_pairs_kernel.h"
-#include "kernels/stars/star_bands_kernel.h"
+#include "kernels/stars/search/star_bands_kernel.h"
 #include "kernels/stars/star_images_kernel.h"
 
 namespace ergodome {

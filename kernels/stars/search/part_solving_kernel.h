@@ -1,62 +1,51 @@
 #pragma once
 
 #include "kernels/stars/search/patch_newton.h"
-#include "kernels/stars/search/seen_parts.h"
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Finds the images of stars in parts of patches; index i stands for the parts i * lanes, i * lanes
-//! + 1, ...
+//! Roots of parts, as positions in their patches and areas per area of the patches' unit square. A
+//! part that is not folded has only the first.
 template <class T>
-struct SolveParts {
+struct PartRoots {
+  PatchRoot<T> root[most_part_roots];
+};
+
+namespace detail {
+//! Finds the images of stars in parts of patches.
+template <class T>
+struct PartSolver {
   using Mask = MaskOf<T>;
+  using Place = PatchPlace<T>;
 
-  const SolvePartsBatch& batch;
+  const SeenPart<T>& part;
 
-  ERGO_HD void operator()(int index) const {
-    const int first = index * RealTraits<T>::lane_count;
-    const SeenPatch<T> patch = load_patch<T>(batch.parts, first);
-    const Place middle = {T(0.5F), T(0.5F)};
+  [[nodiscard]] ERGO_HD PartRoots<T> roots(bool folded) const {
     const Mask all = T(0.0F) < T(1.0F);
-    PatchRoot<T> root = newton_on_patch(patch, all, middle, batch.folded ? 1e6F : farthest_regular, rounds);
+    PatchRoot<T> root =
+        newton_on_patch(part.patch, all, {T(0.5F), T(0.5F)}, folded ? any_step : farthest_regular, rounds_regular);
     // Folded parts also accept roots outside of them.
-    root.found = root.found & within_patch(root.at, batch.folded ? 1.0F : beyond_patch);
-    if (batch.folded) {
-      look_across_fold(first, patch, root);
-    } else {
-      store(first, 0, root);
+    root.found = root.found & within_patch(root.at, folded ? 1.0F : beyond_patch);
+    if (folded) {
+      return across_fold(root);
     }
+    return {{in_patch(root), in_patch(root)}};
   }
 
  private:
-  using Place = PatchPlace<T>;
-
-  static constexpr int rounds = 16;
-
-  [[nodiscard]] ERGO_HD T load(int channel, int first) const {
-    return load_lanes<T>(batch.parts.at + channel * batch.parts.room, first, batch.parts.count);
-  }
-
-  //! Stores the k-th root of parts.
-  ERGO_HD void store(int first, int k, const PatchRoot<T>& root) const {
-    const T size_u = load(part_size_u, first);
-    const T size_v = load(part_size_v, first);
-    const auto put = [&](float* to, const T& value) {
-      const int count = batch.parts.count;
-      store_lanes(to + k * count, first, count, value);
-    };
-    put(batch.found, select(root.found, T(1.0F), T(0.0F)));
-    put(batch.u, load(part_u, first) + size_u * root.at.u);
-    put(batch.v, load(part_v, first) + size_v * root.at.v);
-    put(batch.area, root.area / (size_u * size_v));
+  [[nodiscard]] ERGO_HD PatchRoot<T> in_patch(const PatchRoot<T>& root) const {
+    return {{part.u + part.size_u * root.at.u, part.v + part.size_v * root.at.v},
+            root.area / (part.size_u * part.size_v),
+            root.found};
   }
 
   //! Finds the second root of folded parts. At a fold, images appear in pairs, so a root has a twin
   //! across the fold. If no root is found but the fold passes the star within the patch's error,
   //! both are guessed.
-  ERGO_HD void look_across_fold(int first, const SeenPatch<T>& patch, const PatchRoot<T>& root) const {
+  [[nodiscard]] ERGO_HD PartRoots<T> across_fold(const PatchRoot<T>& root) const {
     const T zero(0.0F);
-    const T error = load(part_error, first);
+    const SeenPatch<T>& patch = part.patch;
+    const T& error = part.error;
     const Mask may_be_off = error > zero;
     const Place at = nearest(patch, root);
     const PlaneValue<T> f = seen_at(patch, at.u, at.v);
@@ -64,7 +53,7 @@ struct SolveParts {
     const T to_fold = minimum(maximum(determinant(f) / -fold.slope, T(-0.5F)), T(0.5F));
     const auto beside = [&](const T& way) { return Place{at.u + way * fold.u, at.v + way * fold.v}; };
     const Mask paired = may_be_off & root.found & (absolute(to_fold) < T(0.5F));
-    const PatchRoot<T> twin = newton_on_patch(patch, paired, beside(T(2.0F) * to_fold), 1e6F, rounds);
+    const PatchRoot<T> twin = newton_on_patch(patch, paired, beside(T(2.0F) * to_fold), any_step, rounds_regular);
     const Mask guessed = may_be_off & !root.found & (maximum(absolute(f.p), absolute(f.q)) < error);
     // The distance from the fold at which the error may place the two images.
     const T way = minimum(sqrt(T(2.0F) * error * fold.stretch / absolute(fold.slope)), T(0.25F));
@@ -73,8 +62,7 @@ struct SolveParts {
                           select(guessed, zero, found.area),
                           MaskOf<T>(found.found | guessed)};
     };
-    store(first, 0, or_guess(root, beside(to_fold + way)));
-    store(first, 1, or_guess(twin, beside(to_fold - way)));
+    return {{in_patch(or_guess(root, beside(to_fold + way))), in_patch(or_guess(twin, beside(to_fold - way)))}};
   }
 
   //! Returns the point of a part that is nearest to its star, by damped least squares; a root found
@@ -130,6 +118,34 @@ struct SolveParts {
     const T slope = (determinant_at(step) - determinant_at(-step)) * (0.5F / step);
     return {-sine, cosine, select(absolute(slope) > T(1e-30F), slope, T(1e-30F)),
             sqrt(T(0.5F) * (square_u + square_v) + length)};
+  }
+};
+}  // namespace detail
+
+//! Finds the roots of the parts first, first + 1, ... `folded`: they may be folded.
+template <class T>
+ERGO_HD PartRoots<T> solve_parts(const SeenParts& parts, int first, bool folded) {
+  const SeenPart<T> part = load_parts<T>(parts, first);
+  return detail::PartSolver<T>{part}.roots(folded);
+}
+
+//! Seeks stars in parts; index i stands for the parts i * lanes, i * lanes + 1, ...
+template <class T>
+struct SolveParts {
+  const SolvePartsBatch& batch;
+
+  ERGO_HD void operator()(int index) const {
+    const int first = index * RealTraits<T>::lane_count;
+    const int count = batch.parts.count;
+    const PartRoots<T> solved = solve_parts<T>(batch.parts, first, batch.folded);
+    for (int k = 0; k < (batch.folded ? most_part_roots : 1); ++k) {
+      const PatchRoot<T>& root = solved.root[k];
+      const auto store = [&](float* to, const T& value) { store_lanes(to + k * count, first, count, value); };
+      store(batch.found, select(root.found, T(1.0F), T(0.0F)));
+      store(batch.u, root.at.u);
+      store(batch.v, root.at.v);
+      store(batch.area, root.area);
+    }
   }
 };
 

@@ -1,17 +1,28 @@
 #pragma once
 
+#include <cstdint>
+
 #include "kernels/launch/kernel.h"
-#include "kernels/stars/search/bezier_patch.h"
+#include "kernels/stars/search/star_patch.h"
 
 // Batches of pairs of a patch and a star, to find where in the patch the star is.
 namespace ergodome {
 
-//! Pairs of a patch and a star that it may hold. Arrays have `count` elements.
+//! A star that a patch may hold.
+struct SearchedPair {
+  std::int32_t patch;
+  std::int32_t star;  //!< number in the field
+  float depth;        //!< cosine of the angle to the patch's axis
+  float a;            //!< (a, b): the star in gnomonic projection about the patch's axis
+  float b;
+  bool mirrored;  //!< the star is in the other half of a mirrored sky
+};
+
+//! Pairs of a patch and a star that it may hold.
 struct PatchPairBatch {
   int count;
-  const BezierPatch* const* patch;
-  const float* a;  //!< (a, b): the star in gnomonic projection about the patch's axis
-  const float* b;
+  const SearchedPair* pairs;
+  const StarPatch* patches;  //!< all patches, by their number
 };
 
 //! Position of a star relative to the border of a patch.
@@ -24,11 +35,16 @@ struct PatchSideBatch {
   float* side;  //!< a PatchSide; `beside`: too near to the border to decide
 };
 
+//! Limits of Newton's method.
+struct NewtonLimits {
+  float farthest;  //!< maximum first step, as a fraction of the patch
+  int rounds;
+};
+
 //! Seeks each star by Newton's method from the middle of its patch.
 struct PatchNewtonBatch {
   PatchPairBatch pairs;
-  float farthest;  //!< maximum first step, as a fraction of the patch
-  int rounds;
+  NewtonLimits limits;
   float* found;  //!< 1 where the method has found the star, 0 elsewhere
   float* u;      //!< position found, which may lie outside [0, 1]²
   float* v;

@@ -8,6 +8,16 @@
 namespace ergodome::inline ERGO_TARGET {
 
 namespace detail {
+//! Gathers a number of the pairs first, first + 1, ..., one pair per lane.
+template <class T, class Number>
+ERGO_HD T gather_numbers(const PatchPairBatch& pairs, int first, const Number& number) {
+  T value;
+  for (int lane = 0; lane < RealTraits<T>::lane_count; ++lane) {
+    set_lane(value, lane, number(pairs.pairs[first + lane < pairs.count ? first + lane : pairs.count - 1]));
+  }
+  return value;
+}
+
 //! Gathers one coordinate of the control points `which` of the patches of pairs first, first + 1,
 //! ..., one patch per lane.
 template <class T, int Count>
@@ -15,7 +25,7 @@ ERGO_HD void gather_points(const PatchPairBatch& pairs, int first, const float (
                            const int (&which)[Count], T (&to)[Count]) {
   for (int lane = 0; lane < RealTraits<T>::lane_count; ++lane) {
     const int pair = first + lane < pairs.count ? first + lane : pairs.count - 1;
-    const float(&from)[16] = pairs.patch[pair]->*points;
+    const float(&from)[16] = pairs.patches[pairs.pairs[pair].patch].sky.*points;
     ERGO_UNROLL
     for (int i = 0; i < Count; ++i) {
       set_lane(to[i], lane, from[which[i]]);
@@ -23,41 +33,56 @@ ERGO_HD void gather_points(const PatchPairBatch& pairs, int first, const float (
   }
 }
 
+//! Computes the control points `which` of the patches of pairs first, first + 1, ... as their stars
+//! see them.
+template <class T, int Count>
+ERGO_HD void see_points(const PatchPairBatch& pairs, int first, const int (&which)[Count], T* p, T* q) {
+  T x[Count];
+  T y[Count];
+  T z[Count];
+  gather_points(pairs, first, &BezierPatch::x, which, x);
+  gather_points(pairs, first, &BezierPatch::y, which, y);
+  gather_points(pairs, first, &BezierPatch::z, which, z);
+  const T a = gather_numbers<T>(pairs, first, [](const SearchedPair& pair) { return pair.a; });
+  const T b = gather_numbers<T>(pairs, first, [](const SearchedPair& pair) { return pair.b; });
+  ERGO_UNROLL
+  for (int i = 0; i < Count; ++i) {
+    p[i] = x[i] - a * z[i];
+    q[i] = y[i] - b * z[i];
+  }
+}
+}  // namespace detail
+
 //! Returns the patches of the pairs first, first + 1, ... as their stars see them.
 template <class T>
 ERGO_HD SeenPatch<T> see_patches(const PatchPairBatch& pairs, int first) {
   constexpr int all[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-  T z[16];
   SeenPatch<T> patch;
-  gather_points(pairs, first, &BezierPatch::x, all, patch.p);
-  gather_points(pairs, first, &BezierPatch::y, all, patch.q);
-  gather_points(pairs, first, &BezierPatch::z, all, z);
-  const T a = load_lanes<T>(pairs.a, first, pairs.count);
-  const T b = load_lanes<T>(pairs.b, first, pairs.count);
-  ERGO_UNROLL
-  for (int i = 0; i < 16; ++i) {
-    patch.p[i] = patch.p[i] - a * z[i];
-    patch.q[i] = patch.q[i] - b * z[i];
-  }
+  detail::see_points(pairs, first, all, patch.p, patch.q);
   return patch;
 }
-}  // namespace detail
 
-//! Seeks stars in patches by Newton's method; index i stands for the pairs i * lanes, i * lanes +
-//! 1, ...
+//! Seeks the stars of the pairs first, first + 1, ... by Newton's method from the middle of their
+//! patches.
+template <class T>
+ERGO_HD PatchRoot<T> invert_patches(const PatchPairBatch& pairs, int first, const NewtonLimits& limits) {
+  return newton_on_patch(see_patches<T>(pairs, first), T(0.0F) < T(1.0F), {T(0.5F), T(0.5F)}, limits.farthest,
+                         limits.rounds);
+}
+
+//! Seeks stars in patches; index i stands for the pairs i * lanes, i * lanes + 1, ...
 template <class T>
 struct InvertPatches {
   const PatchNewtonBatch& batch;
 
   ERGO_HD void operator()(int index) const {
-    const PatchPairBatch& pairs = batch.pairs;
+    const int count = batch.pairs.count;
     const int first = index * RealTraits<T>::lane_count;
-    const PatchRoot<T> root = newton_on_patch(detail::see_patches<T>(pairs, first), T(0.0F) < T(1.0F),
-                                              {T(0.5F), T(0.5F)}, batch.farthest, batch.rounds);
-    store_lanes(batch.found, first, pairs.count, select(root.found, T(1.0F), T(0.0F)));
-    store_lanes(batch.u, first, pairs.count, root.at.u);
-    store_lanes(batch.v, first, pairs.count, root.at.v);
-    store_lanes(batch.area, first, pairs.count, root.area);
+    const PatchRoot<T> root = invert_patches<T>(batch.pairs, first, batch.limits);
+    store_lanes(batch.found, first, count, select(root.found, T(1.0F), T(0.0F)));
+    store_lanes(batch.u, first, count, root.at.u);
+    store_lanes(batch.v, first, count, root.at.v);
+    store_lanes(batch.area, first, count, root.area);
   }
 };
 
@@ -73,14 +98,20 @@ struct FindPatchSides {
   const PatchSideBatch& batch;
 
   ERGO_HD void operator()(int index) const {
+    const int first = index * RealTraits<T>::lane_count;
+    store_lanes(batch.side, first, batch.pairs.count, sides(batch.pairs, first));
+  }
+
+  //! Returns the PatchSide of the pairs first, first + 1, ...
+  ERGO_HD static T sides(const PatchPairBatch& pairs, int first) {
     // Round the patch: along its first row, up the last column, back along the last row, down the
     // first column.
     constexpr int border[12] = {0, 1, 2, 3, 7, 11, 15, 14, 13, 12, 8, 4};
-    const PatchPairBatch& pairs = batch.pairs;
-    const int first = index * RealTraits<T>::lane_count;
     T p[13];
     T q[13];
-    load_border(pairs, first, border, p, q);
+    detail::see_points(pairs, first, border, p, q);
+    p[12] = p[0];
+    q[12] = q[0];
     Round round{T(0.0F), T(1.0F) < T(0.0F)};
     T length[4];
     for (int side = 0; side < 4; ++side) {
@@ -92,7 +123,7 @@ struct FindPatchSides {
       go_along(p + 3 * side, q + 3 * side, across * (2.0F * beyond_patch) + T(rounding), round);
     }
     const T inside = select(absolute(round.turns) > T(0.5F), T(1.0F), T(0.0F));
-    store_lanes(batch.side, first, pairs.count, select(round.beside, T(2.0F), inside));
+    return select(round.beside, T(2.0F), inside);
   }
 
  private:
@@ -105,25 +136,6 @@ struct FindPatchSides {
     T turns;  //!< winding number about the star
     Mask beside;
   };
-
-  //! Loads the control points of a border as seen from the stars; the first is repeated at the end.
-  ERGO_HD static void load_border(const PatchPairBatch& pairs, int first, const int (&border)[12], T (&p)[13],
-                                  T (&q)[13]) {
-    T x[12];
-    T y[12];
-    T z[12];
-    detail::gather_points(pairs, first, &BezierPatch::x, border, x);
-    detail::gather_points(pairs, first, &BezierPatch::y, border, y);
-    detail::gather_points(pairs, first, &BezierPatch::z, border, z);
-    const T a = load_lanes<T>(pairs.a, first, pairs.count);
-    const T b = load_lanes<T>(pairs.b, first, pairs.count);
-    for (int i = 0; i < 12; ++i) {
-      p[i] = x[i] - a * z[i];
-      q[i] = y[i] - b * z[i];
-    }
-    p[12] = p[0];
-    q[12] = q[0];
-  }
 
   ERGO_HD static void go_along(const T* p, const T* q, const T& margin, Round& round) {
     const T slack = chord_error(p, q) + margin;

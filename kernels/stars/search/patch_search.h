@@ -5,45 +5,14 @@
 #include "kernels/launch/kernel.h"
 #include "kernels/spacetime/kerr/camera_station.h"
 #include "kernels/spacetime/kerr/frame_boost.h"
-#include "kernels/stars/field_star.h"
-#include "kernels/stars/search/mended_leaf.h"
 #include "kernels/stars/search/rough_image.h"
-#include "kernels/stars/search/star_patch.h"
+#include "kernels/stars/search/search_inputs.h"
+#include "kernels/stars/search/seen_parts.h"
 #include "kernels/stars/seen_image.h"
-#include "kernels/stars/star_bands.h"
 
-// The search for images of stars in the patches of a lens grid on the GPU: its data and its steps.
+// The GPU's driver of the search for images of stars in the patches of a lens grid: its data, and
+// the order of its launches. The steps themselves are in search_steps.h.
 namespace ergodome {
-
-//! Maximum number of levels of a star field; each has a quarter of the previous one's stars.
-inline constexpr int most_star_levels = 16;
-
-//! The brightest stars, sorted by their position on the sky.
-struct StarLevel {
-  StarBands stars;
-  const std::int32_t* number;  //!< number of each star in the field
-  const std::uint8_t* colour;  //!< class of each star
-  float left_out;              //!< illuminance of the brightest star that is not in this level
-};
-
-//! A field of stars as the search reads it (render/passes/stars/star_field.h).
-struct SearchedField {
-  StarLevel levels[most_star_levels];  //!< all stars first, then ever fewer
-  int level_count;
-  const FieldStar* stars;
-  const ShiftGain* gains;      //!< one per row of shifts
-  const float* greatest_gain;  //!< maximum gain of the stars in the field, for each row
-};
-
-//! A star that a patch may hold.
-struct SearchedPair {
-  std::int32_t patch;
-  std::int32_t star;  //!< number in the field
-  float depth;        //!< cosine of the angle to the patch's axis
-  float a;            //!< (a, b): the star in gnomonic projection about the patch's axis
-  float b;
-  bool mirrored;
-};
 
 //! A list to which many threads append in nondeterministic order.
 template <class T>
@@ -76,34 +45,22 @@ enum class PatchSearchStep {
   bent,
   see_folded,
   halve,
-  solve_plain,
+  solve_regular,
   solve_folded,
-  tell_plain,
-  tell_folded,
+  list_regular,
+  list_folded,
   take_roots
 };
 
 //! The search for images of stars in the patches of a lens, on the GPU: several threads per patch,
 //! then one per pair. On the CPU, RoughImageFinder works on packs of pairs.
 struct PatchSearchBatch {
-  const StarPatch* patches;
-  int patch_count;
-  int sides;          //!< 2 if the grid covers half of a sky that is its own mirror image, else 1
-  int patch_threads;  //!< threads that share the stars of a patch, as some patches hold thousands
-  //! Axis of the cone in which images are sought, in the observer's frame.
-  Vector3<double> view_axis;
-  double view_half_angle;  //!< half angle of that cone [rad]
-  double view_cosine;
-  SkyTurn turn;  //!< to the camera's azimuth
-  double sine_phi;
-  double cosine_phi;
-  float faintest;  //!< images of lower illuminance are left out [lx]
-  SearchedField field;
-  MendedLeaves mended;
+  SearchInputs inputs;
+  int patch_threads;                  //!< threads that share the stars of a patch, as some patches hold thousands
   SharedList<SearchedPair> pairs[3];  //!< one list for each shape of patch
   //! Images that need no rays are completed here and stored in `exact` instead of `images`. The
   //! members from `chart` to `exact` serve this.
-  bool judges;
+  bool completes;
   LensChart chart;
   //! Energy at infinity of light that arrives from a rain-frame direction with energy 1.
   DirectionForm<float> energy;
@@ -115,17 +72,18 @@ struct PatchSearchBatch {
   int deepest;  //!< maximum number of halvings of a patch
   //! First pair of the slice; a slice has at most most_searched_together pairs of folded patches.
   int first_folded;
-  SharedParts halved[2];     //!< used alternately: parts to be halved, and their halves
-  SharedParts plain_parts;   //!< nearly affine parts
-  SharedParts folded_parts;  //!< all others that are not to be halved
-  FoldedRoot* plain_roots;   //!< one for each plain part; without a root its area is NaN
-  FoldedRoot* folded_roots;  //!< two for each folded part
-  //! Roots of each pair of a folded patch, in two lists: from plain parts, then from folded parts.
-  //! Each list has told_counts roots, which begin at told_first in `told`. While the lists are
-  //! filled, told_counts is the number of roots stored so far.
-  std::int32_t* told_counts;
-  std::int32_t* told_first;
-  FoldedRoot* told;
+  SharedParts halved[2];      //!< used alternately: parts to be halved, and their halves
+  SharedParts regular_parts;  //!< nearly affine parts
+  SharedParts folded_parts;   //!< all others that are not to be halved
+  //! Roots: one for each regular part, two for each folded part. Without a root, the area is NaN.
+  FoldedRoot* regular_roots;
+  FoldedRoot* folded_roots;
+  //! Roots of each pair of a folded patch, in two lists: from regular parts, then from folded parts.
+  //! Each list has root_counts roots, which begin at root_first in `roots`. While the lists are
+  //! filled, root_counts is the number of roots stored so far.
+  std::int32_t* root_counts;
+  std::int32_t* root_first;
+  FoldedRoot* roots;
   PatchSearchStep step = PatchSearchStep::find_pairs;
   int count = 0;  //!< number of patches, pairs or parts of this step
   int depth = 0;  //!< number of halvings of the parts to halve

@@ -1,11 +1,72 @@
 #pragma once
 
-#include "kernels/stars/search/folded_pairs_kernel.h"
-#include "kernels/stars/search/keep_root.h"
-#include "kernels/stars/search/patch_pairs_kernel.h"
+#include <limits>
 
-// The steps of the search for images of stars on the GPU.
+#include "kernels/core/shared_counter.h"
+#include "kernels/stars/observed_places_kernel.h"
+#include "kernels/stars/search/part_halving_kernel.h"
+#include "kernels/stars/search/part_solving_kernel.h"
+#include "kernels/stars/search/patch_pairs_kernel.h"
+#include "kernels/stars/search/patch_search.h"
+#include "kernels/stars/search/search_steps.h"
+#include "kernels/stars/search/star_bands_kernel.h"
+
+// The launches of the search for images of stars on the GPU: each runs a step for one patch, pair
+// or part per thread.
 namespace ergodome::inline ERGO_TARGET {
+
+namespace detail {
+template <class T>
+ERGO_HD void append(const SharedList<T>& list, const T& value) {
+  const int at = count_up(list.count);
+  if (at < list.room) {
+    list.at[at] = value;
+  }
+}
+
+ERGO_HD const SharedList<SearchedPair>& pairs_in(const PatchSearchBatch& batch, PatchShape shape) {
+  return batch.pairs[static_cast<int>(shape)];
+}
+
+//! Returns whether a list has an element with this index.
+template <class List>
+ERGO_HD bool is_listed(const List& list, int index) {
+  return index < *list.count && index < list.room;
+}
+
+//! Returns the parts of a list up to `last`.
+ERGO_HD SeenParts parts_to(const SharedParts& list, int last) { return {list.at, list.room, last + 1}; }
+
+//! Keeps the image at a root of a pair's patch if it may be bright enough. Completes it if it needs
+//! no rays.
+ERGO_HD void keep_root(const PatchSearchBatch& batch, const SearchedPair& pair, const FoldedRoot& root) {
+  RoughImage image{};
+  if (!image_at_root(batch.inputs, pair, root, image)) {
+    return;
+  }
+  if (!image.exact || !batch.completes) {
+    return append(batch.images, image);
+  }
+  Vector3<float> direction{};
+  float area = 0.0F;
+  float frequency_ratio = 0.0F;
+  const ObservedPlaceBatch place = {batch.chart,
+                                    batch.energy,
+                                    batch.observer,
+                                    1,
+                                    &image.gamma_turns,
+                                    &image.s,
+                                    {&direction.x, &direction.y, &direction.z},
+                                    &area,
+                                    &frequency_ratio};
+  ObservePlaces<float>{place}(0);
+  SeenImage found{};
+  if (complete_image(batch.inputs.view, batch.colours, batch.look, pair.star, batch.inputs.field.stars[pair.star],
+                     direction, frequency_ratio, image.sky / area, found)) {
+    append(batch.exact, found);
+  }
+}
+}  // namespace detail
 
 //! Finds the stars that a patch may hold and that are bright enough. Index i is thread i %
 //! patch_threads of side i / patch_threads; side j is side j % sides of patch j / sides.
@@ -13,118 +74,196 @@ struct FindPatchPairs {
   PatchSearchBatch batch;
 
   ERGO_HD void operator()(int index) const {
+    const SearchInputs& inputs = batch.inputs;
     const int side = index / batch.patch_threads;
-    const int thread = index % batch.patch_threads;
-    const int number = side / batch.sides;
-    const bool mirrored = side % batch.sides == 1;
-    const StarPatch& patch = batch.patches[number];
-    if (!may_be_seen(patch, mirrored)) {
-      return;
+    const int number = side / inputs.sides;
+    const bool mirrored = side % inputs.sides == 1;
+    const StarPatch& patch = inputs.patches[number];
+    if (may_be_seen(inputs.view, patch, mirrored)) {
+      search_field<float>(inputs.field, turned(patch.part, inputs.turn, mirrored), floor_of(patch, inputs.faintest),
+                          index % batch.patch_threads, batch.patch_threads, [&](int star) {
+                            detail::append(detail::pairs_in(batch, patch.shape),
+                                           pair_of(inputs, number, mirrored, star));
+                          });
     }
-    const SearchedField& field = batch.field;
-    const float floor = batch.faintest / (patch.light.brighter * patch.magnification);
-    const ShiftGain& gain = field.gains[patch.light.shift_row];
-    const float faintest = floor / field.greatest_gain[patch.light.shift_row];
-    const StarLevel& level = level_for(faintest);
-    const SkyPart part = turned(patch.part, batch.turn, mirrored);
-    const CellRange range = cells_of(part.bounds, level.stars);
-    const int end_cell = range.first_cell + range.cell_count;
-    const auto search = [&](int first, int last) {
-      for (int at = first + thread; at < last; at += batch.patch_threads) {
-        if (level.stars.illuminance[at] >= faintest && is_within(part, level.stars, at) &&
-            level.stars.illuminance[at] * gain.gain[level.colour[at]] >= floor) {
-          add(patch, number, mirrored, level.number[at]);
-        }
-      }
-    };
-    for (int band = range.first_band; band < range.last_band; ++band) {
-      const int* const first = level.stars.first + static_cast<long>(band) * level.stars.cells;
-      if (end_cell <= level.stars.cells) {
-        search(first[range.first_cell], first[end_cell]);
-      } else {
-        search(first[range.first_cell], first[level.stars.cells]);
-        search(first[0], first[end_cell - level.stars.cells]);
-      }
-    }
-  }
-
- private:
-  [[nodiscard]] ERGO_HD bool may_be_seen(const StarPatch& patch, bool mirrored) const {
-    const Vector3<double> way = {static_cast<double>(patch.seen.x),
-                                 static_cast<double>(mirrored ? -patch.seen.y : patch.seen.y),
-                                 static_cast<double>(patch.seen.z)};
-    return cone_may_touch(batch.view_axis, batch.view_half_angle, batch.view_cosine, way,
-                          static_cast<double>(patch.seen_radius));
-  }
-
-  //! Returns the smallest level that contains all stars of at least this illuminance.
-  [[nodiscard]] ERGO_HD const StarLevel& level_for(float faintest) const {
-    for (int i = batch.field.level_count - 1; i > 0; --i) {
-      if (batch.field.levels[i].left_out < faintest) {
-        return batch.field.levels[i];
-      }
-    }
-    return batch.field.levels[0];
-  }
-
-  static ERGO_HD bool is_within(const SkyPart& part, const StarBands& stars, int at) {
-    bool held = true;
-    for (const auto& inward : part.inward) {
-      held = held && inward[0] * stars.direction[0][at] + inward[1] * stars.direction[1][at] +
-                             inward[2] * stars.direction[2][at] >=
-                         0.0F;
-    }
-    return held;
-  }
-
-  ERGO_HD void add(const StarPatch& patch, int number, bool mirrored, int star) const {
-    const Vector3<double> d = detail::as_patches_see(batch, batch.field.stars[star].direction, mirrored);
-    const double depth = dot(d, patch.frame.axis);
-    detail::append(batch.pairs[static_cast<int>(patch.shape)],
-                   {number, star, static_cast<float>(depth), static_cast<float>(dot(d, patch.frame.first) / depth),
-                    static_cast<float>(dot(d, patch.frame.second) / depth), mirrored});
   }
 };
 
-//! Seeks the star of pair i in its patch by Newton's method from the middle. Undecided pairs of
-//! bent patches are left to the search of folded ones.
+//! Seeks the star of pair i in its patch by Newton's method from the middle. Undecided pairs are
+//! left to the search of folded ones.
 template <PatchShape Shape>
 struct InvertPair {
   PatchSearchBatch batch;
 
   ERGO_HD void operator()(int index) const {
-    const SharedList<SearchedPair>& pairs = batch.pairs[static_cast<int>(Shape)];
-    if (index >= *pairs.count || index >= pairs.room) {
+    const SharedList<SearchedPair>& list = detail::pairs_in(batch, Shape);
+    if (!detail::is_listed(list, index)) {
       return;
     }
-    const SearchedPair pair = pairs.at[index];
-    const BezierPatch* const sky = &batch.patches[pair.patch].sky;
-    const PatchPairBatch one = {1, &sky, &pair.a, &pair.b};
-    float side = 0.0F;
+    const PatchPairBatch pairs = {index + 1, list.at, batch.inputs.patches};
+    auto side = PatchSide::inside;
     if constexpr (Shape == PatchShape::bent) {
-      const PatchSideBatch sides = {one, &side};
-      FindPatchSides<float>{sides}(0);
-      if (side == static_cast<float>(PatchSide::outside)) {
+      side = static_cast<PatchSide>(FindPatchSides<float>::sides(pairs, index));
+      if (side == PatchSide::outside) {
         return;
       }
     }
-    float found = 0.0F;
-    FoldedRoot root{};
-    const bool regular = Shape == PatchShape::regular;
-    const PatchNewtonBatch newton = {one,
-                                     regular ? farthest_regular : any_step,
-                                     regular ? rounds_regular : rounds_bent,
-                                     &found,
-                                     &root.u,
-                                     &root.v,
-                                     &root.area};
-    InvertPatches<float>{newton}(0);
-    const PatchPlace<float> place = {root.u, root.v};
-    if (found != 0.0F && within_patch(place, beyond_patch)) {
-      keep_root(batch, pair, root);
-    } else if (!regular &&
-               (side == static_cast<float>(PatchSide::inside) || found == 0.0F || !within_patch(place, near_outside))) {
-      detail::append(batch.pairs[static_cast<int>(PatchShape::folded)], pair);
+    const PatchRoot<float> root = invert_patches<float>(pairs, index, newton_limits(Shape));
+    switch (pair_result(Shape, side, root.found, root.at.u, root.at.v)) {
+      case PairResult::image:
+        return detail::keep_root(batch, list.at[index], {root.at.u, root.at.v, root.area});
+      case PairResult::undecided:
+        return detail::append(detail::pairs_in(batch, PatchShape::folded), list.at[index]);
+      case PairResult::no_image:
+        break;
+    }
+  }
+};
+
+//! Writes the patch of a folded pair, as its star sees it, to the first list of parts, and counts
+//! it there. `index`: the pair within the slice.
+struct SeeFoldedPair {
+  PatchSearchBatch batch;
+
+  ERGO_HD void operator()(int index) const {
+    const SharedList<SearchedPair>& list = detail::pairs_in(batch, PatchShape::folded);
+    if (!detail::is_listed(list, batch.first_folded + index)) {
+      return;
+    }
+    const PatchPairBatch pairs = {index + 1, list.at + batch.first_folded, batch.inputs.patches};
+    const SharedParts& to = batch.halved[0];
+    // Indices within a slice are small enough to be exact in float.
+    store_parts(whole_patches<float>(pairs, index),
+                [&](int channel, float value) { to.at[static_cast<long>(channel) * to.room + index] = value; });
+    count_up(to.count);
+  }
+};
+
+//! Halves a part that has been halved `batch.depth` times, and drops halves whose control points
+//! exclude the star.
+struct HalveSeenPart {
+  PatchSearchBatch batch;
+
+  ERGO_HD void operator()(int index) const {
+    const int depth = batch.depth;
+    const SharedParts& from = batch.halved[depth % 2];
+    if (!detail::is_listed(from, index)) {
+      return;
+    }
+    const auto append = [&](PartList list, const SeenPart<float>& half, unsigned chosen) {
+      if (chosen == 0) {
+        return;
+      }
+      const SharedParts& to = list == to_halve        ? batch.halved[1 - depth % 2]
+                              : list == regular_parts ? batch.regular_parts
+                                                      : batch.folded_parts;
+      const std::int32_t at = count_up(to.count);
+      if (at >= to.room) {
+        count_up(to.lost);
+        return;
+      }
+      store_parts(half, [&](int channel, float value) { to.at[static_cast<long>(channel) * to.room + at] = value; });
+    };
+    halve_parts<float>(detail::parts_to(from, index), index, index + 1, depth, append);
+  }
+};
+
+//! Returns whether an entry holds a root. Entries without one have an area of NaN.
+ERGO_HD bool is_root(const FoldedRoot& root) { return root.area == root.area; }
+
+//! Finds the roots of a part that is not to be halved, and counts them.
+template <bool Folded>
+struct SolveSeenPart {
+  static constexpr int most = Folded ? most_part_roots : 1;
+  PatchSearchBatch batch;
+
+  ERGO_HD void operator()(int index) const {
+    const SharedParts& from = Folded ? batch.folded_parts : batch.regular_parts;
+    if (!detail::is_listed(from, index)) {
+      return;
+    }
+    const PartRoots<float> solved = solve_parts<float>(detail::parts_to(from, index), index, Folded);
+    FoldedRoot* const roots = (Folded ? batch.folded_roots : batch.regular_roots) + static_cast<long>(most) * index;
+    const int pair = static_cast<int>(from.at[static_cast<long>(part_pair) * from.room + index]);
+    for (int i = 0; i < most; ++i) {
+      const PatchRoot<float>& root = solved.root[i];
+      roots[i] = {root.at.u, root.at.v, root.found ? root.area : std::numeric_limits<float>::quiet_NaN()};
+      if (is_root(roots[i])) {
+        count_up(batch.root_counts + 2 * pair + (Folded ? 1 : 0));
+      }
+    }
+  }
+};
+
+//! Lists the roots of a part for its pair.
+template <bool Folded>
+struct ListRoots {
+  PatchSearchBatch batch;
+
+  ERGO_HD void operator()(int index) const {
+    const SharedParts& from = Folded ? batch.folded_parts : batch.regular_parts;
+    if (!detail::is_listed(from, index)) {
+      return;
+    }
+    constexpr int most = SolveSeenPart<Folded>::most;
+    const FoldedRoot* const roots =
+        (Folded ? batch.folded_roots : batch.regular_roots) + static_cast<long>(most) * index;
+    const int pair = static_cast<int>(from.at[static_cast<long>(part_pair) * from.room + index]);
+    const int list = 2 * pair + (Folded ? 1 : 0);
+    for (int i = 0; i < most; ++i) {
+      if (is_root(roots[i])) {
+        batch.roots[batch.root_first[list] + count_up(batch.root_counts + list)] = roots[i];
+      }
+    }
+  }
+};
+
+//! Keeps each distinct root of pair `index`. Roots of regular parts come first, as in
+//! FoldedSearch, since room for roots is limited.
+struct TakeRoots {
+  PatchSearchBatch batch;
+
+  ERGO_HD void operator()(int index) const {
+    const SharedList<SearchedPair>& list = detail::pairs_in(batch, PatchShape::folded);
+    if (!detail::is_listed(list, batch.first_folded + index)) {
+      return;
+    }
+    const SearchedPair pair = list.at[batch.first_folded + index];
+    const int wanted = roots_wanted(batch.inputs.patches[pair.patch]);
+    FoldedRoot taken[most_roots];
+    int count = 0;
+    for (int i = 2 * index; i < 2 * index + 2; ++i) {
+      take(batch.roots + batch.root_first[i], batch.root_first[i + 1] - batch.root_first[i], wanted, taken, count);
+    }
+    for (int i = 0; i < count; ++i) {
+      detail::keep_root(batch, pair, taken[i]);
+    }
+  }
+
+ private:
+  static ERGO_HD bool comes_before(const FoldedRoot& a, const FoldedRoot& b) {
+    return a.u < b.u || (a.u == b.u && (a.v < b.v || (a.v == b.v && a.area < b.area)));
+  }
+
+  //! Takes roots in the order of their positions, since threads list them in nondeterministic
+  //! order. Few of possibly hundreds are taken. A rejected root stays rejected, so each pass takes
+  //! the next root that is accepted.
+  ERGO_HD static void take(const FoldedRoot* listed, int listed_count, int wanted, FoldedRoot (&taken)[most_roots],
+                           int& count) {
+    const int before = count;
+    bool more = true;
+    while (more) {
+      int next = -1;
+      for (int i = 0; i < listed_count; ++i) {
+        if ((count == before || comes_before(taken[count - 1], listed[i])) &&
+            (next < 0 || comes_before(listed[i], listed[next])) && may_add_root(taken, count, wanted, listed[i])) {
+          next = i;
+        }
+      }
+      more = next >= 0;
+      if (more) {
+        taken[count++] = listed[next];
+      }
     }
   }
 };
@@ -142,14 +281,14 @@ void dispatch(const PatchSearchBatch& batch, const Action& action) {
       return action(SeeFoldedPair{batch});
     case PatchSearchStep::halve:
       return action(HalveSeenPart{batch});
-    case PatchSearchStep::solve_plain:
+    case PatchSearchStep::solve_regular:
       return action(SolveSeenPart<false>{batch});
     case PatchSearchStep::solve_folded:
       return action(SolveSeenPart<true>{batch});
-    case PatchSearchStep::tell_plain:
-      return action(TellRoots<false>{batch});
-    case PatchSearchStep::tell_folded:
-      return action(TellRoots<true>{batch});
+    case PatchSearchStep::list_regular:
+      return action(ListRoots<false>{batch});
+    case PatchSearchStep::list_folded:
+      return action(ListRoots<true>{batch});
     case PatchSearchStep::take_roots:
       break;
   }

@@ -14,7 +14,7 @@ enum PartChannel : int {
   part_q = 16,  //!< and q = y - b z; both are 0 at the star
   part_u = 32,  //!< where the part begins in the patch
   part_v = 33,
-  part_size_u = 34,  //!< size as a fraction of the patch; not set for whole patches
+  part_size_u = 34,  //!< size as a fraction of the patch
   part_size_v = 35,
   part_pair = 36,   //!< index of the pair
   part_error = 37,  //!< distance by which the patch may miss the sky, in its plane
@@ -30,16 +30,22 @@ struct SeenParts {
   int count;
 };
 
-//! Converts whole patches to what their stars see. Arrays have one element for each pair.
+//! Converts whole patches to what their stars see.
 struct SeePatchesBatch {
   PatchPairBatch pairs;
-  const float* error;  //!< see PartChannel
-  const float* halvings;
   SeenParts whole;  //!< needs room for `pairs.count` parts
 };
 
 //! Extra room that a list of parts needs behind its last element, since packs are written whole.
 inline constexpr int part_padding = 16;
+
+//! Lists to which the halves of parts are added.
+enum PartList : int {
+  to_halve,       //!< to be halved again
+  regular_parts,  //!< nearly affine: Newton's method finds the only root
+  folded_parts,   //!< all others that are not to be halved
+  part_lists
+};
 
 //! Halves parts that have been halved `depth` times, and sorts the halves whose control points may
 //! enclose the star into lists.
@@ -48,10 +54,8 @@ struct HalvePartsBatch {
   int first;  //!< first part to be halved
   int last;   //!< one past the last
   int depth;
-  // Each list needs room for two halves per part, plus part_padding.
-  SeenParts* halves;   //!< to be halved again
-  SeenParts* regular;  //!< nearly affine: Newton's method finds the only root
-  SeenParts* folded;   //!< all others that are not to be halved
+  //! By PartList. Each list needs room for two halves per part, plus part_padding.
+  SeenParts* lists[part_lists];
 };
 
 //! Maximum number of roots of a part: a root and its twin across a fold, or two guesses.

@@ -13,16 +13,52 @@ struct SeenPatch {
   T q[16];
 };
 
-//! Loads the control points of the parts first, first + 1, ...
+//! Parts of patches as stars see them, one in each lane, with their other channels.
 template <class T>
-ERGO_HD SeenPatch<T> load_patch(const SeenParts& parts, int first) {
+struct SeenPart {
   SeenPatch<T> patch;
+  T u, v;
+  T size_u, size_v;
+  T pair, error, halvings;
+};
+
+//! Loads the parts first, first + 1, ...
+template <class T>
+ERGO_HD SeenPart<T> load_parts(const SeenParts& parts, int first) {
+  const auto load = [&](int channel) {
+    return load_lanes<T>(parts.at + static_cast<long>(channel) * parts.room, first, parts.count);
+  };
+  SeenPart<T> part;
   ERGO_UNROLL
   for (int i = 0; i < 16; ++i) {
-    patch.p[i] = load_lanes<T>(parts.at + (part_p + i) * parts.room, first, parts.count);
-    patch.q[i] = load_lanes<T>(parts.at + (part_q + i) * parts.room, first, parts.count);
+    part.patch.p[i] = load(part_p + i);
+    part.patch.q[i] = load(part_q + i);
   }
-  return patch;
+  part.u = load(part_u);
+  part.v = load(part_v);
+  part.size_u = load(part_size_u);
+  part.size_v = load(part_size_v);
+  part.pair = load(part_pair);
+  part.error = load(part_error);
+  part.halvings = load(part_halvings);
+  return part;
+}
+
+//! Calls store(channel, value) for each channel of parts.
+template <class T, class Store>
+ERGO_HD void store_parts(const SeenPart<T>& part, const Store& store) {
+  ERGO_UNROLL
+  for (int i = 0; i < 16; ++i) {
+    store(part_p + i, part.patch.p[i]);
+    store(part_q + i, part.patch.q[i]);
+  }
+  store(part_u, part.u);
+  store(part_v, part.v);
+  store(part_size_u, part.size_u);
+  store(part_size_v, part.size_v);
+  store(part_pair, part.pair);
+  store(part_error, part.error);
+  store(part_halvings, part.halvings);
 }
 
 //! Evaluates patches at (u, v), which may lie outside [0, 1]². The patches are already relative to

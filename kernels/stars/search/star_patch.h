@@ -1,10 +1,48 @@
 #pragma once
 
+#include "kernels/core/host_device.h"
+#include "kernels/core/vector3.h"
 #include "kernels/stars/search/bezier_patch.h"
-#include "kernels/stars/search/sky_part.h"
 
-// Patches of a lens grid in which images of stars are sought.
+// Patches of a lens grid in which images of stars are sought, and the parts of the sky that they
+// cover.
 namespace ergodome {
+
+//! Orthonormal axes of the sky, aligned with a patch.
+struct PatchFrame {
+  Vector3<double> first;   //!< along the patch's long side
+  Vector3<double> second;  //!< along its narrow side
+  Vector3<double> axis;    //!< to its middle
+};
+
+//! Range of heights and azimuths of a part of the sky.
+struct SkyBounds {
+  float low;          //!< minimum height z
+  float high;         //!< maximum height z
+  float turns;        //!< where its azimuths begin, in [0, 1)
+  float width_turns;  //!< range of azimuths; 1 about a pole
+};
+
+//! A frustum in which stars are sought.
+struct SkyPart {
+  float inward[4][3];  //!< inward normals of its four sides
+  SkyBounds bounds;
+};
+
+//! A rotation by φ about z.
+struct SkyTurn {
+  float turns;  //!< in [0, 1)
+  double sine;
+  double cosine;
+};
+
+//! Brightness threshold for stars: the illuminance, multiplied by the gain bound of the star's
+//! class in row `shift_row` of ShiftGains, must be at least `illuminance` [lx]. `illuminance` is
+//! not negative.
+struct StarFloor {
+  float illuminance;
+  int shift_row;
+};
 
 //! Upper limit of the brightening of stars for an observer: `brighter`, times the magnification in
 //! the rain frame, times the gain of the star's class in that row of ShiftGains.
@@ -38,4 +76,36 @@ struct StarPatch {
   float magnification;
 };
 
+inline namespace ERGO_TARGET {
+
+//! Returns the part after mirroring it at the equator, if `mirrored`, and then rotating it.
+ERGO_HD SkyPart turned(const SkyPart& part, const SkyTurn& turn, bool mirrored) {
+  const auto sine = static_cast<float>(turn.sine);
+  const auto cosine = static_cast<float>(turn.cosine);
+  SkyPart other;
+  for (int side = 0; side < 4; ++side) {
+    const float(&n)[3] = part.inward[side];
+    other.inward[side][0] = cosine * n[0] - sine * n[1];
+    other.inward[side][1] = sine * n[0] + cosine * n[1];
+    other.inward[side][2] = mirrored ? -n[2] : n[2];
+  }
+  const SkyBounds& bounds = part.bounds;
+  const float turns = bounds.turns + turn.turns;
+  other.bounds = {mirrored ? -bounds.high : bounds.low, mirrored ? -bounds.low : bounds.high,
+                  turns < 1.0F ? turns : turns - 1.0F, bounds.width_turns};
+  return other;
+}
+
+//! Rotates a star's direction to the frame of the patches, which belong to a camera at φ = 0, and
+//! mirrors it if they cover the other half of a mirrored sky.
+ERGO_HD Vector3<double> as_patches_see(const SkyTurn& turn, const Vector3<double>& d, bool mirrored) {
+  return {turn.cosine * d.x + turn.sine * d.y, turn.cosine * d.y - turn.sine * d.x, mirrored ? -d.z : d.z};
+}
+
+//! Returns the threshold of stars that may have images of at least `faintest` lx in a patch.
+ERGO_HD StarFloor floor_of(const StarPatch& patch, float faintest) {
+  return {faintest / (patch.light.brighter * patch.magnification), patch.light.shift_row};
+}
+
+}  // namespace ERGO_TARGET
 }  // namespace ergodome

@@ -7,8 +7,8 @@
 #include "content/trajectory/lens_station.h"
 #include "kernels/sky/blackbody.h"
 #include "kernels/spacetime/kerr/frame_boost.h"
+#include "kernels/stars/search/rough_image.h"
 #include "kernels/stars/star_images.h"
-#include "render/passes/stars/search/rough_images.h"
 #include "render/passes/stars/search/star_patches.h"
 #include "render/passes/stars/star_eye.h"
 

@@ -5,8 +5,6 @@
 #include <numeric>
 
 #include "kernels/core/angles.h"
-#include "kernels/launch/launch.h"
-#include "kernels/stars/search/search_rules.h"
 
 namespace ergodome {
 
@@ -137,49 +135,6 @@ int StarField::count_from(const StarFloor& floor) const {
     }
   }
   return count;
-}
-
-const StarField::Level& StarField::level_for(float faintest) const {
-  const auto smallest =
-      std::find_if(levels_.rbegin(), levels_.rend(), [&](const Level& each) { return each.left_out < faintest; });
-  return smallest == levels_.rend() ? levels_.front() : *smallest;
-}
-
-int StarField::search(const SkyPart& part, const StarFloor& floor, std::vector<int>& found) const {
-  if (stars_.empty()) {
-    return 0;
-  }
-  const float faintest = floor.illuminance / greatest_gain_[static_cast<std::size_t>(floor.shift_row)];
-  const Level& level = level_for(faintest);
-  // Resizes once, so that neither the kernel requests memory nor each search clears it.
-  if (found.size() < level.number.size()) {
-    found.resize(level.number.size());
-  }
-  int count = 0;
-  StarSearchBatch batch{};
-  batch.stars = {level.bands,
-                 level.cells,
-                 level.first.data(),
-                 {level.direction[0].data(), level.direction[1].data(), level.direction[2].data()},
-                 level.illuminance.data()};
-  const CellRange range = cells_of(part.bounds, batch.stars);
-  batch.first_band = range.first_band;
-  batch.last_band = range.last_band;
-  batch.first_cell = range.first_cell;
-  batch.cell_count = range.cell_count;
-  std::copy_n(&part.inward[0][0], 12, &batch.inward[0][0]);
-  batch.faintest = faintest;
-  batch.found = found.data();
-  batch.count = &count;
-  run_on_this_thread(batch);
-  const ShiftGain& gain = gains_.row(floor.shift_row);
-  int kept = 0;
-  for (int i = 0; i < count; ++i) {
-    const auto at = static_cast<std::size_t>(found[static_cast<std::size_t>(i)]);
-    found[static_cast<std::size_t>(kept)] = level.number[at];
-    kept += level.illuminance[at] * gain.gain[level.colour[at]] >= floor.illuminance ? 1 : 0;
-  }
-  return kept;
 }
 
 }  // namespace ergodome

@@ -5,19 +5,10 @@
 
 #include "content/stars/star_catalogue.h"
 #include "kernels/sky/blackbody.h"
-#include "kernels/stars/search/patch_search.h"
+#include "kernels/stars/search/star_bands.h"
 #include "render/passes/stars/drawing/shift_gains.h"
-#include "render/passes/stars/search/sky_frustum.h"
 
 namespace ergodome {
-
-//! Brightness threshold for stars: the illuminance, multiplied by the gain bound of the star's
-//! class in row `shift_row` of ShiftGains, must be at least `illuminance` [lx]. `illuminance` is
-//! not negative.
-struct StarFloor {
-  float illuminance;
-  int shift_row = ShiftGains::unshifted_row();
-};
 
 //! Stars of a catalog, indexed by their position on the sky.
 class StarField {
@@ -35,11 +26,6 @@ class StarField {
 
   //! Returns the number of stars above the threshold, or a few more.
   [[nodiscard]] int count_from(const StarFloor& floor) const;
-
-  //! Writes the indices of the stars above the threshold in a part of the sky to the beginning of
-  //! `found`, enlarging it if necessary, and returns their number. Stars within 2e-7 rad of the
-  //! part's sides may or may not be included.
-  int search(const SkyPart& part, const StarFloor& floor, std::vector<int>& found) const;
 
   //! Returns the field for kernels. put(vector) returns the address at which kernels read the
   //! vector: that of a copy, or of its own data.
@@ -82,7 +68,6 @@ class StarField {
   void count_classes();
 
   [[nodiscard]] Level level_of(const std::vector<int>& numbers) const;
-  [[nodiscard]] const Level& level_for(float faintest) const;
 
   ShiftGains gains_;
   std::vector<float> greatest_gain_;  //!< per row, largest gain of the classes that occur

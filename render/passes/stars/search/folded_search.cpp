@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "kernels/launch/launch.h"
-#include "kernels/stars/search/search_rules.h"
+#include "kernels/stars/search/search_steps.h"
 
 namespace ergodome {
 
@@ -16,9 +16,10 @@ constexpr int block = 512;
 //! Number of pairs searched together: enough to fill the lanes, few enough for exact indices in
 //! floats.
 constexpr std::size_t most_pairs = 1 << 16;
+
 }  // namespace
 
-void FoldedSearch::PartList::reserve(int more) {
+void FoldedSearch::Parts::reserve(int more) {
   const int needed = parts.count + more + part_padding;
   if (needed <= parts.room) {
     return;
@@ -33,55 +34,50 @@ void FoldedSearch::PartList::reserve(int more) {
   parts.room = room;
 }
 
-void FoldedSearch::search(const PatchPairBatch& pairs, std::span<const FoldedPair> asked) {
-  counts_.assign(asked.size(), 0);
-  roots_.resize(asked.size() * most_roots);
-  for (std::size_t first = 0; first < asked.size(); first += most_pairs) {
-    const std::size_t count = std::min(most_pairs, asked.size() - first);
-    search_some({static_cast<int>(count), pairs.patch + first, pairs.a + first, pairs.b + first},
-                asked.subspan(first, count), first);
+void FoldedSearch::search(const PatchPairBatch& pairs) {
+  const auto count = static_cast<std::size_t>(pairs.count);
+  counts_.assign(count, 0);
+  roots_.resize(count * most_roots);
+  for (std::size_t first = 0; first < count; first += most_pairs) {
+    search_some({static_cast<int>(std::min(most_pairs, count - first)), pairs.pairs + first, pairs.patches}, first);
   }
 }
 
-void FoldedSearch::search_some(const PatchPairBatch& pairs, std::span<const FoldedPair> asked, std::size_t first) {
-  const std::size_t count = asked.size();
+void FoldedSearch::search_some(const PatchPairBatch& pairs, std::size_t first) {
   int deepest = 0;
-  asked_.resize(2 * count);
-  for (std::size_t i = 0; i < count; ++i) {
-    asked_[i] = asked[i].error;
-    asked_[count + i] = static_cast<float>(asked[i].halvings);
-    deepest = std::max(deepest, asked[i].halvings);
+  for (int i = 0; i < pairs.count; ++i) {
+    deepest = std::max(deepest, pairs.patches[pairs.pairs[i].patch].halvings);
   }
   level_.resize(std::max(level_.size(), static_cast<std::size_t>(deepest) + 2));
-  PartList& whole = level_[0];
+  Parts& whole = level_[0];
   whole.parts.count = 0;
   whole.reserve(pairs.count);
-  run_on_this_thread(SeePatchesBatch{pairs, asked_.data(), asked_.data() + count, whole.parts});
+  run_on_this_thread(SeePatchesBatch{pairs, whole.parts});
   whole.parts.count = pairs.count;
   regular_.parts.count = 0;
   folded_.parts.count = 0;
   halve(0);
-  solve(regular_, false, asked, first);
-  solve(folded_, true, asked, first);
+  solve(regular_, false, pairs, first);
+  solve(folded_, true, pairs, first);
 }
 
 void FoldedSearch::halve(int depth) {
-  PartList& from = level_[static_cast<std::size_t>(depth)];
-  PartList& to = level_[static_cast<std::size_t>(depth) + 1];
+  Parts& from = level_[static_cast<std::size_t>(depth)];
+  Parts& to = level_[static_cast<std::size_t>(depth) + 1];
   for (int first = 0; first < from.parts.count; first += block) {
     const int last = std::min(first + block, from.parts.count);
     to.parts.count = 0;
-    for (PartList* list : {&to, &regular_, &folded_}) {
+    for (Parts* list : {&to, &regular_, &folded_}) {
       list->reserve(2 * (last - first));
     }
-    run_on_this_thread(HalvePartsBatch{from.parts, first, last, depth, &to.parts, &regular_.parts, &folded_.parts});
+    run_on_this_thread(HalvePartsBatch{from.parts, first, last, depth, {&to.parts, &regular_.parts, &folded_.parts}});
     if (to.parts.count > 0) {
       halve(depth + 1);
     }
   }
 }
 
-void FoldedSearch::solve(PartList& leaves, bool folded, std::span<const FoldedPair> asked, std::size_t first) {
+void FoldedSearch::solve(const Parts& leaves, bool folded, const PatchPairBatch& pairs, std::size_t first) {
   const auto count = static_cast<std::size_t>(leaves.parts.count);
   if (count == 0) {
     return;
@@ -95,15 +91,13 @@ void FoldedSearch::solve(PartList& leaves, bool folded, std::span<const FoldedPa
     if (solved[i] != 0.0F) {
       const auto pair =
           static_cast<std::size_t>(leaves.parts.at[part_pair * leaves.parts.room + static_cast<int>(i % count)]);
-      add(first + pair, asked[pair], {solved[each + i], solved[2 * each + i], solved[3 * each + i]});
+      const FoldedRoot root = {solved[each + i], solved[2 * each + i], solved[3 * each + i]};
+      FoldedRoot* const roots = roots_.data() + (first + pair) * most_roots;
+      int& root_count = counts_[first + pair];
+      if (may_add_root(roots, root_count, roots_wanted(pairs.patches[pairs.pairs[pair].patch]), root)) {
+        roots[root_count++] = root;
+      }
     }
-  }
-}
-
-void FoldedSearch::add(std::size_t pair, const FoldedPair& asked, const FoldedRoot& root) {
-  FoldedRoot* const roots = roots_.data() + pair * most_roots;
-  if (may_add_root(roots, counts_[pair], asked.roots_wanted, root)) {
-    roots[counts_[pair]++] = root;
   }
 }
 

@@ -8,20 +8,13 @@
 
 namespace ergodome {
 
-//! Search parameters of a (patch, star) pair.
-struct FoldedPair {
-  int halvings;  //!< see PartChannel
-  float error;
-  int roots_wanted;  //!< 1 if the patch is one to one
-};
-
-//! Finds all positions at which possibly folded patches contain stars. Patches, as seen from one
-//! star each, are halved for as long as their control points leave room for the star. The kernels
-//! process parts of many pairs together.
+//! Finds all positions at which possibly folded patches contain stars, on the CPU. Patches, as seen
+//! from one star each, are halved for as long as their control points leave room for the star. The
+//! kernels process parts of many pairs together, depth first.
 class FoldedSearch {
  public:
-  //! Finds the roots of pairs; `asked` holds the parameters of each.
-  void search(const PatchPairBatch& pairs, std::span<const FoldedPair> asked);
+  //! Finds the roots of pairs.
+  void search(const PatchPairBatch& pairs);
 
   //! Returns the roots of a pair that the last search found.
   [[nodiscard]] std::span<const FoldedRoot> roots(std::size_t pair) const {
@@ -30,7 +23,7 @@ class FoldedSearch {
 
  private:
   //! A list of patch parts with its memory.
-  struct PartList {
+  struct Parts {
     std::vector<float> memory;
     SeenParts parts{};
 
@@ -38,16 +31,14 @@ class FoldedSearch {
     void reserve(int more);
   };
 
-  void search_some(const PatchPairBatch& pairs, std::span<const FoldedPair> asked, std::size_t first);
+  void search_some(const PatchPairBatch& pairs, std::size_t first);
   void halve(int depth);
-  void solve(PartList& leaves, bool folded, std::span<const FoldedPair> asked, std::size_t first);
-  void add(std::size_t pair, const FoldedPair& asked, const FoldedRoot& root);
+  void solve(const Parts& leaves, bool folded, const PatchPairBatch& pairs, std::size_t first);
 
-  std::vector<PartList> level_;  //!< parts by number of halvings
-  PartList regular_;
-  PartList folded_;
+  std::vector<Parts> level_;  //!< parts by number of halvings
+  Parts regular_;
+  Parts folded_;
   std::vector<float> solved_;      //!< output of the kernels
-  std::vector<float> asked_;       //!< input of the kernels
   std::vector<int> counts_;        //!< number of roots per pair
   std::vector<FoldedRoot> roots_;  //!< room for most_roots per pair
 };

@@ -1,7 +1,6 @@
 #include "render/passes/stars/search/image_joiner.h"
 
 #include "kernels/launch/launch.h"
-#include "kernels/stars/search/star_twins.h"
 
 namespace ergodome {
 
@@ -11,18 +10,20 @@ ImageJoiner::ImageJoiner(Backend backend, std::size_t stars)
       counts_(backend, stars, "star images"),
       first_(backend, stars + 1, "star images") {}
 
-PlacedImages ImageJoiner::join(const FoundInPlace& found, const std::vector<SeenImage>& others, double pixel) {
+PlacedImages ImageJoiner::join(const FoundInPlace& found, const std::vector<SeenImage>& others, double pixel,
+                               ImageOrder order) {
   const auto stars = static_cast<std::size_t>(stars_);
   reserve(backend_, others.size(), "star images", others_);
   others_.write(others.data(), others.size());
-  StarTwinBatch batch{{found.images, others_.data()},
-                      {found.count, static_cast<int>(others.size())},
-                      stars_,
-                      pixel,
-                      counts_.data(),
-                      first_.data(),
-                      nullptr,
-                      nullptr};
+  ImageJoinBatch batch{{found.images, others_.data()},
+                       {found.count, static_cast<int>(others.size())},
+                       stars_,
+                       pixel,
+                       order,
+                       counts_.data(),
+                       first_.data(),
+                       nullptr,
+                       nullptr};
   clear(backend_, counts_, stars);
   launch(backend_, batch);
   sum_counts(backend_, counts_.data(), stars_, first_.data());
@@ -38,9 +39,9 @@ PlacedImages ImageJoiner::join(const FoundInPlace& found, const std::vector<Seen
   batch.numbers = numbers_.data();
   batch.images = placed.images.data();
   clear(backend_, counts_, stars);
-  batch.step = StarTwinStep::number;
+  batch.step = ImageJoinStep::number;
   launch(backend_, batch);
-  batch.step = StarTwinStep::take;
+  batch.step = ImageJoinStep::take;
   launch(backend_, batch);
   return placed;
 }

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernels/stars/seen_image.h"
+#include "kernels/stars/search/image_join.h"
 #include "render/backend/buffer.h"
 
 namespace ergodome {
@@ -20,16 +20,15 @@ struct FoundInPlace {
   int count = 0;
 };
 
-//! Merges images and removes duplicates in the backend's memory: the equivalent of without_twins()
-//! for GPUs. Reuses its memory.
+//! Merges images and removes duplicates in the backend's memory. Reuses its own memory.
 class ImageJoiner {
  public:
   //! Star indices are below `stars`.
   ImageJoiner(Backend backend, std::size_t stars);
 
-  //! Merges the images in GPU memory with `others` and returns each image once, ordered by star, in
-  //! deterministic order. `pixel`: angle of a pixel [rad].
-  PlacedImages join(const FoundInPlace& found, const std::vector<SeenImage>& others, double pixel);
+  //! Merges the images in the backend's memory with `others` in host memory, and returns each image
+  //! once, ordered by star. `pixel`: angle of a pixel [rad].
+  PlacedImages join(const FoundInPlace& found, const std::vector<SeenImage>& others, double pixel, ImageOrder order);
 
  private:
   Backend backend_;

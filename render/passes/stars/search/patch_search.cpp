@@ -1,7 +1,6 @@
 #include "render/passes/stars/search/patch_search.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 
 #include "kernels/launch/launch.h"
@@ -24,11 +23,7 @@ void PlacedPatches::set(const StarPatches& patches, const LensStation& station) 
   arrays_.begin();
   const auto put = [this](const auto& values) { return arrays_.put(values); };
   batch_ = {};
-  batch_.patches = put(patches.patches());
-  batch_.patch_count = static_cast<int>(patches.patches().size());
-  batch_.sides = patches.mirrored() ? 2 : 1;
-  batch_.faintest = patches.faintest();
-  batch_.mended = patches.mended().view(put);
+  batch_.inputs = patches.view(put);
   batch_.chart = grid_view(station).chart;
   batch_.chart.edge.polar_angle = put(station.edge);
   batch_.deepest = 0;
@@ -65,11 +60,11 @@ void PatchSearch::make_room(const Counts& wanted) {
     reserve(backend_, part_channels * std::max(count_of(halved), least_parts), name, list);
   }
   const std::size_t room = std::ranges::min_element(parts_, {}, &Buffer<float>::size)->size() / part_channels;
-  reserve(backend_, room, name, plain_roots_);
+  reserve(backend_, room, name, regular_roots_);
   reserve(backend_, most_part_roots * room, name, folded_roots_);
-  reserve(backend_, (1 + most_part_roots) * room, name, told_);
-  reserve(backend_, 2 * most_searched_together, name, told_counts_);
-  reserve(backend_, 2 * most_searched_together + 1, name, told_first_);
+  reserve(backend_, (1 + most_part_roots) * room, name, roots_);
+  reserve(backend_, 2 * most_searched_together, name, root_counts_);
+  reserve(backend_, 2 * most_searched_together + 1, name, root_first_);
   rooms_.fill(room_of(room));
   for (std::size_t i = 0; i < 3; ++i) {
     rooms_[i] = room_of(pairs_[i].size());
@@ -90,13 +85,13 @@ void PatchSearch::share(PatchSearchBatch& batch) const {
   };
   batch.halved[0] = parts(0);
   batch.halved[1] = parts(1);
-  batch.plain_parts = parts(2);
+  batch.regular_parts = parts(2);
   batch.folded_parts = parts(3);
-  batch.plain_roots = plain_roots_.data();
+  batch.regular_roots = regular_roots_.data();
   batch.folded_roots = folded_roots_.data();
-  batch.told_counts = told_counts_.data();
-  batch.told_first = told_first_.data();
-  batch.told = told_.data();
+  batch.root_counts = root_counts_.data();
+  batch.root_first = root_first_.data();
+  batch.roots = roots_.data();
 }
 
 PatchSearch::Counts PatchSearch::counts() const {
@@ -128,13 +123,13 @@ void PatchSearch::search_slice(PatchSearchBatch batch, int pairs) {
     run(batch, PatchSearchStep::halve, to.room, depth);
   }
   const auto lists = 2 * static_cast<std::size_t>(pairs);
-  clear(backend_, told_counts_, lists);
-  run(batch, PatchSearchStep::solve_plain, batch.plain_parts.room);
+  clear(backend_, root_counts_, lists);
+  run(batch, PatchSearchStep::solve_regular, batch.regular_parts.room);
   run(batch, PatchSearchStep::solve_folded, batch.folded_parts.room);
-  sum_counts(backend_, told_counts_.data(), 2 * pairs, told_first_.data());
-  clear(backend_, told_counts_, lists);
-  run(batch, PatchSearchStep::tell_plain, batch.plain_parts.room);
-  run(batch, PatchSearchStep::tell_folded, batch.folded_parts.room);
+  sum_counts(backend_, root_counts_.data(), 2 * pairs, root_first_.data());
+  clear(backend_, root_counts_, lists);
+  run(batch, PatchSearchStep::list_regular, batch.regular_parts.room);
+  run(batch, PatchSearchStep::list_folded, batch.folded_parts.room);
   run(batch, PatchSearchStep::take_roots, pairs);
 }
 
@@ -142,7 +137,7 @@ void PatchSearch::search_slice(PatchSearchBatch batch, int pairs) {
 //! list must be enlarged.
 PatchSearch::Counts PatchSearch::search(PatchSearchBatch batch) {
   clear(backend_, counts_, list_count);
-  run(batch, PatchSearchStep::find_pairs, batch.patch_threads * batch.sides * batch.patch_count);
+  run(batch, PatchSearchStep::find_pairs, batch.patch_threads * batch.inputs.sides * batch.inputs.patch_count);
   run(batch, PatchSearchStep::regular, rooms_[regular]);
   run(batch, PatchSearchStep::bent, rooms_[bent]);
   // Each pair of a folded patch starts as one part. Usually there are few pairs: the first slice is
@@ -160,48 +155,36 @@ PatchSearch::Counts PatchSearch::search(PatchSearchBatch batch) {
   return found;
 }
 
-PatchSearch::Answer PatchSearch::find(const PlacedPatches& patches, const Question& question) {
+PatchSearch::Result PatchSearch::find(const PlacedPatches& patches, const Request& request) {
   static WorkCounter counter("search_patches");
   const DeviceWorkInOrder in_order(backend_);
   PatchSearchBatch batch = patches.batch();
   batch.patch_threads = threads_of_a_patch;
-  const WorkScope work(counter, batch.patch_count);
-  batch.view_axis = question.view.axis;
-  batch.view_half_angle = question.view.half_angle;
-  batch.view_cosine = question.view.cosine;
-  batch.turn = sky_turn(question.phi);
-  batch.sine_phi = std::sin(question.phi);
-  batch.cosine_phi = std::cos(question.phi);
-  batch.field = field_;
-  batch.judges = question.observer.is_one_camera();
-  batch.energy = question.observer.energy();
-  batch.observer = question.observer.observer();
+  const WorkScope work(counter, batch.inputs.patch_count);
+  batch.inputs.field = field_;
+  batch.inputs.view = request.view;
+  batch.inputs.turn = sky_turn(request.phi);
+  batch.completes = request.observer.is_one_camera();
+  batch.energy = request.observer.energy();
+  batch.observer = request.observer.observer();
   batch.colours = colours_;
-  batch.look = question.look;
+  batch.look = request.look;
   share(batch);
   Counts found = search(batch);
   while (!have_room(found)) {
     // The number of parts that the lost ones would have yielded is unknown.
-    for (const int list : {halved, halves, plain_parts, folded_parts}) {
+    for (const int list : {halved, halves, last_regular, last_folded}) {
       found[static_cast<std::size_t>(list)] = rooms_[halved] + found[lost_parts];
     }
     make_room(found);
     share(batch);
     found = search(batch);
   }
-  Answer answer;
-  answer.rough.resize(static_cast<std::size_t>(found[images]));
-  images_.read(answer.rough.data(), answer.rough.size());
-  answer.exact = {exact_.data(), found[exact]};
-  return answer;
-}
-
-std::vector<SeenImage> PatchSearch::fetched(const FoundInPlace& found) const {
-  std::vector<SeenImage> seen(static_cast<std::size_t>(found.count));
-  if (found.count > 0) {
-    copy_to_host(backend_, seen.data(), found.images, seen.size());
-  }
-  return seen;
+  Result result;
+  result.rough.resize(static_cast<std::size_t>(found[images]));
+  images_.read(result.rough.data(), result.rough.size());
+  result.exact = {exact_.data(), found[exact]};
+  return result;
 }
 
 }  // namespace ergodome

@@ -59,8 +59,8 @@ class PlacedPatches {
   PatchSearchBatch batch_{};
 };
 
-//! Finds approximate images of stars on a GPU: the same images as RoughImageFinder, in
-//! nondeterministic order.
+//! The GPU's driver of the search: finds the same images as RoughImageFinder, in nondeterministic
+//! order.
 class PatchSearch {
  public:
   //! `colours` is in host memory. `room`: initial capacity for pairs and images.
@@ -69,7 +69,7 @@ class PatchSearch {
   [[nodiscard]] Backend backend() const { return backend_; }
 
   //! Parameters of a search.
-  struct Question {
+  struct Request {
     double phi;  //!< of the camera [rad]
     ViewCone view;
     const ImageObserver& observer;
@@ -78,20 +78,17 @@ class PatchSearch {
 
   //! Result of a search: approximate images, and images that need no rays. The latter stay in GPU
   //! memory until the next search.
-  struct Answer {
+  struct Result {
     std::vector<RoughImage> rough;
     FoundInPlace exact;
   };
 
   //! Finds the images in patches, which must belong to this object's field.
-  Answer find(const PlacedPatches& patches, const Question& question);
-
-  //! Copies images from GPU memory to host memory.
-  [[nodiscard]] std::vector<SeenImage> fetched(const FoundInPlace& found) const;
+  Result find(const PlacedPatches& patches, const Request& request);
 
  private:
   //! Lists whose lengths are counted on the GPU.
-  enum List { regular, bent, folded, images, exact, halved, halves, plain_parts, folded_parts, lost_parts, list_count };
+  enum List { regular, bent, folded, images, exact, halved, halves, last_regular, last_folded, lost_parts, list_count };
   using Counts = std::array<std::int32_t, list_count>;
 
   [[nodiscard]] Counts counts() const;
@@ -111,11 +108,11 @@ class PatchSearch {
   Buffer<RoughImage> images_;
   Buffer<SeenImage> exact_;
   Buffer<float> parts_[4];
-  Buffer<FoldedRoot> plain_roots_;
+  Buffer<FoldedRoot> regular_roots_;
   Buffer<FoldedRoot> folded_roots_;
-  Buffer<FoldedRoot> told_;
-  Buffer<std::int32_t> told_counts_;
-  Buffer<std::int32_t> told_first_;
+  Buffer<FoldedRoot> roots_;
+  Buffer<std::int32_t> root_counts_;
+  Buffer<std::int32_t> root_first_;
   Buffer<std::int32_t> counts_;
 };
 

@@ -156,8 +156,7 @@ SkyPart sky_part(const SkyFrustum& frustum) {
 
 SkyTurn sky_turn(double phi) {
   const double turns = phi / (2.0 * pi);
-  return {static_cast<float>(turns - std::floor(turns)), static_cast<float>(std::sin(phi)),
-          static_cast<float>(std::cos(phi))};
+  return {static_cast<float>(turns - std::floor(turns)), std::sin(phi), std::cos(phi)};
 }
 
 }  // namespace ergodome

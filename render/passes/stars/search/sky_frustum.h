@@ -1,7 +1,6 @@
 #pragma once
 
-#include "kernels/stars/search/sky_part.h"
-#include "render/passes/stars/search/bezier_patch.h"
+#include "kernels/stars/search/star_patch.h"
 
 namespace ergodome {
 

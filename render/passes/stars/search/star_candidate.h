@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "kernels/core/vector3.h"
+#include "kernels/stars/seen_image.h"
 #include "kernels/stars/star_images.h"
 #include "render/passes/stars/star_eye.h"
 
@@ -30,6 +31,14 @@ struct SingularValues {
 };
 
 SingularValues singular_values(const StarCandidate& c);
+
+//! Returns the ratio of the solid angles on the sky and on the camera, bounded below by the star's
+//! disk: where the map is degenerate in one direction, the image is an arc whose length depends on
+//! the disk.
+double capped_solid_angle(const StarCandidate& c);
+
+//! Combines an image with the properties of its candidate that are needed to identify duplicates.
+SeenImage seen_image(const StarImage& image, const StarCandidate& c);
 
 //! Maximum position error of images [px].
 inline constexpr double image_tolerance_px = 0.005;

@@ -7,11 +7,11 @@
 #include <utility>
 
 #include "kernels/launch/parallel_for.h"
+#include "kernels/stars/search/search_steps.h"
 #include "render/lens/grid/grid_builder.h"
 #include "render/passes/stars/image_observer.h"
 #include "render/passes/stars/search/rough_images.h"
 #include "render/passes/stars/search/star_refinement.h"
-#include "render/passes/stars/search/star_twins.h"
 
 namespace ergodome {
 
@@ -134,26 +134,24 @@ struct Search {
 
 //! Converts approximate images to candidates, and those of exact patches to final images.
 void sort_out(const Search& search, std::span<const RoughImage> rough, Sought& sought) {
-  const double sine = std::sin(search.phi);
-  const double cosine = std::cos(search.phi);
+  const SkyTurn turn = sky_turn(search.phi);
   const ObservedPlaces places = search.observer.observe(rough);
   for (std::size_t i = 0; i < rough.size(); ++i) {
     const FieldStar& star = search.field.stars()[static_cast<std::size_t>(rough[i].star)];
-    StarCandidate candidate = candidate_of(rough[i], star, search.observer, places, i, search.settings);
-    if (candidate.star < 0) {
-      continue;
-    }
     if (rough[i].exact) {
       SeenImage found{};
-      if (exact_image(search.colours, look_of(search.settings), rough[i].star, star,
-                      {places.direction[0][i], places.direction[1][i], places.direction[2][i]},
-                      places.frequency_ratio[i], rough[i].sky / places.area[i], found)) {
+      if (complete_image(search.settings.view, search.colours, look_of(search.settings), rough[i].star, star,
+                         {places.direction[0][i], places.direction[1][i], places.direction[2][i]},
+                         places.frequency_ratio[i], rough[i].sky / places.area[i], found)) {
         sought.exact.push_back(found);
       }
       continue;
     }
-    const Vector3<double>& d = star.direction;
-    candidate.on_sky = {cosine * d.x + sine * d.y, cosine * d.y - sine * d.x, d.z};
+    StarCandidate candidate = candidate_of(rough[i], star, search.observer, places, i, search.settings);
+    if (candidate.star < 0) {
+      continue;
+    }
+    candidate.on_sky = as_patches_see(turn, star.direction, false);
     (rough[i].guessed ? sought.guesses : sought.rays).push_back(candidate);
   }
 }
@@ -176,22 +174,25 @@ void put_in_order(std::vector<RoughImage>& rough) {
 std::vector<Sought> seek(const Search& search, const StarPatches& patches, const DeviceSearch* device,
                          FoundInPlace& in_place) {
   if (device == nullptr) {
-    std::vector<Sought> parts(static_cast<std::size_t>(rough_parts(patches)));
-    find_rough_images(search.field, search.phi, patches, search.settings.view,
-                      [&](int part, const std::vector<RoughImage>& rough) {
-                        sort_out(search, rough, parts[static_cast<std::size_t>(part)]);
-                      });
+    SearchInputs inputs = patches.view(host_data);
+    inputs.field = search.field.view(host_data);
+    inputs.view = search.settings.view;
+    inputs.turn = sky_turn(search.phi);
+    std::vector<Sought> parts(static_cast<std::size_t>(rough_parts(inputs.patch_count)));
+    find_rough_images(inputs, search.field.stars().size(), [&](int part, const std::vector<RoughImage>& rough) {
+      sort_out(search, rough, parts[static_cast<std::size_t>(part)]);
+    });
     return parts;
   }
   const StarSettings& settings = search.settings;
-  PatchSearch::Answer answer =
+  PatchSearch::Result result =
       device->search.find(device->patches, {search.phi, settings.view, search.observer, look_of(settings)});
-  put_in_order(answer.rough);
-  const std::vector<RoughImage>& rough = answer.rough;
+  put_in_order(result.rough);
+  const std::vector<RoughImage>& rough = result.rough;
   constexpr std::size_t chunk = 512;
   const std::size_t chunks = (rough.size() + chunk - 1) / chunk;
   std::vector<Sought> parts(chunks);
-  in_place = answer.exact;
+  in_place = result.exact;
   parallel_for(static_cast<int>(chunks), 1, [&](int begin, int end) {
     for (auto part = static_cast<std::size_t>(begin); part < static_cast<std::size_t>(end); ++part) {
       const std::size_t first = part * chunk;
@@ -258,20 +259,23 @@ FoundImages found_images(const StarField& field, const BlackbodyTable& colours, 
 std::vector<StarImage> find_star_images(const StarField& field, const BlackbodyTable& colours, const StarEye& eye,
                                         const LensStation& station, const StarPatches& patches,
                                         const StarSettings& settings, const DeviceSearch* device) {
-  FoundImages found = found_images(field, colours, eye, station, patches, settings, device);
-  if (device != nullptr) {
-    const std::vector<SeenImage> fetched = device->search.fetched(found.in_place);
-    found.in_host.insert(found.in_host.end(), fetched.begin(), fetched.end());
-  }
-  const auto order = device == nullptr ? FindingOrder::of_patches : FindingOrder::of_chance;
-  return without_twins(found.in_host, field.stars().size(), settings.pixel, order);
+  const FoundImages found = found_images(field, colours, eye, station, patches, settings, device);
+  ImageJoiner joiner(device == nullptr ? Backend::cpu : device->search.backend(), field.stars().size());
+  const PlacedImages placed = device == nullptr
+                                  ? joiner.join({found.in_host.data(), static_cast<int>(found.in_host.size())}, {},
+                                                settings.pixel, ImageOrder::as_found)
+                                  : joiner.join(found.in_place, found.in_host, settings.pixel, ImageOrder::by_position);
+  std::vector<StarImage> images(static_cast<std::size_t>(placed.count));
+  placed.images.read(images.data(), images.size());
+  std::erase_if(images, [](const StarImage& image) { return image.star < 0; });
+  return images;
 }
 
 PlacedImages find_star_images_in_place(const StarField& field, const BlackbodyTable& colours, const StarEye& eye,
                                        const LensStation& station, const StarPatches& patches,
                                        const StarSettings& settings, const DeviceSearch& device, ImageJoiner& joiner) {
   const FoundImages found = found_images(field, colours, eye, station, patches, settings, &device);
-  return joiner.join(found.in_place, found.in_host, settings.pixel);
+  return joiner.join(found.in_place, found.in_host, settings.pixel, ImageOrder::by_position);
 }
 
 }  // namespace ergodome

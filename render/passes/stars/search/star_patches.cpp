@@ -119,7 +119,7 @@ int longer_axis(const BezierPatch& patch) {
 
 StarPatches::StarPatches(const LensStation& station, const StarField& field, const ImageLight& light, float faintest,
                          const GridExactness& exactness, PatchRoom& room)
-    : mended_(station),
+    : corrected_(station),
       edge_(station.edge),
       chart_(grid_view(station).chart),
       mirrored_(station.mirrored),
@@ -145,7 +145,7 @@ StarPatches::StarPatches(const LensStation& station, const StarField& field, con
       patch.sky = bezier_patch(grid, leaf, patch.width_turns, patch.height);
       const auto number = static_cast<std::size_t>(leaf);
       patch.leaf = leaf;
-      tell_error(station.leaf_error_px[number], patch);
+      set_error(station.leaf_error_px[number], patch);
       add_patch({field, light}, patch, 0, parts[static_cast<std::size_t>(leaf / leaves_a_chunk)]);
     }
   });
@@ -174,31 +174,31 @@ void StarPatches::join(PatchRoom& room) {
 
 //! Derives the accuracy of images in a leaf from the errors at its checks. `error_px`: error of its
 //! patch.
-void StarPatches::tell_error(float error_px, StarPatch& patch) const {
+void StarPatches::set_error(float error_px, StarPatch& patch) const {
   // A cubic with error e on a side of length h has a slope error of e √3 384 / (216 h). To first
   // order, the relative error of the magnification is the sum of the slope errors of γ along γ and
   // of s along s.
   constexpr float slope_error = 3.1F;
   // After the correction, the leading error is a quintic, (t (1 - t))² (t - 1/2), whose slope is
   // this multiple of its value at the inner checks.
-  constexpr float mended_slope_error = 7.1F;
+  constexpr float corrected_slope_error = 7.1F;
   constexpr float exact_magnification = 6e-3F;
   constexpr float between_checks = 3.0F;
   // The first-order correction is not valid beyond this error.
-  constexpr float most_mended = 0.03F;
-  const LeafErrors errors = mended_.errors(patch.leaf);
-  const float magnification_error = slope_error * errors.told;
+  constexpr float most_displaced = 0.03F;
+  const LeafErrors errors = corrected_.errors(patch.leaf);
+  const float magnification_error = slope_error * errors.displaced;
   // Nodes are traced in single precision.
   const auto rounding = static_cast<float>(edge_rounding / edge_distance(chart_, static_cast<double>(patch.s)));
   patch.brighter = 1.0F + between_checks * (magnification_error + rounding);
-  const float left_px = error_px * std::min(errors.left / std::max(errors.told, 1e-30F), 1.0F);
-  patch.exact =
-      errors.told <= most_mended && left_px <= exact_grid_px && mended_slope_error * errors.left <= exact_magnification;
+  const float left_px = error_px * std::min(errors.left / std::max(errors.displaced, 1e-30F), 1.0F);
+  patch.exact = errors.displaced <= most_displaced && left_px <= exact_grid_px &&
+                corrected_slope_error * errors.left <= exact_magnification;
 }
 
 bool StarPatches::is_done(const Wanted& wanted, const StarPatch& patch, const SkyFrustum& frustum) const {
   const double share = solid_angle(frustum) / (4.0 * 3.14159265358979323846);
-  const double stars = wanted.field.count_from(floor_of(patch)) * std::min(share, 1.0);
+  const double stars = wanted.field.count_from(floor_of(patch, faintest_)) * std::min(share, 1.0);
   return patch.shape == PatchShape::regular ||
          stars <= (patch.shape == PatchShape::folded ? few_stars_folded : few_stars);
 }
@@ -227,7 +227,7 @@ void StarPatches::add_patch(const Wanted& wanted, const StarPatch& patch, int de
     own.most_camera = 1.1F * measures.greatest_camera * own.width_turns * own.height;
     own.brighter = most_brighter(patch.brighter, own.shape);
     own.magnification = stretching.magnification * (stretching.folded ? 1.0F : own.brighter);
-    if (wanted.field.count_from(floor_of(own)) == 0) {
+    if (wanted.field.count_from(floor_of(own, faintest_)) == 0) {
       return;
     }
     if (last || is_done(wanted, own, frustum)) {

@@ -5,9 +5,9 @@
 
 #include "content/trajectory/lens_station.h"
 #include "kernels/stars/search/patch_measure.h"
-#include "kernels/stars/search/star_patch.h"
-#include "render/passes/stars/search/bezier_patch.h"
-#include "render/passes/stars/search/mended_grid.h"
+#include "kernels/stars/search/search_inputs.h"
+#include "render/passes/stars/search/corrected_grid.h"
+#include "render/passes/stars/search/sky_frustum.h"
 #include "render/passes/stars/star_field.h"
 
 namespace ergodome {
@@ -63,18 +63,17 @@ class StarPatches {
   //! Releases the memory for the patches of another position.
   [[nodiscard]] std::vector<StarPatch> given_up() && { return std::move(patches_); }
 
-  //! Returns whether the grid covers half of a sky that is mirror symmetric.
-  [[nodiscard]] bool mirrored() const { return mirrored_; }
-
-  //! Returns the illuminance below which images are omitted [lx].
-  [[nodiscard]] float faintest() const { return faintest_; }
-
-  //! Returns the corrected grid, which moves images to the positions that rays have.
-  [[nodiscard]] const MendedGrid& mended() const { return mended_; }
-
-  //! Returns the brightness threshold of stars that may have images in a patch.
-  [[nodiscard]] StarFloor floor_of(const StarPatch& patch) const {
-    return {faintest_ / (patch.light.brighter * patch.magnification), patch.light.shift_row};
+  //! Returns the inputs of a search, without the field, the view and the turn. put(vector) returns
+  //! the address at which the search reads the vector: that of a copy, or of its own data.
+  template <class Put>
+  [[nodiscard]] SearchInputs view(const Put& put) const {
+    SearchInputs inputs{};
+    inputs.patches = put(patches_);
+    inputs.patch_count = static_cast<int>(patches_.size());
+    inputs.sides = mirrored_ ? 2 : 1;
+    inputs.faintest = faintest_;
+    inputs.corrected = corrected_.view(put);
+    return inputs;
   }
 
  private:
@@ -87,13 +86,13 @@ class StarPatches {
   void add_patch(const Wanted& wanted, const StarPatch& patch, int depth, std::vector<StarPatch>& patches) const;
   void join(PatchRoom& room);
   [[nodiscard]] bool is_done(const Wanted& wanted, const StarPatch& patch, const SkyFrustum& frustum) const;
-  void tell_error(float error_px, StarPatch& patch) const;
+  void set_error(float error_px, StarPatch& patch) const;
 
-  MendedGrid mended_;
+  CorrectedGrid corrected_;
   std::vector<float> edge_;  //!< of the shadow in the chart
   LensChart chart_;
-  bool mirrored_;
-  float faintest_;
+  bool mirrored_;   //!< the grid covers half of a sky that is mirror symmetric
+  float faintest_;  //!< images of lower illuminance are left out [lx]
   GridExactness exactness_;
   std::vector<StarPatch> patches_;
 };

@@ -33,6 +33,18 @@ SingularValues singular_values(const StarCandidate& c) {
   return {larger, larger > 0.0 ? c.solid_angle * c.solid_angle / larger : 0.0};
 }
 
+double capped_solid_angle(const StarCandidate& c) {
+  return std::max(std::abs(c.solid_angle), 0.5 * c.radius * std::sqrt(singular_values(c).larger_square));
+}
+
+SeenImage seen_image(const StarImage& image, const StarCandidate& c) {
+  // Next to a caustic an image is an arc; the position of its middle needs no higher accuracy than
+  // the arc's length.
+  const double smaller = std::max(singular_values(c).smaller_square, 1e-30);
+  const double arc = std::min(c.radius / std::sqrt(smaller), static_cast<double>(longest_arc));
+  return {image, static_cast<float>(arc), capped_solid_angle(c) > std::abs(c.solid_angle)};
+}
+
 void refine_images(std::vector<StarCandidate>& candidates, const ImageSearch& search) {
   CandidateRays rays(search);
   std::vector<CandidateCourse> courses(candidates.size());

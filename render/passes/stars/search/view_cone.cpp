@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "kernels/core/angles.h"
-#include "kernels/stars/search/search_rules.h"
 
 namespace ergodome {
 
@@ -86,10 +85,6 @@ bool holds(const ViewCone& outer, const ViewCone& inner) {
   constexpr double rounding = 1e-6;
   const double apart = std::acos(std::clamp(dot(outer.axis, inner.axis), -1.0, 1.0));
   return outer.half_angle >= pi || outer.half_angle + rounding >= apart + inner.half_angle;
-}
-
-bool may_touch(const ViewCone& view, const Vector3<double>& axis, double radius) {
-  return cone_may_touch(view.axis, view.half_angle, view.cosine, axis, radius);
 }
 
 }  // namespace ergodome

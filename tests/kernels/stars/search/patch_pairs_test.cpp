@@ -34,7 +34,7 @@ class PatchPairs : public testing::Test {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> uniform;
     for (int i = 0; i < 50; ++i) {
-      slivers_.push_back(Sliver{0.1, 0.005 + 0.05 * uniform(random), 6.0 * uniform(random)}.patch());
+      slivers_.emplace_back().sky = Sliver{0.1, 0.005 + 0.05 * uniform(random), 6.0 * uniform(random)}.patch();
     }
     while (u_.size() < 1003) {
       const double u = low + (high - low) * uniform(random);
@@ -42,18 +42,17 @@ class PatchPairs : public testing::Test {
       if (std::max(std::abs(u - 0.5), std::abs(v - 0.5)) < skip) {
         continue;
       }
-      const BezierPatch& patch = slivers_[u_.size() / 21];
-      const PlaneValue<double> place = seen_from(patch, 0.0, 0.0, u, v);
-      patch_.push_back(&patch);
-      a_.push_back(static_cast<float>(place.p));
-      b_.push_back(static_cast<float>(place.q));
+      const std::size_t patch = u_.size() / 21;
+      const PlaneValue<double> place = seen_from(slivers_[patch].sky, 0.0, 0.0, u, v);
+      pairs_.push_back(
+          {static_cast<int>(patch), 0, 1.0F, static_cast<float>(place.p), static_cast<float>(place.q), false});
       u_.push_back(u);
       v_.push_back(v);
     }
   }
 
   [[nodiscard]] PatchPairBatch pairs() const {
-    return {static_cast<int>(u_.size()), patch_.data(), a_.data(), b_.data()};
+    return {static_cast<int>(pairs_.size()), pairs_.data(), slivers_.data()};
   }
 
   [[nodiscard]] std::vector<float> sides() const {
@@ -62,10 +61,8 @@ class PatchPairs : public testing::Test {
     return sides;
   }
 
-  std::vector<BezierPatch> slivers_;
-  std::vector<const BezierPatch*> patch_;
-  std::vector<float> a_;
-  std::vector<float> b_;
+  std::vector<StarPatch> slivers_;
+  std::vector<SearchedPair> pairs_;
   std::vector<double> u_;
   std::vector<double> v_;
 };
@@ -105,12 +102,12 @@ TEST_F(PatchPairs, NewtonFindsThePlaceOfEachStar) {
   const std::size_t count = u_.size();
   std::vector<float> roots(4 * count);
   float* const to = roots.data();
-  run_on_this_thread(PatchNewtonBatch{pairs(), 1e6F, 16, to, to + count, to + 2 * count, to + 3 * count});
+  run_on_this_thread(PatchNewtonBatch{pairs(), {1e6F, 16}, to, to + count, to + 2 * count, to + 3 * count});
   for (std::size_t i = 0; i < count; ++i) {
     EXPECT_EQ(roots[i], 1.0F);
     EXPECT_NEAR(roots[count + i], u_[i], 1e-4);
     EXPECT_NEAR(roots[2 * count + i], v_[i], 1e-4);
-    const double area = determinant(seen_from(*patch_[i], 0.0, 0.0, u_[i], v_[i]));
+    const double area = determinant(seen_from(slivers_[i / 21].sky, 0.0, 0.0, u_[i], v_[i]));
     EXPECT_NEAR(roots[3 * count + i], area, 2e-3 * std::abs(area));
   }
 }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "render/passes/stars/search/bezier_patch.h"
+#include "kernels/launch/launch.h"
 #include "tests/render/passes/stars/star_cameras.h"
 
 namespace ergodome {
@@ -118,7 +118,8 @@ TEST(StarField, SearchVisitsOnceWhatAFrustumHolds) {
   const StarField field(brightest(20'000), glm::dmat3(1.0), colours().view());
   std::mt19937 random(11);
   std::uniform_real_distribution<double> uniform;
-  std::vector<int> found;
+  const SearchedField view = field.view(host_data);
+  std::vector<int> found(field.stars().size());
   for (int round = 0; round < 200; ++round) {
     const BezierPatch patch = random_patch(random, std::pow(uniform(random), 3.0));
     const PatchFrame frame = frame_of(patch, unit_of(control_point(patch, 5)));
@@ -127,7 +128,8 @@ TEST(StarField, SearchVisitsOnceWhatAFrustumHolds) {
     const int row = round % 2 == 0 ? ShiftGains::unshifted_row()
                                    : ShiftGains::row_of(static_cast<float>(0.5 + 2.0 * uniform(random)));
     const float faintest = illuminance_of(9.0 * uniform(random));
-    const int count = field.search(sky_part(frustum), {faintest, row}, found);
+    int count = 0;
+    run_on_this_thread(StarSearchBatch{&view, sky_part(frustum), {faintest, row}, found.data(), &count});
     std::vector<int> times(field.stars().size());
     for (int i = 0; i < count; ++i) {
       ++times[static_cast<std::size_t>(found[static_cast<std::size_t>(i)])];

@@ -12,16 +12,29 @@
 namespace ergodome {
 namespace {
 
+//! Returns pairs of patch 0 and stars at `a` and `b`.
+std::vector<SearchedPair> pairs_of(const std::vector<float>& a, const std::vector<float>& b) {
+  std::vector<SearchedPair> pairs;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    pairs.push_back({0, 0, 1.0F, a[i], b[i], false});
+  }
+  return pairs;
+}
+
 //! One patch and many stars, each of which may have several roots in it.
 class FoldedPatch : public testing::Test {
  protected:
   //! Finds the roots of a map over [0, 1]² to the plane for stars at `a` and `b`, sorted by v.
+  //! `error`: see StarPatch.
   template <class Map>
-  void search(const Map& map, const FoldedPair& asked) {
-    patch_ = test::patch_of(map);
-    const std::vector<const BezierPatch*> patches(a_.size(), &patch_);
-    search_.search({static_cast<int>(a_.size()), patches.data(), a_.data(), b_.data()},
-                   std::vector<FoldedPair>(a_.size(), asked));
+  void search(const Map& map, float error = 0.0F, PatchShape shape = PatchShape::folded) {
+    StarPatch patch{};
+    patch.sky = test::patch_of(map);
+    patch.error = error;
+    patch.halvings = 12;
+    patch.shape = shape;
+    const std::vector<SearchedPair> pairs = pairs_of(a_, b_);
+    search_.search({static_cast<int>(pairs.size()), pairs.data(), &patch});
   }
 
   [[nodiscard]] std::vector<double> roots_along_u(std::size_t star) const {
@@ -43,20 +56,17 @@ class FoldedPatch : public testing::Test {
     }
   }
 
-  BezierPatch patch_{};
   std::vector<float> a_;
   std::vector<float> b_;
   FoldedSearch search_;
 };
-
-constexpr FoldedPair exactly{12, 0.0F, most_roots};
 
 //! A fold along u = 0.4.
 std::array<double, 2> fold(double u, double v) { return {0.1 * (u - 0.4) * (u - 0.4), 0.1 * (v - 0.5) + 0.02 * u}; }
 
 TEST_F(FoldedPatch, HoldsAStarOnBothSidesOfItsFold) {
   scatter(0.0003, 0.012, -0.02, 0.02);
-  search(fold, exactly);
+  search(fold);
   for (std::size_t i = 0; i < a_.size(); ++i) {
     const double way = std::sqrt(static_cast<double>(a_[i]) / 0.1);
     const std::vector<double> found = roots_along_u(i);
@@ -68,7 +78,7 @@ TEST_F(FoldedPatch, HoldsAStarOnBothSidesOfItsFold) {
 
 TEST_F(FoldedPatch, TellsOnWhichSideOfItsFoldEachRootIs) {
   scatter(0.0003, 0.012, -0.02, 0.02);
-  search(fold, exactly);
+  search(fold);
   for (std::size_t i = 0; i < a_.size(); ++i) {
     for (const FoldedRoot& root : search_.roots(i)) {
       const double exact = 0.02 * (static_cast<double>(root.u) - 0.4);
@@ -79,7 +89,7 @@ TEST_F(FoldedPatch, TellsOnWhichSideOfItsFoldEachRootIs) {
 
 TEST_F(FoldedPatch, HoldsNoStarBehindItsFold) {
   scatter(-0.01, -1e-5, -0.02, 0.02);
-  search(fold, exactly);
+  search(fold);
   for (std::size_t i = 0; i < a_.size(); ++i) {
     EXPECT_TRUE(search_.roots(i).empty());
   }
@@ -87,7 +97,7 @@ TEST_F(FoldedPatch, HoldsNoStarBehindItsFold) {
 
 TEST_F(FoldedPatch, GuessesTwoPlacesWhereItsErrorMayHideAStarBehindItsFold) {
   scatter(-1e-5, -1e-6, -0.02, 0.02);
-  search(fold, {12, 1e-4F, most_roots});
+  search(fold, 1e-4F);
   std::size_t guessed = 0;
   for (std::size_t i = 0; i < a_.size(); ++i) {
     const std::vector<double> found = roots_along_u(i);
@@ -106,7 +116,7 @@ std::array<double, 2> cusp(double u, double v) {
 
 TEST_F(FoldedPatch, HoldsAStarThreeTimesWithinItsCusp) {
   scatter(-0.02, 0.02, 0.01, 0.06);
-  search(cusp, exactly);
+  search(cusp);
   for (std::size_t i = 0; i < a_.size(); ++i) {
     const auto a = static_cast<double>(a_[i]);
     const double slope = 0.5 * static_cast<double>(b_[i]) / 0.2;
@@ -126,7 +136,7 @@ TEST_F(FoldedPatch, HoldsAStarThreeTimesWithinItsCusp) {
 
 TEST_F(FoldedPatch, IsLeftWithItsFirstRootWhereOneIsWanted) {
   scatter(0.0003, 0.012, -0.02, 0.02);
-  search(fold, {12, 0.0F, 1});
+  search(fold, 0.0F, PatchShape::bent);
   for (std::size_t i = 0; i < a_.size(); ++i) {
     EXPECT_EQ(search_.roots(i).size(), 1U);
   }
@@ -136,7 +146,7 @@ TEST_F(FoldedPatch, WithoutExtentHoldsAStarNoMoreOftenThanThereIsRoom) {
   scatter(0.0, 0.0, 0.0, 0.0);
   a_.resize(3);
   b_.resize(3);
-  search([](double, double) { return std::array<double, 2>{0.0, 0.0}; }, {12, 1e-4F, most_roots});
+  search([](double, double) { return std::array<double, 2>{0.0, 0.0}; }, 1e-4F);
   for (std::size_t i = 0; i < a_.size(); ++i) {
     EXPECT_LE(search_.roots(i).size(), static_cast<std::size_t>(most_roots));
   }
@@ -144,7 +154,7 @@ TEST_F(FoldedPatch, WithoutExtentHoldsAStarNoMoreOftenThanThereIsRoom) {
 
 TEST_F(FoldedPatch, OfWhatIsNoNumberHoldsNoStar) {
   scatter(-0.01, 0.01, -0.01, 0.01);
-  search([](double, double) { return std::array<double, 2>{std::nan(""), std::nan("")}; }, {12, 1e-4F, most_roots});
+  search([](double, double) { return std::array<double, 2>{std::nan(""), std::nan("")}; }, 1e-4F);
   for (std::size_t i = 0; i < a_.size(); ++i) {
     EXPECT_TRUE(search_.roots(i).empty());
   }
@@ -154,37 +164,39 @@ TEST_F(FoldedPatch, OfWhatIsNoNumberHoldsNoStar) {
 std::vector<std::array<float, 4>> halves_by(InstructionSet set) {
   constexpr int count = 37;
   constexpr int room = 2 * count + part_padding;
-  const BezierPatch patch = test::patch_of(fold);
-  const std::vector<const BezierPatch*> patches(count, &patch);
-  std::vector<float> a;
-  std::vector<float> b;
-  std::vector<float> halvings;
-  for (int i = 0; i < count; ++i) {
-    a.push_back(-0.001F + 0.0004F * static_cast<float>(i));
-    b.push_back(-0.04F + 0.002F * static_cast<float>(i));
-    halvings.push_back(i % 3 == 0 ? 1.0F : 8.0F);
+  // Every third patch is halved once.
+  StarPatch patches[2] = {};
+  for (StarPatch& patch : patches) {
+    patch.sky = test::patch_of(fold);
+    patch.error = 1e-5F;
+    patch.halvings = 8;
   }
-  const std::vector<float> error(count, 1e-5F);
+  patches[1].halvings = 1;
+  std::vector<SearchedPair> pairs;
+  for (int i = 0; i < count; ++i) {
+    pairs.push_back({i % 3 == 0 ? 1 : 0, 0, 1.0F, -0.001F + 0.0004F * static_cast<float>(i),
+                     -0.04F + 0.002F * static_cast<float>(i), false});
+  }
   std::vector<float> memory(4UL * part_channels * room);
   SeenParts lists[4];
   for (int i = 0; i < 4; ++i) {
     lists[i] = {memory.data() + i * part_channels * room, room, 0};
   }
   const auto see = cpu_kernel<SeePatchesBatch>(set);
-  const SeePatchesBatch seen{{count, patches.data(), a.data(), b.data()}, error.data(), halvings.data(), lists[0]};
+  const SeePatchesBatch seen{{count, pairs.data(), patches}, lists[0]};
   see.run(seen, 0, see.calls(seen));
   lists[0].count = count;
-  cpu_kernel<HalvePartsBatch>(set).run({lists[0], 0, count, 0, &lists[1], &lists[2], &lists[3]}, 0, 1);
-  std::vector<std::array<float, 4>> told;
+  cpu_kernel<HalvePartsBatch>(set).run({lists[0], 0, count, 0, {&lists[1], &lists[2], &lists[3]}}, 0, 1);
+  std::vector<std::array<float, 4>> listed;
   for (int list = 1; list < 4; ++list) {
     const SeenParts& parts = lists[list];
     for (int i = 0; i < parts.count; ++i) {
-      told.push_back({static_cast<float>(list), parts.at[part_pair * room + i], parts.at[part_u * room + i],
-                      parts.at[part_v * room + i]});
+      listed.push_back({static_cast<float>(list), parts.at[part_pair * room + i], parts.at[part_u * room + i],
+                        parts.at[part_v * room + i]});
     }
   }
-  std::ranges::sort(told);
-  return told;
+  std::ranges::sort(listed);
+  return listed;
 }
 
 TEST(PartsOfPatches, AreTheSameForEveryInstructionSet) {

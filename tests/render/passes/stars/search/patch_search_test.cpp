@@ -96,13 +96,13 @@ TEST(PatchSearch, MakesRoomForMoreThanItHad) {
   const Searches searches{field_of(2000), eye_at_place(places[2]), settings_for(8.0)};
   const PlacedPatches placed(Backend::cpu, searches.patches, searches.station);
   const ImageObserver observer(searches.eye, searches.station, colours().view(), false);
-  const PatchSearch::Question question = {searches.eye.phi, {}, observer, {searches.settings.faintest, false, true}};
+  const PatchSearch::Request request = {searches.eye.phi, {}, observer, {searches.settings.faintest, false, true}};
   PatchSearch roomy(Backend::cpu, searches.field, colours().view());
-  const PatchSearch::Answer expected = roomy.find(placed, question);
+  const PatchSearch::Result expected = roomy.find(placed, request);
   ASSERT_GT(expected.exact.count, 500);
   for (const int room : {0, 16}) {
     PatchSearch narrow(Backend::cpu, searches.field, colours().view(), room);
-    const PatchSearch::Answer found = narrow.find(placed, question);
+    const PatchSearch::Result found = narrow.find(placed, request);
     EXPECT_EQ(found.exact.count, expected.exact.count) << room;
     EXPECT_EQ(found.rough.size(), expected.rough.size()) << room;
   }

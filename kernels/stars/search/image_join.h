@@ -9,31 +9,39 @@ namespace ergodome {
 
 //! Steps, run in this order: count the images of each star, list their numbers at the offsets in
 //! `first`, and take each image once.
-enum class StarTwinStep { count, number, take };
+enum class ImageJoinStep { count, number, take };
+
+//! Order in which the images of a star are kept. Of an image that was found twice, the first is
+//! kept.
+enum class ImageOrder {
+  as_found,
+  by_position  //!< for images that were found in nondeterministic order
+};
 
 //! Collects images star by star. An image on a border may have been found from both sides, and is
 //! kept once. Arrays lie in the backend's memory.
-struct StarTwinBatch {
+struct ImageJoinBatch {
   const SeenImage* found[2];  //!< in two arrays; entries with a star of -1 are unused
   int found_count[2];
   int star_count;
   double pixel;  //!< angle of a pixel [rad]
+  ImageOrder order;
   //! Images of each star; must be zero before the steps `count` and `number`.
   std::int32_t* counts;
   const std::int32_t* first;  //!< index of each star's first number; has star_count + 1 elements
   std::int32_t* numbers;
   StarImage* images;  //!< as many as numbers, star by star; duplicates have a star of -1
-  StarTwinStep step = StarTwinStep::count;
+  ImageJoinStep step = ImageJoinStep::count;
 };
 
 template <>
-struct Kernel<StarTwinBatch> : KernelDefaults {
+struct Kernel<ImageJoinBatch> : KernelDefaults {
   static constexpr bool wide = false;
   static constexpr bool compiled_once = true;
   static constexpr bool counted = false;
-  static const char* name(const StarTwinBatch& /*batch*/) { return "join_star_images"; }
-  static int elements(const StarTwinBatch& batch) {
-    return batch.step == StarTwinStep::take ? batch.star_count : batch.found_count[0] + batch.found_count[1];
+  static const char* name(const ImageJoinBatch& /*batch*/) { return "join_star_images"; }
+  static int elements(const ImageJoinBatch& batch) {
+    return batch.step == ImageJoinStep::take ? batch.star_count : batch.found_count[0] + batch.found_count[1];
   }
 };
 

@@ -1,4 +1,4 @@
-#include "render/passes/stars/search/mended_grid.h"
+#include "render/passes/stars/search/corrected_grid.h"
 
 #include <gtest/gtest.h>
 
@@ -12,9 +12,14 @@
 namespace ergodome {
 namespace {
 
+bool corrected(const CorrectedGrid& grid, int leaf, const Vector3<double>& star, ChartImage& image) {
+  return correct_image(grid.view(host_data), leaf,
+                       {static_cast<float>(star.x), static_cast<float>(star.y), static_cast<float>(star.z)}, image);
+}
+
 //! Rays in double from positions in all leaves of a grid, compared with the values of the grid
 //! there.
-class MendedLeaves : public testing::TestWithParam<test::Place> {
+class CorrectedImages : public testing::TestWithParam<test::Place> {
  protected:
   static constexpr float u = 0.37F;
   static constexpr float v = 0.81F;
@@ -87,18 +92,18 @@ class MendedLeaves : public testing::TestWithParam<test::Place> {
   std::vector<float> seen_;
 };
 
-TEST_P(MendedLeaves, HaveImagesWhereRaysHaveThem) {
-  const MendedGrid grid(station_);
+TEST_P(CorrectedImages, AreWhereRaysHaveThem) {
+  const CorrectedGrid grid(station_);
   int compared = 0;
   int beyond = 0;
   for (std::size_t leaf = 0; leaf < boxes_.size(); ++leaf) {
     const LeafErrors errors = grid.errors(static_cast<int>(leaf));
-    if (errors.told > 0.03F || may_be_folded(leaf)) {
+    if (errors.displaced > 0.03F || may_be_folded(leaf)) {
       continue;
     }
     ChartImage image = place_in(leaf);
     image.gamma_turns += static_cast<float>(3e-3 * boxes_[leaf].width_turns);
-    ASSERT_TRUE(grid.mend(static_cast<int>(leaf), seen(leaf, 0), image)) << "leaf " << leaf;
+    ASSERT_TRUE(corrected(grid, static_cast<int>(leaf), seen(leaf, 0), image)) << "leaf " << leaf;
     const Error error = error_of(leaf, image);
     // Where rays corrected little, the rounding of positions and of the sky in float remains, which
     // is worse next to the shadow.
@@ -114,16 +119,16 @@ TEST_P(MendedLeaves, HaveImagesWhereRaysHaveThem) {
   EXPECT_LE(beyond, compared / 200);
 }
 
-TEST_P(MendedLeaves, AreWrongByAQuarterOfWhatTheirPatchesAre) {
-  const MendedGrid grid(station_);
+TEST_P(CorrectedImages, AreWrongByAQuarterOfTheErrorOfTheirPatches) {
+  const CorrectedGrid grid(station_);
   std::vector<double> ratios;
   for (std::size_t leaf = 0; leaf < boxes_.size(); ++leaf) {
     const LeafErrors errors = grid.errors(static_cast<int>(leaf));
     // Leaves whose patch has an error larger than rounding.
-    if (errors.told > 1e-5F && errors.told < 0.03F && !may_be_folded(leaf)) {
+    if (errors.displaced > 1e-5F && errors.displaced < 0.03F && !may_be_folded(leaf)) {
       ChartImage image = place_in(leaf);
-      ASSERT_TRUE(grid.mend(static_cast<int>(leaf), seen(leaf, 0), image)) << "leaf " << leaf;
-      ratios.push_back(error_of(leaf, image).parts / static_cast<double>(errors.told));
+      ASSERT_TRUE(corrected(grid, static_cast<int>(leaf), seen(leaf, 0), image)) << "leaf " << leaf;
+      ratios.push_back(error_of(leaf, image).parts / static_cast<double>(errors.displaced));
     }
   }
   ASSERT_GT(ratios.size(), 500U);
@@ -131,24 +136,24 @@ TEST_P(MendedLeaves, AreWrongByAQuarterOfWhatTheirPatchesAre) {
   EXPECT_LT(ratios[ratios.size() / 2], 0.25);
 }
 
-INSTANTIATE_TEST_SUITE_P(Cameras, MendedLeaves, testing::ValuesIn(test::places));
+INSTANTIATE_TEST_SUITE_P(Cameras, CorrectedImages, testing::ValuesIn(test::places));
 
-TEST(MendedGrid, OfAStationThatKeptNoChecksKnowsNoErrors) {
+TEST(CorrectedGrid, OfAStationThatKeptNoChecksKnowsNoErrors) {
   GridSettings settings;
   settings.budget_px = 1.0;
-  const MendedGrid grid(build_lens_station(0.9, 6.0, 1.0, settings));
-  EXPECT_GT(grid.errors(0).told, 1e6F);
+  const CorrectedGrid grid(build_lens_station(0.9, 6.0, 1.0, settings));
+  EXPECT_GT(grid.errors(0).displaced, 1e6F);
   EXPECT_GT(grid.errors(0).left, 1e6F);
 }
 
-TEST(MendedGrid, DoesNotMoveAnImageOfAStarThatIsElsewhere) {
+TEST(CorrectedGrid, DoesNotMoveAnImageOfAStarThatIsElsewhere) {
   const LensStation station = build_star_station(test::eye_at_place(test::places[0]), test::settings_for(9.0));
-  const MendedGrid grid(station);
+  const CorrectedGrid grid(station);
   const LeafBox box = leaf_boxes(station)[0];
   const Vector3<double> sky = {static_cast<double>(station.nodes[0]), static_cast<double>(station.nodes[1]),
                                static_cast<double>(station.nodes[2])};
   ChartImage image = {static_cast<float>(box.gamma_turns), static_cast<float>(box.s), 1.0F};
-  EXPECT_FALSE(grid.mend(0, cross(Vector3<double>{0.6, 0.0, 0.8}, sky), image));
+  EXPECT_FALSE(corrected(grid, 0, cross(Vector3<double>{0.6, 0.0, 0.8}, sky), image));
   EXPECT_EQ(image.gamma_turns, static_cast<float>(box.gamma_turns));
   EXPECT_EQ(image.sky, 1.0F);
 }

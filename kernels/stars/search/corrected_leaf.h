@@ -18,9 +18,9 @@ struct ChartImage {
   float sky;
 };
 
-//! Leaves of a lens grid with the results of their checks; see MendedGrid
-//! (render/passes/stars/search/mended_grid.h).
-struct MendedLeaves {
+//! Leaves of a lens grid with the results of their checks; see CorrectedGrid
+//! (render/passes/stars/search/corrected_grid.h).
+struct CorrectedLeaves {
   //! Four per leaf: its corner in the chart, γ [turns] and s, its width and its height.
   const float* boxes;
   const int* leaves;   //!< corners, as in LensGrid
@@ -64,7 +64,7 @@ ERGO_HD Vector3<float> scaled_xyz(const Quad& from, float scale) {
 }
 }  // namespace detail
 
-ERGO_HD LeafDisplacement leaf_displacement(const MendedLeaves& grid, int leaf, float u, float v) {
+ERGO_HD LeafDisplacement leaf_displacement(const CorrectedLeaves& grid, int leaf, float u, float v) {
   using detail::mixed;
   const float* const gamma = grid.checks + static_cast<long>(detail::floats_of_checks) * leaf;
   const float* const s = gamma + checks_a_cell;
@@ -78,7 +78,7 @@ ERGO_HD LeafDisplacement leaf_displacement(const MendedLeaves& grid, int leaf, f
 //! Moves an image of the star at the unit vector `star` from its approximate position in a leaf's
 //! patch to where traced rays have it. Returns false, and changes nothing, if it is too far away
 //! for a first-order correction.
-ERGO_HD bool mend_image(const MendedLeaves& grid, int leaf, const Vector3<float>& star, ChartImage& image) {
+ERGO_HD bool correct_image(const CorrectedLeaves& grid, int leaf, const Vector3<float>& star, ChartImage& image) {
   // Newton steps below this length [fractions of a leaf] hardly change the Jacobian; and the
   // maximum number of steps.
   constexpr float short_step = 2e-4F;

@@ -1,4 +1,4 @@
-#include "render/passes/stars/search/mended_grid.h"
+#include "render/passes/stars/search/corrected_grid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,12 +11,9 @@ namespace {
 
 constexpr float unknown = 1e30F;
 
-//! A put() that makes no copy.
-constexpr auto in_place = [](const auto& values) { return values.data(); };
-
 }  // namespace
 
-MendedGrid::MendedGrid(const LensStation& station)
+CorrectedGrid::CorrectedGrid(const LensStation& station)
     : leaves_(station.leaves), nodes_(station.traced_nodes), checks_(station.leaf_displacements) {
   for (const LeafBox& box : leaf_boxes(station)) {
     for (const double number : {box.gamma_turns, box.s, box.width_turns, box.height}) {
@@ -25,7 +22,7 @@ MendedGrid::MendedGrid(const LensStation& station)
   }
 }
 
-LeafErrors MendedGrid::errors(int leaf) const {
+LeafErrors CorrectedGrid::errors(int leaf) const {
   if (checks_.empty()) {
     return {unknown, unknown};
   }
@@ -34,21 +31,15 @@ LeafErrors MendedGrid::errors(int leaf) const {
   LeafErrors errors{0.0F, 0.0F};
   for (int check = 0; check < checks_a_cell; ++check) {
     const bool inside = check == 0 || check == checks_a_cell - 1;
-    const float told = std::abs(gamma[check]) + std::abs(s[check]);
-    errors.told = std::max(errors.told, inside ? inner_share * told : told);
+    const float displacement = std::abs(gamma[check]) + std::abs(s[check]);
+    errors.displaced = std::max(errors.displaced, inside ? inner_share * displacement : displacement);
     if (inside) {
       const float place = check == 0 ? inner_check : 1.0F - inner_check;
-      const LeafDisplacement said = leaf_displacement(view(in_place), leaf, place, place);
-      errors.left =
-          std::max(errors.left, std::abs(gamma[check] - said.along_gamma) + std::abs(s[check] - said.along_s));
+      const LeafDisplacement by = leaf_displacement(view(host_data), leaf, place, place);
+      errors.left = std::max(errors.left, std::abs(gamma[check] - by.along_gamma) + std::abs(s[check] - by.along_s));
     }
   }
   return errors;
-}
-
-bool MendedGrid::mend(int leaf, const Vector3<double>& star, ChartImage& image) const {
-  return mend_image(view(in_place), leaf,
-                    {static_cast<float>(star.x), static_cast<float>(star.y), static_cast<float>(star.z)}, image);
 }
 
 }  // namespace ergodome

@@ -3,14 +3,17 @@
 #include <vector>
 
 #include "content/trajectory/lens_station.h"
-#include "kernels/stars/search/mended_leaf.h"
+#include "kernels/stars/search/corrected_leaf.h"
 
 namespace ergodome {
 
+//! A put(vector) for view(): kernels on the CPU read the vectors themselves.
+inline constexpr auto host_data = [](const auto& values) { return values.data(); };
+
 //! Errors of a leaf's patch, as fractions of the leaf's sides, at the rays of its checks.
 struct LeafErrors {
-  float told;  //!< largest displacement
-  float left;  //!< largest remaining error after the correction
+  float displaced;  //!< largest displacement
+  float left;       //!< largest remaining error after the correction
 };
 
 //! A lens grid corrected by its check rays: images found with cubic patches are moved to where the
@@ -21,21 +24,18 @@ struct LeafErrors {
 //! displacement δ each, blended across the leaf. The corrected sky is the patch at x - δ(x), and
 //! its Jacobian is that of the patch times that of x - δ. The error that remains at the inner
 //! checks, mostly of fifth order, measures the quality.
-class MendedGrid {
+class CorrectedGrid {
  public:
   //! The station must have been built to be inverted (GridSettings), or its errors are unknown.
-  explicit MendedGrid(const LensStation& station);
+  explicit CorrectedGrid(const LensStation& station);
 
   //! Returns the errors of a leaf. Unknown errors are huge, so that such leaves correct nothing.
   [[nodiscard]] LeafErrors errors(int leaf) const;
 
-  //! Moves an image of a star; see mend_image().
-  bool mend(int leaf, const Vector3<double>& star, ChartImage& image) const;
-
   //! Returns the grid for kernels. put(vector) returns the address at which kernels read the
   //! vector: that of a copy, or of its own data.
   template <class Put>
-  [[nodiscard]] MendedLeaves view(const Put& put) const {
+  [[nodiscard]] CorrectedLeaves view(const Put& put) const {
     return {put(boxes_), put(leaves_), put(nodes_), checks_.empty() ? nullptr : put(checks_)};
   }
 
