@@ -15,7 +15,7 @@
 #include "render/passes/stars/kept_star_images.h"
 #include "render/passes/stars/search/image_joiner.h"
 #include "render/passes/stars/search/star_finder.h"
-#include "render/passes/stars/star_gather.h"
+#include "render/passes/stars/gather/star_gather.h"
 #include "render/passes/stars/star_kind.h"
 
 namespace ergodome {

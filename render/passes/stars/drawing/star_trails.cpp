@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "kernels/launch/work_counter.h"
-#include "render/passes/stars/search/star_refinement.h"
+#include "render/passes/stars/refinement/star_refinement.h"
 
 namespace ergodome {
 

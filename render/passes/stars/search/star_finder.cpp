@@ -11,7 +11,7 @@
 #include "render/lens/grid/grid_builder.h"
 #include "render/passes/stars/image_observer.h"
 #include "render/passes/stars/search/rough_images.h"
-#include "render/passes/stars/search/star_refinement.h"
+#include "render/passes/stars/refinement/star_refinement.h"
 
 namespace ergodome {
 

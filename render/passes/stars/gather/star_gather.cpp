@@ -1,4 +1,4 @@
-#include "render/passes/stars/star_gather.h"
+#include "render/passes/stars/gather/star_gather.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 
 #include "kernels/launch/parallel_for.h"
 #include "kernels/launch/work_counter.h"
-#include "render/passes/stars/search/corner_rows.h"
+#include "render/passes/stars/gather/corner_rows.h"
 
 namespace ergodome {
 

@@ -10,7 +10,7 @@
 
 #include "kernels/spacetime/kerr/camera_station.h"
 #include "kernels/spacetime/trace/omni_camera.h"
-#include "render/passes/stars/search/star_candidate.h"
+#include "render/passes/stars/refinement/star_candidate.h"
 
 namespace ergodome {
 

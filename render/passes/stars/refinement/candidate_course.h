@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "render/passes/stars/search/candidate_rays.h"
+#include "render/passes/stars/refinement/candidate_rays.h"
 
 namespace ergodome {
 

@@ -1,4 +1,4 @@
-#include "render/passes/stars/search/corner_rows.h"
+#include "render/passes/stars/gather/corner_rows.h"
 
 #include <algorithm>
 

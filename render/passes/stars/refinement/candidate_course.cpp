@@ -1,4 +1,4 @@
-#include "render/passes/stars/search/candidate_course.h"
+#include "render/passes/stars/refinement/candidate_course.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "render/passes/stars/star_gather.h"
+#include "render/passes/stars/gather/star_gather.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "render/passes/stars/search/star_tree.h"
+#include "render/passes/stars/gather/star_tree.h"
 
 #include <algorithm>
 #include <nanoflann.hpp>

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "render/passes/stars/search/star_candidate.h"
+#include "render/passes/stars/refinement/star_candidate.h"
 
 namespace ergodome {
 

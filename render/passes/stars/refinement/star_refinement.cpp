@@ -1,4 +1,4 @@
-#include "render/passes/stars/search/star_refinement.h"
+#include "render/passes/stars/refinement/star_refinement.h"
 
 #include <algorithm>
 #include <array>
@@ -6,9 +6,9 @@
 #include <span>
 
 #include "kernels/launch/check_numbers.h"
-#include "render/passes/stars/search/candidate_course.h"
-#include "render/passes/stars/search/candidate_rays.h"
-#include "render/passes/stars/search/lane_queue.h"
+#include "render/passes/stars/refinement/candidate_course.h"
+#include "render/passes/stars/refinement/candidate_rays.h"
+#include "render/passes/stars/refinement/lane_queue.h"
 
 namespace ergodome {
 

@@ -1,4 +1,4 @@
-#include "render/passes/stars/search/lane_queue.h"
+#include "render/passes/stars/refinement/lane_queue.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "render/passes/stars/search/candidate_rays.h"
+#include "render/passes/stars/refinement/candidate_rays.h"
 
 #include <algorithm>
 #include <cmath>

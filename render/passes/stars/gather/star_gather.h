@@ -5,7 +5,7 @@
 
 #include "kernels/projection/projection.h"
 #include "render/passes/stars/search/star_finder.h"
-#include "render/passes/stars/search/star_tree.h"
+#include "render/passes/stars/gather/star_tree.h"
 #include "render/passes/stars/star_eye.h"
 
 namespace ergodome {

@@ -1,4 +1,4 @@
-#include "render/passes/stars/search/star_refinement.h"
+#include "render/passes/stars/refinement/star_refinement.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "render/passes/stars/image_observer.h"
-#include "render/passes/stars/search/candidate_course.h"
+#include "render/passes/stars/refinement/candidate_course.h"
 #include "tests/render/exact_sky.h"
 
 namespace ergodome {
