@@ -46,7 +46,7 @@ ERGO_HD NewtonLimits newton_limits(PatchShape shape) {
                                       : NewtonLimits{any_step, rounds_bent};
 }
 
-//! What Newton's method has shown about a pair.
+//! Result of Newton's method for a pair.
 enum class PairResult {
   no_image,
   image,     //!< at the root

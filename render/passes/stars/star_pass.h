@@ -12,10 +12,10 @@
 #include "render/passes/stars/drawing/point_placer.h"
 #include "render/passes/stars/drawing/star_splat.h"
 #include "render/passes/stars/drawing/tiled_stars.h"
+#include "render/passes/stars/gather/star_gather.h"
 #include "render/passes/stars/kept_star_images.h"
 #include "render/passes/stars/search/image_joiner.h"
 #include "render/passes/stars/search/star_finder.h"
-#include "render/passes/stars/gather/star_gather.h"
 #include "render/passes/stars/star_kind.h"
 
 namespace ergodome {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "kernels/projection/projection.h"
-#include "render/passes/stars/search/star_finder.h"
 #include "render/passes/stars/gather/star_tree.h"
+#include "render/passes/stars/search/star_finder.h"
 #include "render/passes/stars/star_eye.h"
 
 namespace ergodome {

@@ -10,8 +10,8 @@
 #include "kernels/stars/search/search_steps.h"
 #include "render/lens/grid/grid_builder.h"
 #include "render/passes/stars/image_observer.h"
-#include "render/passes/stars/search/rough_images.h"
 #include "render/passes/stars/refinement/star_refinement.h"
+#include "render/passes/stars/search/rough_images.h"
 
 namespace ergodome {
 
