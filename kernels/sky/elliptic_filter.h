@@ -3,7 +3,7 @@
 #include "kernels/core/lanes.h"
 #include "kernels/sky/cube_map.h"
 
-// Anisotropic filtering of the sky's cube map.
+// Filters of the sky's cube map: anisotropic, or bilinear in a single direction.
 namespace ergodome::inline ERGO_TARGET {
 
 //! Maximum number of probes along the major axis; longer ellipses are widened instead.

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-// Statistics of errors and times.
+// Statistics of errors and times, and the clock for the latter.
 
 namespace ergodome {
 

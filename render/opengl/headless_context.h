@@ -4,6 +4,8 @@
 #include <memory>
 #include <vector>
 
+// Draws with OpenGL without a window or a display.
+
 namespace ergodome {
 
 //! An OpenGL 4.5 core context without a window or a display, through EGL: on the device platform of

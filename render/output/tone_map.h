@@ -8,6 +8,8 @@
 #include "kernels/image/tone_curve.h"
 #include "render/picture/picture.h"
 
+// Display values of pictures, and automatic exposure.
+
 namespace ergodome {
 
 //! Returns the tone of settings, without automatic exposure.
