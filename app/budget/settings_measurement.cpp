@@ -119,7 +119,7 @@ class SettingsMeter {
     const double next_s = time_s + 1.0 / show.frame_rate_hz;
     const CameraPose next = camera_pose(show, next_s);
     moves_ = moves_ || order_.free_flight || next.r != moment.pose.r || next.theta != moment.pose.theta ||
-             spin_at(show, next_s) != renderer_.show().spin;
+             spacetime_at(show, next_s) != spacetime_of(renderer_.show());
     return moment;
   }
 
@@ -307,9 +307,7 @@ std::vector<double> budget_times(const Show& show, int count) {
   double nearest = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= looked_at; ++i) {
     const double time_s = show.duration_s * i / looked_at;
-    const double spin = spin_at(show, time_s);
-    const double horizon = 1.0 + std::sqrt(std::max(1.0 - spin * spin, 0.0));
-    const double height = camera_pose(show, time_s).r + horizon;
+    const double height = camera_pose(show, time_s).r + horizon_radius(spacetime_at(show, time_s));
     if (height < nearest) {
       nearest = height;
       nearest_s = time_s;

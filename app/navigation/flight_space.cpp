@@ -27,47 +27,47 @@ struct LocalScale {
   double eastern;
 };
 
-LocalScale local_scale(double spin, const CameraPlace& place) {
+LocalScale local_scale(Spacetime spacetime, const CameraPlace& place) {
   const glm::dvec3& n = place.towards;
-  const KerrFunctions f = kerr_functions(spin, place.r, std::atan2(std::hypot(n.x, n.y), n.z));
+  const KerrFunctions f = kerr_functions(spacetime, place.r, std::atan2(std::hypot(n.x, n.y), n.z));
   return {std::sqrt(std::max(f.delta, 0.0) / f.sigma), 1.0 / std::sqrt(f.sigma), 1.0 / f.circumference_factor};
 }
 
 //! Returns the same for cameras that may cross the horizon. There, lengths are coordinate lengths:
 //! r, and angles times r.
-LocalScale scale_at(double spin, const CameraPlace& place, bool through_horizon) {
-  return through_horizon ? LocalScale{1.0, 1.0 / place.r, 1.0 / place.r} : local_scale(spin, place);
+LocalScale scale_at(Spacetime spacetime, const CameraPlace& place, bool through_horizon) {
+  return through_horizon ? LocalScale{1.0, 1.0 / place.r, 1.0 / place.r} : local_scale(spacetime, place);
 }
 
 }  // namespace
 
-double guard_radius(double spin, const FlightSettings& settings) {
+double guard_radius(Spacetime spacetime, const FlightSettings& settings) {
   const double guard = settings.guard == FlightGuard::horizon
-                           ? horizon_radius(spin) + above_horizon
-                           : 1.01 * std::max(photon_orbit_radius(spin, 1.0), photon_orbit_radius(spin, -1.0));
+                           ? horizon_radius(spacetime) + above_horizon
+                           : 1.01 * std::max(photon_orbit_radius(spacetime, 1.0), photon_orbit_radius(spacetime, -1.0));
   return std::max(guard, settings.least_r);
 }
 
-bool is_beyond_return(double spin, double r) { return !(r > nearest_rest * horizon_radius(spin)); }
+bool is_beyond_return(Spacetime spacetime, double r) { return !(r > nearest_rest * horizon_radius(spacetime)); }
 
 bool may_fall_through_horizon(const Show& show) {
   const FlightSettings& flight = show.flight;
   return !kept_outside(show) && flight.guard == FlightGuard::horizon &&
-         flight.least_r <= horizon_radius(show.spin) + above_horizon;
+         flight.least_r <= horizon_radius(spacetime_of(show)) + above_horizon;
 }
 
-FlightSpace::FlightSpace(double spin, const FlightSettings& settings, double guard_r, bool through_horizon)
-    : spin_(spin),
+FlightSpace::FlightSpace(Spacetime spacetime, const FlightSettings& settings, double guard_r, bool through_horizon)
+    : spacetime_(spacetime),
       guard_r_(guard_r),
       most_r_(std::max(settings.most_r, 1.1 * guard_r)),
       fastest_(settings.max_speed),
       through_horizon_(through_horizon) {}
 
-FlightSpace::FlightSpace(double spin, const FlightSettings& settings)
-    : FlightSpace(spin, settings, guard_radius(spin, settings), false) {}
+FlightSpace::FlightSpace(Spacetime spacetime, const FlightSettings& settings)
+    : FlightSpace(spacetime, settings, guard_radius(spacetime, settings), false) {}
 
-FlightSpace FlightSpace::through_horizon(double spin, const FlightSettings& settings) {
-  return {spin, settings, deepest_rest(spin), true};
+FlightSpace FlightSpace::through_horizon(Spacetime spacetime, const FlightSettings& settings) {
+  return {spacetime, settings, deepest_rest(spacetime), true};
 }
 
 double FlightSpace::distance(double r) const { return std::max(r - guard_r_, 0.0) + leeway * guard_r_; }
@@ -97,7 +97,7 @@ double FlightSpace::moved_radius(double r, double speed, double seconds) const {
 }
 
 void FlightSpace::move(CameraPlace& place, const glm::dvec3& velocity, double seconds) const {
-  const LocalScale scale = scale_at(spin_, place, through_horizon_);
+  const LocalScale scale = scale_at(spacetime_, place, through_horizon_);
   const double length = distance(place.r);
   const glm::dvec3& n = place.towards;
   const double outward = glm::dot(velocity, n);
@@ -110,7 +110,7 @@ void FlightSpace::move(CameraPlace& place, const glm::dvec3& velocity, double se
 }
 
 glm::dvec3 FlightSpace::velocity(const CameraPlace& place, double r_rate, const glm::dvec3& towards_rate) const {
-  const LocalScale scale = scale_at(spin_, place, through_horizon_);
+  const LocalScale scale = scale_at(spacetime_, place, through_horizon_);
   const glm::dvec3& n = place.towards;
   const glm::dvec3 east = east_at(n);
   const glm::dvec3 across = towards_rate - glm::dot(towards_rate, n) * n;

@@ -12,14 +12,14 @@ namespace ergodome {
 //! asymptotically, for any time step.
 class FlightSpace {
  public:
-  FlightSpace(double spin, const FlightSettings& settings);
+  FlightSpace(Spacetime spacetime, const FlightSettings& settings);
 
   //! Returns the space of a camera that falls through the horizon: its guard is at the smallest
   //! radius that falls reach. Lengths are in ingoing Kerr coordinates, r and angles times r,
   //! because proper lengths have no meaning there.
-  static FlightSpace through_horizon(double spin, const FlightSettings& settings);
+  static FlightSpace through_horizon(Spacetime spacetime, const FlightSettings& settings);
 
-  [[nodiscard]] double spin() const { return spin_; }
+  [[nodiscard]] Spacetime spacetime() const { return spacetime_; }
   //! Returns the minimum radius of cameras [M].
   [[nodiscard]] double guard_r() const { return guard_r_; }
 
@@ -44,9 +44,9 @@ class FlightSpace {
   [[nodiscard]] glm::dvec3 velocity(const CameraPlace& place, double r_rate, const glm::dvec3& towards_rate) const;
 
  private:
-  FlightSpace(double spin, const FlightSettings& settings, double guard_r, bool through_horizon);
+  FlightSpace(Spacetime spacetime, const FlightSettings& settings, double guard_r, bool through_horizon);
 
-  double spin_;
+  Spacetime spacetime_;
   double guard_r_;
   double most_r_;
   double fastest_;  //!< [distances/s]
@@ -55,11 +55,11 @@ class FlightSpace {
 
 //! Returns the radius of the guard [M]: just outside the horizon, or outside all photon orbits; at
 //! least `settings.least_r`.
-double guard_radius(double spin, const FlightSettings& settings);
+double guard_radius(Spacetime spacetime, const FlightSettings& settings);
 
 //! Returns whether a camera is inside the horizon, or so close to it that it can only fall: frames
 //! of other observers are boosted so strongly against the infalling one that few digits remain.
-bool is_beyond_return(double spin, double r);
+bool is_beyond_return(Spacetime spacetime, double r);
 
 //! Returns whether infalling orbits take a visitor of a show through the horizon: if everything in
 //! the show can be seen from inside (kept_outside) and its guard is the horizon.

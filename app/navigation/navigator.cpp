@@ -24,22 +24,23 @@ bool same(const CameraPose& a, const CameraPose& b) {
 //! Returns whether a path jumped between two frames, because of a seek. Checks two azimuths: near
 //! the horizon, the Boyer-Lindquist azimuth of infalling cameras changes fast, and the ingoing Kerr
 //! azimuth of others.
-bool leapt(double spin, const CameraPose& from, const CameraPose& to) {
-  const double way = std::min(glm::distance(place_of(from).towards, place_of(to).towards),
-                              glm::distance(ingoing_place(from, spin).towards, ingoing_place(to, spin).towards));
+bool leapt(Spacetime spacetime, const CameraPose& from, const CameraPose& to) {
+  const double way =
+      std::min(glm::distance(place_of(from).towards, place_of(to).towards),
+               glm::distance(ingoing_place(from, spacetime).towards, ingoing_place(to, spacetime).towards));
   return std::abs(std::log(to.r / from.r)) > 0.5 || way > 0.5;
 }
 
 }  // namespace
 
 Navigator::Navigator(const Show& show)
-    : spin_(show.spin),
+    : spacetime_(spacetime_of(show)),
       settings_(show.flight),
-      space_(show.spin, show.flight),
+      space_(spacetime_, show.flight),
       motion_(show.flight),
       kept_outside_(kept_outside(show)),
       leads_through_(may_fall_through_horizon(show)),
-      start_(place_of(in_zamo_frame(camera_pose(show, show.camera.keys.front().time_s), show.spin))),
+      start_(place_of(in_zamo_frame(camera_pose(show, show.camera.keys.front().time_s), spacetime_of(show)))),
       place_(start_),
       mode_(show.flight.mode),
       path_falls_(show.camera.orbit != nullptr),
@@ -54,12 +55,12 @@ void Navigator::advance(double seconds, const SteeringInput& input, const Camera
   clock_lead_ = shown.clock_lead;
   const double frame_s = std::clamp(std::isfinite(seconds) ? seconds : 0.0, 0.0, longest_frame_s);
   if (frame_s > 0.0 || !begun_) {
-    const bool jump = !begun_ || leapt(spin_, path_, path);
+    const bool jump = !begun_ || leapt(spacetime_, path_, path);
     path_before_ = jump ? path : path_;
     path_ = path;
     frame_s_ = frame_s;
     begun_ = true;
-    if (course_ == Course::returning && !(path_.r > horizon_radius(spin_))) {
+    if (course_ == Course::returning && !(path_.r > horizon_radius(spacetime_))) {
       course_ = Course::path;
       return_.reset();
     } else if (jump && course_ == Course::returning) {
@@ -95,12 +96,12 @@ void Navigator::advance(double seconds, const SteeringInput& input, const Camera
   moved_ = !same(shown, pose());
 }
 
-void Navigator::set_spin(double spin) {
-  if (spin == spin_) {
+void Navigator::set_spacetime(Spacetime spacetime) {
+  if (spacetime == spacetime_) {
     return;
   }
-  spin_ = spin;
-  space_ = FlightSpace(spin, settings_);
+  spacetime_ = spacetime;
+  space_ = FlightSpace(spacetime, settings_);
   if (course_ != Course::path && !falls_through()) {
     place_.r = std::max(place_.r, space_.guard_r());
   }
@@ -191,9 +192,9 @@ void Navigator::leave_path() {
     return;
   }
   const bool from_path = course_ == Course::path;
-  const bool within = from_path && !(path_.r > horizon_radius(spin_));
+  const bool within = from_path && !(path_.r > horizon_radius(spacetime_));
   if (from_path && settings_.from == FlightStart::path && may_fall_on() &&
-      (is_beyond_return(spin_, path_.r) || mode_ == FlightMode::geodesic)) {
+      (is_beyond_return(spacetime_, path_.r) || mode_ == FlightMode::geodesic)) {
     fall_on();
     return;
   }
@@ -203,8 +204,8 @@ void Navigator::leave_path() {
   }
   if (from_path && path_falls_) {
     // From here on the view's axes are boosted from the ZAMO.
-    path_ = in_zamo_frame(path_, spin_);
-    path_before_ = in_zamo_frame(path_before_, spin_);
+    path_ = in_zamo_frame(path_, spacetime_);
+    path_before_ = in_zamo_frame(path_before_, spacetime_);
     place_ = place_of(path_);
     before_ = place_of(path_before_);
     asked_velocity_ = path_.velocity;
@@ -234,7 +235,8 @@ void Navigator::start_return() {
   const double seconds = frame_s_ > 0.0 ? frame_s_ : 1.0;
   const bool known = frame_s_ > 0.0;
   const CameraPlace camera[2] = {known ? before_ : place_, place_};
-  const CameraPose path[2] = {in_zamo_frame(known ? path_before_ : path_, spin_), in_zamo_frame(path_, spin_)};
+  const CameraPose path[2] = {in_zamo_frame(known ? path_before_ : path_, spacetime_),
+                              in_zamo_frame(path_, spacetime_)};
   return_.emplace(space_, settings_, camera, path, seconds);
 }
 
@@ -243,7 +245,7 @@ void Navigator::return_to_path() {
     return;
   }
   // A ship can neither leave the horizon nor enter it.
-  if (committed() || !(path_.r > horizon_radius(spin_))) {
+  if (committed() || !(path_.r > horizon_radius(spacetime_))) {
     reset();
     course_ = Course::path;
     return;
@@ -255,7 +257,7 @@ void Navigator::return_to_path() {
 }
 
 void Navigator::advance_return(double seconds) {
-  place_ = return_->advance(seconds, in_zamo_frame(path_, spin_));
+  place_ = return_->advance(seconds, in_zamo_frame(path_, spacetime_));
   // The clock converges to the path's within the remaining time of the way.
   const double left_s = std::max(return_->left_s(), 0.0);
   clock_lead_ += (path_.clock_lead - clock_lead_) * (seconds / std::max(left_s + seconds, 1e-9));
@@ -316,7 +318,7 @@ std::optional<ObserverView> Navigator::own_observer(std::string_view language) c
   }
   const CameraPose here = pose();
   if (mode_ == FlightMode::hover) {
-    return observer_of(ObserverMotion::fixed, {}, spin_, here.r, here.theta, language);
+    return observer_of(ObserverMotion::fixed, {}, spacetime_, here.r, here.theta, language);
   }
   return std::nullopt;
 }
@@ -332,7 +334,7 @@ std::string_view Navigator::mode_name(std::string_view language) const {
 }
 
 bool Navigator::committed() const {
-  return course_ == Course::free && falls_through() && is_beyond_return(spin_, place_.r);
+  return course_ == Course::free && falls_through() && is_beyond_return(spacetime_, place_.r);
 }
 
 CameraPose Navigator::pose() const {
@@ -344,18 +346,18 @@ CameraPose Navigator::pose() const {
     pose.clock_lead = clock_lead_;
     return pose;
   }
-  CameraPose pose = pose_of_ingoing(place_, spin_);
+  CameraPose pose = pose_of_ingoing(place_, spacetime_);
   pose.velocity = ride_->velocity();
   pose.velocity_in_rain = true;
-  pose.clock_lead = outer_lag(spin_, pose.r) + lead_over_lag_;
+  pose.clock_lead = outer_lag(spacetime_, pose.r) + lead_over_lag_;
   return pose;
 }
 
 //! Returns how fast ingoing azimuths rotate relative to Boyer-Lindquist azimuths during a ride
 //! outside the horizon [rad/s].
 glm::dvec3 Navigator::turn_of_azimuth() const {
-  const KerrFunctions f = kerr_functions(spin_, place_.r, 0.0);
-  return {0.0, 0.0, spin_ / f.delta * ride_->radial_speed()};
+  const KerrFunctions f = kerr_functions(spacetime_, place_.r, 0.0);
+  return {0.0, 0.0, spacetime_.spin / f.delta * ride_->radial_speed()};
 }
 
 //! Starts a ride from rest, or at the camera's velocity. An infalling orbit leads through the
@@ -365,7 +367,8 @@ void Navigator::begin_ride() {
     return;
   }
   const CameraPose here = pose_of(place_);
-  const Vector3<double> velocity = asked_velocity_.value_or(circular_velocity(spin_, here.r, here.theta, orbit_sense_));
+  const Vector3<double> velocity =
+      asked_velocity_.value_or(circular_velocity(spacetime_, here.r, here.theta, orbit_sense_));
   OrbitRide ride(space_, settings_, place_, velocity);
   if (!ride.take_over(place_, motion_.fly()) && motion_.coasts()) {
     return;
@@ -375,11 +378,11 @@ void Navigator::begin_ride() {
   if (leads_through_ && ride.falls_into_hole()) {
     CameraPose falls = here;
     falls.velocity = velocity;
-    falls = in_rain_frame(falls, spin_);
-    ride_ = OrbitRide::through_horizon(spin_, settings_, falls);
+    falls = in_rain_frame(falls, spacetime_);
+    ride_ = OrbitRide::through_horizon(spacetime_, settings_, falls);
     ride_->take_clock_of(ride);
-    lead_over_lag_ = clock_lead_ - outer_lag(spin_, falls.r);
-    place_ = before_ = ingoing_place(falls, spin_);
+    lead_over_lag_ = clock_lead_ - outer_lag(spacetime_, falls.r);
+    place_ = before_ = ingoing_place(falls, spacetime_);
     ride_before_ = ride_->velocity();
     turn_ += turn_of_azimuth();
     take_east_from_view();
@@ -390,11 +393,11 @@ void Navigator::begin_ride() {
 //! axes of other flights.
 void Navigator::end_ride() {
   if (falls_through()) {
-    CameraPose before = pose_of_ingoing(before_, spin_);
+    CameraPose before = pose_of_ingoing(before_, spacetime_);
     before.velocity = ride_before_;
     before.velocity_in_rain = true;
-    place_ = place_of(in_zamo_frame(pose(), spin_));
-    before_ = place_of(in_zamo_frame(before, spin_));
+    place_ = place_of(in_zamo_frame(pose(), spacetime_));
+    before_ = place_of(in_zamo_frame(before, spacetime_));
     take_velocity_of(before_, place_, frame_s_, space_);
     take_east_from_view();
   }
@@ -406,17 +409,18 @@ bool Navigator::may_fall_on() const {
   if (!leads_through_ || !path_falls_ || !path_.velocity || !path_.velocity_in_rain) {
     return false;
   }
-  return !(path_.r > horizon_radius(spin_)) || OrbitRide::through_horizon(spin_, settings_, path_).falls_into_hole();
+  return !(path_.r > horizon_radius(spacetime_)) ||
+         OrbitRide::through_horizon(spacetime_, settings_, path_).falls_into_hole();
 }
 
 //! Continues along the orbit of a path that falls through the horizon, as fast as the path, inside
 //! or outside.
 void Navigator::fall_on() {
-  place_ = ingoing_place(path_, spin_);
-  before_ = ingoing_place(in_rain_frame(path_before_, spin_), spin_);
-  ride_ = OrbitRide::through_horizon(spin_, settings_, path_);
+  place_ = ingoing_place(path_, spacetime_);
+  before_ = ingoing_place(in_rain_frame(path_before_, spacetime_), spacetime_);
+  ride_ = OrbitRide::through_horizon(spacetime_, settings_, path_);
   ride_before_ = ride_->velocity();
-  lead_over_lag_ = path_.clock_lead - outer_lag(spin_, path_.r);
+  lead_over_lag_ = path_.clock_lead - outer_lag(spacetime_, path_.r);
   take_velocity_of(before_, place_, frame_s_, ride_->space());
   ride_->go_as(place_, motion_.fly());
   course_ = Course::free;
@@ -439,15 +443,16 @@ ObserverView Navigator::observer_on_ride(std::string_view language) const {
   const CameraPose here = pose();
   const bool german = language == "de";
   if (falls_through()) {
-    const Vector3<double> velocity = in_zamo_frame(here, spin_).velocity.value_or(Vector3<double>{});
-    ObserverView view = falling_into_hole(here.r, spin_, velocity, ride_->left(), language);
-    if (ride_->held() && !(here.r > horizon_radius(spin_))) {
+    const Vector3<double> velocity = in_zamo_frame(here, spacetime_).velocity.value_or(Vector3<double>{});
+    ObserverView view = falling_into_hole(here.r, spacetime_, velocity, ride_->left(), language);
+    if (ride_->held() && !(here.r > horizon_radius(spacetime_))) {
       view.sentence += german ? " (tiefer geht es nicht: die Zeit ist angehalten)"
                               : " (no deeper fall is possible: time is stopped)";
     }
     return view;
   }
-  ObserverView view = observer_of(ObserverMotion::velocity, ride_->velocity(), spin_, here.r, here.theta, language);
+  ObserverView view =
+      observer_of(ObserverMotion::velocity, ride_->velocity(), spacetime_, here.r, here.theta, language);
   view.name = german ? "auf freier Umlaufbahn" : "in free orbit";
   view.sentence = view.name + view.sentence.substr(view.sentence.rfind(','));
   // Within so many guard radii, the observer's description includes where the fall ends.

@@ -28,9 +28,8 @@ class Navigator {
   //! clamps rates to ±1 and ignores NaN.
   void advance(double seconds, const SteeringInput& input, const CameraPose& path);
 
-  //! Sets the hole's spin when the show changes it. A ride continues around the hole with the old
-  //! spin.
-  void set_spin(double spin);
+  //! Sets the spacetime when the show changes it. A ride continues in the old one.
+  void set_spacetime(Spacetime spacetime);
 
   //! Takes the camera off the path with its velocity; if the path is a fall, in free fall along its
   //! orbit, also inside the horizon. Starts from the show's first key if the show is set so.
@@ -101,7 +100,7 @@ class Navigator {
   void advance_return(double seconds);
   void start_return();
 
-  double spin_;
+  Spacetime spacetime_;
   FlightSettings settings_;
   FlightSpace space_;
   SteeredMotion motion_;

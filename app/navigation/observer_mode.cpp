@@ -51,14 +51,14 @@ ObserverMotion motion_of(ObserverMode mode) {
 
 ObserverMode next_observer(ObserverMode mode) { return static_cast<ObserverMode>((static_cast<int>(mode) + 1) % 6); }
 
-NearestVelocity nearest_velocity(ObserverMotion motion, double spin, double r, double theta) {
+NearestVelocity nearest_velocity(ObserverMotion motion, Spacetime spacetime, double r, double theta) {
   if (motion == ObserverMotion::zamo || motion == ObserverMotion::rain) {
-    return {observer_velocity(motion, spin, r, theta, {}), false};
+    return {observer_velocity(motion, spacetime, r, theta, {}), false};
   }
   if (!(std::abs(std::sin(theta)) > 0.0)) {
     return {};  // on the axis nothing orbits
   }
-  const double along = observer_velocity(motion, spin, r, theta, {}).z;
+  const double along = observer_velocity(motion, spacetime, r, theta, {}).z;
   if (std::isnan(along)) {
     return {{0.0, 0.0, motion == ObserverMotion::geodesic ? fastest_stand_in : -fastest_stand_in}, true};
   }
@@ -66,8 +66,8 @@ NearestVelocity nearest_velocity(ObserverMotion motion, double spin, double r, d
   return {{0.0, 0.0, cut}, cut != along};
 }
 
-ObserverView observer_of(ObserverMotion motion, const Vector3<double>& given, double spin, double r, double theta,
-                         std::string_view language) {
+ObserverView observer_of(ObserverMotion motion, const Vector3<double>& given, Spacetime spacetime, double r,
+                         double theta, std::string_view language) {
   const Words& words = words_of(motion, language);
   ObserverView view;
   view.name = words.name;
@@ -79,7 +79,7 @@ ObserverView observer_of(ObserverMotion motion, const Vector3<double>& given, do
   if (motion == ObserverMotion::velocity) {
     view.velocity = given;
   } else {
-    const NearestVelocity nearest = nearest_velocity(motion, spin, r, theta);
+    const NearestVelocity nearest = nearest_velocity(motion, spacetime, r, theta);
     view.velocity = nearest.velocity;
     view.nearest = nearest.nearest;
     view.motion = motion == ObserverMotion::rain ? motion : ObserverMotion::velocity;
@@ -108,10 +108,10 @@ ObserverView falling_within(std::string_view language) {
   return view;
 }
 
-ObserverView falling_into_hole(double r, double spin, const Vector3<double>& in_zamo, std::optional<double> left,
-                               std::string_view language) {
+ObserverView falling_into_hole(double r, Spacetime spacetime, const Vector3<double>& in_zamo,
+                               std::optional<double> left, std::string_view language) {
   const bool german = language == "de";
-  if (r > horizon_radius(spin)) {
+  if (r > horizon_radius(spacetime)) {
     ObserverView view = falling_observer(in_zamo, language);
     view.name = german ? "im Fall ins Loch" : "falling into the hole";
     view.sentence = view.name + view.sentence.substr(view.sentence.rfind(','));
@@ -128,17 +128,18 @@ ObserverView falling_into_hole(double r, double spin, const Vector3<double>& in_
 }
 
 ObserverView observer_view(ObserverMode mode, const CameraSettings& shown, const std::optional<ObserverView>& own,
-                           double spin, double r, double theta, std::string_view language) {
+                           Spacetime spacetime, double r, double theta, std::string_view language) {
   if (mode == ObserverMode::natural) {
-    return own ? *own : observer_of(shown.motion, shown.velocity, spin, r, theta, language);
+    return own ? *own : observer_of(shown.motion, shown.velocity, spacetime, r, theta, language);
   }
-  return observer_of(motion_of(mode), {}, spin, r, theta, language);
+  return observer_of(motion_of(mode), {}, spacetime, r, theta, language);
 }
 
-ObserverView ObserverFade::advance(double seconds, const ObserverView& wanted, double spin, const CameraPose& pose) {
+ObserverView ObserverFade::advance(double seconds, const ObserverView& wanted, Spacetime spacetime,
+                                   const CameraPose& pose) {
   const Vector3<double> target = wanted.motion == ObserverMotion::velocity
                                      ? wanted.velocity
-                                     : observer_velocity(wanted.motion, spin, pose.r, pose.theta, {});
+                                     : observer_velocity(wanted.motion, spacetime, pose.r, pose.theta, {});
   const glm::dquat frame = spherical_frame(pose.theta, pose.phi);
   if (!name_.empty() && name_ != wanted.name) {
     from_ = shown_;

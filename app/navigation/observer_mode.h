@@ -32,7 +32,7 @@ inline constexpr double fastest_stand_in = 0.99;
 //! direction. Of all velocities with this limit it is the closest: inside the ergosphere, the one
 //! that sees the stars rotate most slowly. The limit starts slightly before the border (γ = 7), so
 //! that a camera that crosses it sees no jump.
-NearestVelocity nearest_velocity(ObserverMotion motion, double spin, double r, double theta);
+NearestVelocity nearest_velocity(ObserverMotion motion, Spacetime spacetime, double r, double theta);
 
 //! The observer for the renderer, and its description for the screen.
 struct ObserverView {
@@ -47,11 +47,11 @@ struct ObserverView {
 //! `own` gives the motion of the camera itself (on an orbit, hovering). `language`: "de", otherwise
 //! English.
 ObserverView observer_view(ObserverMode mode, const CameraSettings& shown, const std::optional<ObserverView>& own,
-                           double spin, double r, double theta, std::string_view language = "en");
+                           Spacetime spacetime, double r, double theta, std::string_view language = "en");
 
 //! Returns the observer with a motion, as observer_view() does.
-ObserverView observer_of(ObserverMotion motion, const Vector3<double>& given, double spin, double r, double theta,
-                         std::string_view language = "en");
+ObserverView observer_of(ObserverMotion motion, const Vector3<double>& given, Spacetime spacetime, double r,
+                         double theta, std::string_view language = "en");
 
 //! Returns the observer of a camera in a show's free fall, at its velocity in the ZAMO frame.
 ObserverView falling_observer(const Vector3<double>& velocity, std::string_view language = "en");
@@ -62,8 +62,8 @@ ObserverView falling_within(std::string_view language = "en");
 //! Returns the observer of a visitor's camera that falls into the hole, at a radius [M] outside or
 //! inside the horizon. `in_zamo` is its velocity outside, `left` its proper time to the smallest
 //! radius, if known [M].
-ObserverView falling_into_hole(double r, double spin, const Vector3<double>& in_zamo, std::optional<double> left,
-                               std::string_view language = "en");
+ObserverView falling_into_hole(double r, Spacetime spacetime, const Vector3<double>& in_zamo,
+                               std::optional<double> left, std::string_view language = "en");
 
 //! Blends an observer's velocity to the next one's within a second, so that the sky does not jump.
 class ObserverFade {
@@ -71,7 +71,7 @@ class ObserverFade {
   //! Returns the observer to render; call it once per frame with the wanted observer at the
   //! camera's position. The motion is `velocity` during a fade, otherwise that of `wanted`.
   //! Observers are distinguished by their names.
-  ObserverView advance(double seconds, const ObserverView& wanted, double spin, const CameraPose& pose);
+  ObserverView advance(double seconds, const ObserverView& wanted, Spacetime spacetime, const CameraPose& pose);
 
   //! Returns whether the last observer was not yet the wanted one.
   [[nodiscard]] bool fading() const;

@@ -29,31 +29,34 @@ glm::dvec3 direction_of(const OrbitState& s) {
   return glm::normalize(glm::dvec3(c * s.m.x - d * s.m.y, d * s.m.x + c * s.m.y, s.m.z));
 }
 
-OrbitState orbit_at(double spin, const CameraPlace& place, const Vector3<double>& velocity) {
+OrbitState orbit_at(Spacetime spacetime, const CameraPlace& place, const Vector3<double>& velocity) {
   const CameraPose pose = pose_of(place);
-  return make_orbit(spin, pose.r, pose.theta, pose.phi, velocity);
+  return make_orbit(spacetime, pose.r, pose.theta, pose.phi, velocity);
 }
 
 //! Returns the rotation from the Boyer-Lindquist azimuth of a pose to the ingoing Kerr azimuth
 //! [rad]; 0 inside the horizon, where poses have the latter.
-double ingoing_turn_of_pose(double spin, double r) { return r > horizon_radius(spin) ? ingoing_turn(spin, r) : 0.0; }
+double ingoing_turn_of_pose(Spacetime spacetime, double r) {
+  return r > horizon_radius(spacetime) ? ingoing_turn(spacetime, r) : 0.0;
+}
 
 }  // namespace
 
-CameraPlace ingoing_place(const CameraPose& pose, double spin) {
+CameraPlace ingoing_place(const CameraPose& pose, Spacetime spacetime) {
   CameraPose turned = pose;
-  turned.phi += ingoing_turn_of_pose(spin, pose.r);
+  turned.phi += ingoing_turn_of_pose(spacetime, pose.r);
   return place_of(turned);
 }
 
-CameraPose pose_of_ingoing(const CameraPlace& place, double spin) {
+CameraPose pose_of_ingoing(const CameraPlace& place, Spacetime spacetime) {
   CameraPose pose = pose_of(place);
-  pose.phi -= ingoing_turn_of_pose(spin, pose.r);
+  pose.phi -= ingoing_turn_of_pose(spacetime, pose.r);
   return pose;
 }
 
-Vector3<double> circular_velocity(double spin, double r, double theta, double sense) {
-  return nearest_velocity(sense > 0.0 ? ObserverMotion::geodesic : ObserverMotion::retrograde, spin, r, theta).velocity;
+Vector3<double> circular_velocity(Spacetime spacetime, double r, double theta, double sense) {
+  return nearest_velocity(sense > 0.0 ? ObserverMotion::geodesic : ObserverMotion::retrograde, spacetime, r, theta)
+      .velocity;
 }
 
 OrbitRide::OrbitRide(const FlightSpace& space, const FlightSettings& settings, double r,
@@ -68,29 +71,29 @@ OrbitRide::OrbitRide(const FlightSpace& space, const FlightSettings& settings, d
 
 OrbitRide::OrbitRide(const FlightSpace& space, const FlightSettings& settings, const CameraPlace& place,
                      const Vector3<double>& velocity)
-    : OrbitRide(space, settings, place.r, {}, orbit_at(space.spin(), place, velocity)) {
-  constants_ = orbit_constants(space.spin(), orbit_);
+    : OrbitRide(space, settings, place.r, {}, orbit_at(space.spacetime(), place, velocity)) {
+  constants_ = orbit_constants(space.spacetime(), orbit_);
 }
 
-OrbitRide OrbitRide::through_horizon(double spin, const FlightSettings& settings, const CameraPose& pose) {
-  const CameraPose place = pose_of(ingoing_place(pose, spin));
-  const RainOrbit orbit = make_rain_orbit(spin, place.r, place.theta, place.phi, *pose.velocity);
-  OrbitRide ride(FlightSpace::through_horizon(spin, settings), settings, place.r, orbit.constants, orbit.state);
+OrbitRide OrbitRide::through_horizon(Spacetime spacetime, const FlightSettings& settings, const CameraPose& pose) {
+  const CameraPose place = pose_of(ingoing_place(pose, spacetime));
+  const RainOrbit orbit = make_rain_orbit(spacetime, place.r, place.theta, place.phi, *pose.velocity);
+  OrbitRide ride(FlightSpace::through_horizon(spacetime, settings), settings, place.r, orbit.constants, orbit.state);
   ride.tell_left(place.r);
   return ride;
 }
 
 Vector3<double> OrbitRide::velocity() const {
   if (!leads_through_horizon()) {
-    return orbit_velocity(space_.spin(), orbit_);
+    return orbit_velocity(space_.spacetime(), orbit_);
   }
   const double azimuth = pose_of({1.0 / orbit_.u, direction_of(orbit_)}).phi;
-  return orbit_rain_velocity(space_.spin(), constants_, orbit_, azimuth - orbit_.drag);
+  return orbit_rain_velocity(space_.spacetime(), constants_, orbit_, azimuth - orbit_.drag);
 }
 
 double OrbitRide::radial_speed() const { return -rate().u / (orbit_.u * orbit_.u) * clock_; }
 
-bool OrbitRide::falls_into_hole() const { return falls_in(space_.spin(), constants_, orbit_); }
+bool OrbitRide::falls_into_hole() const { return falls_in(space_.spacetime(), constants_, orbit_); }
 
 glm::dvec3 OrbitRide::way(const CameraPlace& place) const {
   const OrbitState now = rate();
@@ -165,7 +168,7 @@ std::optional<double> OrbitRide::time_to_deepest() const {
   double time = 0.0;
   double h = 0.01 / orbit_.u;
   for (int step = 0; step < most_steps; ++step) {
-    const OrbitStep next = orbit_step(space_.spin(), constants_, h, ahead);
+    const OrbitStep next = orbit_step(space_.spacetime(), constants_, h, ahead);
     const bool over = 1.0 / next.end.u < space_.guard_r();
     if (next.error <= coarse && !over) {
       ahead = next.end;
@@ -191,7 +194,7 @@ void OrbitRide::advance(double seconds, double hurry, CameraPlace& place) {
   held_ = limit < 0.05 * std::min(usual, fastest_ * reach);
   clock_ = std::min(clock_ + std::clamp(wish - clock_, -change, change), limit);
   const OrbitState before = orbit_;
-  advance_orbit(space_.spin(), constants_, clock_ * seconds, tolerance, step_limit, orbit_);
+  advance_orbit(space_.spacetime(), constants_, clock_ * seconds, tolerance, step_limit, orbit_);
   const double r = 1.0 / orbit_.u;
   const bool inside = !(r > space_.guard_r()) && r < place.r;
   if (inside || !std::isfinite(r + orbit_.drag + orbit_.m.x + orbit_.m.y + orbit_.m.z)) {

@@ -20,7 +20,7 @@ class OrbitRide {
 
   //! Returns a ride through the horizon or inside it, from a pose with a velocity in the rain
   //! frame.
-  static OrbitRide through_horizon(double spin, const FlightSettings& settings, const CameraPose& pose);
+  static OrbitRide through_horizon(Spacetime spacetime, const FlightSettings& settings, const CameraPose& pose);
 
   //! Starts at the camera's velocity [distances/s] of `space()`, if that is along the orbit.
   //! Otherwise returns false and does not start.
@@ -74,7 +74,7 @@ class OrbitRide {
   [[nodiscard]] double clock_along(const CameraPlace& place, const glm::dvec3& velocity) const;
   //! Returns the motion along the orbit per proper time [distances/M].
   [[nodiscard]] glm::dvec3 way(const CameraPlace& place) const;
-  [[nodiscard]] OrbitState rate() const { return orbit_rate(space_.spin(), constants_, orbit_); }
+  [[nodiscard]] OrbitState rate() const { return orbit_rate(space_.spacetime(), constants_, orbit_); }
   void tell_left(double r);
   [[nodiscard]] std::optional<double> time_to_deepest() const;
 
@@ -95,11 +95,11 @@ class OrbitRide {
 
 //! Returns the velocity of a circular equatorial orbit at a radius, or the nearest possible one,
 //! along +φ if `sense` is positive.
-Vector3<double> circular_velocity(double spin, double r, double theta, double sense);
+Vector3<double> circular_velocity(Spacetime spacetime, double r, double theta, double sense);
 
 //! Convert between a pose and a CameraPlace with the ingoing Kerr azimuth. Inside the horizon,
 //! poses already have that azimuth.
-CameraPlace ingoing_place(const CameraPose& pose, double spin);
-CameraPose pose_of_ingoing(const CameraPlace& place, double spin);
+CameraPlace ingoing_place(const CameraPose& pose, Spacetime spacetime);
+CameraPose pose_of_ingoing(const CameraPlace& place, Spacetime spacetime);
 
 }  // namespace ergodome

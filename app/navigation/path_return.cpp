@@ -49,7 +49,7 @@ PathReturn::Offset PathReturn::offset(const CameraPlace& camera, const CameraPos
 PathReturn::PathReturn(const FlightSpace& space, const FlightSettings& settings, const CameraPlace (&camera)[2],
                        const CameraPose (&path)[2], double seconds)
     : space_(space),
-      horizon_r_(horizon_radius(space.spin())),
+      horizon_r_(horizon_radius(space.spacetime())),
       start_(offset(camera[1], path[1])),
       coasting_r_(camera[1].r),
       radial_speed_((camera[1].r - camera[0].r) / seconds) {

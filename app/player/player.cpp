@@ -356,7 +356,7 @@ void Player::update_texts() {
                        session_->playback().language());
     const CameraPose& pose = session_->frame().pose;
     times += '\n';
-    times += text_in(readout_text(session_->spin(), pose.r, pose.theta), session_->playback().language());
+    times += text_in(readout_text(session_->spacetime(), pose.r, pose.theta), session_->playback().language());
     times += pictures_.budget() ? fmt::format("\n{}", pictures_.budget()->display_text()) : "";
   }
   output_->set_text(PanelPlace::top_left, times);

@@ -76,7 +76,7 @@ void PlayerSession::set_show(const Show& show) {
   if (was_flying) {
     navigator_->leave_path();
   }
-  const bool another_hole = show_now_.spin != scene_before.spin || find_animation(show_, "hole.spin") != nullptr;
+  const bool another_hole = spacetime() != spacetime_of(scene_before) || find_animation(show_, "hole.spin") != nullptr;
   if (another_hole && recording_.is_bound_to_hole()) {
     end_recording(scene_before);
   }
@@ -105,7 +105,7 @@ void PlayerSession::advance(const PlayerInput& input) {
   look(seconds, before.time_s);
   changed_ = !begun_ || !same_picture(before, frame_);
   begun_ = true;
-  if (recording_.note(now_s(), frame_, *navigator_, show_, show_now_.spin)) {
+  if (recording_.note(now_s(), frame_, *navigator_, show_, spacetime())) {
     end_recording(scene_now());
   }
 }
@@ -127,7 +127,7 @@ void PlayerSession::navigate(const PlayerInput& input, double seconds) {
   if (steers(input.steering.rates) || steers(input.steering.amounts)) {
     navigator_->leave_path();
   }
-  navigator_->set_spin(show_now_.spin);
+  navigator_->set_spacetime(spacetime());
   navigator_->advance(seconds, input.steering, camera_pose(show_, time_s));
 }
 
@@ -216,7 +216,7 @@ void PlayerSession::press_view(KeyAction action) {
       navigator_->let_go();
       break;
     case KeyAction::next_observer:
-      observer_.choose_next(frame_.pose, show_now_.spin);
+      observer_.choose_next(frame_.pose, spacetime());
       break;
     default:
       adjust_stereo(action);
@@ -294,7 +294,7 @@ void PlayerSession::look(double seconds, double shown_time_s) {
   if (!flying()) {
     frame_.path_time_s = time_s;
   }
-  observer_.observe(seconds, {show_, show_now_.spin, time_s, *navigator_, language}, frame_);
+  observer_.observe(seconds, {show_, spacetime(), time_s, *navigator_, language}, frame_);
   frame_.mode = mode_;
   frame_.field_of_view_deg = field_of_view_deg();
   frame_.stereo = stereo_now();

@@ -81,7 +81,7 @@ class PlayerSession {
   [[nodiscard]] const Playback& playback() const { return playback_; }
   [[nodiscard]] const Show& show() const { return show_; }
   //! Returns the hole's current spin.
-  [[nodiscard]] double spin() const { return show_now_.spin; }
+  [[nodiscard]] Spacetime spacetime() const { return spacetime_of(show_now_); }
 
  private:
   void apply(const TransportCommand& command);

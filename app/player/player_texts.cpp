@@ -25,8 +25,8 @@ std::string times_text(const PictureReport& report, const StereoSettings& stereo
 std::string title_text(const PictureReport& report, const PlayerSession& session, const std::string& backend) {
   const PlayerFrame& frame = session.frame();
   return fmt::format("Ergodome  {}  a {:.6g}  r {:.4g} M  {:.1f} s  {:.1f} ms at {} px  {} lens  {}{}",
-                     text_in(session.show().title, session.playback().language()), session.spin(), frame.pose.r,
-                     frame.time_s, report.frame_time_ms, report.size_px, report.lens, backend,
+                     text_in(session.show().title, session.playback().language()), session.spacetime().spin,
+                     frame.pose.r, frame.time_s, report.frame_time_ms, report.size_px, report.lens, backend,
                      session.flying()                       ? "  free flight"
                      : session.playback().instant().playing ? ""
                                                             : "  paused");

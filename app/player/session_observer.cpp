@@ -9,7 +9,7 @@ namespace ergodome {
 
 namespace {
 
-bool is_within(const CameraPose& pose, double spin) { return !(pose.r > horizon_radius(spin)); }
+bool is_within(const CameraPose& pose, Spacetime spacetime) { return !(pose.r > horizon_radius(spacetime)); }
 
 //! Returns how the camera itself moves, if that determines the observer; `in_zamo` is its pose.
 std::optional<ObserverView> own_observer(const ObserverScene& scene, const CameraPose& in_zamo) {
@@ -17,36 +17,36 @@ std::optional<ObserverView> own_observer(const ObserverScene& scene, const Camer
   if (navigator.course() == Navigator::Course::free) {
     return navigator.own_observer(scene.language);
   }
-  if (is_within(in_zamo, scene.spin)) {
+  if (is_within(in_zamo, scene.spacetime)) {
     return falling_within(scene.language);
   }
   // While returning to a path with velocities, the observer already moves as the path does, so that
   // nothing jumps when the path is reached.
   const std::optional<Vector3<double>> velocity =
       navigator.course() == Navigator::Course::returning
-          ? in_zamo_frame(camera_pose(scene.show, scene.time_s), scene.spin).velocity
+          ? in_zamo_frame(camera_pose(scene.show, scene.time_s), scene.spacetime).velocity
           : in_zamo.velocity;
   if (!velocity) {
     return std::nullopt;
   }
-  return scene.show.camera.orbit != nullptr
-             ? falling_observer(*velocity, scene.language)
-             : observer_of(ObserverMotion::velocity, *velocity, scene.spin, in_zamo.r, in_zamo.theta, scene.language);
+  return scene.show.camera.orbit != nullptr ? falling_observer(*velocity, scene.language)
+                                            : observer_of(ObserverMotion::velocity, *velocity, scene.spacetime,
+                                                          in_zamo.r, in_zamo.theta, scene.language);
 }
 
 }  // namespace
 
-void SessionObserver::choose_next(const CameraPose& pose, double spin) {
-  mode_ = is_within(pose, spin) ? mode_ : next_observer(mode_);
+void SessionObserver::choose_next(const CameraPose& pose, Spacetime spacetime) {
+  mode_ = is_within(pose, spacetime) ? mode_ : next_observer(mode_);
 }
 
 void SessionObserver::observe(double seconds, const ObserverScene& scene, PlayerFrame& frame) {
-  const bool within = is_within(frame.pose, scene.spin);
+  const bool within = is_within(frame.pose, scene.spacetime);
   const ObserverMode mode = within ? ObserverMode::natural : mode_;
-  const CameraPose in_zamo = in_zamo_frame(frame.pose, scene.spin);
-  const ObserverView wanted = observer_view(mode, scene.show.camera, own_observer(scene, in_zamo), scene.spin,
+  const CameraPose in_zamo = in_zamo_frame(frame.pose, scene.spacetime);
+  const ObserverView wanted = observer_view(mode, scene.show.camera, own_observer(scene, in_zamo), scene.spacetime,
                                             frame.pose.r, frame.pose.theta, scene.language);
-  frame.observer = fade_.advance(seconds, wanted, scene.spin, frame.pose);
+  frame.observer = fade_.advance(seconds, wanted, scene.spacetime, frame.pose);
   if (!frame.pose.velocity_in_rain) {
     other_eyes_from_r_ = frame.pose.r;
   }
@@ -63,7 +63,7 @@ void SessionObserver::observe(double seconds, const ObserverScene& scene, Player
 
 void SessionObserver::use_other_observer(const ObserverScene& scene, const CameraPose& in_zamo,
                                          PlayerFrame& frame) const {
-  const double horizon = horizon_radius(scene.spin);
+  const double horizon = horizon_radius(scene.spacetime);
   const double nearest = 1.002 * horizon;
   const double farthest = std::min(1.3 * horizon, other_eyes_from_r_);
   const double r = in_zamo.r;
@@ -78,7 +78,7 @@ void SessionObserver::use_other_observer(const ObserverScene& scene, const Camer
   frame.pose.velocity.reset();
   if (nearness > 0.0) {
     const ObserverView& seen = frame.observer;
-    const Vector3<double> other = observer_velocity(seen.motion, scene.spin, r, frame.pose.theta, seen.velocity);
+    const Vector3<double> other = observer_velocity(seen.motion, scene.spacetime, r, frame.pose.theta, seen.velocity);
     frame.pose.velocity = other + nearness * (falls - other);
   }
 }

@@ -11,9 +11,9 @@ namespace ergodome {
 
 //! What the observer of a frame depends on.
 struct ObserverScene {
-  const Show& show;  //!< as in its file
-  double spin;       //!< of the hole now
-  double time_s;     //!< show time
+  const Show& show;     //!< as in its file
+  Spacetime spacetime;  //!< now
+  double time_s;        //!< show time
   const Navigator& navigator;
   const std::string& language;
 };
@@ -22,7 +22,7 @@ struct ObserverScene {
 class SessionObserver {
  public:
   //! Chooses the next observer for a camera at a pose. Inside the horizon there is only one.
-  void choose_next(const CameraPose& pose, double spin);
+  void choose_next(const CameraPose& pose, Spacetime spacetime);
   void reset() { mode_ = ObserverMode::natural; }
   [[nodiscard]] bool is_chosen() const { return mode_ != ObserverMode::natural; }
 

@@ -174,7 +174,7 @@ CameraPose place_at(CameraKeys keys, double time_s) {
 Vector3<double> between_observer_and_fall(const Show& show, double time_s, const CameraPose& pose,
                                           const Vector3<double>& falls, double part) {
   const Vector3<double> own = pose.velocity.value_or(
-      observer_velocity(show.camera.motion, spin_at(show, time_s), pose.r, pose.theta, show.camera.velocity));
+      observer_velocity(show.camera.motion, spacetime_at(show, time_s), pose.r, pose.theta, show.camera.velocity));
   return own + part * (falls - own);
 }
 
@@ -234,7 +234,7 @@ CameraPose pose_on_path(const Show& show, double time_s) {
 CameraPose camera_pose(const Show& show, double time_s) {
   CameraPose pose = pose_on_path(show, time_s);
   if (leads_within(show)) {
-    pose.clock_lead = outer_lag(show.spin, pose.r);
+    pose.clock_lead = outer_lag(spacetime_of(show), pose.r);
   }
   return pose;
 }
@@ -247,8 +247,8 @@ std::shared_ptr<const FreeFall> follow_fall(const Show& show) {
   const FallSettings& fall = *show.camera.fall;
   const CameraKey& key = keys_until(show.camera.keys, fall.time_s).back();
   const FallStart start = {key.r, key.theta, key.phi,
-                           observer_velocity(fall.motion, show.spin, key.r, key.theta, fall.velocity)};
-  return std::make_shared<const FreeFall>(show.spin, start, fall, find_animation(show, "camera.fall.clock"),
+                           observer_velocity(fall.motion, spacetime_of(show), key.r, key.theta, fall.velocity)};
+  return std::make_shared<const FreeFall>(spacetime_of(show), start, fall, find_animation(show, "camera.fall.clock"),
                                           show.duration_s + beyond_s);
 }
 

@@ -112,8 +112,8 @@ constexpr auto write_camera_keys = [](toml::table& table, const CameraSettings& 
 constexpr auto read_later = [](TomlTable& /*table*/, CameraSettings& /*camera*/) {};
 
 //! Returns true if the show's observer would have to be faster than light there.
-bool outruns_light(const CameraSettings& camera, double spin, double r, double theta) {
-  const Vector3<double> v = observer_velocity(camera.motion, spin, r, theta, camera.velocity);
+bool outruns_light(const CameraSettings& camera, Spacetime spacetime, double r, double theta) {
+  const Vector3<double> v = observer_velocity(camera.motion, spacetime, r, theta, camera.velocity);
   return !(dot(v, v) < 1.0) && camera.motion != ObserverMotion::rain;
 }
 
@@ -137,7 +137,7 @@ void take_velocity(TomlTable& table, const std::string& file, const Show& show, 
                          "remove until_s from [camera.fall], or velocity from all keys");
   }
   const Vector3<double> v =
-      observer_velocity(written.motion, spin_at(show, key.time_s), key.r, key.theta, written.velocity);
+      observer_velocity(written.motion, spacetime_at(show, key.time_s), key.r, key.theta, written.velocity);
   if (!(dot(v, v) <= fastest_observer * fastest_observer * (1.0 + 1e-12))) {
     throw table.error_at("velocity", fmt::format("would exceed the speed of light at r = {} M", key.r),
                          "move the camera farther out, or write velocity = { beta = 0.3, toward = [0, 0, 1] }");
@@ -164,19 +164,19 @@ void check_time(const TomlTable& table, const CameraSettings& camera, const Came
 }
 
 //! Throws Error if a key is inside the horizon, or its observer would be faster than light.
-void check_key(const TomlTable& table, double spin, const CameraSettings& camera, const CameraKey& key) {
-  const double horizon = horizon_radius(spin);
+void check_key(const TomlTable& table, Spacetime spacetime, const CameraSettings& camera, const CameraKey& key) {
+  const double horizon = horizon_radius(spacetime);
   if (!(key.r > horizon)) {
     throw table.error_at("r", fmt::format("is {} M, inside the horizon at {:.6g} M", key.r, horizon),
                          fmt::format("choose r above {:.6g}", horizon));
   }
-  if (!key.velocity && outruns_light(camera, spin, key.r, key.theta)) {
+  if (!key.velocity && outruns_light(camera, spacetime, key.r, key.theta)) {
     throw table.error_at(
         "r",
         fmt::format("is {} M, where {} observer would have to move faster than light", key.r, observer_word(camera)),
-        camera.motion == ObserverMotion::fixed
-            ? fmt::format("stay above {:.6g} M, or choose observer = \"zamo\"", static_limit_radius(spin, key.theta))
-            : "stay outside the photon orbit, or choose observer = \"zamo\"");
+        camera.motion == ObserverMotion::fixed ? fmt::format("stay above {:.6g} M, or choose observer = \"zamo\"",
+                                                             static_limit_radius(spacetime, key.theta))
+                                               : "stay outside the photon orbit, or choose observer = \"zamo\"");
   }
 }
 
@@ -184,7 +184,7 @@ void check_key(const TomlTable& table, double spin, const CameraSettings& camera
 //! table of the key that the camera is moving to.
 void check_place(const TomlTable& table, const Show& show, double time_s) {
   const CameraPose pose = camera_pose(show, time_s);
-  if (outruns_light(show.camera, spin_at(show, time_s), pose.r, pose.theta)) {
+  if (outruns_light(show.camera, spacetime_at(show, time_s), pose.r, pose.theta)) {
     throw table.error_at(
         "r",
         fmt::format("leads the camera to r = {:.4g} M and theta = {:.4g} deg at {:.4g} s, where {} observer would "
@@ -201,7 +201,7 @@ void check_end_of_fall(const TomlTable& fall, const Show& show) {
     return;
   }
   const CameraKey& end = show.camera.after_fall.front();
-  if (outruns_light(show.camera, show.spin, end.r, end.theta)) {
+  if (outruns_light(show.camera, spacetime_of(show), end.r, end.theta)) {
     throw fall.error_at(
         "until_s",
         fmt::format("ends the fall at r = {:.4g} M, where {} observer would have to move faster than light", end.r,
@@ -296,7 +296,7 @@ void read_camera(const toml::table* table, const std::string& file, Show& show) 
     check_time(each, show.camera, key);
     if (!falls) {
       take_velocity(each, file, show, key);
-      check_key(each, spin_at(show, key.time_s), show.camera, key);
+      check_key(each, spacetime_at(show, key.time_s), show.camera, key);
     }
     each.refuse_unknown_keys();
     show.camera.keys.push_back(key);
@@ -328,7 +328,7 @@ void check_spin_on_path(const std::string& file, const Show& show) {
     const double span_s = i + 1 < times.size() ? times[i + 1] - times[i] : 0.0;
     for (int k = 0; k < (span_s > 0.0 ? between : 1); ++k) {
       const double time_s = times[i] + span_s * k / between;
-      const double horizon = horizon_radius(value_at(*spin, time_s));
+      const double horizon = horizon_radius(Spacetime{value_at(*spin, time_s)});
       const double r = camera_pose(show, time_s).r;
       if (!(r > horizon)) {
         const int line = show.lines.at("animate.hole.spin");

@@ -53,18 +53,18 @@ void check_end(const TomlTable& table, const Show& show) {
 //! Throws Error unless time stops outside the outer horizon, or between the horizons.
 void check_rest(const TomlTable& table, const Show& show, double begin_r) {
   const FallSettings& fall = *show.camera.fall;
-  const double horizon = horizon_radius(show.spin);
+  const double horizon = horizon_radius(spacetime_of(show));
   const double before = std::ceil(1e5 * nearest_rest * horizon) * 1e-5;
-  const double deepest = deepest_rest(show.spin);
+  const double deepest = deepest_rest(spacetime_of(show));
   const bool within = fall.least_r > 0.0 && fall.least_r < horizon;
   if (fall.least_r > 0.0 && !(fall.least_r >= before && fall.least_r < begin_r) &&
       !(within && fall.least_r >= deepest && fall.least_r <= horizon / nearest_rest)) {
     throw table.error_at(
         "least_r", fmt::format("is {} M, but must lie between the horizon and the start of the fall", fall.least_r),
         fmt::format("choose at least {:.6g} and less than {:.6g}", before, begin_r) +
-            (has_inside(show.spin) ? fmt::format(", or inside the horizon {:.6g} to {:.6g}", deepest,
-                                                 std::floor(1e5 * horizon / nearest_rest) * 1e-5)
-                                   : ""));
+            (has_inside(spacetime_of(show)) ? fmt::format(", or inside the horizon {:.6g} to {:.6g}", deepest,
+                                                          std::floor(1e5 * horizon / nearest_rest) * 1e-5)
+                                            : ""));
   }
   if (within && fall.until_s) {
     throw table.error_at("until_s",
@@ -90,7 +90,7 @@ void check_beginning(const TomlTable& table, const Show& show) {
                          "do not animate hole.spin: a free fall needs a constant spin");
   }
   check_rest(table, show, key->r);
-  const Vector3<double> v = observer_velocity(fall.motion, show.spin, key->r, key->theta, fall.velocity);
+  const Vector3<double> v = observer_velocity(fall.motion, spacetime_of(show), key->r, key->theta, fall.velocity);
   if (!(dot(v, v) <= fastest_observer * fastest_observer * (1.0 + 1e-12))) {
     throw table.error_at(table.has("velocity") ? "velocity" : "t_s",
                          fmt::format("starts a fall at r = {} M with a velocity faster than light", key->r),
@@ -185,14 +185,14 @@ void let_fall(const toml::table& fall, const std::string& file, Show& show) {
   show.camera.after_fall = keys_after_fall(show);
   const FreeFall& orbit = *show.camera.orbit;
   if (!orbit.leads_within() && orbit.horizon_s() && *orbit.horizon_s() < show.duration_s) {
-    const double horizon = horizon_radius(show.spin);
+    const double horizon = horizon_radius(spacetime_of(show));
     throw table.error_at(
         "t_s", fmt::format("starts a fall that reaches the horizon at {:.6g} s", *orbit.horizon_s()),
         fmt::format("end the fall earlier with until_s, or write least_r = {:.4g} to stop outside the horizon",
                     1.05 * horizon) +
-            (has_inside(show.spin)
-                 ? fmt::format(", or least_r = {:.4g} to fall through it", 0.5 * (horizon + deepest_rest(show.spin)))
-                 : ""));
+            (has_inside(spacetime_of(show)) ? fmt::format(", or least_r = {:.4g} to fall through it",
+                                                          0.5 * (horizon + deepest_rest(spacetime_of(show))))
+                                            : ""));
   }
   if (!orbit.stop_s() && !orbit.horizon_s() && orbit.followed_s() < show.duration_s) {
     throw table.error_at(

@@ -44,12 +44,12 @@ glm::dquat least_turn(const glm::dvec3& from, const glm::dvec3& to) {
 
 }  // namespace
 
-FreeFall::FreeFall(double spin, const FallStart& start, const FallSettings& settings, const Animation* clock,
+FreeFall::FreeFall(Spacetime spacetime, const FallStart& start, const FallSettings& settings, const Animation* clock,
                    double end_s)
-    : spin_(spin),
+    : spacetime_(spacetime),
       start_(start),
       settings_(settings),
-      leads_within_(settings.least_r > 0.0 && settings.least_r < horizon_radius(spin)),
+      leads_within_(settings.least_r > 0.0 && settings.least_r < horizon_radius(spacetime)),
       clock_(settings, clock),
       least_r_(start.r),
       followed_s_(settings.time_s) {
@@ -76,17 +76,17 @@ FreeFall::FreeFall(double spin, const FallStart& start, const FallSettings& sett
 }
 
 void FreeFall::begin() {
-  OrbitState first = make_orbit(spin_, start_.r, start_.theta, start_.phi, start_.velocity);
-  constants_ = orbit_constants(spin_, first);
+  OrbitState first = make_orbit(spacetime_, start_.r, start_.theta, start_.phi, start_.velocity);
+  constants_ = orbit_constants(spacetime_, first);
   if (!leads_within_) {
     stations_.push_back({0.0, first, start_.phi, 0.0, spherical_frame(start_.theta, start_.phi)});
     return;
   }
   constants_.ingoing = true;
-  first.drag = ingoing_turn(spin_, start_.r);
+  first.drag = ingoing_turn(spacetime_, start_.r);
   const double phi = start_.phi + first.drag;
-  const Vector3<double> in_rain = orbit_rain_velocity(spin_, constants_, first, start_.phi);
-  const glm::dquat turn = rain_turn(spin_, start_.r, start_.theta, start_.velocity, in_rain);
+  const Vector3<double> in_rain = orbit_rain_velocity(spacetime_, constants_, first, start_.phi);
+  const glm::dquat turn = rain_turn(spacetime_, start_.r, start_.theta, start_.velocity, in_rain);
   stations_.push_back({0.0, first, phi, 0.0, spherical_frame(start_.theta, phi) * turn});
 }
 
@@ -94,7 +94,7 @@ FreeFall::Station FreeFall::station_after(const Station& from, double proper_tim
   Station to = from;
   to.proper_time = proper_time;
   if (proper_time != from.proper_time) {
-    to.state = orbit_step(spin_, constants_, proper_time - from.proper_time, from.state).end;
+    to.state = orbit_step(spacetime_, constants_, proper_time - from.proper_time, from.state).end;
   }
   to.phi = from.phi + std::remainder(azimuth_of(to.state, from.phi) - from.phi, 2.0 * pi);
   const glm::dvec3 before = direction_in_space(from.state);
@@ -111,11 +111,11 @@ FreeFall::Station FreeFall::station_at(double proper_time) const {
 }
 
 void FreeFall::follow(double proper_time) {
-  const double horizon = horizon_radius(spin_);
+  const double horizon = horizon_radius(spacetime_);
   double h = 0.01 * start_.r;
   for (std::size_t step = 0; step < most_steps && stations_.back().proper_time < proper_time; ++step) {
     const Station& from = stations_.back();
-    const OrbitStep next = orbit_step(spin_, constants_, h, from.state);
+    const OrbitStep next = orbit_step(spacetime_, constants_, h, from.state);
     if (next.error <= step_error) {
       const double to = from.proper_time + h;
       const double last_r = leads_within_ ? settings_.least_r : std::max(settings_.least_r, horizon + horizon_gap);
@@ -212,10 +212,10 @@ FallPlace FreeFall::at(double time_s) const {
   const double psi = now.phi - now.state.drag;
   const glm::dquat frame = glm::normalize(glm::conjugate(spherical_frame(theta, now.phi)) * now.frame);
   if (!leads_within_) {
-    return {r, theta, now.phi, orbit_velocity(spin_, now.state, psi), frame};
+    return {r, theta, now.phi, orbit_velocity(spacetime_, now.state, psi), frame};
   }
-  const double phi = r > horizon_radius(spin_) ? now.phi - ingoing_turn(spin_, r) : now.phi;
-  return {r, theta, phi, orbit_rain_velocity(spin_, constants_, now.state, psi), frame};
+  const double phi = r > horizon_radius(spacetime_) ? now.phi - ingoing_turn(spacetime_, r) : now.phi;
+  return {r, theta, phi, orbit_rain_velocity(spacetime_, constants_, now.state, psi), frame};
 }
 
 }  // namespace ergodome

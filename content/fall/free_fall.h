@@ -48,7 +48,8 @@ class FreeFall {
  public:
   //! Computes the orbit up to `end_s`. It ends earlier near the horizon, at `least_r`, or after too
   //! many steps.
-  FreeFall(double spin, const FallStart& start, const FallSettings& settings, const Animation* clock, double end_s);
+  FreeFall(Spacetime spacetime, const FallStart& start, const FallSettings& settings, const Animation* clock,
+           double end_s);
 
   [[nodiscard]] double begin_s() const { return settings_.time_s; }
   [[nodiscard]] std::optional<double> until_s() const { return settings_.until_s; }
@@ -103,7 +104,7 @@ class FreeFall {
   void note_turn(const Station& from, const Station& to, Swing& swing);
   void note_turns();
 
-  double spin_;
+  Spacetime spacetime_;
   FallStart start_;
   FallSettings settings_;
   bool leads_within_;

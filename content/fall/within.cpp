@@ -18,9 +18,9 @@ bool has_polygon_objects(const Show& show) {
 
 }  // namespace
 
-double deepest_rest(double spin) { return std::ceil(1e5 * least_interior_radius(spin)) * 1e-5; }
+double deepest_rest(Spacetime spacetime) { return std::ceil(1e5 * least_interior_radius(spacetime)) * 1e-5; }
 
-bool has_inside(double spin) { return deepest_rest(spin) < horizon_radius(spin) / nearest_rest; }
+bool has_inside(Spacetime spacetime) { return deepest_rest(spacetime) < horizon_radius(spacetime) / nearest_rest; }
 
 std::optional<LocalText> hidden_within(const Show& show) {
   if (has_polygon_objects(show)) {
@@ -32,7 +32,7 @@ std::optional<LocalText> hidden_within(const Show& show) {
 }
 
 std::optional<LocalText> kept_outside(const Show& show) {
-  if (!has_inside(show.spin)) {
+  if (!has_inside(spacetime_of(show))) {
     return LocalText{{"en", "at this spin the inside of the hole cannot be shown"},
                      {"de", "bei diesem Spin lässt sich das Innere des Lochs nicht zeigen"}};
   }

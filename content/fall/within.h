@@ -11,10 +11,10 @@ namespace ergodome {
 inline constexpr double nearest_rest = 1.001;
 
 //! Returns the minimum stopping radius of falls [M].
-double deepest_rest(double spin);
+double deepest_rest(Spacetime spacetime);
 
 //! Returns true if falls can stop inside the horizon; false if the spin is 1 or -1, or almost.
-bool has_inside(double spin);
+bool has_inside(Spacetime spacetime);
 
 //! Returns, in English and German, which feature of a show cannot be shown from inside the horizon;
 //! nothing if all can.

@@ -43,7 +43,7 @@ Vector3<double> position_at(const ObjectSettings& object, double time_s) {
 
 double orbit_rate(const ObjectOrbit& orbit) {
   const double way = std::copysign(1.0, orbit.speed);
-  return way / (orbit.r * std::sqrt(orbit.r) + way * std::cos(orbit.inclination) * orbit.spin);
+  return way / (orbit.r * std::sqrt(orbit.r) + way * std::cos(orbit.inclination) * orbit.spacetime.spin);
 }
 
 ObjectPlacement placement_at(const ObjectSettings& object, double time_s) {

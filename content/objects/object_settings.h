@@ -8,6 +8,7 @@
 #include "content/timeline/timeline.h"
 #include "kernels/objects/lamp_place.h"
 #include "kernels/spacetime/schwarzschild/tessellation.h"
+#include "kernels/spacetime/spacetime.h"
 
 namespace ergodome {
 
@@ -27,7 +28,7 @@ struct ObjectOrbit {
   double inclination = 0.0;  //!< of the orbit to the plane z = 0 [rad]
   double node = 0.0;         //!< azimuth of the ascending node [rad]
   double speed = 20.0;       //!< M of the hole's time per second of the show; negative runs backward
-  double spin = 0.0;         //!< of the hole at the center [M]
+  Spacetime spacetime{};     //!< of the hole at the center
 
   bool operator==(const ObjectOrbit&) const = default;
 };

@@ -95,9 +95,9 @@ bool changes_by_itself(const Show& show) {
          std::ranges::any_of(show.objects, moves);
 }
 
-double spin_at(const Show& show, double time_s) {
+Spacetime spacetime_at(const Show& show, double time_s) {
   const Animation* const animation = find_animation(show, "hole.spin");
-  return animation != nullptr ? value_at(*animation, time_s) : show.spin;
+  return Spacetime{animation != nullptr ? value_at(*animation, time_s) : show.spin};
 }
 
 NumberLimits range_of(const Animation& animation) {

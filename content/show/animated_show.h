@@ -32,8 +32,8 @@ const Animation* find_animation(const Show& show, std::string_view path);
 //! clouds or moving objects. Captions and overlays do not belong to the scene.
 bool changes_by_itself(const Show& show);
 
-//! Returns the hole's spin at a show time.
-double spin_at(const Show& show, double time_s);
+//! Returns the spacetime at a show time.
+Spacetime spacetime_at(const Show& show, double time_s);
 
 //! Returns the minimum and maximum value of an animation.
 NumberLimits range_of(const Animation& animation);

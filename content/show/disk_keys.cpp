@@ -21,8 +21,8 @@ double six_digits_above(double value) {
 //! exist.
 NumberLimits innermost_radii(const Show& show, bool plunging) {
   NumberLimits limits{1e9, 0.0};
-  for (const double spin : {show_at_least(show).spin, show_at_most(show).spin}) {
-    const double r = plunging ? horizon_radius(spin) : innermost_stable_radius(spin, 1.0);
+  for (const Spacetime spacetime : {spacetime_of(show_at_least(show)), spacetime_of(show_at_most(show))}) {
+    const double r = plunging ? horizon_radius(spacetime) : innermost_stable_radius(spacetime, 1.0);
     limits = {std::min(limits.least, r), std::max(limits.greatest, r)};
   }
   return limits;

@@ -87,10 +87,10 @@ constexpr auto keys_of_shell = keys_of<ShellSettings>(
 
 //! Returns the largest horizon radius at any time of the show.
 double greatest_horizon(const Show& show) {
-  const double least = show_at_least(show).spin;
-  const double most = show_at_most(show).spin;
-  const bool stops = least < 0.0 && most > 0.0;
-  return stops ? horizon_radius(0.0) : std::max(horizon_radius(least), horizon_radius(most));
+  const Spacetime least = spacetime_of(show_at_least(show));
+  const Spacetime most = spacetime_of(show_at_most(show));
+  const bool stops = least.spin < 0.0 && most.spin > 0.0;
+  return stops ? horizon_radius(Spacetime{}) : std::max(horizon_radius(least), horizon_radius(most));
 }
 
 }  // namespace

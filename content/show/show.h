@@ -286,6 +286,9 @@ struct Show {
   FlightSettings flight;
 };
 
+//! Returns the spacetime of the show; that of the first instant if its spin is animated.
+inline Spacetime spacetime_of(const Show& show) { return Spacetime{show.spin}; }
+
 //! Returns the default field of view of a projection [deg].
 double usual_field_of_view_deg(ViewProjection projection);
 

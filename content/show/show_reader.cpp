@@ -22,7 +22,7 @@ constexpr std::size_t largest_mib = 16;
 void read_dependent_parts(TomlTable& root, const std::string& file, Show& show) {
   for (ObjectSettings& object : show.objects) {
     if (object.orbit) {
-      object.orbit->spin = show.spin;
+      object.orbit->spacetime = spacetime_of(show);
     }
   }
   read_fall(root.table("camera"), file, show);

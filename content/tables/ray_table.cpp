@@ -89,17 +89,17 @@ Vector3<double> vector_of(const TableLine& line, const std::optional<std::size_t
 }
 
 void check(const RayRow& row, const TableLine& line, std::string_view spin_name) {
-  if (!(std::abs(row.spin) <= 1.0)) {
-    throw Error(line.place, fmt::format("{} is {}, outside -1 to 1", spin_name, row.spin),
+  if (!(std::abs(row.spacetime.spin) <= 1.0)) {
+    throw Error(line.place, fmt::format("{} is {}, outside -1 to 1", spin_name, row.spacetime.spin),
                 "choose a spin in that range");
   }
-  const double horizon = horizon_radius(row.spin);
+  const double horizon = horizon_radius(row.spacetime);
   const bool falls = row.motion == ObserverMotion::rain || row.motion == ObserverMotion::rain_boost;
-  const double least = falls ? std::min(least_interior_radius(row.spin), horizon) : horizon;
+  const double least = falls ? std::min(least_interior_radius(row.spacetime), horizon) : horizon;
   if (!(row.r > least && row.r <= 1e12)) {
     throw Error(
         line.place, fmt::format("r is {}, out of range for this observer", row.r),
-        falls || !(row.r > least_interior_radius(row.spin))
+        falls || !(row.r > least_interior_radius(row.spacetime))
             ? fmt::format("choose a radius above {:.6g} and up to 1e12", least)
             : fmt::format(
                   "choose a radius above the horizon at {:.6g} and up to 1e12, or the observer rain or rain_boost",
@@ -107,7 +107,7 @@ void check(const RayRow& row, const TableLine& line, std::string_view spin_name)
   }
   const Vector3<double> v = row.motion == ObserverMotion::rain_boost
                                 ? row.velocity
-                                : observer_velocity(row.motion, row.spin, row.r, row.theta, row.velocity);
+                                : observer_velocity(row.motion, row.spacetime, row.r, row.theta, row.velocity);
   if (row.motion != ObserverMotion::rain && !(dot(v, v) < 1.0)) {
     throw Error(line.place, "this observer would have to move faster than light at this radius",
                 "choose another observer or a larger radius");
@@ -134,7 +134,7 @@ void check_velocity(const RayRow& row, const TableLine& line, const Columns& col
   if (row.motion == ObserverMotion::velocity || row.motion == ObserverMotion::rain_boost) {
     return;
   }
-  const Vector3<double> v = observer_velocity(row.motion, row.spin, row.r, row.theta, row.velocity);
+  const Vector3<double> v = observer_velocity(row.motion, row.spacetime, row.r, row.theta, row.velocity);
   const double own[3] = {v.x, v.y, v.z};
   for (std::size_t i = 0; i < 3; ++i) {
     const bool given = columns.beta[i] && !line.cell(*columns.beta[i]).empty();
@@ -168,7 +168,7 @@ std::vector<RayRow> read_ray_table(std::istream& stream, const std::string& file
   for (TableLine line; table.next(line);) {
     RayRow row;
     row.id = columns.id ? std::string(line.cell(*columns.id)) : std::to_string(rows.size());
-    row.spin = line.number(columns.spin.column, columns.spin.name);
+    row.spacetime = Spacetime{line.number(columns.spin.column, columns.spin.name)};
     row.r = line.number(columns.r, "r");
     row.theta = theta_of(line, columns.theta);
     row.motion = motion_of(line, line.cell(columns.observer));

@@ -11,8 +11,8 @@ namespace ergodome {
 
 //! A light ray to trace: the hole's spin, a camera at φ = 0, its observer, and a direction.
 struct RayRow {
-  std::string id;      //!< as in the file; the row's number if the file has no such column
-  double spin = 0.0;   //!< [M]
+  std::string id;  //!< as in the file; the row's number if the file has no such column
+  Spacetime spacetime;
   double r = 0.0;      //!< [M]
   double theta = 0.0;  //!< [rad]
   ObserverMotion motion = ObserverMotion::zamo;

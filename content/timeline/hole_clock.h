@@ -21,7 +21,7 @@ class HoleClock {
  public:
   //! `orbit` is that of the show's camera, or nullptr if it does not fall; `pace` is the rate
   //! without a fall [M/s].
-  HoleClock(double spin, std::shared_ptr<const FreeFall> orbit, double pace);
+  HoleClock(Spacetime spacetime, std::shared_ptr<const FreeFall> orbit, double pace);
 
   //! Returns the hole's time at a show time, from 0 at the show's beginning [M].
   [[nodiscard]] double time(double time_s) const;
@@ -35,7 +35,7 @@ class HoleClock {
   void follow();
   [[nodiscard]] double time_along_orbit(double time_s) const;
 
-  double spin_;
+  Spacetime spacetime_;
   std::shared_ptr<const FreeFall> orbit_;
   double pace_;
   OrbitConstants constants_{};

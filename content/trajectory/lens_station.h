@@ -3,13 +3,14 @@
 #include <vector>
 
 #include "kernels/lens/lens_grid.h"
+#include "kernels/spacetime/spacetime.h"
 
 namespace ergodome {
 
 //! The lens map of one camera position: a grid over the whole sky in the rain frame. It serves
 //! every motion, orientation and azimuth of the camera there. LensGrid documents the arrays.
 struct LensStation {
-  double spin = 0.0;        //!< [M]
+  Spacetime spacetime;
   double r = 0.0;           //!< Boyer-Lindquist radius [M]
   double theta = 0.0;       //!< polar angle [rad]
   Vector3<float> centre{};  //!< axes of the chart, see EdgeCurve

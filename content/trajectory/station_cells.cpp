@@ -28,10 +28,10 @@ Vector3<float> read_vector(ByteReader& from) {
 }
 
 bool is_place(const LensStation& s) {
-  if (!(std::abs(s.spin) <= 1.0)) {
+  if (!(std::abs(s.spacetime.spin) <= 1.0)) {
     return false;
   }
-  const double deepest = std::min(least_interior_radius(s.spin), horizon_radius(s.spin));
+  const double deepest = std::min(least_interior_radius(s.spacetime), horizon_radius(s.spacetime));
   return s.r > deepest && s.r < 1e9 && s.theta >= 0.0 && s.theta <= 3.1416;
 }
 
@@ -106,7 +106,7 @@ Bytes unpack_bytes(std::span<const std::byte> packed, std::uint64_t unpacked_byt
 }
 
 void write_cells(ByteWriter& to, const LensStation& station, std::uint32_t flags, std::size_t nodes) {
-  to.number(station.spin);
+  to.number(station.spacetime.spin);
   to.number(station.r);
   to.number(station.theta);
   write_vector(to, station.centre);
@@ -128,7 +128,7 @@ void write_cells(ByteWriter& to, const LensStation& station, std::uint32_t flags
 
 StationCells read_cells(ByteReader& from, std::size_t stored_floats, const std::string& place) {
   LensStation station;
-  station.spin = from.number<double>();
+  station.spacetime = Spacetime{from.number<double>()};
   station.r = from.number<double>();
   station.theta = from.number<double>();
   station.centre = read_vector(from);

@@ -38,7 +38,7 @@ std::string station_place(const std::filesystem::path& file, std::size_t station
 
 Bytes to_bytes(const TrajectoryProvenance& provenance) {
   ByteWriter to;
-  to.number(provenance.spin);
+  to.number(provenance.spacetime.spin);
   to.number(provenance.pixel);
   to.number(provenance.budget_px);
   to.number((provenance.derivatives ? flag_derivatives : 0U) | (provenance.disk ? flag_disk : 0U));
@@ -50,7 +50,7 @@ Bytes to_bytes(const TrajectoryProvenance& provenance) {
 TrajectoryProvenance parse_provenance(std::span<const std::byte> payload, const std::string& place) {
   ByteReader from(payload, place);
   TrajectoryProvenance provenance;
-  provenance.spin = from.number<double>();
+  provenance.spacetime = Spacetime{from.number<double>()};
   provenance.pixel = from.number<double>();
   provenance.budget_px = from.number<double>();
   const auto flags = from.number<std::uint32_t>();
@@ -58,7 +58,7 @@ TrajectoryProvenance parse_provenance(std::span<const std::byte> payload, const 
   provenance.disk = (flags & flag_disk) != 0;
   provenance.code_version = from.text();
   provenance.show_text = from.text();
-  if (!(std::abs(provenance.spin) <= 1.0 && provenance.pixel > 0.0 && provenance.budget_px > 0.0)) {
+  if (!(std::abs(provenance.spacetime.spin) <= 1.0 && provenance.pixel > 0.0 && provenance.budget_px > 0.0)) {
     throw Error(place, "is damaged (provenance)", "bake it again");
   }
   return provenance;

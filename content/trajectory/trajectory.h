@@ -16,7 +16,7 @@ namespace ergodome {
 struct TrajectoryProvenance {
   std::string code_version;
   std::string show_text;  //!< as TOML
-  double spin = 0.0;
+  Spacetime spacetime;
   double pixel = 0.0;        //!< angle of a screen pixel [rad]
   double budget_px = 0.0;    //!< accepted displacement on the screen
   bool derivatives = false;  //!< stations contain derivatives along r and θ

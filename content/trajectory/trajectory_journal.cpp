@@ -188,7 +188,7 @@ void TrajectoryJournal::seal(const std::filesystem::path& path, const std::vecto
     const std::uint64_t whole = to.bytes;
     to.file.seekp(0);
     const bool within = std::ranges::any_of(
-        index, [&](const StationEntry& entry) { return !(entry.r > horizon_radius(provenance_.spin)); });
+        index, [&](const StationEntry& entry) { return !(entry.r > horizon_radius(provenance_.spacetime)); });
     to.write(to_bytes(TrajectoryHeader{true, whole, index_offset, whole - index_offset,
                                        static_cast<std::uint32_t>(index.size()),
                                        within ? trajectory_version : outside_version}));

@@ -61,7 +61,7 @@ LensStation TrajectoryReader::read(std::size_t station) const {
   const Bytes frame = frame_at(entry.offset, entry.bytes, place);
   LensStation read = parse_station(frame, place);
   require_whole(parse_frame_header(frame, place).number == station && read.r == entry.r && read.theta == entry.theta &&
-                    read.spin == provenance_.spin && read.nodes_along_r.empty() != provenance_.derivatives,
+                    read.spacetime == provenance_.spacetime && read.nodes_along_r.empty() != provenance_.derivatives,
                 not_there, place);
   return read;
 }
@@ -76,7 +76,7 @@ DiskStation TrajectoryReader::read_disk(std::size_t station) const {
   require_whole(header.unpacked_bytes == entry.disk_memory_bytes, not_there, place);
   DiskStation read = parse_disk(frame, place);
   require_whole(header.number == station && read.cells.r == entry.r && read.cells.theta == entry.theta &&
-                    read.cells.spin == provenance_.spin && read.has_derivatives() == provenance_.derivatives,
+                    read.cells.spacetime == provenance_.spacetime && read.has_derivatives() == provenance_.derivatives,
                 not_there, place);
   return read;
 }

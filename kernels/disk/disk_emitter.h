@@ -28,7 +28,8 @@ struct CircularOrbit {
   double axial_angular_momentum;
 };
 
-ERGO_HD CircularOrbit circular_orbit(double spin, double r) {
+ERGO_HD CircularOrbit circular_orbit(Spacetime spacetime, double r) {
+  const double spin = spacetime.spin;
   const double root = ::sqrt(r);
   const double swirl = spin / (r * root);
   const double norm = ::sqrt(1.0 - 3.0 / r + 2.0 * swirl);
@@ -38,13 +39,13 @@ ERGO_HD CircularOrbit circular_orbit(double spin, double r) {
 //! Returns the flow of the disk about a hole: the innermost stable orbit, with its energy and
 //! angular momentum. For spin 1 that orbit is at the horizon's radius, and no matter falls inwards
 //! from it.
-ERGO_HD DiskFlow<double> make_disk_flow(double spin) {
-  const double r = innermost_stable_radius(spin, 1.0);
+ERGO_HD DiskFlow<double> make_disk_flow(Spacetime spacetime) {
+  const double r = innermost_stable_radius(spacetime, 1.0);
   // The limits of 0 / 0 as a goes to 1.
   constexpr double limit_energy = 0.57735026918962576451;
-  const bool extremal = 1.0 - spin < 1e-12;
-  const CircularOrbit orbit = extremal ? CircularOrbit{limit_energy, 2.0 * limit_energy} : circular_orbit(spin, r);
-  return {spin, r, orbit.energy, orbit.axial_angular_momentum};
+  const bool extremal = 1.0 - spacetime.spin < 1e-12;
+  const CircularOrbit orbit = extremal ? CircularOrbit{limit_energy, 2.0 * limit_energy} : circular_orbit(spacetime, r);
+  return {spacetime.spin, r, orbit.energy, orbit.axial_angular_momentum};
 }
 
 template <class S>

@@ -37,7 +37,7 @@ struct CrossingBounds {
 //! plane.
 template <bool WithDelay, class S>
 ERGO_HD CrossingBounds<S> crossing_bounds(S spin, S outermost_u) {
-  const S horizon_r = S(1) + safe_sqrt((S(1) - spin) * (S(1) + spin));
+  const S horizon_r = kerr_horizon_radius(spin);
   if constexpr (WithDelay) {
     constexpr S margin = S(sizeof(S) == 4 ? 1e-4 : 1e-9);
     return {horizon_r, S(0), S(1) / horizon_r, (S(1) - margin) / horizon_r, outermost_u};

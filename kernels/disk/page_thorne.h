@@ -26,8 +26,9 @@ ERGO_HD double page_thorne_term(double spin, double root, double product, double
 //! With x = √r, and x1, x2, x3 the roots of x³ - 3x + 2a:
 //!   f = 3 / (2 x² (x³ - 3x + 2a)) [x - x0 - 3/2 a ln(x/x0)
 //!       - Σ 3 (x_i - a)² / (x_i (x_i - x_j)(x_i - x_k)) ln((x - x_i) / (x0 - x_i))].
-ERGO_HD double page_thorne_function(double spin, double r) {
-  const double stable_r = innermost_stable_radius(spin, 1.0);
+ERGO_HD double page_thorne_function(Spacetime spacetime, double r) {
+  const double spin = spacetime.spin;
+  const double stable_r = innermost_stable_radius(spacetime, 1.0);
   if (!(r > stable_r)) {
     return 0.0;
   }
@@ -52,6 +53,6 @@ ERGO_HD double page_thorne_function(double spin, double r) {
 
 //! Returns the flux of one face of the disk at radius r, as measured by its own matter, in units of
 //! the accretion rate over 4π M²: f / r, from eq. 11b at the equator.
-ERGO_HD double page_thorne_flux(double spin, double r) { return page_thorne_function(spin, r) / r; }
+ERGO_HD double page_thorne_flux(Spacetime spacetime, double r) { return page_thorne_function(spacetime, r) / r; }
 
 }  // namespace ergodome::inline ERGO_TARGET

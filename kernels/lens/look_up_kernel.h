@@ -160,9 +160,9 @@ struct LookUpRays {
     store_lanes(rays.sky[1], first, count, select(seen, sky.y, zero));
     store_lanes(rays.sky[2], first, count, select(seen, sky.z, zero));
     store_lanes(rays.frequency_ratio, first, count, S(1) / start.energy);
-    const T escaped(S(static_cast<int>(RayStatus::escaped)));
-    const T captured(S(static_cast<int>(RayStatus::captured)));
-    const T not_converged(S(static_cast<int>(RayStatus::not_converged)));
+    const T escaped(S(static_cast<int>(LightEnd::sky)));
+    const T captured(S(static_cast<int>(LightEnd::horizon)));
+    const T not_converged(S(static_cast<int>(LightEnd::unresolved)));
     store_lanes(rays.status, first, count, select(bright, select(seen, escaped, not_converged), captured));
     store_lanes(rays.steps, first, count, steps);
     store_lanes(rays.error_estimate, first, count, end.error_estimate);

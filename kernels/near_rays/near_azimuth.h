@@ -36,7 +36,7 @@ ERGO_HD void expand_drag(ScalarOf<T> spin, const NearRay<T>& ray, const RealOf<T
                          const T* z_square, NearSeries<Order, T, Parts>& s) {
   using S = ScalarOf<T>;
   const S a2 = spin * spin;
-  const S horizon_r = S(1) + safe_sqrt((S(1) - spin) * (S(1) + spin));
+  const S horizon_r = kerr_horizon_radius(spin);
   const T l = ray.axial_angular_momentum;
   const T skew = a2 * ray.energy - spin * l;
   constexpr int time_terms = has_delay(Parts) ? Order : 1;
@@ -107,7 +107,7 @@ ERGO_HD void expand_ingoing(ScalarOf<T> spin, const NearRay<T>& ray, const RealO
                             NearSeries<Order, T, Parts>& s) {
   using S = ScalarOf<T>;
   const S a2 = spin * spin;
-  const S horizon_r = S(1) + safe_sqrt((S(1) - spin) * (S(1) + spin));
+  const S horizon_r = kerr_horizon_radius(spin);
   const S inner_r = a2 / horizon_r;
   const T shear = ray.shear_constant;
   const T skew = a2 * ray.energy - spin * ray.axial_angular_momentum;

@@ -119,7 +119,7 @@ ERGO_HD MaskOf<RealOf<T>> counts_ingoing(const NearRay<T>& ray) {
 template <class T>
 ERGO_HD MaskOf<RealOf<T>> begins_within(ScalarOf<T> spin, const NearRay<T>& ray) {
   using S = ScalarOf<T>;
-  const S horizon_r = S(1) + safe_sqrt((S(1) - spin) * (S(1) + spin));
+  const S horizon_r = kerr_horizon_radius(spin);
   return value_of(ray.u) * horizon_r > RealOf<T>(S(1));
 }
 
@@ -130,7 +130,7 @@ template <class T>
 ERGO_HD MaskOf<RealOf<T>> has_been_outside(ScalarOf<T> spin, const NearRay<T>& ray) {
   using S = ScalarOf<T>;
   using Real = RealOf<T>;
-  const S horizon_r = S(1) + safe_sqrt((S(1) - spin) * (S(1) + spin));
+  const S horizon_r = kerr_horizon_radius(spin);
   const Real moment = (S(2) * horizon_r) * value_of(ray.energy) - spin * value_of(ray.axial_angular_momentum);
   const Real zero(S(0));
   return (!begins_within(spin, ray)) | ((moment > zero) & (value_of(ray.u_rate) < zero));

@@ -21,7 +21,7 @@ ERGO_HD RadialFate<RealOf<T>> radial_fate(ScalarOf<T> spin, const NearRay<T>& ra
   using S = ScalarOf<T>;
   using Real = RealOf<T>;
   const S a2 = spin * spin;
-  const S horizon_r = S(1) + safe_sqrt((S(1) - spin) * (S(1) + spin));
+  const S horizon_r = kerr_horizon_radius(spin);
   const Real zero(S(0));
   const Real energy = value_of(ray.energy);
   const Real shear = value_of(ray.shear_constant);

@@ -55,7 +55,7 @@ ERGO_HD bool aim_with_spin(const LocalFrame& frame, const RayEnds& ends, Vector3
     direction = start;
     found = true;
     for (int i = 1; i <= raises && found; ++i) {
-      found = aim_at(local_frame(frame.camera.spin * i / raises, ends.from).camera, target, direction, miss);
+      found = aim_at(local_frame(Spacetime{frame.camera.spin * i / raises}, ends.from).camera, target, direction, miss);
     }
   }
   correction.direction = found ? direction - start : Vector3<double>{0.0, 0.0, 0.0};

@@ -128,7 +128,7 @@ ERGO_HD bool raise_spin(const LocalFrame& frame, const RayEnds& ends, int order,
     const double next = ::fmin(raised + part, 1.0);
     EdgePlace aimed = {at.gamma + (next - raised) * rate.gamma, at.x + (next - raised) * rate.x};
     const EdgePlace expected = aimed;
-    const CameraStation camera = next < 1.0 ? local_frame(next * spin, ends.from).camera : frame.camera;
+    const CameraStation camera = next < 1.0 ? local_frame(Spacetime{next * spin}, ends.from).camera : frame.camera;
     const RayTarget target =
         ray_target(ends.from, turned_about_axis(ends.place, (1.0 - next) * carried), ends.near_enough);
     // A result far from the expected one is another image.

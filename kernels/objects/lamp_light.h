@@ -30,9 +30,9 @@ ERGO_HD bool in_shadow(const LocalFrame& from, const LightRay& ray, const MeshSc
 namespace detail {
 
 //! Returns the energy that a lamp at rest measures of a photon with energy 1 at infinity.
-ERGO_HD double energy_at_rest(double spin, const Vector3<double>& place) {
+ERGO_HD double energy_at_rest(Spacetime spacetime, const Vector3<double>& place) {
   const double r2 = dot(place, place);
-  const double a_cosine_squared = spin * spin * (place.z * place.z) / r2;
+  const double a_cosine_squared = spacetime.spin * spacetime.spin * (place.z * place.z) / r2;
   return 1.0 / ::sqrt(1.0 - 2.0 * ::sqrt(r2) / (r2 + a_cosine_squared));
 }
 
@@ -48,7 +48,7 @@ ERGO_HD double strength_of(const LampPlace& lamp, const LocalFrame& frame, const
   if (lamp.falloff == LampFalloff::published) {
     return lamp.strength / square;
   }
-  const double at_lamp = energy_at_rest(frame.camera.spin, lamp.position);
+  const double at_lamp = energy_at_rest(spacetime_of(frame.camera), lamp.position);
   const double here = 1.0 / evaluate(frame.camera.energy, ray.direction);
   const double shift = lamp.shifted ? here / at_lamp : 1.0;
   return lamp.strength * shift * shift / ::fmax(at_lamp * at_lamp * ray.spread, square / brightest);
@@ -59,7 +59,8 @@ ERGO_HD double strength_of(const LampPlace& lamp, const LocalFrame& frame, const
 ERGO_HD Vector3<double> velocity_in(const LocalFrame& frame, const Vector3<double>& point,
                                     const Vector3<double>& velocity) {
   const double beside = ::sqrt(point.x * point.x + point.y * point.y);
-  const KerrFunctions f = kerr_functions(frame.camera.spin, ::sqrt(dot(point, point)), ::atan2(beside, point.z));
+  const KerrFunctions f =
+      kerr_functions(spacetime_of(frame.camera), ::sqrt(dot(point, point)), ::atan2(beside, point.z));
   const Vector3<double> along = in_axes(frame, velocity);
   const double by = 1.0 / ::sqrt(f.sigma * f.delta / f.area);
   const Vector3<double> v = {by * along.x / frame.normal_by.x, by * along.y / frame.normal_by.y,
@@ -107,14 +108,14 @@ namespace detail {
 //! spin, the closed form shows that the surface faces away.
 ERGO_HD bool lamp_ray(const LampPlace& lamp, const LampLight& light, const LitPlace& at, const LocalFrame& from,
                       int way, RayCorrection& correction, LightRay& ray) {
-  const double spin = from.camera.spin;
+  const Spacetime spacetime = spacetime_of(from.camera);
   const auto find = [&](LightRayParts parts) {
-    return light_ray(spin, from, at.start, lamp.position, way + 1, parts, correction, ray);
+    return light_ray(spacetime, from, at.start, lamp.position, way + 1, parts, correction, ray);
   };
   if (lamp.falloff == LampFalloff::published) {
     return find(LightRayParts::way);
   }
-  if (spin == 0.0 && !(find(LightRayParts::way) && meeting(light, at.normal, ray.direction) > 0.0)) {
+  if (spacetime.spin == 0.0 && !(find(LightRayParts::way) && meeting(light, at.normal, ray.direction) > 0.0)) {
     return false;
   }
   return find(LightRayParts::spread);
@@ -126,16 +127,16 @@ ERGO_HD bool lamp_ray(const LampPlace& lamp, const LampLight& light, const LitPl
 //! shadows. `limits.delay`: delay of the point. The rays are those to `start`: a ray that goes
 //! round the hole and is turned by a tiny angle ends far from the lamp, and would meet objects that
 //! it should pass.
-ERGO_HD_CALLED LampLight lamp_light(double spin, const LampPlace& lamp, const LitPlace& at, const MeshScene& scene,
-                                    const MeshLimits& limits, LampCorrections& corrections) {
+ERGO_HD_CALLED LampLight lamp_light(Spacetime spacetime, const LampPlace& lamp, const LitPlace& at,
+                                    const MeshScene& scene, const MeshLimits& limits, LampCorrections& corrections) {
   // Light below this fraction of what has been found already is left out, as no display shows it.
   constexpr double negligible = 1.0 / 4096.0;
   LampLight light{};
-  light.frame = local_frame(spin, at.point);
+  light.frame = local_frame(spacetime, at.point);
   if (lamp.falloff == LampFalloff::lens && lamp.shifted) {
     light.velocity = detail::velocity_in(light.frame, at.point, at.velocity);
   }
-  const LocalFrame from = local_frame(spin, at.start);
+  const LocalFrame from = local_frame(spacetime, at.start);
   for (int way = 0; way < 2; ++way) {
     LightRay ray{};
     if (!detail::lamp_ray(lamp, light, at, from, way, corrections.by_way[way], ray) ||

@@ -73,7 +73,7 @@ ERGO_HD bool aim(const LocalFrame& frame, const RayEnds& ends, int order, double
 //! is found by Newton's method on exact rays, which start at the end that is nearer to the hole.
 //! Returns false if no ray is found. `correction`: what spin adds to that way's ray, first nearby,
 //! then here.
-ERGO_HD_CALLED bool light_ray(double spin, const LocalFrame& frame, const Vector3<double>& point,
+ERGO_HD_CALLED bool light_ray(Spacetime spacetime, const LocalFrame& frame, const Vector3<double>& point,
                               const Vector3<double>& lamp, int order, LightRayParts parts, RayCorrection& correction,
                               LightRay& ray) {
   const ConnectionPlane plane = connection_plane(lamp, point);
@@ -83,7 +83,7 @@ ERGO_HD_CALLED bool light_ray(double spin, const LocalFrame& frame, const Vector
   const ConnectingRay flat = connecting_ray(plane.r_observer, plane.r, image_angle(plane.phi, order));
   const ApparentPlace place = apparent_place(plane, order, flat.xi, flat.travel_time, flat.emission_angle);
   ray = {in_axes(frame, place.emission_direction), place.travel_time, 0.0};
-  if (spin == 0.0 && parts == LightRayParts::way) {
+  if (spacetime.spin == 0.0 && parts == LightRayParts::way) {
     return true;
   }
   detail::Miss miss{};
@@ -96,7 +96,7 @@ ERGO_HD_CALLED bool light_ray(double spin, const LocalFrame& frame, const Vector
     // From the lamp to the point, time is reversed, and so is the hole's rotation. The arrival is
     // that before the last step, so near_enough is smaller.
     constexpr double near_enough = 1e-5;
-    const LocalFrame at_lamp = local_frame(-spin, lamp);
+    const LocalFrame at_lamp = local_frame(Spacetime{-spacetime.spin}, lamp);
     Vector3<double> direction = in_axes(at_lamp, place.direction);
     found = detail::aim(at_lamp, {lamp, point, near_enough}, order, plane.phi, direction, correction, miss);
     ray = {detail::seen_from(frame, plane.r, miss.arrival), miss.arrival.delay, miss.spread};

@@ -20,17 +20,17 @@ ERGO_HD Vector3<double> in_axes(const LocalFrame& frame, const Vector3<double>& 
 }
 
 //! Returns the frame at a pseudo-Cartesian point outside the horizon.
-ERGO_HD LocalFrame local_frame(double spin, const Vector3<double>& point) {
+ERGO_HD LocalFrame local_frame(Spacetime spacetime, const Vector3<double>& point) {
   const double r = ::sqrt(dot(point, point));
   const double beside = ::sqrt(point.x * point.x + point.y * point.y);
   const double sine = beside / r;
   const double cosine = point.z / r;
   const double cosine_phi = beside > 0.0 ? point.x / beside : 1.0;
   const double sine_phi = beside > 0.0 ? point.y / beside : 0.0;
-  const KerrFunctions f = kerr_functions(spin, r, ::atan2(beside, point.z));
+  const KerrFunctions f = kerr_functions(spacetime, r, ::atan2(beside, point.z));
   LocalFrame frame{};
   frame.camera =
-      make_camera_station(spin, r, ::atan2(beside, point.z), ::atan2(sine_phi, cosine_phi), ObserverMotion::zamo);
+      make_camera_station(spacetime, r, ::atan2(beside, point.z), ::atan2(sine_phi, cosine_phi), ObserverMotion::zamo);
   frame.axes[0] = {sine * cosine_phi, sine * sine_phi, cosine};
   frame.axes[1] = {cosine * cosine_phi, cosine * sine_phi, -sine};
   frame.axes[2] = {-sine_phi, cosine_phi, 0.0};

@@ -11,8 +11,9 @@ namespace ergodome::inline ERGO_TARGET {
 //! L_z [M] at infinity: -p_μ U^μ = U^t (E - p_r dr/dt - p_θ dθ/dt - L dφ/dt). Where nothing can
 //! move like that (faster than light, at rest in the ergosphere), returns the ratio for an observer
 //! without angular momentum.
-ERGO_HD double emitted_frequency(double spin, const MeshHit& hit, double energy, double axial_angular_momentum,
+ERGO_HD double emitted_frequency(Spacetime spacetime, const MeshHit& hit, double energy, double axial_angular_momentum,
                                  const Vector3<double>& velocity) {
+  const double spin = spacetime.spin;
   const double a2 = spin * spin;
   const double r = ::sqrt(dot(hit.point, hit.point));
   const Vector3<double> n = (1.0 / r) * hit.point;
@@ -21,7 +22,7 @@ ERGO_HD double emitted_frequency(double spin, const MeshHit& hit, double energy,
   // sin²θ dφ/dt, which is regular on the axis, as is everything below.
   const double axial = n.x * turn.y - n.y * turn.x;
   const double sine2 = n.x * n.x + n.y * n.y;
-  const double horizon_r = 1.0 + safe_sqrt((1.0 - spin) * (1.0 + spin));
+  const double horizon_r = kerr_horizon_radius(spin);
   const double delta = (r - horizon_r) * (r - a2 / horizon_r);
   const double sigma = r * r + a2 * (n.z * n.z);
   const double pull = 2.0 * r / sigma;

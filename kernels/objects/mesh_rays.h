@@ -13,7 +13,7 @@ namespace ergodome::inline ERGO_TARGET {
 //! grazes a plane twice within a fiftieth of its mesh is decided by the parabola through the piece.
 //! Retarded meshes move while light passes, if the delay is carried.
 template <int Order, NearParts Parts, class T>
-ERGO_HD MaskOf<T> trace_meshes(double spin, double cosine_phi, double sine_phi, const NearRay<T>& ray,
+ERGO_HD MaskOf<T> trace_meshes(ScalarOf<T> spin, double cosine_phi, double sine_phi, const NearRay<T>& ray,
                                const MeshScene& scene, const MeshLimits& limits, const MaskOf<T>& active_at_start,
                                MeshHit* hits) {
   for (int i = 0; i < RealTraits<T>::lane_count; ++i) {

@@ -175,13 +175,14 @@ struct ObjectQuads {
           lamp.corrected = hit.mesh;
           lamp.corrections = objects.guesses[hit.mesh];
         }
-        lit.light = lamp_light(objects.camera.spin, objects.lamp, place, objects.scene, limits, lamp.corrections);
+        lit.light =
+            lamp_light(spacetime_of(objects.camera), objects.lamp, place, objects.scene, limits, lamp.corrections);
       }
       light = static_cast<float>(illuminance(lit.light, at.normal)) * light;
     }
     if (objects.shifted) {
       const double frequency =
-          emitted_frequency(objects.camera.spin, hit, energy, momentum, mesh_velocity(mesh, hit.delay));
+          emitted_frequency(spacetime_of(objects.camera), hit, energy, momentum, mesh_velocity(mesh, hit.delay));
       const double g2 = ::fmin(1.0 / ::fmax(frequency * frequency, 1e-12), 1e6);
       light = static_cast<float>(g2 * g2) * light;
     }

@@ -163,7 +163,7 @@ struct OneLane<Dual<T>> {
 //! it returns whether the lane is finished. Lanes are doubles, or duals of them. `active_at_start`:
 //! lanes to follow. Returns false in lanes that reached the step limit before they were decided.
 template <int Order, NearParts Parts, class T, class Visit>
-ERGO_HD MaskOf<RealOf<T>> follow_path(double spin, double cosine_phi, double sine_phi, const NearRay<T>& ray,
+ERGO_HD MaskOf<RealOf<T>> follow_path(ScalarOf<T> spin, double cosine_phi, double sine_phi, const NearRay<T>& ray,
                                       const RadialBounds& bounds, const MeshLimits& limits,
                                       const MaskOf<RealOf<T>>& active_at_start, Visit&& visit) {
   static_assert(has_azimuth(Parts) && sizeof(ScalarOf<T>) == 8);

@@ -34,7 +34,7 @@ inline constexpr double least_edge_px = 0.7;
 //! direction, if the shadow is larger than that. The ray in the middle does not predict what is
 //! seen beside the edge. start(n) returns the ray that is seen in a direction.
 template <class T, class Start>
-ERGO_HD MaskOf<T> is_by_edge(double spin, const Start& start, const Vector3<Dual<T>>& n, const T& half_x_px,
+ERGO_HD MaskOf<T> is_by_edge(ScalarOf<T> spin, const Start& start, const Vector3<Dual<T>>& n, const T& half_x_px,
                              const T& half_y_px) {
   const auto falls = [&](double along, double down) {
     const auto part = [&](const Dual<T>& of) {

@@ -32,7 +32,7 @@ struct ReadQuadtreeRays {
     store_lanes(rays.sky[2], index, rays.count, bright ? sky.z : 0.0);
     store_lanes(rays.frequency_ratio, index, rays.count, 1.0 / detail::evaluate(rays.camera.energy, n));
     store_lanes(rays.status, index, rays.count,
-                static_cast<double>(static_cast<int>(bright ? RayStatus::escaped : RayStatus::captured)));
+                static_cast<double>(static_cast<int>(bright ? LightEnd::sky : LightEnd::horizon)));
     store_lanes(rays.steps, index, rays.count, 0.0);
     store_lanes(rays.error_estimate, index, rays.count, 0.0);
     store_lanes(rays.mino_time, index, rays.count, 0.0);

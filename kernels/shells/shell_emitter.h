@@ -17,7 +17,7 @@ namespace ergodome::inline ERGO_TARGET {
 template <class S>
 ERGO_HD S zamo_frequency(S spin, S r, S sine, S cosine, S energy, S axial_angular_momentum) {
   const S a2 = spin * spin;
-  const S horizon_r = S(1) + safe_sqrt((S(1) - spin) * (S(1) + spin));
+  const S horizon_r = kerr_horizon_radius(spin);
   // Δ from its roots, so that nothing cancels next to the horizon.
   const S delta = (r - horizon_r) * (r - a2 / horizon_r);
   const S sigma = r * r + a2 * cosine * cosine;

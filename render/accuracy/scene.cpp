@@ -30,7 +30,7 @@ AccuracyMoment moment_at(const Show& show, double time_s, int size_px) {
   const double next_s = time_s + 1.0 / show.frame_rate_hz;
   const Show next_show = show_at(show, next_s);
   CameraPose next = camera_pose(show, next_s);
-  if (same_pose(pose, next) && next_show.spin == moment.show.spin) {
+  if (same_pose(pose, next) && spacetime_of(next_show) == spacetime_of(moment.show)) {
     next.orientation = pose.orientation * glm::angleAxis(-0.5 * moment.pixel, glm::dvec3(0.0, 1.0, 0.0));
   }
   moment.pose = pose;

@@ -46,7 +46,7 @@ DiskGridSettings DiskBake::settings_at(const EyeCamera& eye) const {
 void DiskBake::add_if_missing(double time_s) {
   if (!journal_.has_disk(time_s)) {
     const EyeCamera eye = eye_at(time_s);
-    journal_.add(time_s, build_disk_station(eye.spin, eye.r, eye.theta, settings_at(eye)));
+    journal_.add(time_s, build_disk_station(eye.spacetime, eye.r, eye.theta, settings_at(eye)));
   }
 }
 
@@ -66,7 +66,7 @@ double DiskBake::gap_error(double begin_s, double end_s) const {
     const EyeCamera eye = eye_at(begin_s + part * (end_s - begin_s));
     const LensPlace place = {eye.r, eye.theta};
     const DiskLayers layers(joined, place);
-    worst_px = std::max(worst_px, gap_measure(measure_disk_error(layers.view(), eye.spin, place, settings_at(eye),
+    worst_px = std::max(worst_px, gap_measure(measure_disk_error(layers.view(), eye.spacetime, place, settings_at(eye),
                                                                  leaf_samples(joined->first.cells))));
   }
   return worst_px;

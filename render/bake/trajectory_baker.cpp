@@ -80,9 +80,9 @@ class Baker {
 
   [[nodiscard]] LensView view_at(double time_s) const {
     const EyeCamera eye = eye_camera(show_, camera_pose(show_, time_s), 0.0);
-    return {eye.spin,
+    return {eye.spacetime,
             {eye.r, eye.theta},
-            aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity),
+            aberration_to_rain(eye.spacetime, eye.r, eye.theta, eye.motion, eye.velocity),
             settings_.pixel,
             settings_.share};
   }
@@ -103,7 +103,7 @@ class Baker {
     double range = 0.0;
     for (int i = 0; i <= samples; ++i) {
       const LensView view = view_at(show_.duration_s * i / samples);
-      range = std::max(range, chart_range(view.spin, view.place.r, view.place.theta, grid_settings(view)));
+      range = std::max(range, chart_range(view.spacetime, view.place.r, view.place.theta, grid_settings(view)));
     }
     return range;
   }
@@ -114,10 +114,10 @@ class Baker {
   [[nodiscard]] LensStation built_station(double time_s) const {
     const LensView view = view_at(time_s);
     GridSettings grid = grid_settings(view);
-    LensStation built = build_lens_station(view.spin, view.place.r, view.place.theta, grid);
+    LensStation built = build_lens_station(view.spacetime, view.place.r, view.place.theta, grid);
     for (int i = 0; i < most_finer_grids && own_error(built, time_s) > own_share * settings_.budget_px; ++i) {
       grid.budget_px *= 0.5;
-      built = build_lens_station(view.spin, view.place.r, view.place.theta, grid);
+      built = build_lens_station(view.spacetime, view.place.r, view.place.theta, grid);
     }
     return built;
   }
@@ -253,7 +253,7 @@ class Baker {
   //! Returns the error of the shadow's edge in a station [px], which a finer grid does not reduce.
   [[nodiscard]] double edge_error(const LensStation& station, double time_s) const {
     const EyeCamera eye = eye_camera(show_, camera_pose(show_, time_s), 0.0);
-    const CameraStation observer = make_camera_station(eye.spin, eye.r, eye.theta, 0.0, eye.motion, eye.velocity);
+    const CameraStation observer = make_camera_station(eye.spacetime, eye.r, eye.theta, 0.0, eye.motion, eye.velocity);
     return edge_miss(grid_view(station).chart.edge, observer, view_at(time_s).observer) / settings_.pixel;
   }
 
@@ -287,13 +287,8 @@ TrajectoryProvenance provenance_of(const Show& show, const BakeSettings& setting
   // Changes of captions and tone need no new lenses.
   Show baked = show;
   baked.timeline = {};
-  return {ERGODOME_VERSION,
-          to_toml(baked),
-          show.spin,
-          settings.pixel,
-          settings.budget_px,
-          settings.derivatives,
-          disk_to_bake(show) != nullptr};
+  return {ERGODOME_VERSION,   to_toml(baked),       spacetime_of(show),           settings.pixel,
+          settings.budget_px, settings.derivatives, disk_to_bake(show) != nullptr};
 }
 
 BakeResult bake_trajectory(const Show& show, const BakeSettings& settings, TrajectoryJournal& journal,

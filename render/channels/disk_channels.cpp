@@ -9,7 +9,7 @@
 namespace ergodome {
 
 DiskTracer::DiskTracer(const CameraStation& camera, const DiskEdges& edges)
-    : camera_(camera), edges_(edges), flow_(make_disk_flow(camera.spin)) {}
+    : camera_(camera), edges_(edges), flow_(make_disk_flow(spacetime_of(camera))) {}
 
 std::optional<DiskCrossings> DiskTracer::trace(const Vector3<double>& n) const {
   const NearRay<double> ray = start_near_ray(camera_, n);

@@ -55,7 +55,7 @@ struct RayBlock {
 
   [[nodiscard]] Vector3<double> direction(std::size_t i) const { return {n[0][i], n[1][i], n[2][i]}; }
   [[nodiscard]] Vector3<double> source(std::size_t i) const { return {sky[0][i], sky[1][i], sky[2][i]}; }
-  [[nodiscard]] bool has(std::size_t i, RayStatus wanted) const {
+  [[nodiscard]] bool has(std::size_t i, LightEnd wanted) const {
     return status[i] == static_cast<double>(static_cast<int>(wanted));
   }
 };
@@ -145,8 +145,8 @@ class ChannelTracer {
   //! Stores the values of a ray. Returns whether all of them converged.
   bool store(const RayBlock& rays, std::size_t i) {
     const std::optional<DiskCrossings> crossings = meets_disk_ ? disk_.trace(rays.direction(i)) : DiskCrossings{};
-    bool resolved = crossings && !rays.has(i, RayStatus::not_converged);
-    const bool lit = rays.has(i, RayStatus::escaped);
+    bool resolved = crossings && !rays.has(i, LightEnd::unresolved);
+    const bool lit = rays.has(i, LightEnd::sky);
     for (std::size_t group = 0; group < groups_.size(); ++group) {
       const auto put = [&](std::size_t channel, double value) {
         found_.channels[first_[group] + channel].values[rays.pixels[i]] = value;

@@ -123,7 +123,7 @@ DiagramScene Diagram::at(double time_s) const {
   scene.legend.push_back({LegendLine::Sign::none, {}, fmt::format("{}, {:.6g} s", text_in(show_.title, ""), time_s)});
   // Later lines are drawn over earlier ones at the same position.
   add_grid(moment.extent, eye.phi - 0.3 * pi, scene);
-  add_hole(now.spin, scene);
+  add_hole(spacetime_of(now), scene);
   add_observer(now.view, eye, view_share * moment.extent, scene);
   add_objects(moment, scene);
   if (connects_) {

@@ -27,26 +27,26 @@ double round_step(double about) {
   return power * (rest < 1.5 ? 1.0 : rest < 3.5 ? 2.0 : rest < 7.5 ? 5.0 : 10.0);
 }
 
-void add_hole(double spin, DiagramScene& scene) {
-  const double horizon = horizon_radius(spin);
+void add_hole(Spacetime spacetime, DiagramScene& scene) {
+  const double horizon = horizon_radius(spacetime);
   add_ball(scene.solids, {0.0, 0.0, 0.0}, horizon, diagram_inks::hole());
   for (const double side : {-1.5, 1.5}) {
     scene.framed.insert(scene.framed.end(),
                         {{side * horizon, 0.0, 0.0}, {0.0, side * horizon, 0.0}, {0.0, 0.0, side * horizon}});
   }
-  if (spin == 0.0) {
-    scene.photon_sphere = photon_orbit_radius(0.0, 1.0);
+  if (spacetime.spin == 0.0) {
+    scene.photon_sphere = photon_orbit_radius(Spacetime{}, 1.0);
     scene.legend.push_back({LegendLine::Sign::field, diagram_inks::hole(),
                             fmt::format("non-spinning hole: horizon r = {:.6g} M; circle: photon sphere, r = {:.6g} M",
                                         horizon, scene.photon_sphere)});
     return;
   }
-  const double static_limit = static_limit_radius(spin, 0.5 * pi);
+  const double static_limit = static_limit_radius(spacetime, 0.5 * pi);
   scene.lines.push_back({level_circle(static_limit, 0.0), diagram_inks::photon_sphere(), outline_width_px});
   scene.legend.push_back(
       {LegendLine::Sign::field, diagram_inks::hole(),
-       fmt::format("hole with spin {:.4g}: horizon r = {:.4g} M; circle: equator of the ergosphere, r = {:.6g} M", spin,
-                   horizon, static_limit)});
+       fmt::format("hole with spin {:.4g}: horizon r = {:.4g} M; circle: equator of the ergosphere, r = {:.6g} M",
+                   spacetime.spin, horizon, static_limit)});
 }
 
 void add_grid(double extent, double label_azimuth, DiagramScene& scene) {

@@ -9,7 +9,7 @@
 namespace ergodome {
 
 //! Adds the hole: its horizon and the photon sphere or, with spin, the ergosphere's equator.
-void add_hole(double spin, DiagramScene& scene);
+void add_hole(Spacetime spacetime, DiagramScene& scene);
 
 //! Adds circles around the hole in the plane z = 0 up to `extent` with their radii as labels, the x
 //! and y axes, and a part of the z axis [M].

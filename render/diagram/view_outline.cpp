@@ -18,7 +18,7 @@ constexpr int parts_of_side = 12;
 class ViewTurn {
  public:
   explicit ViewTurn(const EyeCamera& eye)
-      : eye_(eye), boost_(frame_boost(observer_velocity(eye.motion, eye.spin, eye.r, eye.theta, eye.velocity))) {
+      : eye_(eye), boost_(frame_boost(observer_velocity(eye.motion, eye.spacetime, eye.r, eye.theta, eye.velocity))) {
     const double sine = std::sin(eye.theta);
     const double cosine = std::cos(eye.theta);
     const double sine_phi = std::sin(eye.phi);

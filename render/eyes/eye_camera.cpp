@@ -26,7 +26,7 @@ void set_motion(EyeCamera& eye, const Show& show, const CameraPose& pose) {
   if (eye.motion == ObserverMotion::rain || eye.motion == ObserverMotion::zamo) {
     return;
   }
-  eye.velocity = observer_velocity(eye.motion, show.spin, pose.r, pose.theta, eye.velocity);
+  eye.velocity = observer_velocity(eye.motion, spacetime_of(show), pose.r, pose.theta, eye.velocity);
   eye.motion = ObserverMotion::velocity;
   if (!(dot(eye.velocity, eye.velocity) < 1.0)) {
     throw Error(show.name, fmt::format("the chosen observer cannot exist at r = {:.6g} M", pose.r),
@@ -37,9 +37,10 @@ void set_motion(EyeCamera& eye, const Show& show, const CameraPose& pose) {
 }  // namespace
 
 EyeCamera eye_camera(const Show& show, const CameraPose& pose, const Vector3<double>& offset) {
-  const double horizon = horizon_radius(show.spin);
+  const Spacetime spacetime = spacetime_of(show);
+  const double horizon = horizon_radius(spacetime);
   const bool in_rain = pose.velocity && pose.velocity_in_rain;
-  const double deepest = in_rain ? std::min(least_interior_radius(show.spin), horizon) : horizon;
+  const double deepest = in_rain ? std::min(least_interior_radius(spacetime), horizon) : horizon;
   if (!(pose.r > deepest)) {
     throw Error(show.name, fmt::format("the camera is too close to the hole (r = {:.6g} M)", pose.r),
                 fmt::format("keep it farther out than r = {:.6g} M", deepest));
@@ -57,9 +58,9 @@ EyeCamera eye_camera(const Show& show, const CameraPose& pose, const Vector3<dou
   // An eye that would be inside the hole is kept just outside; eyes of an infalling head are kept
   // above the minimum radius.
   const EyeEvent event =
-      eye_event(show.spin, pose.r, pose.theta, pose.phi, head, offset, {deepest + 1e-3 * (pose.r - deepest), in_rain});
+      eye_event(spacetime, pose.r, pose.theta, pose.phi, head, offset, {deepest + 1e-3 * (pose.r - deepest), in_rain});
   EyeCamera eye{};
-  eye.spin = show.spin;
+  eye.spacetime = spacetime;
   // An eye at the head's position gets exactly the head's numbers, like a single camera.
   constexpr double rounding = 1e-12;
   const auto unless_rounding = [](double of_eye, double of_head) {
@@ -72,7 +73,7 @@ EyeCamera eye_camera(const Show& show, const CameraPose& pose, const Vector3<dou
   eye.head_theta = pose.theta;
   eye.clock_lead = pose.clock_lead;
   if (in_rain) {
-    eye.clock_lead += outer_lag(show.spin, eye.r) - outer_lag(show.spin, pose.r);
+    eye.clock_lead += outer_lag(spacetime, eye.r) - outer_lag(spacetime, pose.r);
   }
   set_motion(eye, show, pose);
   for (int i = 0; i < 3; ++i) {

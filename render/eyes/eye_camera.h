@@ -5,10 +5,10 @@
 
 namespace ergodome {
 
-//! One eye at one instant: an event in the hole's spacetime, the observer's motion there, and the
+//! One eye at one instant: an event in a spacetime, the observer's motion there, and the
 //! directions of the view's axes.
 struct EyeCamera {
-  double spin;   //!< [M]
+  Spacetime spacetime;
   double r;      //!< Boyer-Lindquist radius [M]
   double theta;  //!< polar angle [rad]
   double phi;    //!< azimuth [rad]; inside the horizon, of ingoing Kerr coordinates

@@ -23,7 +23,7 @@ constexpr double finest_fit = 2e-7;
 using Numbers = std::array<double, omni_numbers>;
 
 CameraStation station_of(const EyeCamera& eye, double phi) {
-  return make_camera_station(eye.spin, eye.r, eye.theta, phi, eye.motion, eye.velocity);
+  return make_camera_station(eye.spacetime, eye.r, eye.theta, phi, eye.motion, eye.velocity);
 }
 
 //! A linear form of the view's direction, as four numbers.
@@ -44,13 +44,13 @@ Form sum_of(double a, const Form& first, double b, const Form& second) {
 
 //! Returns whether the eyes may be on both sides of the horizon.
 bool is_ingoing(const EyeCamera& head) {
-  return head.motion == ObserverMotion::rain_boost && is_near_horizon(head.spin, head.r);
+  return head.motion == ObserverMotion::rain_boost && is_near_horizon(head.spacetime, head.r);
 }
 
 //! Returns an eye's azimuth, in ingoing Kerr coordinates if `ingoing`.
 double azimuth_of(const EyeCamera& eye, bool ingoing) {
-  const bool outside = eye.r > horizon_radius(eye.spin);
-  return eye.phi + (ingoing && outside ? ingoing_turn(eye.spin, eye.r) : 0.0);
+  const bool outside = eye.r > horizon_radius(eye.spacetime);
+  return eye.phi + (ingoing && outside ? ingoing_turn(eye.spacetime, eye.r) : 0.0);
 }
 
 //! Returns the numbers of an exact camera; see omni_numbers.
@@ -120,8 +120,8 @@ OmniSettings omni_settings(const StereoSettings& stereo, double baseline, double
 OmniCamera::OmniCamera(Backend backend, const EyePlace& eye_at, const OmniSettings& settings) {
   const EyeCamera head = eye_at({0.0, 0.0, 0.0});
   const double reach = settings.half_baseline;
-  camera_.spin = head.spin;
-  camera_.horizon_r = horizon_radius(head.spin);
+  camera_.spin = head.spacetime.spin;
+  camera_.horizon_r = horizon_radius(head.spacetime);
   camera_.offset = reach;
   camera_.inverse_convergence = settings.convergence > 0.0 ? 1.0 / settings.convergence : 0.0;
   camera_.fade_begin = std::cos(settings.fade_to);

@@ -25,9 +25,9 @@ Axes axes_at(double theta, double phi) {
 
 }  // namespace
 
-EyeEvent eye_event(double spin, double r, double theta, double phi, const double (&frame_from_view)[3][3],
+EyeEvent eye_event(Spacetime spacetime, double r, double theta, double phi, const double (&frame_from_view)[3][3],
                    const Vector3<double>& offset, const EyeRoom& room) {
-  const KerrFunctions f = kerr_functions(spin, r, theta);
+  const KerrFunctions f = kerr_functions(spacetime, r, theta);
   // Converts proper lengths to coordinate displacements: √(Δ/Σ) dr, in the rain frame √A/Σ dr; r dθ
   // = r/√Σ, r sinθ dφ = r √(Σ/A).
   const double outwards = room.in_rain ? std::sqrt(f.area) / f.sigma : std::sqrt(std::max(f.delta, 0.0) / f.sigma);
@@ -35,7 +35,7 @@ EyeEvent eye_event(double spin, double r, double theta, double phi, const double
   // In the azimuth of ingoing Kerr coordinates, infalling observers move straight in. The
   // Boyer-Lindquist azimuth diverges at the horizon.
   const auto turn_at = [&](double radius) {
-    return room.in_rain && radius > horizon_radius(spin) ? ingoing_turn(spin, radius) : 0.0;
+    return room.in_rain && radius > horizon_radius(spacetime) ? ingoing_turn(spacetime, radius) : 0.0;
   };
   const double azimuth_here = phi + turn_at(r);
   const Axes here = axes_at(theta, azimuth_here);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernels/core/vector3.h"
+#include "kernels/spacetime/spacetime.h"
 
 // Places eyes relative to a head.
 
@@ -30,7 +31,7 @@ struct EyeRoom {
 //! which follows a straight line of the Cartesian-like coordinates x = r sinθ cosφ, ... This works
 //! across the spin axis and for any length. The eye's axes stay parallel to the head's in those
 //! coordinates.
-EyeEvent eye_event(double spin, double r, double theta, double phi, const double (&frame_from_view)[3][3],
+EyeEvent eye_event(Spacetime spacetime, double r, double theta, double phi, const double (&frame_from_view)[3][3],
                    const Vector3<double>& offset, const EyeRoom& room);
 
 }  // namespace ergodome

@@ -31,7 +31,7 @@ FittingPair fitting_omni_pair(const Show& show, Backend backend, const CameraPos
   const auto pair_at = [&](double apart) {
     return make_omni_pair(backend, eyes_at(show, pose), omni_settings(show.stereo, apart, tolerance));
   };
-  double baseline = std::min(show.stereo.baseline, omni_room(show.spin, pose));
+  double baseline = std::min(show.stereo.baseline, omni_room(spacetime_of(show), pose));
   std::optional<OmniPair> pair = pair_at(baseline);
   if (!pair) {
     baseline = fitting_baseline(show, pose);
@@ -53,7 +53,7 @@ std::shared_ptr<const OmniCamera> fitting_omni_cameras(const Show& show, Backend
                                               omni_settings(show.stereo, baseline, tolerance));
   };
   try {
-    return cameras(std::min(show.stereo.baseline, omni_room(show.spin, pose)));
+    return cameras(std::min(show.stereo.baseline, omni_room(spacetime_of(show), pose)));
   } catch (const Error&) {
     return cameras(fitting_baseline(show, pose));
   }

@@ -16,7 +16,7 @@ void require_path_of(const Show& show, const TrajectoryReader& trajectory) {
     throw Error(trajectory.path().string(), "was baked for one spin, but the show's spin changes with time",
                 "remove the trajectory; each frame then gets its own lens");
   }
-  if (trajectory.provenance().spin != show.spin) {
+  if (trajectory.provenance().spacetime != spacetime_of(show)) {
     throw other("spin");
   }
   // Other machines round differently, and errors grow over long orbits.

@@ -208,7 +208,7 @@ std::vector<CameraPose> ShowRenderer::shutter_poses(const CameraPose& middle, do
     poses.push_back(camera_pose(show_, time_s + half * i / steps));
     if (!middle.velocity) {
       // The observer was set independently of the show and is outside the horizon.
-      const CameraPose outside = in_zamo_frame(poses.back(), show_.spin);
+      const CameraPose outside = in_zamo_frame(poses.back(), spacetime_of(show_));
       poses.back() = outside.velocity_in_rain ? middle : outside;
       poses.back().velocity.reset();
     }
@@ -217,7 +217,7 @@ std::vector<CameraPose> ShowRenderer::shutter_poses(const CameraPose& middle, do
 }
 
 void ShowRenderer::require_rays_from(const CameraPose& pose) const {
-  if (method_ == TraceMethod::baseline_rk34 && pose.r <= horizon_radius(show_.spin)) {
+  if (method_ == TraceMethod::baseline_rk34 && pose.r <= horizon_radius(spacetime_of(show_))) {
     throw Error(
         show_.name,
         fmt::format("the method baseline_rk34 cannot trace rays from inside the horizon (camera at r = {:.6g} M)",
@@ -351,7 +351,7 @@ EyesInPlace ShowRenderer::render_eyes_in_place(const CameraPose& pose, const Pro
 void ShowRenderer::draw_overlays(const OverlayTarget& target, const CameraPose& pose, const Projection& projection,
                                  double eye_offset, ViewMode mode, const ShowMoment& moment) {
   const bool reads = show_.readout && mode == ViewMode::sky;
-  overlays_.set_readout(reads ? std::optional(readout_caption(*show_.readout, show_.spin, pose.r, pose.theta))
+  overlays_.set_readout(reads ? std::optional(readout_caption(*show_.readout, spacetime_of(show_), pose.r, pose.theta))
                               : std::nullopt);
   const std::optional<double> time_s = mode == ViewMode::sky ? moment.time_s : std::nullopt;
   if (!overlays_.draws_at(time_s)) {

@@ -19,7 +19,7 @@ constexpr int direct_step_limit = 200;
 }  // namespace
 
 CameraStation station_of(const EyeCamera& eye) {
-  return make_camera_station(eye.spin, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity);
+  return make_camera_station(eye.spacetime, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity);
 }
 
 PixelBatch pixel_batch(const EyeCamera& eye, const Projection& projection, double tolerance_px) {
@@ -37,7 +37,7 @@ PixelBatch pixel_batch(const EyeCamera& eye, const Projection& projection, doubl
 
 void set_sky_steps(PixelBatch& batch, const EyeCamera& eye) {
   constexpr double fastest_usual = 0.999;
-  if (std::abs(eye.spin) <= fastest_usual && eye.r > horizon_radius(eye.spin)) {
+  if (std::abs(eye.spacetime.spin) <= fastest_usual && eye.r > horizon_radius(eye.spacetime)) {
     batch.settings.step_limit = 48;
   }
 }

@@ -26,11 +26,11 @@ double error_of(const GridOrder& order) { return order.settings.budget_px * orde
 GridOrder order_for(const LensRequest& request) {
   const EyeCamera& eye = request.eye;
   GridOrder order;
-  order.spin = eye.spin;
+  order.spacetime = eye.spacetime;
   order.place = {eye.r, eye.theta};
   order.settings.pixel = pixel_angle(request.projection);
   order.settings.budget_px = request.accuracy.budget_px;
-  order.settings.observer = aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity);
+  order.settings.observer = aberration_to_rain(eye.spacetime, eye.r, eye.theta, eye.motion, eye.velocity);
   order.settings.fine = error_of(order) < finest_float_budget;
   return order;
 }
@@ -59,7 +59,7 @@ double allowed_unmeasured_px(const TrajectoryProvenance& baked, double budget_px
 
 const LensChooser::Grid* LensChooser::find(const GridOrder& order, const EyeCamera& eye) {
   const auto found = std::find_if(grids_.begin(), grids_.end(), [&](const Grid& grid) {
-    return grid.spin == order.spin && same_place({grid.r, grid.theta}, order.place) &&
+    return grid.spacetime == order.spacetime && same_place({grid.r, grid.theta}, order.place) &&
            grid.error <= 1.01 * error_of(order) && grid.error >= 0.5 * error_of(order) &&
            moves_alike(grid.motion, grid.velocity, eye);
   });
@@ -73,8 +73,9 @@ const LensChooser::Grid* LensChooser::find(const GridOrder& order, const EyeCame
 const LensChooser::Grid* LensChooser::find_near(const GridOrder& order, const EyeCamera& eye) {
   // The distance of one frame in a fast flight; from farther away the view would jump.
   const auto found = std::find_if(grids_.begin(), grids_.end(), [&](const Grid& grid) {
-    const double horizon = horizon_radius(order.spin);
-    return grid.spin == order.spin && std::abs(grid.r - order.place.r) < 0.1 * std::abs(order.place.r - 1.0) &&
+    const double horizon = horizon_radius(order.spacetime);
+    return grid.spacetime == order.spacetime &&
+           std::abs(grid.r - order.place.r) < 0.1 * std::abs(order.place.r - 1.0) &&
            (grid.r > horizon) == (order.place.r > horizon) && std::abs(grid.theta - order.place.theta) < 0.1 &&
            grid.error <= 2.0 * error_of(order) && moves_alike(grid.motion, grid.velocity, eye);
   });
@@ -83,7 +84,7 @@ const LensChooser::Grid* LensChooser::find_near(const GridOrder& order, const Ey
 
 const LensChooser::Grid& LensChooser::keep(const GridOrder& order, const EyeCamera& eye, LensStation station,
                                            const GridStatistics& statistics) {
-  grids_.push_front({order.spin, order.place.r, order.place.theta, error_of(order), eye.motion, eye.velocity,
+  grids_.push_front({order.spacetime, order.place.r, order.place.theta, error_of(order), eye.motion, eye.velocity,
                      statistics.flagged_px, std::make_shared<StationBuffers>(backend_, std::move(station))});
   ++built_;
   if (grids_.size() > kept_grids) {
@@ -117,7 +118,7 @@ const LensChooser::Grid& LensChooser::grid_for(const LensRequest& request) {
   }
   GridStatistics statistics;
   LensStation station =
-      build_lens_station(order.spin, order.place.r, order.place.theta, order.settings, &statistics, &tracer_);
+      build_lens_station(order.spacetime, order.place.r, order.place.theta, order.settings, &statistics, &tracer_);
   return keep(order, eye, std::move(station), statistics);
 }
 
@@ -133,9 +134,9 @@ std::unique_ptr<LensSource> LensChooser::live(const LensRequest& request) {
   }
   EyeCamera eye = request.eye;
   const bool behind = !same_place({grid.r, grid.theta}, {eye.r, eye.theta});
-  if (behind && eye.r > horizon_radius(eye.spin)) {
+  if (behind && eye.r > horizon_radius(eye.spacetime)) {
     // The skies at two radii are about the same in the azimuth of infalling observers.
-    eye.phi += ingoing_turn(eye.spin, eye.r) - ingoing_turn(eye.spin, grid.r);
+    eye.phi += ingoing_turn(eye.spacetime, eye.r) - ingoing_turn(eye.spacetime, grid.r);
   }
   eye.r = grid.r;
   eye.theta = grid.theta;
@@ -171,8 +172,8 @@ std::unique_ptr<LensSource> LensChooser::streamed(const LensRequest& request) {
                        : pair->first->has_derivatives() ? StationBlend(backend_, pair->first, place)
                                                         : StationBlend(pair->first);
   if (unmeasured) {
-    const LensView view = {eye.spin, place, aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity),
-                           pixel};
+    const LensView view = {eye.spacetime, place,
+                           aberration_to_rain(eye.spacetime, eye.r, eye.theta, eye.motion, eye.velocity), pixel};
     const ChartSamples samples = pair->skips ? lattice_samples(64, 32) : lattice_samples(32, 16);
     const double error_px = measure_screen_error(blend.view(), view, samples).p99_px;
     if (error_px > allowed_unmeasured_px(baked, request.accuracy.budget_px, pixel)) {
@@ -188,12 +189,12 @@ std::unique_ptr<LensSource> LensChooser::streamed(const LensRequest& request) {
 
 std::unique_ptr<LensSource> LensChooser::published(const LensRequest& request) {
   const EyeCamera& eye = request.eye;
-  const bool same = quadtree_eye_ && quadtree_eye_->spin == eye.spin &&
+  const bool same = quadtree_eye_ && quadtree_eye_->spacetime == eye.spacetime &&
                     same_place({quadtree_eye_->r, quadtree_eye_->theta}, {eye.r, eye.theta}) &&
                     quadtree_eye_->motion == eye.motion && quadtree_eye_->velocity.x == eye.velocity.x &&
                     quadtree_eye_->velocity.y == eye.velocity.y && quadtree_eye_->velocity.z == eye.velocity.z;
   if (!same) {
-    const CameraStation camera = make_camera_station(eye.spin, eye.r, eye.theta, 0.0, eye.motion, eye.velocity);
+    const CameraStation camera = make_camera_station(eye.spacetime, eye.r, eye.theta, 0.0, eye.motion, eye.velocity);
     const bool mirrored = quadtree_is_mirrored(eye.theta, eye.velocity);
     quadtree_ = std::make_shared<const QuadtreeLens>(camera, mirrored, QuadtreeSettings{});
     quadtree_eye_ = eye;

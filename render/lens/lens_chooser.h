@@ -99,7 +99,7 @@ class LensChooser {
  private:
   //! A grid and what it was built for.
   struct Grid {
-    double spin;
+    Spacetime spacetime;
     double r;
     double theta;
     double error;  //!< budget [rad]

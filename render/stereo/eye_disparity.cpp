@@ -31,7 +31,7 @@ bool look(const StereoEye& from, const Vector3<EdgeDual>& seen, Vector3<EdgeDual
   const Vector3<EdgeDual> turned = {seen.x - turn.x, seen.y - turn.y, seen.z - turn.z};
   const EdgeDual inverse_length = 1.0 / sqrt(dot(turned, turned));
   const Vector3<EdgeDual> view = {turned.x * inverse_length, turned.y * inverse_length, turned.z * inverse_length};
-  const CameraStation camera = make_camera_station(eye.spin, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity);
+  const CameraStation camera = make_camera_station(eye.spacetime, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity);
   const auto row = [&](int i) {
     const double(&m)[3] = eye.frame_from_view[i];
     return view.x * m[0] + view.y * m[1] + view.z * m[2];
@@ -92,7 +92,7 @@ bool find_direction(const StereoEye& eye, const Vector3<double>& star, Vector3<d
 void edge_sides(const StereoEye& eye, Vector3<double> (&sides)[2]) {
   const EyeCamera camera = eye.camera({0.0, 0.0, -1.0});
   const CameraStation station =
-      make_camera_station(camera.spin, camera.r, camera.theta, 0.0, camera.motion, camera.velocity);
+      make_camera_station(camera.spacetime, camera.r, camera.theta, 0.0, camera.motion, camera.velocity);
   const ShadowChart chart = make_shadow_chart(station);
   const Vector3<double> right = normalized(cross(in_view(camera, chart.centre), Vector3<double>{0.0, 1.0, 1e-9}));
   double most[2] = {-2.0, -2.0};

@@ -17,13 +17,13 @@ constexpr double share_of_r = 0.72;
 
 //! Returns omni_room() of a head whose light is not counted in the azimuth of infalling observers,
 //! with all its eyes.
-double room_outside(double spin, double r, double outwards) {
-  return std::min((r - horizon_radius(spin)) / outwards, share_of_r * r / std::max(outwards, 1.0));
+double room_outside(Spacetime spacetime, double r, double outwards) {
+  return std::min((r - horizon_radius(spacetime)) / outwards, share_of_r * r / std::max(outwards, 1.0));
 }
 
 //! Returns the change of r per proper length of 1 M outwards, see eye_event().
-double outwards_scale(double spin, double r, double theta, bool in_rain) {
-  const KerrFunctions f = kerr_functions(spin, r, theta);
+double outwards_scale(Spacetime spacetime, double r, double theta, bool in_rain) {
+  const KerrFunctions f = kerr_functions(spacetime, r, theta);
   return in_rain ? std::sqrt(f.area) / f.sigma : std::sqrt(std::max(f.delta, 0.0) / f.sigma);
 }
 
@@ -54,7 +54,7 @@ double greatest_up_to(const Show& show, const CameraPose& pose, double most) {
       return std::min(most, FlatShadow(eye_camera(show, pose, 0.0)).greatest_baseline());
     case StereoModel::omni:
       static_cast<void>(eye_camera(show, pose, 0.0));  // throws errors that do not concern the eyes
-      return greatest_omni_baseline(show, pose, std::min(most, omni_room(show.spin, pose)));
+      return greatest_omni_baseline(show, pose, std::min(most, omni_room(spacetime_of(show), pose)));
     case StereoModel::physical:
       break;
   }
@@ -63,16 +63,15 @@ double greatest_up_to(const Show& show, const CameraPose& pose, double most) {
 
 }  // namespace
 
-double omni_room(double spin, const CameraPose& pose) {
+double omni_room(Spacetime spacetime, const CameraPose& pose) {
   const bool in_rain = pose.velocity && pose.velocity_in_rain;
-  const double outwards = outwards_scale(spin, pose.r, pose.theta, in_rain);
-  if (!in_rain || !is_near_horizon(spin, pose.r)) {
-    return room_outside(spin, pose.r, outwards);
+  const double outwards = outwards_scale(spacetime, pose.r, pose.theta, in_rain);
+  if (!in_rain || !is_near_horizon(spacetime, pose.r)) {
+    return room_outside(spacetime, pose.r, outwards);
   }
-  // The limit of is_near_horizon().
-  const double above = 1.2 * horizon_radius(spin);
-  const double room_above = room_outside(spin, above, outwards_scale(spin, above, pose.theta, true));
-  const double depth = pose.r - std::min(least_interior_radius(spin), horizon_radius(spin));
+  const double above = near_horizon_radius(spacetime);
+  const double room_above = room_outside(spacetime, above, outwards_scale(spacetime, above, pose.theta, true));
+  const double depth = pose.r - std::min(least_interior_radius(spacetime), horizon_radius(spacetime));
   return std::min({room_above, depth / outwards, share_of_r * pose.r / std::max(outwards, 1.0)});
 }
 

@@ -13,7 +13,7 @@ namespace ergodome {
 //! The polynomials of ODS eyes (OmniCamera) converge where the cameras are regular: up to the
 //! horizon and to about r. If the head is much faster than infalling observers, or at rest next to
 //! the ergosphere, less may fit; greatest_baseline() checks that.
-double omni_room(double spin, const CameraPose& pose);
+double omni_room(Spacetime spacetime, const CameraPose& pose);
 
 //! Returns the maximum baseline [M] of a show's stereo model at a pose. `physical`: infinity, as
 //! eyes are kept outside the hole. `flat`: the affine distance of the horizon. `omni`: omni_room(),

@@ -116,7 +116,7 @@ std::vector<NearSight> near_sights(const Show& show, const EyeCamera& head, cons
   };
   std::optional<Meetings> disk;
   if (show.disk && show.disk->opacity > 0.0) {
-    const double inner = inner_edge(*show.disk, show.spin);
+    const double inner = inner_edge(*show.disk, spacetime_of(show));
     disk.emplace(inner, show.disk->outer, show.disk->opacity);
     // Crossings of the plane outside the disk count, too: after one, light comes the long way
     // round.
@@ -155,7 +155,7 @@ std::vector<NearSight> near_sights(const Show& show, const EyeCamera& head, cons
 double distance_of_objects(const PlacedMeshes& meshes, const EyeCamera& head, const Vector3<double>& view) {
   constexpr NearParts parts = NearParts::azimuth_delay_and_distance;
   double distance = std::numeric_limits<double>::infinity();
-  const MeshScene scene = meshes.around(head.spin, meshes.meshes.data());
+  const MeshScene scene = meshes.around(head.spacetime, meshes.meshes.data());
   follow_until<parts>(head, view, {scene.least_r, scene.greatest_r}, [&](const StepWith<parts>& step) {
     detail::StepSearch<near_order, parts> search = {step, scene, 0.0, {}};
     const bool found = search.run();

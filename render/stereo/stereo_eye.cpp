@@ -76,7 +76,7 @@ Vector3<double> place_beside_axis(EyeCamera eye) {
 //! Transforms a direction from the frame of the zero-angular-momentum observer to the view's axes
 //! of a moving eye.
 Vector3<double> seen_in_view(const EyeCamera& eye, const Vector3<double>& direction) {
-  const FrameBoost boost = frame_boost(observer_velocity(eye.motion, eye.spin, eye.r, eye.theta, eye.velocity));
+  const FrameBoost boost = frame_boost(observer_velocity(eye.motion, eye.spacetime, eye.r, eye.theta, eye.velocity));
   double energy = 1.0;
   return in_view(eye, aberrated(FrameBoost{boost.axis, 1.0 / boost.stretch}, direction, energy));
 }
@@ -85,7 +85,7 @@ Vector3<double> seen_in_view(const EyeCamera& eye, const Vector3<double>& direct
 
 std::optional<SeenPlace> seen_by_camera(const EyeCamera& eye, const SeenThing& thing) {
   const Vector3<double> at = place_beside_axis(eye);
-  const LocalFrame frame = local_frame(eye.spin, at);
+  const LocalFrame frame = local_frame(eye.spacetime, at);
   // Iterates the light travel time. Things are slower than light, so each round reduces the error.
   const int rounds = thing.moves() ? 8 : 1;
   Vector3<double> place = thing.place;
@@ -94,7 +94,7 @@ std::optional<SeenPlace> seen_by_camera(const EyeCamera& eye, const SeenThing& t
   for (int round = 0; round < rounds; ++round) {
     place = round > 0 ? thing.at(ray.travel_time) : place;
     if (!(dot(place, place) > least_r * least_r) ||
-        !light_ray(eye.spin, frame, at, place, 1, LightRayParts::way, correction, ray)) {
+        !light_ray(eye.spacetime, frame, at, place, 1, LightRayParts::way, correction, ray)) {
       return std::nullopt;
     }
   }
@@ -103,7 +103,7 @@ std::optional<SeenPlace> seen_by_camera(const EyeCamera& eye, const SeenThing& t
 
 Vector3<double> straight_view(const EyeCamera& eye, const Vector3<double>& place) {
   const Vector3<double> at = place_beside_axis(eye);
-  return seen_in_view(eye, normalized(in_axes(local_frame(eye.spin, at), place - at)));
+  return seen_in_view(eye, normalized(in_axes(local_frame(eye.spacetime, at), place - at)));
 }
 
 }  // namespace ergodome

@@ -45,7 +45,7 @@ std::shared_ptr<const JoinedDisk> baked_pair(const Show& show, const DiskLook& d
     DiskGridSettings settings = disk_grid_settings(eye, disk, pixel);
     settings.budget_px = 0.125;
     settings.derivatives = true;
-    return build_disk_station(eye.spin, eye.r, eye.theta, settings);
+    return build_disk_station(eye.spacetime, eye.r, eye.theta, settings);
   };
   return std::make_shared<const JoinedDisk>(join(station(60.0), station(57.0)).value());
 }

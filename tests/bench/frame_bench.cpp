@@ -77,10 +77,11 @@ void grid_build(benchmark::State& state, bool fine) {
   GridSettings settings;
   settings.budget_px = 0.01 * static_cast<double>(state.range(0));
   settings.fine = fine;
-  settings.observer = aberration_to_rain(0.999, 5.0, 0.5 * 3.14159265358979323846, ObserverMotion::zamo, {});
+  settings.observer = aberration_to_rain(Spacetime{0.999}, 5.0, 0.5 * 3.14159265358979323846, ObserverMotion::zamo, {});
   GridStatistics statistics;
   for (auto _ : state) {
-    const LensStation station = build_lens_station(0.999, 5.0, 0.5 * 3.14159265358979323846, settings, &statistics);
+    const LensStation station =
+        build_lens_station(Spacetime{0.999}, 5.0, 0.5 * 3.14159265358979323846, settings, &statistics);
     benchmark::DoNotOptimize(station.nodes.data());
   }
   state.counters["nodes"] = statistics.nodes;
@@ -92,7 +93,7 @@ BENCHMARK_CAPTURE(grid_build, float, false)->Arg(10)->Arg(25)->Arg(100)->Unit(be
 BENCHMARK_CAPTURE(grid_build, double, true)->Arg(1)->Arg(10)->Arg(25)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void edge_table(benchmark::State& state) {
-  const CameraStation camera = make_camera_station(0.999, 5.0, 1.5707963, 0.0, ObserverMotion::zamo);
+  const CameraStation camera = make_camera_station(Spacetime{0.999}, 5.0, 1.5707963, 0.0, ObserverMotion::zamo);
   for (auto _ : state) {
     benchmark::DoNotOptimize(EdgeTable(Backend::cpu, camera, 1024).view());
   }

@@ -55,7 +55,8 @@ Rays<S> all_sky() {
 template <class S>
 RayBatch<S> batch_of(Rays<S>& rays, TraceMethod method, double tolerance) {
   RayBatch<S> batch{};
-  batch.camera = converted_station<S>(make_camera_station(0.999, 5.0, 1.5707963267948966, 0.0, ObserverMotion::zamo));
+  batch.camera =
+      converted_station<S>(make_camera_station(Spacetime{0.999}, 5.0, 1.5707963267948966, 0.0, ObserverMotion::zamo));
   batch.settings = {tolerance, method == TraceMethod::baseline_rk34 ? 2000 : 20'000};
   batch.method = method;
   batch.count = static_cast<int>(rays.status.size());

@@ -17,7 +17,7 @@ using namespace ergodome;
 constexpr double pixel = pi / 1024;
 
 EyeCamera eye() {
-  EyeCamera eye{0.999, 5.0, 0.5 * pi, 0.7, ObserverMotion::geodesic, {}, {}, 5.0, 0.5 * pi};
+  EyeCamera eye{Spacetime{0.999}, 5.0, 0.5 * pi, 0.7, ObserverMotion::geodesic, {}, {}, 5.0, 0.5 * pi};
   const double at_hole[3][3] = {{0, 0, 1}, {0, -1, 0}, {1, 0, 0}};
   std::copy(&at_hole[0][0], &at_hole[0][0] + 9, &eye.frame_from_view[0][0]);
   return eye;

@@ -23,7 +23,7 @@ struct UniformGrid {
   Twin<int> tree{columns * rows};
   Twin<int> leaves{std::size_t{4} * columns * rows};
   Twin<GridCell> cells{columns * rows};
-  CameraStation rain = make_camera_station(0.999, 5.0, 1.5707963, 0.0, ObserverMotion::rain);
+  CameraStation rain = make_camera_station(Spacetime{0.999}, 5.0, 1.5707963, 0.0, ObserverMotion::rain);
   LensChart chart{};
 
   UniformGrid() {
@@ -106,7 +106,7 @@ bool check_checks(UniformGrid& grid) {
   Twin<float> gamma_parts(static_cast<std::size_t>(count));
   Twin<float> s_parts(static_cast<std::size_t>(count));
   const AberrationOf<float> observer =
-      converted_aberration<float>(aberration_to_rain(0.999, 5.0, 1.5707963, ObserverMotion::zamo, {}));
+      converted_aberration<float>(aberration_to_rain(Spacetime{0.999}, 5.0, 1.5707963, ObserverMotion::zamo, {}));
   const float pixel = 7.67e-4F;
   const CheckBatch<float> on_host = {grid.camera<float>(grid.chart),
                                      observer,
@@ -139,10 +139,11 @@ bool check_checks(UniformGrid& grid) {
 bool check_look_up(UniformGrid& grid, int size) {
   const auto pixels = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
   Twin<float> lens(channel_count * pixels);
-  const CameraStation zamo = make_camera_station(0.999, 5.0, 1.5707963, 0.0, ObserverMotion::zamo);
+  const CameraStation zamo = make_camera_station(Spacetime{0.999}, 5.0, 1.5707963, 0.0, ObserverMotion::zamo);
   LookUpBatch on_host{};
   on_host.pixels = dome_batch(size, grid.edge, make_shadow_chart(zamo));
-  on_host.aberration = converted_aberration<float>(aberration_to_rain(0.999, 5.0, 1.5707963, ObserverMotion::zamo, {}));
+  on_host.aberration =
+      converted_aberration<float>(aberration_to_rain(Spacetime{0.999}, 5.0, 1.5707963, ObserverMotion::zamo, {}));
   const LensGrid read = {
       grid.chart, 0, columns, rows, grid.tree.host.data(), grid.leaves.host.data(), grid.nodes.host.data()};
   on_host.lens.chart = grid.chart;

@@ -90,7 +90,7 @@ bool check_shading(Twin<float>& lens, std::size_t pixels, ViewMode mode, const S
 }
 
 bool check_size(int size, bool compare_all) {
-  const CameraStation station = make_camera_station(0.999, 5.0, 1.5707963, 0.0, ObserverMotion::zamo);
+  const CameraStation station = make_camera_station(Spacetime{0.999}, 5.0, 1.5707963, 0.0, ObserverMotion::zamo);
   const ShadowChart chart = make_shadow_chart(station);
   Twin<float> edge(1024);
   solve_edge(station, chart, edge);

@@ -30,7 +30,7 @@ bool check_method(const char* name, double tolerance, int count) {
   Twin<S> status(size);
   fill_directions(n, count);
   RayBatch<S> batch{};
-  batch.camera = converted_station<S>(make_camera_station(0.999, 5.0, 1.4, 0.3, ObserverMotion::geodesic));
+  batch.camera = converted_station<S>(make_camera_station(Spacetime{0.999}, 5.0, 1.4, 0.3, ObserverMotion::geodesic));
   batch.settings = {tolerance, 20'000};
   batch.count = count;
   RayBatch<S> on_device = batch;

@@ -53,7 +53,8 @@ inline EdgeCurve edge_curve(const ShadowChart& chart, const Twin<float>& edge_ta
 //! request it.
 inline PixelBatch dome_batch(int size, const Twin<float>& edge_table, const ShadowChart& chart) {
   PixelBatch batch{};
-  batch.camera = converted_station<float>(make_camera_station(0.999, 5.0, 1.5707963, 0.0, ObserverMotion::zamo));
+  batch.camera =
+      converted_station<float>(make_camera_station(Spacetime{0.999}, 5.0, 1.5707963, 0.0, ObserverMotion::zamo));
   batch.projection = converted_projection<float>(make_dome_projection(size, 3.14159265358979, 0.5));
   const float at_hole[3][3] = {{0, 0, 1}, {0, -1, 0}, {1, 0, 0}};
   std::copy(&at_hole[0][0], &at_hole[0][0] + 9, &batch.frame_from_view[0][0]);

@@ -120,10 +120,10 @@ Directions window_of(const HardCase& hard, const CameraStation& camera) {
 }
 
 Colour colour_of(const ExactRay& exact, const SeenSky& seen, std::size_t i) {
-  if (seen.status[i] == static_cast<double>(RayStatus::not_converged)) {
+  if (seen.status[i] == static_cast<double>(LightEnd::unresolved)) {
     return lost;
   }
-  const bool bright = seen.status[i] == static_cast<double>(RayStatus::escaped);
+  const bool bright = seen.status[i] == static_cast<double>(LightEnd::sky);
   if (bright != exact.bright) {
     return wrong_side;
   }

@@ -19,7 +19,7 @@ struct Place {
 };
 
 inline CameraStation station_at(const Place& place) {
-  return make_camera_station(place.spin, place.r, place.theta, 0.0, place.motion, place.beta);
+  return make_camera_station(Spacetime{place.spin}, place.r, place.theta, 0.0, place.motion, place.beta);
 }
 
 using Directions = std::vector<Vector3<double>>;

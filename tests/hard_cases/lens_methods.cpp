@@ -56,7 +56,7 @@ struct Arrays {
 //! More steps than any method needs, except at an extremal horizon.
 constexpr int step_limit = 20'000;
 
-Aberration observer_of(const Place& p) { return aberration_to_rain(p.spin, p.r, p.theta, p.motion, p.beta); }
+Aberration observer_of(const Place& p) { return aberration_to_rain(Spacetime{p.spin}, p.r, p.theta, p.motion, p.beta); }
 
 LensStation built_station(const Place& place, Nodes nodes) {
   GridSettings settings;
@@ -64,7 +64,7 @@ LensStation built_station(const Place& place, Nodes nodes) {
   settings.budget_px = sanitized ? 1.0 : 0.1;
   settings.observer = observer_of(place);
   settings.fine = nodes == Nodes::in_double;
-  return build_lens_station(place.spin, place.r, place.theta, settings);
+  return build_lens_station(Spacetime{place.spin}, place.r, place.theta, settings);
 }
 
 std::shared_ptr<const StationBuffers> streamed(const LensStation& station) {
@@ -106,7 +106,7 @@ SeenSky by_live_grid(const Place& place, const Directions& rays, Nodes nodes) {
 SeenSky by_streamed_stations(const Place& place, const Directions& rays) {
   // The distance between stations that a bake would choose there: a fraction of the height above
   // the horizon.
-  const double apart = 0.01 * (place.r - horizon_radius(place.spin));
+  const double apart = 0.01 * (place.r - horizon_radius(Spacetime{place.spin}));
   Place inner = place;
   Place outer = place;
   inner.r -= 0.5 * apart;

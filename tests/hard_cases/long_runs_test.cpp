@@ -45,7 +45,7 @@ Vector3<double> in_frame(const EyeCamera& eye, const Vector3<double>& v) {
 }
 
 CameraStation station_of_eye(const EyeCamera& eye) {
-  return make_camera_station(eye.spin, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity);
+  return make_camera_station(eye.spacetime, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity);
 }
 
 //! Returns the lens of a frame at the directions of the view.
@@ -162,7 +162,7 @@ TEST(LongRun, SpinComesToOneAndGoesBack) {
   for (const double end : {1.0, -1.0}) {
     const Show show = spin_show(fmt::format(
         "[{{ t_s = 0, value = {0} }}, {{ t_s = 2, value = {1} }}, {{ t_s = 4, value = {0} }}]", 0.9 * end, end));
-    ASSERT_EQ(spin_at(show, 2.0), end);
+    ASSERT_EQ(spacetime_at(show, 2.0).spin, end);
     EXPECT_LT(largest_leap_px([&](double t) { return eye_of(show, t); }, 1.5, 60), budget_px) << end;
   }
 }
@@ -171,7 +171,8 @@ TEST(LongRun, SpinComesToOneAndGoesBack) {
 //! it, at 0.05 rad/s, with axes that keep their directions.
 EyeCamera over_the_axis(double time_s, double beside) {
   const double x = 0.05 * time_s;
-  EyeCamera eye{0.9, 6.0, std::hypot(x, beside), std::atan2(beside, x), ObserverMotion::zamo, {}, {}, 6.0, 0.0};
+  EyeCamera eye{
+      Spacetime{0.9}, 6.0, std::hypot(x, beside), std::atan2(beside, x), ObserverMotion::zamo, {}, {}, 6.0, 0.0};
   eye.head_theta = eye.theta;
   const double along = std::cos(eye.phi);
   const double across = std::sin(eye.phi);
@@ -191,7 +192,7 @@ TEST(LongRun, APathLeadsThroughTheAxis) {
 //! Returns a camera that moves along θ through the equator, where grids switch from whole ones to
 //! mirrored halves and back.
 EyeCamera through_the_equator(double time_s) {
-  EyeCamera eye{0.999, 5.0, 0.5 * pi + 0.05 * time_s, 0.0, ObserverMotion::zamo, {}, {}, 5.0, 0.5 * pi};
+  EyeCamera eye{Spacetime{0.999}, 5.0, 0.5 * pi + 0.05 * time_s, 0.0, ObserverMotion::zamo, {}, {}, 5.0, 0.5 * pi};
   const double frame[3][3] = {{0.0, 0.0, 1.0}, {0.0, -1.0, 0.0}, {1.0, 0.0, 0.0}};
   std::copy(&frame[0][0], &frame[0][0] + 9, &eye.frame_from_view[0][0]);
   return eye;
@@ -208,7 +209,7 @@ TEST(LongRun, LiveGridsLeapByNoMoreThanTheirBudgetWhereTheyTurnIntoMirroredOnes)
   for (int frame = -3; frame <= 3; ++frame) {
     const EyeCamera eye = through_the_equator(frame * frame_s);
     ASSERT_EQ(eye.theta == 0.5 * pi, frame == 0);
-    const Place place = {eye.spin, eye.r, eye.theta};
+    const Place place = {eye.spacetime.spin, eye.r, eye.theta};
     Directions rays;
     for (const Vector3<double>& v : view_directions()) {
       rays.push_back(normalized(in_frame(eye, v)));

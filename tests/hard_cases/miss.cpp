@@ -87,9 +87,9 @@ Misses misses_of(const std::vector<ExactRay>& exact, const SeenSky& seen) {
   for (std::size_t i = 0; i < exact.size(); ++i) {
     const ExactRay& ray = exact[i];
     const Vector3<double> sky = {seen.sky[0][i], seen.sky[1][i], seen.sky[2][i]};
-    const bool bright = seen.status[i] == static_cast<double>(RayStatus::escaped);
+    const bool bright = seen.status[i] == static_cast<double>(LightEnd::sky);
     misses.improper += std::abs(length(sky) - (bright ? 1.0 : 0.0)) < 1e-5 ? 0 : 1;
-    if (seen.status[i] == static_cast<double>(RayStatus::not_converged)) {
+    if (seen.status[i] == static_cast<double>(LightEnd::unresolved)) {
       ++misses.unresolved;
     } else if (bright != ray.bright) {
       ++misses.wrong;

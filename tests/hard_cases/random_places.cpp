@@ -60,7 +60,7 @@ std::uint64_t number_of(Seed seed) {
 Place random_place(std::mt19937_64& random, double least_height) {
   Place place{};
   place.spin = random_spin(random);
-  place.r = horizon_radius(place.spin) * (1.0 + magnitude(random, std::log10(least_height), 5.8));
+  place.r = horizon_radius(Spacetime{place.spin}) * (1.0 + magnitude(random, std::log10(least_height), 5.8));
   place.theta = random_theta(random);
   const double motion = uniform(random, 0.0, 1.0);
   place.motion = motion < 0.4 ? ObserverMotion::zamo : motion < 0.7 ? ObserverMotion::rain : ObserverMotion::velocity;
@@ -71,8 +71,8 @@ Place random_place(std::mt19937_64& random, double least_height) {
 Place random_place_within(std::mt19937_64& random) {
   Place place{};
   place.spin = std::clamp(random_spin(random), -0.9999, 0.9999);
-  const double least = least_interior_radius(place.spin);
-  place.r = least + uniform(random, 0.001, 0.999) * (horizon_radius(place.spin) - least);
+  const double least = least_interior_radius(Spacetime{place.spin});
+  place.r = least + uniform(random, 0.001, 0.999) * (horizon_radius(Spacetime{place.spin}) - least);
   place.theta = random_theta(random);
   place.motion = uniform(random, 0.0, 1.0) < 0.5 ? ObserverMotion::rain : ObserverMotion::rain_boost;
   place.beta = uniform(random, 0.0, 0.99) * any_direction(random);

@@ -122,8 +122,8 @@ void show_textbook(const std::filesystem::path& folder) {
     }
   };
   const auto a = static_cast<float>(spin);
-  const auto first = static_cast<float>(photon_orbit_radius(spin, 1.0));
-  const auto last = static_cast<float>(photon_orbit_radius(spin, -1.0));
+  const auto first = static_cast<float>(photon_orbit_radius(Spacetime{spin}, 1.0));
+  const auto last = static_cast<float>(photon_orbit_radius(Spacetime{spin}, -1.0));
   for (int i = 0; i <= 2000; ++i) {
     const float r = first + (last - first) * static_cast<float>(i) / 2000.0F;
     const float xi = (r * r * (3.0F - r) - a * a * (r + 1.0F)) / (a * (r - 1.0F));
@@ -134,7 +134,7 @@ void show_textbook(const std::filesystem::path& folder) {
     }
   }
   constexpr double far = 1e5;
-  const CameraStation camera = make_camera_station(spin, far, 0.5 * pi, 0.0, ObserverMotion::zamo);
+  const CameraStation camera = make_camera_station(Spacetime{spin}, far, 0.5 * pi, 0.0, ObserverMotion::zamo);
   const ShadowChart chart = make_shadow_chart(camera);
   for (int i = 0; i < 720; ++i) {
     const double gamma = 2.0 * pi * i / 720;
@@ -168,7 +168,7 @@ void tell_where_float_is_enough() {
                beside_edge(station_at(usual), std::pow(10.0, -exponent)));
   }
   for (int exponent = 1; exponent <= 6; ++exponent) {
-    const Place falling = {0.9, horizon_radius(0.9) + std::pow(10.0, -exponent), 1.2, ObserverMotion::rain};
+    const Place falling = {0.9, horizon_radius(Spacetime{0.9}) + std::pow(10.0, -exponent), 1.2, ObserverMotion::rain};
     tell_float("in free fall, 1e-" + std::to_string(exponent) + " M above the horizon", falling,
                whole_sky(station_at(falling)));
   }

@@ -26,7 +26,7 @@ class Rounding {
   explicit Rounding(const Place& place)
       : camera_(station_at(place)),
         chart_(make_shadow_chart(camera_)),
-        height_(std::abs(place.r - horizon_radius(place.spin))) {}
+        height_(std::abs(place.r - horizon_radius(Spacetime{place.spin}))) {}
 
   [[nodiscard]] double of(const Vector3<double>& n) const {
     const double edge = std::abs(edge_distance(camera_, chart_, n));
@@ -246,10 +246,10 @@ TEST_P(Sweeps, GridsKeepTheirBudgetAndTheShadow) {
     GridSettings settings;
     settings.pixel = pixel;
     settings.budget_px = budget_px;
-    settings.observer = aberration_to_rain(place.spin, place.r, place.theta, place.motion, place.beta);
+    settings.observer = aberration_to_rain(Spacetime{place.spin}, place.r, place.theta, place.motion, place.beta);
     settings.fine = i % 2 == 0;
-    const StationBlend lens(
-        std::make_shared<StationBuffers>(Backend::cpu, build_lens_station(place.spin, place.r, place.theta, settings)));
+    const StationBlend lens(std::make_shared<StationBuffers>(
+        Backend::cpu, build_lens_station(Spacetime{place.spin}, place.r, place.theta, settings)));
     const CameraStation camera = station_at(place);
     const Directions rays = random_rays(random_, camera, rays_a_grid, 1e-8);
     const SeenSky seen = by_lens(lens.view(), place, rays);

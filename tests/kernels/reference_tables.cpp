@@ -50,7 +50,7 @@ ReferenceRay ray_of(const Row& row) {
   ReferenceRay ray{};
   fill_camera(ray, row);
   ray.id = static_cast<int>(number(row, "id"));
-  ray.status = row.at("status") == "escaped" ? RayStatus::escaped : RayStatus::captured;
+  ray.status = row.at("status") == "escaped" ? LightEnd::sky : LightEnd::horizon;
   ray.sky = vector(row, "sky_x", "sky_y", "sky_z");
   ray.g = number(row, "g");
   return ray;

@@ -18,7 +18,7 @@ struct ReferenceRay {
   ObserverMotion motion;
   Vector3<double> beta;
   Vector3<double> n;
-  RayStatus status;
+  LightEnd status;
   Vector3<double> sky;
   double g, mino_time;
   double edge_distance;  //!< -1 if not computed
@@ -62,7 +62,7 @@ double length(const Vector3<double>& v);
 
 template <class Row>
 CameraStation station_of(const Row& row) {
-  return make_camera_station(row.a, row.r, row.theta, 0.0, row.motion, row.beta);
+  return make_camera_station(Spacetime{row.a}, row.r, row.theta, 0.0, row.motion, row.beta);
 }
 
 }  // namespace ergodome::test

@@ -32,7 +32,8 @@ inline OwnRay own_ray(const EyePlace& eye_at, const Vector3<double>& view, doubl
   const Vector3<double> n_view = convergence > 0.0 ? unit_of(view - (1.0 / convergence) * place) : view;
   const auto& m = eye.frame_from_view;
   const auto row = [&](int i) { return m[i][0] * n_view.x + m[i][1] * n_view.y + m[i][2] * n_view.z; };
-  return {make_camera_station(eye.spin, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity), {row(0), row(1), row(2)}};
+  return {make_camera_station(eye.spacetime, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity),
+          {row(0), row(1), row(2)}};
 }
 
 }  // namespace ergodome::test

@@ -74,7 +74,7 @@ std::vector<ChannelFact> channel_facts(const Show& show, int frame, const Channe
       {"show", "OBJECT", text_in(show.title, ""), "title of the show"},
       {"frame", "FRAME", frame + 1, "frame number, from 1"},
       {"time_s", "TIME", time_s, "[s] time in the show"},
-      {"spin", "SPIN", eye.spin, "a/M of the hole"},
+      {"spin", "SPIN", eye.spacetime.spin, "a/M of the hole"},
       {"r", "CAM_R", eye.r, "[GM/c**2] Boyer-Lindquist radius"},
       {"theta_deg", "CAM_THET", radian_deg * eye.theta, "[deg] polar angle"},
       {"phi_deg", "CAM_PHI", radian_deg * eye.phi, "[deg] azimuth"},

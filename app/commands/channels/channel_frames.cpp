@@ -113,7 +113,7 @@ class ChannelWriter {
   [[nodiscard]] ChannelScene scene_of(const Show& now, double time_s) const {
     ChannelScene scene{eye_camera(now, camera_pose(now, time_s), 0.0), projection_of(now)};
     if (now.disk) {
-      scene.disk_inner = inner_edge(*now.disk, now.spin);
+      scene.disk_inner = inner_edge(*now.disk, spacetime_of(now));
       scene.disk_outer = now.disk->outer;
     }
     scene.equatorial_from_sky = glm::transpose(sky_from_equatorial(now.sky));

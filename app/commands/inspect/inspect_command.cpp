@@ -56,12 +56,11 @@ struct InspectOptions {
 //! Returns the angular width of the shadow along ±φ from the show's camera at a time [deg].
 double shadow_width_deg(const Show& show, double time_s) {
   const CameraPose pose = camera_pose(show, time_s);
-  const double spin = spin_at(show, time_s);
   const ObserverMotion motion = !pose.velocity          ? show.camera.motion
                                 : pose.velocity_in_rain ? ObserverMotion::rain_boost
                                                         : ObserverMotion::velocity;
-  const CameraStation camera =
-      make_camera_station(spin, pose.r, pose.theta, 0.0, motion, pose.velocity.value_or(show.camera.velocity));
+  const CameraStation camera = make_camera_station(spacetime_at(show, time_s), pose.r, pose.theta, 0.0, motion,
+                                                   pose.velocity.value_or(show.camera.velocity));
   const ShadowChart chart = make_shadow_chart(camera);
   return radian_deg * (edge_polar_angle(camera, chart, 0.0) + edge_polar_angle(camera, chart, pi));
 }
@@ -76,7 +75,7 @@ nlohmann::json facts_of(const Show& show) {
   facts["duration_s"] = show.duration_s;
   facts["frames"] = frame_count(show);
   facts["spin"] = show.spin;
-  facts["horizon_r"] = horizon_radius(show.spin);
+  facts["horizon_r"] = horizon_radius(spacetime_of(show));
   facts["observer"] = show.camera.keys.front().velocity ? "keys" : observers[static_cast<int>(show.camera.motion)];
   facts["sky_map"] = show.sky.map;
   facts["projection"] = projections[static_cast<int>(show.view.projection)];
@@ -211,8 +210,8 @@ LensStation grid_of(const Show& show, double time_s, GridSettings& settings, Gri
   const EyeCamera eye = eye_camera(show_at(show, time_s), camera_pose(show, time_s), 0.0);
   settings.pixel = pixel_angle(make_projection(show.view, show.view.size_px, 0.0));
   settings.budget_px = show.quality.budget_px;
-  settings.observer = aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity);
-  return build_lens_station(eye.spin, eye.r, eye.theta, settings, &statistics);
+  settings.observer = aberration_to_rain(eye.spacetime, eye.r, eye.theta, eye.motion, eye.velocity);
+  return build_lens_station(eye.spacetime, eye.r, eye.theta, settings, &statistics);
 }
 
 //! Draws the grid of a station and adds its statistics to the summary.

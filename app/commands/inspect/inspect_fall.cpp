@@ -22,7 +22,7 @@ constexpr std::size_t most_turns_printed = 24;
 //! Returns the speed against the ZAMO; inside the horizon, where there is no ZAMO, against the rain
 //! frame.
 double speed_at(const Show& show, double time_s) {
-  const CameraPose pose = in_zamo_frame(camera_pose(show, time_s), show.spin);
+  const CameraPose pose = in_zamo_frame(camera_pose(show, time_s), spacetime_of(show));
   const Vector3<double> v = pose.velocity.value_or(Vector3<double>{});
   return std::sqrt(dot(v, v));
 }

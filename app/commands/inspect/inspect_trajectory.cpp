@@ -54,7 +54,7 @@ nlohmann::json facts_of_trajectory(const std::filesystem::path& file) {
   const TrajectoryProvenance& from = trajectory.provenance();
   nlohmann::json facts = {{"file", file.string()},
                           {"bytes", trajectory.file_bytes()},
-                          {"spin", from.spin},
+                          {"spin", from.spacetime.spin},
                           {"budget_px", from.budget_px},
                           {"pixel_arcmin", from.pixel * radian_deg * 60.0},
                           {"derivatives", from.derivatives},

@@ -55,8 +55,9 @@ std::optional<std::string> lines_of(const RayRow& row, const CameraStation& came
 
 std::string crossing_lines(std::span<const RayRow> rows, const CrossingTableOptions& options) {
   const RayRow& first = rows.front();
-  const CameraStation camera = make_camera_station(first.spin, first.r, first.theta, 0.0, first.motion, first.velocity);
-  const DiskFlow<double> flow = make_disk_flow(first.spin);
+  const CameraStation camera =
+      make_camera_station(first.spacetime, first.r, first.theta, 0.0, first.motion, first.velocity);
+  const DiskFlow<double> flow = make_disk_flow(first.spacetime);
   std::vector<std::optional<std::string>> lines(rows.size());
   parallel_for(static_cast<int>(rows.size()), rays_at_a_time, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {

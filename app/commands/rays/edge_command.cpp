@@ -44,7 +44,7 @@ void run_edge(const EdgeOptions& options) {
   std::string text = options.points > 0 ? "id,point,n_r,n_theta,n_phi\n" : "id,edge_distance\n";
   for_each_camera(rows, [&](std::size_t begin, std::size_t end) {
     const RayRow& row = rows[begin];
-    const CameraStation camera = make_camera_station(row.spin, row.r, row.theta, 0.0, row.motion, row.velocity);
+    const CameraStation camera = make_camera_station(row.spacetime, row.r, row.theta, 0.0, row.motion, row.velocity);
     const ShadowChart chart = make_shadow_chart(camera);
     if (options.points > 0) {
       append_points(camera, chart, rows[begin].id, options.points, text);

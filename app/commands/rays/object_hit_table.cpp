@@ -33,7 +33,8 @@ std::optional<std::string> line_of(const RayRow& row, const CameraStation& camer
 
 std::string object_lines(std::span<const RayRow> rows, const ObjectRays& objects, double tolerance) {
   const RayRow& first = rows.front();
-  const CameraStation camera = make_camera_station(first.spin, first.r, first.theta, 0.0, first.motion, first.velocity);
+  const CameraStation camera =
+      make_camera_station(first.spacetime, first.r, first.theta, 0.0, first.motion, first.velocity);
   std::vector<std::optional<std::string>> lines(rows.size());
   parallel_for(static_cast<int>(rows.size()), object_rays_at_a_time, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {

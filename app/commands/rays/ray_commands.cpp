@@ -51,7 +51,7 @@ const std::map<std::string, TraceMethod> methods = {{"taylor", TraceMethod::tayl
                                                     {"baseline_rk34", TraceMethod::baseline_rk34}};
 
 CameraStation station_of(const RayRow& row) {
-  return make_camera_station(row.spin, row.r, row.theta, 0.0, row.motion, row.velocity);
+  return make_camera_station(row.spacetime, row.r, row.theta, 0.0, row.motion, row.velocity);
 }
 
 //! Inputs and outputs of a batch of rays that share a camera.
@@ -107,7 +107,7 @@ void append_rays(const std::vector<RayRow>& rows, std::size_t begin, const Batch
   constexpr const char* words[] = {"escaped", "captured", "not_converged"};
   for (std::size_t i = 0; i < arrays.g.size(); ++i) {
     const auto status = static_cast<std::size_t>(arrays.status[i]);
-    const bool unresolved = status == static_cast<std::size_t>(RayStatus::not_converged);
+    const bool unresolved = status == static_cast<std::size_t>(LightEnd::unresolved);
     std::string text = fmt::format("{},{},", rows[begin + i].id, words[status]);
     if (status == 0) {
       text += fmt::format("{:.17g},{:.17g},{:.17g},", arrays.sky[0][i], arrays.sky[1][i], arrays.sky[2][i]);
@@ -157,11 +157,11 @@ void look_up_group(const std::vector<RayRow>& rows, std::size_t begin, std::size
   GridSettings settings;
   settings.pixel = pi / options.size_px;
   settings.budget_px = pixels_of("--budget", options.budget);
-  settings.observer = aberration_to_rain(row.spin, row.r, row.theta, row.motion, row.velocity);
+  settings.observer = aberration_to_rain(row.spacetime, row.r, row.theta, row.motion, row.velocity);
   settings.fine = options.precision == "double";
   GridStatistics statistics;
   const auto start = std::chrono::steady_clock::now();
-  const LensStation station = build_lens_station(row.spin, row.r, row.theta, settings, &statistics);
+  const LensStation station = build_lens_station(row.spacetime, row.r, row.theta, settings, &statistics);
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
   BatchArrays<double> arrays(end - begin);
   const LensGrid grid = grid_view(station);
@@ -172,7 +172,7 @@ void look_up_group(const std::vector<RayRow>& rows, std::size_t begin, std::size
   print_out(
       "a {:.9g} r {:.9g} theta {:.9g}: {}{}, {} traced, {}, {} of them ({:.0f} px) left to direct rays, "
       "{:.1f} ms\n",
-      row.spin, row.r, row.theta, counted(statistics.nodes, "node"),
+      row.spacetime.spin, row.r, row.theta, counted(statistics.nodes, "node"),
       station.mirrored ? " (half the sky, mirrored)" : "",
       counted(statistics.traced_nodes + statistics.traced_checks, "ray"), counted(statistics.leaves, "cell"),
       statistics.flagged_leaves, statistics.flagged_px, time.count());
@@ -213,7 +213,7 @@ void read_quadtree_group(const std::vector<RayRow>& rows, std::size_t begin, std
   BatchArrays<double> arrays(end - begin);
   launch(Backend::cpu, QuadtreeRaysBatch{batch_of(rows, begin, arrays), look_up});
   append_rays(rows, begin, arrays, table);
-  print_out("a {:.9g} r {:.9g} theta {:.9g}: {} rays traced{}, {:.1f} ms\n", row.spin, row.r, row.theta,
+  print_out("a {:.9g} r {:.9g} theta {:.9g}: {} rays traced{}, {:.1f} ms\n", row.spacetime.spin, row.r, row.theta,
             lenses.front().vertex_count() + (lenses.size() > 1 ? lenses.back().vertex_count() : 0),
             mirrored ? " (half the sky, mirrored)" : "", time.count());
 }

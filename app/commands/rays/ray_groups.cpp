@@ -16,7 +16,7 @@ namespace {
 
 //! Returns the values that distinguish cameras.
 auto camera_of(const RayRow& row) {
-  return std::tuple(row.spin, row.r, row.theta, row.motion, row.velocity.x, row.velocity.y, row.velocity.z);
+  return std::tuple(row.spacetime.spin, row.r, row.theta, row.motion, row.velocity.x, row.velocity.y, row.velocity.z);
 }
 
 bool same_camera(const RayRow& a, const RayRow& b) { return camera_of(a) == camera_of(b); }

@@ -34,8 +34,8 @@ struct LineWriter {
     const double theta = std::atan2(std::hypot(at.m.x, at.m.y), at.m.z);
     const double turned = std::remainder(std::atan2(at.m.y, at.m.x) + at.drag, 2.0 * pi);
     const double phi = turned <= -pi ? pi : turned;
-    const double g =
-        1.0 / zamo_frequency(row.spin, r, std::sin(theta), std::cos(theta), ray.energy, ray.axial_angular_momentum);
+    const double g = 1.0 / zamo_frequency(row.spacetime.spin, r, std::sin(theta), std::cos(theta), ray.energy,
+                                          ray.axial_angular_momentum);
     text += fmt::format("{},{},{:.17g},{:.17g},{:.17g},{:.17g},{},{:.17g}\n", row.id, count, theta, phi, at.time,
                         at.delay, at.u_rate > 0.0 ? 1 : 0, g);
     ++count;
@@ -60,14 +60,15 @@ std::optional<std::string> lines_of(const RayRow& row, const CameraStation& came
 
 std::string shell_lines(std::span<const RayRow> rows, const ShellTableOptions& options) {
   const RayRow& first = rows.front();
-  const double horizon_r = horizon_radius(first.spin);
+  const double horizon_r = horizon_radius(first.spacetime);
   if (!(options.r > horizon_r)) {
     throw Error("trace --shell",
                 fmt::format("{} M is inside the horizon: for ray {}, the horizon is at {:.6g} M", options.r, first.id,
                             horizon_r),
                 fmt::format("choose a radius above {:.6g}", horizon_r));
   }
-  const CameraStation camera = make_camera_station(first.spin, first.r, first.theta, 0.0, first.motion, first.velocity);
+  const CameraStation camera =
+      make_camera_station(first.spacetime, first.r, first.theta, 0.0, first.motion, first.velocity);
   std::vector<std::optional<std::string>> lines(rows.size());
   parallel_for(static_cast<int>(rows.size()), shell_rays_at_a_time, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {

@@ -81,7 +81,7 @@ FrameRequests::FrameRequests(const RenderOptions& options, const Show& show, con
       fmt::format("{} {} {} {} {} {} {} {}", options.format, options.compression, options.alpha, options.size_px,
                   options.view, options.view_range, options.method, options.channels);
   // The text of a readout depends on the language.
-  const std::string words = show.readout ? text_in(readout_text(0.0, 0.0, 0.0), options.language) : "";
+  const std::string words = show.readout ? text_in(readout_text(Spacetime{}, 0.0, 0.0), options.language) : "";
   const std::string light = fmt::format("{} {}", options.lens.lens, fmt::join(options.budget, " "));
   of_all_ = fingerprint(fmt::format("{}\n{}\n{}\n{}\n{}\n{}{}", ERGODOME_VERSION, to_toml(drawn_part(options, show)),
                                     setup ? to_toml(*setup) : "", written, light, states_of_files(options, show, setup),

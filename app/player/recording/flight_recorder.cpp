@@ -37,7 +37,7 @@ Show bare_path(const Show& scene) {
 //! release the camera. Returns nothing if no such fall exists.
 std::optional<RecordedFall> add_fall(const std::vector<FallMoment>& moments, Show& show, std::vector<PathMark>& marks) {
   const double before_s = marks.empty() ? moments.front().time_s - shortest_s : marks.back().key.time_s;
-  std::optional<RecordedFall> fall = recorded_fall(show.spin, moments, before_s);
+  std::optional<RecordedFall> fall = recorded_fall(spacetime_of(show), moments, before_s);
   if (!fall) {
     return std::nullopt;
   }
@@ -86,8 +86,8 @@ bool is_beyond(const FlightSample& sample) { return sample.falling && sample.fal
 
 //! Returns whether one moment leads to the other by free fall, around the same hole.
 bool is_one_fall(const FlightSample& before, const FlightSample& after) {
-  return before.falling && after.falling && before.spin == after.spin &&
-         falls_on(before.spin, moment_of(before), moment_of(after));
+  return before.falling && after.falling && before.spacetime == after.spacetime &&
+         falls_on(before.spacetime, moment_of(before), moment_of(after));
 }
 
 //! Returns the falling part of a flight. All three members are the number of samples if nothing
@@ -120,7 +120,7 @@ std::vector<PathMark> marks_of(std::span<const FlightSample> samples, double fir
   const bool as_observer = std::ranges::all_of(samples, &FlightSample::as_observer);
   std::vector<PathMark> marks;
   for (const FlightSample& sample : samples) {
-    CameraPose pose = in_zamo_frame(sample.pose, sample.spin);
+    CameraPose pose = in_zamo_frame(sample.pose, sample.spacetime);
     if (as_observer) {
       pose.velocity.reset();
     }
@@ -179,7 +179,7 @@ RecordedPath FlightRecorder::path(const Show& scene, const RecordTolerance& tole
   const std::size_t let_go = marks.size();
   RecordedPath path;
   Show show = bare_path(scene);
-  if (part.begin < part.end && samples[part.beyond].spin == scene.spin) {
+  if (part.begin < part.end && samples[part.beyond].spacetime == spacetime_of(scene)) {
     path.fall = add_fall(moments_of(samples.subspan(part.begin, part.end - part.begin), first_s), show, marks);
   }
   if (path.fall) {

@@ -19,9 +19,9 @@ struct FallingNote {
 //! One moment of a flight.
 struct FlightSample {
   double time_s;
-  CameraPose pose;   //!< with the observer's velocity
-  double spin;       //!< of the hole at that time
-  bool as_observer;  //!< whether the observer moves as the scene's observer does
+  CameraPose pose;      //!< with the observer's velocity
+  Spacetime spacetime;  //!< at that time
+  bool as_observer;     //!< whether the observer moves as the scene's observer does
   //! Present if the observer is infalling; the pose then has a velocity in the rain frame.
   std::optional<FallingNote> falling;
 };

@@ -14,31 +14,31 @@ namespace {
 
 constexpr double own_time_tolerance = 1e-8;  // [M]
 
-RainOrbit orbit_of(double spin, const CameraPose& falls) {
-  const CameraPose ingoing = pose_of(ingoing_place(falls, spin));
-  return make_rain_orbit(spin, ingoing.r, ingoing.theta, ingoing.phi, *falls.velocity);
+RainOrbit orbit_of(Spacetime spacetime, const CameraPose& falls) {
+  const CameraPose ingoing = pose_of(ingoing_place(falls, spacetime));
+  return make_rain_orbit(spacetime, ingoing.r, ingoing.theta, ingoing.phi, *falls.velocity);
 }
 
 //! Returns position and velocity of an infalling body, without an orientation.
-CameraPose pose_on_orbit(double spin, const OrbitConstants& constants, const OrbitState& s) {
+CameraPose pose_on_orbit(Spacetime spacetime, const OrbitConstants& constants, const OrbitState& s) {
   const double c = std::cos(s.drag);
   const double d = std::sin(s.drag);
   const CameraPlace place = {1.0 / s.u,
                              glm::normalize(glm::dvec3(c * s.m.x - d * s.m.y, d * s.m.x + c * s.m.y, s.m.z))};
-  CameraPose pose = pose_of_ingoing(place, spin);
-  pose.velocity = orbit_rain_velocity(spin, constants, s, pose_of(place).phi - s.drag);
+  CameraPose pose = pose_of_ingoing(place, spacetime);
+  pose.velocity = orbit_rain_velocity(spacetime, constants, s, pose_of(place).phi - s.drag);
   pose.velocity_in_rain = true;
   return pose;
 }
 
 //! Returns whether a show's fall may begin there: outside the horizon, and slow enough against the
 //! ZAMO to avoid rounding errors.
-bool may_begin_at(double spin, const CameraPose& falls) {
+bool may_begin_at(Spacetime spacetime, const CameraPose& falls) {
   constexpr double fastest = 0.99;
-  if (!(falls.r > horizon_radius(spin))) {
+  if (!(falls.r > horizon_radius(spacetime))) {
     return false;
   }
-  const Vector3<double> velocity = *in_zamo_frame(falls, spin).velocity;
+  const Vector3<double> velocity = *in_zamo_frame(falls, spacetime).velocity;
   return dot(velocity, velocity) < fastest * fastest;
 }
 
@@ -49,23 +49,23 @@ struct FallBeginning {
 
 //! Integrates the orbit backward to where a fall may begin. Returns nothing if there is no such
 //! point.
-std::optional<FallBeginning> beginning_of(double spin, const CameraPose& first) {
-  if (may_begin_at(spin, first)) {
+std::optional<FallBeginning> beginning_of(Spacetime spacetime, const CameraPose& first) {
+  if (may_begin_at(spacetime, first)) {
     return FallBeginning{first, 0.0};
   }
   constexpr double tolerance = 1e-13;
   constexpr double longest_step = 0.02;  // maximum step of proper time over the radius r
   constexpr int most_steps = 2000;
-  const RainOrbit orbit = orbit_of(spin, first);
+  const RainOrbit orbit = orbit_of(spacetime, first);
   OrbitState state = orbit.state;
   FallBeginning back = {first, 0.0};
   double h = 1e-3 / state.u;
   for (int step = 0; step < most_steps; ++step) {
-    const OrbitStep next = orbit_step(spin, orbit.constants, -h, state);
+    const OrbitStep next = orbit_step(spacetime, orbit.constants, -h, state);
     if (next.error <= tolerance) {
       state = next.end;
-      back = {pose_on_orbit(spin, orbit.constants, state), back.own_time - h};
-      if (may_begin_at(spin, back.pose)) {
+      back = {pose_on_orbit(spacetime, orbit.constants, state), back.own_time - h};
+      if (may_begin_at(spacetime, back.pose)) {
         return back;
       }
     }
@@ -109,23 +109,23 @@ std::vector<NumberKey> clock_through(const std::vector<OwnTimeAt>& times) {
 
 }  // namespace
 
-bool falls_on(double spin, const FallMoment& before, const FallMoment& after) {
+bool falls_on(Spacetime spacetime, const FallMoment& before, const FallMoment& after) {
   constexpr double same = 1e-6;
-  const OrbitConstants a = orbit_of(spin, before.pose).constants;
-  const OrbitConstants b = orbit_of(spin, after.pose).constants;
+  const OrbitConstants a = orbit_of(spacetime, before.pose).constants;
+  const OrbitConstants b = orbit_of(spacetime, after.pose).constants;
   const auto near = [](double x, double y) { return std::abs(x - y) <= same * (1.0 + std::abs(x)); };
   return after.own_time >= before.own_time && near(a.energy, b.energy) &&
          near(a.axial_angular_momentum, b.axial_angular_momentum) && near(a.polar_constant, b.polar_constant);
 }
 
-std::optional<RecordedFall> recorded_fall(double spin, std::span<const FallMoment> moments, double before_s) {
+std::optional<RecordedFall> recorded_fall(Spacetime spacetime, std::span<const FallMoment> moments, double before_s) {
   const FallMoment& first = moments.front();
-  const std::optional<FallBeginning> begins = beginning_of(spin, first.pose);
+  const std::optional<FallBeginning> begins = beginning_of(spacetime, first.pose);
   if (!begins) {
     return std::nullopt;
   }
   const bool earlier = begins->own_time < 0.0;
-  const CameraPose start = in_zamo_frame(begins->pose, spin);
+  const CameraPose start = in_zamo_frame(begins->pose, spacetime);
   RecordedFall fall;
   fall.start.time_s = earlier ? 0.5 * (before_s + first.time_s) : first.time_s;
   fall.start.r = start.r;
@@ -145,7 +145,7 @@ std::optional<RecordedFall> recorded_fall(double spin, std::span<const FallMomen
   fall.settings.velocity = *start.velocity;
   fall.settings.clock = std::ranges::max(fall.clock, {}, &NumberKey::value).value;
   fall.settings.ease_s = 0.0;
-  fall.settings.least_r = deepest_rest(spin);
+  fall.settings.least_r = deepest_rest(spacetime);
   return fall;
 }
 

@@ -25,12 +25,12 @@ struct RecordedFall {
 
 //! Returns whether free fall leads from the first moment to the second: energy, angular momentum
 //! and Carter constant are equal, and proper time does not decrease.
-bool falls_on(double spin, const FallMoment& before, const FallMoment& after);
+bool falls_on(Spacetime spacetime, const FallMoment& before, const FallMoment& after);
 
 //! Returns the fall through the given moments of one orbit. It begins at the first moment; if the
 //! camera is too close to the horizon or inside it there, at a point of the orbit farther out,
 //! between `before_s` and the first moment. Returns nothing if there is no such point.
-std::optional<RecordedFall> recorded_fall(double spin, std::span<const FallMoment> moments, double before_s);
+std::optional<RecordedFall> recorded_fall(Spacetime spacetime, std::span<const FallMoment> moments, double before_s);
 
 //! Puts the fall into the show's camera, whose keys lead up to its start. The show must already
 //! have its final length.

@@ -30,12 +30,12 @@ std::optional<double> SessionRecording::own_time_of_fall(const PlayerFrame& fram
 }
 
 bool SessionRecording::note(double now_s, const PlayerFrame& frame, const Navigator& navigator, const Show& show,
-                            double spin) {
+                            Spacetime spacetime) {
   if (!recorder_) {
     return false;
   }
   CameraPose pose = frame.pose;
-  const bool beyond_return = is_beyond_return(spin, pose.r);
+  const bool beyond_return = is_beyond_return(spacetime, pose.r);
   std::optional<FallingNote> falling;
   if (const std::optional<double> own_time = own_time_of_fall(frame, navigator, show)) {
     falling = {*own_time, beyond_return};
@@ -47,9 +47,9 @@ bool SessionRecording::note(double now_s, const PlayerFrame& frame, const Naviga
       !pose.velocity && seen.motion == show.camera.motion &&
       (seen.motion != ObserverMotion::velocity || same_velocity(seen.velocity, show.camera.velocity));
   if (!pose.velocity) {
-    pose.velocity = observer_velocity(seen.motion, spin, pose.r, pose.theta, seen.velocity);
+    pose.velocity = observer_velocity(seen.motion, spacetime, pose.r, pose.theta, seen.velocity);
   }
-  recorder_->note({now_s, pose, spin, as_observer, falling});
+  recorder_->note({now_s, pose, spacetime, as_observer, falling});
   return recorder_->ended() && !ended_in_;
 }
 

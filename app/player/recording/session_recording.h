@@ -15,9 +15,9 @@ class SessionRecording {
   //! Starts recording; discards an earlier recording.
   void begin();
 
-  //! Records the pose of a frame around a hole of this spin, and the observer's velocity. Returns
+  //! Records the pose of a frame in this spacetime, and the observer's velocity. Returns
   //! whether a fall has ended the recording; end() must follow.
-  bool note(double now_s, const PlayerFrame& frame, const Navigator& navigator, const Show& show, double spin);
+  bool note(double now_s, const PlayerFrame& frame, const Navigator& navigator, const Show& show, Spacetime spacetime);
 
   //! Returns whether the flight is beyond return, so that it cannot continue around another hole.
   [[nodiscard]] bool is_bound_to_hole() const { return recorder_ && recorder_->beyond_return() && !ended_in_; }

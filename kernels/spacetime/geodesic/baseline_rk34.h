@@ -108,7 +108,7 @@ ERGO_HD RayEnd<T> trace_baseline_rk34(ScalarOf<T> spin, const RayStart<T>& start
   steps = zero;
   // Rays to a camera inside the horizon are not traced: the Boyer-Lindquist azimuth of their light
   // diverges where it enters.
-  const S horizon_r = S(1) + safe_sqrt((S(1) - spin) * (S(1) + spin));
+  const S horizon_r = kerr_horizon_radius(spin);
   const MaskOf<T> begun = active_at_start & (horizon_r * start.u < T(S(1)));
   auto active = begun;
   for (int step = 0; step < settings.step_limit && any(active); ++step) {

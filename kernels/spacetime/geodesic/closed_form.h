@@ -15,7 +15,7 @@ ERGO_HD RayEnd<double> trace_closed_form(double spin, const RayStart<double>& st
   const Vector3<double> m = polar_position(spin, start, radial.time);
   const double sine = ::sin(radial.drag);
   const double cosine = ::cos(radial.drag);
-  const double horizon_r = 1.0 + ::sqrt(::fmax(0.0, (1.0 - spin) * (1.0 + spin)));
+  const double horizon_r = horizon_radius(Spacetime{spin});
   const double height = ::fabs(radial_barrier(spin, horizon_r, start).clearance);
   return {{cosine * m.x - sine * m.y, sine * m.x + cosine * m.y, m.z},
           radial.time,

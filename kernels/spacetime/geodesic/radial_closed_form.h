@@ -222,7 +222,7 @@ ERGO_HD RadialMotion radial_motion(double spin, const RayStart<double>& ray) {
   const RadialRoots roots = radial_roots(spin, ray);
   const double l = ray.axial_angular_momentum;
   const double r = 1.0 / ray.u;
-  const bool within = !(r > horizon_radius(spin));
+  const bool within = !(r > horizon_radius(Spacetime{spin}));
   const bool turns = !within && ray.u_rate > 0.0;
   const double turn_u = 1.0 / roots.r[3].re;
   const detail::HorizonPairs pairs = detail::horizon_pairs(spin, within ? 1.0 : turns ? ::fmax(turn_u, ray.u) : ray.u);
@@ -232,7 +232,7 @@ ERGO_HD RadialMotion radial_motion(double spin, const RayStart<double>& ray) {
   if (!turns) {
     // Inside the horizon both terms are principal values; their divergence at the horizon cancels
     // in the azimuth of ingoing Kerr coordinates.
-    motion.drag = -(to_camera.angle + (within ? ingoing_turn(spin, r) : 0.0));
+    motion.drag = -(to_camera.angle + (within ? ingoing_turn(Spacetime{spin}, r) : 0.0));
     return motion;
   }
   double turn_time = 0.0;

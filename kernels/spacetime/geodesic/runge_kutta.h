@@ -20,7 +20,7 @@ ERGO_HD T drag_rate(ScalarOf<T> spin, const RayStart<T>& ray, const RayState<T>&
   const S a2 = spin * spin;
   const T u2 = s.u * s.u;
   // 1 - 2u + a² u² loses all digits next to the horizon; its factors do not.
-  const S horizon_r = S(1) + safe_sqrt((S(1) - spin) * (S(1) + spin));
+  const S horizon_r = kerr_horizon_radius(spin);
   const T lapse = (S(1) - horizon_r * s.u) * (S(1) - (a2 / horizon_r) * s.u);
   const T outer = (a2 * ray.axial_angular_momentum * u2 - S(2) * spin * s.u) / lapse;
   if (!ray.ingoing) {
@@ -122,7 +122,7 @@ ERGO_HD RayEnd<T> trace_runge_kutta(ScalarOf<T> spin, const RayStart<T>& start, 
   const T rounding(S(4) * std::numeric_limits<S>::epsilon());
   const T longest = S(0.5) / polar_speed;
   const S exponent = S(1.0 / (Tableau::error_order + 1));
-  const S horizon_r = S(1) + safe_sqrt((S(1) - spin) * (S(1) + spin));
+  const S horizon_r = kerr_horizon_radius(spin);
   const T least_way(std::numeric_limits<S>::epsilon());
   RayState<T> state = initial_state(start);
   RayState<T> stage[Tableau::stages];

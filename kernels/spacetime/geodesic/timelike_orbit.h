@@ -34,8 +34,9 @@ inline namespace ERGO_TARGET {
 
 //! Returns the body that passes (r, θ, φ) with the given velocity (|v| < 1) in the ZAMO frame; r
 //! outside the horizon, also on the axis.
-ERGO_HD OrbitState make_orbit(double spin, double r, double theta, double phi, const Vector3<double>& velocity) {
-  const KerrFunctions f = kerr_functions(spin, r, theta);
+ERGO_HD OrbitState make_orbit(Spacetime spacetime, double r, double theta, double phi,
+                              const Vector3<double>& velocity) {
+  const KerrFunctions f = kerr_functions(spacetime, r, theta);
   const double gamma = 1.0 / ::sqrt(1.0 - dot(velocity, velocity));
   const double u = 1.0 / r;
   const Vector3<double> south = {::cos(theta) * ::cos(phi), ::cos(theta) * ::sin(phi), -::sin(theta)};
@@ -59,9 +60,9 @@ struct OrbitMomentum {
   double axial;      //!< L_z
 };
 
-ERGO_HD OrbitMomentum momentum_of(double spin, const OrbitState& s) {
+ERGO_HD OrbitMomentum momentum_of(Spacetime spacetime, const OrbitState& s) {
   OrbitMomentum p{};
-  p.f = kerr_functions(spin, 1.0 / s.u, ::acos(::fmin(::fmax(s.m.z, -1.0), 1.0)));
+  p.f = kerr_functions(spacetime, 1.0 / s.u, ::acos(::fmin(::fmax(s.m.z, -1.0), 1.0)));
   p.radial = -s.u_rate / (s.u * s.u * ::sqrt(p.f.sigma * p.f.delta));
   const double sine = ::sqrt(s.m.x * s.m.x + s.m.y * s.m.y);
   p.axial = s.m.x * s.m_rate.y - s.m.y * s.m_rate.x;
@@ -77,19 +78,19 @@ ERGO_HD OrbitMomentum momentum_of(double spin, const OrbitState& s) {
 }  // namespace detail
 
 //! Returns the velocity in the ZAMO frame (e_r, e_θ, e_φ).
-ERGO_HD Vector3<double> orbit_velocity(double spin, const OrbitState& s) {
-  const detail::OrbitMomentum p = detail::momentum_of(spin, s);
+ERGO_HD Vector3<double> orbit_velocity(Spacetime spacetime, const OrbitState& s) {
+  const detail::OrbitMomentum p = detail::momentum_of(spacetime, s);
   const double gamma = ::sqrt(1.0 + p.radial * p.radial + p.polar * p.polar + p.azimuthal * p.azimuthal);
   return {p.radial / gamma, p.polar / gamma, p.azimuthal / gamma};
 }
 
 //! Returns the velocity in the ZAMO frame with e_θ and e_φ taken at the azimuth `psi`. That is the
 //! body's ψ, except on the axis, where all directions are equivalent and the caller chooses one.
-ERGO_HD Vector3<double> orbit_velocity(double spin, const OrbitState& s, double psi) {
+ERGO_HD Vector3<double> orbit_velocity(Spacetime spacetime, const OrbitState& s, double psi) {
   const double sine = ::sqrt(s.m.x * s.m.x + s.m.y * s.m.y);
   const Vector3<double> south = {s.m.z * ::cos(psi), s.m.z * ::sin(psi), -sine};
   const Vector3<double> east = {-::sin(psi), ::cos(psi), 0.0};
-  const detail::OrbitMomentum p = detail::momentum_of(spin, s);
+  const detail::OrbitMomentum p = detail::momentum_of(spacetime, s);
   const double polar = dot(s.m_rate, south) / ::sqrt(p.f.sigma);
   const double azimuthal = dot(s.m_rate, east) / p.f.circumference_factor;
   const double gamma = ::sqrt(1.0 + p.radial * p.radial + polar * polar + azimuthal * azimuthal);
@@ -97,12 +98,12 @@ ERGO_HD Vector3<double> orbit_velocity(double spin, const OrbitState& s, double 
 }
 
 //! Returns the constants of motion, from position and velocity only.
-ERGO_HD OrbitConstants orbit_constants(double spin, const OrbitState& s) {
-  const detail::OrbitMomentum p = detail::momentum_of(spin, s);
+ERGO_HD OrbitConstants orbit_constants(Spacetime spacetime, const OrbitState& s) {
+  const detail::OrbitMomentum p = detail::momentum_of(spacetime, s);
   const double gamma = ::sqrt(1.0 + p.radial * p.radial + p.polar * p.polar + p.azimuthal * p.azimuthal);
   const double lapse = ::sqrt(p.f.sigma * p.f.delta / p.f.area);
   const double energy = lapse * gamma + p.f.frame_dragging * p.axial;
-  const double a_cosine = spin * s.m.z;
+  const double a_cosine = spacetime.spin * s.m.z;
   return {energy, p.axial, dot(s.m_rate, s.m_rate) + a_cosine * a_cosine * (1.0 - energy * energy)};
 }
 
@@ -114,11 +115,12 @@ ERGO_HD OrbitConstants orbit_constants(double spin, const OrbitState& s) {
 //!   E - ω L = ε - v p_r,   (dr/dλ) / √A = p_r - v ε,   (ε - p_r)(ε + p_r) = 1 + p_θ² + p_φ².
 //! The difference of the first two is (ε - p_r)(1 + v), which does not cancel for bodies that fall
 //! inwards.
-ERGO_HD Vector3<double> orbit_rain_velocity(double spin, const OrbitConstants& c, const OrbitState& s, double psi) {
+ERGO_HD Vector3<double> orbit_rain_velocity(Spacetime spacetime, const OrbitConstants& c, const OrbitState& s,
+                                            double psi) {
   const double sine = ::sqrt(s.m.x * s.m.x + s.m.y * s.m.y);
   const Vector3<double> south = {s.m.z * ::cos(psi), s.m.z * ::sin(psi), -sine};
   const Vector3<double> east = {-::sin(psi), ::cos(psi), 0.0};
-  const KerrFunctions f = kerr_functions(spin, 1.0 / s.u, ::atan2(sine, s.m.z));
+  const KerrFunctions f = kerr_functions(spacetime, 1.0 / s.u, ::atan2(sine, s.m.z));
   const double polar = dot(s.m_rate, south) / ::sqrt(f.sigma);
   const double azimuthal = dot(s.m_rate, east) / f.circumference_factor;
   const double inwards = s.u_rate / (s.u * s.u * ::sqrt(f.area));
@@ -139,8 +141,9 @@ struct OrbitDrag {
 //! Computes the rates. With P = E (r² + a²) - a L and R = (dr/dλ)² = P² - Δ (r² + K), the sum of
 //! the terms of P and dr/dλ over Δ is (r² + K) / (P + √R) for bodies that fall inwards. `moment` is
 //! P u², `mass` is 1 + K u².
-ERGO_HD OrbitDrag orbit_drag(double spin, const OrbitConstants& c, const OrbitState& s, double moment, double mass,
-                             double lapse) {
+ERGO_HD OrbitDrag orbit_drag(Spacetime spacetime, const OrbitConstants& c, const OrbitState& s, double moment,
+                             double mass, double lapse) {
+  const double spin = spacetime.spin;
   const double a2 = spin * spin;
   const double u2 = s.u * s.u;
   const double sine_square = s.m.x * s.m.x + s.m.y * s.m.y;
@@ -161,7 +164,8 @@ ERGO_HD OrbitDrag orbit_drag(double spin, const OrbitConstants& c, const OrbitSt
 //! with K = Q + (L - aE)²,
 //!   (du/dλ)² = U(u) = [E + a (aE - L) u²]² - (1 - 2u + a² u²)(1 + K u²),      u'' = U'(u) / 2,
 //!   |m'|² + a² (1 - E²) m_z² = Q + L²,      m'' = -|m'|² m - a² (1 - E²) m_z (e_z - m_z m).
-ERGO_HD OrbitState orbit_rate(double spin, const OrbitConstants& c, const OrbitState& s) {
+ERGO_HD OrbitState orbit_rate(Spacetime spacetime, const OrbitConstants& c, const OrbitState& s) {
+  const double spin = spacetime.spin;
   const double a2 = spin * spin;
   const double u2 = s.u * s.u;
   const double skew = spin * (spin * c.energy - c.axial_angular_momentum);
@@ -172,7 +176,7 @@ ERGO_HD OrbitState orbit_rate(double spin, const OrbitConstants& c, const OrbitS
   const double spring = a2 * (1.0 - c.energy * c.energy) * s.m.z;
   const double bend = spring * s.m.z - dot(s.m_rate, s.m_rate);
   const double mino = u2 / (1.0 + a2 * u2 * s.m.z * s.m.z);  // dλ/dτ = 1/Σ
-  const detail::OrbitDrag dragged = detail::orbit_drag(spin, c, s, moment, 1.0 + shear * u2, lapse);
+  const detail::OrbitDrag dragged = detail::orbit_drag(spacetime, c, s, moment, 1.0 + shear * u2, lapse);
   OrbitState rate{};
   rate.u = mino * s.u_rate;
   rate.u_rate = mino * force;
@@ -207,7 +211,7 @@ struct OrbitStep {
 
 //! Takes one step of Cash & Karp's pair over a proper time `h` [M]. The error is NaN too close to
 //! the horizon.
-ERGO_HD OrbitStep orbit_step(double spin, const OrbitConstants& constants, double h, const OrbitState& state) {
+ERGO_HD OrbitStep orbit_step(Spacetime spacetime, const OrbitConstants& constants, double h, const OrbitState& state) {
   OrbitState stage[CashKarp::stages];
   OrbitState end = state;
   OrbitState difference{};
@@ -216,7 +220,7 @@ ERGO_HD OrbitStep orbit_step(double spin, const OrbitConstants& constants, doubl
     for (int j = 0; j < i; ++j) {
       at = detail::moved(at, CashKarp::a(i, j) * h, stage[j]);
     }
-    stage[i] = orbit_rate(spin, constants, at);
+    stage[i] = orbit_rate(spacetime, constants, at);
     end = detail::moved(end, CashKarp::b(i) * h, stage[i]);
     difference = detail::moved(difference, (CashKarp::b(i) - CashKarp::b_embedded(i)) * h, stage[i]);
   }
@@ -234,12 +238,12 @@ ERGO_HD double orbit_step_growth(double error, double tolerance) {
 //! Follows a body for the proper time `duration` [M], backwards if negative, by Cash & Karp's pair
 //! with errors below `tolerance` [rad] per step. Returns false, with the body at the last position,
 //! if it gets too close to the horizon (unless OrbitConstants::ingoing) or `step_limit` is reached.
-ERGO_HD bool advance_orbit(double spin, const OrbitConstants& constants, double duration, double tolerance,
+ERGO_HD bool advance_orbit(Spacetime spacetime, const OrbitConstants& constants, double duration, double tolerance,
                            int step_limit, OrbitState& state) {
   double done = 0.0;
   double h = duration;
   for (int step = 0; step < step_limit && done != duration; ++step) {
-    const OrbitStep next = orbit_step(spin, constants, h, state);
+    const OrbitStep next = orbit_step(spacetime, constants, h, state);
     if (next.error <= tolerance) {  // false for NaN
       state = next.end;
       done = h == duration - done ? duration : done + h;

@@ -85,20 +85,20 @@ ERGO_HD DirectionForm<S> converted(const DirectionForm<double>& f) {
 //!   E = ε + v q_r + ω L,      dr/dλ = √A (q_r + v ε)       in the rain frame,
 //!   E = α ε + ω L,            dr/dλ = √A α q_r             in the ZAMO frame,
 //! which are equal; the rain form has no cancellation.
-ERGO_HD CameraStation make_camera_station(double spin, double r, double theta, double phi, ObserverMotion motion,
-                                          const Vector3<double>& given = {0.0, 0.0, 0.0}) {
-  const KerrFunctions f = kerr_functions(spin, r, theta);
+ERGO_HD CameraStation make_camera_station(Spacetime spacetime, double r, double theta, double phi,
+                                          ObserverMotion motion, const Vector3<double>& given = {0.0, 0.0, 0.0}) {
+  const KerrFunctions f = kerr_functions(spacetime, r, theta);
   CameraStation station{};
-  station.spin = spin;
-  station.horizon_r = horizon_radius(spin);
+  station.spin = spacetime.spin;
+  station.horizon_r = horizon_radius(spacetime);
   station.u = 1.0 / r;
   station.sine_phi = ::sin(phi);
   station.cosine_phi = ::cos(phi);
   station.sine_theta = ::sin(theta);
   station.cosine_theta = ::cos(theta);
-  station.ingoing = is_near_horizon(spin, r);
-  station.turn = station.ingoing && r > station.horizon_r ? ::remainder(ingoing_turn(spin, r), 2.0 * pi) : 0.0;
-  station.lag = station.ingoing ? outer_lag(spin, r) : 0.0;
+  station.ingoing = is_near_horizon(spacetime, r);
+  station.turn = station.ingoing && r > station.horizon_r ? ::remainder(ingoing_turn(spacetime, r), 2.0 * pi) : 0.0;
+  station.lag = station.ingoing ? outer_lag(spacetime, r) : 0.0;
   const bool in_rain_frame = motion == ObserverMotion::rain || motion == ObserverMotion::rain_boost;
   const double lapse = ::sqrt(f.sigma * f.delta / f.area);
   const double own = in_rain_frame ? 1.0 : lapse;
@@ -107,7 +107,7 @@ ERGO_HD CameraStation make_camera_station(double spin, double r, double theta, d
   const LorentzTransform boost =
       boost_from_moving_frame(motion == ObserverMotion::rain ? rest
                               : in_rain_frame                ? given
-                                                             : observer_velocity(motion, spin, r, theta, given));
+                                                             : observer_velocity(motion, spacetime, r, theta, given));
   const double axial = -f.circumference_factor * station.sine_theta;
   const double radial = ::sqrt(f.area) / (r * r);
   station.energy = detail::direction_form(boost, {own, mixed, 0.0, f.frame_dragging * axial});
@@ -164,6 +164,12 @@ ERGO_HD RayStart<T> start_ray(const CameraStationOf<ScalarOf<T>>& camera, const 
   ray.ingoing = camera.ingoing;
   ray.turn = camera.turn;
   return ray;
+}
+
+//! Returns the spacetime that a camera is in.
+template <class S>
+ERGO_HD Spacetime spacetime_of(const CameraStationOf<S>& camera) {
+  return Spacetime{static_cast<double>(camera.spin)};
 }
 
 //! Returns whether a camera is inside the horizon.

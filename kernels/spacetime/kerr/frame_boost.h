@@ -66,7 +66,7 @@ ERGO_HD FrameBoost frame_boost(const Vector3<double>& beta) {
 
 //! Returns the aberration for an observer at (r, θ). See make_camera_station() for the arguments
 //! and for the motions that are valid inside the horizon.
-ERGO_HD Aberration aberration_to_rain(double spin, double r, double theta, ObserverMotion motion,
+ERGO_HD Aberration aberration_to_rain(Spacetime spacetime, double r, double theta, ObserverMotion motion,
                                       const Vector3<double>& given) {
   if (motion == ObserverMotion::rain) {
     return {};
@@ -74,10 +74,10 @@ ERGO_HD Aberration aberration_to_rain(double spin, double r, double theta, Obser
   if (motion == ObserverMotion::rain_boost) {
     return {{}, frame_boost(given)};
   }
-  const KerrFunctions f = kerr_functions(spin, r, theta);
+  const KerrFunctions f = kerr_functions(spacetime, r, theta);
   // The rain falls at v = rain_speed past the ZAMO, whose lapse √(ΣΔ/A) is 1/γ.
   const double lapse = ::sqrt(f.sigma * f.delta / f.area);
-  return {frame_boost(observer_velocity(motion, spin, r, theta, given)),
+  return {frame_boost(observer_velocity(motion, spacetime, r, theta, given)),
           {{1.0, 0.0, 0.0}, (1.0 + f.rain_speed) / lapse}};
 }
 

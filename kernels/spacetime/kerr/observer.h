@@ -33,9 +33,9 @@ inline namespace ERGO_TARGET {
 //! `given` is used for ObserverMotion::velocity and rain_boost only. The speed is at least 1 or NaN
 //! where such an observer cannot exist (at rest in the ergosphere, circular inside the photon
 //! orbit) and inside the horizon, where no ZAMO exists; callers must check.
-ERGO_HD Vector3<double> observer_velocity(ObserverMotion motion, double spin, double r, double theta,
+ERGO_HD Vector3<double> observer_velocity(ObserverMotion motion, Spacetime spacetime, double r, double theta,
                                           const Vector3<double>& given) {
-  const KerrFunctions f = kerr_functions(spin, r, theta);
+  const KerrFunctions f = kerr_functions(spacetime, r, theta);
   const auto along_phi = [&](double angular_velocity) {
     // Proper circumference per lapse: A sinθ / (Σ √Δ). Bardeen, Press & Teukolsky (1972), eq. 3.10.
     return Vector3<double>{0.0, 0.0,
@@ -47,9 +47,9 @@ ERGO_HD Vector3<double> observer_velocity(ObserverMotion motion, double spin, do
     case ObserverMotion::fixed:
       return along_phi(0.0);
     case ObserverMotion::geodesic:
-      return along_phi(1.0 / (r * ::sqrt(r) + spin));
+      return along_phi(1.0 / (r * ::sqrt(r) + spacetime.spin));
     case ObserverMotion::retrograde:
-      return along_phi(-1.0 / (r * ::sqrt(r) - spin));
+      return along_phi(-1.0 / (r * ::sqrt(r) - spacetime.spin));
     case ObserverMotion::rain:
       return {-f.rain_speed, 0.0, 0.0};
     case ObserverMotion::rain_boost: {
@@ -98,9 +98,9 @@ ERGO_HD LorentzTransform operator*(const LorentzTransform& a, const LorentzTrans
 //! Returns the Wigner rotation from the axes of an observer that is boosted from the ZAMO frame to
 //! the axes of one with the same motion that is boosted from the rain frame. `in_zamo` and
 //! `in_rain` are the velocity of this motion in the two frames. Valid outside the horizon.
-ERGO_HD LorentzTransform rain_axes_from_zamo_axes(double spin, double r, double theta, const Vector3<double>& in_zamo,
-                                                  const Vector3<double>& in_rain) {
-  const Vector3<double> falls = observer_velocity(ObserverMotion::rain, spin, r, theta, {0.0, 0.0, 0.0});
+ERGO_HD LorentzTransform rain_axes_from_zamo_axes(Spacetime spacetime, double r, double theta,
+                                                  const Vector3<double>& in_zamo, const Vector3<double>& in_rain) {
+  const Vector3<double> falls = observer_velocity(ObserverMotion::rain, spacetime, r, theta, {0.0, 0.0, 0.0});
   return boost_from_moving_frame({-in_rain.x, -in_rain.y, -in_rain.z}) *
          (boost_from_moving_frame({-falls.x, -falls.y, -falls.z}) * boost_from_moving_frame(in_zamo));
 }

@@ -1,19 +1,10 @@
 #pragma once
 
-#include <cstdint>
-
-#include "kernels/core/arithmetic.h"
 #include "kernels/core/vector3.h"
+#include "kernels/spacetime/spacetime.h"
 
 // Null geodesics: how they start at the camera, and how they end.
 namespace ergodome {
-
-//! Result of following a ray from the camera backwards in time.
-enum class RayStatus : std::int32_t {
-  escaped = 0,       //!< comes from the celestial sphere
-  captured = 1,      //!< comes from the hole: dark
-  not_converged = 2  //!< the step limit was reached before the sky direction was known
-};
 
 //! A null geodesic at the camera, in Mino time that runs backwards: away from the camera, into the
 //! past.

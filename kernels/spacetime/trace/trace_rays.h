@@ -23,7 +23,7 @@ struct RayBatch {
   const Scalar* direction[3];  //!< unit vectors in the observer's frame (e_r, e_θ, e_φ)
   Scalar* sky[3];              //!< unit vectors to the sources, rotated by camera φ, or 0
   Scalar* frequency_ratio;     //!< g = ν_observed / ν_emitted; formally 1 / E for captured rays
-  Scalar* status;              //!< RayStatus as a number
+  Scalar* status;              //!< LightEnd as a number
   Scalar* steps;               //!< integration steps
   Scalar* error_estimate;      //!< the integrator's estimate [rad]
   Scalar* mino_time;           //!< [1/M]

@@ -100,9 +100,9 @@ ERGO_HD void trace_rays_at(const RayBatch<ScalarOf<T>>& batch, const Camera& cam
   store_lanes(batch.sky[1], first, count, select(reached, sky.y, zero));
   store_lanes(batch.sky[2], first, count, select(reached, sky.z, zero));
   store_lanes(batch.frequency_ratio, first, count, S(1) / start.energy);
-  const T escaped(S(static_cast<int>(RayStatus::escaped)));
-  const T captured(S(static_cast<int>(RayStatus::captured)));
-  const T not_converged(S(static_cast<int>(RayStatus::not_converged)));
+  const T escaped(S(static_cast<int>(LightEnd::sky)));
+  const T captured(S(static_cast<int>(LightEnd::horizon)));
+  const T not_converged(S(static_cast<int>(LightEnd::unresolved)));
   store_lanes(batch.status, first, count, select(bright, select(reached, escaped, not_converged), captured));
   store_lanes(batch.steps, first, count, steps);
   store_lanes(batch.error_estimate, first, count, select(reached, end.error_estimate, zero));

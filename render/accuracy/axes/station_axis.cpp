@@ -87,10 +87,10 @@ class StationPixels : public PixelLens {
     GridSettings settings;
     settings.pixel = moment.pixel;
     settings.budget_px = budget_px();
-    settings.observer = aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity);
+    settings.observer = aberration_to_rain(eye.spacetime, eye.r, eye.theta, eye.motion, eye.velocity);
     settings.fine = settings.budget_px * settings.pixel < finest_float_budget;
     settings.derivatives = derivatives;
-    LensStation station = build_lens_station(eye.spin, eye.r, eye.theta, settings);
+    LensStation station = build_lens_station(eye.spacetime, eye.r, eye.theta, settings);
     buffers_.push_back(std::make_shared<const StationBuffers>(Backend::cpu, station));
     return station;
   }

@@ -31,7 +31,7 @@ RayBatch<S> batch_of(LensScene& scene) {
   const EyeCamera& eye = scene.eye();
   RayBatch<S> batch{};
   batch.camera =
-      converted_station<S>(make_camera_station(eye.spin, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity));
+      converted_station<S>(make_camera_station(eye.spacetime, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity));
   batch.count = static_cast<int>(rays.pixels.size());
   for (int k = 0; k < 3; ++k) {
     batch.direction[k] = rays.n[k].data();
@@ -77,7 +77,7 @@ class QuadtreePixels : public PixelLens {
     QuadtreeSettings settings;
     settings.finest_level = finest_level;
     settings.coarsest_level = std::min(settings.coarsest_level, finest_level);
-    return {make_camera_station(eye.spin, eye.r, eye.theta, 0.0, eye.motion, eye.velocity),
+    return {make_camera_station(eye.spacetime, eye.r, eye.theta, 0.0, eye.motion, eye.velocity),
             quadtree_is_mirrored(eye.theta, eye.velocity), settings};
   }
 

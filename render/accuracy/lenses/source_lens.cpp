@@ -21,14 +21,14 @@ GridSettings grid_settings(const LensScene& scene, double budget_px) {
   GridSettings settings;
   settings.pixel = scene.moment().pixel;
   settings.budget_px = budget_px;
-  settings.observer = aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity);
+  settings.observer = aberration_to_rain(eye.spacetime, eye.r, eye.theta, eye.motion, eye.velocity);
   settings.fine = budget_px * settings.pixel < finest_float_budget;
   return settings;
 }
 
 std::unique_ptr<PixelLens> make_grid(LensScene& scene, double budget_px) {
   const EyeCamera& eye = scene.eye();
-  LensStation station = build_lens_station(eye.spin, eye.r, eye.theta, grid_settings(scene, budget_px));
+  LensStation station = build_lens_station(eye.spacetime, eye.r, eye.theta, grid_settings(scene, budget_px));
   const auto packed = [station] { return pack_station(station).bytes.size(); };
   const auto buffers = std::make_shared<const StationBuffers>(Backend::cpu, std::move(station));
   return std::make_unique<SourcePixels>(scene,
@@ -60,7 +60,7 @@ LensChoiceToMeasure quadtree_pixel_choice(int finest_level) {
             QuadtreeSettings settings;
             settings.finest_level = finest_level;
             const auto grid = std::make_shared<const QuadtreeLens>(
-                make_camera_station(eye.spin, eye.r, eye.theta, 0.0, eye.motion, eye.velocity),
+                make_camera_station(eye.spacetime, eye.r, eye.theta, 0.0, eye.motion, eye.velocity),
                 quadtree_is_mirrored(eye.theta, eye.velocity), settings);
             return std::make_unique<SourcePixels>(
                 scene, std::make_unique<QuadtreeSource>(grid, eye, scene.projection(), 1.0),

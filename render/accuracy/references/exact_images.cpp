@@ -88,7 +88,7 @@ std::optional<ExactImage> follow(const CameraStation& camera, const Vector3<doub
 
 std::vector<std::optional<ExactImage>> exact_images(const EyeCamera& eye, const std::vector<Vector3<double>>& stars,
                                                     const std::vector<Vector3<double>>& found, double reach) {
-  const CameraStation camera = make_camera_station(eye.spin, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity);
+  const CameraStation camera = make_camera_station(eye.spacetime, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity);
   std::vector<std::optional<ExactImage>> images(found.size());
   parallel_for(static_cast<int>(found.size()), 16, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {

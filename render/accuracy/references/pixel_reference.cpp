@@ -71,7 +71,7 @@ PixelReference::PixelReference(const EyeCamera& eye, const Projection& projectio
   batch.status = status.data();
   launch(Backend::cpu, batch);
   for (std::size_t i = 0; i < count; ++i) {
-    const bool escaped = status[i] == static_cast<double>(RayStatus::escaped);
+    const bool escaped = status[i] == static_cast<double>(LightEnd::sky);
     points_[i].counts = points_[i].counts && escaped == points_[i].lit;
     points_[i].sky = escaped ? Vector3<double>{sky[0][i], sky[1][i], sky[2][i]} : Vector3<double>{};
   }

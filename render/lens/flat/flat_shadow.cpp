@@ -42,7 +42,7 @@ Vector3<double> chart_point(double alpha, double gamma) {
 FlatShadow::FlatShadow(const EyeCamera& head) {
   static WorkCounter counter("trace_affine_distances");
   const WorkScope work(counter, static_cast<long>(spokes) * depths);
-  const CameraStation camera = make_camera_station(head.spin, head.r, head.theta, 0.0, head.motion, head.velocity);
+  const CameraStation camera = make_camera_station(head.spacetime, head.r, head.theta, 0.0, head.motion, head.velocity);
   frame_chart_ = make_shadow_chart(camera);
   const ShadowChart& chart = frame_chart_;
   view_chart_ = {in_view(head, chart.centre), in_view(head, chart.first), in_view(head, chart.second)};

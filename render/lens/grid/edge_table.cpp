@@ -29,8 +29,8 @@ bool sees_all_alike(const Aberration& to_rain) {
 }
 
 bool moves_and_stands_alike(const EyeCamera& a, const EyeCamera& b) {
-  return a.spin == b.spin && a.r == b.r && a.theta == b.theta && a.motion == b.motion && a.velocity.x == b.velocity.x &&
-         a.velocity.y == b.velocity.y && a.velocity.z == b.velocity.z;
+  return a.spacetime == b.spacetime && a.r == b.r && a.theta == b.theta && a.motion == b.motion &&
+         a.velocity.x == b.velocity.x && a.velocity.y == b.velocity.y && a.velocity.z == b.velocity.z;
 }
 
 }  // namespace
@@ -65,10 +65,10 @@ double EdgeMiss::of(const EyeCamera& eye) {
   // Up to this spin, tables are accurate to 3e-5 rad for observers at 0.999 c and for static ones
   // 1e-5 M above the horizon.
   constexpr double fastest_smooth = 0.999;
-  if (std::abs(eye.spin) <= fastest_smooth) {
+  if (std::abs(eye.spacetime.spin) <= fastest_smooth) {
     return 0.0;
   }
-  const Aberration to_rain = aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity);
+  const Aberration to_rain = aberration_to_rain(eye.spacetime, eye.r, eye.theta, eye.motion, eye.velocity);
   if (sees_all_alike(to_rain)) {
     return 0.0;
   }
@@ -77,9 +77,9 @@ double EdgeMiss::of(const EyeCamera& eye) {
   if (found != known_.end()) {
     return found->miss;
   }
-  const EdgeTable table(Backend::cpu, make_camera_station(eye.spin, eye.r, eye.theta, 0.0, ObserverMotion::rain),
+  const EdgeTable table(Backend::cpu, make_camera_station(eye.spacetime, eye.r, eye.theta, 0.0, ObserverMotion::rain),
                         edge_points);
-  const CameraStation observer = make_camera_station(eye.spin, eye.r, eye.theta, 0.0, eye.motion, eye.velocity);
+  const CameraStation observer = make_camera_station(eye.spacetime, eye.r, eye.theta, 0.0, eye.motion, eye.velocity);
   if (known_.size() == kept_eyes) {
     known_.erase(known_.begin());
   }

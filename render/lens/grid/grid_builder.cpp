@@ -153,19 +153,19 @@ class GridBuilder {
 
 }  // namespace
 
-double chart_range(double spin, double r, double theta, const GridSettings& settings) {
-  const EdgeTable edge(Backend::cpu, make_camera_station(spin, r, theta, 0.0, ObserverMotion::rain), edge_points);
+double chart_range(Spacetime spacetime, double r, double theta, const GridSettings& settings) {
+  const EdgeTable edge(Backend::cpu, make_camera_station(spacetime, r, theta, 0.0, ObserverMotion::rain), edge_points);
   return range_for(settings, edge.view());
 }
 
-LensStation build_lens_station(double spin, double r, double theta, const GridSettings& settings,
+LensStation build_lens_station(Spacetime spacetime, double r, double theta, const GridSettings& settings,
                                GridStatistics* statistics, GridTracer<float>* tracer) {
   LensStation station;
-  station.spin = spin;
+  station.spacetime = spacetime;
   station.r = r;
   station.theta = theta;
   station.mirrored = std::abs(theta - 0.5 * pi) < 1e-9 && !settings.derivatives;
-  const CameraStation rain = make_camera_station(spin, r, theta, 0.0, ObserverMotion::rain);
+  const CameraStation rain = make_camera_station(spacetime, r, theta, 0.0, ObserverMotion::rain);
   const ShadowChart chart = make_shadow_chart(rain);
   station.edge = solve_edge(rain, chart, edge_points, station.mirrored);
   const EdgeCurve edge = edge_view(chart, station.edge);
@@ -177,7 +177,7 @@ LensStation build_lens_station(double spin, double r, double theta, const GridSe
     return GridBuilder<S, CameraStationOf<S>>(station, settings, with,
                                               [&](const LensPlace& place) {
                                                 return converted_station<S>(make_camera_station(
-                                                    spin, place.r, place.theta, 0.0, ObserverMotion::rain));
+                                                    spacetime, place.r, place.theta, 0.0, ObserverMotion::rain));
                                               })
         .build();
   };
@@ -196,7 +196,7 @@ LensStation build_omni_station(const OmniCameraOf<float>& cameras, const ShadowC
   own.observer = no_aberration();
   own.derivatives = false;
   LensStation station;
-  station.spin = static_cast<double>(cameras.spin);
+  station.spacetime = Spacetime{static_cast<double>(cameras.spin)};
   station.edge = std::move(edge);
   const EdgeCurve curve = edge_view(chart, station.edge);
   station.centre = curve.centre;

@@ -39,7 +39,7 @@ struct GridSettings {
 //!
 //! `tracer` traces float rays on its backend and keeps its memory for the next grid; without it
 //! they are traced on the CPU.
-LensStation build_lens_station(double spin, double r, double theta, const GridSettings& settings,
+LensStation build_lens_station(Spacetime spacetime, double r, double theta, const GridSettings& settings,
                                GridStatistics* statistics = nullptr, GridTracer<float>* tracer = nullptr);
 
 //! Builds the grid of an ODS eye, over a chart about its shadow in the view's axes. The station
@@ -53,6 +53,6 @@ LensStation build_omni_station(const OmniCameraOf<float>& cameras, const ShadowC
 
 //! Returns the chart range needed at a position, which reaches to within half the budget of the
 //! shadow's edge.
-double chart_range(double spin, double r, double theta, const GridSettings& settings);
+double chart_range(Spacetime spacetime, double r, double theta, const GridSettings& settings);
 
 }  // namespace ergodome

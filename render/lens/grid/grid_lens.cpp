@@ -14,7 +14,7 @@ GridLens::GridLens(Backend backend, const char* name, StationBlend stations, con
       stations_(std::move(stations)),
       prototype_{
           pixel_batch(eye, projection, tolerance_px), stations_.view(),
-          converted_aberration<float>(aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity))} {
+          converted_aberration<float>(aberration_to_rain(eye.spacetime, eye.r, eye.theta, eye.motion, eye.velocity))} {
   set_sky_steps(prototype_.pixels, eye);
 }
 

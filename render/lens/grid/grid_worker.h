@@ -15,7 +15,7 @@ namespace ergodome {
 
 //! An order for a grid.
 struct GridOrder {
-  double spin = 0.0;
+  Spacetime spacetime;
   LensPlace place{};
   GridSettings settings{};
 };

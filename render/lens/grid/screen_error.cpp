@@ -161,7 +161,8 @@ ScreenError bounds_of(const std::vector<double>& error_px, const std::vector<dou
 }
 
 ScreenError measure_screen_error(const LensBlend& lens, const LensView& view, const ChartSamples& samples) {
-  const CameraStation rain = make_camera_station(view.spin, view.place.r, view.place.theta, 0.0, ObserverMotion::rain);
+  const CameraStation rain =
+      make_camera_station(view.spacetime, view.place.r, view.place.theta, 0.0, ObserverMotion::rain);
   const std::size_t count = samples.s.size();
   std::vector<double> error_px(count);
   std::vector<double> area_px(count);

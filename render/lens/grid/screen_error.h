@@ -12,7 +12,7 @@ namespace ergodome {
 
 //! The observer of a lens: position, motion and screen.
 struct LensView {
-  double spin;  //!< [M]
+  Spacetime spacetime;
   LensPlace place;
   Aberration observer;  //!< from aberration_to_rain()
   double pixel;         //!< angle of a pixel on the observer's screen [rad]

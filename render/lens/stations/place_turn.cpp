@@ -15,7 +15,9 @@ constexpr double least_measure = 0.1;
 
 //! Returns the angle [rad] from a camera's azimuth to that of ingoing Kerr coordinates, which
 //! cameras inside the horizon already use.
-double outer_turn(double spin, double r) { return r > horizon_radius(spin) ? ingoing_turn(spin, r) : 0.0; }
+double outer_turn(Spacetime spacetime, double r) {
+  return r > horizon_radius(spacetime) ? ingoing_turn(spacetime, r) : 0.0;
+}
 
 glm::dmat3 about_axis(double angle) {
   return {std::cos(angle), std::sin(angle), 0.0, -std::sin(angle), std::cos(angle), 0.0, 0.0, 0.0, 1.0};
@@ -28,15 +30,15 @@ bool same_place(const LensPlace& a, const LensPlace& b) {
   return std::abs(a.r - b.r) <= rounding * a.r && std::abs(a.theta - b.theta) <= rounding;
 }
 
-glm::dmat3 place_turn(double spin, const LensPlace& from, const LensPlace& to) {
+glm::dmat3 place_turn(Spacetime spacetime, const LensPlace& from, const LensPlace& to) {
   const double tilt = to.theta - from.theta;
   const glm::dmat3 tilted(std::cos(tilt), 0.0, -std::sin(tilt), 0.0, 1.0, 0.0, std::sin(tilt), 0.0, std::cos(tilt));
-  return about_axis(outer_turn(spin, to.r)) * tilted * about_axis(-outer_turn(spin, from.r));
+  return about_axis(outer_turn(spacetime, to.r)) * tilted * about_axis(-outer_turn(spacetime, from.r));
 }
 
-double radial_measure(double spin, double r) {
+double radial_measure(Spacetime spacetime, double r) {
   constexpr double part = 0.25;
-  return std::max(r - horizon_radius(spin), part * (r - inner_horizon_radius(spin)));
+  return std::max(r - horizon_radius(spacetime), part * (r - inner_horizon_radius(spacetime)));
 }
 
 double place_weight(const LensPlace& first, const LensPlace& second, const LensPlace& place) {

@@ -2,6 +2,8 @@
 
 #include <glm/mat3x3.hpp>
 
+#include "kernels/spacetime/spacetime.h"
+
 // Camera positions of lenses, and the rotation of the sky between them.
 
 namespace ergodome {
@@ -20,12 +22,12 @@ bool same_place(const LensPlace& a, const LensPlace& b);
 //! Returns the rotation that takes the sky of a camera at `from` to that of a camera at `to`. The
 //! sky turns with θ and, about the axis, with r, as a principal null ray does. Positions may lie on
 //! both sides of the horizon; inside it, skies are in the azimuth of ingoing Kerr coordinates.
-glm::dmat3 place_turn(double spin, const LensPlace& from, const LensPlace& to);
+glm::dmat3 place_turn(Spacetime spacetime, const LensPlace& from, const LensPlace& to);
 
 //! Returns the scale on which a camera's sky changes with r [M]: the height above the horizon or,
 //! near it and inside, a fraction of the height above the inner horizon (nothing special happens to
 //! an infalling observer at the outer one).
-double radial_measure(double spin, double r);
+double radial_measure(Spacetime spacetime, double r);
 
 //! Returns how far a position lies along the line from `first` to `second` in r and θ, in [0, 1].
 double place_weight(const LensPlace& first, const LensPlace& second, const LensPlace& place);

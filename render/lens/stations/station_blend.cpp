@@ -12,7 +12,7 @@ namespace {
 
 //! Computes place_turn from a station, in the form that kernels need.
 void set_turn(const LensStation& station, const LensPlace& place, float (&turn)[3][3]) {
-  const glm::dmat3 whole = place_turn(station.spin, {station.r, station.theta}, place);
+  const glm::dmat3 whole = place_turn(station.spacetime, {station.r, station.theta}, place);
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
       turn[i][j] = static_cast<float>(whole[j][i]);
@@ -73,9 +73,9 @@ StationBlend::StationBlend(Backend backend, std::shared_ptr<const StationBuffers
     : first_(std::move(station)) {
   const LensStation& a = first_->station();
   const LensPlace from = place_of(a);
-  set_chart(backend, a.spin, place, a.range);
+  set_chart(backend, a.spacetime, place, a.range);
   nodes_[0] = Buffer<float>(
-      backend, moved_nodes(a, {place.r - from.r, place.theta - from.theta}, place_turn(a.spin, from, place)),
+      backend, moved_nodes(a, {place.r - from.r, place.theta - from.theta}, place_turn(a.spacetime, from, place)),
       moved_grid_buffer);
 }
 
@@ -85,7 +85,7 @@ StationBlend::StationBlend(Backend backend, std::shared_ptr<const StationBuffers
   const LensStation& a = first_->station();
   const LensStation& b = second_->station();
   const auto weight = static_cast<float>(place_weight(place_of(a), place_of(b), place));
-  set_chart(backend, a.spin, place, a.range + weight * (b.range - a.range));
+  set_chart(backend, a.spacetime, place, a.range + weight * (b.range - a.range));
   set_turn(a, place, turn_[0]);
   set_turn(b, place, turn_[1]);
   second_weight_ = weight;
@@ -94,8 +94,8 @@ StationBlend::StationBlend(Backend backend, std::shared_ptr<const StationBuffers
   }
 }
 
-void StationBlend::set_chart(Backend backend, double spin, const LensPlace& place, float range) {
-  const CameraStation rain = make_camera_station(spin, place.r, place.theta, 0.0, ObserverMotion::rain);
+void StationBlend::set_chart(Backend backend, Spacetime spacetime, const LensPlace& place, float range) {
+  const CameraStation rain = make_camera_station(spacetime, place.r, place.theta, 0.0, ObserverMotion::rain);
   edge_.emplace(backend, rain, edge_points);
   chart_ = {edge_->view(), range};
 }

@@ -64,7 +64,7 @@ class StationBlend {
   [[nodiscard]] LensBlend view() const;
 
  private:
-  void set_chart(Backend backend, double spin, const LensPlace& place, float range);
+  void set_chart(Backend backend, Spacetime spacetime, const LensPlace& place, float range);
   void take_derivatives(Backend backend, const LensPlace& place);
 
   std::shared_ptr<const StationBuffers> first_;

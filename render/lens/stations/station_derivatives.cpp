@@ -33,14 +33,14 @@ std::vector<float> difference(const LensStation& station, const NodeTracer& trac
                               const LensPlace& to, double distance) {
   const LensPlace here = {station.r, station.theta};
   const auto nodes_at = [&](const LensPlace& place) {
-    const CameraStation rain = make_camera_station(station.spin, place.r, place.theta, 0.0, ObserverMotion::rain);
+    const CameraStation rain = make_camera_station(station.spacetime, place.r, place.theta, 0.0, ObserverMotion::rain);
     const EdgeTable edge(Backend::cpu, rain, edge_points);
     return trace(place, {edge.view(), station.range});
   };
   const std::vector<float> before = nodes_at(from);
   const std::vector<float> after = nodes_at(to);
-  const glm::dmat3 turn_before = place_turn(station.spin, from, here);
-  const glm::dmat3 turn_after = place_turn(station.spin, to, here);
+  const glm::dmat3 turn_before = place_turn(station.spacetime, from, here);
+  const glm::dmat3 turn_after = place_turn(station.spacetime, to, here);
   std::vector<float> change(station.nodes.size(), 0.0F);
   for (std::size_t node = 0; node < change.size(); node += floats_a_node) {
     const std::size_t known = node + sky_known;
@@ -57,7 +57,7 @@ std::vector<float> difference(const LensStation& station, const NodeTracer& trac
 }  // namespace
 
 void add_derivatives(LensStation& station, const NodeTracer& trace) {
-  const double dr = step * radial_measure(station.spin, station.r);
+  const double dr = step * radial_measure(station.spacetime, station.r);
   station.nodes_along_r =
       difference(station, trace, {station.r - dr, station.theta}, {station.r + dr, station.theta}, 2.0 * dr);
   const double north = std::max(station.theta - step, 0.0);

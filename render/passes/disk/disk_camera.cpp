@@ -16,10 +16,10 @@ constexpr int layer_step_limit = 100;
 
 }  // namespace
 
-LayerLimits<double> layer_limits(double spin, double inner_r, double outer_r) {
-  const double horizon = horizon_radius(spin);
+LayerLimits<double> layer_limits(Spacetime spacetime, double inner_r, double outer_r) {
+  const double horizon = horizon_radius(spacetime);
   // Light turns no closer to the hole than the prograde photon orbit.
-  const double turning = photon_orbit_radius(std::abs(spin), 1.0);
+  const double turning = photon_orbit_radius(Spacetime{std::abs(spacetime.spin)}, 1.0);
   const double near_r =
       horizon + std::max(std::min(0.25 * (inner_r - horizon), 0.5 * (turning - horizon)), 1e-3 * horizon);
   const double near_u = 1.0 / near_r;
@@ -36,13 +36,13 @@ DiskSpanOnScreen disk_span_on_screen(const DiskGridSettings& settings, double r)
           static_cast<float>(0.1 * (inner_u - outer_u) / pixels), static_cast<float>(0.2 / pixels)};
 }
 
-DiskChartCamera::DiskChartCamera(double spin, const LensPlace& place, const DiskGridSettings& settings)
-    : rain(make_camera_station(spin, place.r, place.theta, 0.0, ObserverMotion::rain)),
+DiskChartCamera::DiskChartCamera(Spacetime spacetime, const LensPlace& place, const DiskGridSettings& settings)
+    : rain(make_camera_station(spacetime, place.r, place.theta, 0.0, ObserverMotion::rain)),
       mirrored(std::abs(place.theta - 0.5 * pi) < 1e-9) {
   const ShadowChart chart = make_shadow_chart(rain);
   polar_angle = solve_edge(rain, chart, edge_points, mirrored);
   edge = edge_view(chart, polar_angle);
-  const LayerLimits<double> limits = layer_limits(spin, settings.inner_r, settings.outer_r);
+  const LayerLimits<double> limits = layer_limits(spacetime, settings.inner_r, settings.outer_r);
   const double tolerance = std::clamp(0.005 * settings.budget_px * settings.pixel, 3e-7, 1e-5);
   camera = {{converted_station<float>(rain), {edge, 1.0F}, {}},
             {static_cast<float>(limits.near_u), static_cast<float>(limits.far_u), static_cast<float>(limits.highest_u),

@@ -27,7 +27,7 @@ struct DiskGridSettings {
 //! Camera of a disk grid at Boyer-Lindquist (r, θ) [M, rad], with its chart. `camera` points into
 //! this object.
 struct DiskChartCamera {
-  DiskChartCamera(double spin, const LensPlace& place, const DiskGridSettings& settings);
+  DiskChartCamera(Spacetime spacetime, const LensPlace& place, const DiskGridSettings& settings);
   DiskChartCamera(const DiskChartCamera&) = delete;
   DiskChartCamera& operator=(const DiskChartCamera&) = delete;
 
@@ -44,6 +44,6 @@ struct DiskChartCamera {
 DiskSpanOnScreen disk_span_on_screen(const DiskGridSettings& settings, double r);
 
 //! Returns the limits up to which rays of a disk grid are followed. The tolerance is not set.
-LayerLimits<double> layer_limits(double spin, double inner_r, double outer_r);
+LayerLimits<double> layer_limits(Spacetime spacetime, double inner_r, double outer_r);
 
 }  // namespace ergodome

@@ -53,7 +53,7 @@ class DiskDifference {
 
  private:
   void trace(const LensPlace& place, DiskStation::NodeSets& nodes) {
-    const DiskChartCamera at(station_.cells.spin, place, settings_);
+    const DiskChartCamera at(station_.cells.spacetime, place, settings_);
     tracer_.begin(at.camera, {}, settings_.pixel, {});
     tracer_.add_nodes(places_.gamma_turns, places_.s);
     for (int set = 0; set < station_.sets(); ++set) {
@@ -72,7 +72,7 @@ class DiskDifference {
 void add_disk_derivatives(DiskStation& station, const DiskGridSettings& settings) {
   const LensStation& cells = station.cells;
   DiskDifference difference(station, settings);
-  const double dr = longest_disk_step * radial_measure(cells.spin, cells.r);
+  const double dr = longest_disk_step * radial_measure(cells.spacetime, cells.r);
   difference.take({cells.r - dr, cells.theta}, {cells.r + dr, cells.theta}, 2.0 * dr, station.nodes_along_r);
   const double step = std::min(0.5 * std::abs(cells.theta - 0.5 * pi), longest_disk_step);
   if (step < shortest_disk_step) {

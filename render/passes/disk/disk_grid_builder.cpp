@@ -191,12 +191,12 @@ class DiskGridBuilder {
 
 }  // namespace
 
-DiskStation build_disk_station(double spin, double r, double theta, const DiskGridSettings& settings,
+DiskStation build_disk_station(Spacetime spacetime, double r, double theta, const DiskGridSettings& settings,
                                GridStatistics* statistics, DiskGridTracer* tracer) {
-  const DiskChartCamera camera(spin, {r, theta}, settings);
+  const DiskChartCamera camera(spacetime, {r, theta}, settings);
   DiskStation station;
   LensStation& cells = station.cells;
-  cells.spin = spin;
+  cells.spacetime = spacetime;
   cells.r = r;
   cells.theta = theta;
   cells.mirrored = camera.mirrored;

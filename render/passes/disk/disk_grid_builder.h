@@ -17,7 +17,7 @@ namespace ergodome {
 //! limit or at `least_area_px` are flagged, so that their pixels are traced. A camera on the
 //! equator gets half a grid, which is mirrored when read. Rays are single precision, like those of
 //! pixels.
-DiskStation build_disk_station(double spin, double r, double theta, const DiskGridSettings& settings,
+DiskStation build_disk_station(Spacetime spacetime, double r, double theta, const DiskGridSettings& settings,
                                GridStatistics* statistics = nullptr, DiskGridTracer* tracer = nullptr);
 
 }  // namespace ergodome

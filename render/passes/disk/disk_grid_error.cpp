@@ -4,9 +4,9 @@
 
 namespace ergodome {
 
-ScreenError measure_disk_error(const DiskGrid& grid, double spin, const LensPlace& place,
+ScreenError measure_disk_error(const DiskGrid& grid, Spacetime spacetime, const LensPlace& place,
                                const DiskGridSettings& settings, const ChartSamples& samples) {
-  const DiskChartCamera at(spin, place, settings);
+  const DiskChartCamera at(spacetime, place, settings);
   const std::vector<float> gamma_turns(samples.gamma_turns.begin(), samples.gamma_turns.end());
   const std::vector<float> s(samples.s.begin(), samples.s.end());
   std::vector<float> found_px(s.size());

@@ -8,7 +8,7 @@ namespace ergodome {
 //! Measures the error of a disk grid (in host memory) on the screen at a camera position, against
 //! traced rays at samples in the disk chart. Returns bounds for quantiles of the solid angle that
 //! shows the disk [px]. `settings` describe the screen and the disk.
-ScreenError measure_disk_error(const DiskGrid& grid, double spin, const LensPlace& place,
+ScreenError measure_disk_error(const DiskGrid& grid, Spacetime spacetime, const LensPlace& place,
                                const DiskGridSettings& settings, const ChartSamples& samples);
 
 }  // namespace ergodome

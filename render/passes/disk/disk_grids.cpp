@@ -60,7 +60,7 @@ DiskGridSettings disk_grid_settings(const EyeCamera& eye, const DiskLook& disk, 
   settings.outer_r = static_cast<double>(disk.outer_r);
   settings.pattern = has_pattern(disk);
   settings.pixel = pixel;
-  settings.observer = aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity);
+  settings.observer = aberration_to_rain(eye.spacetime, eye.r, eye.theta, eye.motion, eye.velocity);
   return settings;
 }
 
@@ -69,7 +69,7 @@ bool DiskGrids::serves(const Grid& grid, const DiskGridRequest& request) {
   // A grid works for any motion, but is refined for the observer that it was built for, so the
   // motion may differ only slightly.
   const Vector3<double> turn = grid.velocity - eye.velocity;
-  return grid.spin == eye.spin && same_place({grid.r, grid.theta}, {eye.r, eye.theta}) &&
+  return grid.spacetime == eye.spacetime && same_place({grid.r, grid.theta}, {eye.r, eye.theta}) &&
          serves_disk(grid.inner_r, grid.outer_r, grid.pattern, request.disk) &&
          grid.error <= 1.01 * error_of(request) && grid.error >= 0.5 * error_of(request) && grid.motion == eye.motion &&
          grid.nearness == request.nearness && dot(turn, turn) < 1e-4;
@@ -81,10 +81,10 @@ DiskGrids::Grid DiskGrids::make(const DiskGridRequest& request) {
   settings.budget_px = request.budget_px;
   settings.nearness = request.nearness;
   GridStatistics statistics;
-  const DiskStation station = build_disk_station(eye.spin, eye.r, eye.theta, settings, &statistics, &tracer_);
+  const DiskStation station = build_disk_station(eye.spacetime, eye.r, eye.theta, settings, &statistics, &tracer_);
   ++built_;
   return {
-      eye.spin,          eye.r,      eye.theta,    settings.inner_r, settings.outer_r,      settings.pattern,
+      eye.spacetime,     eye.r,      eye.theta,    settings.inner_r, settings.outer_r,      settings.pattern,
       error_of(request), eye.motion, eye.velocity, request.nearness, statistics.flagged_px, DiskGridBuffers(station)};
 }
 

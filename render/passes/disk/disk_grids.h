@@ -55,7 +55,7 @@ class DiskGrids {
  private:
   //! A grid with the parameters that it was built for.
   struct Grid {
-    double spin;
+    Spacetime spacetime;
     double r;
     double theta;
     double inner_r;

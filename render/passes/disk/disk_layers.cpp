@@ -51,7 +51,8 @@ DiskLayers::DiskLayers(std::shared_ptr<const JoinedDisk> stations, const LensPla
 }
 
 void DiskLayers::set_edge(const LensPlace& place) {
-  edge_.emplace(Backend::cpu, make_camera_station(cells_->cells.spin, place.r, place.theta, 0.0, ObserverMotion::rain),
+  edge_.emplace(Backend::cpu,
+                make_camera_station(cells_->cells.spacetime, place.r, place.theta, 0.0, ObserverMotion::rain),
                 edge_points);
 }
 

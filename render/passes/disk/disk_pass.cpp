@@ -17,24 +17,24 @@ constexpr double farthest_peak = 4.0;
 
 //! Returns the largest flux of a disk around a hole of this spin, by golden-section search; the
 //! flux has one peak.
-double greatest_flux(double spin) {
+double greatest_flux(Spacetime spacetime) {
   constexpr double golden = 0.61803398874989484820;
-  double low = innermost_stable_radius(spin, 1.0);
+  double low = innermost_stable_radius(spacetime, 1.0);
   double high = farthest_peak * low;
   for (int round = 0; round < 80; ++round) {
     const double left = high - golden * (high - low);
     const double right = low + golden * (high - low);
-    (page_thorne_flux(spin, left) < page_thorne_flux(spin, right) ? low : high) =
-        page_thorne_flux(spin, left) < page_thorne_flux(spin, right) ? left : right;
+    (page_thorne_flux(spacetime, left) < page_thorne_flux(spacetime, right) ? low : high) =
+        page_thorne_flux(spacetime, left) < page_thorne_flux(spacetime, right) ? left : right;
   }
-  return page_thorne_flux(spin, 0.5 * (low + high));
+  return page_thorne_flux(spacetime, 0.5 * (low + high));
 }
 
-double temperature(const DiskSettings& disk, double spin, double r, double greatest) {
+double temperature(const DiskSettings& disk, Spacetime spacetime, double r, double greatest) {
   if (disk.profile == DiskProfile::uniform) {
     return disk.temperature_k;
   }
-  return disk.temperature_k * std::sqrt(std::sqrt(page_thorne_flux(spin, r) / greatest));
+  return disk.temperature_k * std::sqrt(std::sqrt(page_thorne_flux(spacetime, r) / greatest));
 }
 
 //! Lifetime of a cloud in orbital periods at twice the radius of the inner edge.
@@ -42,18 +42,18 @@ constexpr double life_in_turns = 2.0;
 
 }  // namespace
 
-double inner_edge(const DiskSettings& disk, double spin) {
-  const double first = disk.plunging ? horizon_radius(spin) : innermost_stable_radius(spin, 1.0);
+double inner_edge(const DiskSettings& disk, Spacetime spacetime) {
+  const double first = disk.plunging ? horizon_radius(spacetime) : innermost_stable_radius(spacetime, 1.0);
   return std::max(disk.inner.value_or(first), first);
 }
 
-double disk_temperature(const DiskSettings& disk, double spin, double r) {
-  return temperature(disk, spin, r, greatest_flux(spin));
+double disk_temperature(const DiskSettings& disk, Spacetime spacetime, double r) {
+  return temperature(disk, spacetime, r, greatest_flux(spacetime));
 }
 
-PatternTime pattern_time(const DiskSettings& disk, double spin, double hole_time) {
-  const double r = 2.0 * inner_edge(disk, spin);
-  const double period = life_in_turns * 2.0 * pi * (r * std::sqrt(r) + spin);
+PatternTime pattern_time(const DiskSettings& disk, Spacetime spacetime, double hole_time) {
+  const double r = 2.0 * inner_edge(disk, spacetime);
+  const double period = life_in_turns * 2.0 * pi * (r * std::sqrt(r) + spacetime.spin);
   const double cycles = hole_time / period;
   const double whole = std::floor(cycles);
   // Number of whole periods modulo 2^32, because shows may run for years.
@@ -68,18 +68,19 @@ DiskPass::DiskPass(const Show& show, Backend backend)
 
 void DiskPass::set_numbers(const Show& show) {
   look_.shifted = show.effects.redshift;
+  const Spacetime spacetime = spacetime_of(show);
   const std::shared_ptr<const FreeFall> orbit = show.disk->pattern == DiskPattern::none ? nullptr : show.camera.orbit;
-  if (!disk_ || disk_->speed != show.disk->speed || spin_ != show.spin || orbit_ != orbit) {
+  if (!disk_ || disk_->speed != show.disk->speed || spacetime_ != spacetime || orbit_ != orbit) {
     orbit_ = orbit;
-    clock_ = HoleClock(show.spin, orbit, show.disk->speed);
+    clock_ = HoleClock(spacetime, orbit, show.disk->speed);
   }
-  if (disk_ == show.disk && spin_ == show.spin) {
+  if (disk_ == show.disk && spacetime_ == spacetime) {
     return;
   }
   disk_ = show.disk;
-  spin_ = show.spin;
-  look_.flow = converted_flow<float>(make_disk_flow(spin_));
-  look_.inner_r = static_cast<float>(inner_edge(*disk_, spin_));
+  spacetime_ = spacetime;
+  look_.flow = converted_flow<float>(make_disk_flow(spacetime_));
+  look_.inner_r = static_cast<float>(inner_edge(*disk_, spacetime_));
   look_.outer_r = static_cast<float>(disk_->outer);
   look_.colours = colours_.view();
   look_.log_unit = static_cast<float>(std::log(blackbody_tristimulus(disk_->temperature_k).y));
@@ -91,15 +92,15 @@ void DiskPass::set_numbers(const Show& show) {
 }
 
 void DiskPass::make_profile() {
-  const double first_r = innermost_stable_radius(spin_, 1.0);
+  const double first_r = innermost_stable_radius(spacetime_, 1.0);
   const double last = std::sqrt(std::max(1.0 - first_r / disk_->outer, 1e-6));
   const double step = last / (profile_count - 1);
-  const double greatest = greatest_flux(spin_);
+  const double greatest = greatest_flux(spacetime_);
   std::vector<float> entries(profile_count);
   for (int i = 0; i < profile_count; ++i) {
     const double way = step * i;
     entries[static_cast<std::size_t>(i)] =
-        static_cast<float>(temperature(*disk_, spin_, first_r / (1.0 - way * way), greatest));
+        static_cast<float>(temperature(*disk_, spacetime_, first_r / (1.0 - way * way), greatest));
   }
   profile_.write(entries.data(), entries.size());
   look_.profile = {profile_.data(), profile_count, static_cast<float>(first_r), static_cast<float>(step)};
@@ -109,7 +110,7 @@ bool DiskPass::is_visible() const { return look_.outer_r > look_.inner_r && look
 
 DiskLook DiskPass::look_at(double time_s, double clock_lead) const {
   DiskLook look = look_;
-  look.pattern = pattern_time(*disk_, spin_, clock_.time(time_s) + clock_lead);
+  look.pattern = pattern_time(*disk_, spacetime_, clock_.time(time_s) + clock_lead);
   return look;
 }
 

@@ -34,9 +34,9 @@ class DiskPass {
  private:
   void make_profile();
 
-  double spin_ = 0.0;
+  Spacetime spacetime_;
   std::optional<DiskSettings> disk_;
-  HoleClock clock_{0.0, nullptr, 0.0};
+  HoleClock clock_{Spacetime{}, nullptr, 0.0};
   std::shared_ptr<const FreeFall> orbit_;  //!< orbit for which `clock_` was made
   BlackbodyColours colours_;
   Buffer<float> profile_;
@@ -45,14 +45,14 @@ class DiskPass {
 
 //! Returns the inner edge of a disk [M]: the configured one, but at least the smallest radius at
 //! which matter can be.
-double inner_edge(const DiskSettings& disk, double spin);
+double inner_edge(const DiskSettings& disk, Spacetime spacetime);
 
 //! Returns the temperature of a disk at radius r [K] in the rest frame of its matter; 0 where it
 //! does not shine.
-double disk_temperature(const DiskSettings& disk, double spin, double r);
+double disk_temperature(const DiskSettings& disk, Spacetime spacetime, double r);
 
 //! Returns the state of the cloud pattern at the hole's time [M] (HoleClock) at the camera. Light
 //! shows it earlier, by its travel time; see PatternTime.
-PatternTime pattern_time(const DiskSettings& disk, double spin, double hole_time);
+PatternTime pattern_time(const DiskSettings& disk, Spacetime spacetime, double hole_time);
 
 }  // namespace ergodome

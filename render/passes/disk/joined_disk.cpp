@@ -263,7 +263,7 @@ class Joiner {
 bool can_join(const DiskStation& first, const DiskStation& second) {
   const LensStation& a = first.cells;
   const LensStation& b = second.cells;
-  return a.spin == b.spin && a.mirrored == b.mirrored && a.columns == b.columns && a.rows == b.rows &&
+  return a.spacetime == b.spacetime && a.mirrored == b.mirrored && a.columns == b.columns && a.rows == b.rows &&
          first.pattern == second.pattern && first.inner_r == second.inner_r && first.outer_r == second.outer_r &&
          first.has_derivatives() == second.has_derivatives();
 }

@@ -47,7 +47,8 @@ std::optional<DiskGrid> StreamedDisk::layers_for(const DiskGridRequest& request,
   }
   if (is_beside(eye)) {
     const DiskGridSettings settings = disk_grid_settings(eye, request.disk, request.pixel);
-    const ScreenError error = measure_disk_error(layers_->view(), eye.spin, place, settings, lattice_samples(32, 16));
+    const ScreenError error =
+        measure_disk_error(layers_->view(), eye.spacetime, place, settings, lattice_samples(32, 16));
     if (error.p99_px > allowed_unmeasured_px(baked, request.budget_px, request.pixel)) {
       return std::nullopt;
     }

@@ -74,8 +74,8 @@ FlatEyeBatch FlatNearField::batch_for(const PictureView& view) const {
   if (near_field_.disk != nullptr && near_field_.disk->is_visible()) {
     scene.disk = near_field_.disk->look_at(view.time_s, view.eye.clock_lead);
     scene.drawing = has_pattern(scene.disk) ? DiskDrawing::pattern : DiskDrawing::plain;
-    const LayerLimits<double> limits =
-        layer_limits(view.eye.spin, static_cast<double>(scene.disk.inner_r), static_cast<double>(scene.disk.outer_r));
+    const LayerLimits<double> limits = layer_limits(view.eye.spacetime, static_cast<double>(scene.disk.inner_r),
+                                                    static_cast<double>(scene.disk.outer_r));
     batch.limits = {static_cast<float>(limits.near_u),
                     static_cast<float>(limits.far_u),
                     static_cast<float>(limits.highest_u),
@@ -122,9 +122,9 @@ void FlatNearField::draw_over(const PictureView& view, const RowBlock& rows, flo
   }
   if (near_field_.disk_grid) {
     const EyeCamera& head = view.eye;
-    launch(FlatEyeLookUpBatch{
-        batch, *near_field_.disk_grid,
-        converted_aberration<float>(aberration_to_rain(head.spin, head.r, head.theta, head.motion, head.velocity))});
+    launch(FlatEyeLookUpBatch{batch, *near_field_.disk_grid,
+                              converted_aberration<float>(
+                                  aberration_to_rain(head.spacetime, head.r, head.theta, head.motion, head.velocity))});
     if (near_field_.objects == nullptr) {
       return;
     }

@@ -30,7 +30,7 @@ void draw_near_field(Backend backend, const NearField& near_field, const Picture
     const EyeCamera& eye = view.camera();
     launch(DiskLookUpBatch{
         batch, *near_field.disk_grid,
-        converted_aberration<float>(aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity))});
+        converted_aberration<float>(aberration_to_rain(eye.spacetime, eye.r, eye.theta, eye.motion, eye.velocity))});
     if (near_field.objects == nullptr) {
       return;
     }

@@ -29,14 +29,14 @@ std::optional<Vector3<double>> middle_of(const std::vector<Vector3<double>>& cor
   return is_small ? std::optional(middle) : std::nullopt;
 }
 
-LampCorrections corrections_at(double spin, const LampPlace& lamp, const Vector3<double>& place) {
+LampCorrections corrections_at(Spacetime spacetime, const LampPlace& lamp, const Vector3<double>& place) {
   LampCorrections corrections = {};
   constexpr double beside_horizon = 1.01;
-  if (square_of(place) > std::pow(beside_horizon * horizon_radius(spin), 2)) {
-    const LocalFrame frame = local_frame(spin, place);
+  if (square_of(place) > std::pow(beside_horizon * horizon_radius(spacetime), 2)) {
+    const LocalFrame frame = local_frame(spacetime, place);
     for (int way = 0; way < 2; ++way) {
       LightRay ray{};
-      light_ray(spin, frame, place, lamp.position, way + 1, LightRayParts::way, corrections.by_way[way], ray);
+      light_ray(spacetime, frame, place, lamp.position, way + 1, LightRayParts::way, corrections.by_way[way], ray);
     }
   }
   return corrections;
@@ -44,13 +44,13 @@ LampCorrections corrections_at(double spin, const LampPlace& lamp, const Vector3
 
 }  // namespace
 
-std::vector<LampCorrections> lamp_guesses(double spin, const LampPlace& lamp,
+std::vector<LampCorrections> lamp_guesses(Spacetime spacetime, const LampPlace& lamp,
                                           const std::vector<ObjectSettings>& objects,
                                           const std::vector<PlacedOutline>& outlines) {
   std::vector<LampCorrections> guesses(objects.size());
-  for (std::size_t i = 0; i < objects.size() && spin != 0.0; ++i) {
+  for (std::size_t i = 0; i < objects.size() && spacetime.spin != 0.0; ++i) {
     const auto middle = objects[i].lit ? middle_of(outlines[i].corners) : std::nullopt;
-    guesses[i] = middle ? corrections_at(spin, lamp, *middle) : LampCorrections{};
+    guesses[i] = middle ? corrections_at(spacetime, lamp, *middle) : LampCorrections{};
   }
   return guesses;
 }

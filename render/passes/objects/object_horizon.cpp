@@ -61,7 +61,7 @@ std::vector<ObjectInHorizon> objects_in_horizon(const Show& show, const ObjectMe
                                     ? *at_rest
                                     : radial_range(mesh, placement_at(object, time_s), object.size, radius);
       at_rest = range;
-      const double horizon_r = horizon_radius(spin_at(show, time_s));
+      const double horizon_r = horizon_radius(spacetime_at(show, time_s));
       always_whole = always_whole && range.farthest <= horizon_r;
       if (!inside && range.nearest < horizon_r) {
         inside = {i, false, time_s, horizon_r};

@@ -28,7 +28,7 @@ std::optional<MeshHit> ObjectRays::look(const CameraStation& camera, const Vecto
   MeshHit hit;
   const bool converged = trace_meshes<series_order, NearParts::azimuth_and_delay>(
       camera.spin, camera.cosine_phi, camera.sine_phi, start_near_ray(camera, n),
-      placed_.around(camera.spin, placed_.meshes.data()), {tolerance, object_step_limit}, hit);
+      placed_.around(spacetime_of(camera), placed_.meshes.data()), {tolerance, object_step_limit}, hit);
   return converged ? std::optional(hit) : std::nullopt;
 }
 

@@ -15,8 +15,8 @@ constexpr double beside_horizon = 1e-6;
 
 }  // namespace
 
-MeshScene PlacedMeshes::around(double spin, const PlacedMesh* at) const {
-  const double horizon = horizon_radius(spin) * (1.0 + beside_horizon);
+MeshScene PlacedMeshes::around(Spacetime spacetime, const PlacedMesh* at) const {
+  const double horizon = horizon_radius(spacetime) * (1.0 + beside_horizon);
   return {at, static_cast<int>(meshes.size()), std::max(least_r, horizon), std::max(greatest_r, 1.01 * horizon)};
 }
 

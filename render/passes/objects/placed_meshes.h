@@ -5,6 +5,7 @@
 
 #include "content/objects/object_motion.h"
 #include "kernels/objects/placed_mesh.h"
+#include "kernels/spacetime/spacetime.h"
 
 namespace ergodome {
 
@@ -16,7 +17,7 @@ struct PlacedMeshes {
 
   //! Returns the scene for rays around a hole with a spin. `at`: address of the meshes for the
   //! kernels. Parts of objects next to the horizon are ignored.
-  [[nodiscard]] MeshScene around(double spin, const PlacedMesh* at) const;
+  [[nodiscard]] MeshScene around(Spacetime spacetime, const PlacedMesh* at) const;
 };
 
 //! Places one tree per object at a show time. There must be objects.

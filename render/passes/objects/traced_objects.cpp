@@ -79,13 +79,13 @@ ObjectScene TracedObjects::scene_for(const PictureView& view) {
   const EyeCamera& eye = view.camera();
   const PlacedMeshes placed = place_meshes(objects_, surfaces_.trees(), view.time_s);
   placed_.write(placed.meshes.data(), placed.meshes.size());
-  guess_lamp_rays(eye.spin, view.time_s);
+  guess_lamp_rays(eye.spacetime, view.time_s);
   const double tolerance =
       std::clamp(part_of_tolerance * view.tolerance_px * pixel_angle(view.projection), 1e-10, 1e-6);
   ObjectScene scene{station_of(eye),
                     view.projection,
                     {},
-                    placed.around(eye.spin, placed_.data()),
+                    placed.around(eye.spacetime, placed_.data()),
                     looks_.data(),
                     lamp_,
                     guesses_.data(),
@@ -106,15 +106,15 @@ ObjectScene TracedObjects::scene_for(const PictureView& view) {
   return scene;
 }
 
-void TracedObjects::guess_lamp_rays(double spin, double time_s) {
+void TracedObjects::guess_lamp_rays(Spacetime spacetime, double time_s) {
   // All blocks of rows and all eyes of a picture share the guesses. Without spin, they are zero at
   // all times.
-  const std::pair now(spin, spin != 0.0 ? time_s : 0.0);
+  const std::pair now(spacetime, spacetime.spin != 0.0 ? time_s : 0.0);
   if (!(lamp_.strength > 0.0) || guessed_for_ == now) {
     return;
   }
   guessed_for_ = now;
-  guesses_.write(lamp_guesses(spin, lamp_, objects_, outlines(time_s)).data(), objects_.size());
+  guesses_.write(lamp_guesses(spacetime, lamp_, objects_, outlines(time_s)).data(), objects_.size());
 }
 
 ObjectLayer TracedObjects::look_at_rows(const PictureView& view, const RowBlock& rows,

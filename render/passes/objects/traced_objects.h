@@ -62,7 +62,7 @@ class TracedObjects {
   //! Returns the objects of a picture for the kernels.
   ObjectScene scene_for(const PictureView& view);
   //! Updates the guesses for lamp rays in the backend's memory for a picture.
-  void guess_lamp_rays(double spin, double time_s);
+  void guess_lamp_rays(Spacetime spacetime, double time_s);
 
   Backend backend_;
   std::vector<ObjectSettings> objects_;
@@ -71,7 +71,7 @@ class TracedObjects {
   SurfaceStore surfaces_;
   Buffer<SurfaceLook> looks_;
   Buffer<PlacedMesh> placed_;
-  std::optional<std::pair<double, double>> guessed_for_;  //!< spin and time
+  std::optional<std::pair<Spacetime, double>> guessed_for_;  //!< and time
   Buffer<LampCorrections> guesses_;
   Buffer<double> cameras_;  //!< of an omnidirectional stereo eye
   Buffer<float> rgba_;

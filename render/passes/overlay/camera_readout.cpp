@@ -17,20 +17,22 @@ std::string distance_text(double r) { return fmt::format(fmt::runtime(r < 1000.0
 
 }  // namespace
 
-LocalText readout_text(double spin, double r, double theta) {
+LocalText readout_text(Spacetime spacetime, double r, double theta) {
   // Adding 0 turns -0 into 0.
   const double latitude_deg = std::round(10.0 * (90.0 - radian_deg * theta)) / 10.0 + 0.0;
   const std::string distance = distance_text(r);
-  return {{"en", fmt::format("spin a/M {:.4g}, distance r {} M, latitude {:.1f}\u00b0", spin, distance, latitude_deg)},
-          {"de", fmt::format("Spin a/M {:.4g}, Abstand r {} M, Breite {:.1f}\u00b0", spin, distance, latitude_deg)}};
+  return {{"en", fmt::format("spin a/M {:.4g}, distance r {} M, latitude {:.1f}\u00b0", spacetime.spin, distance,
+                             latitude_deg)},
+          {"de", fmt::format("Spin a/M {:.4g}, Abstand r {} M, Breite {:.1f}\u00b0", spacetime.spin, distance,
+                             latitude_deg)}};
 }
 
-Caption readout_caption(const ReadoutSettings& readout, double spin, double r, double theta) {
+Caption readout_caption(const ReadoutSettings& readout, Spacetime spacetime, double r, double theta) {
   Caption caption;
   caption.place = readout.place;
   caption.letter_deg = readout.letter_deg;
   caption.width_deg = most_width_deg;
-  caption.text = readout_text(spin, r, theta);
+  caption.text = readout_text(spacetime, r, theta);
   return caption;
 }
 

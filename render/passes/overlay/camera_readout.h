@@ -8,9 +8,9 @@ namespace ergodome {
 
 //! Returns the words of a readout in English ("en") and German ("de"): spin, distance and latitude of a camera at r [M] and
 //! polar angle theta [rad].
-LocalText readout_text(double spin, double r, double theta);
+LocalText readout_text(Spacetime spacetime, double r, double theta);
 
 //! Returns a readout as a caption. Its presence is not used.
-Caption readout_caption(const ReadoutSettings& readout, double spin, double r, double theta);
+Caption readout_caption(const ReadoutSettings& readout, Spacetime spacetime, double r, double theta);
 
 }  // namespace ergodome

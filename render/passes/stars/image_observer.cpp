@@ -47,7 +47,7 @@ float energy_spread(const OmniEye& eye) {
 
 Aberration aberration_of(const StarEye& eye) {
   const EyeCamera& c = eye.camera;
-  return eye.omni ? no_aberration() : aberration_to_rain(c.spin, c.r, c.theta, c.motion, c.velocity);
+  return eye.omni ? no_aberration() : aberration_to_rain(c.spacetime, c.r, c.theta, c.motion, c.velocity);
 }
 
 ImageObserver::ImageObserver(const StarEye& eye, const LensStation& station, const BlackbodyTable& colours,
@@ -56,10 +56,10 @@ ImageObserver::ImageObserver(const StarEye& eye, const LensStation& station, con
       redshift_(redshift),
       chart_(grid_view(station).chart),
       cameras_(eye.omni),
-      energy_(
-          eye.omni
-              ? middle_energy(*eye.omni)
-              : make_camera_station(eye.camera.spin, eye.camera.r, eye.camera.theta, 0.0, ObserverMotion::rain).energy),
+      energy_(eye.omni
+                  ? middle_energy(*eye.omni)
+                  : make_camera_station(eye.camera.spacetime, eye.camera.r, eye.camera.theta, 0.0, ObserverMotion::rain)
+                        .energy),
       energy_spread_(eye.omni ? energy_spread(*eye.omni) : 0.0F),
       aberration_(aberration_of(eye)) {}
 

@@ -9,7 +9,7 @@ namespace {
 //! Returns whether two cameras agree except for their velocity, which may drift by rounding, and
 //! their azimuth.
 bool stand_alike(const EyeCamera& a, const EyeCamera& b) {
-  return a.spin == b.spin && same_place({a.r, a.theta}, {b.r, b.theta}) && a.motion == b.motion;
+  return a.spacetime == b.spacetime && same_place({a.r, a.theta}, {b.r, b.theta}) && a.motion == b.motion;
 }
 
 double square_apart(const Vector3<double>& a, const Vector3<double>& b) { return dot(a - b, a - b); }

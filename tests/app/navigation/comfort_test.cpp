@@ -16,7 +16,7 @@ using namespace test;  // NOLINT(google-build-using-namespace): flights of tests
 //! those of ingoing azimuths.
 glm::dquat steady_view(const Navigator& navigator) {
   const CameraPose pose = navigator.pose();
-  return (pose.velocity_in_rain ? ingoing_place(pose, navigator.space().spin()) : place_of(pose)).view;
+  return (pose.velocity_in_rain ? ingoing_place(pose, navigator.space().spacetime()) : place_of(pose)).view;
 }
 
 //! Holds one control after another and records the fastest turn, its fastest change, and the same

@@ -109,7 +109,7 @@ TEST(FallTakenOver, IsForgottenByAFlightThatWentElsewhere) {
   camera.follow(show, 3.0);
   const CameraPose here = camera.navigator.pose();
   const Vector3<double> off =
-      camera.navigator.own_observer()->velocity - circular_velocity(show.spin, here.r, here.theta, 1.0);
+      camera.navigator.own_observer()->velocity - circular_velocity(spacetime_of(show), here.r, here.theta, 1.0);
   EXPECT_LT(std::sqrt(dot(off, off)), 0.1);
 }
 

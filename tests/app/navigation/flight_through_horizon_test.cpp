@@ -30,7 +30,7 @@ Navigator follower(const Show& show, double until_s) {
 }
 
 //! Returns the view relative to nonrotating directions, with axes boosted from the ZAMO frame.
-glm::dquat view_of(const CameraPose& pose) { return place_of(in_zamo_frame(pose, 0.9)).view; }
+glm::dquat view_of(const CameraPose& pose) { return place_of(in_zamo_frame(pose, Spacetime{0.9})).view; }
 
 TEST(FlightThroughHorizon, BeginsWithTheViewOfThePath) {
   const Show show = falling_through(0.5);
@@ -78,8 +78,9 @@ double off_the_orbit(const Show& show, const CameraPose& here) {
   for (double time_s = 0.0; time_s < 60.0; time_s += 0.002) {
     const CameraPose there = camera_pose(show, time_s);
     const Vector3<double> change = *there.velocity - *here.velocity;
-    const double way = std::abs(there.r / here.r - 1.0) + std::sqrt(dot(change, change)) +
-                       glm::distance(ingoing_place(there, 0.9).towards, ingoing_place(here, 0.9).towards);
+    const double way =
+        std::abs(there.r / here.r - 1.0) + std::sqrt(dot(change, change)) +
+        glm::distance(ingoing_place(there, Spacetime{0.9}).towards, ingoing_place(here, Spacetime{0.9}).towards);
     least =
         std::min(least, way + 2.0 * std::acos(std::min(std::abs(glm::dot(there.orientation, here.orientation)), 1.0)));
   }
@@ -109,7 +110,7 @@ TEST(FlightThroughHorizon, FromWithinFallsOnWhereverSomebodySteers) {
   const Show show = falling_through(1.0);
   Navigator navigator = follower(show, *show.camera.orbit->horizon_s() + 0.2);
   const double r = navigator.pose().r;
-  ASSERT_LT(r, horizon_radius(0.9));
+  ASSERT_LT(r, horizon_radius(Spacetime{0.9}));
   navigator.leave_path();
   EXPECT_EQ(navigator.mode(), FlightMode::geodesic);
   navigator.advance(frame_s, {}, camera_pose(show, 0.0));
@@ -121,7 +122,7 @@ TEST(FlightThroughHorizon, FromWithinBeginsAtTheFirstKeyWhereTheShowSaysSo) {
   Show show = falling_through(1.0);
   show.flight.from = FlightStart::first_key;
   Navigator navigator = follower(show, *show.camera.orbit->horizon_s() + 0.5);
-  ASSERT_LT(navigator.pose().r, horizon_radius(0.9));
+  ASSERT_LT(navigator.pose().r, horizon_radius(Spacetime{0.9}));
   navigator.leave_path();
   EXPECT_EQ(navigator.course(), Navigator::Course::free);
   EXPECT_NEAR(navigator.pose().r, 8.0, 1e-9);

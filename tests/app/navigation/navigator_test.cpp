@@ -17,12 +17,12 @@ using namespace test;  // NOLINT(google-build-using-namespace): flights of tests
 
 TEST(FlightSpace, GuardsAreOutsideTheHorizonAndOutsideEveryOrbitOfLight) {
   FlightSettings settings;
-  EXPECT_NEAR(guard_radius(0.0, settings), 2.02, 1e-12);
+  EXPECT_NEAR(guard_radius(Spacetime{0.0}, settings), 2.02, 1e-12);
   settings.guard = FlightGuard::photon_orbit;
-  EXPECT_NEAR(guard_radius(1.0, settings), 4.04, 1e-12);   // retrograde light orbits at 4
-  EXPECT_NEAR(guard_radius(-1.0, settings), 4.04, 1e-12);  // for both senses of rotation
+  EXPECT_NEAR(guard_radius(Spacetime{1.0}, settings), 4.04, 1e-12);   // retrograde light orbits at 4
+  EXPECT_NEAR(guard_radius(Spacetime{-1.0}, settings), 4.04, 1e-12);  // for both senses of rotation
   settings.least_r = 7.0;
-  EXPECT_EQ(guard_radius(0.0, settings), 7.0);
+  EXPECT_EQ(guard_radius(Spacetime{0.0}, settings), 7.0);
 }
 
 void play_wildly(Navigator& navigator, std::mt19937& random, const CameraPose& path) {
@@ -66,12 +66,13 @@ TEST(Navigator, NeverComesWithinItsGuardWhateverIsAskedAndHoweverLongAFrameTakes
       for (int i = 0; i < inputs; ++i) {
         play_wildly(navigator, random, path);
         const CameraPose pose = navigator.pose();
-        ASSERT_TRUE(pose.r > guard_radius(spin, show.flight) && pose.r <= 50.0 * (1.0 + 1e-9)) << pose.r << " at " << i;
+        ASSERT_TRUE(pose.r > guard_radius(Spacetime{spin}, show.flight) && pose.r <= 50.0 * (1.0 + 1e-9))
+            << pose.r << " at " << i;
         ASSERT_TRUE(std::isfinite(pose.theta + pose.phi)) << i;
         ASSERT_NEAR(glm::length(pose.orientation), 1.0, 1e-9) << i;
         nearest = std::min(nearest, pose.r);
       }
-      EXPECT_LT(nearest, 1.5 * guard_radius(spin, show.flight)) << "the guard was never tried";
+      EXPECT_LT(nearest, 1.5 * guard_radius(Spacetime{spin}, show.flight)) << "the guard was never tried";
     }
   }
 }
@@ -151,7 +152,7 @@ TEST(Navigator, StaysOutsideAHoleWhoseHorizonGrows) {
   Flier flier(show_at(1.0, 3.0));
   flier.hold(forward_only(1.0), 30.0);
   EXPECT_LT(flier.navigator.pose().r, 1.1);
-  flier.navigator.set_spin(0.0);
+  flier.navigator.set_spacetime(Spacetime{0.0});
   flier.hold(forward_only(1.0), 1.0);
   EXPECT_GT(flier.navigator.pose().r, 2.0);
 }

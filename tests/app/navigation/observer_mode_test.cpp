@@ -12,7 +12,7 @@ namespace {
 
 double speed(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
 
-double least_guarded_r(double spin) { return horizon_radius(spin) + 0.02; }
+double least_guarded_r(double spin) { return horizon_radius(Spacetime{spin}) + 0.02; }
 
 TEST(NearestVelocity, IsSlowerThanLightEverywhereOutsideTheGuard) {
   for (const double spin : {0.0, 0.5, 0.999, 1.0, -1.0, -0.9}) {
@@ -20,7 +20,7 @@ TEST(NearestVelocity, IsSlowerThanLightEverywhereOutsideTheGuard) {
       for (double r = least_guarded_r(spin); r < 2e6; r *= 1.05) {
         for (const ObserverMotion motion :
              {ObserverMotion::fixed, ObserverMotion::geodesic, ObserverMotion::retrograde}) {
-          const double v = speed(nearest_velocity(motion, spin, r, theta).velocity);
+          const double v = speed(nearest_velocity(motion, Spacetime{spin}, r, theta).velocity);
           ASSERT_TRUE(v <= fastest_stand_in) << spin << ' ' << theta << ' ' << r;
         }
       }
@@ -31,9 +31,9 @@ TEST(NearestVelocity, IsSlowerThanLightEverywhereOutsideTheGuard) {
 //! Returns the largest change of the velocity between small steps of a path inwards.
 double largest_step(ObserverMotion motion, double spin, double theta) {
   double largest = 0.0;
-  Vector3<double> last = nearest_velocity(motion, spin, 8.0, theta).velocity;
+  Vector3<double> last = nearest_velocity(motion, Spacetime{spin}, 8.0, theta).velocity;
   for (double r = 8.0; r > least_guarded_r(spin); r -= 1e-4) {
-    const Vector3<double> now = nearest_velocity(motion, spin, r, theta).velocity;
+    const Vector3<double> now = nearest_velocity(motion, Spacetime{spin}, r, theta).velocity;
     largest = std::max(largest, speed(now - last));
     last = now;
   }
@@ -50,19 +50,19 @@ TEST(NearestVelocity, IsContinuousAcrossTheStaticLimitAndThePhotonOrbits) {
 }
 
 TEST(NearestVelocity, IsTheObserversOwnWhereThereIsOne) {
-  const NearestVelocity fixed = nearest_velocity(ObserverMotion::fixed, 0.9, 3.0, 1.0);
+  const NearestVelocity fixed = nearest_velocity(ObserverMotion::fixed, Spacetime{0.9}, 3.0, 1.0);
   EXPECT_FALSE(fixed.nearest);
-  EXPECT_EQ(fixed.velocity.z, observer_velocity(ObserverMotion::fixed, 0.9, 3.0, 1.0, {}).z);
+  EXPECT_EQ(fixed.velocity.z, observer_velocity(ObserverMotion::fixed, Spacetime{0.9}, 3.0, 1.0, {}).z);
 }
 
 // dφ/dt = ω + v_φ Σ √Δ / (A sinθ): the substitute observer moves against the hole's rotation as
 // fast as its speed limit allows.
 TEST(NearestVelocity, InTheErgosphereTurnsMoreSlowlyThanTheSpaceAboutIt) {
   const double r = 1.7;
-  const NearestVelocity view = nearest_velocity(ObserverMotion::fixed, 0.9, r, pi / 2);
+  const NearestVelocity view = nearest_velocity(ObserverMotion::fixed, Spacetime{0.9}, r, pi / 2);
   EXPECT_TRUE(view.nearest);
   EXPECT_DOUBLE_EQ(view.velocity.z, -fastest_stand_in);
-  const KerrFunctions f = kerr_functions(0.9, r, pi / 2);
+  const KerrFunctions f = kerr_functions(Spacetime{0.9}, r, pi / 2);
   const double turning = f.frame_dragging + view.velocity.z * f.sigma * std::sqrt(f.delta) / f.area;
   EXPECT_GT(turning, 0.0);
   EXPECT_LT(turning, 0.7 * f.frame_dragging);
@@ -71,7 +71,7 @@ TEST(NearestVelocity, InTheErgosphereTurnsMoreSlowlyThanTheSpaceAboutIt) {
 TEST(ObserverView, SaysWhatStandsInForWhat) {
   const CameraSettings shown;
   const auto sentence = [&](double r, const char* language) {
-    return observer_view(ObserverMode::fixed, shown, std::nullopt, 0.9, r, pi / 2, language).sentence;
+    return observer_view(ObserverMode::fixed, shown, std::nullopt, Spacetime{0.9}, r, pi / 2, language).sentence;
   };
   EXPECT_EQ(sentence(1000.0, "en"), "static observer, 0.00 c");
   EXPECT_EQ(sentence(1.7, "en"),
@@ -82,10 +82,11 @@ TEST(ObserverView, SaysWhatStandsInForWhat) {
 TEST(ObserverView, NaturalIsTheShowsUnlessTheCameraMovesByItself) {
   CameraSettings shown;
   shown.motion = ObserverMotion::rain;
-  EXPECT_EQ(observer_view(ObserverMode::natural, shown, std::nullopt, 0.9, 5.0, 1.0).motion, ObserverMotion::rain);
-  const ObserverView own = observer_of(ObserverMotion::velocity, {0.1, 0.2, 0.3}, 0.9, 5.0, 1.0);
-  EXPECT_EQ(observer_view(ObserverMode::natural, shown, own, 0.9, 5.0, 1.0).velocity.y, 0.2);
-  EXPECT_EQ(observer_view(ObserverMode::zamo, shown, own, 0.9, 5.0, 1.0).motion, ObserverMotion::zamo);
+  EXPECT_EQ(observer_view(ObserverMode::natural, shown, std::nullopt, Spacetime{0.9}, 5.0, 1.0).motion,
+            ObserverMotion::rain);
+  const ObserverView own = observer_of(ObserverMotion::velocity, {0.1, 0.2, 0.3}, Spacetime{0.9}, 5.0, 1.0);
+  EXPECT_EQ(observer_view(ObserverMode::natural, shown, own, Spacetime{0.9}, 5.0, 1.0).velocity.y, 0.2);
+  EXPECT_EQ(observer_view(ObserverMode::zamo, shown, own, Spacetime{0.9}, 5.0, 1.0).motion, ObserverMotion::zamo);
 }
 
 TEST(ObserverMode, ComesRoundThroughAllAndEachHasAName) {
@@ -94,7 +95,7 @@ TEST(ObserverMode, ComesRoundThroughAllAndEachHasAName) {
   CameraSettings shown;
   shown.motion = ObserverMotion::velocity;
   for (int i = 0; i < 6; ++i) {
-    names.insert(observer_view(mode, shown, std::nullopt, 0.5, 10.0, 1.0).name);
+    names.insert(observer_view(mode, shown, std::nullopt, Spacetime{0.5}, 10.0, 1.0).name);
     mode = next_observer(mode);
   }
   EXPECT_EQ(mode, ObserverMode::natural);
@@ -104,17 +105,17 @@ TEST(ObserverMode, ComesRoundThroughAllAndEachHasAName) {
 TEST(ObserverFade, SlidesFromOneObserverToTheNextInASecond) {
   const CameraPose pose = {5.0, 1.3, 0.2, {1.0, 0.0, 0.0, 0.0}};
   ObserverFade fade;
-  const auto at = [&](ObserverMotion motion) { return observer_of(motion, {}, 0.9, pose.r, pose.theta); };
-  EXPECT_EQ(fade.advance(0.02, at(ObserverMotion::zamo), 0.9, pose).motion, ObserverMotion::zamo);
+  const auto at = [&](ObserverMotion motion) { return observer_of(motion, {}, Spacetime{0.9}, pose.r, pose.theta); };
+  EXPECT_EQ(fade.advance(0.02, at(ObserverMotion::zamo), Spacetime{0.9}, pose).motion, ObserverMotion::zamo);
   Vector3<double> last{};
   for (int i = 0; i < 49; ++i) {
-    const ObserverView now = fade.advance(0.02, at(ObserverMotion::rain), 0.9, pose);
+    const ObserverView now = fade.advance(0.02, at(ObserverMotion::rain), Spacetime{0.9}, pose);
     ASSERT_EQ(now.motion, ObserverMotion::velocity);
     ASSERT_LT(speed(now.velocity - last), 0.03);
     last = now.velocity;
   }
-  fade.advance(0.1, at(ObserverMotion::rain), 0.9, pose);
-  EXPECT_EQ(fade.advance(0.02, at(ObserverMotion::rain), 0.9, pose).motion, ObserverMotion::rain);
+  fade.advance(0.1, at(ObserverMotion::rain), Spacetime{0.9}, pose);
+  EXPECT_EQ(fade.advance(0.02, at(ObserverMotion::rain), Spacetime{0.9}, pose).motion, ObserverMotion::rain);
 }
 
 TEST(ObserverFade, GoesOverTheAxisWithoutALeap) {
@@ -122,13 +123,14 @@ TEST(ObserverFade, GoesOverTheAxisWithoutALeap) {
   const auto pose_at = [](double angle) {
     return CameraPose{5.0, std::abs(angle), angle < 0.0 ? 0.0 : pi, {1.0, 0.0, 0.0, 0.0}};
   };
-  const ObserverView orbit = observer_of(ObserverMotion::velocity, {0.0, 0.4, 0.1}, 0.9, 5.0, 0.01);
-  fade.advance(0.02, orbit, 0.9, pose_at(-0.01));
+  const ObserverView orbit = observer_of(ObserverMotion::velocity, {0.0, 0.4, 0.1}, Spacetime{0.9}, 5.0, 0.01);
+  fade.advance(0.02, orbit, Spacetime{0.9}, pose_at(-0.01));
   glm::dvec3 last{0.0};
   for (int i = 0; i < 20; ++i) {
     const CameraPose pose = pose_at(-0.01 + 0.001 * (i + 0.5));
     const Vector3<double> v =
-        fade.advance(0.02, observer_of(ObserverMotion::zamo, {}, 0.9, 5.0, pose.theta), 0.9, pose).velocity;
+        fade.advance(0.02, observer_of(ObserverMotion::zamo, {}, Spacetime{0.9}, 5.0, pose.theta), Spacetime{0.9}, pose)
+            .velocity;
     const glm::dvec3 now = spherical_frame(pose.theta, pose.phi) * glm::dvec3(v.x, v.y, v.z);
     if (i > 0) {
       EXPECT_LT(glm::distance(now, last), 0.03);

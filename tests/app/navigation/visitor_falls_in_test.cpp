@@ -26,7 +26,7 @@ struct Visitor {
     }
   }
   void fall_within(const Steering& steering = {}) {
-    const double horizon = horizon_radius(flier.navigator.space().spin());
+    const double horizon = horizon_radius(flier.navigator.space().spacetime());
     fall_until([&](const CameraPose& here) { return here.r < 0.95 * horizon; }, steering);
   }
   [[nodiscard]] CameraPose pose() const { return flier.navigator.pose(); }
@@ -42,7 +42,7 @@ struct Constants {
 };
 
 Constants constants_of(double spin, const CameraPose& pose) {
-  const KerrFunctions f = kerr_functions(spin, pose.r, pose.theta);
+  const KerrFunctions f = kerr_functions(Spacetime{spin}, pose.r, pose.theta);
   const Vector3<double>& v = *pose.velocity;
   const double gamma = 1.0 / std::sqrt(1.0 - dot(v, v));
   const double sine = std::sin(pose.theta);
@@ -67,16 +67,16 @@ TEST(VisitorFallsIn, KeepsEnergyAngularMomentumAndCartersConstantToTheDeepestPla
       EXPECT_NEAR(now.energy, first.energy, 1e-8) << here.r;
       EXPECT_NEAR(now.axial, first.axial, 1e-8) << here.r;
       EXPECT_NEAR(now.carter, first.carter, 1e-8) << here.r;
-      return here.r < 1.01 * deepest_rest(spin) || testing::Test::HasFailure();
+      return here.r < 1.01 * deepest_rest(Spacetime{spin}) || testing::Test::HasFailure();
     });
-    EXPECT_LT(visitor.pose().r, 1.01 * deepest_rest(spin));
+    EXPECT_LT(visitor.pose().r, 1.01 * deepest_rest(Spacetime{spin}));
   }
 }
 
 TEST(VisitorFallsIn, ComesThroughTheHorizonFromFarAwayWithinTwoMinutes) {
   Visitor visitor(show_at(0.5, 3e4));
   visitor.flier.hold({}, 120.0);
-  EXPECT_LT(visitor.pose().r, horizon_radius(0.5));
+  EXPECT_LT(visitor.pose().r, horizon_radius(Spacetime{0.5}));
 }
 
 TEST(VisitorFallsIn, ComesToRestAtTheDeepestPlaceAndSaysSo) {
@@ -84,8 +84,8 @@ TEST(VisitorFallsIn, ComesToRestAtTheDeepestPlaceAndSaysSo) {
   Steering hurry;
   hurry.faster = 1.0;
   visitor.flier.hold(hurry, 80.0);
-  EXPECT_GE(visitor.pose().r, deepest_rest(0.9));
-  EXPECT_LT(visitor.pose().r, 1.001 * deepest_rest(0.9));
+  EXPECT_GE(visitor.pose().r, deepest_rest(Spacetime{0.9}));
+  EXPECT_LT(visitor.pose().r, 1.001 * deepest_rest(Spacetime{0.9}));
   EXPECT_FALSE(visitor.flier.navigator.moved());
   EXPECT_THAT(visitor.flier.navigator.own_observer()->sentence,
               testing::AllOf(HasSubstr("inside the horizon"), HasSubstr("0.00 M of proper time left"),
@@ -98,8 +98,9 @@ TEST(VisitorFallsIn, KnowsTheOwnTimeThatIsLeftByTheClosedForm) {
   constexpr double r0 = 4.0;
   CameraPose rests = camera_pose(show_at(0.0, r0), 0.0);
   rests.velocity = Vector3<double>{};
-  const OrbitRide ride = OrbitRide::through_horizon(0.0, FlightSettings(), in_rain_frame(rests, 0.0));
-  const double eta = std::acos(2.0 * deepest_rest(0.0) / r0 - 1.0);
+  const OrbitRide ride =
+      OrbitRide::through_horizon(Spacetime{0.0}, FlightSettings(), in_rain_frame(rests, Spacetime{0.0}));
+  const double eta = std::acos(2.0 * deepest_rest(Spacetime{0.0}) / r0 - 1.0);
   EXPECT_NEAR(ride.left().value(), std::sqrt(r0 * r0 * r0 / 8.0) * (eta + std::sin(eta)), 1e-5);
 }
 
@@ -114,9 +115,9 @@ struct Seen {
 Seen seen_by(double spin, const CameraPose& pose, const glm::dvec3& view) {
   const glm::dvec3 n = glm::normalize(pose.orientation * view);
   const ObserverMotion motion = pose.velocity_in_rain ? ObserverMotion::rain_boost : ObserverMotion::velocity;
-  const CameraStation camera = make_camera_station(spin, pose.r, pose.theta, 0.0, motion, *pose.velocity);
+  const CameraStation camera = make_camera_station(Spacetime{spin}, pose.r, pose.theta, 0.0, motion, *pose.velocity);
   const RayStart<double> ray = start_ray(camera, Vector3<double>{n.x, n.y, n.z});
-  return {ray.energy, ray.axial_angular_momentum, ingoing_place(pose, spin).towards};
+  return {ray.energy, ray.axial_angular_momentum, ingoing_place(pose, Spacetime{spin}).towards};
 }
 
 double apart(const Seen& a, const Seen& b) {
@@ -126,7 +127,7 @@ double apart(const Seen& a, const Seen& b) {
 TEST(VisitorFallsIn, SeesTheSkyChangeAtTheHorizonAsLittleAsBesideIt) {
   constexpr double spin = 0.9;
   Visitor visitor(show_at(spin, 4.0, 70.0));
-  const double horizon = horizon_radius(spin);
+  const double horizon = horizon_radius(Spacetime{spin});
   visitor.fall_until([&](const CameraPose& here) { return here.r < 1.05 * horizon; });
   const glm::dvec3 views[] = {{0.3, 0.2, 1.0}, {-1.0, 0.4, 0.5}, {0.1, 1.0, 0.3}};
   double beside = 0.0;
@@ -163,7 +164,7 @@ TEST(VisitorFallsIn, BeginsWithTheSkyThatWhoMovesSoSawThere) {
 
 TEST(VisitorFallsIn, MovesAndTurnsWithinTheLimitsOfComfort) {
   const Show show = show_at(0.9, 6.0, 60.0);
-  const FlightSpace space = FlightSpace::through_horizon(0.9, show.flight);
+  const FlightSpace space = FlightSpace::through_horizon(Spacetime{0.9}, show.flight);
   Visitor visitor(show);
   Steering hurry;
   hurry.faster = 1.0;
@@ -214,7 +215,7 @@ TEST(VisitorFallsIn, IsNotBroughtOutByThrustNorByAnotherWayToFly) {
 TEST(VisitorFallsIn, FliesOnWhereAnotherWayToFlyIsChosenAboveTheHorizon) {
   Visitor visitor(show_at(0.9, 4.0));
   visitor.fall_until([](const CameraPose& here) { return here.r < 1.7; });
-  const CameraPose falls = in_zamo_frame(visitor.pose(), 0.9);
+  const CameraPose falls = in_zamo_frame(visitor.pose(), Spacetime{0.9});
   visitor.flier.navigator.next_mode();
   EXPECT_FALSE(visitor.pose().velocity_in_rain);
   EXPECT_LT(angle_between(place_of(falls).view, place_of(visitor.pose()).view), 1e-9);
@@ -241,7 +242,7 @@ TEST(VisitorFallsIn, ComesBackFromWithinAtOnce) {
 TEST(VisitorFallsIn, FliesBackFromAboveTheHorizonWithoutALeap) {
   Visitor visitor(show_at(0.9, 4.0, 60.0));
   visitor.fall_until([](const CameraPose& here) { return here.r < 1.6; });
-  const auto view = [&] { return place_of(in_zamo_frame(visitor.pose(), 0.9)); };
+  const auto view = [&] { return place_of(in_zamo_frame(visitor.pose(), Spacetime{0.9})); };
   CameraPlace before = view();
   double clock_lead = visitor.pose().clock_lead;
   ASSERT_GT(clock_lead, 1.0);
@@ -264,7 +265,7 @@ TEST(VisitorFallsIn, SeesWhatStandsOutsideGoOnInTime) {
   visitor.flier.hold({}, frame_s);
   // The age of the visible scene is the delay of its light in Boyer-Lindquist time, which diverges
   // at the horizon.
-  const auto since_let_go = [&] { return visitor.pose().clock_lead - outer_lag(spin, visitor.pose().r); };
+  const auto since_let_go = [&] { return visitor.pose().clock_lead - outer_lag(Spacetime{spin}, visitor.pose().r); };
   const double first = since_let_go();
   EXPECT_NEAR(visitor.pose().clock_lead, 0.0, 1e-3);
   visitor.fall_until([&](const CameraPose& here) {
@@ -294,7 +295,7 @@ TEST(VisitorFallsIn, StaysOutsideWhereTheShowKeepsVisitorsThere) {
 TEST(VisitorFallsIn, GoesOnWithinWhereTheShowsOwnEyesAreFlat) {
   Visitor visitor(show_at(0.9, 5.0, 90.0, "[stereo]\nmodel = \"flat\"\n"));
   visitor.fall_within();
-  EXPECT_LT(visitor.pose().r, horizon_radius(0.9));
+  EXPECT_LT(visitor.pose().r, horizon_radius(Spacetime{0.9}));
 }
 
 TEST(VisitorFallsIn, OnceTooCloseOnlyEverDeeperWhateverIsAsked) {
@@ -315,7 +316,7 @@ TEST(VisitorFallsIn, OnceTooCloseOnlyEverDeeperWhateverIsAsked) {
     constexpr double times_s[] = {0.0, 1e-9, 1.0 / 60, 0.1, 5.0, -1.0, NAN};
     visitor.flier.navigator.advance(times_s[random() % 7], {wild(random), wild(random)}, visitor.flier.path);
     const CameraPose now = visitor.pose();
-    ASSERT_TRUE(std::isfinite(now.r + now.theta + now.phi) && now.r >= deepest_rest(spin)) << i;
+    ASSERT_TRUE(std::isfinite(now.r + now.theta + now.phi) && now.r >= deepest_rest(Spacetime{spin})) << i;
     ASSERT_NEAR(glm::length(now.orientation), 1.0, 1e-9) << i;
     ASSERT_TRUE(!now.velocity || dot(*now.velocity, *now.velocity) < 1.0) << i;
     ASSERT_TRUE(!committed || now.r <= r) << i;

@@ -110,7 +110,7 @@ TEST(Navigator, RidesACircularOrbitOnceInFortySeconds) {
   }
   EXPECT_NEAR(turned, 0.5 * pi, 0.5);  // proper time runs slower than the clock of the stars
   const Vector3<double> v = flier.navigator.own_observer()->velocity;
-  const Vector3<double> circular = observer_velocity(ObserverMotion::geodesic, 0.9, 9.0, pi / 2, {});
+  const Vector3<double> circular = observer_velocity(ObserverMotion::geodesic, Spacetime{0.9}, 9.0, pi / 2, {});
   EXPECT_NEAR(v.z, circular.z, 1e-8);
 }
 

@@ -294,7 +294,8 @@ TEST_F(PlayerSessionTest, RecordsAnotherObserverWhomOneLooksAs) {
   const CameraPose now = session.frame().pose;
   const Show show = session.recorded("A flight").value();
   const CameraPose then = camera_pose(show, show.duration_s);
-  EXPECT_NEAR(then.velocity->x, observer_velocity(ObserverMotion::rain, show.spin, now.r, now.theta, {}).x, 2e-3);
+  EXPECT_NEAR(then.velocity->x, observer_velocity(ObserverMotion::rain, spacetime_of(show), now.r, now.theta, {}).x,
+              2e-3);
 }
 
 TEST_F(PlayerSessionTest, RecordsTheShowsOwnObserverByItsName) {

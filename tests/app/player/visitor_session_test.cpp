@@ -41,7 +41,7 @@ class VisitorSession : public testing::Test {
     input.actions = {action};
     run(1.0 / 60.0, input);
   }
-  [[nodiscard]] bool within() const { return session_.frame().pose.r < horizon_radius(session_spin); }
+  [[nodiscard]] bool within() const { return session_.frame().pose.r < horizon_radius(Spacetime{session_spin}); }
   void fall_within() {
     press(KeyAction::let_go);
     for (int i = 0; i < 3000 && !within(); ++i) {
@@ -61,7 +61,7 @@ TEST_F(VisitorSession, FallsThroughTheHorizonBelowTheTriggerOfAPad) {
   input.actions = Controls().pressed(PadState(), pressed);
   run(1.0 / 60.0, input);
   run(40.0);
-  EXPECT_LT(session_.frame().pose.r, 0.9 * horizon_radius(session_spin));
+  EXPECT_LT(session_.frame().pose.r, 0.9 * horizon_radius(Spacetime{session_spin}));
   EXPECT_THAT(session_.caption(), HasSubstr("inside the horizon"));
 }
 
@@ -75,9 +75,10 @@ TEST_F(VisitorSession, SaysWhereOneIsInGermanToo) {
 Vector3<double> in_rain(const PlayerFrame& frame) {
   CameraPose pose = frame.pose;
   if (!pose.velocity) {
-    pose.velocity = observer_velocity(frame.observer.motion, session_spin, pose.r, pose.theta, frame.observer.velocity);
+    pose.velocity =
+        observer_velocity(frame.observer.motion, Spacetime{session_spin}, pose.r, pose.theta, frame.observer.velocity);
   }
-  return *in_rain_frame(pose, session_spin).velocity;
+  return *in_rain_frame(pose, Spacetime{session_spin}).velocity;
 }
 
 TEST_F(VisitorSession, AnotherObserverGoesOverIntoWhoFallsWithoutALeap) {
@@ -87,7 +88,7 @@ TEST_F(VisitorSession, AnotherObserverGoesOverIntoWhoFallsWithoutALeap) {
   run(2.0);
   ASSERT_FALSE(session_.frame().pose.velocity_in_rain);
   Vector3<double> before = in_rain(session_.frame());
-  for (int i = 0; i < 3000 && session_.frame().pose.r > 0.9 * horizon_radius(session_spin); ++i) {
+  for (int i = 0; i < 3000 && session_.frame().pose.r > 0.9 * horizon_radius(Spacetime{session_spin}); ++i) {
     run(1.0 / 60.0);
     const Vector3<double> now = in_rain(session_.frame());
     const Vector3<double> change = now - before;
@@ -126,11 +127,11 @@ TEST_F(VisitorSession, TellsThatTheShowsOwnFlatEyesAreReplacedInAFall) {
   now_ += std::chrono::milliseconds(17);
   session.advance(input);
   EXPECT_THAT(session.caption(), testing::HasSubstr("Stereo model flat is not possible in a fall"));
-  for (int i = 0; i < 3000 && session.frame().pose.r > horizon_radius(session_spin); ++i) {
+  for (int i = 0; i < 3000 && session.frame().pose.r > horizon_radius(Spacetime{session_spin}); ++i) {
     now_ += std::chrono::milliseconds(17);
     session.advance({});
   }
-  EXPECT_LT(session.frame().pose.r, horizon_radius(session_spin));
+  EXPECT_LT(session.frame().pose.r, horizon_radius(Spacetime{session_spin}));
   EXPECT_EQ(session.frame().stereo.model, StereoModel::physical);
 }
 
@@ -164,7 +165,7 @@ TEST_F(VisitorSession, AnyKeysAtAnyTimeLeaveACameraThatCanBeShown) {
     show.camera.velocity = frame.observer.velocity;
     const EyeCamera eye = eye_camera(show, frame.pose, 0.01);
     ASSERT_TRUE(dot(eye.velocity, eye.velocity) < 1.0) << i << ' ' << frame.pose.r;
-    went_in = went_in || (session.flying() && frame.pose.r < horizon_radius(session_spin));
+    went_in = went_in || (session.flying() && frame.pose.r < horizon_radius(Spacetime{session_spin}));
   }
   EXPECT_TRUE(went_in);
 }

@@ -29,7 +29,7 @@ TEST(KeyVelocity, IsThatOfWhoLooksAtTheKey) {
   const Show show = keyed_show(fast_ahead, "velocity = \"rain\"\n", fast_aside);
   EXPECT_NEAR(camera_pose(show, 0.0).velocity->z, 0.999, 1e-15);
   EXPECT_NEAR(camera_pose(show, 4.0).velocity->x,
-              observer_velocity(ObserverMotion::rain, 0.9, 9.0, std::acos(0.0), {}).x, 1e-12);
+              observer_velocity(ObserverMotion::rain, Spacetime{0.9}, 9.0, std::acos(0.0), {}).x, 1e-12);
   EXPECT_NEAR(camera_pose(show, 10.0).velocity->x, 0.999, 1e-15);
 }
 

@@ -33,7 +33,7 @@ Show ending_show(const std::string& fall, const std::string& keys = begin_keys +
 
 Vector3<double> seen_velocity(const Show& show, double time_s) {
   const CameraPose pose = camera_pose(show, time_s);
-  return pose.velocity.value_or(observer_velocity(show.camera.motion, show.spin, pose.r, pose.theta, {}));
+  return pose.velocity.value_or(observer_velocity(show.camera.motion, spacetime_of(show), pose.r, pose.theta, {}));
 }
 
 //! Returns the roll of a camera that faces the hole, relative to north up [rad].

@@ -61,7 +61,7 @@ TEST(FallReader, HasNoLeapInPlaceVelocityOrViewWhereItBegins) {
   const Show show = falling_show(usual);
   const auto velocity_at = [&](double time_s) {
     const CameraPose pose = camera_pose(show, time_s);
-    return pose.velocity.value_or(observer_velocity(show.camera.motion, show.spin, pose.r, pose.theta, {}));
+    return pose.velocity.value_or(observer_velocity(show.camera.motion, spacetime_of(show), pose.r, pose.theta, {}));
   };
   for (int i = 0; i < 400; ++i) {
     const double time_s = 2.5 + 0.01 * i;
@@ -91,7 +91,7 @@ TEST(FallReader, LooksAtTheHoleAllTheWayWhereNothingElseIsSaid) {
 TEST(FallReader, BeginsAtItsObserversVelocityUnlessItIsTold) {
   const Show show = falling_show("t_s = 4\nclock = 6\n");
   EXPECT_LT(apart(*camera_pose(show, 4.0).velocity,
-                  observer_velocity(ObserverMotion::geodesic, 0.9, 20.0, 75.0 * one_degree, {})),
+                  observer_velocity(ObserverMotion::geodesic, Spacetime{0.9}, 20.0, 75.0 * one_degree, {})),
             1e-14);
 }
 

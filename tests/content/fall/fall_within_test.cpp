@@ -24,11 +24,11 @@ FreeFall fall_through(double spin, const FallStart& start, double least_r, doubl
   settings.clock = 1.0;
   settings.ease_s = 0.0;
   settings.least_r = least_r;
-  return {spin, start, settings, nullptr, end_s};
+  return {Spacetime{spin}, start, settings, nullptr, end_s};
 }
 
 FallStart rain_at(double spin, double r, double theta) {
-  return {r, theta, 0.4, observer_velocity(ObserverMotion::rain, spin, r, theta, {})};
+  return {r, theta, 0.4, observer_velocity(ObserverMotion::rain, Spacetime{spin}, r, theta, {})};
 }
 
 //! Returns the proper time in which rain falls from r = 20 to a radius around a hole without spin.
@@ -64,10 +64,10 @@ double rain_turn_to(double spin, double r) {
 TEST(FallWithin, RainKeepsDoransAzimuth) {
   for (const double spin : {0.5, -0.9}) {
     const FreeFall fall = fall_through(spin, rain_at(spin, 20.0, 1.1), 0.9, 80.0);
-    const double doran = 0.4 + ingoing_turn(spin, 20.0) - rain_turn_to(spin, 20.0);
+    const double doran = 0.4 + ingoing_turn(Spacetime{spin}, 20.0) - rain_turn_to(spin, 20.0);
     for (const double time_s : {30.0, 38.0, *fall.horizon_s() + 0.1}) {
       const FallPlace place = fall.at(time_s);
-      const double turn = place.r > horizon_radius(spin) ? ingoing_turn(spin, place.r) : 0.0;
+      const double turn = place.r > horizon_radius(Spacetime{spin}) ? ingoing_turn(Spacetime{spin}, place.r) : 0.0;
       EXPECT_NEAR(place.phi + turn - rain_turn_to(spin, place.r), doran, 1e-8) << spin << ' ' << time_s;
       EXPECT_NEAR(place.theta, 1.1, 1e-10);
     }
@@ -76,7 +76,7 @@ TEST(FallWithin, RainKeepsDoransAzimuth) {
 
 //! Returns E and L of a body with a velocity in the rain frame.
 std::pair<double, double> constants_of(double spin, const FallPlace& place) {
-  const KerrFunctions f = kerr_functions(spin, place.r, place.theta);
+  const KerrFunctions f = kerr_functions(Spacetime{spin}, place.r, place.theta);
   const double gamma = 1.0 / std::sqrt(1.0 - dot(place.velocity, place.velocity));
   const double axial = gamma * place.velocity.z * f.circumference_factor * std::sin(place.theta);
   return {gamma * (1.0 - f.rain_speed * place.velocity.x) + f.frame_dragging * axial, axial};
@@ -112,12 +112,12 @@ double turn_between(const CameraPose& a, const CameraPose& b) {
 TEST(FallWithin, ViewAndVelocityDoNotLeapAtItsBeginningNorAtTheHorizon) {
   const Show show = show_through();
   const double horizon_s = *show.camera.orbit->horizon_s();
-  const CameraPose begins = in_zamo_frame(camera_pose(show, 1e-6), show.spin);
+  const CameraPose begins = in_zamo_frame(camera_pose(show, 1e-6), spacetime_of(show));
   EXPECT_LT(turn_between(begins, camera_pose(show, -1e-6)), 1e-6);
   const CameraPose before = camera_pose(show, horizon_s - 1e-7);
   const CameraPose after = camera_pose(show, horizon_s + 1e-7);
-  EXPECT_GT(before.r, horizon_radius(0.9));
-  EXPECT_LT(after.r, horizon_radius(0.9));
+  EXPECT_GT(before.r, horizon_radius(Spacetime{0.9}));
+  EXPECT_LT(after.r, horizon_radius(Spacetime{0.9}));
   EXPECT_LT(turn_between(before, after), 1e-5);
   const Vector3<double> change = *after.velocity - *before.velocity;
   EXPECT_LT(dot(change, change), 1e-10);
@@ -126,14 +126,15 @@ TEST(FallWithin, ViewAndVelocityDoNotLeapAtItsBeginningNorAtTheHorizon) {
 TEST(FallWithin, KeepsItsDirectionsWhereItIsTakenToTheZamosFrame) {
   const Show show = show_through();
   const CameraPose falls = camera_pose(show, 3.0);
-  const CameraPose same = in_zamo_frame(falls, show.spin);
+  const CameraPose same = in_zamo_frame(falls, spacetime_of(show));
   ASSERT_TRUE(falls.velocity_in_rain);
   EXPECT_FALSE(same.velocity_in_rain);
   // Light from any direction has the same energy and angular momentum, in whichever frame the
   // velocity is given.
   const auto light_in = [&](const CameraPose& pose, ObserverMotion motion, const glm::dvec3& seen) {
     const glm::dvec3 n = glm::normalize(pose.orientation * seen);
-    const CameraStation camera = make_camera_station(show.spin, pose.r, pose.theta, 0.0, motion, *pose.velocity);
+    const CameraStation camera =
+        make_camera_station(spacetime_of(show), pose.r, pose.theta, 0.0, motion, *pose.velocity);
     return start_ray(camera, Vector3<double>{n.x, n.y, n.z});
   };
   for (const glm::dvec3& seen : {glm::dvec3(0.3, 0.2, -1.0), glm::dvec3(-1.0, 0.1, 0.3), glm::dvec3(0.1, 1.0, 0.5)}) {

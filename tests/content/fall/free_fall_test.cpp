@@ -21,11 +21,11 @@ FallSettings own_time() {
 }
 
 FreeFall fall_of(double spin, const FallStart& start, double end_s) {
-  return {spin, start, own_time(), nullptr, end_s};
+  return {Spacetime{spin}, start, own_time(), nullptr, end_s};
 }
 
 FallStart observer_at(double spin, double r, ObserverMotion motion) {
-  return {r, pi / 2, 0.0, observer_velocity(motion, spin, r, pi / 2, {})};
+  return {r, pi / 2, 0.0, observer_velocity(motion, Spacetime{spin}, r, pi / 2, {})};
 }
 
 struct FallCase {
@@ -102,7 +102,8 @@ TEST(FreeFall, KeepsEnergyAngularMomentumAndCartersConstantForALongShow) {
     const FreeFall fall = fall_of(each.spin, each.start, 5000.0);
     const auto constants = [&](double time_s) {
       const FallPlace place = fall.at(time_s);
-      return orbit_constants(each.spin, make_orbit(each.spin, place.r, place.theta, place.phi, place.velocity));
+      return orbit_constants(Spacetime{each.spin},
+                             make_orbit(Spacetime{each.spin}, place.r, place.theta, place.phi, place.velocity));
     };
     const OrbitConstants begun = constants(0.0);
     for (int i = 1; i <= 50; ++i) {
@@ -123,7 +124,7 @@ TEST(FreeFall, MovesAtItsVelocity) {
       const FallPlace before = fall.at(time_s - h);
       const FallPlace after = fall.at(time_s + h);
       const FallPlace now = fall.at(time_s);
-      const KerrFunctions f = kerr_functions(each.spin, now.r, now.theta);
+      const KerrFunctions f = kerr_functions(Spacetime{each.spin}, now.r, now.theta);
       const double gamma = 1.0 / std::sqrt(1.0 - dot(now.velocity, now.velocity));
       const double sine = std::sin(now.theta);
       const double dragged = f.frame_dragging * gamma / std::sqrt(f.sigma * f.delta / f.area);
@@ -170,7 +171,7 @@ TEST(FreeFall, ComesToRestWhereItIsTold) {
   FallSettings settings = own_time();
   settings.ease_s = 2.0;
   settings.least_r = 3.0;
-  const FreeFall fall(0.0, observer_at(0.0, 20.0, ObserverMotion::rain), settings, nullptr, 100.0);
+  const FreeFall fall(Spacetime{0.0}, observer_at(0.0, 20.0, ObserverMotion::rain), settings, nullptr, 100.0);
   ASSERT_TRUE(fall.stop_s().has_value());
   EXPECT_FALSE(fall.horizon_s().has_value());
   EXPECT_NEAR(fall.at(*fall.stop_s()).r, 3.0, 1e-9);

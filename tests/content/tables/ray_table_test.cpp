@@ -54,7 +54,7 @@ TEST(RayTable, FindsColumnsByNameAndIgnoresOthers) {
   const auto rows = parsed_rays("n_phi,n_theta,n_r,note,observer,theta,r,a\n3,0,4,hello,rain,+1.0e+00,5,-0.5\r\n");
   ASSERT_EQ(rows.size(), 1U);
   EXPECT_EQ(rows[0].id, "0");
-  EXPECT_EQ(rows[0].spin, -0.5);
+  EXPECT_EQ(rows[0].spacetime.spin, -0.5);
   EXPECT_EQ(rows[0].theta, 1.0);
   EXPECT_NEAR(rows[0].direction.x, 0.8, 1e-15);
   EXPECT_NEAR(rows[0].direction.z, 0.6, 1e-15);
@@ -89,10 +89,10 @@ TEST(RayTable, TakesSpinAndDegreesByTheirColumnsNames) {
   const auto rows =
       parsed_rays("spin,r,theta_deg,observer,n_r,n_theta,n_phi\n0.5,6,60,zamo,0,0,2\n-1,6,180,zamo,0,0,2\n");
   ASSERT_EQ(rows.size(), 2U);
-  EXPECT_EQ(rows[0].spin, 0.5);
+  EXPECT_EQ(rows[0].spacetime.spin, 0.5);
   EXPECT_NEAR(rows[0].theta, 1.0471975511965976, 1e-15);
   EXPECT_EQ(rows[0].direction.z, 1.0);
-  EXPECT_EQ(rows[1].spin, -1.0);
+  EXPECT_EQ(rows[1].spacetime.spin, -1.0);
   EXPECT_NEAR(rows[1].theta, 3.141592653589793, 1e-15);
   const std::string degrees = "spin,r,theta_deg,observer,n_r,n_theta,n_phi\n";
   EXPECT_THAT(ray_problem(degrees + "0.5,6,181,zamo,1,0,0\n"), HasSubstr("theta_deg is 181"));

@@ -23,9 +23,9 @@ TEST(HoleClock, RunsThroughTheHorizonAsTheClosedFormOfRainSays) {
   settings.clock = 2.0;
   settings.ease_s = 0.0;
   settings.least_r = 0.1;
-  const FallStart start = {20.0, 1.1, 0.4, observer_velocity(ObserverMotion::rain, 0.0, 20.0, 1.1, {})};
-  const auto orbit = std::make_shared<const FreeFall>(0.0, start, settings, nullptr, 60.0);
-  const HoleClock clock(0.0, orbit, 7.0);
+  const FallStart start = {20.0, 1.1, 0.4, observer_velocity(ObserverMotion::rain, Spacetime{0.0}, 20.0, 1.1, {})};
+  const auto orbit = std::make_shared<const FreeFall>(Spacetime{0.0}, start, settings, nullptr, 60.0);
+  const HoleClock clock(Spacetime{0.0}, orbit, 7.0);
   for (const double after_s : {0.0, 5.0, 20.0, *orbit->horizon_s() - 3.0, *orbit->horizon_s() - 2.7}) {
     const double r = orbit->at(3.0 + after_s).r;
     EXPECT_NEAR(clock.time(3.0 + after_s), 21.0 + time_of_rain(r) - time_of_rain(20.0), 1e-9) << r;
@@ -33,8 +33,8 @@ TEST(HoleClock, RunsThroughTheHorizonAsTheClosedFormOfRainSays) {
 }
 
 TEST(HoleClock, HasItsPaceWithoutAFall) {
-  EXPECT_EQ(HoleClock(0.3, nullptr, 20.0).time(7.3), 7.3 * 20.0);
-  EXPECT_EQ(HoleClock(0.3, nullptr, -2.0).time(-1.1), -1.1 * -2.0);
+  EXPECT_EQ(HoleClock(Spacetime{0.3}, nullptr, 20.0).time(7.3), 7.3 * 20.0);
+  EXPECT_EQ(HoleClock(Spacetime{0.3}, nullptr, -2.0).time(-1.1), -1.1 * -2.0);
 }
 
 //! A fall on a circular orbit, on which the hole's time is proportional to the camera's.
@@ -46,8 +46,8 @@ class HoleClockOnACircle : public testing::Test {
     settings_.ease_s = 2.0;
     settings_.until_s = 20.0;
     const FallStart start = {r, 1.57079632679489662, 0.0,
-                             observer_velocity(ObserverMotion::geodesic, spin, r, 1.57079632679489662, {})};
-    orbit_ = std::make_shared<const FreeFall>(spin, start, settings_, nullptr, 40.0);
+                             observer_velocity(ObserverMotion::geodesic, Spacetime{spin}, r, 1.57079632679489662, {})};
+    orbit_ = std::make_shared<const FreeFall>(Spacetime{spin}, start, settings_, nullptr, 40.0);
   }
 
   [[nodiscard]] double rate(const HoleClock& clock, double time_s) const {
@@ -63,7 +63,7 @@ class HoleClockOnACircle : public testing::Test {
 };
 
 TEST_F(HoleClockOnACircle, RunsByTheOrbitInTheFallAndByItsPaceBesideIt) {
-  const HoleClock clock(spin, orbit_, 3.0);
+  const HoleClock clock(Spacetime{spin}, orbit_, 3.0);
   EXPECT_NEAR(rate(clock, 2.0), 3.0, 1e-6);
   EXPECT_NEAR(rate(clock, 12.0), 9.0 * dilation_, 1e-6);
   EXPECT_NEAR(rate(clock, 30.0), 3.0, 1e-6);
@@ -74,7 +74,8 @@ TEST_F(HoleClockOnACircle, RunsByTheOrbitInTheFallAndByItsPaceBesideIt) {
 TEST_F(HoleClockOnACircle, BeginsAndEndsAtOnceWhereNothingIsEased) {
   settings_.ease_s = 0.0;
   const FallStart start = orbit_->start();
-  const HoleClock clock(spin, std::make_shared<const FreeFall>(spin, start, settings_, nullptr, 40.0), 3.0);
+  const HoleClock clock(Spacetime{spin},
+                        std::make_shared<const FreeFall>(Spacetime{spin}, start, settings_, nullptr, 40.0), 3.0);
   EXPECT_NEAR(clock.time(4.0), 3.0 * 4.0, 1e-9);
   EXPECT_NEAR(clock.time(20.0), 3.0 * 4.0 + dilation_ * 9.0 * 16.0, 1e-8);
   EXPECT_NEAR(clock.time(30.0), 3.0 * (4.0 + 10.0) + dilation_ * 9.0 * 16.0, 1e-8);
@@ -82,8 +83,8 @@ TEST_F(HoleClockOnACircle, BeginsAndEndsAtOnceWhereNothingIsEased) {
 
 TEST_F(HoleClockOnACircle, GoesOverFromOneRateToTheOtherWithoutALeap) {
   // At the orbit's own rate, the transition has no effect.
-  const HoleClock even(spin, orbit_, 9.0 * dilation_);
-  const HoleClock clock(spin, orbit_, 3.0);
+  const HoleClock even(Spacetime{spin}, orbit_, 9.0 * dilation_);
+  const HoleClock clock(Spacetime{spin}, orbit_, 3.0);
   for (double time_s = 3.0; time_s < 22.0; time_s += 0.25) {
     EXPECT_NEAR(rate(even, time_s), 9.0 * dilation_, 1e-5) << time_s;
     EXPECT_LT(std::abs(rate(clock, time_s + 0.01) - rate(clock, time_s)), 0.1) << time_s;

@@ -15,7 +15,7 @@ inline LensStation small_station(double r, unsigned seed = 1) {
   std::mt19937 random(seed);
   std::normal_distribution<float> normal;
   LensStation s;
-  s.spin = 0.9;
+  s.spacetime = Spacetime{0.9};
   s.r = r;
   s.theta = 1.25;
   s.centre = {-1.0F, 0.0F, 0.0F};
@@ -37,7 +37,7 @@ inline LensStation small_station(double r, unsigned seed = 1) {
 }
 
 inline void expect_same(const LensStation& a, const LensStation& b) {
-  EXPECT_EQ(a.spin, b.spin);
+  EXPECT_EQ(a.spacetime, b.spacetime);
   EXPECT_EQ(a.r, b.r);
   EXPECT_EQ(a.theta, b.theta);
   EXPECT_EQ(a.edge, b.edge);

@@ -51,7 +51,7 @@ TEST_P(StationCodecRefuses, WhatKernelsCouldNotReadSafely) {
 
 INSTANTIATE_TEST_SUITE_P(Damage, StationCodecRefuses,
                          testing::Values(Damage{"(position)", [](LensStation& s) { s.r = 0.5; }},
-                                         Damage{"(position)", [](LensStation& s) { s.spin = NAN; }},
+                                         Damage{"(position)", [](LensStation& s) { s.spacetime = Spacetime{NAN}; }},
                                          Damage{"(position)", [](LensStation& s) { s.theta = -1.0; }},
                                          Damage{"(chart)", [](LensStation& s) { s.first = s.second; }},
                                          Damage{"(chart)", [](LensStation& s) { s.edge[5] = NAN; }},

@@ -27,7 +27,9 @@ using testing::HasSubstr;
 
 class Trajectory : public test::FolderTest {
  protected:
-  static TrajectoryProvenance provenance() { return {"1.2.3", "title = \"Test\"\n", 0.9, 1e-3, 0.25, false}; }
+  static TrajectoryProvenance provenance() {
+    return {"1.2.3", "title = \"Test\"\n", Spacetime{0.9}, 1e-3, 0.25, false};
+  }
 
   [[nodiscard]] std::filesystem::path file() const { return folder_ / "t.trajectory"; }
   [[nodiscard]] std::filesystem::path journal_file() const { return folder_ / "t.trajectory.part"; }

@@ -38,7 +38,7 @@ TEST(MixedDual, RootSineAndCosineHaveTheirMixedDerivatives) {
 }
 
 TEST(MixedDual, TracedRayHasTheMixedDerivativeOfDifferences) {
-  const CameraStation camera = make_camera_station(0.9, 6.0, 1.1, 0.0, ObserverMotion::zamo);
+  const CameraStation camera = make_camera_station(Spacetime{0.9}, 6.0, 1.1, 0.0, ObserverMotion::zamo);
   const auto sky = [&](const auto& angle, const auto& turn) {
     using T = std::decay_t<decltype(angle)>;
     T s;

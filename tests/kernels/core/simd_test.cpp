@@ -100,7 +100,7 @@ std::vector<double> sky_of(InstructionSet set) {
   }
   std::vector<double> sky(3 * count);
   RayBatch<double> batch{};
-  batch.camera = make_camera_station(0.999, 5.0, 1.3, 0.4, ObserverMotion::geodesic);
+  batch.camera = make_camera_station(Spacetime{0.999}, 5.0, 1.3, 0.4, ObserverMotion::geodesic);
   batch.settings = {1e-12, 1000};
   batch.method = TraceMethod::taylor;
   batch.count = count;

@@ -18,8 +18,8 @@ using Layers = CrossingLayer<T>[crossing_orders];
 
 //! Returns limits from just above the horizon, or well inside the photon orbit, out to 80 M.
 LayerLimits<double> wide_limits(double spin) {
-  const double horizon = horizon_radius(spin);
-  return {1.0 / (horizon + 0.02 * (photon_orbit_radius(std::abs(spin), 1.0) - horizon) + 1e-4),
+  const double horizon = horizon_radius(Spacetime{spin});
+  return {1.0 / (horizon + 0.02 * (photon_orbit_radius(Spacetime{std::abs(spin)}, 1.0) - horizon) + 1e-4),
           1.0 / 80.0,
           3.0,
           -1.0,
@@ -58,8 +58,8 @@ TEST(CrossingLayers, HaveTheReferenceShiftByTheClosedForm) {
 //! Returns the limits of a disk from the innermost stable orbit to 20 M.
 LayerLimits<double> disk_limits(double spin) {
   LayerLimits<double> limits = wide_limits(spin);
-  const double horizon = horizon_radius(spin);
-  limits.near_u = 1.0 / (horizon + 0.5 * (photon_orbit_radius(std::abs(spin), 1.0) - horizon) + 1e-3);
+  const double horizon = horizon_radius(Spacetime{spin});
+  limits.near_u = 1.0 / (horizon + 0.5 * (photon_orbit_radius(Spacetime{std::abs(spin)}, 1.0) - horizon) + 1e-3);
   limits.highest_u = 2.0 * limits.near_u;
   limits.lowest_u = -0.3;
   return limits;
@@ -67,7 +67,7 @@ LayerLimits<double> disk_limits(double spin) {
 
 TEST(CrossingLayers, AreSmoothAcrossTheShadowsEdge) {
   for (const double spin : {-1.0, 0.0, 0.9, 0.999}) {
-    const CameraStation camera = make_camera_station(spin, 30.0, 1.3, 0.0, ObserverMotion::rain);
+    const CameraStation camera = make_camera_station(Spacetime{spin}, 30.0, 1.3, 0.0, ObserverMotion::rain);
     const ShadowChart chart = make_shadow_chart(camera);
     for (const double gamma : {0.3, 1.7, 3.0, 4.4}) {
       const double edge = edge_polar_angle(camera, chart, gamma);
@@ -97,7 +97,7 @@ bool trace_place(const CameraStation& camera, const EdgeCurve& edge, const T& al
 }
 
 TEST(CrossingLayers, HaveDerivativesAsDifferencesHaveThem) {
-  const CameraStation camera = make_camera_station(0.9, 20.0, 1.35, 0.0, ObserverMotion::rain);
+  const CameraStation camera = make_camera_station(Spacetime{0.9}, 20.0, 1.35, 0.0, ObserverMotion::rain);
   // A circular edge: the chart does not require the edge of the shadow.
   const std::vector<float> polar_angle(64, 0.25F);
   const EdgeCurve edge = {
@@ -139,7 +139,7 @@ TEST(CrossingLayers, HaveDerivativesAsDifferencesHaveThem) {
 }
 
 TEST(CrossingLayers, OfLightInTheCamerasOwnPlaneAreThoseOfItsNeighbours) {
-  const CameraStation camera = make_camera_station(0.9, 20.0, 0.5 * pi, 0.0, ObserverMotion::rain);
+  const CameraStation camera = make_camera_station(Spacetime{0.9}, 20.0, 0.5 * pi, 0.0, ObserverMotion::rain);
   for (const double across : {-0.6, -0.3, 0.35, 0.7}) {
     Layers<double> in_plane;
     Layers<double> beside;

@@ -93,7 +93,7 @@ TEST(DiskCrossings, LieInThePlaneByTheClosedFormOfThePolarMotion) {
   // integral of the radial motion.
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
-  const CameraStation camera = make_camera_station(0.9, 12.0, 1.2, 0.0, ObserverMotion::zamo);
+  const CameraStation camera = make_camera_station(Spacetime{0.9}, 12.0, 1.2, 0.0, ObserverMotion::zamo);
   for (int i = 0; i < 200; ++i) {
     const Vector3<double> raw = {-1.0, 0.5 * unit(random), 0.5 * unit(random)};
     const Vector3<double> n = (1.0 / length(raw)) * raw;
@@ -124,7 +124,7 @@ TEST(DiskCrossings, LieInThePlaneByTheClosedFormOfThePolarMotion) {
 }
 
 TEST(DiskCrossings, AreNoneForLightThatStaysInThePlane) {
-  const CameraStation camera = make_camera_station(0.5, 10.0, 0.5 * pi, 0.0, ObserverMotion::zamo);
+  const CameraStation camera = make_camera_station(Spacetime{0.5}, 10.0, 0.5 * pi, 0.0, ObserverMotion::zamo);
   Crossings crossings;
   EXPECT_TRUE((trace_crossings<20, true>(0.5, start_near_ray(camera, Vector3<double>{-1.0, 0.0, 0.0}), finest_crossings,
                                          true, crossings)));
@@ -135,7 +135,8 @@ TEST(DiskCrossings, BelowTheHoleAreMirrorImagesOfThoseAbove) {
   for (const ReferenceCrossing& row : reference_crossings()) {
     const Traced above = trace(row);
     const Vector3<double> velocity = {row.beta.x, -row.beta.y, row.beta.z};
-    const CameraStation camera = make_camera_station(row.a, row.r, pi - row.theta, 0.0, row.motion, velocity);
+    const CameraStation camera =
+        make_camera_station(Spacetime{row.a}, row.r, pi - row.theta, 0.0, row.motion, velocity);
     Crossings below;
     trace_crossings<20, true>(camera.spin, start_near_ray(camera, Vector3<double>{row.n.x, -row.n.y, row.n.z}),
                               finest_crossings, true, below);
@@ -165,7 +166,7 @@ double first_crossing(const CameraStation& camera, const Vector3<double>& n, dou
 
 TEST(DiskCrossings, AreFoundBesideTheHorizonByLongStepsAsByShortOnes) {
   // A long step may lead outwards, through the plane, around the hole and into it at once.
-  const CameraStation camera = make_camera_station(0.6, 1.802, 1.36, 0.0, ObserverMotion::rain);
+  const CameraStation camera = make_camera_station(Spacetime{0.6}, 1.802, 1.36, 0.0, ObserverMotion::rain);
   for (int i = 0; i < 16; ++i) {
     for (int j = 0; j < 16; ++j) {
       const Vector3<double> down = {-0.97, 0.1 + 0.015 * i, -0.2 + 0.03 * j};
@@ -181,8 +182,8 @@ TEST(DiskCrossings, EndWithTheFirstBehindTheHorizon) {
   std::mt19937 random(9);
   std::uniform_real_distribution<double> part(-1.0, 1.0);
   int behind = 0;
-  const double horizon = horizon_radius(0.999);
-  const CameraStation camera = make_camera_station(0.999, 1.094, 1.45, 0.0, ObserverMotion::rain);
+  const double horizon = horizon_radius(Spacetime{0.999});
+  const CameraStation camera = make_camera_station(Spacetime{0.999}, 1.094, 1.45, 0.0, ObserverMotion::rain);
   for (int i = 0; i < 1000; ++i) {
     const Vector3<double> any = {-1.0, 0.02 * part(random), 0.02 * part(random)};
     Crossings crossings;
@@ -201,27 +202,27 @@ TEST(DiskCrossings, EndWithTheFirstBehindTheHorizon) {
 TEST(DiskFlow, MovesAlongPhiWhateverTheSpin) {
   // Published radii: 9 M for orbits against a hole of spin 1, 1 M for orbits with it, 6 M without
   // spin.
-  EXPECT_NEAR(make_disk_flow(-1.0).stable_r, 9.0, 1e-12);
-  EXPECT_NEAR(make_disk_flow(0.0).stable_r, 6.0, 1e-12);
-  EXPECT_NEAR(make_disk_flow(1.0).stable_r, 1.0, 1e-12);
+  EXPECT_NEAR(make_disk_flow(Spacetime{-1.0}).stable_r, 9.0, 1e-12);
+  EXPECT_NEAR(make_disk_flow(Spacetime{0.0}).stable_r, 6.0, 1e-12);
+  EXPECT_NEAR(make_disk_flow(Spacetime{1.0}).stable_r, 1.0, 1e-12);
 }
 
 TEST(DiskFlow, HasTheBindingEnergyOfTheLastStableOrbit) {
   // 1 - √(8/9), 1 - √(1/3), 1 - √(25/27).
-  EXPECT_NEAR(make_disk_flow(0.0).energy, std::sqrt(8.0 / 9.0), 1e-14);
-  EXPECT_NEAR(make_disk_flow(1.0).energy, std::sqrt(1.0 / 3.0), 1e-14);
-  EXPECT_NEAR(make_disk_flow(-1.0).energy, std::sqrt(25.0 / 27.0), 1e-14);
+  EXPECT_NEAR(make_disk_flow(Spacetime{0.0}).energy, std::sqrt(8.0 / 9.0), 1e-14);
+  EXPECT_NEAR(make_disk_flow(Spacetime{1.0}).energy, std::sqrt(1.0 / 3.0), 1e-14);
+  EXPECT_NEAR(make_disk_flow(Spacetime{-1.0}).energy, std::sqrt(25.0 / 27.0), 1e-14);
 }
 
 TEST(DiskFlow, ReachesItsLimitAtFullSpin) {
-  const DiskFlow<double> near = make_disk_flow(1.0 - 1e-9);
-  EXPECT_NEAR(near.energy, make_disk_flow(1.0).energy, 2e-3);
-  EXPECT_NEAR(near.axial_angular_momentum, make_disk_flow(1.0).axial_angular_momentum, 4e-3);
+  const DiskFlow<double> near = make_disk_flow(Spacetime{1.0 - 1e-9});
+  EXPECT_NEAR(near.energy, make_disk_flow(Spacetime{1.0}).energy, 2e-3);
+  EXPECT_NEAR(near.axial_angular_momentum, make_disk_flow(Spacetime{1.0}).axial_angular_momentum, 4e-3);
 }
 
 TEST(DiskFlow, FallsWithoutAJumpFromTheLastStableOrbit) {
   for (const double spin : {-0.7, 0.0, 0.5, 0.9}) {
-    const DiskFlow<double> flow = make_disk_flow(spin);
+    const DiskFlow<double> flow = make_disk_flow(Spacetime{spin});
     const DiskLight<double> light = {flow.stable_r, 1.0, 1.3, 8.0, true};
     EXPECT_NEAR(plunging_frequency(flow, light) / circular_frequency(spin, light), 1.0, 1e-6) << spin;
   }
@@ -230,7 +231,7 @@ TEST(DiskFlow, FallsWithoutAJumpFromTheLastStableOrbit) {
 TEST(DiskFlow, SeesItsOwnFrequencyByTheMetric) {
   // Light straight inwards (principal null, L = a E) onto matter that falls into a hole without
   // spin: ν = (E_m + √(E_m² - f (1 + L²/r²))) / f for outgoing light, f = 1 - 2/r.
-  const DiskFlow<double> flow = make_disk_flow(0.0);
+  const DiskFlow<double> flow = make_disk_flow(Spacetime{0.0});
   const double r = 4.0;
   const double f = 1.0 - 2.0 / r;
   const double fall = std::sqrt(flow.energy * flow.energy - f * (1.0 + 12.0 / (r * r)));
@@ -257,8 +258,8 @@ TEST(DiskFlow, IsSeenInFloatAsItIsBesideTheHorizon) {
   int seen = 0;
   for (const float spin_in_float : {0.3F, 0.9F, 0.998F, 0.9999F}) {
     const auto spin = static_cast<double>(spin_in_float);
-    const DiskFlow<double> flow = make_disk_flow(spin);
-    const double horizon = horizon_radius(spin);
+    const DiskFlow<double> flow = make_disk_flow(Spacetime{spin});
+    const double horizon = horizon_radius(Spacetime{spin});
     for (int i = 0; i < 4000; ++i) {
       // Light of any energy at infinity (including negative energies in the ergosphere) that comes
       // from outside: X > 0 at the horizon.
@@ -274,7 +275,7 @@ TEST(DiskFlow, IsSeenInFloatAsItIsBesideTheHorizon) {
                                       static_cast<double>(light.shear_constant), false};
       const double skew = wide.axial_angular_momentum - spin * wide.energy;
       const double x = wide.r * wide.r * wide.energy - spin * skew;
-      const double delta = (wide.r - horizon) * (wide.r - inner_horizon_radius(spin));
+      const double delta = (wide.r - horizon) * (wide.r - inner_horizon_radius(Spacetime{spin}));
       if (x < 0.1 * brink || wide.shear_constant < skew * skew || wide.shear_constant * delta > x * x) {
         continue;
       }

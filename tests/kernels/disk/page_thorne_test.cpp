@@ -11,10 +11,10 @@ namespace {
 //! the innermost stable orbit, as a sum of (E - ΩL) over steps of L, of second order with one
 //! extrapolation.
 double integrated_function(double spin, double r) {
-  const double inner = innermost_stable_radius(spin, 1.0);
+  const double inner = innermost_stable_radius(Spacetime{spin}, 1.0);
   const auto rotation = [&](double at) { return 1.0 / (at * std::sqrt(at) + spin); };
   const auto co_moving = [&](double at) {
-    const CircularOrbit orbit = circular_orbit(spin, at);
+    const CircularOrbit orbit = circular_orbit(Spacetime{spin}, at);
     return orbit.energy - rotation(at) * orbit.axial_angular_momentum;
   };
   constexpr int steps = 4000;
@@ -23,8 +23,8 @@ double integrated_function(double spin, double r) {
     for (int i = 0; i < count; ++i) {
       const double low = inner + (r - inner) * i / count;
       const double high = inner + (r - inner) * (i + 1) / count;
-      total += co_moving(0.5 * (low + high)) *
-               (circular_orbit(spin, high).axial_angular_momentum - circular_orbit(spin, low).axial_angular_momentum);
+      total += co_moving(0.5 * (low + high)) * (circular_orbit(Spacetime{spin}, high).axial_angular_momentum -
+                                                circular_orbit(Spacetime{spin}, low).axial_angular_momentum);
     }
     return total;
   };
@@ -35,21 +35,22 @@ double integrated_function(double spin, double r) {
 
 TEST(PageThorne, IsTheIntegralThatDefinesIt) {
   for (const double spin : {-0.95, -0.5, 0.0, 0.3, 0.7, 0.95, 0.998}) {
-    const double inner = innermost_stable_radius(spin, 1.0);
+    const double inner = innermost_stable_radius(Spacetime{spin}, 1.0);
     for (const double beyond : {0.5, 2.0, 10.0, 50.0}) {
       const double r = inner + beyond;
-      EXPECT_NEAR(page_thorne_function(spin, r) / integrated_function(spin, r), 1.0, 1e-6) << spin << " " << r;
+      EXPECT_NEAR(page_thorne_function(Spacetime{spin}, r) / integrated_function(spin, r), 1.0, 1e-6)
+          << spin << " " << r;
     }
   }
 }
 
 TEST(PageThorne, HasNoTorqueAtTheLastStableOrbit) {
   for (const double spin : {-1.0, -0.6, 0.0, 0.6, 0.999}) {
-    const double inner = innermost_stable_radius(spin, 1.0);
-    EXPECT_EQ(page_thorne_flux(spin, inner), 0.0) << spin;
+    const double inner = innermost_stable_radius(Spacetime{spin}, 1.0);
+    EXPECT_EQ(page_thorne_flux(Spacetime{spin}, inner), 0.0) << spin;
     // The flux starts with the square of the distance.
-    const double near = page_thorne_flux(spin, inner + 1e-3);
-    const double nearer = page_thorne_flux(spin, inner + 5e-4);
+    const double near = page_thorne_flux(Spacetime{spin}, inner + 1e-3);
+    const double nearer = page_thorne_flux(Spacetime{spin}, inner + 5e-4);
     EXPECT_NEAR(near / nearer, 4.0, 0.05) << spin;
   }
 }
@@ -58,7 +59,7 @@ TEST(PageThorne, IsNewtonsDiskFarAway) {
   // 3 M Ṁ / (8π r³) (1 - √(r_in / r)): the bracket differs from 1 only by the effect of the inner
   // edge.
   const double r = 1e6;
-  EXPECT_NEAR(page_thorne_flux(0.5, r) * r * r * r, 1.5, 1.5 * 4e-3);
+  EXPECT_NEAR(page_thorne_flux(Spacetime{0.5}, r) * r * r * r, 1.5, 1.5 * 4e-3);
 }
 
 TEST(PageThorne, HasTheClosedFormOfFullSpin) {
@@ -67,21 +68,22 @@ TEST(PageThorne, HasTheClosedFormOfFullSpin) {
     const double x = std::sqrt(r);
     const double bracket = x - 1.0 - 1.5 * std::log(3.0 * x / (x + 2.0));
     const double expected = 1.5 * bracket / (r * (x * r - 3.0 * x + 2.0));
-    EXPECT_NEAR(page_thorne_function(1.0, r) / expected, 1.0, 1e-12) << r;
-    EXPECT_NEAR(page_thorne_function(1.0 - 1e-12, r) / expected, 1.0, 2e-3) << r;
+    EXPECT_NEAR(page_thorne_function(Spacetime{1.0}, r) / expected, 1.0, 1e-12) << r;
+    EXPECT_NEAR(page_thorne_function(Spacetime{1.0 - 1e-12}, r) / expected, 1.0, 2e-3) << r;
   }
 }
 
 TEST(PageThorne, GoesOnSmoothlyThroughSpinZeroAndToFullSpinAgainstTheHole) {
-  EXPECT_NEAR(page_thorne_function(1e-9, 10.0) / page_thorne_function(0.0, 10.0), 1.0, 1e-8);
-  EXPECT_NEAR(page_thorne_function(-1.0 + 1e-8, 12.0) / page_thorne_function(-1.0, 12.0), 1.0, 1e-6);
+  EXPECT_NEAR(page_thorne_function(Spacetime{1e-9}, 10.0) / page_thorne_function(Spacetime{0.0}, 10.0), 1.0, 1e-8);
+  EXPECT_NEAR(page_thorne_function(Spacetime{-1.0 + 1e-8}, 12.0) / page_thorne_function(Spacetime{-1.0}, 12.0), 1.0,
+              1e-6);
 }
 
 TEST(PageThorne, PeaksWhereItIsPublishedToForNoSpin) {
   // The flux of a disk around a hole without spin peaks at r = 9.55 M.
   double best = 6.0;
   for (double r = 6.0; r < 20.0; r += 0.001) {
-    best = page_thorne_flux(0.0, r) > page_thorne_flux(0.0, best) ? r : best;
+    best = page_thorne_flux(Spacetime{0.0}, r) > page_thorne_flux(Spacetime{0.0}, best) ? r : best;
   }
   EXPECT_NEAR(best, 9.55, 0.01);
 }

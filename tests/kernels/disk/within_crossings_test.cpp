@@ -80,7 +80,7 @@ TEST(CrossingsFromWithin, ShowADiskShiftedAsTheReferenceSays) {
 //! Finds the crossing in the layers of a disk grid, of any order: these also count crossings inside
 //! the horizon.
 std::optional<OuterPlace> layer_crossing(const ReferenceCrossing& row) {
-  const double near_u = 1.0 / (horizon_radius(row.a) + 1e-3);
+  const double near_u = 1.0 / (horizon_radius(Spacetime{row.a}) + 1e-3);
   const LayerLimits<double> limits = {near_u, 1e-4, 10.0, -1.0, 1e-15, 4000};
   CrossingLayer<double> layers[crossing_orders];
   trace_layers<20, NearParts::azimuth_and_delay>(row.a, start_near_ray(station_of(row), row.n), limits, layers);
@@ -131,7 +131,7 @@ TEST(CrossingsFromWithin, AreThoseOfShellsThroughThem) {
 std::optional<OuterPlace> path_crossing(const ReferenceCrossing& row) {
   std::optional<OuterPlace> found;
   int order = 0;
-  const RadialBounds bounds = {horizon_radius(row.a) * 1.001, 100.0};
+  const RadialBounds bounds = {horizon_radius(Spacetime{row.a}) * 1.001, 100.0};
   follow_path<16, NearParts::azimuth_and_delay>(
       row.a, 1.0, 0.0, start_near_ray(station_of(row), row.n), bounds, MeshLimits{1e-14, 4000}, true,
       [&](int, const PathStep<16, NearParts::azimuth_and_delay, double>& step) {
@@ -155,20 +155,21 @@ TEST(CrossingsFromWithin, AreOnThePathsOfObjects) {
 //! Returns the first crossing in azimuth and time of ingoing Kerr coordinates at the camera; r is 0
 //! if there is none.
 OuterPlace crossing_by_ingoing_clock(double spin, double r, const Vector3<double>& n) {
-  const CameraStation camera = make_camera_station(spin, r, 1.2, 0.0, ObserverMotion::rain);
+  const CameraStation camera = make_camera_station(Spacetime{spin}, r, 1.2, 0.0, ObserverMotion::rain);
   EquatorialCrossing<double> found[crossing_orders];
   trace_crossings<20, true>(spin, start_near_ray(camera, normalized(n)), {1e-7, 1e-14, 4000}, true, found);
   const EquatorialCrossing<double>& c = found[0];
-  const bool outside = r > horizon_radius(spin);
-  return {c.u > 0.0 ? 1.0 / c.u : 0.0, std::atan2(c.y, c.x) + c.drag - (outside ? ingoing_turn(spin, r) : 0.0),
-          c.delay - (outside ? ingoing_lag(spin, r) : 0.0)};
+  const bool outside = r > horizon_radius(Spacetime{spin});
+  return {c.u > 0.0 ? 1.0 / c.u : 0.0,
+          std::atan2(c.y, c.x) + c.drag - (outside ? ingoing_turn(Spacetime{spin}, r) : 0.0),
+          c.delay - (outside ? ingoing_lag(Spacetime{spin}, r) : 0.0)};
 }
 
 TEST(CrossingsFromWithin, GoOnFromOutsideWithTheLagOfTheCamerasTime) {
   for (const double spin : {0.0, -0.6, 0.9, 0.999}) {
     int seen = 0;
     for (const Vector3<double> n : {Vector3<double>{0.6, 0.7, -0.2}, {0.5, 0.8, 0.3}, {0.2, 0.9, -0.1}}) {
-      const double horizon = horizon_radius(spin);
+      const double horizon = horizon_radius(Spacetime{spin});
       const OuterPlace above = crossing_by_ingoing_clock(spin, horizon + 1e-8, n);
       const OuterPlace below = crossing_by_ingoing_clock(spin, horizon - 1e-8, n);
       if (below.r > 0.0) {
@@ -197,13 +198,13 @@ TEST(CrossingsFromWithin, AreInFloatWhereDoubleHasThemAtAllHeights) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> part(-1.0, 1.0);
   for (const double spin : {0.0, 0.3, -0.9, 0.998}) {
-    const double horizon = horizon_radius(spin);
-    const double depth = horizon - inner_horizon_radius(spin);
+    const double horizon = horizon_radius(Spacetime{spin});
+    const double depth = horizon - inner_horizon_radius(Spacetime{spin});
     for (const double height : {-0.5 * depth, -1e-2 * depth, -1e-6, 1e-7, 1e-3}) {
       int crossings = 0;
       for (int i = 0; i < 200; ++i) {
         const CameraStation camera =
-            make_camera_station(spin, horizon + height, 1.5 + 1.3 * part(random), 0.0, ObserverMotion::rain);
+            make_camera_station(Spacetime{spin}, horizon + height, 1.5 + 1.3 * part(random), 0.0, ObserverMotion::rain);
         const Vector3<double> n = normalized({part(random), part(random), part(random)});
         const EquatorialCrossing<double> exact = first_crossing_in<double>(camera, n, 1e-15);
         // Next to the horizon, azimuth and time vary faster than float resolves.
@@ -229,7 +230,8 @@ TEST(CrossingsFromWithin, AreInFloatWhereDoubleHasThemAtAllHeights) {
 
 TEST(CrossingsFromWithin, AreCountedAlikeInBothCoordinatesFromOutside) {
   for (const double spin : {0.0, -0.6, 0.9, 0.9999999}) {
-    const CameraStation camera = make_camera_station(spin, 1.15 * horizon_radius(spin), 1.2, 0.0, ObserverMotion::rain);
+    const CameraStation camera =
+        make_camera_station(Spacetime{spin}, 1.15 * horizon_radius(Spacetime{spin}), 1.2, 0.0, ObserverMotion::rain);
     const NearRay<double> ingoing = start_near_ray(camera, normalized({0.4, 0.85, -0.3}));
     ASSERT_TRUE(ingoing.ingoing);
     NearRay<double> usual = ingoing;
@@ -249,9 +251,9 @@ TEST(CrossingsFromWithin, AreNotThoseOfAnotherUniversesLight) {
   // E (r_+² + a²) - a L < 0: this light was never outside, although its 1/r behaves as if it had
   // been.
   const double spin = 0.9;
-  const CameraStation camera = make_camera_station(spin, 1.0, 1.2, 0.0, ObserverMotion::rain);
+  const CameraStation camera = make_camera_station(Spacetime{spin}, 1.0, 1.2, 0.0, ObserverMotion::rain);
   const NearRay<double> ray = start_near_ray(camera, normalized({-0.9, 0.3, 0.3}));
-  ASSERT_LT(2.0 * horizon_radius(spin) * ray.energy - spin * ray.axial_angular_momentum, 0.0);
+  ASSERT_LT(2.0 * horizon_radius(Spacetime{spin}) * ray.energy - spin * ray.axial_angular_momentum, 0.0);
   EquatorialCrossing<double> crossings[crossing_orders];
   trace_crossings<20, true>(spin, ray, {1e-7, 1e-15, 4000}, true, crossings);
   EXPECT_EQ(crossings[0].u, 0.0);

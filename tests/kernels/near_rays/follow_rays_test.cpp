@@ -48,9 +48,9 @@ TEST(FollowedRays, EndAtTheLastShellThatATracedRaySees) {
   int met = 0;
   for (const double spin : {0.0, 0.9, -0.999}) {
     for (const double r : {40.0, 20.0, 8.0, 4.0, 2.9, 2.3, 1.2}) {
-      const bool within = r < horizon_radius(spin);
+      const bool within = r < horizon_radius(Spacetime{spin});
       const CameraStation camera =
-          make_camera_station(spin, r, 1.1, 0.0, within ? ObserverMotion::rain : ObserverMotion::zamo);
+          make_camera_station(Spacetime{spin}, r, 1.1, 0.0, within ? ObserverMotion::rain : ObserverMotion::zamo);
       for (int i = 0; i < 300; ++i) {
         const Vector3<double> n = any_direction(random);
         const RayStart<double> start = start_ray(camera, n);
@@ -82,7 +82,8 @@ TEST(FollowedRays, EndAtTheLastShellThatATracedRaySees) {
 // the horizon it turns back soon.
 TEST(FollowedRays, MeetNoShellByLightThatHasNotBeenOutside) {
   constexpr double spin = 0.9;
-  const CameraStation camera = make_camera_station(spin, 1.2, 1.3, 0.0, ObserverMotion::rain_boost, {0.9, 0.0, 0.0});
+  const CameraStation camera =
+      make_camera_station(Spacetime{spin}, 1.2, 1.3, 0.0, ObserverMotion::rain_boost, {0.9, 0.0, 0.0});
   const WatchedShell shell = {static_cast<float>(1.0 / (camera.horizon_r + 0.01)), true};
   std::mt19937 random(9);
   int dark = 0;
@@ -97,7 +98,7 @@ TEST(FollowedRays, MeetNoShellByLightThatHasNotBeenOutside) {
 }
 
 TEST(FollowedRays, ComeOutOfTheHorizonInFewSteps) {
-  const CameraStation camera = make_camera_station(0.6, 1.2, 1.3, 0.0, ObserverMotion::rain);
+  const CameraStation camera = make_camera_station(Spacetime{0.6}, 1.2, 1.3, 0.0, ObserverMotion::rain);
   const WatchedShell shell = {1.0F / 12.0F, true};
   std::mt19937 random(8);
   int met = 0;
@@ -124,7 +125,7 @@ struct Followed {
 
 template <class Follow>
 Followed follow(const Vector3<double>& n, double tolerance, const Follow& by) {
-  const CameraStation camera = make_camera_station(0.0, 12.0, 0.5 * pi, 0.0, ObserverMotion::fixed);
+  const CameraStation camera = make_camera_station(Spacetime{0.0}, 12.0, 0.5 * pi, 0.0, ObserverMotion::fixed);
   const WatchedShell shell = {1.0F / 2.02F, true};
   const RayStart<double> start = start_ray(camera, n);
   const WayEnd<double> end = way_through_shells(0.0, start, &shell, 1);

@@ -18,7 +18,8 @@ double illuminance_of(double spin, const LitPoint& at, const Vector3<double>& no
                       LampFalloff falloff = LampFalloff::published) {
   LampCorrections corrections = {};
   const LitPlace place = {at.point, normal, {0.0, 0.0, 0.0}, at.point + 1e-6 * normal};
-  return illuminance(lamp_light(spin, {at.lamp, 100.0, falloff}, place, scene, {1e-10, 4000}, corrections), normal);
+  return illuminance(lamp_light(Spacetime{spin}, {at.lamp, 100.0, falloff}, place, scene, {1e-10, 4000}, corrections),
+                     normal);
 }
 
 TEST(LampLight, WithoutSpinAndShadowsIsTheClosedFormsOfBothWaysRound) {
@@ -35,10 +36,10 @@ TEST(LampLight, IsTakenAwayByWhatStandsOnItsRayAndByNothingElse) {
   const LitPoint at = {{10.0, 0.0, 0.0}, {30.0, 25.0, 3.0}};
   const Vector3<double> normal = {1.0, 0.0, 0.0};
   for (const double spin : {0.0, 0.9}) {
-    const LocalFrame frame = local_frame(spin, at.point);
+    const LocalFrame frame = local_frame(Spacetime{spin}, at.point);
     LightRay ray{};
     RayCorrection correction = {};
-    ASSERT_TRUE(light_ray(spin, frame, at.point, at.lamp, 1, LightRayParts::way, correction, ray));
+    ASSERT_TRUE(light_ray(Spacetime{spin}, frame, at.point, at.lamp, 1, LightRayParts::way, correction, ray));
     // The position of the ray after a third of its way.
     const Placed shell(make_sphere({}), {0.0, 0.0, 0.0}, 18.0);
     const MeshHit on_way = look(frame.camera, ray.direction, {&shell.mesh, 1, 17.0, 19.0});
@@ -80,7 +81,7 @@ TEST(LampLight, RoundTheHoleMeetsNothingThatItPasses) {
                             {-1.0, 0.0, 0.0},
                             {0.0, 0.0, 0.0},
                             at.point + Vector3<double>{-off, 0.01, 0.0}};
-    const LampLight light = lamp_light(0.0, {at.lamp, 100.0}, place, scene, {1e-10, 4000}, corrections);
+    const LampLight light = lamp_light(Spacetime{0.0}, {at.lamp, 100.0}, place, scene, {1e-10, 4000}, corrections);
     EXPECT_GT(light.strength[1], 0.0) << off;
   }
 }
@@ -111,9 +112,10 @@ double photons_through_sphere(double spin, double r, double lamp_r) {
     const double theta = pi * (i + 0.5) / count;
     const Vector3<double> point = point_at(r, theta, 0.3);
     const Vector3<double> normal = (1.0 / r) * point;
-    const LampLight light = lamp_light(spin, {{0.0, 0.0, lamp_r}, 1.0}, {point, normal, {0.0, 0.0, 0.0}, point},
-                                       elsewhere.scene, {1e-10, 4000}, corrections);
-    const KerrFunctions f = kerr_functions(spin, r, theta);
+    const LampLight light =
+        lamp_light(Spacetime{spin}, {{0.0, 0.0, lamp_r}, 1.0}, {point, normal, {0.0, 0.0, 0.0}, point}, elsewhere.scene,
+                   {1e-10, 4000}, corrections);
+    const KerrFunctions f = kerr_functions(Spacetime{spin}, r, theta);
     for (int way = 0; way < 2; ++way) {
       if (light.strength[way] > 0.0) {
         // The observer sees a fraction e_R / e_L of the photon rate; α e_L of its time units pass
@@ -139,7 +141,7 @@ TEST(LampLight, ThroughASphereAboutTheHoleIsAllThatLessThanTwoHalfTurnsLeadThere
 TEST(LampLight, ThroughASphereAboutAHoleThatSpinsIsAllOfItsShadowButTheLightOfFurtherWays) {
   constexpr double lamp_r = 12.0;
   const double through = photons_through_sphere(0.5, 2.2, lamp_r);
-  const CameraStation camera = local_frame(0.5, {0.0, 0.0, lamp_r}).camera;
+  const CameraStation camera = local_frame(Spacetime{0.5}, {0.0, 0.0, lamp_r}).camera;
   const ShadowChart chart = make_shadow_chart(camera);
   const double captured = 2.0 * pi * (1.0 - std::cos(edge_along_circle(camera, chart, 0.4, pi)));
   // Without spin, further paths contribute 0.8 % (see above).
@@ -167,7 +169,7 @@ double met_by_moving(const Vector3<double>& v, const Vector3<double>& n, const V
 
 TEST(LampLight, OnASurfaceThatMovesIsWhatThatMeasures) {
   LampLight light{};
-  light.frame = local_frame(0.0, {1e12, 0.0, 0.0});
+  light.frame = local_frame(Spacetime{0.0}, {1e12, 0.0, 0.0});
   light.velocity = {0.3, -0.5, 0.2};
   const Vector3<double> normal = {0.6, 0.0, 0.8};
   const Vector3<double> direction = {0.48, 0.6, 0.64};
@@ -184,7 +186,7 @@ TEST(LampLight, IsShiftedBetweenLampAndSurfaceWhereThatIsCalledFor) {
   const LitPlace place = {at.point, {1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, at.point};
   const auto strength = [&](bool shifted) {
     const LampPlace lamp = {at.lamp, 100.0, LampFalloff::lens, shifted};
-    return lamp_light(0.0, lamp, place, elsewhere.scene, {1e-10, 4000}, corrections).strength[0];
+    return lamp_light(Spacetime{0.0}, lamp, place, elsewhere.scene, {1e-10, 4000}, corrections).strength[0];
   };
   const double blueshift = static_frequency_ratio(length(at.lamp), 5.0);
   EXPECT_NEAR(strength(true) / strength(false), blueshift * blueshift, 1e-9);

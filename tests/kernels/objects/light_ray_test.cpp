@@ -17,7 +17,8 @@ namespace {
 
 bool ray_of(double spin, const Vector3<double>& point, const Vector3<double>& lamp, int order, LightRay& ray) {
   RayCorrection correction = {};
-  return light_ray(spin, local_frame(spin, point), point, lamp, order, LightRayParts::way, correction, ray);
+  return light_ray(Spacetime{spin}, local_frame(Spacetime{spin}, point), point, lamp, order, LightRayParts::way,
+                   correction, ray);
 }
 
 TEST(LightRay, FoundByNewtonsMethodIsTheClosedFormsWhereSpinIsNegligible) {
@@ -37,7 +38,7 @@ TEST(LightRay, LeadsToTheLampPastAHoleThatSpins) {
   int met = 0;
   for (const LitPoint& at : lit_points()) {
     for (const auto& [spin, order] : {std::pair{0.5, 1}, {0.5, 2}, {-0.998, 1}, {-0.9, 2}}) {
-      const LocalFrame frame = local_frame(spin, at.point);
+      const LocalFrame frame = local_frame(Spacetime{spin}, at.point);
       LightRay ray{};
       ASSERT_TRUE(ray_of(spin, at.point, at.lamp, order, ray)) << spin;
       const Placed lamp(make_sphere({}), at.lamp, 5e-3);
@@ -57,7 +58,8 @@ TEST(LightRay, IsTheSameWhateverIsGuessed) {
     LightRay other{};
     ASSERT_TRUE(ray_of(0.9, at.point, at.lamp, 1, one));
     RayCorrection guess = {{0.02, -0.01, 0.02}, 0.0, 0.0};
-    ASSERT_TRUE(light_ray(0.9, local_frame(0.9, at.point), at.point, at.lamp, 1, LightRayParts::way, guess, other));
+    ASSERT_TRUE(light_ray(Spacetime{0.9}, local_frame(Spacetime{0.9}, at.point), at.point, at.lamp, 1,
+                          LightRayParts::way, guess, other));
     EXPECT_LT(length(one.direction - other.direction), 1e-4);
   }
 }
@@ -89,8 +91,8 @@ double closed_spread(const LitPoint& at, int order) {
 LightRay spread_of(double spin, const LitPoint& at, int order) {
   RayCorrection correction = {};
   LightRay ray{};
-  EXPECT_TRUE(
-      light_ray(spin, local_frame(spin, at.point), at.point, at.lamp, order, LightRayParts::spread, correction, ray));
+  EXPECT_TRUE(light_ray(Spacetime{spin}, local_frame(Spacetime{spin}, at.point), at.point, at.lamp, order,
+                        LightRayParts::spread, correction, ray));
   return ray;
 }
 
@@ -130,7 +132,7 @@ struct Crossing {
 //! their energy. Always traces from the lamp, in time-reversed spacetime, whichever end is closer
 //! to the hole.
 double spread_by_differences(double spin, const LitPoint& at, const Vector3<double>& emitted, const LightRay& ray) {
-  const LocalFrame lamp = local_frame(-spin, at.lamp);
+  const LocalFrame lamp = local_frame(Spacetime{-spin}, at.lamp);
   const double r = length(at.point);
   const double u = 1.0 / r;
   Vector3<double> across[2];
@@ -147,7 +149,7 @@ double spread_by_differences(double spin, const LitPoint& at, const Vector3<doub
     }
   }
   const double theta = std::acos(at.point.z / r);
-  const KerrFunctions f = kerr_functions(-spin, r, theta);
+  const KerrFunctions f = kerr_functions(Spacetime{-spin}, r, theta);
   const auto separation = [&](const std::array<Crossing, 2>& two) {
     const auto azimuth = [](const Vector3<double>& v) { return std::atan2(v.y, v.x); };
     const double by = 0.5 / apart;
@@ -174,8 +176,8 @@ TEST(LightRay, SpreadsAboutAHoleThatSpinsAsBundlesFromTheLampDo) {
       // in reversed time.
       RayCorrection correction = {};
       LightRay back{};
-      const LocalFrame lamp = local_frame(-spin, at.lamp);
-      ASSERT_TRUE(light_ray(-spin, lamp, at.lamp, at.point, order, LightRayParts::way, correction, back));
+      const LocalFrame lamp = local_frame(Spacetime{-spin}, at.lamp);
+      ASSERT_TRUE(light_ray(Spacetime{-spin}, lamp, at.lamp, at.point, order, LightRayParts::way, correction, back));
       const double expected = spread_by_differences(spin, at, back.direction, ray);
       EXPECT_NEAR(ray.spread, expected, 2e-3 * expected) << spin << ' ' << order;
       ++compared;

@@ -32,7 +32,7 @@ TEST(MeshRays, MeetSmallTrianglesWhereTheClosedFormSendsThem) {
     const double camera_r = 4.0 + 40.0 * share(random);
     const double theta = std::acos(2.0 * share(random) - 1.0);
     const double phi = 2.0 * pi * share(random);
-    const CameraStation camera = make_camera_station(0.0, camera_r, theta, phi, ObserverMotion::fixed);
+    const CameraStation camera = make_camera_station(Spacetime{0.0}, camera_r, theta, phi, ObserverMotion::fixed);
     const Vector3<double> observer =
         camera_r * Vector3<double>{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
     const double r = 3.2 + 30.0 * share(random);
@@ -69,7 +69,8 @@ TEST(MeshRays, MeetAPlaneAboutASpinningHoleWhereTheReferenceTableHasItsCrossings
     if (row.order != 0 || row.r_hit > 60.0 || row.r > 1e4 || std::abs(row.theta - 0.5 * pi) < 1e-12) {
       continue;
     }
-    const MeshHit hit = look(station_of(row), row.n, {&placed.mesh, 1, horizon_radius(row.a) * 1.0001, 100.0});
+    const MeshHit hit =
+        look(station_of(row), row.n, {&placed.mesh, 1, horizon_radius(Spacetime{row.a}) * 1.0001, 100.0});
     ASSERT_EQ(hit.mesh, 0) << row.id;
     EXPECT_NEAR(length(hit.point), row.r_hit, 1e-9 * row.r_hit) << row.id;
     const double phi = std::atan2(hit.point.y, hit.point.x);
@@ -94,7 +95,7 @@ struct GrazingLight {
     const TurningOrbit orbit = turning_orbit(turn, 1.0 / 3.0 - turn, 0.5 - turn, 1.0);
     const double angle = leg_from_turn(orbit, turn - 1.0 / camera_r).angle;
     const double sine = std::sqrt((1.0 - 2.0 / camera_r) / orbit.inverse_b_squared) / camera_r;
-    camera = make_camera_station(0.0, camera_r, 0.5 * pi, angle, ObserverMotion::fixed);
+    camera = make_camera_station(Spacetime{0.0}, camera_r, 0.5 * pi, angle, ObserverMotion::fixed);
     n = {-std::sqrt(1.0 - sine * sine), 0.0, -sine};
   }
 };
@@ -122,7 +123,7 @@ TEST(MeshRays, PassATriangleThatTheyDoNotReach) {
 
 TEST(MeshRays, MeetASphereAboutCameraAndHoleUnlessTheyComeFromTheHole) {
   const Placed placed(make_sphere({}), {0.0, 0.0, 0.0}, 20.0);
-  const CameraStation camera = make_camera_station(0.998, 8.0, 1.1, 0.4, ObserverMotion::zamo);
+  const CameraStation camera = make_camera_station(Spacetime{0.998}, 8.0, 1.1, 0.4, ObserverMotion::zamo);
   std::mt19937 random(11);
   std::normal_distribution<double> normal;
   int dark = 0;
@@ -136,7 +137,7 @@ TEST(MeshRays, MeetASphereAboutCameraAndHoleUnlessTheyComeFromTheHole) {
 }
 
 TEST(MeshRays, StopAtTheNearerOfTwoMeshes) {
-  const CameraStation camera = make_camera_station(0.5, 30.0, 0.5 * pi, 0.0, ObserverMotion::zamo);
+  const CameraStation camera = make_camera_station(Spacetime{0.5}, 30.0, 0.5 * pi, 0.0, ObserverMotion::zamo);
   const Placed near(make_sphere({}), {20.0, 0.0, 0.0}, 0.5);
   const Placed far(make_sphere({}), {12.0, 0.0, 0.0}, 2.0);
   for (const bool swapped : {false, true}) {
@@ -149,7 +150,7 @@ TEST(MeshRays, SeeAMeshThatIsTurned) {
   // A triangle in the plane x = 0 of its own coordinates, turned by a quarter about z and back: the
   // rays use the transposed matrix.
   Placed placed(triangle_about({0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}), {10.0, 0.0, 0.0}, 0.5);
-  const CameraStation camera = make_camera_station(0.0, 30.0, 0.5 * pi, 0.0, ObserverMotion::fixed);
+  const CameraStation camera = make_camera_station(Spacetime{0.0}, 30.0, 0.5 * pi, 0.0, ObserverMotion::fixed);
   const double c = std::cos(1.0);
   const double s = std::sin(1.0);
   const double rows[3][3] = {{c, -s, 0.0}, {s, c, 0.0}, {0.0, 0.0, 1.0}};

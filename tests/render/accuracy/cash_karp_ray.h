@@ -12,7 +12,7 @@ inline Vector3<double> cash_karp_sky(const EyeCamera& eye, const Vector3<double>
   const double direction[3] = {n.x, n.y, n.z};
   double sky[3] = {};
   RayBatch<double> batch{};
-  batch.camera = make_camera_station(eye.spin, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity);
+  batch.camera = make_camera_station(eye.spacetime, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity);
   batch.settings = {1e-12, 1'000'000};
   batch.method = TraceMethod::cash_karp;
   batch.count = 1;

@@ -137,8 +137,8 @@ double missed_px(const Show& show, const TrajectoryReader& baked, double time_s,
   // 99th percentile.
   constexpr std::size_t rays = test::sanitized ? 100'000 : 5'000;
   return test::screen_errors(blend.view(),
-                             make_camera_station(eye.spin, eye.r, eye.theta, 0.0, eye.motion, eye.velocity),
-                             aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity), pixel, rays)
+                             make_camera_station(eye.spacetime, eye.r, eye.theta, 0.0, eye.motion, eye.velocity),
+                             aberration_to_rain(eye.spacetime, eye.r, eye.theta, eye.motion, eye.velocity), pixel, rays)
       .at(0.99);
 }
 

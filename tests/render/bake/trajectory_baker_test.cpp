@@ -92,8 +92,8 @@ TEST_P(TrajectoryBakerWith, BlendsHoldTheBudgetAtAnyTimeOfTheShow) {
     const EyeCamera eye = eye_camera(show, camera_pose(show, time_s), 0.0);
     const StationBlend blend(Backend::cpu, buffers(next - 1), buffers(next), {eye.r, eye.theta});
     const test::Errors errors = test::screen_errors(
-        blend.view(), make_camera_station(eye.spin, eye.r, eye.theta, 0.0, eye.motion, eye.velocity),
-        aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity), settings().pixel, 20'000);
+        blend.view(), make_camera_station(eye.spacetime, eye.r, eye.theta, 0.0, eye.motion, eye.velocity),
+        aberration_to_rain(eye.spacetime, eye.r, eye.theta, eye.motion, eye.velocity), settings().pixel, 20'000);
     EXPECT_LE(errors.at(0.99), settings().budget_px) << time_s;
     EXPECT_LE(errors.at(0.999), 5.0 * settings().budget_px) << time_s;
   }

@@ -42,7 +42,7 @@ ChannelScene scene_of_one(const Row& row) {
   const Vector3<double> across = cross(n, aside);
   const Vector3<double> right = (1.0 / test::length(across)) * across;
   const Vector3<double> up = cross(right, n);
-  ChannelScene scene{{row.a, row.r, row.theta, 0.0, row.motion, row.beta, {}, row.r, row.theta},
+  ChannelScene scene{{Spacetime{row.a}, row.r, row.theta, 0.0, row.motion, row.beta, {}, row.r, row.theta},
                      make_pinhole_projection(1, 1, 0.01)};
   const Vector3<double> columns[3] = {right, up, -1.0 * n};
   for (int j = 0; j < 3; ++j) {
@@ -60,7 +60,7 @@ Vector3<double> direction_of(double longitude_deg, double latitude_deg) {
 }
 
 void expect_ray(const ReferenceRay& ray, const PixelChannels& found) {
-  if (ray.status != RayStatus::escaped) {
+  if (ray.status != LightEnd::sky) {
     for (const PixelChannel& channel : found.channels) {
       EXPECT_TRUE(std::isnan(channel.values[0])) << channel.meaning.name;
     }
@@ -88,7 +88,7 @@ TEST(PixelChannels, AgreeWithTheReferenceRays) {
         scene_of_one(ray), {ChannelGroup::g, ChannelGroup::sky, ChannelGroup::mino_time, ChannelGroup::magnification});
     EXPECT_EQ(found.unresolved, 0);
     expect_ray(ray, found);
-    magnified += ray.status == RayStatus::escaped && ray.magnification > 0.0 && ray.kind == "random" ? 1 : 0;
+    magnified += ray.status == LightEnd::sky && ray.magnification > 0.0 && ray.kind == "random" ? 1 : 0;
   }
   EXPECT_GT(magnified, 100);
 }
@@ -98,7 +98,7 @@ TEST(PixelChannels, AgreeWithTheReferenceCrossingsOfTheDisk) {
   for (const ReferenceCrossing& crossing : test::reference_crossings()) {
     SCOPED_TRACE(testing::Message() << "crossing " << crossing.id << " order " << crossing.order);
     ChannelScene scene = scene_of_one(crossing);
-    scene.disk_inner = innermost_stable_radius(crossing.a, 1.0);
+    scene.disk_inner = innermost_stable_radius(Spacetime{crossing.a}, 1.0);
     scene.disk_outer = 20.0;
     constexpr ChannelGroup groups[] = {ChannelGroup::disk_0, ChannelGroup::disk_1, ChannelGroup::disk_2};
     const PixelChannels found = traced(scene, {groups[crossing.order]});
@@ -240,7 +240,7 @@ TEST(PixelChannels, ShowTheDisksNearestCrossingBetweenItsEdges) {
   ChannelScene scene = picture_of_hole(0.9, 30.0, ObserverMotion::zamo);
   scene.projection = make_pinhole_projection(101, 101, 60.0 * one_degree);
   scene.eye.theta = scene.eye.head_theta = 1.3;
-  scene.disk_inner = innermost_stable_radius(0.9, 1.0);
+  scene.disk_inner = innermost_stable_radius(Spacetime{0.9}, 1.0);
   scene.disk_outer = 15.0;
   const PixelChannels found =
       traced(scene, {ChannelGroup::disk, ChannelGroup::disk_0, ChannelGroup::disk_1, ChannelGroup::disk_2});

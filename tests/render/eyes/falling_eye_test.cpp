@@ -19,7 +19,7 @@ Show rain_show() {
 //! direction of its own frame.
 double frequency_ratio(const Show& show, double time_s, const Vector3<double>& n) {
   const EyeCamera eye = eye_camera(show, camera_pose(show, time_s), 0.0);
-  const CameraStation station = make_camera_station(eye.spin, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity);
+  const CameraStation station = make_camera_station(eye.spacetime, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity);
   return 1.0 / start_ray<double>(station, n).energy;
 }
 

@@ -41,7 +41,7 @@ bool meets_horizon(const CameraStation& camera, const Vector3<double>& m, const 
 TEST(FlatEyes, SeeTheShadowWhereFlatSpacePutsTheHorizon) {
   const Show show = show_of_eyes("model = \"flat\"\n");
   const EyeCamera head = eye_camera(show, camera_pose(show, 0.0), 0.0);
-  const CameraStation camera = make_camera_station(head.spin, head.r, head.theta, 0.0, head.motion, head.velocity);
+  const CameraStation camera = make_camera_station(head.spacetime, head.r, head.theta, 0.0, head.motion, head.velocity);
   const FlatShadow shadow(head);
   constexpr double offset = 0.5;
   const std::vector<float> edge = shadow.eye_edge(offset);
@@ -70,7 +70,7 @@ TEST(FlatEyes, HaveTheirDarkDirectionsWhereTheAffineDistancePutsThem) {
   const auto eyes = ShowRenderer(show, Backend::cpu).render(0.0, {});
   const Projection projection = make_projection(show.view, 400, 0.0);
   const EyeCamera head = eye_camera(show, camera_pose(show, 0.0), 0.0);
-  const CameraStation camera = make_camera_station(head.spin, head.r, head.theta, 0.0, head.motion, head.velocity);
+  const CameraStation camera = make_camera_station(head.spacetime, head.r, head.theta, 0.0, head.motion, head.velocity);
   const ShadowChart chart = make_shadow_chart(camera);
   for (int i = 0; i < 60; ++i) {
     const double gamma = 2.0 * pi * i / 60;

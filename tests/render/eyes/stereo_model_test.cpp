@@ -32,7 +32,7 @@ double left_side(const Picture& picture, int row) {
 
 //! Returns the same position from the critical curve of a camera at the eye's event.
 double left_side_of_curve(const EyeCamera& eye, const Projection& projection, int row) {
-  const CameraStation camera = make_camera_station(eye.spin, eye.r, eye.theta, 0.0, eye.motion, eye.velocity);
+  const CameraStation camera = make_camera_station(eye.spacetime, eye.r, eye.theta, 0.0, eye.motion, eye.velocity);
   const ShadowChart chart = make_shadow_chart(camera);
   const auto pixel_at = [&](double gamma, double& x, double& y) {
     const double alpha = edge_polar_angle(camera, chart, gamma);

@@ -52,7 +52,7 @@ TEST(DirectLens, PixelsShowTheSkyOfTheClosedForm) {
   LensOfEye lens(128 * 128);
   const DirectLens source(Backend::cpu, eye, projection, 0.01);
   source.fill(0, 128, lens.pixels);
-  const CameraStation camera = make_camera_station(eye.spin, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity);
+  const CameraStation camera = make_camera_station(eye.spacetime, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity);
   std::vector<double> errors;
   for (int y = 0; y < 128; y += 3) {
     for (int x = 0; x < 128; x += 3) {
@@ -178,7 +178,7 @@ TEST(EyeRenderer, EveryHardCameraGivesAFinitePicture) {
   for (const double a : {0.0, 0.5, 0.999, 1.0 - 1e-6, 1.0, -1.0}) {
     for (const double above : {1e-6, 0.1, 1.0, 1e6}) {
       for (const double theta : {0.0, 1e-9, pi / 2, pi}) {
-        const EyeCamera eye = eye_at(a, horizon_radius(a) + above, theta);
+        const EyeCamera eye = eye_at(a, horizon_radius(Spacetime{a}) + above, theta);
         const Picture picture = renderer.render(eye, make_dome_projection(48, 2.0 * pi, 0.0), sky, {});
         for (const float value : picture.rgba) {
           ASSERT_TRUE(value >= 0.0F && value <= 1.001F) << a << " " << above << " " << theta;

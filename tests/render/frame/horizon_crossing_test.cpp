@@ -58,8 +58,8 @@ TEST(HorizonCrossing, TrailsEndWhereTheImagesAreBeforeAndAfterIt) {
   for (int i = -3; i <= 3; ++i) {
     shutter.eyes.emplace_back(crossing_eye(show, 0.02 * i));
   }
-  ASSERT_GT(shutter.eyes.front().camera.r, horizon_radius(show.spin));
-  ASSERT_LT(shutter.eyes.back().camera.r, horizon_radius(show.spin));
+  ASSERT_GT(shutter.eyes.front().camera.r, horizon_radius(spacetime_of(show)));
+  ASSERT_LT(shutter.eyes.back().camera.r, horizon_radius(spacetime_of(show)));
   const auto images = test::images_of(field, shutter.eyes[3].camera, test::settings_for(6.0));
   const StarTrails trails = star_trails(images, field, shutter, test::fine_pixel);
   ASSERT_GT(images.size(), 200U);

@@ -113,15 +113,15 @@ TEST(WithinHorizonPictures, GridsOfADiskShowWhatRaysShow) {
 
 //! Returns the sky direction that an eye sees in a direction.
 Vector3<double> sky_before(const EyeCamera& eye, const Vector3<double>& seen) {
-  const CameraStation camera = make_camera_station(eye.spin, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity);
+  const CameraStation camera = make_camera_station(eye.spacetime, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity);
   const auto part = [&](int i) {
     return eye.frame_from_view[i][0] * seen.x + eye.frame_from_view[i][1] * seen.y + eye.frame_from_view[i][2] * seen.z;
   };
   const RayStart<double> start = start_ray(camera, normalized({part(0), part(1), part(2)}));
-  EXPECT_TRUE(comes_from_sky(eye.spin, camera.horizon_r, start));
+  EXPECT_TRUE(comes_from_sky(eye.spacetime.spin, camera.horizon_r, start));
   double steps = 0.0;
   bool reached = false;
-  return turned_to_camera(camera, trace_taylor<20>(eye.spin, start, true, {1e-12, 1000}, steps, reached).sky);
+  return turned_to_camera(camera, trace_taylor<20>(eye.spacetime.spin, start, true, {1e-12, 1000}, steps, reached).sky);
 }
 
 double apart_on_sky(const Vector3<double>& a, const Vector3<double>& b) {
@@ -171,8 +171,8 @@ PlaneSight plane_sight(double spin, const NearRay<double>& ray, double phi, doub
 PlaneSight path_sight(double spin, const NearRay<double>& ray, double phi, double lag) {
   PlaneSight found{};
   follow_path<16, NearParts::azimuth_and_delay>(
-      spin, std::cos(phi), std::sin(phi), ray, {horizon_radius(spin) * (1.0 + 1e-6), 40.0}, {1e-13, 1000}, true,
-      [&](int, const PathStep<16, NearParts::azimuth_and_delay, double>& step) {
+      spin, std::cos(phi), std::sin(phi), ray, {horizon_radius(Spacetime{spin}) * (1.0 + 1e-6), 40.0}, {1e-13, 1000},
+      true, [&](int, const PathStep<16, NearParts::azimuth_and_delay, double>& step) {
         const auto height = [&](double h) { return step.point(h).z; };
         const bool meets = height(0.0) * height(step.length) < 0.0;
         if (meets) {
@@ -233,7 +233,7 @@ class TurningEyesWithin {
   [[nodiscard]] bool sees_plane_beneath(const Vector3<double>& view, double side) const {
     const NearRay<double> ray = start_near_ray(cameras_.exact(side), view);
     const PlaneSight seen = plane_sight(show_.spin, ray, head_.phi, 0.0);
-    return ray.u_rate > 0.0 && std::hypot(seen.x, seen.y) > 1.05 * horizon_radius(show_.spin);
+    return ray.u_rate > 0.0 && std::hypot(seen.x, seen.y) > 1.05 * horizon_radius(spacetime_of(show_));
   }
 
  private:

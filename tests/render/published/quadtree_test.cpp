@@ -12,7 +12,9 @@ namespace ergodome {
 namespace {
 
 //! Returns the standard setup of Verbraeck & Eisemann: a = 0.999, circular orbit at r = 5.
-CameraStation published_camera() { return make_camera_station(0.999, 5.0, 0.5 * pi, 0.0, ObserverMotion::geodesic); }
+CameraStation published_camera() {
+  return make_camera_station(Spacetime{0.999}, 5.0, 0.5 * pi, 0.0, ObserverMotion::geodesic);
+}
 
 const QuadtreeLens& published_grid() {
   static const QuadtreeLens lens(published_camera(), true, {});
@@ -158,7 +160,9 @@ TEST(Quadtree, EveryDirectionHasALeafAndAFiniteSky) {
 //! the camera's sky, by the measure of Verbraeck & Eisemann (section 5.2). `warped`: aligns the
 //! shadows first.
 double blending_error(bool warped) {
-  const auto camera = [](double r) { return make_camera_station(0.999, r, 0.5 * pi, 0.0, ObserverMotion::geodesic); };
+  const auto camera = [](double r) {
+    return make_camera_station(Spacetime{0.999}, r, 0.5 * pi, 0.0, ObserverMotion::geodesic);
+  };
   const QuadtreeLens near(camera(5.0), true, {});
   const QuadtreeLens far(camera(5.2), true, {});
   const QuadtreeLens middle(camera(5.1), true, {});

@@ -77,10 +77,10 @@ TEST(NarrowedEyes, AreClosestTogetherWithoutALeapOnAFallThroughTheHorizon) {
   for (const double spin : {0.0, 0.6, 0.9, 1.0}) {
     Show show = show_of_far_eyes("omni", 1.0, 9.0);
     show.spin = spin;
-    const double deepest = std::min(least_interior_radius(spin), horizon_radius(spin));
-    double before = omni_room(spin, falling_pose(show, 20.0));
+    const double deepest = std::min(least_interior_radius(Spacetime{spin}), horizon_radius(Spacetime{spin}));
+    double before = omni_room(Spacetime{spin}, falling_pose(show, 20.0));
     for (double r = 20.0; r > 1.01 * deepest + 0.01; r = deepest + 0.99 * (r - deepest)) {
-      const double room = omni_room(spin, falling_pose(show, r));
+      const double room = omni_room(Spacetime{spin}, falling_pose(show, r));
       ASSERT_GT(room, 0.0) << spin << " " << r;
       ASSERT_LE(room, before * (1.0 + 1e-9)) << spin << " " << r;
       ASSERT_GT(room, 0.9 * before) << spin << " " << r;
@@ -93,7 +93,7 @@ TEST(NarrowedEyes, OfTheModelOmniCanBeDrawnWhereThePlaceAloneIsTheLimit) {
   const Show show = show_of_far_eyes("omni", 1.0, 9.0);
   for (const double r : {0.9, 1.31, 1.5, 1.6, 4.0, 60.0}) {
     const CameraPose pose = falling_pose(show, r);
-    EXPECT_EQ(greatest_baseline(show, pose), omni_room(show.spin, pose)) << r;
+    EXPECT_EQ(greatest_baseline(show, pose), omni_room(spacetime_of(show), pose)) << r;
   }
 }
 

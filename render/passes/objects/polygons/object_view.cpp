@@ -48,7 +48,7 @@ ObjectView object_view(const EyeCamera& eye) {
       view.face_from_view[i][j] = i == j ? 1.0 : 0.0;
     }
   }
-  const FrameBoost boost = frame_boost(observer_velocity(eye.motion, eye.spin, eye.r, eye.theta, eye.velocity));
+  const FrameBoost boost = frame_boost(observer_velocity(eye.motion, eye.spacetime, eye.r, eye.theta, eye.velocity));
   view.boost_axis = boost.axis;
   view.boost_stretch = 1.0 / boost.stretch;
   return view;

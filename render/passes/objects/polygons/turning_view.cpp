@@ -30,7 +30,7 @@ std::vector<double> numbers_of_eye(const ObjectView& head, const EyeCamera& eye)
   Vector3<double> axes[3];
   std::ranges::transform(own.axes, axes, [&](const Vector3<double>& axis) { return head.in_frame(axis); });
   const auto in_head = [&](double x, double y, double z) { return x * axes[0] + y * axes[1] + z * axes[2]; };
-  const Vector3<double> velocity = observer_velocity(eye.motion, eye.spin, eye.r, eye.theta, eye.velocity);
+  const Vector3<double> velocity = observer_velocity(eye.motion, eye.spacetime, eye.r, eye.theta, eye.velocity);
   std::vector<double> numbers;
   put(numbers, axes[0], own.r);
   put(numbers, in_head(velocity.x, velocity.y, velocity.z), 0.0);

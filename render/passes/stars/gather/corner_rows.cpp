@@ -52,7 +52,8 @@ void CornerRows::trace(const std::vector<std::size_t>& asked) {
     }
   }
   RayBatch<double> batch{};
-  batch.camera = make_camera_station(camera.spin, camera.r, camera.theta, camera.phi, camera.motion, camera.velocity);
+  batch.camera =
+      make_camera_station(camera.spacetime, camera.r, camera.theta, camera.phi, camera.motion, camera.velocity);
   batch.settings = {tolerance_px * pixel_angle(projection_), corner_step_limit, true};
   batch.method = TraceMethod::taylor;
   batch.count = static_cast<int>(count);
@@ -70,7 +71,7 @@ void CornerRows::trace(const std::vector<std::size_t>& asked) {
   for (std::size_t i = 0; i < count; ++i) {
     corners_[asked[i]] = {{channel(3)[i], channel(4)[i], channel(5)[i]},
                           channel(6)[i],
-                          channel(7)[i] == static_cast<double>(RayStatus::escaped)};
+                          channel(7)[i] == static_cast<double>(LightEnd::sky)};
   }
 }
 

@@ -28,7 +28,7 @@ constexpr double ring_tolerance = 1e-10;
 int star_step_limit(const EyeCamera& eye) {
   constexpr double fastest_usual = 0.999;
   constexpr double least_usual_r = 2.0;
-  return std::abs(eye.spin) <= fastest_usual && eye.r > least_usual_r ? 120 : 400;
+  return std::abs(eye.spacetime.spin) <= fastest_usual && eye.r > least_usual_r ? 120 : 400;
 }
 
 double tolerance_of(RayKind kind) {
@@ -72,7 +72,7 @@ CandidateRays::Setup<S> CandidateRays::setup_of(const ImageSearch& search) {
     return {omni_cameras(*search.eye.omni, S{}), chart};
   }
   const EyeCamera& c = search.eye.camera;
-  return {converted_station<S>(make_camera_station(c.spin, c.r, c.theta, 0.0, c.motion, c.velocity)), chart};
+  return {converted_station<S>(make_camera_station(c.spacetime, c.r, c.theta, 0.0, c.motion, c.velocity)), chart};
 }
 
 CandidateRays::CandidateRays(const ImageSearch& search)

@@ -49,7 +49,7 @@ LensStation build_star_station(const StarEye& eye, const StarSettings& settings,
   grid.least_area_px = settings.least_cell_px;
   grid.inverted = true;
   return eye.omni ? build_omni_station(*eye.omni, grid)
-                  : build_lens_station(eye.camera.spin, eye.camera.r, eye.camera.theta, grid, nullptr, tracer);
+                  : build_lens_station(eye.camera.spacetime, eye.camera.r, eye.camera.theta, grid, nullptr, tracer);
 }
 
 StarPatches star_patches(const StarField& field, const BlackbodyTable& colours, const StarEye& eye,

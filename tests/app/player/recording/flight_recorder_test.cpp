@@ -28,7 +28,7 @@ CameraPose flight_at(double t) {
 }
 
 FlightSample outside(double time_s, const CameraPose& pose, bool as_observer = false) {
-  return {time_s, pose, 0.9, as_observer, {}};
+  return {time_s, pose, Spacetime{0.9}, as_observer, {}};
 }
 
 FlightRecorder recorded(double seconds) {
@@ -99,7 +99,8 @@ TEST(FlightRecorder, TurnsEachNoteByTheSpinThatTheHoleHadThen) {
   for (const int i : {0, 1}) {
     CameraPose pose = flight_at(i);
     pose.velocity = flight_velocity_at(i);
-    recorder.note({static_cast<double>(i), in_rain_frame(pose, spins[i]), spins[i], false, FallingNote{0.0, false}});
+    recorder.note({static_cast<double>(i), in_rain_frame(pose, Spacetime{spins[i]}), Spacetime{spins[i]}, false,
+                   FallingNote{0.0, false}});
   }
   Show scene = load_show("free-flight");
   scene.spin = 0.1;

@@ -59,7 +59,9 @@ class RecordedFlight : public testing::Test {
   [[nodiscard]] Show read_again() const {
     return parse_show(to_toml(session_->recorded("A flight").value()), "r.toml");
   }
-  [[nodiscard]] static bool within(const CameraPose& pose) { return !(pose.r > horizon_radius(record_spin)); }
+  [[nodiscard]] static bool within(const CameraPose& pose) {
+    return !(pose.r > horizon_radius(Spacetime{record_spin}));
+  }
 
   //! Returns the recorded pose, with the observer's velocity, converted to the frame of the other
   //! camera.
@@ -67,9 +69,10 @@ class RecordedFlight : public testing::Test {
     CameraPose pose = flown.pose;
     if (!pose.velocity) {
       pose.velocity =
-          observer_velocity(flown.observer.motion, record_spin, pose.r, pose.theta, flown.observer.velocity);
+          observer_velocity(flown.observer.motion, Spacetime{record_spin}, pose.r, pose.theta, flown.observer.velocity);
     }
-    return other.velocity_in_rain ? in_rain_frame(pose, record_spin) : in_zamo_frame(pose, record_spin);
+    return other.velocity_in_rain ? in_rain_frame(pose, Spacetime{record_spin})
+                                  : in_zamo_frame(pose, Spacetime{record_spin});
   }
 
   //! Compares the flight from a time of the recording on with the show, which runs `later_s` behind
@@ -157,7 +160,7 @@ TEST_F(RecordedFlight, ShowsWhatAnotherObserverSawOnTheWay) {
   fly_to(0.9);
   const Show show = read_again();
   ASSERT_TRUE(within(camera_pose(show, show.duration_s)));
-  EXPECT_LT(camera_pose(show, show.camera.fall->time_s).r, 1.31 * horizon_radius(record_spin));
+  EXPECT_LT(camera_pose(show, show.camera.fall->time_s).r, 1.31 * horizon_radius(Spacetime{record_spin}));
   expect_shown(show, 0.5);
 }
 

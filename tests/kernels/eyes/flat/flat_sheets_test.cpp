@@ -90,7 +90,7 @@ TEST(FlatSheets, AreAsFarAsAnIndependentIntegrationHasThem) {
   std::mt19937_64 random(7);
   std::normal_distribution<double> normal;
   for (const double spin : {0.0, 0.9, -0.999}) {
-    const CameraStation camera = make_camera_station(spin, 14.0, 1.2, 0.4, ObserverMotion::geodesic);
+    const CameraStation camera = make_camera_station(Spacetime{spin}, 14.0, 1.2, 0.4, ObserverMotion::geodesic);
     int planes = 0;
     int spheres = 0;
     for (int i = 0; i < 40; ++i) {

@@ -65,7 +65,7 @@ double integrated_distance(const CameraStation& camera, const Vector3<double>& n
 TEST(AffineDistance, IsThatOfAnIndependentIntegration) {
   std::mt19937_64 random(5);
   for (const double spin : {0.0, 0.7, 0.999}) {
-    const CameraStation camera = make_camera_station(spin, 7.0, 1.1, 0.0, ObserverMotion::geodesic);
+    const CameraStation camera = make_camera_station(Spacetime{spin}, 7.0, 1.1, 0.0, ObserverMotion::geodesic);
     int captured = 0;
     for (int i = 0; i < 400 && captured < 6; ++i) {
       const Vector3<double> n = random_direction(random);
@@ -82,7 +82,7 @@ TEST(AffineDistance, IsThatOfAnIndependentIntegration) {
 
 TEST(AffineDistance, ReachesShellsOnBothSides) {
   std::mt19937_64 random(6);
-  const CameraStation camera = make_camera_station(0.9, 7.0, 1.1, 0.0, ObserverMotion::zamo);
+  const CameraStation camera = make_camera_station(Spacetime{0.9}, 7.0, 1.1, 0.0, ObserverMotion::zamo);
   for (int i = 0; i < 6; ++i) {
     const Vector3<double> n = random_direction(random);
     if (direction_is_bright(camera, n)) {
@@ -94,7 +94,7 @@ TEST(AffineDistance, ReachesShellsOnBothSides) {
 
 TEST(AffineDistance, OfRadialLightIsTheCoordinatesOverTheEnergy) {
   for (const double r : {2.5, 6.0, 50.0}) {
-    const CameraStation camera = make_camera_station(0.0, r, 1.2, 0.0, ObserverMotion::zamo);
+    const CameraStation camera = make_camera_station(Spacetime{0.0}, r, 1.2, 0.0, ObserverMotion::zamo);
     const double energy = std::sqrt(1.0 - 2.0 / r);
     EXPECT_NEAR(affine_distance(camera, {-1.0, 0.0, 0.0}, 2.0), (r - 2.0) / energy, 1e-9 * r);
     EXPECT_NEAR(affine_distance(camera, {1.0, 0.0, 0.0}, 3.0 * r), 2.0 * r / energy, 1e-9 * r);
@@ -103,7 +103,7 @@ TEST(AffineDistance, OfRadialLightIsTheCoordinatesOverTheEnergy) {
 
 TEST(AffineDistance, OfAFarCameraIsThatOfFlatSpace) {
   const double r = 1e7;
-  const CameraStation camera = make_camera_station(0.9, r, 1.0, 0.0, ObserverMotion::zamo);
+  const CameraStation camera = make_camera_station(Spacetime{0.9}, r, 1.0, 0.0, ObserverMotion::zamo);
   for (const double angle : {0.3, 0.8, 2.0, 3.0}) {
     // The angle is measured from the outward direction; the shell has twice the radius of the
     // camera.
@@ -115,13 +115,13 @@ TEST(AffineDistance, OfAFarCameraIsThatOfFlatSpace) {
 }
 
 TEST(AffineDistance, IsInfiniteWhereTheRayDoesNotCome) {
-  const CameraStation camera = make_camera_station(0.9, 7.0, 1.0, 0.0, ObserverMotion::zamo);
+  const CameraStation camera = make_camera_station(Spacetime{0.9}, 7.0, 1.0, 0.0, ObserverMotion::zamo);
   EXPECT_TRUE(std::isinf(affine_distance(camera, {1.0, 0.0, 0.0}, camera.horizon_r)));
   EXPECT_TRUE(std::isinf(affine_distance(camera, {std::cos(1.5), std::sin(1.5), 0.0}, 3.0)));
 }
 
 TEST(AffineDistance, GrowsByTheLogarithmTowardsTheShadowsEdge) {
-  const CameraStation camera = make_camera_station(0.6, 8.0, 1.3, 0.0, ObserverMotion::zamo);
+  const CameraStation camera = make_camera_station(Spacetime{0.6}, 8.0, 1.3, 0.0, ObserverMotion::zamo);
   const ShadowChart chart = make_shadow_chart(camera);
   const double edge = edge_polar_angle(camera, chart, 1.0);
   const auto at = [&](double off) {
@@ -135,7 +135,7 @@ TEST(AffineDistance, GrowsByTheLogarithmTowardsTheShadowsEdge) {
 }
 
 TEST(AffineDistance, IsANumberInsideTheErgosphere) {
-  const CameraStation camera = make_camera_station(0.999, 1.3, 0.5 * pi, 0.0, ObserverMotion::zamo);
+  const CameraStation camera = make_camera_station(Spacetime{0.999}, 1.3, 0.5 * pi, 0.0, ObserverMotion::zamo);
   std::mt19937_64 random(7);
   for (int i = 0; i < 200; ++i) {
     const Vector3<double> n = random_direction(random);

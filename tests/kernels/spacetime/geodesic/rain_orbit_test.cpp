@@ -21,17 +21,19 @@ constexpr Passage passages[] = {{0.0, 1.2, 1.0, {-0.3, 0.4, 0.2}},
 
 TEST(RainOrbit, HasTheVelocityThatItWasMadeWith) {
   for (const Passage& p : passages) {
-    const RainOrbit orbit = make_rain_orbit(p.spin, p.r, p.theta, 0.8, p.velocity);
-    const Vector3<double> off = orbit_rain_velocity(p.spin, orbit.constants, orbit.state, 0.8) - p.velocity;
+    const RainOrbit orbit = make_rain_orbit(Spacetime{p.spin}, p.r, p.theta, 0.8, p.velocity);
+    const Vector3<double> off = orbit_rain_velocity(Spacetime{p.spin}, orbit.constants, orbit.state, 0.8) - p.velocity;
     EXPECT_LT(dot(off, off), 1e-26) << p.spin;
   }
 }
 
 TEST(RainOrbit, HasTheConstantsOfTheSameBodyInTheZamosFrame) {
   const Passage& p = passages[2];
-  const Vector3<double> in_zamo = observer_velocity(ObserverMotion::rain_boost, p.spin, p.r, p.theta, p.velocity);
-  const OrbitConstants expected = orbit_constants(p.spin, make_orbit(p.spin, p.r, p.theta, 0.8, in_zamo));
-  const OrbitConstants found = make_rain_orbit(p.spin, p.r, p.theta, 0.8, p.velocity).constants;
+  const Vector3<double> in_zamo =
+      observer_velocity(ObserverMotion::rain_boost, Spacetime{p.spin}, p.r, p.theta, p.velocity);
+  const OrbitConstants expected =
+      orbit_constants(Spacetime{p.spin}, make_orbit(Spacetime{p.spin}, p.r, p.theta, 0.8, in_zamo));
+  const OrbitConstants found = make_rain_orbit(Spacetime{p.spin}, p.r, p.theta, 0.8, p.velocity).constants;
   EXPECT_NEAR(found.energy, expected.energy, 1e-13);
   EXPECT_NEAR(found.axial_angular_momentum, expected.axial_angular_momentum, 1e-12);
   EXPECT_NEAR(found.polar_constant, expected.polar_constant, 1e-11);
@@ -41,8 +43,8 @@ TEST(RainOrbit, HasTheConstantsOfTheSameBodyInTheZamosFrame) {
 //! with zero radial velocity and angular momentum L [M].
 bool comes_in(double r, double axial) {
   const double across = axial / std::sqrt(axial * axial + r * r);
-  const OrbitState s = make_orbit(0.0, r, 1.5707963267948966, 0.0, {0.0, 0.0, across});
-  return falls_in(0.0, orbit_constants(0.0, s), s);
+  const OrbitState s = make_orbit(Spacetime{0.0}, r, 1.5707963267948966, 0.0, {0.0, 0.0, across});
+  return falls_in(Spacetime{0.0}, orbit_constants(Spacetime{0.0}, s), s);
 }
 
 // Around a hole without spin, the barrier of a bound body vanishes below L = √12 M; for larger L it
@@ -56,8 +58,8 @@ TEST(RainOrbit, FallsInWhereTheBarrierOfItsAngularMomentumDoesNotHoldIt) {
 }
 
 TEST(RainOrbit, DoesNotFallInWhereItGoesOutForGood) {
-  const OrbitState out = make_orbit(0.5, 8.0, 1.0, 0.0, {0.9, 0.0, 0.1});
-  EXPECT_FALSE(falls_in(0.5, orbit_constants(0.5, out), out));
+  const OrbitState out = make_orbit(Spacetime{0.5}, 8.0, 1.0, 0.0, {0.9, 0.0, 0.1});
+  EXPECT_FALSE(falls_in(Spacetime{0.5}, orbit_constants(Spacetime{0.5}, out), out));
 }
 
 }  // namespace

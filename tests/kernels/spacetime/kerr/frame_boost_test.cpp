@@ -23,9 +23,9 @@ Vector3<double> direction(int i) {
 TEST(FrameBoost, OneRayHasTheSameConstantsInBothFrames) {
   const Vector3<double> velocity = {0.3, -0.5, 0.6};
   for (const ObserverMotion motion : motions) {
-    const CameraStation observer = make_camera_station(0.9, 6.0, 1.2, 0.0, motion, velocity);
-    const CameraStation rain = make_camera_station(0.9, 6.0, 1.2, 0.0, ObserverMotion::rain);
-    const Aberration aberration = aberration_to_rain(0.9, 6.0, 1.2, motion, velocity);
+    const CameraStation observer = make_camera_station(Spacetime{0.9}, 6.0, 1.2, 0.0, motion, velocity);
+    const CameraStation rain = make_camera_station(Spacetime{0.9}, 6.0, 1.2, 0.0, ObserverMotion::rain);
+    const Aberration aberration = aberration_to_rain(Spacetime{0.9}, 6.0, 1.2, motion, velocity);
     for (int i = 0; i < 40; ++i) {
       const RayStart<double> a = start_ray(observer, direction(i));
       const RayStart<double> b = start_ray(rain, rain_direction(aberration, direction(i)));
@@ -38,7 +38,7 @@ TEST(FrameBoost, OneRayHasTheSameConstantsInBothFrames) {
 
 TEST(FrameBoost, ObservedScaleIsTheStretchOfSmallAngles) {
   const Vector3<double> velocity = {0.2, 0.7, -0.1};
-  const Aberration aberration = aberration_to_rain(0.9, 4.0, 1.2, ObserverMotion::velocity, velocity);
+  const Aberration aberration = aberration_to_rain(Spacetime{0.9}, 4.0, 1.2, ObserverMotion::velocity, velocity);
   for (int i = 0; i < 40; ++i) {
     const Vector3<double> n = direction(i);
     const Vector3<double> beside = normalized(n + 1e-6 * Vector3<double>{0.3, -0.2, 0.9});
@@ -51,9 +51,9 @@ TEST(FrameBoost, ObservedScaleIsTheStretchOfSmallAngles) {
 }
 
 TEST(FrameBoost, StaysAUnitVectorInFloatNextToTheHorizon) {
-  const double r = horizon_radius(0.9) + 1e-6;
+  const double r = horizon_radius(Spacetime{0.9}) + 1e-6;
   const AberrationOf<float> aberration =
-      converted_aberration<float>(aberration_to_rain(0.9, r, 1.2, ObserverMotion::zamo, {}));
+      converted_aberration<float>(aberration_to_rain(Spacetime{0.9}, r, 1.2, ObserverMotion::zamo, {}));
   for (int i = 0; i < 40; ++i) {
     const Vector3<double> n = direction(i);
     const Vector3<float> rain = rain_direction(

@@ -9,28 +9,9 @@
 namespace ergodome {
 namespace {
 
-TEST(KerrMetric, HorizonOfExtremalHoleIsAtOneAndOfSchwarzschildAtTwo) {
-  EXPECT_DOUBLE_EQ(horizon_radius(1.0), 1.0);
-  EXPECT_DOUBLE_EQ(horizon_radius(-1.0), 1.0);
-  EXPECT_DOUBLE_EQ(horizon_radius(0.0), 2.0);
-}
-
-TEST(KerrMetric, PhotonOrbitsAreAtOneThreeAndFour) {
-  EXPECT_NEAR(photon_orbit_radius(0.0, 1.0), 3.0, 1e-14);
-  EXPECT_NEAR(photon_orbit_radius(1.0, 1.0), 1.0, 1e-7);
-  EXPECT_NEAR(photon_orbit_radius(1.0, -1.0), 4.0, 1e-14);
-}
-
-TEST(KerrMetric, InnermostStableOrbitsAreThoseOfBardeenPressTeukolsky) {
-  EXPECT_NEAR(innermost_stable_radius(0.0, 1.0), 6.0, 1e-14);
-  EXPECT_NEAR(innermost_stable_radius(1.0, 1.0), 1.0, 1e-12);
-  EXPECT_NEAR(innermost_stable_radius(1.0, -1.0), 9.0, 1e-12);
-  EXPECT_NEAR(innermost_stable_radius(-0.7, -1.0), innermost_stable_radius(0.7, 1.0), 1e-14);
-}
-
 TEST(KerrMetric, RainReachesLightSpeedAtTheHorizon) {
   for (const double spin : {0.0, 0.5, 0.999, 1.0}) {
-    EXPECT_NEAR(kerr_functions(spin, horizon_radius(spin), 1.0).rain_speed, 1.0, 1e-12) << spin;
+    EXPECT_NEAR(kerr_functions(Spacetime{spin}, horizon_radius(Spacetime{spin}), 1.0).rain_speed, 1.0, 1e-12) << spin;
   }
 }
 
@@ -38,43 +19,38 @@ TEST(KerrMetric, DeltaKeepsItsDigitsRightAboveTheHorizon) {
   for (double above = 1e-2; above > 1e-15; above *= 0.1) {
     const double r = 1.0 + above;
     const double exact = (r - 1.0) * (r - 1.0);
-    EXPECT_NEAR(kerr_functions(1.0, r, 1.0).delta / exact, 1.0, 1e-15) << above;
-    EXPECT_NEAR(kerr_functions(-1.0, r, 1.0).delta / exact, 1.0, 1e-15) << above;
-    EXPECT_EQ(kerr_functions(0.0, 2.0 + above, 1.0).delta, (2.0 + above) * (2.0 + above - 2.0)) << above;
+    EXPECT_NEAR(kerr_functions(Spacetime{1.0}, r, 1.0).delta / exact, 1.0, 1e-15) << above;
+    EXPECT_NEAR(kerr_functions(Spacetime{-1.0}, r, 1.0).delta / exact, 1.0, 1e-15) << above;
+    EXPECT_EQ(kerr_functions(Spacetime{0.0}, 2.0 + above, 1.0).delta, (2.0 + above) * (2.0 + above - 2.0)) << above;
   }
 }
 
 TEST(CameraStation, LightStraightOutFromRightAboveAnExtremalHorizonIsShiftedByTheLapse) {
   for (double above = 1e-2; above > 1e-13; above *= 0.1) {
     const double r = 1.0 + above;
-    const RayStart<double> ray =
-        start_ray(make_camera_station(1.0, r, pi / 2, 0.0, ObserverMotion::zamo), Vector3<double>{1.0, 0.0, 0.0});
+    const RayStart<double> ray = start_ray(make_camera_station(Spacetime{1.0}, r, pi / 2, 0.0, ObserverMotion::zamo),
+                                           Vector3<double>{1.0, 0.0, 0.0});
     // In the equatorial plane, α = r (r - 1) / √A, A = r⁴ + r² + 2r.
     const double lapse = r * (r - 1.0) / std::sqrt(r * r * (r * r + 1.0) + 2.0 * r);
     EXPECT_NEAR(ray.energy / lapse, 1.0, 1e-12) << above;
   }
 }
 
-TEST(KerrMetric, StaticLimitTouchesTheHorizonOnTheAxis) {
-  EXPECT_NEAR(static_limit_radius(0.9, 0.0), horizon_radius(0.9), 1e-15);
-  EXPECT_NEAR(static_limit_radius(0.9, pi / 2), 2.0, 1e-15);
-}
-
 TEST(Observer, VelocitiesOfNamedObserversAreThoseOfTheReferenceTable) {
   for (const auto& ray : test::reference_rays()) {
-    const Vector3<double> v = observer_velocity(ray.motion, ray.a, ray.r, ray.theta, ray.beta);
+    const Vector3<double> v = observer_velocity(ray.motion, Spacetime{ray.a}, ray.r, ray.theta, ray.beta);
     EXPECT_LT(test::length(v - ray.beta), 1e-14) << "ray " << ray.id;
   }
 }
 
 TEST(Observer, StaticObserverInTheErgosphereWouldOutrunLight) {
-  const Vector3<double> v = observer_velocity(ObserverMotion::fixed, 0.9, 1.9, pi / 2, {});
+  const Vector3<double> v = observer_velocity(ObserverMotion::fixed, Spacetime{0.9}, 1.9, pi / 2, {});
   EXPECT_GE(test::length(v), 1.0);
 }
 
 TEST(Observer, CircularOrbitReachesLightSpeedAtThePhotonOrbit) {
-  const double r = photon_orbit_radius(0.5, 1.0);
-  EXPECT_NEAR(test::length(observer_velocity(ObserverMotion::geodesic, 0.5, r, pi / 2, {})), 1.0, 1e-12);
+  const double r = photon_orbit_radius(Spacetime{0.5}, 1.0);
+  EXPECT_NEAR(test::length(observer_velocity(ObserverMotion::geodesic, Spacetime{0.5}, r, pi / 2, {})), 1.0, 1e-12);
 }
 
 TEST(Observer, BoostAndItsOppositeGiveBackTheVector) {
@@ -113,16 +89,16 @@ TEST(CameraStation, RayFulfilsTheRadialAndThePolarFirstIntegral) {
 }
 
 TEST(CameraStation, RainFrameWorksOnTheHorizonItself) {
-  const double r = horizon_radius(0.9);
-  const CameraStation camera = make_camera_station(0.9, r, 1.0, 0.0, ObserverMotion::rain);
+  const double r = horizon_radius(Spacetime{0.9});
+  const CameraStation camera = make_camera_station(Spacetime{0.9}, r, 1.0, 0.0, ObserverMotion::rain);
   const RayStart<double> ray = start_ray(camera, Vector3<double>{0.6, 0.0, 0.8});
   EXPECT_TRUE(std::isfinite(ray.u_rate));
   EXPECT_GT(ray.energy, 0.0);
 }
 
 TEST(CameraStation, ZamoJustOutsideTheHorizonStillHasFiniteRaysInFloat) {
-  const double r = horizon_radius(0.999) + 1e-6;
-  const CameraStation camera = make_camera_station(0.999, r, 1.2, 0.0, ObserverMotion::zamo);
+  const double r = horizon_radius(Spacetime{0.999}) + 1e-6;
+  const CameraStation camera = make_camera_station(Spacetime{0.999}, r, 1.2, 0.0, ObserverMotion::zamo);
   const RayStart<double> exact = start_ray(camera, Vector3<double>{1.0, 0.0, 0.0});
   const RayStart<float> narrow = start_ray(converted_station<float>(camera), Vector3<float>{1.0F, 0.0F, 0.0F});
   EXPECT_NEAR(narrow.u_rate, exact.u_rate, 1e-5 * std::abs(exact.u_rate));

@@ -32,7 +32,7 @@ TEST(CriticalCurve, DistanceIsThatOfTheReferenceRaysOfZeroAngularMomentumObserve
 TEST(CriticalCurve, StaticSchwarzschildShadowIsSynges) {
   // Synge, MNRAS 131 (1966) 463: sin²ξ = 27 (1 - 2/r) / r²; ξ is acute outside r = 3.
   for (const double r : {2.001, 2.5, 2.999, 3.0, 3.001, 5.0, 40.0, 1e6}) {
-    const CameraStation camera = make_camera_station(0.0, r, 1.0, 0.0, ObserverMotion::zamo);
+    const CameraStation camera = make_camera_station(Spacetime{0.0}, r, 1.0, 0.0, ObserverMotion::zamo);
     const ShadowChart chart = make_shadow_chart(camera);
     const double sine = std::sqrt(27.0 * (1.0 - 2.0 / r)) / r;
     const double acute = std::asin(std::min(1.0, sine));
@@ -44,7 +44,7 @@ TEST(CriticalCurve, StaticSchwarzschildShadowIsSynges) {
 }
 
 TEST(CriticalCurve, ShadowAtThePhotonOrbitIsHalfTheSky) {
-  const CameraStation camera = make_camera_station(0.0, 3.0, 1.0, 0.0, ObserverMotion::zamo);
+  const CameraStation camera = make_camera_station(Spacetime{0.0}, 3.0, 1.0, 0.0, ObserverMotion::zamo);
   EXPECT_NEAR(edge_polar_angle(camera, make_shadow_chart(camera), 2.0), pi / 2, 1e-14);
 }
 
@@ -53,20 +53,20 @@ TEST(CriticalCurve, SeenFromFarTheProgradeEdgeLiesAtItsImpactParameter) {
   // a²) / (a (r - 1)) at the photon orbit r.
   const double a = 0.9;
   const double r = 1e6;
-  const CameraStation camera = make_camera_station(a, r, pi / 2, 0.0, ObserverMotion::zamo);
+  const CameraStation camera = make_camera_station(Spacetime{a}, r, pi / 2, 0.0, ObserverMotion::zamo);
   const auto impact = [&](double orbit) {
     return -(orbit * orbit * orbit - 3.0 * orbit * orbit + a * a * orbit + a * a) / (a * (orbit - 1.0));
   };
-  const double prograde = impact(photon_orbit_radius(a, 1.0));
-  const double retrograde = impact(photon_orbit_radius(a, -1.0));
+  const double prograde = impact(photon_orbit_radius(Spacetime{a}, 1.0));
+  const double retrograde = impact(photon_orbit_radius(Spacetime{a}, -1.0));
   const ShadowChart chart = make_shadow_chart(camera);
   const double width = edge_polar_angle(camera, chart, 0.0) + edge_polar_angle(camera, chart, pi);
   EXPECT_NEAR(width * r, prograde - retrograde, 2e-5);
 }
 
 TEST(CriticalCurve, IsMirroredWhenTheSpinIs) {
-  const CameraStation plus = make_camera_station(0.9, 4.0, 1.1, 0.0, ObserverMotion::zamo);
-  const CameraStation minus = make_camera_station(-0.9, 4.0, 1.1, 0.0, ObserverMotion::zamo);
+  const CameraStation plus = make_camera_station(Spacetime{0.9}, 4.0, 1.1, 0.0, ObserverMotion::zamo);
+  const CameraStation minus = make_camera_station(Spacetime{-0.9}, 4.0, 1.1, 0.0, ObserverMotion::zamo);
   const ShadowChart chart = make_shadow_chart(plus);
   for (const double gamma : {0.1, 1.0, 2.0, 3.0, 4.0, 5.5}) {
     const double alpha = edge_polar_angle(plus, chart, gamma);
@@ -77,8 +77,8 @@ TEST(CriticalCurve, IsMirroredWhenTheSpinIs) {
 }
 
 TEST(CriticalCurve, IsContinuousAsTheSpinGoesToZero) {
-  const CameraStation none = make_camera_station(0.0, 5.0, 1.0, 0.0, ObserverMotion::zamo);
-  const CameraStation tiny = make_camera_station(1e-12, 5.0, 1.0, 0.0, ObserverMotion::zamo);
+  const CameraStation none = make_camera_station(Spacetime{0.0}, 5.0, 1.0, 0.0, ObserverMotion::zamo);
+  const CameraStation tiny = make_camera_station(Spacetime{1e-12}, 5.0, 1.0, 0.0, ObserverMotion::zamo);
   for (const double gamma : {0.0, 1.0, 3.0}) {
     EXPECT_NEAR(edge_polar_angle(none, make_shadow_chart(none), gamma),
                 edge_polar_angle(tiny, make_shadow_chart(tiny), gamma), 1e-11);
@@ -88,7 +88,7 @@ TEST(CriticalCurve, IsContinuousAsTheSpinGoesToZero) {
 TEST(CriticalCurve, OfTheExtremalHoleHasTheStraightSideOfAngularMomentumTwo) {
   // a = 1: the prograde side of the shadow consists of rays with L = 2 whose double root is the
   // horizon itself.
-  const CameraStation camera = make_camera_station(1.0, 1e3, pi / 2, 0.0, ObserverMotion::zamo);
+  const CameraStation camera = make_camera_station(Spacetime{1.0}, 1e3, pi / 2, 0.0, ObserverMotion::zamo);
   const ShadowChart chart = make_shadow_chart(camera);
   for (const double gamma : {pi - 0.2, pi, pi + 0.2}) {
     const double alpha = edge_polar_angle(camera, chart, gamma);
@@ -99,7 +99,7 @@ TEST(CriticalCurve, OfTheExtremalHoleHasTheStraightSideOfAngularMomentumTwo) {
 
 //! Every great circle from the chart's center must become bright exactly once, at the curve.
 void expect_star_shaped(double a, double r, double theta, ObserverMotion motion, const Vector3<double>& beta) {
-  const CameraStation camera = make_camera_station(a, r, theta, 0.0, motion, beta);
+  const CameraStation camera = make_camera_station(Spacetime{a}, r, theta, 0.0, motion, beta);
   const ShadowChart chart = make_shadow_chart(camera);
   int wrong = 0;
   for (int g = 0; g < 16; ++g) {
@@ -119,7 +119,7 @@ TEST(CriticalCurve, DividesTheSkyOfEveryCameraIntoOneDarkAndOneBrightPart) {
   for (const double a : {0.0, 0.5, 0.999, 1.0 - 1e-6, 1.0, -0.7, -1.0}) {
     for (const double above : {1e-6, 1e-3, 0.05, 0.3, 1.0, 2.0, 5.0, 1e3, 1e6}) {
       for (const double theta : {0.0, 1e-9, 0.1, 1.5707963267948966, 2.5}) {
-        const double r = horizon_radius(a) + above;
+        const double r = horizon_radius(Spacetime{a}) + above;
         expect_star_shaped(a, r, theta, ObserverMotion::zamo, {});
         expect_star_shaped(a, r, theta, ObserverMotion::rain, {});
         expect_star_shaped(a, r, theta, ObserverMotion::velocity, {0.3, -0.4, 0.5});

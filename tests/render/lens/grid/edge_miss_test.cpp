@@ -11,9 +11,10 @@ namespace {
 //! Returns the error of the edge that a ZAMO sees according to the table of a rain observer [rad].
 double miss_of(double spin, double r, double theta = 0.5 * pi) {
   const auto observer = ObserverMotion::zamo;
-  const EdgeTable rain(Backend::cpu, make_camera_station(spin, r, theta, 0.0, ObserverMotion::rain), edge_points);
-  return edge_miss(rain.view(), make_camera_station(spin, r, theta, 0.0, observer),
-                   aberration_to_rain(spin, r, theta, observer, {}));
+  const EdgeTable rain(Backend::cpu, make_camera_station(Spacetime{spin}, r, theta, 0.0, ObserverMotion::rain),
+                       edge_points);
+  return edge_miss(rain.view(), make_camera_station(Spacetime{spin}, r, theta, 0.0, observer),
+                   aberration_to_rain(Spacetime{spin}, r, theta, observer, {}));
 }
 
 TEST(EdgeMiss, IsNothingForWhoMovesSlowlyPastTheRain) {
@@ -23,13 +24,13 @@ TEST(EdgeMiss, IsNothingForWhoMovesSlowlyPastTheRain) {
 
 TEST(EdgeMiss, IsSmallBesideHorizonsThatAreNotExtremal) {
   for (const double spin : {0.0, 0.5, 0.9, -0.9}) {
-    EXPECT_LT(miss_of(spin, horizon_radius(spin) + 1e-4), 1e-6) << spin;
+    EXPECT_LT(miss_of(spin, horizon_radius(Spacetime{spin}) + 1e-4), 1e-6) << spin;
   }
 }
 
 TEST(EdgeMiss, IsTinyUpToTheSpinForWhichNobodyAsks) {
   for (const double above : {1e-5, 1e-3, 1e-2}) {
-    EXPECT_LT(miss_of(0.999, horizon_radius(0.999) + above), 5e-5) << above;
+    EXPECT_LT(miss_of(0.999, horizon_radius(Spacetime{0.999}) + above), 5e-5) << above;
   }
 }
 

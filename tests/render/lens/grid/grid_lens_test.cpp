@@ -75,7 +75,7 @@ TEST(GridLens, WholeSkyOffTheEquatorIsThatOfDirectRays) {
 Picture picture_beside_horizon(double spin, double above, LensChoice lens) {
   Show show = show_of("[[camera.key]]\nr = 9\ntheta_deg = 90\n", "projection = \"equirect\"\nsize_px = 128\n");
   show.spin = spin;
-  show.camera.keys[0].r = horizon_radius(spin) + above;
+  show.camera.keys[0].r = horizon_radius(Spacetime{spin}) + above;
   return picture_of(show, lens);
 }
 

@@ -28,13 +28,15 @@ struct GridCase {
   GridCase(double a, double radius, double polar, ObserverMotion observer = ObserverMotion::zamo)
       : spin(a), r(radius), theta(polar), motion(observer) {
     settings.pixel = pi / 4096.0;
-    settings.observer = aberration_to_rain(spin, r, theta, motion, velocity);
+    settings.observer = aberration_to_rain(Spacetime{spin}, r, theta, motion, velocity);
     build();
   }
 
-  void build() { station = build_lens_station(spin, r, theta, settings, &statistics); }
+  void build() { station = build_lens_station(Spacetime{spin}, r, theta, settings, &statistics); }
 
-  [[nodiscard]] CameraStation camera() const { return make_camera_station(spin, r, theta, 0.0, motion, velocity); }
+  [[nodiscard]] CameraStation camera() const {
+    return make_camera_station(Spacetime{spin}, r, theta, 0.0, motion, velocity);
+  }
 };
 
 using test::Errors;
@@ -221,7 +223,7 @@ TEST(LensGrid, TwoBuildsAreTheSameToTheBit) {
 TEST(LensGrid, NodeLimitLeavesTheRestToRays) {
   GridCase c(1.0, 30.0, 0.5 * pi);
   c.r = 1.01;
-  c.settings.observer = aberration_to_rain(c.spin, c.r, c.theta, c.motion, {});
+  c.settings.observer = aberration_to_rain(Spacetime{c.spin}, c.r, c.theta, c.motion, {});
   c.settings.most_nodes = 2000;
   c.build();
   EXPECT_LE(c.statistics.nodes, 8000);

@@ -26,8 +26,8 @@ ObserverMotion motion_at(const Place& p) { return p.r > 4.0 ? ObserverMotion::ge
 std::shared_ptr<const StationBuffers> station_at(const Place& p) {
   GridSettings settings;
   settings.budget_px = test::sanitized ? 1.0 : 0.1;
-  settings.observer = aberration_to_rain(spin, p.r, p.theta, motion_at(p), {});
-  return std::make_shared<StationBuffers>(Backend::cpu, build_lens_station(spin, p.r, p.theta, settings));
+  settings.observer = aberration_to_rain(Spacetime{spin}, p.r, p.theta, motion_at(p), {});
+  return std::make_shared<StationBuffers>(Backend::cpu, build_lens_station(Spacetime{spin}, p.r, p.theta, settings));
 }
 
 //! The error between the blend of two stations and traced rays at the position in the middle, over
@@ -56,7 +56,7 @@ Comparison compare(const Place& first, const Place& second) {
   status.resize(n[0].size());
   blended_status.resize(n[0].size());
   LookUpRaysBatch<double> batch{};
-  batch.rays.camera = make_camera_station(spin, middle.r, middle.theta, 0.0, motion_at(middle));
+  batch.rays.camera = make_camera_station(Spacetime{spin}, middle.r, middle.theta, 0.0, motion_at(middle));
   batch.rays.settings = {1e-10, 100'000};
   batch.rays.count = static_cast<int>(status.size());
   RayBatch<double>& rays = batch.rays;
@@ -70,7 +70,7 @@ Comparison compare(const Place& first, const Place& second) {
   launch(Backend::cpu, rays);
   const StationBlend blend(Backend::cpu, station_at(first), station_at(second), {middle.r, middle.theta});
   batch.lens = blend.view();
-  batch.aberration = aberration_to_rain(spin, middle.r, middle.theta, motion_at(middle), {});
+  batch.aberration = aberration_to_rain(Spacetime{spin}, middle.r, middle.theta, motion_at(middle), {});
   for (int k = 0; k < 3; ++k) {
     rays.sky[k] = blended[k].data();
   }
@@ -131,14 +131,14 @@ double error_beside(double dr, double dtheta) {
   const Place here = {6.0, 1.2};
   GridSettings settings;
   settings.derivatives = true;
-  settings.observer = aberration_to_rain(spin, here.r, here.theta, ObserverMotion::zamo, {});
+  settings.observer = aberration_to_rain(Spacetime{spin}, here.r, here.theta, ObserverMotion::zamo, {});
   const auto station =
-      std::make_shared<StationBuffers>(Backend::cpu, build_lens_station(spin, here.r, here.theta, settings));
+      std::make_shared<StationBuffers>(Backend::cpu, build_lens_station(Spacetime{spin}, here.r, here.theta, settings));
   const Place eye = {here.r + dr, here.theta + dtheta};
   const StationBlend beside(Backend::cpu, station, {eye.r, eye.theta});
-  return test::screen_errors(beside.view(), make_camera_station(spin, eye.r, eye.theta, 0.0, ObserverMotion::zamo),
-                             aberration_to_rain(spin, eye.r, eye.theta, ObserverMotion::zamo, {}), settings.pixel,
-                             10'000)
+  return test::screen_errors(
+             beside.view(), make_camera_station(Spacetime{spin}, eye.r, eye.theta, 0.0, ObserverMotion::zamo),
+             aberration_to_rain(Spacetime{spin}, eye.r, eye.theta, ObserverMotion::zamo, {}), settings.pixel, 10'000)
       .at(0.99);
 }
 
@@ -162,8 +162,8 @@ TEST(StationBlend, ErrorBesideAStationGrowsWithTheSquareOfTheDistance) {
 TEST(StationBlend, AtAStationItReadsAsThatStation) {
   const auto a = station_at({6.0, 1.0});
   const auto b = station_at({7.0, 1.0});
-  const CameraStation camera = make_camera_station(spin, 6.0, 1.0, 0.0, motion_at({6.0, 1.0}));
-  const Aberration observer = aberration_to_rain(spin, 6.0, 1.0, motion_at({6.0, 1.0}), {});
+  const CameraStation camera = make_camera_station(Spacetime{spin}, 6.0, 1.0, 0.0, motion_at({6.0, 1.0}));
+  const Aberration observer = aberration_to_rain(Spacetime{spin}, 6.0, 1.0, motion_at({6.0, 1.0}), {});
   test::Rays alone = test::random_rays(500, 3);
   test::Rays blended = alone;
   test::read_through(StationBlend(a).view(), camera, observer, alone);

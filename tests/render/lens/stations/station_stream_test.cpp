@@ -32,9 +32,9 @@ class StationStreaming : public test::FolderTest {
   [[nodiscard]] TrajectoryReader make_file(int stations) {
     GridSettings settings;
     settings.pixel = 0.05;
-    settings.observer = aberration_to_rain(0.9, 9.0, 1.2, ObserverMotion::zamo, {});
-    LensStation station = build_lens_station(0.9, 9.0, 1.2, settings);
-    TrajectoryJournal journal(file().string() + ".part", {"1", "", 0.9, 0.05, 0.1, false});
+    settings.observer = aberration_to_rain(Spacetime{0.9}, 9.0, 1.2, ObserverMotion::zamo, {});
+    LensStation station = build_lens_station(Spacetime{0.9}, 9.0, 1.2, settings);
+    TrajectoryJournal journal(file().string() + ".part", {"1", "", Spacetime{0.9}, 0.05, 0.1, false});
     std::vector<double> times_s;
     for (int i = 0; i < stations; ++i) {
       station.r = 9.0 - 1e-4 * i;

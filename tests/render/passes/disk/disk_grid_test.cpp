@@ -67,7 +67,7 @@ ReadCrossing read_crossing(const DiskStation& station, const Aberration& observe
   read.shown = (station.orders[static_cast<std::size_t>(leaf.number)] >> static_cast<unsigned>(order) & 1U) != 0U;
   read.u = dual(station.pattern ? 0 : order);
   if (station.pattern) {
-    const HorizonWinding<double> horizon = horizon_winding(station.cells.spin);
+    const HorizonWinding<double> horizon = horizon_winding(station.cells.spacetime.spin);
     const double rate = winding_rate(horizon, read.u.value);
     const Dual<double> wound = {winding(horizon, read.u.value), rate * read.u.along_x, rate * read.u.along_y};
     const Dual<double> cosine = dual(1);
@@ -87,13 +87,13 @@ double change_of(const Dual<double>& a) { return std::hypot(a.along_x, a.along_y
 //! Returns the grid of a disk from the innermost stable orbit outwards, with its pattern.
 DiskStation station_for(double spin, double r, double theta, const Aberration& observer, double outer_r, double pixel) {
   DiskGridSettings settings;
-  settings.inner_r = innermost_stable_radius(spin, 1.0);
+  settings.inner_r = innermost_stable_radius(Spacetime{spin}, 1.0);
   settings.outer_r = outer_r;
   settings.pattern = true;
   settings.pixel = pixel;
   settings.budget_px = table_budget_px;
   settings.observer = observer;
-  return build_disk_station(spin, r, theta, settings);
+  return build_disk_station(Spacetime{spin}, r, theta, settings);
 }
 
 //! A crossing of the reference table, read from a grid that is built for its camera.
@@ -107,8 +107,8 @@ std::vector<TableReading> read_table() {
   std::vector<TableReading> readings;
   DiskStation station;
   for (const test::ReferenceCrossing& row : test::reference_crossings()) {
-    const Aberration observer = aberration_to_rain(row.a, row.r, row.theta, row.motion, row.beta);
-    if (station.cells.spin != row.a || station.cells.r != row.r || station.cells.theta != row.theta ||
+    const Aberration observer = aberration_to_rain(Spacetime{row.a}, row.r, row.theta, row.motion, row.beta);
+    if (station.cells.spacetime.spin != row.a || station.cells.r != row.r || station.cells.theta != row.theta ||
         station.cells.tree.empty()) {
       station = station_for(row.a, row.r, row.theta, observer, 20.0, table_pixel);
     }
@@ -196,7 +196,7 @@ struct Comparison {
 };
 
 Comparison compare_with_rays(const DiskCase& at, const DiskStation& station, const Aberration& observer) {
-  const CameraStation camera = make_camera_station(at.spin, at.r, at.theta, 0.0, at.motion);
+  const CameraStation camera = make_camera_station(Spacetime{at.spin}, at.r, at.theta, 0.0, at.motion);
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   // At most as wide as the disk and its images appear.
@@ -242,7 +242,7 @@ double share(std::vector<double> values, double part) {
 }
 
 TEST(DiskGrid, IsHalfForACameraOnTheEquatorAndHasTheOtherHalfToo) {
-  const Aberration observer = aberration_to_rain(0.9, 30.0, 0.5 * pi, ObserverMotion::zamo, {});
+  const Aberration observer = aberration_to_rain(Spacetime{0.9}, 30.0, 0.5 * pi, ObserverMotion::zamo, {});
   const DiskStation station = station_for(0.9, 30.0, 0.5 * pi, observer, 20.0, table_pixel);
   EXPECT_TRUE(station.cells.mirrored);
   for (const double across : {-0.3, 0.1, 0.4}) {
@@ -256,8 +256,8 @@ TEST(DiskGrid, IsHalfForACameraOnTheEquatorAndHasTheOtherHalfToo) {
 
 TEST(DiskGrid, HoldsNoAzimuthAndTimeWithoutAPattern) {
   DiskGridSettings settings;
-  settings.observer = aberration_to_rain(0.5, 30.0, 1.2, ObserverMotion::zamo, {});
-  const DiskStation station = build_disk_station(0.5, 30.0, 1.2, settings);
+  settings.observer = aberration_to_rain(Spacetime{0.5}, 30.0, 1.2, ObserverMotion::zamo, {});
+  const DiskStation station = build_disk_station(Spacetime{0.5}, 30.0, 1.2, settings);
   EXPECT_EQ(station.sets(), 1);
   EXPECT_GT(station.nodes[0].size(), 0U);
   EXPECT_TRUE(station.nodes[1].empty() && station.nodes[2].empty());
@@ -269,7 +269,7 @@ TEST(DiskGrid, KeepsItsBudgetAtEveryPlace) {
   for (std::size_t i = 0; i < disk_cases().size(); i += stride) {
     const DiskCase& at = disk_cases()[i];
     SCOPED_TRACE(testing::Message() << "a " << at.spin << " r " << at.r << " theta " << at.theta);
-    const Aberration observer = aberration_to_rain(at.spin, at.r, at.theta, at.motion, {});
+    const Aberration observer = aberration_to_rain(Spacetime{at.spin}, at.r, at.theta, at.motion, {});
     const DiskStation station = station_for(at.spin, at.r, at.theta, observer, at.outer_r, at.pixel());
     const Comparison found = compare_with_rays(at, station, observer);
     ASSERT_GT(found.radius_px.size(), test::sanitized ? 50U : 100U);

@@ -17,19 +17,19 @@ constexpr double budget_px = 0.25;
 
 DiskGridSettings settings_at(const LensPlace& place, bool pattern, bool derivatives) {
   DiskGridSettings settings;
-  settings.inner_r = innermost_stable_radius(spin, 1.0);
+  settings.inner_r = innermost_stable_radius(Spacetime{spin}, 1.0);
   settings.outer_r = 15.0;
   settings.pattern = pattern;
   settings.pixel = 2e-3;
   settings.budget_px = 0.5 * budget_px;
-  settings.observer = aberration_to_rain(spin, place.r, place.theta, ObserverMotion::zamo, {});
+  settings.observer = aberration_to_rain(Spacetime{spin}, place.r, place.theta, ObserverMotion::zamo, {});
   settings.derivatives = derivatives;
   return settings;
 }
 
 std::shared_ptr<const DiskStation> station_at(const LensPlace& place, bool pattern = false, bool derivatives = true) {
   return std::make_shared<const DiskStation>(
-      build_disk_station(spin, place.r, place.theta, settings_at(place, pattern, derivatives)));
+      build_disk_station(Spacetime{spin}, place.r, place.theta, settings_at(place, pattern, derivatives)));
 }
 
 std::shared_ptr<const JoinedDisk> joined(const LensPlace& first, const LensPlace& second, bool pattern = false,
@@ -41,7 +41,8 @@ std::shared_ptr<const JoinedDisk> joined(const LensPlace& first, const LensPlace
 //! Returns the error of a grid at a position, which all but a hundredth of the samples that show
 //! the disk stay below [px].
 double error_px(const DiskGrid& grid, const DiskStation& cells, const LensPlace& place) {
-  return measure_disk_error(grid, spin, place, settings_at(place, cells.pattern, true), leaf_samples(cells.cells))
+  return measure_disk_error(grid, Spacetime{spin}, place, settings_at(place, cells.pattern, true),
+                            leaf_samples(cells.cells))
       .p99_px;
 }
 

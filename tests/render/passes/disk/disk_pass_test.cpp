@@ -53,7 +53,7 @@ struct ExactRay {
 };
 
 ExactRay exact_ray(const EyeCamera& eye, const Projection& projection, int x, int y) {
-  const CameraStation camera = make_camera_station(eye.spin, eye.r, eye.theta, 0.0, eye.motion, eye.velocity);
+  const CameraStation camera = make_camera_station(eye.spacetime, eye.r, eye.theta, 0.0, eye.motion, eye.velocity);
   const Vector3<double> view = direction_from_pixel(projection, x + 0.5, y + 0.5);
   const auto row = [&](int i) {
     const double* m = eye.frame_from_view[i];
@@ -61,7 +61,7 @@ ExactRay exact_ray(const EyeCamera& eye, const Projection& projection, int x, in
   };
   ExactRay exact{};
   exact.ray = start_near_ray(camera, Vector3<double>{row(0), row(1), row(2)});
-  trace_crossings<20, true>(eye.spin, exact.ray, {1e-7, 1e-15, 4000}, true, exact.crossings);
+  trace_crossings<20, true>(eye.spacetime.spin, exact.ray, {1e-7, 1e-15, 4000}, true, exact.crossings);
   return exact;
 }
 
@@ -199,7 +199,7 @@ int single_pixels(const DrawnDisk& drawn) {
 //! Returns a camera that falls through the horizon as rain and faces the hole, except for an offset
 //! of some fractions of a pixel.
 EyeCamera eye_at_horizon(double spin, double theta, double right_rad, double up_rad) {
-  EyeCamera eye = eye_at(spin, horizon_radius(spin), theta, ObserverMotion::rain);
+  EyeCamera eye = eye_at(spin, horizon_radius(Spacetime{spin}), theta, ObserverMotion::rain);
   const double back[3] = {std::cos(right_rad) * std::cos(up_rad), std::sin(up_rad),
                           -std::sin(right_rad) * std::cos(up_rad)};
   const double right[3] = {std::sin(right_rad), 0.0, std::cos(right_rad)};
@@ -217,7 +217,7 @@ EyeCamera eye_at_horizon(double spin, double theta, double right_rad, double up_
 // such light cannot be.
 TEST(DiskPass, HasNoSinglePixelsWhereItFallsIntoAFastHole) {
   constexpr double spin = 0.998;
-  DiskSettings disk = uniform_disk(1.0005 * horizon_radius(spin), 16.0);
+  DiskSettings disk = uniform_disk(1.0005 * horizon_radius(Spacetime{spin}), 16.0);
   disk.plunging = true;
   for (int i = 1; i <= 8; ++i) {
     const EyeCamera eye = eye_at_horizon(spin, 1.2217, 0.0096 * std::fmod(0.7548776662 * i, 1.0),
@@ -251,10 +251,10 @@ TEST(DiskPass, IsLightThroughoutAtFullSpin) {
 TEST(DiskTemperature, IsTheSettingWhereTheFluxIsGreatest) {
   DiskSettings settings;
   settings.temperature_k = 5000.0;
-  EXPECT_NEAR(disk_temperature(settings, 0.0, 9.55), 5000.0, 0.1);
-  EXPECT_NEAR(std::pow(disk_temperature(settings, 0.0, 30.0) / 5000.0, 4.0),
-              page_thorne_flux(0.0, 30.0) / page_thorne_flux(0.0, 9.55), 1e-4);
-  EXPECT_EQ(disk_temperature(settings, 0.0, 6.0), 0.0);
+  EXPECT_NEAR(disk_temperature(settings, Spacetime{0.0}, 9.55), 5000.0, 0.1);
+  EXPECT_NEAR(std::pow(disk_temperature(settings, Spacetime{0.0}, 30.0) / 5000.0, 4.0),
+              page_thorne_flux(Spacetime{0.0}, 30.0) / page_thorne_flux(Spacetime{0.0}, 9.55), 1e-4);
+  EXPECT_EQ(disk_temperature(settings, Spacetime{0.0}, 6.0), 0.0);
 }
 
 }  // namespace

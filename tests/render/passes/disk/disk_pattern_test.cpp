@@ -20,17 +20,17 @@ using test::uniform_disk;
 
 TEST(DiskPattern, GoesOnSmoothlyFromPeriodToPeriodHoweverLateItIs) {
   const DiskSettings settings = uniform_disk(6.0, 18.0);
-  const double period = static_cast<double>(pattern_time(settings, 0.3, 0.0).period);
+  const double period = static_cast<double>(pattern_time(settings, Spacetime{0.3}, 0.0).period);
   for (const double start : {0.0, 2e10}) {
-    const std::uint32_t cycle = pattern_time(settings, 0.3, start).cycle;
+    const std::uint32_t cycle = pattern_time(settings, Spacetime{0.3}, start).cycle;
     double earlier = start;
     double later = start + 1.01 * period;
     for (int round = 0; round < 40; ++round) {
       const double middle = 0.5 * (earlier + later);
-      (pattern_time(settings, 0.3, middle).cycle == cycle ? earlier : later) = middle;
+      (pattern_time(settings, Spacetime{0.3}, middle).cycle == cycle ? earlier : later) = middle;
     }
-    const PatternTime before = pattern_time(settings, 0.3, earlier);
-    const PatternTime after = pattern_time(settings, 0.3, later);
+    const PatternTime before = pattern_time(settings, Spacetime{0.3}, earlier);
+    const PatternTime after = pattern_time(settings, Spacetime{0.3}, later);
     EXPECT_EQ(after.cycle, cycle + 1U) << start;
     const float a = disk_pattern(before, 10.0F, 1.0F, 0.03F, 25.0F, 0.0F);
     const float b = disk_pattern(after, 10.0F, 1.0F, 0.03F, 25.0F, 0.0F);
@@ -40,7 +40,7 @@ TEST(DiskPattern, GoesOnSmoothlyFromPeriodToPeriodHoweverLateItIs) {
 
 TEST(DiskPattern, FollowsTheFlow) {
   // A point of the pattern at φ was at φ - Ω t earlier; the delay of its light is such a t.
-  const PatternTime now = pattern_time(uniform_disk(6.0, 18.0), 0.0, 60.0);
+  const PatternTime now = pattern_time(uniform_disk(6.0, 18.0), Spacetime{0.0}, 60.0);
   PatternTime later = now;
   later.age += 5.0F;
   const float rotation = 0.02F;
@@ -56,9 +56,9 @@ void let_rain(Show& show, double least_r) {
   settings.clock = 1.0;
   settings.ease_s = 0.0;
   settings.least_r = least_r;
-  const Vector3<double> velocity = observer_velocity(ObserverMotion::rain, show.spin, from_r, 0.0, {});
-  show.camera.orbit =
-      std::make_shared<const FreeFall>(show.spin, FallStart{from_r, 0.0, 0.0, velocity}, settings, nullptr, 80.0);
+  const Vector3<double> velocity = observer_velocity(ObserverMotion::rain, spacetime_of(show), from_r, 0.0, {});
+  show.camera.orbit = std::make_shared<const FreeFall>(spacetime_of(show), FallStart{from_r, 0.0, 0.0, velocity},
+                                                       settings, nullptr, 80.0);
 }
 
 //! Light from the first crossing of a disk, in one direction from a camera on the axis.
@@ -104,10 +104,10 @@ TEST(DiskPattern, RunsFastOrSlowByTheShiftOfItsLightForWhoFallsIn) {
       const auto emitted = [&](double at_s, double* frequency) {
         const FallPlace place = show.camera.orbit->at(at_s);
         const CameraStation camera =
-            make_camera_station(spin, place.r, place.theta, 0.0, ObserverMotion::rain_boost, place.velocity);
+            make_camera_station(Spacetime{spin}, place.r, place.theta, 0.0, ObserverMotion::rain_boost, place.velocity);
         const LightOfDisk light = light_from(camera, outward_r);
         *frequency = light.frequency;
-        const PatternTime pattern = pass.look_at(at_s, outer_lag(spin, place.r)).pattern;
+        const PatternTime pattern = pass.look_at(at_s, outer_lag(Spacetime{spin}, place.r)).pattern;
         return static_cast<double>(pattern.cycle) * static_cast<double>(pattern.period) +
                static_cast<double>(pattern.age) - light.delay;
       };
@@ -122,7 +122,7 @@ TEST(DiskPattern, RunsFastOrSlowByTheShiftOfItsLightForWhoFallsIn) {
 }
 
 TEST(DiskPattern, IsNothingWhereTimeHasNoEnd) {
-  const PatternTime now = pattern_time(uniform_disk(6.0, 18.0), 0.0, 60.0);
+  const PatternTime now = pattern_time(uniform_disk(6.0, 18.0), Spacetime{0.0}, 60.0);
   for (const float endless : {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
     EXPECT_EQ(disk_pattern(now, 9.0F, 1.0F, 0.02F, endless, 0.0F), 0.0F);
     EXPECT_EQ(disk_pattern(now, 9.0F, endless, 0.02F, 10.0F, 0.0F), 0.0F);
@@ -130,7 +130,7 @@ TEST(DiskPattern, IsNothingWhereTimeHasNoEnd) {
 }
 
 TEST(DiskPattern, ClosesAroundTheDisk) {
-  const PatternTime now = pattern_time(uniform_disk(6.0, 18.0), 0.0, 60.0);
+  const PatternTime now = pattern_time(uniform_disk(6.0, 18.0), Spacetime{0.0}, 60.0);
   EXPECT_NEAR(disk_pattern(now, 9.0F, -3.14159265F, 0.02F, 10.0F, 0.0F),
               disk_pattern(now, 9.0F, 3.14159265F, 0.02F, 10.0F, 0.0F), 1e-3F);
 }

@@ -67,7 +67,8 @@ class FlatWalk {
     if (show.disk) {
       disk_.emplace(show, Backend::cpu);
       look_ = disk_->look_at(0.0);
-      limits_ = layer_limits(show.spin, static_cast<double>(look_.inner_r), static_cast<double>(look_.outer_r));
+      limits_ =
+          layer_limits(spacetime_of(show), static_cast<double>(look_.inner_r), static_cast<double>(look_.outer_r));
       limits_.tolerance = 1e-9;
     }
   }

@@ -90,7 +90,8 @@ inline SeenPlace seen_place(const EyeCamera& head, const Vector3<double>& place)
   const ConnectingRay ray = connecting_ray(head.r, r, std::atan2(aside, at.x));
   const Vector3<double> rest = {std::cos(ray.xi), std::sin(ray.xi) * at.y / aside, std::sin(ray.xi) * at.z / aside};
   // Energies: 1 at infinity, 1 / √(1 - 2/r) at rest at the camera; the motion then changes it.
-  const FrameBoost boost = frame_boost(observer_velocity(head.motion, head.spin, head.r, head.theta, head.velocity));
+  const FrameBoost boost =
+      frame_boost(observer_velocity(head.motion, head.spacetime, head.r, head.theta, head.velocity));
   double energy = 1.0;
   const Vector3<double> n = aberrated(FrameBoost{boost.axis, 1.0 / boost.stretch}, rest, energy);
   return {in_view(head, n), ray.affine_distance / std::sqrt(1.0 - 2.0 / head.r) * energy};

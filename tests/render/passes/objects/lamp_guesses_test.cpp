@@ -31,7 +31,7 @@ struct LitScene {
   }
 
   [[nodiscard]] std::vector<LampCorrections> guesses(double spin) const {
-    return lamp_guesses(spin, {show.light->position, 1.0}, show.objects, outlines);
+    return lamp_guesses(Spacetime{spin}, {show.light->position, 1.0}, show.objects, outlines);
   }
 };
 
@@ -66,7 +66,7 @@ TEST(LampGuesses, LeadToTheRaysThatAreFoundFromNothing) {
     const Vector3<double> point = {12.0 + std::cos(azimuth), std::sin(azimuth), 0.06 * i - 0.5};
     for (int way = 0; way < 2; ++way) {
       const auto find = [&](RayCorrection correction, LightRay& ray) {
-        return light_ray(0.9, local_frame(0.9, point), point, scene.show.light->position, way + 1,
+        return light_ray(Spacetime{0.9}, local_frame(Spacetime{0.9}, point), point, scene.show.light->position, way + 1,
                          LightRayParts::spread, correction, ray);
       };
       LightRay from_guess{};

@@ -23,7 +23,7 @@ class ObjectRaysAndPolygons : public test::ObjectScenes {
   //! Returns for each pixel whether its middle sees an object.
   static std::vector<bool> seen_by_rays(const Show& show, const EyeCamera& eye, const Projection& projection) {
     const ObjectRays rays(show, 0.0);
-    const CameraStation camera = make_camera_station(0.0, eye.r, eye.theta, eye.phi, eye.motion);
+    const CameraStation camera = make_camera_station(Spacetime{0.0}, eye.r, eye.theta, eye.phi, eye.motion);
     std::vector<bool> seen;
     for (int y = 0; y < size_px; ++y) {
       for (int x = 0; x < size_px; ++x) {
@@ -122,7 +122,7 @@ TEST(ObjectRays, MeetAnObjectWhereItIsByTheShowsTime) {
   sphere.size = 0.5;
   sphere.orbit = ObjectOrbit{};
   show.objects = {sphere};
-  const CameraStation camera = make_camera_station(0.0, 30.0, 0.5 * pi, 0.0, ObserverMotion::fixed);
+  const CameraStation camera = make_camera_station(Spacetime{0.0}, 30.0, 0.5 * pi, 0.0, ObserverMotion::fixed);
   const auto now = ObjectRays(show, 0.0).look(camera, {-1.0, 0.0, 0.0});
   ASSERT_TRUE(now && now->mesh == 0);
   EXPECT_NEAR(now->point.x, 10.5, 0.02);
@@ -141,7 +141,8 @@ TEST(ObjectRays, NameTheTriangleOfTheMesh) {
   sphere.position = {10.0, 0.0, 0.0};
   show.objects = {sphere};
   const ObjectRays rays(show, 0.0);
-  const auto hit = rays.look(make_camera_station(0.0, 30.0, 0.5 * pi, 0.0, ObserverMotion::fixed), {-1.0, 0.0, 0.0});
+  const auto hit =
+      rays.look(make_camera_station(Spacetime{0.0}, 30.0, 0.5 * pi, 0.0, ObserverMotion::fixed), {-1.0, 0.0, 0.0});
   ASSERT_TRUE(hit && hit->mesh == 0);
   const TriangleMesh mesh = make_sphere({});
   const std::size_t first = 3 * static_cast<std::size_t>(rays.triangle(*hit));

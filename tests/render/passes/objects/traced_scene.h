@@ -74,7 +74,7 @@ inline Vector3<double> observed(const EyeCamera& eye, const Projection& projecti
 }
 
 inline CameraStation station(const EyeCamera& eye) {
-  return make_camera_station(eye.spin, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity);
+  return make_camera_station(eye.spacetime, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity);
 }
 
 }  // namespace ergodome::test

@@ -54,11 +54,11 @@ TEST_F(Overlays, BehindTheDomeAreWhereThePictureHasTheSky) {
 }
 
 TEST(CameraReadout, SaysSpinDistanceAndLatitude) {
-  const LocalText text = readout_text(0.999, 14.2, 80.0 * one_degree);
+  const LocalText text = readout_text(Spacetime{0.999}, 14.2, 80.0 * one_degree);
   EXPECT_EQ(text_in(text, "en"), "spin a/M 0.999, distance r 14.20 M, latitude 10.0°");
   EXPECT_EQ(text_in(text, "de-AT"), "Spin a/M 0.999, Abstand r 14.20 M, Breite 10.0°");
   EXPECT_EQ(text_in(text, "fr"), text_in(text, "en"));
-  EXPECT_EQ(text_in(readout_text(-1.0, 1.5e6, 0.5 * pi + 1e-9), "en"),
+  EXPECT_EQ(text_in(readout_text(Spacetime{-1.0}, 1.5e6, 0.5 * pi + 1e-9), "en"),
             "spin a/M -1, distance r 1.5e+06 M, latitude 0.0°");
 }
 

@@ -90,7 +90,7 @@ Vector3<double> observed(const EyeCamera& eye, const Projection& projection, dou
 }
 
 NearRay<double> exact_shell_ray(const EyeCamera& eye, const Projection& projection, int x, int y) {
-  const CameraStation camera = make_camera_station(eye.spin, eye.r, eye.theta, 0.0, eye.motion, eye.velocity);
+  const CameraStation camera = make_camera_station(eye.spacetime, eye.r, eye.theta, 0.0, eye.motion, eye.velocity);
   return start_near_ray(camera, observed(eye, projection, x + 0.5, y + 0.5));
 }
 
@@ -104,7 +104,7 @@ std::vector<Met> met(const EyeCamera& eye, const Projection& projection, int x, 
     u.push_back(1.0 / r);
   }
   Collector collector;
-  trace_shells<20, NearParts::azimuth>(eye.spin, exact_shell_ray(eye, projection, x, y),
+  trace_shells<20, NearParts::azimuth>(eye.spacetime.spin, exact_shell_ray(eye, projection, x, y),
                                        {u.data(), static_cast<int>(u.size())}, {1e-15, 4000}, true, collector);
   return collector.met;
 }
@@ -160,7 +160,7 @@ TEST(ShellPass, ShowsOfOpaqueShellsTheNearestAlone) {
 TEST(ShellPass, HidesTheHoleItselfBehindAShellJustAboveTheHorizon) {
   for (const double spin : {0.0, 0.9, -0.9}) {
     const Drawn drawn =
-        draw(show_with(spin, {filled(horizon_radius(spin) * 1.001, 1.0)}), eye_at(spin, 20.0, 1.2), 0.1);
+        draw(show_with(spin, {filled(horizon_radius(Spacetime{spin}) * 1.001, 1.0)}), eye_at(spin, 20.0, 1.2), 0.1);
     for (int y = 0; y < shell_size_px; y += 5) {
       for (int x = 0; x < shell_size_px; x += 5) {
         EXPECT_NEAR(drawn.alpha(x, y), 1.0F, 1e-3F) << spin;

@@ -26,14 +26,14 @@ inline const Place places[] = {{0.999, 5.0, pi / 2, 0.7, ObserverMotion::geodesi
                                {0.9, 12.0, 0.4, 4.0, ObserverMotion::rain}};
 
 inline EyeCamera eye_at_place(const Place& place) {
-  EyeCamera eye{place.spin, place.r, place.theta, place.phi, place.motion, {}, {}, place.r, place.theta};
+  EyeCamera eye{Spacetime{place.spin}, place.r, place.theta, place.phi, place.motion, {}, {}, place.r, place.theta};
   const double at_hole[3][3] = {{0, 0, 1}, {0, -1, 0}, {1, 0, 0}};
   std::copy(&at_hole[0][0], &at_hole[0][0] + 9, &eye.frame_from_view[0][0]);
   return eye;
 }
 
 inline CameraStation camera_of(const EyeCamera& eye) {
-  return make_camera_station(eye.spin, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity);
+  return make_camera_station(eye.spacetime, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity);
 }
 
 inline const BlackbodyColours& colours() {

@@ -182,7 +182,7 @@ TEST(ShiftGains, AreNeverLessThanWhatAStarGains) {
 TEST(BezierPatch, IsThePatchOfTheLensGrid) {
   GridSettings settings;
   settings.budget_px = 1.0;
-  const LensStation station = build_lens_station(0.9, 6.0, 1.0, settings);
+  const LensStation station = build_lens_station(Spacetime{0.9}, 6.0, 1.0, settings);
   const LensGrid grid = grid_view(station);
   const auto boxes = leaf_boxes(station);
   for (std::size_t leaf = 0; leaf < boxes.size(); leaf += 7) {

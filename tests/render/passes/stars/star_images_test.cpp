@@ -93,9 +93,9 @@ TEST_P(StarImages, DoNotDependOnTheGrid) {
   GridSettings grid;
   grid.pixel = settings.pixel;
   grid.budget_px = 0.003;
-  grid.observer = aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity);
+  grid.observer = aberration_to_rain(eye.spacetime, eye.r, eye.theta, eye.motion, eye.velocity);
   grid.inverted = true;
-  const LensStation station = build_lens_station(eye.spin, eye.r, eye.theta, grid);
+  const LensStation station = build_lens_station(eye.spacetime, eye.r, eye.theta, grid);
   const auto fine = find_star_images(field, colours().view(), eye, station,
                                      star_patches(field, colours().view(), eye, station, settings), settings);
   // Except for images at the brightness limit, or so close to the edge that pairs of higher orders

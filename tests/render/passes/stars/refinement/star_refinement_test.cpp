@@ -82,7 +82,7 @@ TEST(StarOnAFold, IsSoughtOn) {
 
 //! Returns candidates near images that rays have found, some of them with their star moved away.
 std::vector<StarCandidate> candidates_about(const EyeCamera& eye) {
-  const CameraStation camera = make_camera_station(eye.spin, eye.r, eye.theta, 0.0, eye.motion, eye.velocity);
+  const CameraStation camera = make_camera_station(eye.spacetime, eye.r, eye.theta, 0.0, eye.motion, eye.velocity);
   std::vector<StarCandidate> candidates;
   constexpr int count = 700;
   candidates.reserve(count);

@@ -37,7 +37,7 @@ class CorrectedImages : public testing::TestWithParam<test::Place> {
       s.push_back(static_cast<float>(box.s + static_cast<double>(v) * box.height));
     }
     GridTracer<double> tracer;
-    const CameraStation rain = make_camera_station(eye.spin, eye.r, eye.theta, 0.0, ObserverMotion::rain);
+    const CameraStation rain = make_camera_station(eye.spacetime, eye.r, eye.theta, 0.0, ObserverMotion::rain);
     seen_ = tracer.nodes_of({rain, grid_view(station_).chart, {1e-12, 1000, true}}, gamma_turns, s);
   }
 
@@ -141,7 +141,7 @@ INSTANTIATE_TEST_SUITE_P(Cameras, CorrectedImages, testing::ValuesIn(test::place
 TEST(CorrectedGrid, OfAStationThatKeptNoChecksKnowsNoErrors) {
   GridSettings settings;
   settings.budget_px = 1.0;
-  const CorrectedGrid grid(build_lens_station(0.9, 6.0, 1.0, settings));
+  const CorrectedGrid grid(build_lens_station(Spacetime{0.9}, 6.0, 1.0, settings));
   EXPECT_GT(grid.errors(0).displaced, 1e6F);
   EXPECT_GT(grid.errors(0).left, 1e6F);
 }
