@@ -1,12 +1,44 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <span>
 
 #include "app/budget/budget.h"
-#include "app/budget/measured_setting.h"
+#include "render/frame/show_renderer.h"
 
 namespace ergodome {
+
+//! Settings of a picture with their measured error and time; NaN if not measured.
+struct MeasuredSetting {
+  FrameQuality quality;  //!< its budget is in pixels of the whole picture
+  //! 99 % quantile of the displacement of directions, at the worst of the measured times [px of the
+  //! whole picture].
+  double error_px = std::numeric_limits<double>::quiet_NaN();
+  //! Time to build the lens for a new camera position; 0 if the camera does not move.
+  double lens_ms = std::numeric_limits<double>::quiet_NaN();
+  //! Time of a picture whose lens exists: the constant part, and the part proportional to its
+  //! pixels, for the whole picture.
+  double fixed_ms = std::numeric_limits<double>::quiet_NaN();
+  double pixels_ms = std::numeric_limits<double>::quiet_NaN();
+  //! Number of times at which the error was measured; fewer than all if the error was too large at
+  //! one, or if time ran out.
+  int moments = 0;
+
+  //! Returns the time of a picture with a share of the pixels, whose lens exists [ms].
+  [[nodiscard]] double picture_ms(double pixel_share = 1.0) const { return fixed_ms + pixel_share * pixels_ms; }
+  //! Returns the time of a whole frame with its lens [ms].
+  [[nodiscard]] double frame_ms() const { return lens_ms + picture_ms(); }
+};
+
+//! Safety factor: a setting is within a budget if its measured error is below this share of it,
+//! because unmeasured times and pixels may be worse. Close to a spinning hole they were up to 1.8
+//! times worse.
+inline constexpr double kept_share = 0.5;
+
+//! Returns whether an error is within a budget, including the safety factor.
+inline bool is_within(double error_px, double budget_px) { return error_px <= kept_share * budget_px; }
 
 //! Which half of a budget has priority if both cannot be met: the error for files, the rate for a
 //! show on the screen.

@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "app/budget/budget_check.h"
 #include "app/budget/budget_choice.h"
-#include "app/budget/rate_record.h"
+#include "app/budget/lens_error.h"
+#include "app/budget/rate_keeper.h"
 #include "app/budget/settings_ladder.h"
 #include "app/budget/settings_measurement.h"
 

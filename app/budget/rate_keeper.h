@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <deque>
+#include <limits>
 #include <vector>
 
 namespace ergodome {
@@ -45,6 +47,53 @@ class RateKeeper {
   long patience_;                   //!< number of such frames to wait for
   bool trying_ = false;             //!< this rung was reached from below and is not proven yet
   long changes_ = 0;
+};
+
+//! Statistics of the achieved frame rate, over consecutive frames while something moved.
+class RateRecord {
+ public:
+  explicit RateRecord(double frame_ms) : frame_ms_(frame_ms) {}
+
+  void note(double interval_ms) {
+    ++frames_;
+    sum_ms_ += interval_ms;
+    late_ += interval_ms > late_share * frame_ms_ ? 1 : 0;
+    longest_ms_ = std::max(longest_ms_, interval_ms);
+  }
+
+  [[nodiscard]] long frames() const { return frames_; }
+  //! Returns the mean rate [Hz]; 0 before the first frame.
+  [[nodiscard]] double rate_hz() const { return frames_ > 0 ? 1000.0 * static_cast<double>(frames_) / sum_ms_ : 0.0; }
+  //! Returns the fraction of frames late by at least half a frame time.
+  [[nodiscard]] double late() const {
+    return frames_ > 0 ? static_cast<double>(late_) / static_cast<double>(frames_) : 0.0;
+  }
+  [[nodiscard]] double longest_ms() const { return longest_ms_; }
+
+ private:
+  static constexpr double late_share = 1.5;
+
+  double frame_ms_;
+  long frames_ = 0;
+  long late_ = 0;
+  double sum_ms_ = 0.0;
+  double longest_ms_ = 0.0;
+};
+
+//! Schedules frames at a fixed rate, by a monotonic clock [s]. Up to half a frame of lateness is
+//! made up for by later frames, so that the mean rate holds; more is lost.
+class FramePace {
+ public:
+  explicit FramePace(double frame_s) : frame_s_(frame_s) {}
+
+  [[nodiscard]] bool is_due(double now_s) const { return now_s >= due_s_; }
+
+  //! Records the start of a frame.
+  void begin(double now_s) { due_s_ = std::max(due_s_, now_s - 0.5 * frame_s_) + frame_s_; }
+
+ private:
+  double frame_s_;
+  double due_s_ = -std::numeric_limits<double>::infinity();  //!< when the next frame is due
 };
 
 }  // namespace ergodome

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/budget/budget.h"
-#include "app/budget/measured_setting.h"
+#include "app/budget/budget_choice.h"
 
 namespace ergodome {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "app/budget/budget.h"
+#include "app/budget/budget_choice.h"
 #include "app/budget/deadline.h"
-#include "app/budget/measured_setting.h"
 
 namespace ergodome {
 

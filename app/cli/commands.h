@@ -23,4 +23,8 @@ void add_calibrate_command(CLI::App& app);
 void add_convert_command(CLI::App& app);
 void add_pad_command(CLI::App& app);
 
+//! Runs the program and returns its exit status: 0, 2 for an invalid command line, 1 for other
+//! errors. Prints errors on stderr.
+int run_program(int argc, char** argv);
+
 }  // namespace ergodome

@@ -183,4 +183,13 @@ void print_statistics(const StreamStatistics& s) {
             static_cast<double>(s.most_bytes_held) / (1 << 20));
 }
 
+void add_budget_option(CLI::App& command, std::vector<std::string>& words) {
+  command
+      .add_option(
+          "--budget", words,
+          "keep an error (0.25px), a frame rate (60fps) or both (0.25px,60fps); settings are measured and chosen "
+          "at the start, in up to two seconds")
+      ->allow_extra_args(false);
+}
+
 }  // namespace ergodome

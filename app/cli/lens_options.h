@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/idle_options.h"
+#include "app/cli/option_checks.h"
 #include "content/show/show.h"
 #include "render/lens/lens_source.h"
 #include "render/lens/stations/station_stream.h"
@@ -60,5 +60,9 @@ std::vector<std::string> stream_notes(const StationStream* stream, const Show& s
 
 //! Prints statistics of a stream.
 void print_statistics(const StreamStatistics& statistics);
+
+//! Adds --budget to a command: words for parse_budget(). The option may be given twice, with one
+//! word each.
+void add_budget_option(CLI::App& command, std::vector<std::string>& words);
 
 }  // namespace ergodome

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <initializer_list>
 #include <string>
+#include <string_view>
 
 namespace ergodome {
 
@@ -21,5 +22,15 @@ void require_output_file(const std::string& option, const std::filesystem::path&
 //! end in .png.
 void require_other_png(const std::string& option, const std::filesystem::path& written,
                        std::initializer_list<std::filesystem::path> read);
+
+//! Throws UsageError if the name of an output table has the ending of another format; `option`
+//! names it. `.csv`, `.txt` and names without an ending mean CSV; `.tsv` means tabs; `.json` means
+//! an array of objects.
+void require_table_ending(const std::string& option, const std::filesystem::path& table);
+
+//! Writes a table in the format given by its ending. `csv` is its text, with a header line. Numbers
+//! keep their digits in every format; in JSON, cells of `id` are strings and empty cells null.
+//! Throws Error if it cannot be written.
+void write_table(const std::filesystem::path& table, std::string_view csv);
 
 }  // namespace ergodome

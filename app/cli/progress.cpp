@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "app/cli/quantity_text.h"
+#include "app/cli/summary_text.h"
 #include "content/files/console.h"
 
 namespace ergodome {

@@ -13,10 +13,11 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
-#include "app/cli/number_check.h"
+#include "app/cli/option_checks.h"
 #include "app/cli/output_file.h"
 #include "app/cli/progress.h"
 #include "app/cli/show_loading.h"
+#include "app/cli/show_options.h"
 #include "app/commands/inspect/inspect_trajectory.h"
 #include "content/files/atomic_file.h"
 #include "content/files/console.h"

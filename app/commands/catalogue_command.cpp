@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "app/cli/commands.h"
-#include "app/cli/number_check.h"
+#include "app/cli/option_checks.h"
 #include "app/cli/output_file.h"
 #include "content/files/console.h"
 #include "content/files/counted.h"

@@ -10,6 +10,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
 #include "app/cli/show_loading.h"
+#include "app/cli/show_options.h"
 #include "app/cli/usage_error.h"
 #include "app/commands/render/frame_range.h"
 #include "content/camera/camera_path.h"

@@ -7,14 +7,12 @@
 #include <thread>
 
 #include "app/cli/commands.h"
-#include "app/cli/idle_options.h"
 #include "app/cli/interrupt.h"
-#include "app/cli/number_check.h"
+#include "app/cli/option_checks.h"
 #include "app/commands/pad_listing.h"
 #include "app/pads/hid/hid_fixture.h"
 #include "app/pads/pad_calibration.h"
 #include "app/pads/pad_hub.h"
-#include "app/pads/pad_lines.h"
 #include "content/files/console.h"
 #include "kernels/core/error.h"
 

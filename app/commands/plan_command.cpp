@@ -9,13 +9,13 @@
 
 #include "app/cli/backend_choice.h"
 #include "app/cli/commands.h"
-#include "app/cli/json_text.h"
 #include "app/cli/lens_options.h"
-#include "app/cli/number_check.h"
-#include "app/cli/quantity_text.h"
+#include "app/cli/option_checks.h"
 #include "app/cli/show_loading.h"
-#include "app/commands/inspect/idle_line_facts.h"
-#include "app/commands/inspect/narrowed_eyes_facts.h"
+#include "app/cli/show_options.h"
+#include "app/cli/summary_text.h"
+#include "app/commands/inspect/show_facts.h"
+#include "app/commands/render/heat_map_options.h"
 #include "app/commands/render/run_cost.h"
 #include "content/files/console.h"
 #include "content/show/animatable_number.h"
@@ -30,14 +30,8 @@ namespace ergodome {
 
 namespace {
 
-struct PlanOptions {
+struct PlanOptions : ShowOverrides {
   std::string show;
-  ShowSettings set;
-  std::string projection;
-  std::string objects;
-  std::string stereo;
-  std::optional<double> tilt_deg;
-  std::optional<double> baseline;
   std::string backend = "auto";
   std::string view = "sky";
   std::string method;
@@ -219,12 +213,9 @@ void run(const PlanOptions& options) {
   if (options.measure) {
     require_time("plan --time", show, options.time_s);
   }
-  override_view(show, options.projection, options.stereo);
-  override_baseline(show, options.baseline);
-  override_tilt(show, options.tilt_deg, false);
+  apply_overrides(show, options, false);
   require_two_eyes(show, "--baseline", options.baseline.has_value());
   require_used_memory(show, options.lens);
-  override_objects(show, options.objects);
   require_features(show);
   const Backend backend = choose_backend(options.backend);
   std::shared_ptr<StationStream> stream = open_stream(show, options.lens, backend);
@@ -303,28 +294,12 @@ void add_plan_command(CLI::App& app) {
       ->type_name("DIR")
       ->capture_default_str();
   command->add_flag("--json", options->json, "print JSON");
-  command->option_defaults()->group("Picture");
-  command->add_option("--projection", options->projection, "projection (default: the show's)")
-      ->check(CLI::IsMember(projection_names()));
-  command->add_option("--tilt", options->tilt_deg, "tilt of the dome in degrees (default: the show's)")
-      ->check(number_between(limits_of("view.tilt_deg").least, limits_of("view.tilt_deg").greatest));
-  command
-      ->add_option("--objects", options->objects, "method of drawing objects: polygon or trace (default: the show's)")
-      ->check(CLI::IsMember(object_method_names()));
-  command->add_option("--view", options->view, "sky, or a heat map: steps, error, order, g, magnification")
-      ->check(CLI::IsMember(view_mode_names()))
-      ->capture_default_str();
-  command->add_option("--method", options->method, "integrator for --view steps and error")
-      ->check(CLI::IsMember(follow_method_names()));
-  command->option_defaults()->group("Stereo");
-  command->add_option("--stereo", options->stereo, "stereo layout (default: the show's)")
-      ->check(CLI::IsMember(stereo_names()));
-  command->add_option("--baseline", options->baseline, "distance between the eyes [M] (default: the show's)")
-      ->check(number_between(limits_of("stereo.baseline").least, limits_of("stereo.baseline").greatest));
-  command->option_defaults()->group("Computation");
-  command->add_option("--backend", options->backend, "where to compute: auto (GPU if available), cpu or cuda")
-      ->check(CLI::IsMember({"auto", "cpu", "cuda"}))
-      ->capture_default_str();
+  add_projection_options(*command, *options, "the show's");
+  add_objects_option(*command, *options);
+  add_view_option(*command, options->view);
+  add_method_option(*command, options->method);
+  add_stereo_options(*command, *options);
+  add_backend_option(*command, options->backend);
   IdleOptions idle(*command);
   add_lens_options(*command, options->lens, idle);
   command->callback([options, idle] {

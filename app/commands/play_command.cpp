@@ -8,19 +8,19 @@
 #include <sstream>
 #include <utility>
 
-#include "app/budget/budget_option.h"
-#include "app/budget/play_plan.h"
+#include "app/budget/play_budget.h"
 #include "app/cli/backend_choice.h"
 #include "app/cli/commands.h"
 #include "app/cli/lens_options.h"
-#include "app/cli/number_check.h"
+#include "app/cli/option_checks.h"
 #include "app/cli/output_file.h"
 #include "app/cli/setup_show.h"
 #include "app/cli/show_loading.h"
+#include "app/cli/show_options.h"
 #include "app/cli/usage_error.h"
 #include "app/exhibit/kept_settings.h"
 #include "app/exhibit/log_file.h"
-#include "app/exhibit/restarts.h"
+#include "app/exhibit/supervisor.h"
 #include "app/playback/midi_time_code.h"
 #include "app/player/outputs/dome_output.h"
 #include "app/player/player.h"
@@ -35,20 +35,14 @@ namespace ergodome {
 
 namespace {
 
-struct PlayArguments {
+struct PlayArguments : ShowOverrides {
   std::string show;
-  ShowSettings set;
   std::string backend = "auto";
-  std::string projection;
-  std::string objects;
-  std::string stereo;
   std::string setup;
   std::optional<ProjectorOptions> projectors;  //!< of the setup
   bool hide_control = false;
   bool full_screen = false;
   bool size_given = false;
-  std::optional<double> tilt_deg;
-  std::optional<double> baseline;
   bool tint_eyes = false;
   bool exhibit = false;
   ExhibitOptions exhibit_options;
@@ -99,10 +93,7 @@ std::unique_ptr<Output> open_output(const PlayArguments& arguments, const Show& 
 //! Loads a show and applies the options of the command line.
 Show loaded_show(const PlayArguments& arguments, const std::string& name) {
   Show show = load_show(name, arguments.set);
-  override_view(show, arguments.projection, arguments.stereo);
-  override_baseline(show, arguments.baseline);
-  override_tilt(show, arguments.tilt_deg, arguments.projectors.has_value());
-  override_objects(show, arguments.objects);
+  apply_overrides(show, arguments, arguments.projectors.has_value());
   if (has_face_files(show.view)) {
     // A window shows all faces in one image.
     show.view.cube_files = CubeFiles::cross;
@@ -237,22 +228,12 @@ void require_osc_port(const ServiceOptions& services) {
 }
 
 void add_picture_options(CLI::App& command, PlayArguments& arguments) {
-  command.option_defaults()->group("Picture");
-  command.add_option("--projection", arguments.projection, "projection (default: the show's)")
-      ->check(CLI::IsMember(projection_names()));
-  command.add_option("--tilt", arguments.tilt_deg, "tilt of the dome in degrees (default: the setup's or the show's)")
-      ->check(number_between(limits_of("view.tilt_deg").least, limits_of("view.tilt_deg").greatest));
-  command
-      .add_option("--objects", arguments.objects, "method of drawing objects: polygon or trace (default: the show's)")
-      ->check(CLI::IsMember(object_method_names()));
+  add_projection_options(command, arguments, "the setup's or the show's");
+  add_objects_option(command, arguments);
   command.add_flag("--times", arguments.options.times_shown, "show frame time, lens, spin and camera position (key I)");
   command.add_flag("--quiet", arguments.options.quiet,
                    "show only texts requested with keys (F1, I); messages go to the log and the status page");
-  command.option_defaults()->group("Stereo");
-  command.add_option("--stereo", arguments.stereo, "stereo layout (default: the show's)")
-      ->check(CLI::IsMember(stereo_names()));
-  command.add_option("--baseline", arguments.baseline, "distance between the eyes [M] (default: the show's)")
-      ->check(number_between(limits_of("stereo.baseline").least, limits_of("stereo.baseline").greatest));
+  add_stereo_options(command, arguments);
   command.add_flag("--tint-eyes", arguments.tint_eyes, "tint the left eye's image red and the right eye's cyan");
 }
 
@@ -355,10 +336,7 @@ void add_play_command(CLI::App& app) {
   IdleOptions idle(*command);
   add_picture_options(*command, *arguments);
   add_dome_options(*command, *arguments, idle);
-  command->option_defaults()->group("Computation");
-  command->add_option("--backend", arguments->backend, "where to compute: auto (GPU if available), cpu or cuda")
-      ->check(CLI::IsMember({"auto", "cpu", "cuda"}))
-      ->capture_default_str();
+  add_backend_option(*command, arguments->backend);
   add_lens_options(*command, arguments->lens, idle);
   add_budget_option(*command, arguments->budget);
   add_control_options(*command, *arguments);

@@ -5,19 +5,20 @@
 #include <filesystem>
 #include <memory>
 
-#include "app/budget/budget_option.h"
+#include "app/cli/backend_choice.h"
 #include "app/cli/commands.h"
-#include "app/cli/idle_options.h"
 #include "app/cli/interrupt.h"
-#include "app/cli/number_check.h"
+#include "app/cli/option_checks.h"
 #include "app/cli/progress.h"
 #include "app/cli/show_loading.h"
+#include "app/cli/show_options.h"
 #include "app/cli/usage_error.h"
 #include "app/commands/channels/channel_frames.h"
 #include "app/commands/channels/channel_options.h"
 #include "app/commands/render/frame_range.h"
 #include "app/commands/render/frame_request.h"
 #include "app/commands/render/frame_writer.h"
+#include "app/commands/render/heat_map_options.h"
 #include "app/commands/render/movie_plan.h"
 #include "app/commands/render/numbered_frames.h"
 #include "app/commands/render/pattern_frames.h"
@@ -55,10 +56,7 @@ Show chosen_show(const RenderOptions& options) {
     throw UsageError("render", "has nothing to render", "name a show file or a built-in show, or add --pattern");
   }
   Show show = options.show.empty() ? Show{} : load_show(options.show, options.set);
-  override_view(show, options.projection, options.stereo);
-  override_baseline(show, options.baseline);
-  override_tilt(show, options.tilt_deg, !options.setup.empty());
-  override_objects(show, options.objects);
+  apply_overrides(show, options, !options.setup.empty());
   show.view.from_outside = show.view.from_outside || options.from_outside;
   show.stereo.tint_eyes = show.stereo.tint_eyes || options.tint_eyes;
   if (options.frame_rate_hz > 0.0) {
@@ -278,21 +276,12 @@ void add_frame_choice(CLI::App& command, RenderOptions& options) {
 }
 
 void add_picture_options(CLI::App& command, RenderOptions& options) {
-  command.option_defaults()->group("Picture");
-  command.add_option("--projection", options.projection, "projection (default: the show's)")
-      ->check(CLI::IsMember(projection_names()));
-  command.add_option("--tilt", options.tilt_deg, "tilt of the dome in degrees (default: the setup's or the show's)")
-      ->check(number_between(limits_of("view.tilt_deg").least, limits_of("view.tilt_deg").greatest));
+  add_projection_options(command, options, "the setup's or the show's");
   command.add_flag("--from-outside", options.from_outside, "mirror the image, as a dome is seen from outside");
-  command.add_option("--objects", options.objects, "method of drawing objects: polygon or trace (default: the show's)")
-      ->check(CLI::IsMember(object_method_names()));
+  add_objects_option(command, options);
   command.add_option("--language", options.language, "language of captions and narration, for instance en or de")
       ->type_name("TAG");
-  command.option_defaults()->group("Stereo");
-  command.add_option("--stereo", options.stereo, "stereo layout (default: the show's)")
-      ->check(CLI::IsMember(stereo_names()));
-  command.add_option("--baseline", options.baseline, "distance between the eyes [M] (default: the show's)")
-      ->check(number_between(limits_of("stereo.baseline").least, limits_of("stereo.baseline").greatest));
+  add_stereo_options(command, options);
   command.add_flag("--tint-eyes", options.tint_eyes, "tint the left eye's image red and the right eye's cyan");
 }
 
@@ -317,15 +306,12 @@ CLI::Option* add_file_options(CLI::App& command, RenderOptions& options) {
 
 void add_measured_views(CLI::App& command, RenderOptions& options) {
   command.option_defaults()->group("Heat maps and pixel values");
-  command.add_option("--view", options.view, "sky, or a heat map: steps, error, order, g, magnification")
-      ->check(CLI::IsMember(view_mode_names()))
-      ->capture_default_str();
+  add_view_option(command, options.view);
   command
       .add_option("--view-range", options.view_range,
                   "MIN:MAX: values at the ends of a heat map's color scale, for instance 0.5:2")
       ->type_name("RANGE");
-  command.add_option("--method", options.method, "integrator for --view steps and error")
-      ->check(CLI::IsMember(follow_method_names()));
+  add_method_option(command, options.method);
   add_channel_option(command, options);
 }
 
@@ -353,10 +339,7 @@ void add_render_command(CLI::App& app) {
   command
       ->add_option("--pattern", options->pattern, "write a test pattern, or all of them, instead of the show's frames")
       ->check(CLI::IsMember(pattern_choices()));
-  command->option_defaults()->group("Computation");
-  command->add_option("--backend", options->backend, "where to compute: auto (GPU if available), cpu or cuda")
-      ->check(CLI::IsMember({"auto", "cpu", "cuda"}))
-      ->capture_default_str();
+  add_backend_option(*command, options->backend);
   IdleOptions idle(*command);
   add_lens_options(*command, options->lens, idle);
   add_budget_option(*command, options->budget);

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "app/pads/pad_settings.h"
-#include "app/pads/state/pad_raw.h"
+#include "app/pads/state/pad_state.h"
 
 namespace ergodome {
 

@@ -5,7 +5,7 @@
 
 #include "app/pads/pad_settings.h"
 #include "app/pads/state/pad_names.h"
-#include "app/pads/state/pad_raw.h"
+#include "app/pads/state/pad_state.h"
 #include "content/files/toml_table.h"
 
 namespace ergodome {

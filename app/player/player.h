@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "app/exhibit/black_view.h"
 #include "app/exhibit/exhibit_scenes.h"
-#include "app/exhibit/light_watch.h"
 #include "app/exhibit/operator_log.h"
 #include "app/navigation/controls/help_text.h"
 #include "app/pads/hid/hid_api.h"

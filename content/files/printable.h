@@ -13,4 +13,16 @@ std::size_t find_control(std::string_view text);
 //! become escapes ("\\x00").
 std::string printable(std::string_view text);
 
+//! Truncates a text to a number of bytes, without splitting a UTF-8 character.
+inline std::string_view shortened(std::string_view text, std::size_t most_bytes) {
+  if (text.size() <= most_bytes) {
+    return text;
+  }
+  std::size_t end = most_bytes;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) {
+    --end;
+  }
+  return text.substr(0, end);
+}
+
 }  // namespace ergodome

@@ -14,7 +14,6 @@ constexpr double largest_angle_deg = 1e6;
 constexpr std::size_t most_object_keys = 10'000;
 
 constexpr std::array shape_names = {"triangle", "sphere", "disk"};
-constexpr std::array object_method_names = {"polygon", "trace"};
 constexpr std::array falloff_names = {"lens", "published"};
 
 toml::array array_of(const Vector3<double>& v) { return toml::array{v.x, v.y, v.z}; }

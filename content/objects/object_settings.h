@@ -21,6 +21,9 @@ enum class ObjectMethod {
   trace     //!< exact rays, for any spin
 };
 
+//! Names of ObjectMethod, in its order.
+inline constexpr std::array object_method_names = {"polygon", "trace"};
+
 //! A circular orbit, traversed at the angular velocity of orbit_rate().
 struct ObjectOrbit {
   double r = 10.0;           //!< [M]

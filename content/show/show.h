@@ -126,6 +126,9 @@ struct EffectSettings {
 
 enum class ViewProjection { dome, equirect, cube, cylinder, pinhole };
 
+//! Names of ViewProjection, in its order.
+inline constexpr std::array view_projection_names = {"dome", "equirect", "cube", "cylinder", "pinhole"};
+
 //! Output of a cube view: one image of all faces, or a file per face
 //! (kernels/projection/cube_faces.h).
 enum class CubeFiles { cross, strip, faces };

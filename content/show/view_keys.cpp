@@ -18,7 +18,6 @@ constexpr double widest_pinhole_deg = 179.0;
 constexpr const char* of_the_picture = "all frames of a show have the same size";
 constexpr const char* of_the_screen = "it describes the screen, which does not change during a show";
 
-constexpr std::array projection_names = {"dome", "equirect", "cube", "cylinder", "pinhole"};
 constexpr std::array lens_names = {"equidistant", "equisolid", "stereographic", "orthographic", "polynomial"};
 constexpr std::array cube_file_names = {"cross", "strip", "faces"};
 
@@ -184,7 +183,7 @@ constexpr auto frustum_keys = keys_of<FrustumAngles>(
 
 constexpr auto keys_of_view = keys_of<ViewSettings>(
     key<&ViewSettings::projection>("projection", "[Projection](projections.md) of the picture.")
-        .words(projection_names),
+        .words(view_projection_names),
     key<&ViewSettings::size_px>("size_px",
                                 "Width of one eye's picture. With `cube_layout = \"faces\"`: width of a face.")
         .range(1, 16384, "px")

@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "app/remote/common/command_rules.h"
-#include "app/remote/web/json_command.h"
+#include "app/remote/web/web_json.h"
 #include "kernels/core/error.h"
 
 namespace {

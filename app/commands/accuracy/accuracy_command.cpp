@@ -7,13 +7,12 @@
 #include <memory>
 
 #include "app/cli/commands.h"
-#include "app/cli/idle_options.h"
 #include "app/cli/interrupt.h"
-#include "app/cli/pixel_text.h"
+#include "app/cli/option_checks.h"
 #include "app/cli/show_loading.h"
+#include "app/cli/show_options.h"
 #include "app/cli/usage_error.h"
 #include "app/commands/accuracy/report_files.h"
-#include "app/commands/accuracy/report_folder.h"
 #include "app/commands/accuracy/report_table.h"
 #include "content/files/atomic_file.h"
 #include "content/files/console.h"

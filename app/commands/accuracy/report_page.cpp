@@ -6,8 +6,7 @@
 #include <cmath>
 
 #include "app/commands/accuracy/error_pictures.h"
-#include "app/commands/accuracy/report_numbers.h"
-#include "app/commands/accuracy/report_series.h"
+#include "app/commands/accuracy/report_plots.h"
 #include "app/commands/accuracy/report_table.h"
 #include "app/commands/accuracy/report_words.h"
 #include "content/files/counted.h"

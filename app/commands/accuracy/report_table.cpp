@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "app/commands/accuracy/report_numbers.h"
 #include "app/commands/accuracy/report_words.h"
 #include "content/files/counted.h"
 #include "render/accuracy/measurement.h"

@@ -7,6 +7,25 @@
 
 namespace ergodome {
 
+//! Formats a number with at most three significant digits: "0.0012", "35", "1.2e+06". Returns "-"
+//! if it is not finite.
+std::string short_number(double value);
+
+//! Formats an error in the unit of its axis: "0.25 px", "1.3 %".
+std::string error_text(const AccuracyAxis& axis, double error);
+
+//! Formats an error in the unit of its axis, without the unit.
+std::string error_number(const AccuracyAxis& axis, double error);
+
+//! Formats a median with its range: "7.0 (6.8 to 7.4)".
+std::string spread_text(const Spread& spread);
+
+//! Formats a size: "20 kB".
+std::string bytes_text(std::size_t bytes);
+
+//! Names a choice: "conforming grid, budget 0.25 px".
+std::string choice_name(const Measurement& choice);
+
 //! Returns the report's results as sentences: the cost of errors of one pixel, a quarter and a
 //! tenth, and the comparison with published methods.
 std::vector<std::string> accuracy_sentences(const AccuracyReport& report);

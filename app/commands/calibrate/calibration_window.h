@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/commands/calibrate/key_repeat.h"
+#include "app/commands/calibrate/calibration_keys.h"
 #include "app/commands/calibrate/live_calibration.h"
 #include "calibration/dome/dome_pictures.h"
 #include "render/present/presenter.h"

@@ -11,12 +11,10 @@
 #include <utility>
 
 #include "app/cli/commands.h"
-#include "app/cli/idle_options.h"
-#include "app/cli/number_check.h"
+#include "app/cli/option_checks.h"
 #include "app/cli/output_file.h"
-#include "app/cli/tilt_note.h"
 #include "app/cli/usage_error.h"
-#include "app/commands/calibrate/projector_folder.h"
+#include "app/commands/calibrate/saved_calibration.h"
 #include "calibration/formats/mpcdi/mpcdi_reader.h"
 #include "calibration/formats/mpcdi/mpcdi_writer.h"
 #include "calibration/formats/mpcdi/setup_conversion.h"

@@ -1,12 +1,24 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "calibration/dome/dome_setup.h"
 #include "calibration/projectors/grid_offsets.h"
+#include "calibration/projectors/projector_picture.h"
 
 namespace ergodome {
+
+//! Returns a base name for a projector's files: its number, from 1, and the safe characters of its
+//! name.
+std::string projector_file_name(std::size_t index, const std::string& name);
+
+//! Writes what projectors show into a folder: a Bourke mesh and masks (PNG, linear) for each, and a
+//! setup that names them. `setup` is the setup of the pictures; `file_name` is the name of the new
+//! setup. Returns the new setup's path.
+std::filesystem::path write_projector_folder(const std::filesystem::path& folder, const std::string& file_name,
+                                             DomeSetup setup, const std::vector<ProjectorPicture>& pictures);
 
 //! Writes a setup. For each projector with offsets, and for those marked in `anew` (empty: none),
 //! also writes its moved warp (Bourke mesh) and masks to the same folder: N_NAME.data,

@@ -44,7 +44,7 @@ void add_axes(const EyeCamera& eye, std::vector<ChannelFact>& facts) {
 }
 
 void add_projection(const Show& show, const Projection& projection, std::vector<ChannelFact>& facts) {
-  facts.push_back({"projection", "PROJECT", projection_names()[static_cast<std::size_t>(show.view.projection)], ""});
+  facts.push_back({"projection", "PROJECT", view_projection_names[static_cast<std::size_t>(show.view.projection)], ""});
   switch (projection.kind) {
     case ProjectionKind::dome_fisheye:
       facts.push_back(

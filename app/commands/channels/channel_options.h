@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "app/cli/idle_options.h"
+#include "app/cli/option_checks.h"
 #include "app/commands/render/render_options.h"
 #include "content/show/show.h"
 

@@ -1,15 +1,33 @@
 #pragma once
 
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "app/commands/inspect/mesh_facts.h"
+#include "content/mesh/triangle_mesh.h"
 #include "content/show/show.h"
 #include "content/stars/star_catalogue.h"
 
 namespace ergodome {
+
+//! A summary of a mesh file, in the file's units.
+struct MeshFacts {
+  std::string file;  //!< as named in the show
+  long triangles = 0;
+  long dropped_triangles = 0;
+  Vector3<double> extent;  //!< size along the mesh's axes
+  std::vector<std::string> remarks;
+};
+
+//! Summarizes a mesh. Reads its textures as frames do; throws Error if one cannot be read.
+MeshFacts facts_of_mesh(const std::string& file, const TriangleMesh& mesh);
+
+//! Returns the meshes of a show's objects, each scaled to M by the object's size.
+nlohmann::json facts_of_meshes(const Show& show, const std::vector<MeshFacts>& meshes);
+
+void print_meshes(const nlohmann::json& facts);
 
 //! Findings of `inspect` about the files that a show names.
 struct ShowNotes {
@@ -28,5 +46,10 @@ struct ShowNotes {
 //! Reads every existing file that the show names, including textures of meshes, as its frames do. A
 //! map of 8192 x 4096 takes about a second.
 ShowNotes notes_of_files(const Show& show);
+
+//! Returns the number of stars in a show's catalogue, the columns read, and the rows left out.
+nlohmann::json facts_of_stars(const Show& show, const ShowNotes& notes);
+
+void print_stars(const nlohmann::json& facts);
 
 }  // namespace ergodome

@@ -7,8 +7,8 @@
 #include <memory>
 
 #include "app/cli/commands.h"
-#include "app/cli/idle_options.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/option_checks.h"
 #include "app/cli/output_file.h"
 #include "app/cli/progress.h"
 #include "content/files/atomic_file.h"

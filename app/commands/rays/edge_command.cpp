@@ -9,7 +9,6 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/output_file.h"
-#include "app/cli/table_file.h"
 #include "app/commands/rays/ray_groups.h"
 #include "content/tables/ray_table.h"
 #include "kernels/core/angles.h"

@@ -4,9 +4,10 @@
 #include <functional>
 #include <span>
 
-#include "app/cli/number_check.h"
+#include "app/cli/option_checks.h"
+#include "app/cli/output_file.h"
 #include "app/cli/show_loading.h"
-#include "app/cli/table_file.h"
+#include "app/cli/show_options.h"
 #include "app/cli/usage_error.h"
 #include "app/commands/rays/disk_crossing_table.h"
 #include "app/commands/rays/object_hit_table.h"

@@ -11,11 +11,8 @@
 #include <vector>
 
 #include "app/cli/commands.h"
-#include "app/cli/idle_options.h"
-#include "app/cli/number_check.h"
+#include "app/cli/option_checks.h"
 #include "app/cli/output_file.h"
-#include "app/cli/pixel_text.h"
-#include "app/cli/table_file.h"
 #include "app/commands/rays/near_ray_commands.h"
 #include "app/commands/rays/ray_groups.h"
 #include "content/files/console.h"

@@ -69,7 +69,7 @@ FrameMetadata frame_facts(const Show& show, const FrameFile& file) {
                          {"frame", std::to_string(file.frame + 1)},
                          {"time_s", fmt::format("{:.6f}", time_s)}};
   add_camera(show, time_s, facts);
-  facts.emplace_back("projection", projection_names()[static_cast<std::size_t>(show.view.projection)]);
+  facts.emplace_back("projection", view_projection_names[static_cast<std::size_t>(show.view.projection)]);
   add_angles(show.view, facts);
   facts.emplace_back("from_outside", show.view.from_outside ? "true" : "false");
   facts.emplace_back("part", parts[static_cast<int>(file.part)]);

@@ -13,6 +13,7 @@
 #include "app/cli/show_loading.h"
 #include "app/commands/movie/movie.h"
 #include "app/commands/render/frame_facts.h"
+#include "app/commands/render/heat_map_options.h"
 #include "app/commands/render/movie_plan.h"
 #include "app/commands/render/numbered_frames.h"
 #include "app/commands/render/sequence_facts.h"

@@ -1,27 +1,21 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/cli/lens_options.h"
+#include "app/cli/show_options.h"
 
 namespace ergodome {
 
 //! Options of `render`.
-struct RenderOptions {
+struct RenderOptions : ShowOverrides {
   std::string show;
-  ShowSettings set;  //!< keys of the show changed by --set
   std::string out = "frames";
   std::string frames;
   std::string from;  //!< a time; renders frames from there on
   std::string to;    //!< a time; renders frames before it
   int size_px = 0;
-  std::string projection;
-  std::string objects;
-  std::string stereo;
-  std::optional<double> tilt_deg;
-  std::optional<double> baseline;
   bool tint_eyes = false;
   bool from_outside = false;
   std::string backend = "auto";

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "app/cli/quantity_text.h"
+#include "app/cli/summary_text.h"
 #include "kernels/core/error.h"
 #include "render/output/color_bar.h"
 #include "render/output/image_writer.h"

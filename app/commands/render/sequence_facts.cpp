@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/json_text.h"
 #include "app/cli/show_loading.h"
+#include "app/cli/summary_text.h"
 #include "content/files/atomic_file.h"
 #include "content/show/animated_show.h"
 #include "content/show/stereo_eyes.h"
@@ -72,7 +72,7 @@ void add_view(const Show& show, FrameSpan frames, int size_px, Facts& facts) {
   const Projection projection = make_projection(show.view, size_px, 0.0);
   facts["eye_width_px"] = projection.width_px;
   facts["eye_height_px"] = projection.height_px;
-  facts["projection"] = projection_names()[static_cast<std::size_t>(show.view.projection)];
+  facts["projection"] = view_projection_names[static_cast<std::size_t>(show.view.projection)];
   if (show.view.projection == ViewProjection::pinhole && show.view.frustum) {
     const FrustumAngles& frustum = *show.view.frustum;
     facts["frustum_deg"] = {

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "app/pads/decoders/decoders.h"
-#include "app/pads/decoders/sticks.h"
+#include "app/pads/decoders/report_bytes.h"
 
 namespace ergodome {
 
@@ -42,24 +42,8 @@ class EightBitDo : public PadDecoder {
 
  private:
   static void press_face(RawPad& pad, std::uint8_t byte) {
-    press_bits(pad, byte,
-               {{0x01, PadButton::south},
-                {0x02, PadButton::east},
-                {0x04, PadButton::paddle_2},
-                {0x08, PadButton::west},
-                {0x10, PadButton::north},
-                {0x20, PadButton::paddle_1},
-                {0x40, PadButton::left_shoulder},
-                {0x80, PadButton::right_shoulder}});
-  }
-
-  static void press_middle(RawPad& pad, std::uint8_t byte) {
-    press_bits(pad, byte,
-               {{0x04, PadButton::select},
-                {0x08, PadButton::start},
-                {0x10, PadButton::guide},
-                {0x20, PadButton::left_stick},
-                {0x40, PadButton::right_stick}});
+    press_android_face(pad, byte);
+    press_bits(pad, byte, {{0x04, PadButton::paddle_2}, {0x20, PadButton::paddle_1}});
   }
 
   //! Order: face, triggers as switches and middle, hat, sticks.
@@ -67,7 +51,7 @@ class EightBitDo : public PadDecoder {
     clear(pad);
     press_face(pad, report[0]);
     press_bits(pad, report[1], {{0x01, PadButton::left_trigger}, {0x02, PadButton::right_trigger}});
-    press_middle(pad, report[1]);
+    press_android_middle(pad, report[1]);
     press_hat(pad, report[2]);
     take_bytes(pad, 0, report, 3, 4);
     pad.values[4] = (report[1] & 0x01) != 0 ? 255 : 0;
@@ -83,7 +67,7 @@ class EightBitDo : public PadDecoder {
     pad.values[5] = report[6];
     pad.values[4] = report[7];
     press_face(pad, report[8]);
-    press_middle(pad, report[9]);
+    press_android_middle(pad, report[9]);
     press_bits(pad, report[10], {{0x01, PadButton::paddle_3}, {0x02, PadButton::paddle_4}});
     return PadReport::state;
   }

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/pads/hid/hid_descriptor.h"
-#include "app/pads/state/pad_raw.h"
+#include "app/pads/state/pad_state.h"
 
 namespace ergodome {
 

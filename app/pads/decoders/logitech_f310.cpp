@@ -1,5 +1,5 @@
 #include "app/pads/decoders/decoders.h"
-#include "app/pads/decoders/sticks.h"
+#include "app/pads/decoders/report_bytes.h"
 
 namespace ergodome {
 
@@ -20,18 +20,8 @@ class LogitechF310 : public PadDecoder {
     }
     pad.buttons.reset();
     take_bytes(pad, 0, report, 0, 4);
-    press_hat(pad, report[4] & 0x0F);
-    press_bits(pad, report[4],
-               {{0x10, PadButton::west}, {0x20, PadButton::south}, {0x40, PadButton::east}, {0x80, PadButton::north}});
-    press_bits(pad, report[5],
-               {{0x01, PadButton::left_shoulder},
-                {0x02, PadButton::right_shoulder},
-                {0x04, PadButton::left_trigger},
-                {0x08, PadButton::right_trigger},
-                {0x10, PadButton::select},
-                {0x20, PadButton::start},
-                {0x40, PadButton::left_stick},
-                {0x80, PadButton::right_stick}});
+    press_hat_and_face(pad, report[4]);
+    press_shoulders(pad, report[5]);
     return PadReport::state;
   }
 

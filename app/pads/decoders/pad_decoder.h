@@ -7,7 +7,7 @@
 
 #include "app/pads/decoders/report_bytes.h"
 #include "app/pads/hid/hid_api.h"
-#include "app/pads/state/pad_raw.h"
+#include "app/pads/state/pad_state.h"
 
 namespace ergodome {
 

@@ -5,7 +5,7 @@
 #include <initializer_list>
 #include <span>
 
-#include "app/pads/state/pad_raw.h"
+#include "app/pads/state/pad_state.h"
 
 namespace ergodome {
 
@@ -56,7 +56,82 @@ inline void press_hat(RawPad& pad, int direction) {
   }
 }
 
+//! Presses the hat's direction in the low nibble and the face buttons in the high one, in the order
+//! of Sony's controllers and those that follow them.
+inline void press_hat_and_face(RawPad& pad, std::uint8_t byte) {
+  press_hat(pad, byte & 0x0F);
+  press_bits(pad, byte,
+             {{0x10, PadButton::west}, {0x20, PadButton::south}, {0x40, PadButton::east}, {0x80, PadButton::north}});
+}
+
+//! Presses the buttons of the byte that follows in those reports.
+inline void press_shoulders(RawPad& pad, std::uint8_t byte) {
+  press_bits(pad, byte,
+             {{0x01, PadButton::left_shoulder},
+              {0x02, PadButton::right_shoulder},
+              {0x04, PadButton::left_trigger},
+              {0x08, PadButton::right_trigger},
+              {0x10, PadButton::select},
+              {0x20, PadButton::start},
+              {0x40, PadButton::left_stick},
+              {0x80, PadButton::right_stick}});
+}
+
+//! Presses the first eight buttons in the order of Android's gamepads: A, B, C, X, Y, Z, and the
+//! shoulders. C and Z are left out.
+inline void press_android_face(RawPad& pad, std::uint8_t byte) {
+  press_bits(pad, byte,
+             {{0x01, PadButton::south},
+              {0x02, PadButton::east},
+              {0x08, PadButton::west},
+              {0x10, PadButton::north},
+              {0x40, PadButton::left_shoulder},
+              {0x80, PadButton::right_shoulder}});
+}
+
+//! Presses the next eight in that order, without the triggers.
+inline void press_android_middle(RawPad& pad, std::uint8_t byte) {
+  press_bits(pad, byte,
+             {{0x04, PadButton::select},
+              {0x08, PadButton::start},
+              {0x10, PadButton::guide},
+              {0x20, PadButton::left_stick},
+              {0x40, PadButton::right_stick}});
+}
+
 //! Computes the CRC-32 (IEEE 802.3, as in zlib) of the byte `seed` followed by bytes.
 std::uint32_t crc32_after(std::uint8_t seed, ReportBytes bytes);
+
+//! Returns the raw axes of a controller with two sticks that count right and down: left x, left y,
+//! right x, right y.
+inline std::vector<RawAxis> stick_axes(std::int32_t least, std::int32_t centre, std::int32_t greatest) {
+  return {{"left_x", least, centre, greatest, PadAxis::left_x, false},
+          {"left_y", least, centre, greatest, PadAxis::left_y, true},
+          {"right_x", least, centre, greatest, PadAxis::right_x, false},
+          {"right_y", least, centre, greatest, PadAxis::right_y, true}};
+}
+
+//! Returns the same axes followed by two triggers, from 0 to `full`.
+inline std::vector<RawAxis> stick_and_trigger_axes(std::int32_t least, std::int32_t centre, std::int32_t greatest,
+                                                   std::int32_t full) {
+  std::vector<RawAxis> axes = stick_axes(least, centre, greatest);
+  axes.push_back({"left_trigger", 0, 0, full, PadAxis::left_trigger, false});
+  axes.push_back({"right_trigger", 0, 0, full, PadAxis::right_trigger, false});
+  return axes;
+}
+
+//! Copies `count` bytes of a report from `at` on to the raw axes from `first` on.
+inline void take_bytes(RawPad& pad, std::size_t first, ReportBytes report, std::size_t at, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    pad.values[first + i] = report[at + i];
+  }
+}
+
+//! Copies 16-bit words in the same way.
+inline void take_words(RawPad& pad, std::size_t first, ReportBytes report, std::size_t at, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    pad.values[first + i] = u16_at(report, at + 2 * i);
+  }
+}
 
 }  // namespace ergodome

@@ -1,5 +1,5 @@
 #include "app/pads/decoders/decoders.h"
-#include "app/pads/decoders/sticks.h"
+#include "app/pads/decoders/report_bytes.h"
 
 namespace ergodome {
 

@@ -2,7 +2,7 @@
 #include <array>
 
 #include "app/pads/decoders/decoders.h"
-#include "app/pads/decoders/sticks.h"
+#include "app/pads/decoders/report_bytes.h"
 
 namespace ergodome {
 
@@ -65,19 +65,8 @@ class XboxBluetooth : public PadDecoder {
   }
 
   void press_new(ReportBytes report, RawPad& pad) const {
-    press_bits(pad, report[14],
-               {{0x01, PadButton::south},
-                {0x02, PadButton::east},
-                {0x08, PadButton::west},
-                {0x10, PadButton::north},
-                {0x40, PadButton::left_shoulder},
-                {0x80, PadButton::right_shoulder}});
-    press_bits(pad, report[15],
-               {{0x04, PadButton::select},
-                {0x08, PadButton::start},
-                {0x10, PadButton::guide},
-                {0x20, PadButton::left_stick},
-                {0x40, PadButton::right_stick}});
+    press_android_face(pad, report[14]);
+    press_android_middle(pad, report[15]);
     press_bits(pad, report[16], {{0x01, shares_ ? PadButton::capture : PadButton::select}});
     if (guide_) {
       press(pad, PadButton::guide);

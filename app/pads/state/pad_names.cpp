@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "app/pads/state/pad_raw.h"
+#include "app/pads/state/pad_state.h"
 
 namespace ergodome {
 

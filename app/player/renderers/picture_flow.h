@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/budget/deadline.h"
-#include "app/budget/frame_pace.h"
+#include "app/budget/rate_keeper.h"
 #include "app/player/renderers/frame_source.h"
 
 namespace ergodome {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "app/remote/common/short_text.h"
+#include "content/files/printable.h"
 
 namespace ergodome {
 

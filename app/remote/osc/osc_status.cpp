@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "app/remote/common/short_text.h"
 #include "app/remote/osc/osc_handler.h"
+#include "content/files/printable.h"
 
 namespace ergodome {
 

@@ -5,9 +5,8 @@
 #include <array>
 #include <charconv>
 
-#include "app/remote/web/json_command.h"
 #include "app/remote/web/page_files.h"
-#include "app/remote/web/status_json.h"
+#include "app/remote/web/web_json.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {

@@ -1,5 +1,7 @@
 #include "calibration/formats/mpcdi/setup_conversion.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -120,6 +122,15 @@ std::optional<std::vector<MpcdiRegion>> posed_regions(const DomeSetup& setup) {
   return regions;
 }
 
+Mpcdi calibration_of(MpcdiProfile profile, std::vector<MpcdiRegion> regions, const std::string& date) {
+  Mpcdi mpcdi = media_calibration(std::move(regions), date);
+  mpcdi.profile = profile;
+  const bool lifted =
+      std::ranges::any_of(mpcdi.buffers[0].regions, [](const MpcdiRegion& region) { return !!region.beta; });
+  mpcdi.color_level = lifted ? 3 : 1;
+  return mpcdi;
+}
+
 }  // namespace
 
 DomeSetup setup_from_mpcdi(const Mpcdi& mpcdi, const std::string& file, double radius_m) {
@@ -151,19 +162,6 @@ DomeSetup setup_from_mpcdi(const Mpcdi& mpcdi, const std::string& file, double r
   return setup;
 }
 
-namespace {
-
-Mpcdi calibration_of(MpcdiProfile profile, std::vector<MpcdiRegion> regions, const std::string& date) {
-  Mpcdi mpcdi = media_calibration(std::move(regions), date);
-  mpcdi.profile = profile;
-  const bool lifted =
-      std::ranges::any_of(mpcdi.buffers[0].regions, [](const MpcdiRegion& region) { return !!region.beta; });
-  mpcdi.color_level = lifted ? 3 : 1;
-  return mpcdi;
-}
-
-}  // namespace
-
 Mpcdi mpcdi_from_pictures(const std::vector<ProjectorPicture>& pictures, const std::string& date,
                           const std::function<void(long)>& progress) {
   std::vector<MpcdiRegion> regions;
@@ -186,6 +184,21 @@ Mpcdi mpcdi_from_setup(const DomeSetup& setup, const std::string& date) {
     flat.push_back(flat_region(picture, MapSamples::each_pixel));
   }
   return calibration_of(MpcdiProfile::media_2d, std::move(flat), date);
+}
+
+std::string tilt_note(const DomeSetup& setup, const Mpcdi& mpcdi) {
+  if (setup.tilt_deg == 0.0) {
+    return {};
+  }
+  const bool flat = mpcdi.profile == MpcdiProfile::media_2d;
+  // Adding tilt_deg would tilt positions in the dome's axes again, and rotation_deg would rotate
+  // warps again.
+  const std::string remedy = flat && setup.rotation_deg == 0.0
+                                 ? fmt::format("set tilt_deg = {:g} in setups converted from it", setup.tilt_deg)
+                                 : std::string("keep the original setup");
+  return fmt::format(
+      "; its {} include tilt_deg and rotation_deg, which MPCDI does not store: for level test patterns, {}",
+      flat ? "warps" : "positions", remedy);
 }
 
 }  // namespace ergodome

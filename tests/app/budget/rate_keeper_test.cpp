@@ -8,9 +8,6 @@
 #include <random>
 #include <utility>
 
-#include "app/budget/frame_pace.h"
-#include "app/budget/rate_record.h"
-
 namespace ergodome {
 namespace {
 

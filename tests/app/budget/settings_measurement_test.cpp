@@ -7,9 +7,9 @@
 #include <limits>
 #include <string>
 
-#include "app/budget/budget_check.h"
 #include "app/budget/budget_choice.h"
 #include "app/budget/budget_texts.h"
+#include "app/budget/lens_error.h"
 #include "content/show/show_reader.h"
 #include "content/sky/sky_map.h"
 #include "tests/render/accuracy/accuracy_scene.h"

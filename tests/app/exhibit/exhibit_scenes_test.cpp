@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "app/cli/show_loading.h"
+#include "app/cli/show_options.h"
 #include "app/exhibit/supervisor.h"
 #include "app/navigation/flight_space.h"
 #include "render/passes/overlay/caption_image.h"
@@ -166,7 +167,9 @@ TEST(ExhibitShows, AreFlatOnFlatScreensWithStarsAndADisk) {
 
 TEST(ExhibitShows, AreForDomesOnDomes) {
   Show visitor = load_show(usual_visitor_show);
-  override_view(visitor, "dome", "");
+  ShowOverrides overrides;
+  overrides.projection = "dome";
+  apply_overrides(visitor, overrides, false);
   const Show attract = load_show(usual_attract_show(visitor));
   EXPECT_EQ(attract.view.projection, ViewProjection::dome);
   EXPECT_EQ(attract_mismatch(visitor, attract), "");

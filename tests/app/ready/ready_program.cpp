@@ -16,7 +16,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/cli/program.h"
+#include "app/cli/commands.h"
 #include "content/images/image_library.h"
 #include "tests/app/ready/call.h"
 

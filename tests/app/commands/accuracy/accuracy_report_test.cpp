@@ -7,8 +7,6 @@
 
 #include "app/commands/accuracy/error_pictures.h"
 #include "app/commands/accuracy/report_files.h"
-#include "app/commands/accuracy/report_folder.h"
-#include "app/commands/accuracy/report_numbers.h"
 #include "app/commands/accuracy/report_page.h"
 #include "app/commands/accuracy/report_plots.h"
 #include "app/commands/accuracy/report_table.h"

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/remote/web/status_json.h"
+#include "app/remote/web/web_json.h"
 
 namespace ergodome {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "app/remote/common/rate_limit.h"
 #include "app/remote/web/http_stream.h"
-#include "app/remote/web/json_command.h"
+#include "app/remote/web/web_json.h"
 #include "tests/support/fake_player.h"
 #include "tests/support/raw_client.h"
 
