@@ -2,7 +2,7 @@
 
 #include <csignal>
 
-#include "content/files/reading_stop.h"
+#include "content/files/whole_file.h"
 
 namespace ergodome {
 

@@ -13,7 +13,7 @@
 #include "content/files/console.h"
 #include "content/objects/object_checks.h"
 #include "content/show/animated_show.h"
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "content/show/stereo_eyes.h"
 #include "content/sky/sky_map.h"
 #include "kernels/core/error.h"

@@ -7,7 +7,7 @@
 #include "app/cli/usage_error.h"
 #include "content/objects/object_checks.h"
 #include "content/show/animatable_number.h"
-#include "content/show/show_settings.h"
+#include "content/show/reading/show_settings.h"
 
 namespace ergodome {
 

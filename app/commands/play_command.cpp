@@ -27,7 +27,7 @@
 #include "app/player/recording/numbered_records.h"
 #include "app/player/renderers/play_renderers.h"
 #include "content/files/console.h"
-#include "content/files/reading_stop.h"
+#include "content/files/whole_file.h"
 #include "content/show/animatable_number.h"
 #include "render/output/stereo_layout.h"
 

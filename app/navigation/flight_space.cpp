@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "content/fall/within.h"
+#include "content/camera/within.h"
 #include "kernels/spacetime/kerr/kerr.h"
 
 namespace ergodome {

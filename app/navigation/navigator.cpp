@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "app/navigation/comfort.h"
-#include "content/fall/rain_pose.h"
-#include "content/fall/within.h"
+#include "content/camera/rain_pose.h"
+#include "content/camera/within.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {

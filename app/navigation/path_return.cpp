@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/navigation/comfort.h"
-#include "content/camera/key_curve.h"
+#include "content/timeline/key_curve.h"
 #include "kernels/core/angles.h"
 #include "kernels/spacetime/kerr/kerr.h"
 

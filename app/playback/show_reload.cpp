@@ -6,7 +6,7 @@
 #include <exception>
 #include <utility>
 
-#include "content/show/show_files.h"
+#include "content/show/reading/show_files.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {

@@ -2,7 +2,7 @@
 
 #include "app/player/recording/numbered_records.h"
 #include "content/files/atomic_file.h"
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 
 namespace ergodome {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "content/camera/key_curve.h"
-#include "content/fall/rain_pose.h"
+#include "content/camera/rain_pose.h"
+#include "content/timeline/key_curve.h"
 
 namespace ergodome {
 

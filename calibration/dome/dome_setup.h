@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "calibration/dome/orientation.h"
-#include "calibration/formats/warps/pfm.h"
 #include "calibration/formats/warps/warp_format.h"
-#include "calibration/projectors/lens.h"
+#include "calibration/warps/lens.h"
+#include "calibration/warps/orientation.h"
+#include "calibration/warps/pfm.h"
 #include "calibration/warps/warp_conversion.h"
 #include "kernels/core/vector3.h"
 

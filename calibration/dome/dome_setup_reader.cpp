@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "calibration/dome/dome_setup.h"
-#include "calibration/projectors/projector_reader.h"
+#include "calibration/dome/projector_reader.h"
 #include "content/files/toml_table.h"
 #include "content/files/whole_file.h"
 

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "calibration/projectors/blend_map.h"
 #include "calibration/projectors/projector_optics.h"
+#include "calibration/warps/blend_map.h"
 #include "calibration/warps/warp_mesh.h"
 
 // Corrects a projector that was nudged: a grid of points moves its image back, with bilinear

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "calibration/dome/dome_blend.h"
-#include "calibration/dome/dome_warp.h"
+#include "calibration/projectors/dome_blend.h"
+#include "calibration/projectors/dome_warp.h"
 #include "calibration/warps/warp_conversion.h"
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "calibration/dome/dome_blend.h"
 #include "calibration/dome/dome_setup.h"
+#include "calibration/projectors/dome_blend.h"
 #include "calibration/projectors/grid_offsets.h"
 #include "calibration/projectors/projector_files.h"
 

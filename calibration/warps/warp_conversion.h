@@ -1,7 +1,7 @@
 #pragma once
 
-#include "calibration/formats/warps/pfm.h"
-#include "calibration/projectors/blend_map.h"
+#include "calibration/warps/blend_map.h"
+#include "calibration/warps/pfm.h"
 #include "calibration/warps/warp_mesh.h"
 
 // Conversions between the forms of a warp in files.

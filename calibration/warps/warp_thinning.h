@@ -1,6 +1,6 @@
 #pragma once
 
-#include "calibration/formats/warps/pfm.h"
+#include "calibration/warps/pfm.h"
 #include "calibration/warps/warp_mesh.h"
 
 namespace ergodome {

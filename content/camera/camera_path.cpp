@@ -6,9 +6,9 @@
 #include <span>
 #include <utility>
 
-#include "content/camera/key_curve.h"
 #include "content/camera/proper_velocity.h"
 #include "content/show/animated_show.h"
+#include "content/timeline/key_curve.h"
 #include "kernels/core/angles.h"
 
 namespace ergodome {

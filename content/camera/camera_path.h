@@ -2,7 +2,7 @@
 
 #include <glm/gtc/quaternion.hpp>
 
-#include "content/fall/free_fall.h"
+#include "content/camera/free_fall.h"
 #include "content/show/show.h"
 
 namespace ergodome {

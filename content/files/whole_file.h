@@ -11,4 +11,12 @@ namespace ergodome {
 //! states what kind of file is expected.
 std::string read_whole_file(const std::filesystem::path& path, std::size_t most_bytes, const std::string& remedy);
 
+//! Makes all file readers stop, on all threads, because the program is about to end. Safe in a
+//! signal handler.
+void stop_reading() noexcept;
+
+//! Throws Error after stop_reading() was called. Readers call it in long loops; it costs one atomic
+//! load.
+void require_reading_goes_on(const std::string& place);
+
 }  // namespace ergodome

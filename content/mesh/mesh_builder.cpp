@@ -5,8 +5,7 @@
 #include <algorithm>
 
 #include "content/files/printable.h"
-#include "content/mesh/mesh_limits.h"
-#include "content/mesh/obj/named_file.h"
+#include "content/mesh/named_file.h"
 
 namespace ergodome {
 

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
+
+#include "kernels/core/vector3.h"
 
 namespace ergodome {
 
@@ -32,6 +35,22 @@ bool has_area(const SurfaceVertex& a, const SurfaceVertex& b, const SurfaceVerte
   const double y = along_b[2] * along_c[0] - along_b[0] * along_c[2];
   const double z = along_b[0] * along_c[1] - along_b[1] * along_c[0];
   return std::sqrt(x * x + y * y + z * z) > thinnest * longest && std::isfinite(longest);
+}
+
+Vector3<double> numbers_of(const float (&from)[3]) {
+  return {static_cast<double>(from[0]), static_cast<double>(from[1]), static_cast<double>(from[2])};
+}
+
+bool has_length(const Vector3<double>& normal) {
+  constexpr double least_square = 1e-12;
+  const double square = dot(normal, normal);
+  return square > least_square && std::isfinite(square);
+}
+
+//! Returns a vector of twice a triangle's area, along its normal.
+Vector3<double> area_of(const TriangleMesh& mesh, std::size_t first) {
+  const auto corner = [&](std::size_t i) { return numbers_of(mesh.vertices[mesh.indices[first + i]].position); };
+  return cross(corner(1) - corner(0), corner(2) - corner(0));
 }
 
 }  // namespace
@@ -65,6 +84,44 @@ double radius_of(const TriangleMesh& mesh) {
         std::max(greatest, std::hypot(static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])));
   }
   return greatest;
+}
+
+void repair_normals(TriangleMesh& mesh) {
+  std::vector<bool> wanting(mesh.vertices.size());
+  bool any = false;
+  for (std::size_t i = 0; i < wanting.size(); ++i) {
+    wanting[i] = !has_length(numbers_of(mesh.vertices[i].normal));
+    any = any || wanting[i];
+  }
+  if (!any) {
+    return;
+  }
+  constexpr Vector3<double> none{0.0, 0.0, 0.0};
+  std::vector<Vector3<double>> sums(mesh.vertices.size(), none);
+  // The first face at each vertex is the fallback: duplicate faces with opposite winding sum to
+  // zero.
+  std::vector<Vector3<double>> firsts(mesh.vertices.size(), none);
+  for (std::size_t first = 0; first + 2 < mesh.indices.size(); first += 3) {
+    const Vector3<double> area = area_of(mesh, first);
+    for (std::size_t i = first; i < first + 3; ++i) {
+      Vector3<double>& sum = sums[mesh.indices[i]];
+      Vector3<double>& of_first = firsts[mesh.indices[i]];
+      sum = sum + area;
+      of_first = dot(of_first, of_first) > 0.0 ? of_first : area;
+    }
+  }
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    constexpr double least_part = 1e-12;
+    const bool cancelled = dot(sums[i], sums[i]) <= least_part * dot(firsts[i], firsts[i]);
+    const Vector3<double>& sum = cancelled ? firsts[i] : sums[i];
+    const double length = std::sqrt(dot(sum, sum));
+    if (wanting[i] && length > 0.0) {
+      float(&normal)[3] = mesh.vertices[i].normal;
+      normal[0] = static_cast<float>(sum.x / length);
+      normal[1] = static_cast<float>(sum.y / length);
+      normal[2] = static_cast<float>(sum.z / length);
+    }
+  }
 }
 
 }  // namespace ergodome

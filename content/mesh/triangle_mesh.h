@@ -54,4 +54,8 @@ void drop_degenerate_triangles(TriangleMesh& mesh);
 //! Returns the distance of the farthest vertex from the origin of the mesh.
 double radius_of(const TriangleMesh& mesh);
 
+//! Replaces normals that are zero or non-finite by the mean normal of the faces that share the
+//! vertex, weighted by area. A vertex of a single face gets the face's normal.
+void repair_normals(TriangleMesh& mesh);
+
 }  // namespace ergodome

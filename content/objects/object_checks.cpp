@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "content/fall/free_fall.h"
+#include "content/camera/free_fall.h"
 #include "content/show/animated_show.h"
 
 namespace ergodome {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "content/objects/object_settings.h"
+#include "content/show/object_settings.h"
 
 namespace ergodome {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <ranges>
 
-#include "content/camera/key_curve.h"
+#include "content/timeline/key_curve.h"
 
 namespace ergodome {
 

@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "content/fall/fall_settings.h"
-#include "content/objects/object_settings.h"
 #include "content/show/disk.h"
+#include "content/show/fall_settings.h"
 #include "content/show/flight_settings.h"
+#include "content/show/map_layout.h"
+#include "content/show/object_settings.h"
 #include "content/show/shells.h"
-#include "content/sky/map_layout.h"
 #include "content/timeline/timeline.h"
 #include "kernels/image/tone_curve.h"
 #include "kernels/projection/lens_law.h"

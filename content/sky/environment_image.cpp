@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "content/files/reading_stop.h"
+#include "content/files/whole_file.h"
 #include "content/images/image_library.h"
 #include "content/images/light_coding.h"
 #include "content/sky/cube_map.h"

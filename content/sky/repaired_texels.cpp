@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "content/files/counted.h"
-#include "content/show/show_files.h"
+#include "content/show/show_errors.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {

@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "content/files/counted.h"
-#include "content/show/show_files.h"
+#include "content/show/show_errors.h"
 #include "content/sky/sky_map.h"
 #include "content/stars/star_file.h"
 #include "content/stars/star_table.h"

@@ -10,7 +10,7 @@
 #include <limits>
 
 #include "content/files/atomic_file.h"
-#include "content/files/byte_planes.h"
+#include "content/files/bytes.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {

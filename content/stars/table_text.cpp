@@ -3,7 +3,7 @@
 #include <span>
 #include <utility>
 
-#include "content/files/reading_stop.h"
+#include "content/files/whole_file.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {

@@ -11,7 +11,7 @@ namespace ergodome {
 //! How an animated number or the camera leaves one key and arrives at the next.
 //!
 //! `smooth` rests at the first and the last key, and passes inner keys with continuous second
-//! derivatives (C²; content/camera/key_curve.h). `in` starts from rest, `out` comes to rest at the
+//! derivatives (C²; content/timeline/key_curve.h). `in` starts from rest, `out` comes to rest at the
 //! next key, `in_out` does both. The last span ends at full speed with `in`, and the first one
 //! begins at full speed with `out`. `linear` has constant speed. `hold` stays, and jumps at the
 //! next key.

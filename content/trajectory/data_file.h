@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <span>
 
-#include "content/trajectory/bytes.h"
+#include "content/files/bytes.h"
 
 namespace ergodome {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "content/trajectory/bytes.h"
+#include "content/files/bytes.h"
 
 namespace ergodome {
 

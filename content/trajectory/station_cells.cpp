@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "content/files/byte_planes.h"
+#include "content/files/bytes.h"
 #include "kernels/spacetime/kerr/kerr.h"
 
 namespace ergodome {

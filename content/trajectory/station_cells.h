@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "content/trajectory/bytes.h"
+#include "content/files/bytes.h"
 #include "content/trajectory/lens_station.h"
 
 // The part of the format that stations of every kind share: position, chart and cells.

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "content/trajectory/bytes.h"
+#include "content/files/bytes.h"
 #include "content/trajectory/lens_station.h"
 #include "kernels/spacetime/kerr/observer.h"
 

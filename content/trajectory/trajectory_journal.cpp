@@ -9,7 +9,7 @@
 
 #include "content/files/atomic_file.h"
 #include "content/trajectory/frame.h"
-#include "content/trajectory/station_frame.h"
+#include "content/trajectory/station_codec.h"
 #include "kernels/spacetime/kerr/kerr.h"
 
 namespace ergodome {

@@ -4,7 +4,7 @@
 
 #include "content/trajectory/frame.h"
 #include "content/trajectory/station_cells.h"
-#include "content/trajectory/station_frame.h"
+#include "content/trajectory/station_codec.h"
 
 namespace ergodome {
 

@@ -9,7 +9,7 @@
 
 #include "content/camera/camera_path.h"
 #include "content/show/animated_show.h"
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "content/trajectory/trajectory_journal.h"
 #include "kernels/core/error.h"
 #include "render/bake/disk_bake.h"

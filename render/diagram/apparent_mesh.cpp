@@ -5,7 +5,7 @@
 #include <optional>
 #include <unordered_map>
 
-#include "content/objects/object_settings.h"
+#include "content/show/object_settings.h"
 #include "kernels/launch/parallel_for.h"
 #include "kernels/spacetime/schwarzschild/apparent_place.h"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "content/fall/rain_pose.h"
+#include "content/camera/rain_pose.h"
 #include "content/show/animated_show.h"
 #include "content/sky/repaired_texels.h"
 #include "kernels/core/error.h"

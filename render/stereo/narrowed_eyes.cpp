@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "content/show/animated_show.h"
-#include "content/show/show_files.h"
+#include "content/show/show_errors.h"
 #include "kernels/core/error.h"
 #include "render/stereo/eye_distance.h"
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "content/sky/sky_map.h"
 #include "kernels/core/angles.h"
 #include "kernels/launch/launch.h"

@@ -3,7 +3,7 @@
 #include <memory>
 #include <optional>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "kernels/launch/parallel_for.h"
 #include "kernels/projection/pixel_measure.h"
 #include "render/eyes/view_projection.h"

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <functional>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "content/sky/sky_map.h"
 #include "kernels/launch/parallel_for.h"
 #include "render/frame/show_renderer.h"

@@ -1,6 +1,6 @@
 #include <benchmark/benchmark.h>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "kernels/launch/parallel_for.h"
 #include "render/frame/show_renderer.h"
 #include "render/lens/grid/edge_table.h"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "content/camera/camera_path.h"
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "content/sky/sky_map.h"
 #include "render/eyes/view_projection.h"
 #include "render/passes/objects/object_pass.h"

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "kernels/core/error.h"
 #include "kernels/launch/launch.h"
 #include "kernels/launch/parallel_for.h"

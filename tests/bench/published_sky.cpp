@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "content/sky/sky_map.h"
 #include "content/stars/star_catalogue.h"
 #include "content/stars/star_file.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "kernels/launch/parallel_for.h"
 #include "render/frame/show_renderer.h"
 #include "render/stereo/eye_disparity.h"

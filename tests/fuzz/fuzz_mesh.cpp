@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "content/mesh/mesh_reader.h"
+#include "content/mesh/formats/mesh_reader.h"
 #include "kernels/core/error.h"
 
 namespace {

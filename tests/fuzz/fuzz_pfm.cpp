@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <span>
 
-#include "calibration/formats/warps/pfm.h"
+#include "calibration/warps/pfm.h"
 #include "calibration/warps/warp_conversion.h"
 #include "kernels/core/error.h"
 

@@ -6,7 +6,7 @@
 
 #include "content/camera/camera_path.h"
 #include "content/show/animated_show.h"
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "kernels/core/error.h"
 
 namespace {

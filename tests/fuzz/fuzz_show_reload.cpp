@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "app/playback/show_reload.h"
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "kernels/core/error.h"
 
 namespace {

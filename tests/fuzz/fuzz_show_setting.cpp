@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <string>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "kernels/core/error.h"
 
 // Any two settings either change a show or throw an Error.

@@ -6,9 +6,9 @@
 #include <sstream>
 #include <string>
 
+#include "content/files/bytes.h"
 #include "content/stars/star_file.h"
 #include "content/stars/star_table.h"
-#include "content/trajectory/bytes.h"
 #include "kernels/core/error.h"
 
 namespace {

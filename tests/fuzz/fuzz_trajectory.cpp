@@ -7,7 +7,6 @@
 #include <span>
 #include <string>
 
-#include "content/trajectory/disk_codec.h"
 #include "content/trajectory/frame.h"
 #include "content/trajectory/station_codec.h"
 #include "content/trajectory/trajectory_reader.h"

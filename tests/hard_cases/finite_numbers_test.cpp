@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "content/sky/sky_map.h"
 #include "kernels/core/error.h"
 #include "kernels/launch/check_numbers.h"

@@ -7,7 +7,7 @@
 
 #include "content/camera/camera_path.h"
 #include "content/show/animated_show.h"
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "kernels/core/angles.h"
 #include "kernels/spacetime/shadow/shadow_chart.h"
 #include "render/eyes/eye_camera.h"

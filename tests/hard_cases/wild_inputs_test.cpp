@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "content/camera/camera_path.h"
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "kernels/core/error.h"
 #include "render/eyes/eye_camera.h"
 #include "tests/hard_cases/lens_methods.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <memory>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "render/lens/omni_lens.h"
 #include "tests/render/exact_sky.h"
 

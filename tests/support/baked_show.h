@@ -4,7 +4,7 @@
 #include <fstream>
 #include <string>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "content/trajectory/trajectory_journal.h"
 #include "render/bake/trajectory_baker.h"
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "calibration/dome/dome_blend.h"
 #include "calibration/dome/dome_setup.h"
 #include "calibration/formats/warps/bourke_mesh.h"
+#include "calibration/projectors/dome_blend.h"
 #include "kernels/core/angles.h"
 
 // A simulated dome with its projectors.

@@ -8,7 +8,7 @@
 
 #include "app/commands/calibrate/calibration_keys.h"
 #include "app/commands/calibrate/live_calibration.h"
-#include "calibration/dome/dome_pictures.h"
+#include "calibration/projectors/dome_pictures.h"
 #include "render/present/presenter.h"
 #include "render/present/projectors/projector_windows.h"
 #include "render/present/text_panel.h"

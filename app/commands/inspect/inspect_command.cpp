@@ -25,7 +25,7 @@
 #include "content/files/console.h"
 #include "content/files/counted.h"
 #include "content/show/animated_show.h"
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "content/sky/environment_image.h"
 #include "content/sky/sky_map.h"
 #include "kernels/core/angles.h"

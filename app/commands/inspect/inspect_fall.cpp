@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "content/camera/camera_path.h"
-#include "content/fall/rain_pose.h"
+#include "content/camera/rain_pose.h"
 #include "content/files/console.h"
 #include "content/files/counted.h"
 #include "kernels/core/angles.h"

@@ -7,7 +7,7 @@
 #include "content/files/console.h"
 #include "content/files/counted.h"
 #include "content/show/animated_show.h"
-#include "content/show/show_files.h"
+#include "content/show/reading/show_files.h"
 
 namespace ergodome {
 

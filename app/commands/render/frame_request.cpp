@@ -9,9 +9,9 @@
 #include "app/commands/render/heat_map_options.h"
 #include "calibration/formats/mpcdi/mpcdi_reader.h"
 #include "content/files/fingerprint.h"
-#include "content/mesh/mesh_files.h"
-#include "content/show/show_files.h"
-#include "content/show/show_reader.h"
+#include "content/mesh/formats/mesh_reader.h"
+#include "content/show/reading/show_files.h"
+#include "content/show/reading/show_reader.h"
 #include "render/passes/overlay/camera_readout.h"
 #include "render/passes/overlay/overlay_place.h"
 

@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "app/playback/sound/sound_bytes.h"
-#include "content/files/reading_stop.h"
+#include "content/files/whole_file.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {

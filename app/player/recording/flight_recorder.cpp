@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "content/fall/rain_pose.h"
+#include "content/camera/rain_pose.h"
 #include "content/show/stereo_eyes.h"
 #include "kernels/core/angles.h"
 

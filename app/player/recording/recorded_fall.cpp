@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "app/navigation/orbit_ride.h"
-#include "content/fall/rain_pose.h"
-#include "content/fall/within.h"
+#include "content/camera/rain_pose.h"
+#include "content/camera/within.h"
 #include "kernels/spacetime/geodesic/rain_orbit.h"
 
 namespace ergodome {

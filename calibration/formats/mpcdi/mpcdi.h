@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "calibration/dome/orientation.h"
-#include "calibration/formats/warps/pfm.h"
-#include "calibration/projectors/blend_map.h"
+#include "calibration/warps/blend_map.h"
+#include "calibration/warps/orientation.h"
+#include "calibration/warps/pfm.h"
 #include "kernels/core/vector3.h"
 
 // The contents of a file in VESA's Multiple Projection Common Data Interchange (MPCDI), versions

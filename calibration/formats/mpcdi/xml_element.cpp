@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "calibration/formats/warps/text_lines.h"
+#include "calibration/warps/text_lines.h"
 
 namespace ergodome {
 

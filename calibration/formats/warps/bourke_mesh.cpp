@@ -6,7 +6,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "calibration/formats/warps/text_lines.h"
+#include "calibration/warps/text_lines.h"
 #include "content/files/whole_file.h"
 #include "kernels/core/error.h"
 

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "calibration/dome/orientation.h"
 #include "calibration/formats/warps/warp_format.h"
+#include "calibration/warps/orientation.h"
 #include "calibration/warps/warp_mesh.h"
 
 // Warp formats of other programs that SGCT (https://sgct.github.io) also reads.

@@ -6,7 +6,7 @@
 #include <initializer_list>
 #include <iterator>
 
-#include "calibration/formats/warps/text_lines.h"
+#include "calibration/warps/text_lines.h"
 
 namespace ergodome {
 

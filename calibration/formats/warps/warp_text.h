@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "calibration/dome/orientation.h"
-#include "calibration/formats/warps/text_lines.h"
+#include "calibration/warps/orientation.h"
+#include "calibration/warps/text_lines.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {

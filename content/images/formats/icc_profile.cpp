@@ -5,7 +5,6 @@
 
 #include "content/images/formats/jpeg_segments.h"
 #include "content/images/formats/png_chunks.h"
-#include "content/images/formats/png_colors.h"
 #include "content/images/formats/tiff_directory.h"
 
 namespace ergodome {

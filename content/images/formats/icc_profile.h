@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "content/images/image_bytes.h"
+#include "content/images/formats/image_bytes.h"
 
 namespace ergodome {
 

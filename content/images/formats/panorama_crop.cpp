@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <pugixml.hpp>
 
-#include "content/images/shown_layout.h"
+#include "content/images/formats/shown_layout.h"
 
 namespace ergodome {
 

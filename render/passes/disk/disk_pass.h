@@ -3,8 +3,8 @@
 #include <memory>
 #include <optional>
 
+#include "content/camera/hole_clock.h"
 #include "content/show/show.h"
-#include "content/timeline/hole_clock.h"
 #include "kernels/disk/disk_look.h"
 #include "render/backend/buffer.h"
 #include "render/passes/stars/drawing/blackbody_colours.h"

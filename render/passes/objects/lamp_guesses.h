@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "content/objects/object_settings.h"
+#include "content/show/object_settings.h"
 #include "kernels/objects/lamp_place.h"
 #include "render/passes/objects/polygons/object_outline.h"
 

@@ -8,7 +8,7 @@
 
 #include "content/objects/object_motion.h"
 #include "content/show/animated_show.h"
-#include "content/show/show_files.h"
+#include "content/show/show_errors.h"
 #include "kernels/core/error.h"
 #include "kernels/spacetime/kerr/kerr.h"
 #include "render/passes/objects/object_reach.h"

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "content/mesh/built_in_meshes.h"
-#include "content/mesh/mesh_reader.h"
-#include "content/show/show_files.h"
+#include "content/mesh/formats/mesh_reader.h"
+#include "content/show/show_errors.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {

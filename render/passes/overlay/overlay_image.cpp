@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "content/files/reading_stop.h"
+#include "content/files/whole_file.h"
 #include "content/images/image_library.h"
 #include "content/images/light_coding.h"
 #include "kernels/core/error.h"

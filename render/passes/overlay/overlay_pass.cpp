@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <set>
 
-#include "content/show/show_files.h"
+#include "content/show/show_errors.h"
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "kernels/projection/pixel_measure.h"

@@ -7,7 +7,7 @@
 #include <functional>
 #include <glm/matrix.hpp>
 
-#include "content/show/show_files.h"
+#include "content/show/show_errors.h"
 #include "content/sky/environment_image.h"
 #include "content/sky/sky_map.h"
 #include "kernels/core/angles.h"

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "content/show/animated_show.h"
-#include "content/show/show_files.h"
+#include "content/show/show_errors.h"
 #include "content/sky/sky_map.h"
 #include "kernels/launch/parallel_for.h"
 #include "kernels/launch/work_counter.h"

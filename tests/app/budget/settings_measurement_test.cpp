@@ -10,7 +10,7 @@
 #include "app/budget/budget_choice.h"
 #include "app/budget/budget_texts.h"
 #include "app/budget/lens_error.h"
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "content/sky/sky_map.h"
 #include "tests/render/accuracy/accuracy_scene.h"
 #include "tests/support/sanitized.h"

@@ -13,7 +13,7 @@
 #include <thread>
 
 #include "content/camera/camera_path.h"
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "tests/app/cli/command_line.h"
 
 namespace ergodome {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "content/fall/rain_pose.h"
+#include "content/camera/rain_pose.h"
 #include "tests/app/navigation/test_flights.h"
 
 namespace ergodome {

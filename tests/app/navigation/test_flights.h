@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/navigation/navigator.h"
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 
 // Shows, flights and inputs for tests of the navigator.
 namespace ergodome::test {

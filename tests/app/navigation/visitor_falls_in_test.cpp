@@ -5,8 +5,8 @@
 #include <cmath>
 #include <functional>
 
-#include "content/fall/rain_pose.h"
-#include "content/fall/within.h"
+#include "content/camera/rain_pose.h"
+#include "content/camera/within.h"
 #include "kernels/spacetime/kerr/camera_station.h"
 #include "tests/app/navigation/test_flights.h"
 

@@ -7,7 +7,7 @@
 #include <future>
 #include <thread>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "tests/support/folder_test.h"
 
 namespace ergodome {

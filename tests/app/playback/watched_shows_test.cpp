@@ -5,7 +5,7 @@
 
 #include <thread>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "tests/support/folder_test.h"
 
 namespace ergodome {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/cli/show_loading.h"
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 
 namespace ergodome {
 namespace {

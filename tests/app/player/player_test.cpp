@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "kernels/projection/make_projection.h"
 
 namespace ergodome {

@@ -6,9 +6,9 @@
 
 #include "app/navigation/controls/controls.h"
 #include "app/player/player_session.h"
-#include "content/fall/rain_pose.h"
-#include "content/fall/within.h"
-#include "content/show/show_reader.h"
+#include "content/camera/rain_pose.h"
+#include "content/camera/within.h"
+#include "content/show/reading/show_reader.h"
 #include "render/eyes/eye_camera.h"
 
 namespace ergodome {

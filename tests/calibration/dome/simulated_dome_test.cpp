@@ -6,14 +6,14 @@
 #include <cmath>
 #include <numeric>
 
-#include "calibration/dome/dome_blend.h"
-#include "calibration/dome/dome_pictures.h"
 #include "calibration/formats/mpcdi/mpcdi_conversion.h"
 #include "calibration/formats/mpcdi/mpcdi_reader.h"
 #include "calibration/formats/mpcdi/mpcdi_writer.h"
-#include "calibration/formats/mpcdi/setup_conversion.h"
+#include "calibration/projectors/dome_blend.h"
+#include "calibration/projectors/dome_pictures.h"
 #include "calibration/projectors/projector_files.h"
 #include "calibration/projectors/projector_picture.h"
+#include "calibration/projectors/setup_conversion.h"
 #include "calibration/warps/warp_conversion.h"
 #include "kernels/core/error.h"
 #include "tests/support/folder_test.h"

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "calibration/dome/dome_warp.h"
+#include "calibration/projectors/dome_warp.h"
 #include "kernels/core/angles.h"
 #include "tests/support/errors.h"
 #include "tests/support/simulated_dome.h"

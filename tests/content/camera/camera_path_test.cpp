@@ -9,7 +9,7 @@
 #include <tuple>
 #include <vector>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 
 namespace ergodome {
 namespace {

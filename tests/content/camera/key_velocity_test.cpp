@@ -6,7 +6,7 @@
 
 #include "content/camera/camera_path.h"
 #include "content/show/idle_lines.h"
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "tests/support/errors.h"
 
 namespace ergodome {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <random>
 
-#include "content/camera/key_curve.h"
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
+#include "content/timeline/key_curve.h"
 
 namespace ergodome {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 
 namespace ergodome {
 namespace {

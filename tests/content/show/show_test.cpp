@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <numbers>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "tests/support/errors.h"
 
 namespace ergodome {

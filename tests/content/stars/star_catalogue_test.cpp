@@ -8,9 +8,9 @@
 #include <fstream>
 #include <sstream>
 
+#include "content/files/bytes.h"
 #include "content/stars/star_file.h"
 #include "content/stars/star_table.h"
-#include "content/trajectory/bytes.h"
 #include "tests/support/errors.h"
 #include "tests/support/folder_test.h"
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "content/show/animated_show.h"
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "tests/support/errors.h"
 
 namespace ergodome {

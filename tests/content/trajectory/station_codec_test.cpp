@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "content/trajectory/disk_codec.h"
 #include "tests/content/trajectory/small_stations.h"
 #include "tests/support/errors.h"
 

@@ -6,10 +6,8 @@
 #include <fstream>
 #include <random>
 
-#include "content/trajectory/disk_codec.h"
 #include "content/trajectory/frame.h"
 #include "content/trajectory/station_codec.h"
-#include "content/trajectory/station_frame.h"
 #include "content/trajectory/trajectory_journal.h"
 #include "content/trajectory/trajectory_reader.h"
 #include "tests/content/trajectory/small_stations.h"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "render/accuracy/scene.h"
 #include "tests/support/tiny_sky.h"
 

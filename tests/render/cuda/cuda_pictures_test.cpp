@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "content/sky/sky_map.h"
 #include "kernels/launch/cuda.h"
 #include "kernels/launch/launch.h"

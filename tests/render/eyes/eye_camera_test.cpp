@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "content/camera/camera_path.h"
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "kernels/core/angles.h"
 #include "render/lens/stations/place_turn.h"
 #include "render/passes/stars/star_eye.h"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "render/eyes/eye_camera.h"
 
 namespace ergodome {

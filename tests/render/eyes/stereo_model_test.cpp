@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "kernels/core/error.h"
 #include "kernels/projection/make_projection.h"
 #include "kernels/spacetime/shadow/critical_curve.h"

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "content/show/animated_show.h"
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "kernels/launch/work_counter.h"
 #include "render/bake/trajectory_baker.h"
 #include "render/frame/show_renderer.h"

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "kernels/core/angles.h"
 #include "kernels/image/color_map.h"
 #include "kernels/projection/make_projection.h"

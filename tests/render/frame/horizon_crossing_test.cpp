@@ -5,7 +5,7 @@
 #include <map>
 #include <vector>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "render/eyes/view_projection.h"
 #include "render/lens/direct_lens.h"
 #include "render/lens/lens_chooser.h"

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "kernels/core/error.h"
 #include "render/frame/show_renderer.h"
 #include "render/opengl/headless_context.h"

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "kernels/core/angles.h"
 
 namespace ergodome {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "kernels/core/angles.h"
 #include "kernels/disk/equatorial_crossings.h"
 #include "kernels/objects/path_step.h"

@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "content/show/animated_show.h"
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "tests/render/plan/frame_plan_scenes.h"
 
 namespace ergodome {

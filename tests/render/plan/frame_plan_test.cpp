@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "content/show/animated_show.h"
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "render/frame/frame_passes.h"
 #include "render/passes/shells/shell_pass.h"
 #include "tests/render/plan/frame_plan_scenes.h"

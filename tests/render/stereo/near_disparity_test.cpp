@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "kernels/core/angles.h"
 #include "kernels/projection/make_projection.h"
 #include "kernels/spacetime/geodesic/affine_distance.h"

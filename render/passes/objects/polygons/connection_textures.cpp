@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "content/objects/object_settings.h"
+#include "content/show/object_settings.h"
 #include "kernels/launch/work_counter.h"
 #include "render/published/connection_table.h"
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "content/objects/object_settings.h"
+#include "content/show/object_settings.h"
 #include "kernels/core/error.h"
 #include "kernels/spacetime/kerr/frame_boost.h"
 #include "render/passes/objects/polygons/object_shaders.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "calibration/dome/dome_pictures.h"
+#include "calibration/projectors/dome_pictures.h"
 #include "calibration/warps/warp_conversion.h"
 #include "kernels/core/error.h"
 #include "tests/support/folder_test.h"

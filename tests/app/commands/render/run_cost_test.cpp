@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "tests/app/cli/command_line.h"
 
 namespace ergodome {

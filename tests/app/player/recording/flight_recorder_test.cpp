@@ -7,9 +7,9 @@
 #include <random>
 
 #include "app/cli/show_loading.h"
-#include "content/fall/rain_pose.h"
+#include "content/camera/rain_pose.h"
 #include "content/files/atomic_file.h"
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "tests/support/folder_test.h"
 #include "tests/support/killed_writer.h"
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/player/player_session.h"
-#include "content/fall/rain_pose.h"
-#include "content/show/show_reader.h"
+#include "content/camera/rain_pose.h"
+#include "content/show/reading/show_reader.h"
 
 namespace ergodome {
 namespace {

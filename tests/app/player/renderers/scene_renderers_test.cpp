@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "content/files/atomic_file.h"
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "tests/support/folder_test.h"
 
 namespace ergodome {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "content/sky/sky_map.h"
 #include "kernels/core/error.h"
 #include "kernels/projection/pixel_measure.h"

@@ -5,7 +5,7 @@
 #include <limits>
 #include <memory>
 
-#include "content/fall/free_fall.h"
+#include "content/camera/free_fall.h"
 #include "kernels/disk/equatorial_crossings.h"
 #include "kernels/spacetime/kerr/observer.h"
 #include "render/passes/disk/disk_pass.h"

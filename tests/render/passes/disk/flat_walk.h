@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "kernels/core/angles.h"
 #include "kernels/core/find_root.h"
 #include "kernels/disk/crossing_layers.h"

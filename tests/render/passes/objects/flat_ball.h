@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "kernels/eyes/flat/eye_line.h"
 #include "kernels/spacetime/kerr/frame_boost.h"
 #include "kernels/spacetime/schwarzschild/connecting_ray.h"

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "content/mesh/built_in_meshes.h"
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "kernels/objects/light_ray.h"
 
 // Initial guesses for the rays of a lamp to objects.

@@ -5,7 +5,7 @@
 #include <initializer_list>
 #include <iterator>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "kernels/core/error.h"
 #include "render/frame/show_renderer.h"
 #include "render/output/image_writer.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "kernels/projection/pixel_measure.h"
 #include "kernels/spacetime/shadow/critical_curve.h"
 #include "render/frame/show_renderer.h"

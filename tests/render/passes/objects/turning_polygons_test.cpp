@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "render/frame/show_renderer.h"
 #include "render/passes/objects/polygons/turning_view.h"
 #include "tests/render/passes/objects/object_scene.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <random>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "render/passes/overlay/caption_notes.h"
 #include "render/passes/overlay/overlay_image.h"
 #include "tests/support/folder_test.h"

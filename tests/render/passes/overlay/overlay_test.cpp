@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "kernels/launch/work_counter.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "kernels/core/angles.h"
 #include "kernels/projection/make_projection.h"
 #include "kernels/sky/blackbody.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "kernels/core/angles.h"
 #include "kernels/launch/work_counter.h"
 #include "kernels/projection/make_projection.h"

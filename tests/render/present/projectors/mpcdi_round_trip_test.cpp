@@ -7,7 +7,7 @@
 
 #include "calibration/formats/mpcdi/mpcdi_reader.h"
 #include "calibration/formats/mpcdi/mpcdi_writer.h"
-#include "calibration/formats/mpcdi/setup_conversion.h"
+#include "calibration/projectors/setup_conversion.h"
 #include "render/present/projectors/software_projectors.h"
 #include "tests/support/folder_test.h"
 

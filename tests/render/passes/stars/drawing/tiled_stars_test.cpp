@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "kernels/core/angles.h"
 #include "kernels/projection/make_projection.h"
 #include "render/frame/show_renderer.h"

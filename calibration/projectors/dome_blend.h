@@ -1,0 +1,56 @@
+#pragma once
+
+#include <vector>
+
+#include "calibration/projectors/dome_warp.h"
+#include "calibration/warps/blend_map.h"
+
+namespace ergodome {
+
+//! How overlapping projectors share the dome's light.
+struct BlendSettings {
+  //! Each projector's share is proportional to this power of its depth in the raster. 1 leaves
+  //! visible edges at the ends of seams; 2 or more does not.
+  double softness = 2.0;
+  //! 0: no equalization; 1: the whole dome is as bright as its dimmest point, although rasters that
+  //! are spread over more of the dome are dimmer. Between these, this power of the brightness
+  //! differences is equalized.
+  double evenness = 1.0;
+};
+
+//! The light of several projectors on one dome: in overlaps their shares add up to 1. All
+//! projectors are assumed to be equally bright, with uniform light over the raster.
+class DomeBlend {
+ public:
+  //! Throws Error if no projector lights the dome. Copies the projectors.
+  DomeBlend(std::vector<ProjectorOptics> projectors, const DomeScreen& screen, const BlendSettings& settings);
+
+  //! Returns a projector's share of the light at a position of its raster, 0 to 1.
+  [[nodiscard]] double part(std::size_t projector, const RasterPlace& place) const;
+
+  //! Returns the factor for linear values at a position of the raster, 0 to 1: the share times the
+  //! equalization.
+  [[nodiscard]] double intensity(std::size_t projector, const RasterPlace& place) const;
+
+  //! Returns the intensities of all pixels of a raster, for linear values (blend_mask_gamma 1), as
+  //! a gray mask of 16 bits.
+  [[nodiscard]] BlendMap mask(std::size_t projector, int width_px, int height_px) const;
+
+  //! Returns the same as mask() in a fraction of the time, from the mask of `before`, the blend at
+  //! another tilt of the same dome; that mask may come from a 16-bit file. A tilt only changes the
+  //! light level of the whole dome, which is one factor. Pixels that were clamped at 1 are
+  //! recomputed. Pixels far beyond the dome's rim keep their values.
+  [[nodiscard]] BlendMap mask_after_tilt(std::size_t projector, const BlendMap& mask, const DomeBlend& before) const;
+
+  [[nodiscard]] const std::vector<ProjectorOptics>& projectors() const { return projectors_; }
+
+ private:
+  [[nodiscard]] double evened_light(std::size_t projector, const RasterPlace& place) const;
+
+  std::vector<ProjectorOptics> projectors_;
+  DomeScreen screen_;
+  BlendSettings settings_;
+  double level_ = 1.0;  //!< light, to the power of `evenness`, that all points of the dome can reach
+};
+
+}  // namespace ergodome

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "content/show/fall_settings.h"
+#include "content/timeline/timeline.h"
+
+namespace ergodome {
+
+//! The proper time of a falling camera as a function of show time: the integral of its clock rate,
+//! which starts from 0 and returns to 0 at the end of the fall.
+class FallClock {
+ public:
+  //! `changing` contains the keys of an animated clock rate, else it is nullptr; it is copied.
+  FallClock(const FallSettings& settings, const Animation* changing);
+
+  //! Returns the camera's proper time since its fall began [M]; 0 before. Never decreases.
+  [[nodiscard]] double proper_time(double time_s) const;
+
+  //! Returns the show time when the proper time reaches a positive value [s]; nothing if that is
+  //! not by `end_s`.
+  [[nodiscard]] std::optional<double> time_s(double proper_time, double end_s) const;
+
+  //! Makes the proper time stop smoothly at a positive value.
+  void stop_at(double proper_time);
+
+ private:
+  //! A piece of the clock that begins at one time, with the proper time up to there.
+  struct Piece {
+    double begin_s;
+    double proper_time;
+  };
+
+  [[nodiscard]] double rate(double time_s) const;
+  [[nodiscard]] double integral(double from_s, double to_s) const;
+  [[nodiscard]] double unstopped(double time_s) const;
+
+  double begin_s_;
+  double end_s_;  //!< infinite if the fall does not end
+  double ease_s_;
+  Animation clock_;
+  std::vector<Piece> pieces_;  //!< the clock rate is a polynomial on each
+  std::optional<double> stop_;
+  double stopping_ = 0.0;  //!< proper time before the stop from which the clock slows down
+};
+
+}  // namespace ergodome

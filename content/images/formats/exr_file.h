@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "content/images/formats/png_chunks.h"
+
+namespace ergodome {
+
+//! Returns what is wrong with the attributes of an OpenEXR file. It finds attributes that claim
+//! more bytes than the file has, all of which OpenEXR would allocate. Returns an empty text for a
+//! correct file and for other formats. Source: OpenEXR, "File Layout".
+std::string problem_of_exr(const NextBytes& next, std::uintmax_t file_bytes);
+
+//! One part of an OpenEXR file.
+struct ExrPart {
+  std::string name;
+  std::string view;  //!< the view of a stereo file; empty if it has none
+  std::vector<std::string> channels;
+};
+
+//! The channels of a layer: red, green and blue, or a single gray one, then alpha if it follows
+//! them.
+struct ExrLayer {
+  std::string name;  //!< empty for plain R, G, B
+  int part = 0;
+  int first_channel = 0;
+  int channels = 0;
+  int alpha = -1;  //!< counted from the first channel
+};
+
+//! Returns the layers of a file that can be shown, in the file's order, of a stereo file only those
+//! of the first view. In a file of several parts, plain channels form a layer with the name of
+//! their part.
+std::vector<ExrLayer> exr_layers(const std::vector<ExrPart>& parts);
+
+//! Returns the layer with a name, which is its last word or its full name in any case. For an empty
+//! name it is plain R, G, B, or else the layer Combined, rgba or beauty, or else the only one. If
+//! none or several match, sets `problem` to a list of the layers.
+ExrLayer choose_exr_layer(const std::vector<ExrLayer>& layers, const std::string& name, std::string& problem);
+
+}  // namespace ergodome

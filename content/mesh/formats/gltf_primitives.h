@@ -1,0 +1,22 @@
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <vector>
+
+#include "content/mesh/formats/gltf_accessors.h"
+#include "content/mesh/mesh_builder.h"
+
+namespace ergodome {
+
+//! The transform of a primitive: one matrix, or those of the joints of a skin.
+struct GltfPlacement {
+  glm::dmat4 world;
+  std::vector<glm::dmat4> joints;      //!< of a skin; empty without one
+  const std::vector<double>* weights;  //!< of the morph targets
+};
+
+//! Adds the triangles of a primitive to a mesh. Ignores points and lines.
+void add_gltf_primitive(const GltfFile& file, const tinygltf::Primitive& primitive, const GltfPlacement& placement,
+                        MeshBuilder& builder);
+
+}  // namespace ergodome
