@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "content/files/counted.h"
+#include "content/files/printable.h"
 
 namespace ergodome {
 

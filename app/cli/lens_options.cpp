@@ -10,7 +10,7 @@
 
 #include "app/cli/usage_error.h"
 #include "content/files/console.h"
-#include "content/files/counted.h"
+#include "content/files/printable.h"
 #include "content/show/stereo_eyes.h"
 #include "kernels/core/error.h"
 #include "kernels/projection/pixel_measure.h"

@@ -9,7 +9,7 @@
 #include "app/cli/option_checks.h"
 #include "app/cli/output_file.h"
 #include "content/files/console.h"
-#include "content/files/counted.h"
+#include "content/files/printable.h"
 #include "content/sky/sky_map.h"
 #include "content/stars/star_catalogue.h"
 #include "content/stars/star_file.h"

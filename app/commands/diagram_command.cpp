@@ -16,7 +16,7 @@
 #include "content/camera/camera_path.h"
 #include "content/files/atomic_file.h"
 #include "content/files/console.h"
-#include "content/files/counted.h"
+#include "content/files/printable.h"
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "render/diagram/diagram.h"

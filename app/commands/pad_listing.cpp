@@ -10,7 +10,7 @@
 #include "app/pads/pad_hub.h"
 #include "app/pads/state/pad_names.h"
 #include "content/files/console.h"
-#include "content/files/counted.h"
+#include "content/files/printable.h"
 
 namespace ergodome {
 

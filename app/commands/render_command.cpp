@@ -26,7 +26,7 @@
 #include "app/playback/playback.h"
 #include "content/files/atomic_file.h"
 #include "content/files/console.h"
-#include "content/files/counted.h"
+#include "content/files/printable.h"
 #include "content/show/animatable_number.h"
 #include "kernels/core/error.h"
 #include "render/frame/show_renderer.h"

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/playback/sound/audio_messages.h"
+#include "app/playback/sound/audio_output.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {

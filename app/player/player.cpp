@@ -14,7 +14,7 @@
 #include "app/pads/pad_settings.h"
 #include "app/player/player_texts.h"
 #include "content/files/console.h"
-#include "content/files/counted.h"
+#include "content/files/printable.h"
 #include "kernels/core/angles.h"
 #include "render/output/stereo_layout.h"
 #include "render/passes/overlay/camera_readout.h"

@@ -9,8 +9,8 @@
 #include "app/exhibit/log_file.h"
 #include "app/playback/midi_clock_input.h"
 #include "app/playback/playback.h"
+#include "app/playback/show_reload.h"
 #include "app/playback/sound/audio_player.h"
-#include "app/playback/watched_shows.h"
 #include "app/remote/common/log_ring.h"
 #include "app/remote/remote_control.h"
 

@@ -6,9 +6,8 @@
 #include <vector>
 
 #include "calibration/formats/warps/warp_format.h"
-#include "calibration/warps/lens.h"
-#include "calibration/warps/orientation.h"
 #include "calibration/warps/pfm.h"
+#include "calibration/warps/projector_view.h"
 #include "calibration/warps/warp_conversion.h"
 #include "kernels/core/vector3.h"
 

@@ -237,4 +237,19 @@ void make_folder(const std::filesystem::path& folder) {
   }
 }
 
+bool write_all(int handle, const char* bytes, std::size_t count) {
+  while (count > 0) {
+    const ssize_t written = ::write(handle, bytes, count);
+    if (written < 0 && errno == EINTR) {
+      continue;
+    }
+    if (written <= 0) {
+      return false;
+    }
+    bytes += written;
+    count -= static_cast<std::size_t>(written);
+  }
+  return true;
+}
+
 }  // namespace ergodome

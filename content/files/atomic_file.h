@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 
@@ -43,5 +44,8 @@ void write_text_keeping_older(const std::filesystem::path& path, std::string_vie
 
 //! Creates a folder and its parents if they do not exist. Throws Error if that fails.
 void make_folder(const std::filesystem::path& folder);
+
+//! Writes all bytes to an open file or pipe. Returns false, with errno set, on failure.
+bool write_all(int handle, const char* bytes, std::size_t count);
 
 }  // namespace ergodome

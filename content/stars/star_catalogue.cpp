@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "content/files/counted.h"
+#include "content/files/printable.h"
 #include "content/show/show_errors.h"
 #include "content/sky/sky_map.h"
 #include "content/stars/star_file.h"

@@ -9,6 +9,9 @@
 #include <cstring>
 #include <utility>
 
+#include "content/files/atomic_file.h"
+#include "kernels/core/error.h"
+
 namespace ergodome {
 
 DataFile DataFile::open(const std::filesystem::path& path) {
@@ -72,12 +75,8 @@ Bytes DataFile::read(std::uint64_t offset, std::uint64_t count, const std::strin
 }
 
 void DataFile::append(std::span<const std::byte> bytes) {
-  while (!bytes.empty()) {
-    const ssize_t put = ::write(handle_, bytes.data(), bytes.size());
-    if (put < 0 && errno != EINTR) {
-      fail("cannot be written", "free some space and run the bake again: it continues from what is saved");
-    }
-    bytes = bytes.subspan(put > 0 ? static_cast<std::size_t>(put) : 0);
+  if (!write_all(handle_, reinterpret_cast<const char*>(bytes.data()), bytes.size())) {
+    fail("cannot be written", "free some space and run the bake again: it continues from what is saved");
   }
   if (::fdatasync(handle_) != 0 && errno != EINVAL) {
     fail("cannot be written", "check the disk");

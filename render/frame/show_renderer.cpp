@@ -9,7 +9,7 @@
 
 #include "content/camera/rain_pose.h"
 #include "content/show/animated_show.h"
-#include "content/sky/repaired_texels.h"
+#include "content/sky/environment_image.h"
 #include "kernels/core/error.h"
 #include "kernels/spacetime/kerr/kerr.h"
 #include "render/frame/flat_eyes.h"

@@ -9,7 +9,7 @@
 #include "app/commands/accuracy/report_plots.h"
 #include "app/commands/accuracy/report_table.h"
 #include "app/commands/accuracy/report_words.h"
-#include "content/files/counted.h"
+#include "content/files/printable.h"
 #include "kernels/image/color_map.h"
 #include "render/accuracy/measurement.h"
 

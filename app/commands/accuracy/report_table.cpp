@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "app/commands/accuracy/report_words.h"
-#include "content/files/counted.h"
+#include "content/files/printable.h"
 #include "render/accuracy/measurement.h"
 
 namespace ergodome {

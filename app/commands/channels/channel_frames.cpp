@@ -17,7 +17,7 @@
 #include "content/camera/camera_path.h"
 #include "content/files/atomic_file.h"
 #include "content/files/console.h"
-#include "content/files/counted.h"
+#include "content/files/printable.h"
 #include "content/images/image_library.h"
 #include "content/show/animated_show.h"
 #include "content/sky/sky_map.h"

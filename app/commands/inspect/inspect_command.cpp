@@ -23,7 +23,7 @@
 #include "app/commands/inspect/show_notes.h"
 #include "content/camera/camera_path.h"
 #include "content/files/console.h"
-#include "content/files/counted.h"
+#include "content/files/printable.h"
 #include "content/show/animated_show.h"
 #include "content/show/reading/show_reader.h"
 #include "content/sky/environment_image.h"

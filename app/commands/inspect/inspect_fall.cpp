@@ -8,7 +8,7 @@
 #include "content/camera/camera_path.h"
 #include "content/camera/rain_pose.h"
 #include "content/files/console.h"
-#include "content/files/counted.h"
+#include "content/files/printable.h"
 #include "kernels/core/angles.h"
 
 namespace ergodome {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "content/files/console.h"
-#include "content/files/counted.h"
+#include "content/files/printable.h"
 #include "content/show/animated_show.h"
 #include "content/show/reading/show_files.h"
 

@@ -13,7 +13,7 @@
 
 #include "app/playback/sound/audio_file.h"
 #include "content/files/console.h"
-#include "content/files/counted.h"
+#include "content/files/printable.h"
 #include "content/mesh/formats/mesh_reader.h"
 #include "content/show/animated_show.h"
 #include "content/show/reading/show_files.h"

@@ -20,7 +20,6 @@
 
 #include "app/cli/interrupt.h"
 #include "app/cli/usage_error.h"
-#include "app/commands/movie/write_all.h"
 #include "content/files/atomic_file.h"
 #include "content/timeline/frame_rate.h"
 #include "kernels/core/error.h"

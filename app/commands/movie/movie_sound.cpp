@@ -12,11 +12,11 @@
 
 #include "app/cli/interrupt.h"
 #include "app/cli/lens_options.h"
-#include "app/commands/movie/write_all.h"
 #include "app/playback/playback.h"
 #include "app/playback/sound/audio_file.h"
-#include "app/playback/sound/audio_messages.h"
 #include "app/playback/sound/audio_mixer.h"
+#include "app/playback/sound/audio_output.h"
+#include "content/files/atomic_file.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {

@@ -13,7 +13,7 @@
 #include "app/cli/progress.h"
 #include "content/files/atomic_file.h"
 #include "content/files/console.h"
-#include "content/files/counted.h"
+#include "content/files/printable.h"
 #include "content/tables/pair_table.h"
 #include "kernels/core/error.h"
 #include "kernels/launch/parallel_for.h"

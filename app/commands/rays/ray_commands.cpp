@@ -16,7 +16,7 @@
 #include "app/commands/rays/near_ray_commands.h"
 #include "app/commands/rays/ray_groups.h"
 #include "content/files/console.h"
-#include "content/files/counted.h"
+#include "content/files/printable.h"
 #include "content/tables/ray_table.h"
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"

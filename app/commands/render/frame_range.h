@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "app/playback/clock/show_time.h"
+#include "app/playback/clock/show_clock.h"
 
 namespace ergodome {
 

@@ -19,7 +19,7 @@
 #include "app/commands/render/sequence_facts.h"
 #include "content/files/atomic_file.h"
 #include "content/files/console.h"
-#include "content/files/counted.h"
+#include "content/files/printable.h"
 #include "render/output/color_bar.h"
 #include "render/output/frame_files.h"
 #include "render/output/image_writer.h"

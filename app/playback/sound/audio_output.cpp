@@ -4,8 +4,11 @@
 #include <AL/al.h>
 #include <AL/alc.h>
 #include <AL/alext.h>
+#include <alsa/asoundlib.h>
 
 #include <cstddef>
+#include <cstdlib>
+#include <mutex>
 #include <utility>
 
 #include "kernels/core/error.h"
@@ -84,6 +87,22 @@ std::vector<float> AudioOutput::render(int frames) const {
   std::vector<float> samples(2 * static_cast<std::size_t>(frames));
   alcRenderSamplesSOFT(handles_->device, samples.data(), frames);
   return samples;
+}
+
+namespace {
+
+void say_nothing(const char* /*file*/, int /*line*/, const char* /*function*/, int /*number*/, const char* /*format*/,
+                 ...) {}
+
+}  // namespace
+
+void silence_sound_libraries() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    snd_lib_error_set_handler(say_nothing);
+    // OpenAL Soft reads this variable on first use. A user's value is kept.
+    ::setenv("ALSOFT_LOGLEVEL", "0", 0);
+  });
 }
 
 }  // namespace ergodome

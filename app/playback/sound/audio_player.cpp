@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "app/playback/sound/audio_file.h"
-#include "app/playback/sound/audio_messages.h"
+#include "app/playback/sound/audio_output.h"
 
 namespace ergodome {
 

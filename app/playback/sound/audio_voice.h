@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "app/playback/clock/show_time.h"
+#include "app/playback/clock/show_clock.h"
 #include "app/playback/sound/audio_file.h"
 
 namespace ergodome {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/playback/clock/show_time.h"
+#include "app/playback/clock/show_clock.h"
 
 namespace ergodome {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "app/remote/common/descriptor.h"
+#include "app/remote/common/net_address.h"
 
 namespace ergodome {
 

@@ -10,7 +10,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "app/remote/common/descriptor.h"
+#include "app/remote/common/net_address.h"
 #include "content/files/atomic_file.h"
 #include "content/files/whole_file.h"
 #include "kernels/core/error.h"

@@ -1,17 +1,20 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "calibration/warps/blend_map.h"
-#include "calibration/warps/orientation.h"
 #include "calibration/warps/pfm.h"
+#include "calibration/warps/projector_view.h"
 #include "kernels/core/vector3.h"
 
 // The contents of a file in VESA's Multiple Projection Common Data Interchange (MPCDI), versions
 // 1.0 (2013) and 2.0 (2015), uninterpreted. mpcdi_conversion.h converts them to warps, masks and
 // poses.
+
 namespace ergodome {
 
 enum class MpcdiProfile {
@@ -112,5 +115,33 @@ struct Mpcdi {
 
 //! Returns the length of a geometricUnit in meters; an unknown unit counts as meters.
 double metres_of_unit(const std::string& unit);
+
+// Words in MPCDI's XML, in the order of the enumerations that they stand for.
+inline constexpr std::array<std::string_view, 4> mpcdi_profile_words = {"2d", "3d", "a3", "sl"};
+inline constexpr std::array<std::string_view, 4> mpcdi_origin_words = {"unknown", "centerOfMass", "idealEyePoint",
+                                                                       "floorCenter"};
+
+//! One of the nine components of a coordinateFrame's axes or the three of its position, with its
+//! tag.
+struct MpcdiFrameNumber {
+  std::string_view tag;
+  Vector3<double> MpcdiFrame::*vector;
+  double Vector3<double>::*component;
+};
+
+inline constexpr std::array<MpcdiFrameNumber, 12> mpcdi_frame_numbers = {{
+    {"posx", &MpcdiFrame::position, &Vector3<double>::x},
+    {"posy", &MpcdiFrame::position, &Vector3<double>::y},
+    {"posz", &MpcdiFrame::position, &Vector3<double>::z},
+    {"yawx", &MpcdiFrame::yaw_axis, &Vector3<double>::x},
+    {"yawy", &MpcdiFrame::yaw_axis, &Vector3<double>::y},
+    {"yawz", &MpcdiFrame::yaw_axis, &Vector3<double>::z},
+    {"pitchx", &MpcdiFrame::pitch_axis, &Vector3<double>::x},
+    {"pitchy", &MpcdiFrame::pitch_axis, &Vector3<double>::y},
+    {"pitchz", &MpcdiFrame::pitch_axis, &Vector3<double>::z},
+    {"rollx", &MpcdiFrame::roll_axis, &Vector3<double>::x},
+    {"rolly", &MpcdiFrame::roll_axis, &Vector3<double>::y},
+    {"rollz", &MpcdiFrame::roll_axis, &Vector3<double>::z},
+}};
 
 }  // namespace ergodome

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "calibration/formats/mpcdi/mpcdi.h"
-#include "calibration/warps/lens.h"
+#include "calibration/warps/projector_view.h"
 #include "calibration/warps/warp_mesh.h"
 
 // Converts MPCDI calibrations to warps, surfaces, poses and lenses, and warps to calibrations.

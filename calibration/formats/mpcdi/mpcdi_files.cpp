@@ -6,7 +6,7 @@
 #include <cctype>
 #include <set>
 
-#include "calibration/formats/mpcdi/mpcdi_words.h"
+#include "calibration/formats/mpcdi/mpcdi.h"
 #include "calibration/warps/warp_mesh.h"
 #include "content/files/whole_file.h"
 

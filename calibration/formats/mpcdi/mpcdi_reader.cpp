@@ -6,9 +6,9 @@
 #include <map>
 #include <set>
 
+#include "calibration/formats/mpcdi/mpcdi.h"
 #include "calibration/formats/mpcdi/mpcdi_files.h"
 #include "calibration/formats/mpcdi/mpcdi_region_reader.h"
-#include "calibration/formats/mpcdi/mpcdi_words.h"
 #include "calibration/formats/mpcdi/xml_element.h"
 #include "calibration/formats/mpcdi/zip_archive.h"
 #include "content/files/whole_file.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "calibration/formats/mpcdi/mpcdi_words.h"
+#include "calibration/formats/mpcdi/mpcdi.h"
 #include "calibration/warps/warp_mesh.h"
 
 namespace ergodome {

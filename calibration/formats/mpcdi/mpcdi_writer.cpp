@@ -8,7 +8,7 @@
 #include <sstream>
 #include <utility>
 
-#include "calibration/formats/mpcdi/mpcdi_words.h"
+#include "calibration/formats/mpcdi/mpcdi.h"
 #include "calibration/formats/mpcdi/zip_archive.h"
 #include "content/files/atomic_file.h"
 #include "kernels/core/error.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "calibration/formats/warps/warp_format.h"
-#include "calibration/warps/orientation.h"
+#include "calibration/warps/projector_view.h"
 #include "calibration/warps/warp_mesh.h"
 
 // Warp formats of other programs that SGCT (https://sgct.github.io) also reads.

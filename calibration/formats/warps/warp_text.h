@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "calibration/warps/orientation.h"
+#include "calibration/warps/projector_view.h"
 #include "calibration/warps/text_lines.h"
 #include "kernels/core/error.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "content/files/counted.h"
+#include "content/files/printable.h"
 #include "content/files/whole_file.h"
 #include "content/mesh/formats/gltf_reader.h"
 #include "content/mesh/formats/obj_reader.h"

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <sstream>
+
 #include "content/files/toml_table.h"
 #include "content/files/whole_file.h"
 #include "content/objects/object_checks.h"
@@ -99,6 +101,12 @@ Show read_show_with_settings(const std::filesystem::path& path, const ShowSettin
   }
   return parse_show(read_whole_file(path, largest_mib << 20U, "a show is a small text file; check the path"),
                     path.string(), settings);
+}
+
+std::string to_toml(const Show& show) {
+  std::ostringstream text;
+  text << written_keys(show_keys(), &show) << '\n';
+  return text.str();
 }
 
 }  // namespace ergodome

@@ -8,7 +8,6 @@
 #include <string_view>
 #include <utility>
 
-#include "content/files/counted.h"
 #include "content/files/printable.h"
 #include "content/files/toml_bounds.h"
 #include "kernels/core/error.h"

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "content/images/image_library.h"
-#include "content/images/light_coding.h"
 #include "kernels/core/error.h"
 #include "kernels/image/color_map.h"
 #include "kernels/launch/parallel_for.h"

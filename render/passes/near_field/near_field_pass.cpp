@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "content/sky/repaired_texels.h"
+#include "content/sky/environment_image.h"
 #include "kernels/projection/pixel_measure.h"
 #include "render/passes/objects/object_horizon.h"
 

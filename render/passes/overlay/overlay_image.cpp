@@ -7,7 +7,6 @@
 
 #include "content/files/whole_file.h"
 #include "content/images/image_library.h"
-#include "content/images/light_coding.h"
 #include "kernels/core/error.h"
 #include "kernels/launch/parallel_for.h"
 

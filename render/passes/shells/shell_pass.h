@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "content/show/show.h"
-#include "content/sky/repaired_texels.h"
+#include "content/sky/environment_image.h"
 #include "kernels/shells/shell_look.h"
 #include "render/backend/buffer.h"
 #include "render/passes/sky/sky_cube.h"

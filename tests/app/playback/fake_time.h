@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/playback/clock/show_time.h"
+#include "app/playback/clock/show_clock.h"
 
 namespace ergodome::test {
 

@@ -1,6 +1,6 @@
-#include "content/files/counted.h"
-
 #include <gtest/gtest.h>
+
+#include "content/files/printable.h"
 
 namespace ergodome {
 namespace {

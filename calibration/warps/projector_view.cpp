@@ -1,4 +1,4 @@
-#include "calibration/warps/orientation.h"
+#include "calibration/warps/projector_view.h"
 
 #include <cmath>
 
@@ -50,6 +50,24 @@ Vector3<double> direction_from_raster(const ProjectorAxes& axes, const Frustum& 
   const double across = std::lerp(std::tan(one_degree * frustum.left_deg), std::tan(one_degree * frustum.right_deg), x);
   const double upwards = std::lerp(std::tan(one_degree * frustum.up_deg), std::tan(one_degree * frustum.down_deg), y);
   return axes.forward + across * axes.right + upwards * axes.up;
+}
+
+double growing_angle(const std::vector<double>& polynomial) {
+  constexpr int steps = 1800;
+  double reached = 0.0;
+  for (int i = 0; i <= steps; ++i) {
+    const double t = pi * i / steps;
+    double slope = 0.0;
+    double power = 1.0;
+    for (std::size_t k = 0; k < polynomial.size(); ++k, power *= t * t) {
+      slope += (2.0 * static_cast<double>(k) + 1.0) * polynomial[k] * power;
+    }
+    if (!(slope > 0.0)) {
+      break;
+    }
+    reached = t;
+  }
+  return reached;
 }
 
 }  // namespace ergodome

@@ -1,8 +1,8 @@
-#include "calibration/warps/orientation.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "calibration/warps/projector_view.h"
 
 namespace ergodome {
 namespace {
