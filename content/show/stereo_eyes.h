@@ -8,10 +8,27 @@
 
 namespace ergodome {
 
-//! Returns whether each direction of the view has a camera of its own, as with omnidirectional
-//! stereo.
+//! The cameras that a pair of eyes is drawn with.
+enum class EyeCameras {
+  own,           //!< each eye has its own
+  shared,        //!< both have the head's; what is near the hole is shifted for each eye
+  per_direction  //!< each eye has one per direction of the view, as with omnidirectional stereo
+};
+
+constexpr EyeCameras eye_cameras(StereoModel model) {
+  return model == StereoModel::flat   ? EyeCameras::shared
+         : model == StereoModel::omni ? EyeCameras::per_direction
+                                      : EyeCameras::own;
+}
+
+//! Returns whether there are two eyes at different positions that share the head's camera.
+constexpr bool share_camera(const StereoSettings& stereo) {
+  return eye_count(stereo) > 1 && eye_cameras(stereo.model) == EyeCameras::shared && stereo.baseline > 0.0;
+}
+
+//! Returns whether there are two eyes that have a camera per direction of the view.
 constexpr bool has_camera_per_direction(const StereoSettings& stereo) {
-  return eye_count(stereo) > 1 && stereo.model == StereoModel::omni;
+  return eye_count(stereo) > 1 && eye_cameras(stereo.model) == EyeCameras::per_direction;
 }
 
 //! Returns whether the baseline fits at every camera position. Otherwise it may have to be reduced

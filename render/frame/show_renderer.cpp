@@ -9,6 +9,7 @@
 
 #include "content/camera/rain_pose.h"
 #include "content/show/animated_show.h"
+#include "content/show/stereo_eyes.h"
 #include "content/sky/environment_image.h"
 #include "kernels/core/error.h"
 #include "kernels/spacetime/kerr/kerr.h"
@@ -293,7 +294,8 @@ std::vector<Picture> ShowRenderer::render_eyes(const CameraPose& pose, const Pro
     return EyePicture{eye_camera(show_, pose, offset), converged_projection(projection, offset, stereo.convergence),
                       picture_settings(pose, mode, moment, offset)};
   };
-  if (stereo.model == StereoModel::physical) {
+  const EyeCameras cameras = eye_cameras(stereo.model);
+  if (cameras == EyeCameras::own) {
     const bool one_projection = !(stereo.convergence > 0.0) || stereo.baseline == 0.0;
     return renderer_.render_pair({wanted(-0.5 * stereo.baseline), wanted(0.5 * stereo.baseline), one_projection},
                                  sky_.cube());
@@ -301,7 +303,7 @@ std::vector<Picture> ShowRenderer::render_eyes(const CameraPose& pose, const Pro
   const EyePicture head{eye_camera(show_, pose, 0.0), projection, picture_settings(pose, mode, moment, 0.0)};
   const std::vector<CameraPose> shutter =
       head.settings.shutter ? shutter_poses(pose, *moment.time_s) : std::vector<CameraPose>{};
-  StereoPictures made = stereo.model == StereoModel::flat
+  StereoPictures made = cameras == EyeCameras::shared
                             ? render_flat_eyes(renderer_, head, sky_.cube(), passes_.find<NearFieldPass>())
                             : omni_eyes_.render(renderer_, pose, head, sky_.cube(), shutter);
   note_baseline(pose, made.baseline);
@@ -326,7 +328,7 @@ bool ShowRenderer::may_stay_in_place(ViewMode mode) const {
   }
   const StereoSettings& stereo = show_.stereo;
   // Color bars span both eyes.
-  return eye_count(stereo) < 2 || (stereo.model == StereoModel::physical && mode == ViewMode::sky &&
+  return eye_count(stereo) < 2 || (eye_cameras(stereo.model) == EyeCameras::own && mode == ViewMode::sky &&
                                    shows_eyes_whole(stereo.layout) && !stereo.tint_eyes);
 }
 
@@ -357,9 +359,9 @@ void ShowRenderer::draw_overlays(const OverlayTarget& target, const CameraPose& 
   if (!overlays_.draws_at(time_s)) {
     return;
   }
-  // ODS eyes share one projection: whatever is drawn on it is on the dome.
   const StereoSettings& stereo = show_.stereo;
-  const double offset = stereo.model == StereoModel::omni ? 0.0 : eye_offset;
+  // Eyes with a camera per direction share one projection: overlays are drawn on the dome itself.
+  const double offset = has_camera_per_direction(stereo) ? 0.0 : eye_offset;
   overlays_.draw(target, overlay_projection(projection, offset, stereo.convergence, overlay_distance_), time_s);
 }
 

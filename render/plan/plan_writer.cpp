@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "content/show/animated_show.h"
+#include "content/show/stereo_eyes.h"
 #include "render/eyes/view_projection.h"
 #include "render/picture/picture_rows.h"
 
@@ -28,12 +29,6 @@ FramePlan PlanWriter::finish() { return std::move(plan_); }
 
 int PlanWriter::blocks() const { return (height_px() + block_rows_ - 1) / block_rows_; }
 
-bool PlanWriter::eyes_are_flat() const {
-  return shown_ > 1 && most_.stereo.model == StereoModel::flat && most_.stereo.baseline > 0.0;
-}
-
-bool PlanWriter::eyes_are_omni() const { return plan_.eyes > 1 && most_.stereo.model == StereoModel::omni; }
-
 bool PlanWriter::eyes_are_together_at_times() const { return !(least_.stereo.baseline > 0.0); }
 
 bool PlanWriter::needs_one_picture(const Show& show) const {
@@ -42,7 +37,7 @@ bool PlanWriter::needs_one_picture(const Show& show) const {
 }
 
 bool PlanWriter::makes_eyes_in_turn() const {
-  return on_cpu() && shown_ > 1 && most_.stereo.model == StereoModel::physical && !needs_one_picture(least_);
+  return on_cpu() && shown_ > 1 && eye_cameras(most_.stereo.model) == EyeCameras::own && !needs_one_picture(least_);
 }
 
 int PlanWriter::strips() const {

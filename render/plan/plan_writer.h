@@ -39,10 +39,6 @@ class PlanWriter {
   [[nodiscard]] int block_rows() const { return block_rows_; }
   [[nodiscard]] int blocks() const;
 
-  //! Returns whether both eyes use the head's lens, each from its own position.
-  [[nodiscard]] bool eyes_are_flat() const;
-  //! Returns whether there are two omnidirectional stereo eyes.
-  [[nodiscard]] bool eyes_are_omni() const;
   //! Returns whether the baseline is 0 at times, which makes both pictures equal to the head's.
   [[nodiscard]] bool eyes_are_together_at_times() const;
   //! Returns whether the two eyes' skies are rendered alternately, which requires that no pass

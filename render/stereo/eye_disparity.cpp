@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "content/show/stereo_eyes.h"
 #include "kernels/core/angles.h"
 #include "kernels/launch/parallel_for.h"
 #include "kernels/spacetime/geodesic/taylor.h"
@@ -162,7 +163,7 @@ std::optional<Disparity> frame_disparity(const Show& show, const CameraPose& pos
   add_near_things(show, pose, directions, objects, meter);
   // A shadow is visible only in front of something.
   const bool shadow_seen = !is_black(show.sky) || show.disk || !show.shells.empty();
-  if (show.stereo.model == StereoModel::physical && shadow_seen) {
+  if (eye_cameras(show.stereo.model) == EyeCameras::own && shadow_seen) {
     add_edge(left, right, meter);
   }
   return meter.result();

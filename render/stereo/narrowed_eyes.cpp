@@ -7,6 +7,7 @@
 
 #include "content/show/animated_show.h"
 #include "content/show/show_errors.h"
+#include "content/show/stereo_eyes.h"
 #include "kernels/core/error.h"
 #include "render/stereo/eye_distance.h"
 
@@ -75,7 +76,7 @@ std::string closer(double time_s, const NarrowedEyes& eyes) {
 }  // namespace
 
 std::optional<NarrowedPath> narrowed_path(const Show& show) {
-  if (eye_count(show.stereo) < 2 || show.stereo.model == StereoModel::physical) {
+  if (eye_count(show.stereo) < 2 || fits_everywhere(show.stereo.model)) {
     return std::nullopt;
   }
   std::optional<NarrowedPath> path;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "content/show/stereo_eyes.h"
 #include "kernels/eyes/flat/eye_line.h"
 #include "kernels/launch/parallel_for.h"
 
@@ -18,7 +19,7 @@ namespace {
 class NearThings {
  public:
   NearThings(const Show& show, const CameraPose& pose, DisparityMeter& meter)
-      : flat_(show.stereo.model == StereoModel::flat),
+      : flat_(eye_cameras(show.stereo.model) == EyeCameras::shared),
         right_offset_{0.5 * show.stereo.baseline, 0.0, 0.0},
         head_(eye_camera(show, pose, 0.0)),
         left_(show, pose, -1.0),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "content/show/stereo_eyes.h"
 #include "kernels/core/angles.h"
 #include "kernels/objects/light_ray.h"
 #include "kernels/spacetime/kerr/frame_boost.h"
@@ -13,8 +14,9 @@ namespace ergodome {
 
 Vector3<double> StereoEye::place(const Vector3<double>& view) const {
   const StereoSettings& stereo = show_.stereo;
-  if (stereo.model != StereoModel::omni) {
-    return {stereo.model == StereoModel::flat ? 0.0 : offset_, 0.0, 0.0};
+  const EyeCameras cameras = eye_cameras(stereo.model);
+  if (cameras != EyeCameras::per_direction) {
+    return {cameras == EyeCameras::shared ? 0.0 : offset_, 0.0, 0.0};
   }
   const double across = std::hypot(view.x, view.z);
   const double gone = std::cos(one_degree * stereo.fade_to_deg);
@@ -25,19 +27,20 @@ Vector3<double> StereoEye::place(const Vector3<double>& view) const {
 
 Vector3<double> StereoEye::convergence_turn(const Vector3<double>& view) const {
   const StereoSettings& stereo = show_.stereo;
-  const bool turns = stereo.model == StereoModel::omni && stereo.convergence > 0.0;
+  const bool turns = eye_cameras(stereo.model) == EyeCameras::per_direction && stereo.convergence > 0.0;
   return turns ? (1.0 / stereo.convergence) * place(view) : Vector3<double>{0.0, 0.0, 0.0};
 }
 
 Projection StereoEye::image(const Projection& projection) const {
-  return show_.stereo.model == StereoModel::omni ? projection
-                                                 : converged_projection(projection, offset_, show_.stereo.convergence);
+  return eye_cameras(show_.stereo.model) == EyeCameras::per_direction
+             ? projection
+             : converged_projection(projection, offset_, show_.stereo.convergence);
 }
 
 std::optional<Vector3<double>> StereoEye::sees(const SeenThing& thing) const {
   // An ODS eye's position depends on the direction, but the direction depends only weakly on the
   // position.
-  const int rounds = show_.stereo.model == StereoModel::omni ? 6 : 1;
+  const int rounds = eye_cameras(show_.stereo.model) == EyeCameras::per_direction ? 6 : 1;
   constexpr double near_enough = 1e-5;
   Vector3<double> view = {0.0, 0.0, -1.0};
   double off = 0.0;

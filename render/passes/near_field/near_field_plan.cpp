@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "content/show/animated_show.h"
+#include "content/show/stereo_eyes.h"
 #include "kernels/eyes/flat/draw_flat_eyes.h"
 #include "kernels/near_field/look_up_disk.h"
 #include "render/lens/flat/flat_shadow.h"
@@ -20,8 +21,8 @@ NearFieldNeeds near_field_needs(const Show& show, ViewMode mode) {
   NearFieldNeeds needs{};
   needs.disk = sky && show.disk && show.disk->opacity > 0.0;
   needs.disk_pattern = needs.disk && show.disk->pattern != DiskPattern::none && show.disk->contrast > 0.0;
-  const bool one_camera = eye_count(show.stereo) < 2 || show.stereo.model != StereoModel::omni;
-  needs.shells = (sky || (follows_rays(mode) && one_camera)) && std::ranges::any_of(show.shells, is_visible);
+  needs.shells = (sky || (follows_rays(mode) && !has_camera_per_direction(show.stereo))) &&
+                 std::ranges::any_of(show.shells, is_visible);
   needs.traced_objects = sky && has_objects(show, ObjectMethod::trace);
   return needs;
 }
@@ -33,6 +34,7 @@ class NearFieldPlan {
  public:
   explicit NearFieldPlan(PlanWriter& writer)
       : plan_(writer),
+        shared_camera_(share_camera(writer.most().stereo)),
         needs_(near_field_needs(writer.most(), writer.request().mode)),
         always_(near_field_needs(writer.least(), writer.request().mode)) {}
 
@@ -53,12 +55,13 @@ class NearFieldPlan {
   //! Plans one ray for each pixel that may see disk, shells or objects, whatever the sky's lens.
   //! `shells`: with shells or without.
   void plan_near_rays(bool shells);
-  //! Adds a pass over all pixels of both eyes of the stereo model `flat`.
+  //! Adds a pass over all pixels of both eyes, which share a camera.
   void flat_pass(const std::string& name, const std::string& reason, bool if_needed);
   void plan_flat_disk(bool if_needed);
   void plan_flat_near_field();
 
   PlanWriter& plan_;
+  bool shared_camera_;     //!< two eyes share a camera
   NearFieldNeeds needs_;   //!< at any time
   NearFieldNeeds always_;  //!< at all times
 };
@@ -88,7 +91,7 @@ void NearFieldPlan::plan_streamed_disk(const std::string& reason) {
 }
 
 void NearFieldPlan::plan_disk_without_shells(DiskDrawing drawing, const std::string& reason, bool if_needed) {
-  const bool omni = plan_.eyes_are_omni();
+  const bool omni = has_camera_per_direction(plan_.most().stereo);
   const bool asked = plan_.request().lens == LensChoice::live;
   const bool may_read =
       may_read_disk_grid(plan_.request().backend, plan_.request().lens, plan_.most().grid_scheme) && !omni;
@@ -131,14 +134,14 @@ void NearFieldPlan::plan_near_rays(bool shells) {
   if (needs_.disk) {
     const bool pattern = needs_.disk_pattern;
     disk_pass(pattern ? DiskDrawing::pattern : DiskDrawing::plain, plan_.why(pattern ? "disk.pattern" : "disk"),
-              edges_move || shells_go || !always_.disk || pattern != always_.disk_pattern || plan_.eyes_are_flat());
+              edges_move || shells_go || !always_.disk || pattern != always_.disk_pattern || shared_camera_);
   }
   if (needs_.disk_pattern && !always_.disk_pattern) {
     disk_pass(DiskDrawing::plain, plan_.why("disk.contrast"), true);
   }
   if (shells && (!always_.disk || edges_move)) {
     plan_.pixel_pass(near_field_name(DiskDrawing::none, true), plan_.why("shells"),
-                     needs_.disk || shells_go || plan_.eyes_are_flat());
+                     needs_.disk || shells_go || shared_camera_);
   }
 }
 
@@ -206,26 +209,26 @@ void NearFieldPlan::plan_traced_objects(const std::string& objects) {
     return;
   }
   // The number of these pixels is not known in advance.
-  if (plan_.eyes_are_flat()) {
+  if (shared_camera_) {
     plan_.pass("mark_flat_object_tiles", WorkMoment::picture, 0, 0, objects, plan_.eyes_are_together_at_times());
     plan_.pass("look_at_flat_objects", WorkMoment::picture, 0, 0, objects, true);
     if (!has_disk_always() && !always_.shells) {
       flat_pass("lay_objects", objects, needs_.disk || needs_.shells);
     }
   }
-  const bool together = !plan_.eyes_are_flat() || plan_.eyes_are_together_at_times();
+  const bool together = !shared_camera_ || plan_.eyes_are_together_at_times();
   if (together) {
-    plan_.pass("mark_object_tiles", WorkMoment::picture, 0, 0, objects, plan_.eyes_are_flat());
+    plan_.pass("mark_object_tiles", WorkMoment::picture, 0, 0, objects, shared_camera_);
     plan_.pass("look_at_objects", WorkMoment::picture, 0, 0, objects, true);
     plan_.pass("look_at_objects, slices", WorkMoment::picture, 0, 0, objects, true);
   }
   if (together && !has_disk_always() && !always_.shells) {
-    plan_.pixel_pass("lay_objects", objects, needs_.disk || needs_.shells || plan_.eyes_are_flat());
+    plan_.pixel_pass("lay_objects", objects, needs_.disk || needs_.shells || shared_camera_);
   }
   for (const char* const name : {"objects' tiles", "objects' pixels", "objects' picture"}) {
     plan_.buffer(name, WorkMoment::picture, 0, objects);
   }
-  if (plan_.eyes_are_omni()) {
+  if (has_camera_per_direction(plan_.most().stereo)) {
     plan_.buffer("objects' cameras", WorkMoment::picture, 0, plan_.why("stereo.model"));
   }
 }
@@ -244,7 +247,7 @@ void NearFieldPlan::plan_disk_and_shells() {
       plan_.buffer("shell texture", WorkMoment::start, 0, plan_.why("shells"));
     }
   }
-  if (plan_.eyes_are_flat()) {
+  if (shared_camera_) {
     if (needs_.disk || needs_.shells || needs_.traced_objects) {
       plan_flat_near_field();
     }

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "content/show/stereo_eyes.h"
 #include "render/passes/objects/object_kind.h"
 
 namespace ergodome {
@@ -25,8 +26,9 @@ void plan_polygons(PlanWriter& plan) {
   plan.pass("make_connection_table", WorkMoment::place, 0, 0, tables);
   plan.buffer("connecting rays", WorkMoment::place, 0, tables);
   // Eyes that share a lens have one picture, but see objects from their own positions.
-  const long eyes = plan.eyes_are_flat() ? plan.shown() : plan.eyes();
-  const bool known = !plan.eyes_are_flat() || !plan.eyes_are_together_at_times();
+  const bool shared = share_camera(plan.most().stereo);
+  const long eyes = shared ? plan.shown() : plan.eyes();
+  const bool known = !shared || !plan.eyes_are_together_at_times();
   plan.pass("draw_objects", WorkMoment::picture, known ? eyes : 0, known ? eyes * plan.pixels() : 0, objects);
   plan.buffer("objects' picture", WorkMoment::start, 0, objects);
 }

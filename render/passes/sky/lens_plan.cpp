@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "content/show/stereo_eyes.h"
 #include "render/lens/grid/edge_table.h"
 #include "render/lens/lens_source.h"
 
@@ -64,7 +65,7 @@ void plan_grid(PlanWriter& plan, const std::string& reason, bool if_needed) {
 }
 
 void plan_lens(PlanWriter& plan, const LensChannels& channels, const ShellsFollowed& shells) {
-  if (plan.eyes_are_omni()) {
+  if (has_camera_per_direction(plan.most().stereo)) {
     return plan_omni(plan, channels);
   }
   if (follows_rays(plan.request().mode) && (plan.request().method || shells.at_most)) {

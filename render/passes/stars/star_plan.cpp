@@ -1,4 +1,5 @@
 #include "content/show/animated_show.h"
+#include "content/show/stereo_eyes.h"
 #include "render/passes/effects/diffraction.h"
 #include "render/passes/sky/lens_plan.h"
 #include "render/passes/stars/drawing/blackbody_colours.h"
@@ -52,7 +53,7 @@ void plan_star_drawing(PlanWriter& plan, const StarNeeds& needs) {
     plan.buffer("shadow edge", WorkMoment::place, 0, stars);
     // The search of patches is skipped if the previous picture had the same camera, or one that
     // was only turned slightly. Eyes that see the same stars share one search.
-    const bool may_share = plan.eyes() > 1 && (plan.eyes_are_flat() || plan.eyes_are_together_at_times());
+    const bool may_share = plan.eyes() > 1 && (share_camera(plan.most().stereo) || plan.eyes_are_together_at_times());
     plan.pass("search_patches", WorkMoment::picture, may_share ? 0 : plan.eyes(), 0, stars, true);
     plan.pass("find_star_images", WorkMoment::picture, 0, 0, stars, true);
     plan.pass("find_star_images, double", WorkMoment::picture, 0, 0, stars, true);

@@ -15,6 +15,18 @@ TEST(StereoEyes, HaveACameraPerDirectionOnlyWithTwoEyes) {
   EXPECT_FALSE(has_camera_per_direction(stereo));
 }
 
+TEST(StereoEyes, ShareACameraOnlyAtDifferentPositions) {
+  StereoSettings stereo;
+  stereo.layout = StereoLayout::side_by_side;
+  stereo.model = StereoModel::flat;
+  EXPECT_FALSE(share_camera(stereo));
+  stereo.baseline = 0.1;
+  EXPECT_TRUE(share_camera(stereo));
+  stereo.model = StereoModel::physical;
+  EXPECT_FALSE(share_camera(stereo));
+  EXPECT_EQ(eye_cameras(stereo.model), EyeCameras::own);
+}
+
 TEST(StereoEyes, FollowOneAnotherInARing) {
   StereoModel model = StereoModel::physical;
   for (std::size_t i = 0; i < stereo_model_names.size(); ++i) {
