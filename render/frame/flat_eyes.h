@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "render/frame/eye_renderer.h"
-#include "render/passes/near_field/near_field_pass.h"
 
 namespace ergodome {
 
@@ -16,10 +15,8 @@ struct StereoPictures {
 //! Renders both eyes of the stereo model `flat` through the head's lens: infinitely distant points
 //! are where the head sees them, and the shadow is where flat space would have it.
 //!
-//! `head`: the head's picture, with the projection of eyes that do not converge. `near_field`: the
-//! pass that draws disk, shells and traced objects, if there is one. Reduces the baseline if it
-//! does not fit.
-StereoPictures render_flat_eyes(EyeRenderer& renderer, const EyePicture& head, const SkyCube& sky,
-                                NearFieldPass* near_field);
+//! `head`: the head's picture, with the projection of eyes that do not converge. Reduces the
+//! baseline if it does not fit.
+StereoPictures render_flat_eyes(EyeRenderer& renderer, const EyePicture& head, const SkyCube& sky);
 
 }  // namespace ergodome

@@ -23,11 +23,19 @@ ShowPasses::ShowPasses(const PassInput& input) {
 std::vector<Pass*> ShowPasses::of_pictures(const Show& show, ViewMode mode) const {
   std::vector<Pass*> needed;
   for (const std::unique_ptr<Pass>& pass : passes_) {
-    if (pass && pass->kind().draws(show, mode)) {
+    if (pass && pass->kind().stage != PassStage::frame && pass->kind().draws(show, mode)) {
       needed.push_back(pass.get());
     }
   }
   return needed;
+}
+
+void ShowPasses::finish(FinishedFrame& frame) const {
+  for (const std::unique_ptr<Pass>& pass : passes_) {
+    if (pass) {
+      pass->finish_frame(frame);
+    }
+  }
 }
 
 void ShowPasses::apply(const Show& show, const NumberChange& change) {
@@ -62,7 +70,7 @@ ShowPasses::Change ShowPasses::changed_for(const Show& now, PassInput input) con
 
 void ShowPasses::replace(Change change) {
   for (std::size_t i = 0; i < passes_.size(); ++i) {
-    if (change[i]) {
+    if (change[i] && !(passes_[i] && *change[i] && passes_[i]->take(**change[i]))) {
       passes_[i] = std::move(*change[i]);
     }
   }

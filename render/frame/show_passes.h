@@ -15,8 +15,11 @@ class ShowPasses {
   //! Throws Error if something that a pass draws cannot be read.
   explicit ShowPasses(const PassInput& input);
 
-  //! Returns the passes of pictures with the show's present numbers.
+  //! Returns the passes of eyes' pictures with the show's present numbers.
   [[nodiscard]] std::vector<Pass*> of_pictures(const Show& show, ViewMode mode) const;
+
+  //! Draws the passes of PassStage::frame over the finished pictures of a frame.
+  void finish(FinishedFrame& frame) const;
 
   //! Returns the pass of a type, or nullptr if the show has none.
   template <class T>

@@ -18,10 +18,9 @@
 #include "render/lens/lens_source.h"
 #include "render/output/stereo_layout.h"
 #include "render/output/tone_map.h"
+#include "render/passes/effects/exposure_pass.h"
 #include "render/passes/near_field/near_field_pass.h"
 #include "render/passes/objects/object_pass.h"
-#include "render/passes/overlay/camera_readout.h"
-#include "render/passes/overlay/caption_notes.h"
 #include "render/passes/overlay/overlay_place.h"
 #include "render/passes/stars/star_kind.h"
 #include "render/picture/cube_pictures.h"
@@ -76,12 +75,7 @@ ShowRenderer::ShowRenderer(const Show& show, Backend backend, LensChoice lens, s
       sky_(show_, backend),
       passes_({show_, backend, stream_}),
       renderer_(backend, stream_),
-      omni_eyes_(backend),
-      overlays_(show_) {
-  if (show_.tone.automatic) {
-    exposure_.emplace(*show_.tone.automatic);
-  }
-}
+      omni_eyes_(backend) {}
 
 std::vector<std::string> ShowRenderer::notes() const {
   std::vector<std::string> notes;
@@ -89,7 +83,6 @@ std::vector<std::string> ShowRenderer::notes() const {
     notes.push_back(note_of_repair(show_, "sky.map", show_.sky.map, sky_.repaired()));
   }
   std::ranges::move(passes_.notes(show_), std::back_inserter(notes));
-  std::ranges::copy(notes_of_captions(show_), std::back_inserter(notes));
   return notes;
 }
 
@@ -100,9 +93,6 @@ void ShowRenderer::apply(double time_s) {
     sky_.turn(show_, backend());
   }
   passes_.apply(show_, change);
-  if (change.exposure && exposure_) {
-    exposure_->set(*show_.tone.automatic);
-  }
 }
 
 void ShowRenderer::set_quality(const FrameQuality& quality) {
@@ -126,19 +116,11 @@ void ShowRenderer::set_show(const Show& show, std::shared_ptr<StationStream> str
     sky.emplace(next, backend());
   }
   ShowPasses::Change passes = passes_.changed_for(show_, {next, backend(), stream});
-  overlays_.set_show(next);
   // Nothing below throws.
   if (sky) {
     sky_ = std::move(*sky);
   }
   passes_.replace(std::move(passes));
-  if (!next.tone.automatic) {
-    exposure_.reset();
-  } else if (exposure_) {
-    exposure_->set(*next.tone.automatic);
-  } else {
-    exposure_.emplace(*next.tone.automatic);
-  }
   show_ = std::move(next);
   passes_.apply(show_, {.stars = true});
   stream_ = std::move(stream);
@@ -166,28 +148,13 @@ Tone ShowRenderer::tone() const {
 }
 
 std::optional<double> ShowRenderer::followed_stops() const {
-  return exposure_ ? std::optional(exposure_->stops()) : std::nullopt;
+  const auto* const exposure = passes_.find<ExposurePass>();
+  return exposure != nullptr ? std::optional(exposure->stops()) : std::nullopt;
 }
 
 void ShowRenderer::follow_from(double stops, double clock_s) {
-  if (exposure_) {
-    exposure_->go_on_from(stops);
-    last_clock_s_ = clock_s;
-  }
-}
-
-void ShowRenderer::expose(std::span<Picture> eyes, double clock_s) {
-  Tone tone = this->tone();
-  if (exposure_ && !eyes.front().heat_range) {
-    LightMeter meter;
-    for (const Picture& eye : eyes) {
-      meter.add(eye);
-    }
-    tone.gain *= static_cast<float>(std::exp2(exposure_->follow(meter.middle_light(), clock_s - last_clock_s_)));
-    last_clock_s_ = clock_s;
-  }
-  for (Picture& eye : eyes) {
-    eye.tone = tone;
+  if (auto* const exposure = passes_.find<ExposurePass>()) {
+    exposure->follow_from(stops, clock_s);
   }
 }
 
@@ -277,7 +244,9 @@ PictureInPlace ShowRenderer::render_eye_in_place(const CameraPose& pose, double 
                                                  const ShowMoment& moment) {
   const PictureInPlace made = renderer_.render_in_place(eye_camera(show_, pose, eye_offset), projection, sky_.cube(),
                                                         picture_settings(pose, mode, moment, eye_offset));
-  draw_overlays({backend(), made.rgba, tone(), mode != ViewMode::sky}, pose, projection, eye_offset, mode, moment);
+  FinishedFrame frame = {
+      backend(), show_, mode, pose, projection, moment.time_s, 0.0, tone(), {{made.rgba, eye_offset, nullptr}}};
+  passes_.finish(frame);
   return made;
 }
 
@@ -303,9 +272,8 @@ std::vector<Picture> ShowRenderer::render_eyes(const CameraPose& pose, const Pro
   const EyePicture head{eye_camera(show_, pose, 0.0), projection, picture_settings(pose, mode, moment, 0.0)};
   const std::vector<CameraPose> shutter =
       head.settings.shutter ? shutter_poses(pose, *moment.time_s) : std::vector<CameraPose>{};
-  StereoPictures made = cameras == EyeCameras::shared
-                            ? render_flat_eyes(renderer_, head, sky_.cube(), passes_.find<NearFieldPass>())
-                            : omni_eyes_.render(renderer_, pose, head, sky_.cube(), shutter);
+  StereoPictures made = cameras == EyeCameras::shared ? render_flat_eyes(renderer_, head, sky_.cube())
+                                                      : omni_eyes_.render(renderer_, pose, head, sky_.cube(), shutter);
   note_baseline(pose, made.baseline);
   return std::move(made.eyes);
 }
@@ -350,33 +318,21 @@ EyesInPlace ShowRenderer::render_eyes_in_place(const CameraPose& pose, const Pro
   return stereo.swap_eyes ? EyesInPlace{right, left} : EyesInPlace{left, right};
 }
 
-void ShowRenderer::draw_overlays(const OverlayTarget& target, const CameraPose& pose, const Projection& projection,
-                                 double eye_offset, ViewMode mode, const ShowMoment& moment) {
-  const bool reads = show_.readout && mode == ViewMode::sky;
-  overlays_.set_readout(reads ? std::optional(readout_caption(*show_.readout, spacetime_of(show_), pose.r, pose.theta))
-                              : std::nullopt);
-  const std::optional<double> time_s = mode == ViewMode::sky ? moment.time_s : std::nullopt;
-  if (!overlays_.draws_at(time_s)) {
-    return;
-  }
-  const StereoSettings& stereo = show_.stereo;
-  // Eyes with a camera per direction share one projection: overlays are drawn on the dome itself.
-  const double offset = has_camera_per_direction(stereo) ? 0.0 : eye_offset;
-  overlays_.draw(target, overlay_projection(projection, offset, stereo.convergence, overlay_distance_), time_s);
-}
-
 LaidCaptions ShowRenderer::caption_layer(const Projection& projection, ViewMode mode, double time_s) {
-  return overlays_.caption_layer(overlay_projection(projection),
-                                 mode == ViewMode::sky ? std::optional(time_s) : std::nullopt);
+  return overlays().caption_layer(overlay_projection(projection),
+                                  mode == ViewMode::sky ? std::optional(time_s) : std::nullopt);
 }
 
 void ShowRenderer::finish_eyes(std::vector<Picture>& eyes, const CameraPose& pose, const Projection& projection,
                                ViewMode mode, const ShowMoment& moment, double clock_s) {
-  expose(eyes, clock_s);
+  FinishedFrame frame = {Backend::cpu, show_, mode, pose, projection, moment.time_s, clock_s, tone(), {}};
   for (std::size_t i = 0; i < eyes.size(); ++i) {
     const double side = eyes.size() < 2 ? 0.0 : i == 0 ? -0.5 : 0.5;
-    draw_overlays({Backend::cpu, eyes[i].rgba.data(), eyes[i].tone, eyes[i].heat_range.has_value()}, pose, projection,
-                  side * baseline_, mode, moment);
+    frame.eyes.push_back({eyes[i].rgba.data(), side * baseline_, &eyes[i]});
+  }
+  passes_.finish(frame);
+  for (Picture& eye : eyes) {
+    eye.tone = frame.tone;
   }
   if (eyes.size() == 2) {
     if (show_.stereo.tint_eyes) {

@@ -2,7 +2,6 @@
 
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -136,16 +135,12 @@ class ShowRenderer {
 
   //! Returns the captions and images over the pictures: their language, and captions that are not
   //! part of the show. Changes apply to the next picture.
-  [[nodiscard]] OverlayPass& overlays() { return overlays_; }
+  [[nodiscard]] OverlayPass& overlays() { return *passes_.find<OverlayPass>(); }
 
   //! Returns the captions of a window's picture at a show time as a separate layer; see
   //! OverlayPass::set_captions_apart. They lie on the dome or screen itself, where both eyes see
   //! them at the same position. `projection`: one eye's, of any resolution.
   [[nodiscard]] LaidCaptions caption_layer(const Projection& projection, ViewMode mode, double time_s);
-
-  //! Sets the depth at which overlays appear in stereo [M]: 0 (default) on the dome or screen,
-  //! infinity behind everything.
-  void set_overlay_distance(double distance) { overlay_distance_ = distance; }
 
   //! Sets the observer; `velocity` is in the ZAMO frame, for ObserverMotion::velocity. Lenses
   //! remain valid, as they serve every motion.
@@ -172,15 +167,7 @@ class ShowRenderer {
   std::vector<Picture> render_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode,
                                    const ShowMoment& moment);
 
-  //! Sets the tone of pictures that are shown together, at a time of any clock.
-  void expose(std::span<Picture> eyes, double clock_s);
-
-  //! Draws overlays on finished pictures of a view: the show's on pictures of the sky, other
-  //! captions on all pictures.
-  void draw_overlays(const OverlayTarget& target, const CameraPose& pose, const Projection& projection,
-                     double eye_offset, ViewMode mode, const ShowMoment& moment);
-
-  //! Applies exposure, overlays, tint and swapping of eyes as the show requires.
+  //! Draws the passes of frames, then tints and swaps eyes as the show requires.
   void finish_eyes(std::vector<Picture>& eyes, const CameraPose& pose, const Projection& projection, ViewMode mode,
                    const ShowMoment& moment, double clock_s);
 
@@ -202,13 +189,9 @@ class ShowRenderer {
   ShowPasses passes_;
   EyeRenderer renderer_;
   OmniEyes omni_eyes_;
-  std::optional<AutoExposure> exposure_;
-  OverlayPass overlays_;
-  double overlay_distance_ = 0.0;
   double baseline_ = 0.0;  //!< of the last picture's eyes [M]
   std::optional<NarrowedEyes> narrowed_;
   double exposure_stops_ = 0.0;
-  double last_clock_s_ = 0.0;
   double time_s_ = 0.0;                //!< time of the numbers
   std::optional<TraceMethod> method_;  //!< ViewChoice::method of the current pictures
   std::optional<ViewRange> range_;     //!< ViewChoice::range of the current pictures

@@ -20,7 +20,16 @@
 
 namespace ergodome {
 
+class FlatShadow;
 class Pass;
+
+//! One of two eyes that share the camera of their head.
+struct SharedCameraEye {
+  std::shared_ptr<const FlatShadow> shadow;  //!< as the head sees it; the same object for both eyes
+  Projection head_projection;
+  double offset = 0.0;      //!< to the right of the head [M]
+  std::vector<float> edge;  //!< FlatShadow::eye_edge of the offset
+};
 
 //! How the view through the lens is turned into a picture.
 struct PictureSettings {
@@ -42,10 +51,9 @@ struct PictureSettings {
   //! Sees stars and near field instead of the picture's eye.
   std::shared_ptr<const OmniEye> turning;
   std::shared_ptr<const TurningView> turning_view;  //!< sees polygons instead of the picture's eye
-  //! Distance of an eye of the stereo model `flat` to the right of the picture's eye [M].
-  double beside = 0.0;
-  std::optional<Shutter> shutter;  //!< if given, stars leave trails
-  double time_s = 0.0;             //!< show time, for moving objects
+  std::optional<SharedCameraEye> shared;            //!< if the picture's eye is the head's, for one of two eyes
+  std::optional<Shutter> shutter;                   //!< if given, stars leave trails
+  double time_s = 0.0;                              //!< show time, for moving objects
   //! Heat maps: replaces the default range; above 0 if colors are logarithmic.
   std::optional<ViewRange> range{};
   const Show* show = nullptr;  //!< with its numbers at this time; required by `passes`

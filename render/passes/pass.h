@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "content/camera/camera_path.h"
 #include "content/show/animatable_number.h"
 #include "render/passes/eye_picture.h"
 #include "render/picture/picture.h"
@@ -33,6 +34,26 @@ class PassDrawing {
   virtual void finish(Picture& picture) { static_cast<void>(picture); }
 };
 
+//! The finished picture of one eye of a frame.
+struct FinishedEye {
+  float* rgba;             //!< light and coverage, in the memory of FinishedFrame::backend
+  double offset;           //!< of the eye to the right of the head [M]
+  const Picture* picture;  //!< the same in host memory; nullptr if it stays in the backend's
+};
+
+//! The finished pictures of a frame's eyes.
+struct FinishedFrame {
+  Backend backend;
+  const Show& show;  //!< with its numbers at this time
+  ViewMode mode;
+  const CameraPose& pose;
+  const Projection& projection;
+  std::optional<double> time_s;  //!< show time; none in free flight
+  double clock_s;                //!< time of any clock, which automatic exposure follows
+  Tone tone;                     //!< with which all of them are displayed
+  std::vector<FinishedEye> eyes;
+};
+
 //! A stage of a show's pictures. Owns the tables and buffers that it needs for all of them.
 class Pass {
  public:
@@ -44,8 +65,14 @@ class Pass {
   [[nodiscard]] virtual const PassKind& kind() const = 0;
 
   //! Starts work for a picture, which may go on in other threads, and returns what draws it.
-  //! `picture` must outlive the drawing.
-  virtual std::unique_ptr<PassDrawing> prepare(const EyePicture& picture) = 0;
+  //! `picture` must outlive the drawing. Not called for passes of PassStage::frame.
+  virtual std::unique_ptr<PassDrawing> prepare(const EyePicture& picture) {
+    static_cast<void>(picture);
+    return std::make_unique<PassDrawing>();
+  }
+
+  //! Draws over the finished pictures of all eyes, or changes their tone.
+  virtual void finish_frame(FinishedFrame& frame) { static_cast<void>(frame); }
 
   //! Applies the show's numbers at another time; `change`: which of them differ.
   virtual void apply(const Show& show, const NumberChange& change) {
@@ -58,6 +85,13 @@ class Pass {
     static_cast<void>(now);
     static_cast<void>(next);
     return true;
+  }
+
+  //! Takes what a pass made for another show has read, to draw that show with the state of this
+  //! pass. Returns false to be replaced by the other pass.
+  virtual bool take(Pass& next) {
+    static_cast<void>(next);
+    return false;
   }
 
   //! Returns warnings about parts of the show that will not be visible.

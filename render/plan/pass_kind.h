@@ -26,7 +26,7 @@ enum class PassStage {
   distant,   //!< infinitely far away: the same for all eyes that share a lens
   near,      //!< near the hole: seen by each eye from its own position
   finished,  //!< changes the whole picture
-  frame      //!< changes the pictures of all eyes, which ShowRenderer does
+  frame      //!< changes the pictures of all eyes of a frame
 };
 
 //! Describes a pass: when pictures need it, what it does then, and how it is made.
@@ -42,7 +42,8 @@ struct PassKind {
   void (*plan)(PlanWriter& plan);
 
   //! Makes the pass, or returns nullptr if the show has nothing for it at any time. Throws Error if
-  //! something cannot be read. Null for the sky, which every picture has, and for frames.
+  //! something cannot be read. Null for the sky alone: every picture starts with it, and the other
+  //! passes draw over it (EyeRenderer).
   std::unique_ptr<Pass> (*make)(const PassInput& input) = nullptr;
 
   //! The pass keeps what it has prepared for one picture only, so that the rows of two eyes cannot

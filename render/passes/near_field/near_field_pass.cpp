@@ -25,8 +25,7 @@ Show lines_alone(Show show) {
   return show;
 }
 
-DiskGridRequest grid_request(const EyePicture& picture, const DiskLook& disk) {
-  const Projection& projection = picture.projection;
+DiskGridRequest grid_request(const EyePicture& picture, const Projection& projection, const DiskLook& disk) {
   return {picture.eye,
           disk,
           pixel_angle(projection),
@@ -66,7 +65,7 @@ class NearFieldPass::Drawing : public PassDrawing {
       return;
     }
     const DiskLook disk = parts_.disk->look_at(settings.time_s);
-    const DiskGridRequest request = grid_request(picture_, disk);
+    const DiskGridRequest request = grid_request(picture_, picture_.projection, disk);
     parts_.disk_grid = pass_.streamed_disk_.layers_for(request, settings.lens, settings.moment.time_s);
     if (!parts_.disk_grid) {
       parts_.disk_grid = pass_.grids_->eyes.grid_for(request);
@@ -77,6 +76,38 @@ class NearFieldPass::Drawing : public PassDrawing {
   const EyePicture& picture_;
   NearField parts_;
   bool has_grid_ = false;
+};
+
+NearFieldPass::SharedCamera::SharedCamera(NearFieldPass& pass, const EyePicture& picture)
+    : shadow(picture.settings.shared->shadow),
+      parts(pass.parts_for_shared_camera(picture)),
+      drawing(pass.backend_, parts, picture.eye, *shadow, pass.flat_rows_) {}
+
+//! The near field of an eye that shares its head's camera.
+class NearFieldPass::SharedCameraDrawing : public PassDrawing {
+ public:
+  SharedCameraDrawing(NearFieldPass& pass, const EyePicture& picture) : pass_(pass), picture_(picture) {}
+
+  void finish(Picture& picture) override {
+    const PictureSettings& settings = picture_.settings;
+    const SharedCameraEye& eye = *settings.shared;
+    std::unique_ptr<SharedCamera>& shared = pass_.shared_camera_;
+    if (!shared || shared->shadow != eye.shadow) {
+      shared = std::make_unique<SharedCamera>(pass_, picture_);
+    }
+    shared->drawing.set_eye(eye.offset, eye.edge);
+    const PictureView view = {picture_.eye, nullptr, picture_.projection, settings.accuracy.tolerance_px,
+                              settings.time_s};
+    const int block_rows = rows_of_a_block(pass_.backend_, picture.width, picture.height);
+    visit_rows({0, picture.height}, block_rows, [&](const RowBlock& rows) {
+      const std::size_t first = 4 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(rows.first);
+      shared->drawing.draw(view, rows, picture.rgba.data() + first);
+    });
+  }
+
+ private:
+  NearFieldPass& pass_;
+  const EyePicture& picture_;
 };
 
 NearFieldPass::NearFieldPass(const PassInput& input) : backend_(input.backend), streamed_disk_(input.stream) {
@@ -100,6 +131,9 @@ std::unique_ptr<Pass> make_near_field_pass(const PassInput& input) {
 }
 
 std::unique_ptr<PassDrawing> NearFieldPass::prepare(const EyePicture& picture) {
+  if (picture.settings.shared) {
+    return std::make_unique<SharedCameraDrawing>(*this, picture);
+  }
   return std::make_unique<Drawing>(*this, picture);
 }
 
@@ -114,11 +148,11 @@ NearField NearFieldPass::parts_for(const EyePicture& picture) const {
           needs.traced_objects ? objects_.get() : nullptr};
 }
 
-NearField NearFieldPass::parts_for_head(const EyePicture& head) {
-  NearField parts = parts_for(head);
-  if (may_read_grid(backend_, parts, head.settings)) {
-    const DiskLook disk = parts.disk->look_at(head.settings.time_s);
-    DiskGridRequest request = grid_request(head, disk);
+NearField NearFieldPass::parts_for_shared_camera(const EyePicture& picture) {
+  NearField parts = parts_for(picture);
+  if (may_read_grid(backend_, parts, picture.settings)) {
+    const DiskLook disk = parts.disk->look_at(picture.settings.time_s);
+    DiskGridRequest request = grid_request(picture, picture.settings.shared->head_projection, disk);
     request.nearness = true;
     parts.disk_grid = grids_->heads.grid_for(request);
   }

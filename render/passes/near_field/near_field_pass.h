@@ -27,20 +27,12 @@ class NearFieldPass : public Pass {
   [[nodiscard]] bool serves(const Show& now, const Show& next) const override;
   [[nodiscard]] std::vector<std::string> notes(const Show& show) const override;
 
-  //! Returns the parts that a picture shows, with the numbers of its view mode, for an eye of the
-  //! stereo model `flat`. Reads the disk from a grid at the head, if that is worth building.
-  NearField parts_for_head(const EyePicture& head);
-
-  //! Draws over pictures of such eyes; see FlatNearField. The arguments must outlive it.
-  FlatNearField flat_eyes(const NearField& parts, const EyeCamera& head, const FlatShadow& shadow) {
-    return {backend_, parts, head, shadow, flat_rows_};
-  }
-
   //! Returns the traced objects, or nullptr for a show without them.
   [[nodiscard]] const TracedObjects* objects() const { return objects_.get(); }
 
  private:
   class Drawing;
+  class SharedCameraDrawing;
 
   //! Grids of the disk, which stay valid when the show changes.
   struct Grids {
@@ -48,7 +40,20 @@ class NearFieldPass : public Pass {
     DiskGrids heads;  //!< of heads whose eyes share a lens
   };
 
+  //! The near field of two eyes that share a camera.
+  struct SharedCamera {
+    SharedCamera(NearFieldPass& pass, const EyePicture& picture);
+
+    std::shared_ptr<const FlatShadow> shadow;
+    NearField parts;
+    FlatNearField drawing;
+  };
+
+  //! Returns the parts that a picture shows, with the numbers of its view mode.
   [[nodiscard]] NearField parts_for(const EyePicture& picture) const;
+  //! Returns the same for an eye that shares its head's camera. Reads the disk from a grid at the
+  //! head, if that is worth building.
+  NearField parts_for_shared_camera(const EyePicture& picture);
 
   Backend backend_;
   std::shared_ptr<DiskPass> disk_;          //!< if the show has a disk
@@ -56,7 +61,8 @@ class NearFieldPass : public Pass {
   std::unique_ptr<TracedObjects> objects_;  //!< if the show has traced objects
   std::shared_ptr<Grids> grids_;
   StreamedDisk streamed_disk_;
-  Buffer<float> flat_rows_;  //!< rows of `flat` eyes' pictures in GPU memory
+  Buffer<float> flat_rows_;                      //!< rows in GPU memory of pictures of eyes that share a camera
+  std::unique_ptr<SharedCamera> shared_camera_;  //!< of the last such eye, kept for the other one
 };
 
 }  // namespace ergodome

@@ -46,7 +46,7 @@ class ObjectPassDrawing : public PassDrawing {
   void finish(Picture& picture) override {
     const PictureSettings& settings = picture_.settings;
     pass_.draw(picture_.eye, picture_.projection, settings.time_s, picture.rgba.data(), settings.turning_view.get(),
-               settings.beside);
+               settings.shared ? settings.shared->offset : 0.0);
   }
 
  private:

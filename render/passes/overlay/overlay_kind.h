@@ -14,7 +14,10 @@ inline bool has_overlays(const Show& show, ViewMode mode) {
 //! drawn depends on the time.
 void plan_overlays(PlanWriter& plan);
 
+//! Returns a pass for every show, because captions can also come from outside the show.
+std::unique_ptr<Pass> make_overlay_pass(const PassInput& input);
+
 //! Captions and images over pictures.
-inline constexpr PassKind overlay_kind = {"overlays", PassStage::frame, has_overlays, plan_overlays};
+inline constexpr PassKind overlay_kind = {"overlays", PassStage::frame, has_overlays, plan_overlays, make_overlay_pass};
 
 }  // namespace ergodome

@@ -9,9 +9,12 @@
 #include <set>
 
 #include "content/show/show_errors.h"
+#include "content/show/stereo_eyes.h"
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "kernels/projection/pixel_measure.h"
+#include "render/passes/overlay/camera_readout.h"
+#include "render/passes/overlay/caption_notes.h"
 #include "render/passes/overlay/overlay_place.h"
 
 namespace ergodome {
@@ -100,11 +103,31 @@ OverlayPass::Texture OverlayPass::texture_of(OverlayImage image, const char* nam
   return texture;
 }
 
-void OverlayPass::set_show(const Show& show) {
-  OverlayPass next(show);
-  captions_ = std::move(next.captions_);
-  overlays_ = std::move(next.overlays_);
-  images_ = std::move(next.images_);
+std::unique_ptr<Pass> make_overlay_pass(const PassInput& input) { return std::make_unique<OverlayPass>(input.show); }
+
+bool OverlayPass::take(Pass& next) {
+  auto& made = static_cast<OverlayPass&>(next);
+  captions_ = std::move(made.captions_);
+  overlays_ = std::move(made.overlays_);
+  images_ = std::move(made.images_);
+  return true;
+}
+
+std::vector<std::string> OverlayPass::notes(const Show& show) const { return notes_of_captions(show); }
+
+void OverlayPass::finish_frame(FinishedFrame& frame) {
+  const Show& show = frame.show;
+  const bool sky = frame.mode == ViewMode::sky;
+  set_readout(sky && show.readout
+                  ? std::optional(readout_caption(*show.readout, spacetime_of(show), frame.pose.r, frame.pose.theta))
+                  : std::nullopt);
+  const std::optional<double> time_s = sky ? frame.time_s : std::nullopt;
+  for (const FinishedEye& eye : frame.eyes) {
+    // Eyes with a camera per direction share one projection: what is drawn on it is on the dome.
+    const double offset = has_camera_per_direction(show.stereo) ? 0.0 : eye.offset;
+    draw({frame.backend, eye.rgba, frame.tone, !sky},
+         overlay_projection(frame.projection, offset, show.stereo.convergence), time_s);
+  }
 }
 
 void OverlayPass::set_extra(std::vector<Caption> captions, double opacity) {

@@ -13,7 +13,9 @@
 #include "render/backend/buffer.h"
 #include "render/passes/overlay/caption_image.h"
 #include "render/passes/overlay/caption_layer.h"
+#include "render/passes/overlay/overlay_kind.h"
 #include "render/passes/overlay/picture_tiles.h"
+#include "render/passes/pass.h"
 
 namespace ergodome {
 
@@ -30,15 +32,20 @@ struct OverlayTarget {
 //!
 //! Reads images once; sets a text when it is first visible, and again when pictures need a higher
 //! resolution. Does nothing if no overlay is visible. Not thread-safe.
-class OverlayPass {
+class OverlayPass : public Pass {
  public:
   //! Reads the images of a show. Throws Error with the show's line if one is missing, too large,
   //! not a square domemaster, or has numbers out of range.
   explicit OverlayPass(const Show& show);
 
-  //! Switches to another show, keeping the language and the extra captions. If it throws Error like
-  //! the constructor, the old show is kept.
-  void set_show(const Show& show);
+  [[nodiscard]] const PassKind& kind() const override { return overlay_kind; }
+  //! Draws the show's overlays over pictures of the sky, and other captions over all pictures.
+  void finish_frame(FinishedFrame& frame) override;
+  //! Images are read again, as their files may have changed.
+  [[nodiscard]] bool serves(const Show& /*now*/, const Show& /*next*/) const override { return false; }
+  //! Keeps the language, the extra captions and the texts that have been set.
+  bool take(Pass& next) override;
+  [[nodiscard]] std::vector<std::string> notes(const Show& show) const override;
 
   //! Sets the language of captions by its tag; empty: the show's default.
   void set_language(const std::string& language) { language_ = language; }

@@ -5,8 +5,11 @@
 
 #include <algorithm>
 
+#include "kernels/projection/make_projection.h"
 #include "render/frame/frame_passes.h"
+#include "render/passes/flat_shadow/flat_shadow_pass.h"
 #include "render/passes/near_field/near_field_pass.h"
+#include "render/passes/overlay/overlay_pass.h"
 #include "render/passes/stars/star_pass.h"
 #include "tests/render/plan/frame_plan_scenes.h"
 
@@ -42,7 +45,9 @@ TEST_F(PassesOfShows, AreNoneForAPlainSky) {
   const ShowPasses passes({show, Backend::cpu});
   EXPECT_THAT(names_of(passes.of_pictures(show, ViewMode::sky)), ElementsAre());
   for (const PassKind& kind : frame_passes()) {
-    EXPECT_TRUE(kind.make == nullptr || kind.make({show, Backend::cpu}) == nullptr) << kind.name;
+    // Eyes and captions can also be set from outside the show.
+    const bool for_all = kind.name == std::string(flat_shadow_kind.name) || kind.name == std::string(overlay_kind.name);
+    EXPECT_TRUE(for_all || kind.make == nullptr || kind.make({show, Backend::cpu}) == nullptr) << kind.name;
   }
 }
 
@@ -73,6 +78,39 @@ TEST_F(PassesOfShows, AreKeptForAnotherShowThatTheyServe) {
   EXPECT_EQ(passes.find<StarPass>(), stars);
   EXPECT_THAT(names_of(passes.of_pictures(next, ViewMode::sky)), ElementsAre("stars"));
   EXPECT_EQ(passes.find<NearFieldPass>(), nullptr);
+}
+
+TEST_F(PassesOfShows, KeepTheStateOfOverlaysInAnotherShow) {
+  const Show now = plain_show();
+  ShowPasses passes({now, Backend::cpu});
+  auto* const overlays = passes.find<OverlayPass>();
+  Caption welcome;
+  welcome.text[""] = "Welcome";
+  overlays->set_extra({welcome});
+  Show next = now;
+  next.timeline.captions.push_back(welcome);
+  passes.replace(passes.changed_for(now, {next, Backend::cpu}));
+  EXPECT_EQ(passes.find<OverlayPass>(), overlays);
+  EXPECT_TRUE(overlays->draws_at(1.0));
+}
+
+TEST_F(PassesOfShows, ExposeTheFramesOfTheSkyAlone) {
+  Show show = plain_show();
+  show.tone.automatic.emplace().target = 0.5;
+  const ShowPasses passes({show, Backend::cpu});
+  Picture picture;
+  picture.width = 1;
+  picture.height = 1;
+  picture.rgba.assign(4, 1.0F);
+  const CameraPose pose{};
+  const Projection projection = make_dome_projection(1, 3.0, 0.0);
+  for (const ViewMode mode : {ViewMode::steps, ViewMode::sky}) {
+    FinishedFrame frame = {
+        Backend::cpu, show, mode, pose, projection, {}, 0.0, {}, {{picture.rgba.data(), 0.0, &picture}}};
+    const float before = frame.tone.gain;
+    passes.finish(frame);
+    EXPECT_FLOAT_EQ(frame.tone.gain, mode == ViewMode::sky ? 0.5F * before : before);
+  }
 }
 
 }  // namespace
