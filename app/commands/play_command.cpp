@@ -77,7 +77,7 @@ void use_setup(PlayArguments& arguments) {
 
 //! Opens the output that shows the pictures of a show. Eyes that layouts store separately are side
 //! by side in the window; those of quad_buffer and rows each fill it.
-std::unique_ptr<Output> open_output(const PlayArguments& arguments, const Show& show) {
+std::unique_ptr<DisplayOutput> open_output(const PlayArguments& arguments, const Show& show) {
   const Projection projection = make_projection(show.view, arguments.options.size_px, 0.0);
   const StereoLayout layout = show.stereo.layout;
   WindowOptions window;

@@ -119,7 +119,7 @@ int write_patterns(const RenderOptions& options, const Show& show, const std::op
 //! range.
 void write_facts(const RenderOptions& options, const FrameWriter& writer, int first, int last) {
   if (options.setup.empty() && last >= first) {
-    writer.write_facts(first, last);
+    writer.files().write_facts(first, last);
   }
 }
 
@@ -162,7 +162,7 @@ void write_frames(const RenderOptions& options, FrameWriter& writer, int first, 
   }
   write_facts(options, writer, first, last);
   tell_frames(options, writer);
-  if (const std::vector<int> others = writer.asked_otherwise(first, last); !others.empty()) {
+  if (const std::vector<int> others = writer.files().asked_otherwise(first, last); !others.empty()) {
     print_out("the folder also contains {} rendered with other options ({})\n", counted(others.size(), "frame"),
               frame_ranges(others));
   }
@@ -225,9 +225,10 @@ void run(RenderOptions options) {
   if (const auto streamed = writer.stream_statistics()) {
     print_statistics(*streamed);
   }
-  if (writer.unresolved() > 0) {
-    print_note("rays of {} did not converge; {} the mean color of the sky", counted(writer.unresolved(), "pixel"),
-               writer.unresolved() == 1 ? "it shows" : "they show");
+  if (writer.files().unresolved() > 0) {
+    print_note("rays of {} did not converge; {} the mean color of the sky",
+               counted(writer.files().unresolved(), "pixel"),
+               writer.files().unresolved() == 1 ? "it shows" : "they show");
   }
 }
 

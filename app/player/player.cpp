@@ -23,7 +23,7 @@ namespace ergodome {
 
 namespace {
 
-SessionOptions session_options(const PlayOptions& options, bool free_flight, const Output& output) {
+SessionOptions session_options(const PlayOptions& options, bool free_flight, const DisplayOutput& output) {
   return {.free_flight = free_flight,
           .language = options.language,
           .one_eye = output.is_dome(),
@@ -59,7 +59,7 @@ PadSettings pad_settings(const PlayOptions& options) {
 
 }  // namespace
 
-Player::Player(const Show& show, const RendererLoader::Make& make, std::unique_ptr<Output> output,
+Player::Player(const Show& show, const RendererLoader::Make& make, std::unique_ptr<DisplayOutput> output,
                const PlayOptions& options)
     : options_(options),
       output_(std::move(output)),

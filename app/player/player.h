@@ -54,7 +54,7 @@ struct PlayOptions {
 class Player {
  public:
   //! `make` makes the renderer of a show: at the start, and whenever one is lost.
-  Player(const Show& show, const RendererLoader::Make& make, std::unique_ptr<Output> output,
+  Player(const Show& show, const RendererLoader::Make& make, std::unique_ptr<DisplayOutput> output,
          const PlayOptions& options);
   ~Player();
   Player(const Player&) = delete;
@@ -104,7 +104,7 @@ class Player {
 
   PlayOptions options_;
   std::vector<std::string> damage_;  //!< errors of files that were ignored at the start
-  std::unique_ptr<Output> output_;
+  std::unique_ptr<DisplayOutput> output_;
   OutputWish output_wish_;  //!< for the next picture
   EyeNotice eye_notice_;
   std::optional<PlayerSession> session_;

@@ -6,7 +6,7 @@ namespace ergodome {
 
 SessionPictures::SessionPictures(const RendererLoader::Make& make, Output& output, int size_px,
                                  const std::optional<PlayPlan>& plan)
-    : renderers_(make), flow_([&output](const PictureAnswer& answer) { output.take(answer); }, size_px) {
+    : renderers_(make), flow_([&output](PictureAnswer& answer) { output.take(answer); }, size_px) {
   if (plan) {
     budget_.emplace(*plan);
   }

@@ -14,6 +14,7 @@
 #include "kernels/core/error.h"
 #include "kernels/spacetime/kerr/kerr.h"
 #include "render/frame/flat_eyes.h"
+#include "render/frame/frame_images.h"
 #include "render/frame/frame_passes.h"
 #include "render/lens/lens_source.h"
 #include "render/output/stereo_layout.h"
@@ -23,7 +24,6 @@
 #include "render/passes/objects/object_pass.h"
 #include "render/passes/overlay/overlay_place.h"
 #include "render/passes/stars/star_kind.h"
-#include "render/picture/cube_pictures.h"
 #include "render/picture/picture.h"
 
 namespace ergodome {
@@ -33,31 +33,6 @@ namespace {
 //! Maximum camera motion past the hole per step in which images of stars are followed [rad].
 constexpr double longest_trail_step = 0.02;
 constexpr int most_trail_steps = 32;
-
-//! Cuts the eyes' pictures of a frame into cube faces with a file each: `faces[i][eye]`.
-std::vector<std::vector<Picture>> cut_into_faces(const std::vector<Picture>& eyes, const Projection& projection) {
-  std::vector<std::vector<Picture>> faces(cube_faces);
-  for (const Picture& eye : eyes) {
-    auto cut = cube_face_pictures(eye, projection);
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-      faces[i].push_back(std::move(cut[i]));
-    }
-  }
-  return faces;
-}
-
-//! Appends the image or images of one or two eyes.
-void add_images(std::vector<Picture> eyes, StereoLayout layout, std::optional<CubeFace> face,
-                std::vector<FrameImage>& images) {
-  if (eyes.size() < 2) {
-    images.push_back({FramePart::whole, std::move(eyes.front()), face});
-  } else if (keeps_eyes_apart(layout)) {
-    images.push_back({FramePart::left, std::move(eyes[0]), face});
-    images.push_back({FramePart::right, std::move(eyes[1]), face});
-  } else {
-    images.push_back({FramePart::whole, joined_eyes(eyes[0], eyes[1], layout), face});
-  }
-}
 
 //! Returns whether two shows use one map in the same way, so that it need not be read again.
 bool same_map(const Show& a, const Show& b) {
@@ -383,11 +358,10 @@ Picture ShowRenderer::render_window(const CameraPose& pose, const Projection& pr
   return parts.size() < 2 ? std::move(parts.front()) : joined_eyes(parts[0], parts[1], show_.stereo.layout);
 }
 
-std::vector<FrameImage> ShowRenderer::render(double time_s, const ViewChoice& choice) {
+std::vector<Picture> ShowRenderer::render_frame(double time_s, const ViewChoice& choice) {
   apply(time_s);
   const CameraPose pose = camera_pose(show_, time_s);
-  const int size_px = choice.size_px > 0 ? choice.size_px : show_.view.size_px;
-  const Projection projection = make_projection(show_.view, size_px, 0.0);
+  const Projection projection = frame_projection(choice);
   method_ = choice.method;
   range_ = choice.range;
   std::vector<Picture> eyes = render_eyes(pose, projection, choice.mode, {time_s});
@@ -395,16 +369,16 @@ std::vector<FrameImage> ShowRenderer::render(double time_s, const ViewChoice& ch
   if (choice.alpha) {
     std::ranges::for_each(eyes, [&](Picture& eye) { set_image_alpha(projection, eye); });
   }
-  std::vector<FrameImage> images;
-  if (!has_face_files(show_.view)) {
-    add_images(std::move(eyes), show_.stereo.layout, std::nullopt, images);
-    return images;
-  }
-  std::vector<std::vector<Picture>> faces = cut_into_faces(eyes, projection);
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    add_images(std::move(faces[i]), show_.stereo.layout, static_cast<CubeFace>(i), images);
-  }
-  return images;
+  return eyes;
+}
+
+Projection ShowRenderer::frame_projection(const ViewChoice& choice) const {
+  return make_projection(show_.view, choice.size_px > 0 ? choice.size_px : show_.view.size_px, 0.0);
+}
+
+std::vector<FrameImage> ShowRenderer::render(double time_s, const ViewChoice& choice) {
+  std::vector<Picture> eyes = render_frame(time_s, choice);
+  return frame_images(std::move(eyes), frame_projection(choice), show_);
 }
 
 }  // namespace ergodome

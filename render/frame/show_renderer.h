@@ -74,8 +74,14 @@ class ShowRenderer {
   //! `stream`: the new show's own trajectory, if there is one.
   void set_show(const Show& show, std::shared_ptr<StationStream> stream = nullptr);
 
-  //! Renders the images of a frame: one that the stereo layout combines from both eyes, or one per
-  //! eye if it keeps them apart. If the faces of a cube have files, renders six of each.
+  //! Renders the eyes of a frame at a show time: the left one first, if there are two. Automatic
+  //! exposure follows the show's time.
+  std::vector<Picture> render_frame(double time_s, const ViewChoice& choice);
+
+  //! Returns the projection of the eyes of a frame, with the show's numbers last applied.
+  [[nodiscard]] Projection frame_projection(const ViewChoice& choice) const;
+
+  //! Renders the images of a frame; see frame_images.
   std::vector<FrameImage> render(double time_s, const ViewChoice& choice);
 
   //! Renders a window's picture for a head at a pose: one eye, or both in the stereo layout (side
@@ -105,7 +111,7 @@ class ShowRenderer {
                                    const ShowMoment& moment);
 
   //! Returns whether pictures of a view mode may stay in GPU memory. They cannot with automatic
-  //! exposure, bloom, the stereo models `flat` and `omni`, tinted eyes, or layouts that do not show
+  //! exposure, bloom, eyes without cameras of their own, tinted eyes, or layouts that do not show
   //! eyes whole.
   [[nodiscard]] bool may_stay_in_place(ViewMode mode) const;
 

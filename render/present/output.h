@@ -12,7 +12,8 @@
 #include "render/present/text_panel.h"
 #include "render/present/window.h"
 
-// The interface of everything that shows frames: a window, the projectors of a dome, a headset.
+// The interface of everything that gets finished frames: files, a window, the projectors of a dome,
+// a headset.
 
 namespace ergodome {
 
@@ -29,6 +30,11 @@ struct OutputWish {
   //! At most two eyes, the left one first. Empty: the eyes of the show's stereo settings, in the
   //! show's projection, as large as the player can render in time.
   std::vector<OutputEye> eyes;
+  //! Show time of the frame [s]. Absent: the player's, when the frame is seen.
+  std::optional<double> show_time_s;
+  //! Stops of the frame before, from which automatic exposure continues. Absent: those of the last
+  //! frame that was rendered.
+  std::optional<double> stops_before;
   //! Time from now until the frame is seen [s]. A playing show is rendered for that time.
   double display_delay_s = 0.0;
   //! Size of the window that captions are laid over. Absent: they are laid over the projectors'
@@ -56,7 +62,7 @@ struct OutputFrame {
   std::optional<DevicePicture> on_device;
 };
 
-//! Shows the frames of a player. Outputs without a window need not override what only windows have.
+//! Gets frames that it asks for.
 class Output {
  public:
   Output() = default;
@@ -66,8 +72,14 @@ class Output {
 
   //! Returns what to render next; called once per frame.
   [[nodiscard]] virtual OutputWish wish() = 0;
-  //! Takes a frame, which is shown until the next one.
-  virtual void take(const OutputFrame& frame) = 0;
+  //! Takes a frame, and may change or keep its pictures.
+  virtual void take(OutputFrame& frame) = 0;
+};
+
+//! Shows the frames of a player, each until the next one. Displays without a window need not
+//! override what only windows have.
+class DisplayOutput : public Output {
+ public:
   //! Sets the factor on the light of frames, 0 to 1. It does not affect text.
   virtual void set_light(double light) = 0;
   //! Shows the last frame. Returns when another one may be shown.

@@ -26,7 +26,7 @@ OutputWish DomeOutput::wish() {
   return wish;
 }
 
-void DomeOutput::take(const OutputFrame& frame) {
+void DomeOutput::take(OutputFrame& frame) {
   WindowOutput::take(frame);
   projectors_.take(frame.on_device ? &*frame.on_device : nullptr);
   projectors_.lay_over(frame.captions);

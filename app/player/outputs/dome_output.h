@@ -23,7 +23,7 @@ class DomeOutput : public WindowOutput {
   DomeOutput(const WindowOptions& window, const ProjectorOptions& projectors);
 
   [[nodiscard]] OutputWish wish() override;
-  void take(const OutputFrame& frame) override;
+  void take(OutputFrame& frame) override;
   void show() override;
   [[nodiscard]] bool closed() const override { return WindowOutput::closed() || projectors_.closed(); }
   [[nodiscard]] bool is_dome() const override { return true; }

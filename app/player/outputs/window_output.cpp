@@ -27,7 +27,7 @@ OutputWish WindowOutput::wish() {
   return wish;
 }
 
-void WindowOutput::take(const OutputFrame& frame) {
+void WindowOutput::take(OutputFrame& frame) {
   eyes_ = frame.eyes;
   // A heat map has its legend at the bottom.
   legend_part_ = frame.picture.heat_range ? color_bar_part(frame.picture.width, frame.picture.height) : 0.0;

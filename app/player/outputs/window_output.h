@@ -20,13 +20,13 @@ struct WindowOptions {
 };
 
 //! The player's window, with captions and text over the picture.
-class WindowOutput : public Output {
+class WindowOutput : public DisplayOutput {
  public:
   //! Throws Error if there is no display.
   explicit WindowOutput(const WindowOptions& options);
 
   [[nodiscard]] OutputWish wish() override;
-  void take(const OutputFrame& frame) override;
+  void take(OutputFrame& frame) override;
   void set_light(double light) override { presenter_.set_light(static_cast<float>(light)); }
   void show() override;
   [[nodiscard]] bool closed() const override { return window_.closed(); }

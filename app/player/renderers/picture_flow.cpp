@@ -86,7 +86,7 @@ void PictureFlow::ask(PictureRequest wish, int size_px, bool moving) {
 }
 
 PictureNews PictureFlow::receive() {
-  const auto answer = source_.take();
+  auto answer = source_.take();
   if (!answer) {
     return PictureNews::none;
   }

@@ -48,8 +48,8 @@ class PictureFlow {
  public:
   //! `show` passes a finished picture to the screen, on the caller's thread. `finest_px` is the
   //! width of one eye's image when nothing moves.
-  PictureFlow(std::function<void(const PictureAnswer&)> show, int finest_px,
-              FrameSource::Render render = render_for_output, SecondsSource now = steady_seconds)
+  PictureFlow(std::function<void(PictureAnswer&)> show, int finest_px, FrameSource::Render render = render_for_output,
+              SecondsSource now = steady_seconds)
       : show_(std::move(show)), finest_px_(finest_px), source_(std::move(render)), now_(std::move(now)) {}
 
   //! Fixes the size and pace of moving pictures.
@@ -71,7 +71,7 @@ class PictureFlow {
   void note_interval();
   [[nodiscard]] bool hangs();
 
-  std::function<void(const PictureAnswer&)> show_;
+  std::function<void(PictureAnswer&)> show_;
   int finest_px_;
   FrameSource source_;
   bool pending_ = true;       //!< a change was not requested yet

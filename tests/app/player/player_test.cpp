@@ -14,7 +14,7 @@ namespace ergodome {
 namespace {
 
 //! An output without a window, which keeps the pictures of its first frame and then closes.
-class HeadlessOutput : public Output {
+class HeadlessOutput : public DisplayOutput {
  public:
   struct Kept {
     std::vector<Picture> eyes;
@@ -30,7 +30,7 @@ class HeadlessOutput : public Output {
     wish.eyes = eyes_;
     return wish;
   }
-  void take(const OutputFrame& frame) override {
+  void take(OutputFrame& frame) override {
     kept_->grid = frame.eye_grid;
     kept_->eyes = {frame.picture};
     if (frame.right_eye) {

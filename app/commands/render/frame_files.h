@@ -1,0 +1,110 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/cli/setup_show.h"
+#include "app/commands/render/frame_request.h"
+#include "app/commands/render/made_files.h"
+#include "app/commands/render/render_options.h"
+#include "render/frame/show_renderer.h"
+#include "render/output/frame_format.h"
+#include "render/output/stereo_layout.h"
+#include "render/present/output.h"
+
+namespace ergodome {
+
+//! Returns the format of the files. Throws Error if the format does not support the compression.
+FrameFormat format_of(const RenderOptions& options);
+
+//! The numbered files of a run's frames: an output that takes each frame at its time in the show.
+class FrameFiles : public Output {
+ public:
+  //! `renderer` renders the frames: files store its numbers. `setup` is the dome whose projectors'
+  //! frames are written instead of the domemaster's; `requests` are the fingerprints stored in the
+  //! files. Options and renderer must outlive this.
+  FrameFiles(const RenderOptions& options, const ShowRenderer& renderer, const ViewChoice& choice,
+             const std::optional<DomeSetup>& setup, FrameRequests requests);
+
+  //! Selects the next frame, counted from 0.
+  void go_to(int frame) { frame_ = frame; }
+  //! If automatic exposure cannot continue from the frame before, prints a note.
+  [[nodiscard]] OutputWish wish() override;
+  //! Writes the files of the frame that was wished for.
+  void take(OutputFrame& frame) override;
+
+  //! Returns the choices of the pictures, with the size that the files need.
+  [[nodiscard]] const ViewChoice& choice() const { return choice_; }
+  [[nodiscard]] const FrameFormat& format() const { return format_; }
+  [[nodiscard]] std::filesystem::path path_of(int frame, FramePart part, std::optional<CubeFace> face) const;
+
+  //! Returns whether the files of a frame exist, are complete and have its fingerprint.
+  [[nodiscard]] bool is_there(int frame) const;
+  //! Returns whether a frame of the show exists that has another fingerprint.
+  [[nodiscard]] bool was_asked_otherwise(int frame) const;
+  //! Returns the existing frames, from 0, before `first` and after `last` that have other
+  //! fingerprints or are beyond the end of the show. Checks at most a few thousand frames.
+  [[nodiscard]] std::vector<int> asked_otherwise(int first, int last) const;
+  //! Returns how many of the frames `next` to `last` do not exist.
+  [[nodiscard]] long missing(int next, int last) const;
+
+  //! Writes the metadata summary of the frames first to last, extended to adjacent frames with the
+  //! same fingerprints.
+  void write_facts(int first, int last) const;
+  //! Removes the frames that this run wrote, and the summary in their folder unless other frames of
+  //! the sequence remain. Returns the number of files.
+  int remove();
+
+  //! Returns the size of the files last written [bytes].
+  [[nodiscard]] std::uintmax_t bytes() const { return bytes_; }
+  //! Returns the number of pixels in all files of a frame.
+  [[nodiscard]] std::uintmax_t frame_pixels() const;
+  //! Returns the pixels of all frames whose rays did not converge.
+  [[nodiscard]] long unresolved() const { return unresolved_; }
+
+ private:
+  [[nodiscard]] int eye_width_px() const;
+  //! Returns the stops of automatic exposure; nothing for heat maps and for EXR files, which are
+  //! linear.
+  [[nodiscard]] std::optional<double> followed_stops() const;
+  //! Returns the stops of the frame before, as text; the word for a restart if that frame is
+  //! missing or has another fingerprint.
+  [[nodiscard]] std::string stops_before(int frame) const;
+  //! Returns the first file of a frame.
+  [[nodiscard]] std::filesystem::path first_file_of(int frame) const;
+  [[nodiscard]] FrameMetadata metadata_of(const FrameImage& image, FramePart part) const;
+  //! Prints a note, once, if heat maps are too small for their legend.
+  void tell_missing_legend(const Picture& picture);
+  //! Creates a folder of frames and removes temporary files that killed programs left there.
+  void enter(const std::filesystem::path& folder);
+  [[nodiscard]] bool is_there(int frame, FramePart part) const;
+  //! Returns the fingerprint of a frame's request.
+  [[nodiscard]] std::string request_of(int frame) const;
+  [[nodiscard]] bool was_asked_alike(int frame) const;
+  //! Returns the numbers of the existing frames of this show.
+  [[nodiscard]] std::vector<int> lying_there() const;
+  //! Returns the size of each image file of the domemaster.
+  [[nodiscard]] ImageSize picture_size() const;
+
+  const RenderOptions& options_;
+  const ShowRenderer& renderer_;
+  ViewChoice choice_;
+  FrameFormat format_;
+  FrameRequests requests_;
+  std::optional<ProjectorFrames> projectors_;
+  MadeFiles made_;
+  int frame_ = 0;
+  int exposed_ = -1;           //!< the next frame that continues the automatic exposure
+  std::string followed_from_;  //!< stops of the frame before, as stored in files
+  std::uintmax_t bytes_ = 0;
+  //! Folders already cleared of files that killed programs left.
+  std::set<std::filesystem::path> cleared_;
+  long unresolved_ = 0;
+  bool told_no_legend_ = false;
+};
+
+}  // namespace ergodome

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "content/show/show.h"
+#include "render/picture/frame_image.h"
+
+namespace ergodome {
+
+//! Returns the images that files of a frame contain: one that the stereo layout combines from both
+//! eyes, or one per eye if it keeps them apart; six of each if the faces of a cube have files.
+//!
+//! `eyes`: the picture of one eye, or those of the left and the right one; `projection`: theirs.
+std::vector<FrameImage> frame_images(std::vector<Picture> eyes, const Projection& projection, const Show& show);
+
+}  // namespace ergodome
