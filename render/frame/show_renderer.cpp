@@ -97,7 +97,7 @@ void ShowRenderer::set_show(const Show& show, std::shared_ptr<StationStream> str
   }
   passes_.replace(std::move(passes));
   show_ = std::move(next);
-  passes_.apply(show_, {.stars = true});
+  passes_.apply(show_, {.stars = true, .exposure = true});
   stream_ = std::move(stream);
   renderer_.set_stream(stream_);
 }

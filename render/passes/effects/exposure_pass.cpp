@@ -28,7 +28,11 @@ void ExposurePass::finish_frame(FinishedFrame& frame) {
   last_clock_s_ = frame.clock_s;
 }
 
-void ExposurePass::apply(const Show& show, const NumberChange& /*change*/) { exposure_.set(*show.tone.automatic); }
+void ExposurePass::apply(const Show& show, const NumberChange& change) {
+  if (change.exposure) {
+    exposure_.set(*show.tone.automatic);
+  }
+}
 
 bool ExposurePass::serves(const Show& /*now*/, const Show& next) const { return next.tone.automatic.has_value(); }
 
