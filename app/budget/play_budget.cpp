@@ -6,7 +6,7 @@
 
 #include "app/budget/budget_texts.h"
 #include "render/accuracy/statistics.h"
-#include "render/lens/lens_choice.h"
+#include "render/lens/lens_source.h"
 
 namespace ergodome {
 

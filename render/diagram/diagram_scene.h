@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "content/objects/object_settings.h"
+#include "content/show/object_settings.h"
 #include "kernels/core/vector3.h"
 #include "render/diagram/apparent_mesh.h"
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "content/show/show.h"
-#include "render/picture/frame_image.h"
+#include "render/picture/picture.h"
 
 namespace ergodome {
 

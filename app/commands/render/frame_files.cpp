@@ -12,10 +12,10 @@
 #include "app/commands/render/sequence_facts.h"
 #include "content/files/atomic_file.h"
 #include "content/files/console.h"
-#include "content/files/counted.h"
+#include "content/files/printable.h"
 #include "render/frame/frame_images.h"
 #include "render/output/color_bar.h"
-#include "render/output/frame_names.h"
+#include "render/output/frame_files.h"
 #include "render/output/image_writer.h"
 
 namespace ergodome {

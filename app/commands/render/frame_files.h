@@ -12,7 +12,7 @@
 #include "app/commands/render/made_files.h"
 #include "app/commands/render/render_options.h"
 #include "render/frame/show_renderer.h"
-#include "render/output/frame_format.h"
+#include "render/output/frame_files.h"
 #include "render/output/stereo_layout.h"
 #include "render/present/output.h"
 

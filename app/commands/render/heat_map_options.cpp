@@ -10,7 +10,7 @@
 #include "app/cli/option_checks.h"
 #include "app/cli/usage_error.h"
 #include "content/show/stereo_eyes.h"
-#include "render/lens/lens_choice.h"
+#include "render/lens/lens_source.h"
 
 namespace ergodome {
 

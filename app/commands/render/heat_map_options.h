@@ -6,7 +6,7 @@
 #include "content/show/show.h"
 #include "kernels/image/shade_pixels.h"
 #include "kernels/spacetime/trace/trace_rays.h"
-#include "render/picture/heat_range.h"
+#include "render/picture/picture.h"
 
 namespace CLI {
 class App;

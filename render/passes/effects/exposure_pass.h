@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/output/auto_exposure.h"
+#include "render/output/tone_map.h"
 #include "render/passes/pass.h"
 #include "render/plan/plan_writer.h"
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/cli/setup_show.h"
-#include "content/show/show_reader.h"
+#include "content/show/reading/show_reader.h"
 #include "tests/support/folder_test.h"
 
 namespace ergodome {
