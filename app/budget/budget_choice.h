@@ -12,7 +12,7 @@ namespace ergodome {
 
 //! Settings of a picture with their measured error and time; NaN if not measured.
 struct MeasuredSetting {
-  FrameQuality quality;  //!< its budget is in pixels of the whole picture
+  FrameQuality quality;  //!< its error budget is in pixels of the whole picture
   //! 99 % quantile of the displacement of directions, at the worst of the measured times [px of the
   //! whole picture].
   double error_px = std::numeric_limits<double>::quiet_NaN();
@@ -40,8 +40,8 @@ inline constexpr double kept_share = 0.5;
 //! Returns whether an error is within a budget, including the safety factor.
 inline bool is_within(double error_px, double budget_px) { return error_px <= kept_share * budget_px; }
 
-//! Which half of a budget has priority if both cannot be met: the error for files, the rate for a
-//! show on the screen.
+//! Which half of a budget (its error or its frame rate) has priority if both cannot be met. When
+//! rendering to files, the error has priority; for a show on the screen, the rate.
 enum class BudgetFirst { error, rate };
 
 //! The index of the chosen setting, and whether it meets each half of the budget. A half that is
@@ -57,9 +57,11 @@ struct BudgetChoice {
 //! For an error alone: the cheapest setting within it. For a rate alone: the most accurate setting
 //! in time. For both: the cheapest that meets both; if there is none, the cheapest within the error
 //! or the most accurate in time, whichever half comes first. If not even that half can be met: the
-//! setting nearest to it. Times within 5 % count as equal, and then the smaller error decides; and
-//! vice versa. The filter of the map differs from the first setting's only if the rate requires it,
-//! because errors do not include it. Values that were not measured count as infinite.
+//! setting nearest to it. Where times are compared, those within 5 % count as equal, and the
+//! smaller error decides; where errors are compared, those within 5 % count as equal, and the
+//! shorter time decides. The filter of the sky map differs from the first setting's only if the
+//! rate requires it, because the measured errors do not include the filter. Values that were not
+//! measured count as infinite.
 BudgetChoice choose_setting(std::span<const MeasuredSetting> settings, const Budget& budget, BudgetFirst first);
 
 }  // namespace ergodome

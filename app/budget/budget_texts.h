@@ -17,7 +17,8 @@ std::string text_of(const FrameQuality& quality);
 //! exceeds the budget, and how long the measurement took.
 std::string choice_text(const Budget& budget, const SettingsMeasurement& measured, const BudgetChoice& choice);
 
-//! Returns the same line for a show that plays, at a rung of its ladder.
+//! Returns the line of choice_text() for a show that plays, at rung `first` of its ladder of
+//! settings (settings_ladder.h).
 std::string ladder_text(const Budget& budget, const SettingsMeasurement& measured, const std::vector<Rung>& ladder,
                         std::size_t first);
 

@@ -13,7 +13,7 @@ using SecondsSource = std::function<double()>;
 //! Returns the time of the machine's steady clock [s].
 double steady_seconds();
 
-//! Kinds of work units before a show starts.
+//! Kinds of work that are done, unit by unit, before a show starts.
 enum class StartWork { reference, lens, small_picture, picture };
 
 //! A time limit for work: no unit of work starts that may exceed it, judging by earlier units of

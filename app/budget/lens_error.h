@@ -25,7 +25,7 @@ RowSamples row_samples(const Projection& projection, int rows, int columns, std:
 //! Measures lenses against exact rays for some pixels of a picture.
 class LensErrors {
  public:
-  //! `pixel` is the angle of one pixel of error [rad].
+  //! `pixel` is the angle that counts as an error of one pixel [rad].
   LensErrors(const EyeCamera& eye, const Projection& projection, RowSamples samples, double pixel);
 
   //! Returns the displacements on the screen [px] of the pixels that see something, in the lens or
@@ -46,7 +46,7 @@ struct BudgetCheck {
   int moments = 0;
   double median_px = 0.0;
   double worst_px = 0.0;
-  double worst_time_s = 0.0;  //!< show time
+  double worst_time_s = 0.0;  //!< show time of the frame with the largest error
 };
 
 //! Number of rows to measure per frame, and of pixels in each, enough for a 99 % quantile.

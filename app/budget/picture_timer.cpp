@@ -14,7 +14,7 @@ namespace {
 constexpr int small_px = 160;
 constexpr int larger_px = 384;
 constexpr int timed_draws = 2;
-//! Rotation about the hole's axis between draws [rad].
+//! Angle by which the camera is rotated about the hole's axis between two timed pictures [rad].
 constexpr double least_turn = 1e-9;
 //! Minimum share of a picture's time that is proportional to its pixels.
 constexpr double least_by_pixels = 0.3;
@@ -57,8 +57,8 @@ std::optional<double> PictureTimer::median_ms(const FrameQuality& quality, int w
   std::vector<double> times_ms;
   for (const TimedMoment& moment : moments_) {
     for (int round = 0; round <= timed_draws; ++round) {
-      // A static camera reuses the stars of the last picture, but a camera that orbits the hole
-      // does not.
+      // Moves the camera a little about the hole between pictures: a static camera would reuse the
+      // stars of the last picture, which a moving one cannot.
       TimedMoment next = moment;
       next.pose.phi += round * least_turn;
       const std::optional<double> time_ms = draw(next, quality, width_px);

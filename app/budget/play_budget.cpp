@@ -83,7 +83,8 @@ Rung PlayBudget::rung() const {
 }
 
 void PlayBudget::keep_to_error() {
-  // Rungs that exceed the error exist to hold the rate.
+  // Rungs whose measured error exceeds the budget exist only to hold the frame rate, so their
+  // lenses are not made finer.
   const bool kept = plan_.budget.error_px && ladder_rung().error_px <= *plan_.budget.error_px;
   if (!kept || errors_px_.size() < sure_errors) {
     return;
@@ -96,7 +97,7 @@ void PlayBudget::keep_to_error() {
   } else {
     return;
   }
-  // The measured errors belong to the old lens.
+  // The errors measured so far belong to the old lens, so they are discarded.
   errors_px_.clear();
 }
 

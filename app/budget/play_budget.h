@@ -12,19 +12,21 @@
 
 namespace ergodome {
 
-//! What a show starts to play with: its budget, and the settings to choose from.
+//! Input of PlayBudget: the budget of a show, and the settings to choose from while it plays.
 struct PlayPlan {
   Budget budget;
-  std::vector<Rung> ladder;  //!< at least one
+  std::vector<Rung> ladder;  //!< at least one rung
   std::size_t first = 0;
   int whole_px = 0;           //!< width of a whole picture; errors are in its pixels
   double patience_ms = 20.0;  //!< LadderLimits::patience_ms
 };
 
-//! Returns how long a frame of a running show waits for its lens [ms], as far as the rate allows.
+//! Returns how long a frame of a running show may wait for its lens before it uses an older one
+//! [ms]; this depends on the frame rate.
 double lens_patience_ms(const Budget& budget);
 
-//! Keeps a running show within its budget and records its cost. Has no clock.
+//! Keeps a running show within its budget and records its cost. Reads no clock: callers pass the
+//! times.
 class PlayBudget {
  public:
   explicit PlayBudget(const PlayPlan& plan);
@@ -59,8 +61,8 @@ class PlayBudget {
   void keep_to_error();
 
   PlayPlan plan_;
-  std::optional<RateKeeper> keeper_;  //!< empty without a rate
-  std::optional<RateRecord> record_;  //!< empty without a rate
+  std::optional<RateKeeper> keeper_;  //!< empty if the budget has no frame rate
+  std::optional<RateRecord> record_;  //!< empty if the budget has no frame rate
   std::deque<double> errors_px_;
   double work_ms_ = 0.0;      //!< time of the last picture
   double interval_ms_ = 0.0;  //!< smoothed interval; 0: none yet

@@ -9,17 +9,20 @@ namespace ergodome {
 
 namespace {
 
-//! Number of frames for the median; and for the median that detects frames far too slow.
+//! Number of frames for the median of frame times, and for the median that detects frames that are
+//! far too slow.
 constexpr std::size_t median_frames = 9;
 constexpr std::size_t few_frames = 3;
 //! Share of the frame time that drawing may take; the rest is for the window and for frames slower
 //! than the median.
 constexpr double most_work = 0.85;
 constexpr double far_too_much_work = 1.5;
-//! The same for a finer rung before it is tried. Between the two shares nothing changes.
+//! Share of the frame time that the next finer rung may be predicted to take, so that it is tried.
+//! If drawing takes a share between this and `most_work`, the rung stays.
 constexpr double work_to_try = 0.65;
-//! Frames that are late by this factor count even if drawing alone fits, unless drawing takes less
-//! than `work_of_the_window`: then the window itself is slow, and no rung helps.
+//! If the mean interval between frames exceeds the frame time by this factor, frames count as too
+//! slow even if drawing alone would fit. Exception: if drawing takes less than the share
+//! `work_of_the_window`, the window itself is slow, and no rung helps.
 constexpr double late_interval = 1.04;
 constexpr double work_of_the_window = 0.5;
 constexpr std::size_t interval_frames = 30;

@@ -9,7 +9,7 @@
 namespace ergodome {
 
 //! Holds a frame rate: receives the time of each frame and selects the rung of a ladder for the
-//! next one. Has no clock.
+//! next one. Reads no clock: callers pass the times.
 //!
 //! Goes one rung down (faster) if the median of the last frames takes too much of the frame time; a
 //! single slow frame changes nothing. Goes one rung up if frames were fast enough for long enough
@@ -40,12 +40,14 @@ class RateKeeper {
   std::vector<double> rung_ms_;
   double frame_ms_;
   std::size_t rung_;
-  std::deque<double> work_ms_;      //!< on this rung; the latest is last
-  std::deque<double> interval_ms_;  //!< on this rung; the latest is last
-  long frames_here_ = 0;            //!< on this rung
-  long frames_quick_ = 0;           //!< consecutive frames so fast that the finer rung would fit
-  long patience_;                   //!< number of such frames to wait for
-  bool trying_ = false;             //!< this rung was reached from below and is not proven yet
+  //! Drawing times of the last frames on this rung; the latest is last.
+  std::deque<double> work_ms_;
+  //! Intervals between the last frames on this rung; the latest is last.
+  std::deque<double> interval_ms_;
+  long frames_here_ = 0;   //!< number of frames on this rung
+  long frames_quick_ = 0;  //!< consecutive frames so fast that the finer rung would fit
+  long patience_;          //!< number of such frames to wait for
+  bool trying_ = false;    //!< this rung was reached from below and is not proven yet
   long changes_ = 0;
 };
 

@@ -9,7 +9,7 @@ namespace ergodome {
 
 namespace {
 
-//! Factor between widths: a third fewer pixels.
+//! Ratio of the widths of adjacent rungs: a third fewer pixels.
 constexpr double width_step = 0.82;
 //! Without an error budget, lenses coarser than this come after smaller pictures [px].
 constexpr double unseen_px = 1.0;
@@ -25,7 +25,7 @@ class LadderMaker {
     Rung rung{lens.quality, size_px, lens.error_px, lens.moments, frame_ms(lens, size_px, plain_look)};
     const MeasuredSetting* const direct = direct_twin(lens);
     if (direct != nullptr && lens.quality.lens == LensChoice::automatic) {
-      // Either lens may be used.
+      // At this size the renderer may use the grid or direct rays, so the larger error counts.
       rung.error_px = std::max(rung.error_px, direct->error_px);
     }
     if (plain_look) {

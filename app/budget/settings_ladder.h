@@ -10,7 +10,8 @@ namespace ergodome {
 
 //! Settings and size of pictures in a running show.
 struct Rung {
-  FrameQuality quality;   //!< its budget is in pixels of the whole picture, also for smaller ones
+  //! Its error budget is in pixels of the whole picture, also for smaller pictures.
+  FrameQuality quality;
   int size_px = 0;        //!< width of one eye's picture
   double error_px = 0.0;  //!< measured error of its lens [px of the whole picture]
   int moments = 0;        //!< number of times at which it was measured
@@ -21,7 +22,7 @@ struct Rung {
 struct LadderLimits {
   int widest_px = 1024;
   int narrowest_px = 192;        //!< equal to the widest: fixed size
-  double height_to_width = 1.0;  //!< of one eye's picture
+  double height_to_width = 1.0;  //!< ratio of height to width of one eye's picture
   //! How long a frame waits for its lens before it uses an older one.
   double patience_ms = 20.0;
   //! With an automatic lens, pictures with fewer pixels use direct rays.
@@ -31,11 +32,11 @@ struct LadderLimits {
 //! Returns the settings for a running show that has to hold a rate, the most accurate first, each
 //! predicted to be faster than the one before.
 //!
-//! With an error in the budget, all rungs but the last ones keep it: the cheapest lens within it in
-//! smaller and smaller pictures, then with the point filter for the sky's map; coarser lenses
-//! follow only if that is not enough. Without, coarser lenses up to one pixel come first. Adjacent
-//! rungs differ by a third of the pixels or half the lens's budget, so that no step is visible as a
-//! jump.
+//! If the budget has an error, all rungs but the last ones are within it: the cheapest lens within
+//! the error in smaller and smaller pictures, then with the point filter for the sky map. Coarser
+//! lenses follow only if that is not enough. If the budget has no error, coarser lenses (up to one
+//! pixel of error) come before smaller pictures. Adjacent rungs differ by a third of the pixels or
+//! half the lens's budget, so that no step is visible as a jump.
 std::vector<Rung> settings_ladder(std::span<const MeasuredSetting> settings, const Budget& budget,
                                   const LadderLimits& limits);
 

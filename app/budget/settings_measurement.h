@@ -10,7 +10,7 @@
 
 namespace ergodome {
 
-//! Input of a measurement.
+//! Input of measure_settings().
 struct MeasurementOrder {
   Budget budget;
   int size_px = 0;  //!< width of one eye's whole picture; 0: the show's
@@ -24,24 +24,24 @@ struct MeasurementOrder {
 
 //! Why the time of whole frames is unknown.
 enum class UntimedFrames {
-  none,      //!< it is known
+  none,      //!< the time is known
   for_time,  //!< time ran out before enough pictures were drawn
-  polygons,  //!< OpenGL takes seconds to start without a GPU, so nothing was drawn
+  polygons,  //!< objects are drawn as polygons, and OpenGL takes seconds to start without a GPU
 };
 
 //! Result of a measurement, and how much of it was completed.
 struct SettingsMeasurement {
   std::vector<MeasuredSetting> settings;  //!< at least one; the first has the requested lens
   std::vector<double> times_s;            //!< show times at which errors were measured
-  int width_px = 0;                       //!< of one eye's whole picture
-  double height_to_width = 1.0;           //!< of one eye's whole picture
+  int width_px = 0;                       //!< width of one eye's whole picture
+  double height_to_width = 1.0;           //!< ratio of height to width of one eye's whole picture
   //! Widths of the drawn pictures from which times were extrapolated; empty: none.
   std::vector<int> drawn_px;
   UntimedFrames untimed = UntimedFrames::none;
-  double quickest_ms = std::numeric_limits<
-      double>::quiet_NaN();  //!< if untimed: the time of the fastest of the drawn pictures; NaN: none
-  int quickest_px = 0;       //!< width of that picture
-  bool cut_short = false;    //!< time ran out before everything was measured
+  //! If whole frames were not timed: the time of the fastest picture drawn; NaN: none was drawn.
+  double quickest_ms = std::numeric_limits<double>::quiet_NaN();
+  int quickest_px = 0;     //!< width of that picture
+  bool cut_short = false;  //!< time ran out before everything was measured
   double took_s = 0.0;
 };
 
@@ -51,9 +51,9 @@ struct SettingsMeasurement {
 //!
 //! With an error in the budget, lenses get finer until one is within it, including kept_share; with
 //! a rate alone, as fine as time allows. Disk, shells and objects add to the time but not to the
-//! error. Polygons take OpenGL seconds to start without a GPU; then no picture is drawn. In stereo,
-//! the head's view represents both eyes. Restores the renderer's quality. Throws what rendering
-//! throws.
+//! error. If objects are drawn as polygons and there is no GPU, no picture is drawn, because OpenGL
+//! takes seconds to start. In stereo, the head's view represents both eyes. Restores the renderer's
+//! quality. Throws what rendering throws.
 SettingsMeasurement measure_settings(ShowRenderer& renderer, const Show& show, const MeasurementOrder& order);
 
 //! Returns the show times to measure at: first where the camera is nearest to the hole, then evenly

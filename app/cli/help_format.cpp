@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t name_columns = 30;
 constexpr std::size_t text_columns = 120 - name_columns;
 
-//! Wraps text into lines that fit beside the names.
+//! Wraps the description of an option into lines that fit beside the column of names.
 std::string wrapped(const std::string& text) {
   std::istringstream words(text);
   std::string lines;

@@ -163,7 +163,7 @@ std::vector<std::string> stream_notes(const StationStream* stream, const Show& s
                     trajectory.path().string(), baked.budget_px, width_px * pixel / baked.pixel, budget_px, width_px,
                     stand_in_for_stream(projection, options, backend), width_px, finer)};
   }
-  // Ratio of the pixel of the stations to that of this picture.
+  // Angle of a pixel for which the stations were baked / angle of a pixel of this picture.
   const double scale = baked.pixel / pixel;
   const MissedGaps missed = missed_gaps(trajectory.stations(), std::max(budget_px / scale, baked.budget_px));
   if (missed.count == 0) {

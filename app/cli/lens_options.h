@@ -32,7 +32,7 @@ void add_lens_options(CLI::App& command, LensOptions& options, IdleOptions& idle
 
 LensChoice lens_choice(const LensOptions& options);
 
-//! Receives a note for the user.
+//! A function that receives a note for the user.
 using Tell = std::function<void(const std::string&)>;
 
 //! Prints a note on the terminal unless it was printed before. Thread-safe.

@@ -15,8 +15,9 @@ namespace ergodome {
 
 //! Makes a show render the domemaster that the warps of a setup sample: 180°, equidistant,
 //! uncropped, from inside, correct as seen from the setup's viewer. A tilt given in the setup
-//! replaces the show's, unless that is artistic. Throws Error for layouts that put two eyes into
-//! one picture, and UsageError if the layout is `stereo` of the command line (empty: not given).
+//! replaces the show's, unless that is artistic. Throws Error if the show's layout puts two eyes
+//! into one picture; the error is a UsageError if that layout is `stereo`, which was given on the
+//! command line (empty: not given).
 void fit_to_setup(Show& show, const DomeSetup& setup, const std::string& stereo = {});
 
 //! Returns the projectors' names for files, with safe characters only, each different.
@@ -25,7 +26,7 @@ std::vector<std::string> plain_names(const DomeSetup& setup);
 //! Writes the projectors' views of numbered frames, without a display.
 class ProjectorFrames {
  public:
-  //! Throws Error as HeadlessProjectors does.
+  //! Throws Error if HeadlessProjectors cannot be created.
   ProjectorFrames(const DomeSetup& setup, const std::vector<ProjectorPicture>& pictures,
                   ProjectorDrawer drawer = ProjectorDrawer::automatic);
 
@@ -39,8 +40,8 @@ class ProjectorFrames {
   //! Returns the files that write() writes for a frame.
   [[nodiscard]] std::vector<std::filesystem::path> paths_of(const std::filesystem::path& frame) const;
 
-  //! Returns whether all these files exist, are complete and have this fingerprint (FrameMetadata's
-  //! "request").
+  //! Returns whether all files of a frame (paths_of()) exist, are complete and have this
+  //! fingerprint (FrameMetadata's "request").
   [[nodiscard]] bool are_there(const std::filesystem::path& frame, const std::string& request) const;
 
  private:

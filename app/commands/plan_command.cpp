@@ -44,7 +44,7 @@ struct PlanOptions : ShowOverrides {
   bool json = false;
 };
 
-//! Work counts of the first frame at a camera position, and of one more there.
+//! Work counts of the first frame at a camera position, and of a second frame at the same position.
 struct Measured {
   std::map<std::string, WorkCount> first;
   std::map<std::string, WorkCount> next;
@@ -70,7 +70,7 @@ Measured measure(const PlanOptions& options, const Show& show, Backend backend, 
 //! Time and disk space of rendering the whole show.
 struct RunEstimate {
   int frames = 0;
-  int measured_frame = 0;  //!< from 0
+  int measured_frame = 0;  //!< frame that was measured, counted from 0
   RunFrameCost frame;
   std::uintmax_t free_bytes = 0;  //!< free space on the disk of --out
 

@@ -39,7 +39,7 @@ struct PlayArguments : ShowOverrides {
   std::string show;
   std::string backend = "auto";
   std::string setup;
-  std::optional<ProjectorOptions> projectors;  //!< of the setup
+  std::optional<ProjectorOptions> projectors;  //!< projectors of the dome setup; empty without --setup
   bool hide_control = false;
   bool full_screen = false;
   bool size_given = false;
@@ -194,7 +194,8 @@ void run(PlayArguments arguments) {
                stereo_layout_names[static_cast<std::size_t>(show.stereo.layout)]);
   }
   const Backend backend = choose_backend(arguments.backend);
-  // With a budget, its own line reports on the frames.
+  // With a budget, the line about the chosen settings reports on the lenses, so notes on a coarse
+  // trajectory are omitted.
   const RendererLoader::Make make =
       renderer_maker({backend, arguments.backend == "auto", arguments.lens, options.size_px, arguments.budget.empty(),
                       options.notes, arguments.options.language});

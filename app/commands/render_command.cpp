@@ -211,7 +211,7 @@ void run(RenderOptions options) {
     return;
   }
   if (!options.movie.empty()) {
-    // Done first because the frames may need the space.
+    // Partial films of earlier runs are removed first, because the frames may need the space.
     remove_abandoned_files(std::filesystem::path(options.movie).parent_path());
   }
   FrameWriter writer(options, show, setup, requests);

@@ -14,10 +14,10 @@ class BlackView {
   //! this as soon as one star is in view.
   static constexpr double least_lit_part = 1e-3;
 
-  //! Starts again for a new scene.
+  //! Resets the state at the start of a new scene.
   void begin() { since_s_.reset(); }
 
-  //! Takes the lit fraction of the view, 0 to 1, at a time of a monotonic clock.
+  //! Records the lit fraction of the view, 0 to 1, at a time of a monotonic clock.
   void note(double now_s, double lit_part);
 
   //! Returns the seconds until the camera returns to the start, if the view has been black long
@@ -35,7 +35,7 @@ class BlackView {
 //! once a second.
 class LightWatch {
  public:
-  //! Starts again for a new scene.
+  //! Resets the state at the start of a new scene.
   void begin(double now_s) { began_s_ = now_s; }
 
   //! Returns whether to request a measurement now. `changed`: whether the view has just changed.
@@ -45,7 +45,8 @@ class LightWatch {
     return changed_s_ > measured_s_ && now_s - measured_s_ >= between_measurements_s;
   }
 
-  //! Takes the time when a measurement was requested. Returns whether it is a new one of this scene.
+  //! Records that the result of a measurement arrived, which was requested at `asked_s`. Returns
+  //! whether the result is new and belongs to this scene.
   [[nodiscard]] bool take(double asked_s) {
     const bool is_new = asked_s > measured_s_;
     measured_s_ = is_new ? asked_s : measured_s_;
@@ -55,7 +56,7 @@ class LightWatch {
  private:
   double began_s_ = 0.0;
   double changed_s_ = 0.0;
-  double measured_s_ = -1e300;  //!< when the last answer was requested
+  double measured_s_ = -1e300;  //!< when the measurement with the last result was requested
 };
 
 }  // namespace ergodome

@@ -52,7 +52,7 @@ class ExhibitScenes {
   //! connected.
   [[nodiscard]] std::vector<Caption> captions(bool pad) const;
   [[nodiscard]] double opacity() const;
-  //! Takes the lit fraction of a visitor's view, 0 to 1.
+  //! Records the lit fraction of a visitor's view, 0 to 1.
   void note_light(double lit_part);
   //! Returns true once, when the view has been black for a while and the camera has to return to
   //! the start.
@@ -96,8 +96,8 @@ class ExhibitScenes {
   BlackView black_view_;
   bool left_ = false;
   double now_s_ = 0.0;
-  KeptSettings kept_;   //!< as in the file
-  KeptSettings noted_;  //!< current
+  KeptSettings kept_;   //!< settings as stored in the file
+  KeptSettings noted_;  //!< current settings
   std::vector<TransportCommand> asked_;
   double wrote_s_ = -1e300;
   double refused_s_ = -1e300;  //!< time of the last failed write

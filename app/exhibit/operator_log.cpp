@@ -11,9 +11,9 @@ namespace ergodome {
 
 namespace {
 
-//! A command is logged once it has not been repeated for this long,
+//! A command is logged once it has not been repeated for this time.
 constexpr double quiet_s = 1.0;
-//! or, if it keeps being repeated, after this time.
+//! A command that keeps being repeated is logged at the latest after this time.
 constexpr double longest_wait_of_line_s = 5.0;
 
 std::string argument_text(const CommandRule& rule, const TransportCommand& command) {

@@ -12,7 +12,7 @@ namespace ergodome {
 struct CameraPlace {
   double r = 10.0;                    //!< [M]
   glm::dvec3 towards{1.0, 0.0, 0.0};  //!< unit vector from the hole to the camera
-  //! From the view's axes (x right, y up, z back) to the directions.
+  //! Rotation from the view's axes (x right, y up, z back) to that non-rotating space.
   glm::dquat view{1.0, 0.0, 0.0, 0.0};
 };
 

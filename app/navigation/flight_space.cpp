@@ -10,7 +10,7 @@ namespace ergodome {
 
 namespace {
 
-//! Fraction of the guard's radius added to the height above it in the unit of speeds.
+//! Speeds are in units of the height above the guard plus this fraction of the guard's radius.
 constexpr double leeway = 0.05;
 //! Minimum height of a camera above the guard, as a fraction of the guard's radius: enough to
 //! distinguish the two radii.
@@ -33,8 +33,8 @@ LocalScale local_scale(Spacetime spacetime, const CameraPlace& place) {
   return {std::sqrt(std::max(f.delta, 0.0) / f.sigma), 1.0 / std::sqrt(f.sigma), 1.0 / f.circumference_factor};
 }
 
-//! Returns the same for cameras that may cross the horizon. There, lengths are coordinate lengths:
-//! r, and angles times r.
+//! Returns local_scale(), or, for cameras that may cross the horizon, the scale of coordinate
+//! lengths: r, and angles times r.
 LocalScale scale_at(Spacetime spacetime, const CameraPlace& place, bool through_horizon) {
   return through_horizon ? LocalScale{1.0, 1.0 / place.r, 1.0 / place.r} : local_scale(spacetime, place);
 }
@@ -81,7 +81,7 @@ double FlightSpace::slowing(double r, double speed) const {
 double FlightSpace::moved_radius(double r, double speed, double seconds) const {
   const double lowest = guard_r_ * (1.0 + least_height);
   if (r < lowest) {
-    // A show's path may go where visitors may not.
+    // A show's path may lead inside the guard. A camera that leaves it there moves out.
     const double out = std::max(speed, fastest_ * (lowest - r + leeway * guard_r_));
     return r + out * seconds;
   }

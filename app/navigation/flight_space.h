@@ -49,7 +49,7 @@ class FlightSpace {
   Spacetime spacetime_;
   double guard_r_;
   double most_r_;
-  double fastest_;  //!< [distances/s]
+  double fastest_;  //!< maximum speed [distances/s]
   bool through_horizon_;
 };
 

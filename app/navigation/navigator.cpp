@@ -21,9 +21,9 @@ bool same(const CameraPose& a, const CameraPose& b) {
   return a.r == b.r && a.theta == b.theta && a.phi == b.phi && a.orientation == b.orientation;
 }
 
-//! Returns whether a path jumped between two frames, because of a seek. Checks two azimuths: near
-//! the horizon, the Boyer-Lindquist azimuth of infalling cameras changes fast, and the ingoing Kerr
-//! azimuth of others.
+//! Returns whether a path jumped between two frames, because of a seek. Compares both the
+//! Boyer-Lindquist and the ingoing Kerr azimuths, and uses the smaller change: near the horizon,
+//! the former changes fast for infalling cameras, the latter for others.
 bool leapt(Spacetime spacetime, const CameraPose& from, const CameraPose& to) {
   const double way =
       std::min(glm::distance(place_of(from).towards, place_of(to).towards),
@@ -455,7 +455,7 @@ ObserverView Navigator::observer_on_ride(std::string_view language) const {
       observer_of(ObserverMotion::velocity, ride_->velocity(), spacetime_, here.r, here.theta, language);
   view.name = german ? "auf freier Umlaufbahn" : "in free orbit";
   view.sentence = view.name + view.sentence.substr(view.sentence.rfind(','));
-  // Within so many guard radii, the observer's description includes where the fall ends.
+  // Within this many radii of the guard, the observer's description includes where the fall ends.
   constexpr double near = 2.0;
   if (kept_outside_ && here.r < near * space_.guard_r() && ride_->falls_into_hole()) {
     view.sentence +=

@@ -15,10 +15,10 @@
 namespace ergodome {
 
 //! A camera that follows a show's path or is flown by a visitor, within the limits of the show and
-//! of comfort. Has no window and no clock.
+//! of comfort. Uses no window and reads no clock.
 class Navigator {
  public:
-  //! Course of the camera.
+  //! Whether the camera is on the show's path, on its way back to it, or in free flight.
   enum class Course { path, returning, free };
 
   explicit Navigator(const Show& show);
@@ -32,7 +32,8 @@ class Navigator {
   void set_spacetime(Spacetime spacetime);
 
   //! Takes the camera off the path with its velocity; if the path is a fall, in free fall along its
-  //! orbit, also inside the horizon. Starts from the show's first key if the show is set so.
+  //! orbit, also inside the horizon. If the show's settings say so, starts from the show's first
+  //! camera key instead.
   void leave_path();
   //! Flies back to the path and then follows it; jumps there if the camera or the path is inside
   //! the horizon. Does nothing on the path.
@@ -41,8 +42,8 @@ class Navigator {
   void reset();
 
   void set_mode(FlightMode mode);
-  //! Selects the next flight mode and takes the camera off the path. On a path that falls, the
-  //! first mode is to fall on.
+  //! Selects the next flight mode and takes the camera off the path. If the path is in free fall,
+  //! the first mode is to continue that fall.
   void next_mode();
   //! Reverses the direction of circular orbits; restarts a ride.
   void reverse_orbit();
@@ -104,16 +105,17 @@ class Navigator {
   FlightSettings settings_;
   FlightSpace space_;
   SteeredMotion motion_;
-  std::optional<LocalText> kept_outside_;  //!< why visitors do not fall through the horizon, if so
-  bool leads_through_;                     //!< whether infalling orbits lead through the horizon
+  //! Reason why visitors cannot fall through the horizon; empty if they can.
+  std::optional<LocalText> kept_outside_;
+  bool leads_through_;  //!< whether infalling orbits lead through the horizon
   CameraPlace start_;
   CameraPlace place_;
   Course course_ = Course::path;
   FlightMode mode_;
   bool path_falls_;
   double orbit_sense_ = 1.0;
-  CameraPose path_;         //!< in the last frame
-  CameraPose path_before_;  //!< in the frame before
+  CameraPose path_;         //!< pose on the show's path in the last frame
+  CameraPose path_before_;  //!< pose on the path in the frame before
   CameraPlace before_;
   double frame_s_ = 0.0;  //!< time between the last two frames
   bool begun_ = false;
@@ -123,9 +125,9 @@ class Navigator {
   glm::dvec3 east_{0.0, 1.0, 0.0};
   //! A ride through the horizon has `place_` and `before_` in ingoing azimuths.
   std::optional<OrbitRide> ride_;
-  Vector3<double> ride_before_{};  //!< its velocity at `before_`
+  Vector3<double> ride_before_{};  //!< velocity of the ride at `before_`
   double clock_lead_ = 0.0;        //!< pose.clock_lead while not falling through the horizon [M]
-  //! Pose.clock_lead minus outer_lag() while falling through it [M].
+  //! Value of pose.clock_lead minus outer_lag() while the camera falls through the horizon [M].
   double lead_over_lag_ = 0.0;
   std::optional<Vector3<double>> asked_velocity_;
   std::optional<PathReturn> return_;

@@ -14,7 +14,8 @@ constexpr double fade_s = 1.0;
 
 struct Words {
   const char* name;
-  const char* stand_in;  //!< added if another observer stands in for it
+  //! Words that are added if the observer is a replacement for an impossible one.
+  const char* stand_in;
 };
 
 constexpr std::array<Words, 6> english = {{

@@ -37,10 +37,11 @@ NearestVelocity nearest_velocity(ObserverMotion motion, Spacetime spacetime, dou
 //! The observer for the renderer, and its description for the screen.
 struct ObserverView {
   ObserverMotion motion = ObserverMotion::zamo;
-  Vector3<double> velocity{};  //!< in the ZAMO frame, for ObserverMotion::velocity
-  bool nearest = false;        //!< replaces an impossible observer
-  std::string name;            //!< "static observer"
-  std::string sentence;        //!< the name, the speed, and whether it is a replacement
+  //! Velocity in the ZAMO frame, if `motion` is ObserverMotion::velocity.
+  Vector3<double> velocity{};
+  bool nearest = false;  //!< replaces an impossible observer
+  std::string name;      //!< name of the observer, such as "static observer"
+  std::string sentence;  //!< the name, the speed, and whether it is a replacement
 };
 
 //! Returns the observer at a position. `shown` is the show's, for ObserverMode::natural, unless
@@ -56,7 +57,8 @@ ObserverView observer_of(ObserverMotion motion, const Vector3<double>& given, Sp
 //! Returns the observer of a camera in a show's free fall, at its velocity in the ZAMO frame.
 ObserverView falling_observer(const Vector3<double>& velocity, std::string_view language = "en");
 
-//! Returns the same inside the horizon, where there is no ZAMO.
+//! Returns the observer of a camera in a show's free fall inside the horizon, where there is no
+//! ZAMO to measure its velocity.
 ObserverView falling_within(std::string_view language = "en");
 
 //! Returns the observer of a visitor's camera that falls into the hole, at a radius [M] outside or
@@ -78,7 +80,9 @@ class ObserverFade {
 
  private:
   std::string name_;
-  glm::dvec3 shown_{0.0};  //!< in fixed directions, so that the camera may cross the axis meanwhile
+  //! Velocity of the last observer along axes fixed in space, so that the camera may cross the spin
+  //! axis during a fade.
+  glm::dvec3 shown_{0.0};
   glm::dvec3 from_{0.0};
   double elapsed_s_ = 1e9;
 };

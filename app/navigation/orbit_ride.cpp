@@ -109,7 +109,7 @@ double OrbitRide::clock_along(const CameraPlace& place, const glm::dvec3& veloci
 }
 
 bool OrbitRide::take_over(const CameraPlace& place, const glm::dvec3& velocity) {
-  // An invisible change of the camera's velocity [distances/s].
+  // Maximum change of the camera's velocity that remains invisible [distances/s].
   constexpr double across_at_most = 0.02;
   if (!(glm::length(velocity - clock_along(place, velocity) * way(place)) <= across_at_most)) {
     return false;
@@ -141,7 +141,8 @@ double OrbitRide::comfortable_clock(double reach, double usual) const {
   const double bend = (1.0 / reach + 2.0 * turn) / reach;
   const double fastest =
       std::min({fastest_turn_ / std::max(turn, 1e-12), fastest_ * reach, std::sqrt(bend_part * accel_ / bend)});
-  // Orbits far out may be accelerated; they slow down when they approach the hole.
+  // Far from the hole the clock may run much faster than usual; it slows down when the orbit
+  // approaches the hole.
   return std::min(fastest, 1e6 * usual);
 }
 

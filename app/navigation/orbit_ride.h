@@ -29,7 +29,7 @@ class OrbitRide {
   //! Starts with the component of the camera's velocity along the orbit.
   void go_as(const CameraPlace& place, const glm::dvec3& velocity);
 
-  //! Starts as fast as another description of this ride.
+  //! Starts with the clock rate of another OrbitRide that describes the same ride.
   void take_clock_of(const OrbitRide& other);
 
   //! Advances by a time of the visitor's clock; `hurry` from 0 to 1 speeds up the orbit's clock.
@@ -81,13 +81,13 @@ class OrbitRide {
   FlightSpace space_;
   OrbitState orbit_;
   OrbitConstants constants_;
-  double begin_r_;      //!< [M]
-  double clock_ = 0.0;  //!< [M/s]
+  double begin_r_;      //!< radius at the start of the ride [M]
+  double clock_ = 0.0;  //!< orbit time per second of the visitor's clock [M/s]
   double own_time_ = 0.0;
   double fastest_turn_;
   double fastest_;
   double accel_;
-  std::optional<double> left_;  //!< [M]
+  std::optional<double> left_;  //!< result of left() [M]
   double left_told_r_ = 0.0;    //!< radius at which `left_` was last computed by integration [M]
   bool held_ = false;
   bool taken_over_ = false;  //!< continues a path faster than comfortable, and is slowing down

@@ -12,8 +12,8 @@ namespace ergodome {
 //! path's and of the height that the camera coasts to, so it is never below both.
 class PathReturn {
  public:
-  //! Takes two instants of the camera and of the path that are `seconds` apart. For a camera at
-  //! rest both are equal.
+  //! Takes camera and path at two instants that are `seconds` apart. If the camera is at rest, both
+  //! of its positions are equal.
   PathReturn(const FlightSpace& space, const FlightSettings& settings, const CameraPlace (&camera)[2],
              const CameraPose (&path)[2], double seconds);
 

@@ -42,11 +42,12 @@ class SteeredMotion {
   [[nodiscard]] const glm::dvec3& around() const { return around_; }
   //! Returns the velocity as a ship [distances/s].
   [[nodiscard]] const glm::dvec3& fly() const { return fly_; }
-  //! Sets that velocity, for a camera that falls.
+  //! Sets the velocity as a ship, for a camera that is in free fall.
   void set_fly(const glm::dvec3& fly) { fly_ = fly; }
 
  private:
-  //! Takes the part of the mouse's way that the limits allow in a step.
+  //! Returns the velocity at which the remaining motion of the mouse is followed in this step,
+  //! within the limits, and subtracts the step from what remains.
   glm::dvec3 take_mouse_way(double seconds);
 
   TurnLimits limits_;

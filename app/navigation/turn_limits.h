@@ -11,9 +11,9 @@ namespace ergodome {
 //! Limits of comfort, divided between looking around and going around the hole.
 struct TurnLimits {
   double total;         //!< maximum rotation rate of the view [rad/s]
-  double head;          //!< for looking around [rad/s]
-  double around;        //!< for going around [rad/s]
-  double acceleration;  //!< [rad/s²]
+  double head;          //!< maximum rotation rate for looking around [rad/s]
+  double around;        //!< maximum rotation rate for going around the hole [rad/s]
+  double acceleration;  //!< maximum angular acceleration [rad/s²]
 };
 
 //! Divides the show's limits so that both motions together stay within them. Two rotations about

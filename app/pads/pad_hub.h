@@ -8,25 +8,26 @@
 
 namespace ergodome {
 
-//! A controller in one frame.
+//! The state of a controller in one frame.
 struct PadView {
   std::shared_ptr<const PadIdentity> identity;
-  int number = 0;              //!< from 1; a controller that returns takes the lowest free number
-  bool connected = false;      //!< false: gone since the last snapshot, or could not be opened
-  bool absent = false;         //!< a receiver without its controller
-  bool stuck = false;          //!< an axis is ignored because it does not move
-  PadState state;              //!< after applying the settings; at rest after it is gone
-  PadPresses presses{};        //!< since the last snapshot
-  double last_report_s = 0.0;  //!< by the hub's clock
+  int number = 0;          //!< from 1; a controller that returns takes the lowest free number
+  bool connected = false;  //!< false: gone since the last snapshot, or could not be opened
+  bool absent = false;     //!< a receiver is connected, but its controller is not
+  bool stuck = false;      //!< an axis is ignored because it does not move
+  //! State after applying the settings; at rest once the controller is gone.
+  PadState state;
+  PadPresses presses{};        //!< presses of each button since the last snapshot
+  double last_report_s = 0.0;  //!< time of the last report, by the hub's clock
   double last_input_s = 0.0;   //!< when the state last changed; minus infinity: never
   long reports = 0;
   long refused = 0;     //!< malformed reports
   std::string problem;  //!< why it cannot be read, and what to do; empty: no problem
 };
 
-//! All controllers at one instant.
+//! The states of all controllers at one instant.
 struct PadSnapshot {
-  double time_s = 0.0;  //!< by the hub's clock
+  double time_s = 0.0;  //!< time of the snapshot, by the hub's clock
   std::vector<PadView> pads;
   std::string problem;  //!< of the library; empty: none
 

@@ -139,7 +139,7 @@ void PadSession::watch(double now_s) {
     any = look_after(i, now_s) || any;
   }
   if (any) {
-    // An axis that becomes ignored is not an input.
+    // The state changes because an axis is now ignored. This must not count as input of a user.
     state_ = response_.apply(raw_, ignored_, state_);
   }
 }

@@ -16,7 +16,7 @@ using PadPresses = std::array<std::uint16_t, pad_button_count>;
 //! stuck or silent. Not thread-safe.
 class PadSession {
  public:
-  //! `stuck_after_s` is that of PadSettings.
+  //! For `stuck_after_s` see PadSettings.
   PadSession(PadIdentity identity, std::unique_ptr<HidDevice> device, std::unique_ptr<PadDecoder> decoder,
              const PadProfile& profile, double stuck_after_s, double now_s);
 

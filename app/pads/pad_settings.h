@@ -36,7 +36,7 @@ struct AxisCalibration {
 
 //! The axis that a raw axis controls instead of its default.
 struct AxisTarget {
-  std::optional<PadAxis> axis;  //!< nothing: disabled
+  std::optional<PadAxis> axis;  //!< the axis to control; nothing: the raw axis is disabled
   bool inverted = false;
 
   bool operator==(const AxisTarget&) const = default;
@@ -61,7 +61,8 @@ struct PadProfile {
   std::string name;    //!< name reported by the controller; empty: any
   std::string serial;  //!< empty: any
   bool ignore = false;
-  //! Request full reports once; leave it to the kernel's driver if there is one.
+  //! Whether to request full reports when the controller is opened. Keep it false if the kernel has
+  //! a driver for the controller, which requests them itself.
   bool mode_switch = false;
   PadCurve left_stick{.dead_zone = 0.15, .full_at = 0.98, .exponent = 1.5};
   PadCurve right_stick{.dead_zone = 0.15, .full_at = 0.98, .exponent = 1.5};
@@ -75,7 +76,7 @@ struct PadProfile {
   bool operator==(const PadProfile&) const = default;
 };
 
-//! The file pads.toml.
+//! Contents of the settings file pads.toml.
 struct PadSettings {
   //! A deflected stick with an exactly constant value for this long is ignored until it moves; 0:
   //! never.
@@ -109,7 +110,7 @@ std::filesystem::path default_pad_settings_path();
 //! `otherwise`.
 const PadProfile& profile_for(const PadSettings& settings, const PadIdentity& pad);
 
-//! Formats an id: "054c:0ce6".
+//! Formats vendor and product as an id: "054c:0ce6".
 std::string device_id(std::uint16_t vendor, std::uint16_t product);
 
 }  // namespace ergodome

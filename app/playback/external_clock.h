@@ -47,11 +47,11 @@ class ExternalClock {
 };
 
 struct ChaseSettings {
-  //! Larger errors are corrected at once.
+  //! Errors of the show's time above this are corrected at once, by a jump.
   std::chrono::nanoseconds jump = std::chrono::milliseconds(100);
-  //! Time constant of the correction of smaller errors.
+  //! Time constant with which errors up to `jump` are corrected by changing the speed.
   std::chrono::nanoseconds slew = std::chrono::milliseconds(500);
-  //! Maximum relative change of speed.
+  //! Maximum relative change of speed for such a correction.
   double most_slew = 0.1;
 };
 

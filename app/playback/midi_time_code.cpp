@@ -126,7 +126,7 @@ std::optional<MidiTimeCodeReader::Reading> MidiTimeCodeReader::read_quarter(std:
   const int first = direction_ > 0 ? 0 : 7;
   const int last = 7 - first;
   if (piece == first && code_) {
-    // Eight quarter frames span two frames.
+    // Eight quarter frames make a code and span two frames, so the next code is two frames later.
     const std::int64_t day = frames_a_day(rate_);
     *code_ = (*code_ + 2 * direction_ + day) % day;
   }

@@ -53,7 +53,7 @@ class MidiTimeCodeReader {
  public:
   //! A position of the time code.
   struct Reading {
-    std::int64_t quarter_frames = 0;  //!< since 00:00:00:00
+    std::int64_t quarter_frames = 0;  //!< number of quarter frames since 00:00:00:00
     CodeRate rate = CodeRate::fps25;
     int direction = 0;  //!< 1: forward, -1: backward, 0: set by a full frame message
 
@@ -81,7 +81,7 @@ class MidiTimeCodeReader {
   int piece_ = -1;     //!< last piece; -1: none
   int direction_ = 0;  //!< direction of the pieces
   int in_row_ = 0;     //!< consecutive pieces, up to the eight of a code
-  //! Frame number of the code being received, from the one before.
+  //! Frame number of the code that is being received, computed from the code before.
   std::optional<std::int64_t> code_;
   //! Frame number of the last accepted code or full frame message.
   std::optional<std::int64_t> place_;

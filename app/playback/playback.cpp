@@ -173,7 +173,8 @@ CommandOutcome Playback::go_to_next_chapter() {
 }
 
 CommandOutcome Playback::go_to_previous_chapter() {
-  // Shortly after its start, goes to the chapter before; later, to the start of the current one.
+  // Within this time after the start of a chapter, the command goes to the chapter before; later,
+  // it goes to the start of the current one.
   constexpr auto soon = std::chrono::seconds(2);
   instant_ = clock_.read();
   const int now = chapter();

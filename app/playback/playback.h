@@ -25,8 +25,8 @@ struct PlaybackSettings {
 //! Result of a command.
 enum class CommandOutcome {
   done,
-  //! For others: free flight, return to the path, reload; `reset` is done as far as it concerns
-  //! playback.
+  //! To be done by other parts of the player: free flight, return to the path, reload; `reset` is
+  //! done as far as it concerns playback.
   elsewhere,
   refused  //!< not possible; Playback::refusal gives the reason
 };
@@ -35,8 +35,8 @@ enum class CommandOutcome {
 //! ("de" for "de-AT"); otherwise empty.
 std::string language_note(const std::string& show, const Timeline& heard, const std::string& language);
 
-//! A show's transport: its clock and the operator's settings, controlled by commands. Has no window
-//! and no threads.
+//! A show's transport: its clock and the operator's settings, controlled by commands. Uses no
+//! window and no threads.
 class Playback {
  public:
   explicit Playback(const Show& show, PlaybackSettings settings = {});

@@ -38,9 +38,9 @@ class FileWatch {
  public:
   struct Settings {
     std::chrono::nanoseconds look_every = std::chrono::milliseconds(250);
-    //! How long a new version must stay unchanged.
+    //! How long a new version must stay unchanged before it is reported.
     std::chrono::nanoseconds settle = std::chrono::milliseconds(200);
-    //! How long a file must be missing or empty.
+    //! How long a file must be missing or empty before that counts as a change.
     std::chrono::nanoseconds gone = std::chrono::seconds(2);
   };
 
@@ -59,7 +59,7 @@ class FileWatch {
   struct File {
     std::filesystem::path path;
     std::optional<FileStamp> known;      //!< the version last reported
-    std::optional<FileStamp> seen;       //!< when last polled
+    std::optional<FileStamp> seen;       //!< version seen when last polled
     std::optional<MonotonicTime> since;  //!< when the seen version appeared
   };
   bool look(File& file, MonotonicTime now) const;
@@ -130,8 +130,8 @@ class WatchedShows {
   //! Rereads the running show, even if it has not changed; poll() returns the result.
   void request();
 
-  //! Result for a changed show that waits: it can be read, and will be when it runs; or why it
-  //! cannot.
+  //! Result of reading a waiting show whose files have changed. Without a problem, the show can be
+  //! read, and is loaded when it becomes the running one.
   struct Waiting {
     std::string file;
     std::string problem;  //!< empty: none
@@ -158,7 +158,7 @@ class WatchedShows {
   std::optional<ShowReload::Result> note(std::optional<ShowReload::Result> result);
 
   FileWatch::Settings settings_;
-  std::map<std::filesystem::path, Watched> shows_;  //!< by file
+  std::map<std::filesystem::path, Watched> shows_;  //!< watched shows by their files
   Watched* running_ = nullptr;
 };
 

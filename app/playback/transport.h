@@ -115,8 +115,9 @@ struct PlayerStatus {
   bool loop = true;
   bool blackout = false;
   double exposure_stops = 0.0;
-  double baseline = 0.0;       //!< requested [M]
-  double baseline_used = 0.0;  //!< of the last frame; smaller where it had to be reduced [M]
+  double baseline = 0.0;  //!< requested [M]
+  //! Baseline of the last frame [M]; smaller than requested where it had to be reduced.
+  double baseline_used = 0.0;
   bool stereo = false;
   double volume = 1.0;
   std::string language;
@@ -128,14 +129,15 @@ struct PlayerStatus {
   std::string clock;
   std::string follows;              //!< external clock that alone sets the time; empty: none
   std::string clock_state = "own";  //!< "own", "waiting", "following", "running_on" or "stopped"
-  //! Since the external clock was last heard; nothing: never, or there is none.
+  //! Time since the external clock was last received [s]; absent if it never was, or if there is no
+  //! external clock.
   std::optional<double> clock_silence_s;
   std::string sound;     //!< the audio device, or that there is none
   std::string observer;  //!< the mode of the camera's motion
   std::string lens;
   std::string backend;
   double frame_ms = 0.0;
-  double worst_frame_ms = 0.0;  //!< of the last ten seconds
+  double worst_frame_ms = 0.0;  //!< longest frame time of the last ten seconds
   long frames = 0;
   long dropped_frames = 0;
   std::vector<PadStatus> pads;

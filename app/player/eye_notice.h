@@ -14,7 +14,7 @@ namespace ergodome {
 //! and stereo model that the operator has chosen since.
 class EyeNotice {
  public:
-  //! Starts again for another show.
+  //! Forgets all reports at the start of another show.
   void begin() { told_.clear(); }
 
   //! Returns whether to report the eyes of a frame. `chosen` is the operator's baseline instead of

@@ -230,7 +230,7 @@ void Player::tell_narrowed_eyes() {
   if (!eye_notice_.tells(eyes, chosen)) {
     return;
   }
-  // Visitors cannot do anything about it.
+  // Visitors of an exhibit do not see this notice, because they cannot change the baseline.
   if (!exhibit_) {
     session_->say(line_of(*eyes, session_->playback().language()));
   }
@@ -320,7 +320,8 @@ bool Player::add_words(PictureRequest& wish) {
     wish.captions_opacity = 1.0;
     wish.frame.captions = false;
   } else if (!session_->help_shown() || exhibit_->is_ending()) {
-    // Help over the window would cover the welcome caption, and contains more.
+    // Help in the window covers the welcome caption and contains more, so the caption is omitted
+    // while help is shown.
     wish.captions = exhibit_->captions(!pad_snapshot_.pads.empty());
     wish.captions_opacity = exhibit_->opacity();
   }

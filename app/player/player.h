@@ -46,7 +46,7 @@ struct PlayOptions {
   std::shared_ptr<NoteBoard> notes = std::make_shared<NoteBoard>();
   //! Reads a show file and applies the options of the command line.
   std::function<Show(const std::string&)> load;
-  //! When the files of the shows were read, at the earliest.
+  //! No file of the shows was read before this time. Files that change later are loaded again.
   std::chrono::system_clock::time_point read_at = std::chrono::system_clock::now();
 };
 
@@ -105,7 +105,7 @@ class Player {
   PlayOptions options_;
   std::vector<std::string> damage_;  //!< errors of files that were ignored at the start
   std::unique_ptr<DisplayOutput> output_;
-  OutputWish output_wish_;  //!< for the next picture
+  OutputWish output_wish_;  //!< what the output needs for the next picture
   EyeNotice eye_notice_;
   std::optional<PlayerSession> session_;
   PlayerInputs inputs_;

@@ -50,7 +50,8 @@ void PlayerInputs::take(const WindowEvent& event, MouseState& mouse, PlayerInput
       held_buttons_.erase(event.key);
       break;
     case WindowEvent::Kind::pointer:
-      // A passing pointer, or a bumped table, steers nothing.
+      // Motion of the mouse only steers while a button is held, so that a bumped table has no
+      // effect.
       if (!held_buttons_.empty()) {
         mouse.right_px += event.dx;
         mouse.down_px += event.dy;

@@ -231,7 +231,7 @@ void PlayerSession::adjust_stereo(KeyAction action) {
   const StereoSettings before = chosen_stereo();
   const StereoSettings after = adjusted(before, action, show_now_.stereo, frame_.pose.r);
   if (action == KeyAction::baseline_reset) {
-    // Animated values apply again.
+    // The show's animated values apply again.
     playback_.forget_baseline();
     convergence_.reset();
     stereo_ = show_.stereo;

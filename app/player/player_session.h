@@ -17,14 +17,14 @@ namespace ergodome {
 //! User input since the last frame.
 struct PlayerInput {
   SteeringInput steering;
-  std::vector<KeyAction> actions;          //!< from keys, controllers and the mouse
-  std::vector<TransportCommand> commands;  //!< from OSC and the status page
+  std::vector<KeyAction> actions;          //!< actions triggered by keys, controllers and the mouse
+  std::vector<TransportCommand> commands;  //!< commands from OSC and the status page
   double display_delay_s = 0.0;            //!< OutputWish::display_delay_s
 };
 
 struct SessionOptions {
   bool free_flight = false;
-  std::string language;  //!< empty: the show's
+  std::string language;  //!< language of the texts; empty: the show's
   bool one_eye = false;  //!< the head's picture is shown, so the eyes cannot be changed
   //! The window has no separate eye buffers: layouts that need them are shown side by side.
   bool plain_window = false;
@@ -102,13 +102,13 @@ class PlayerSession {
   [[nodiscard]] Show scene_now() const;
   //! Returns the show's stereo settings with the operator's changes.
   [[nodiscard]] StereoSettings chosen_stereo() const;
-  //! Returns the same, with a stereo model that is valid at the camera's position.
+  //! Returns chosen_stereo(), but with a stereo model that is valid at the camera's position.
   [[nodiscard]] StereoSettings stereo_now() const;
   [[nodiscard]] double field_of_view_deg() const;
 
   SessionOptions options_;
-  Show show_;      //!< as in its file
-  Show show_now_;  //!< with its current numbers
+  Show show_;      //!< the show as in its file
+  Show show_now_;  //!< the show with its current numbers
   Playback playback_;
   std::optional<Navigator> navigator_;
   SessionObserver observer_;
@@ -128,7 +128,7 @@ class PlayerSession {
   bool begun_ = false;
   bool changed_ = true;
   double touched_s_ = -1e300;
-  double display_delay_s_ = 0.0;  //!< of the last input
+  double display_delay_s_ = 0.0;  //!< display delay that the last input gave
   std::vector<KeyAction> requests_;
 };
 

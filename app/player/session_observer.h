@@ -31,8 +31,8 @@ class SessionObserver {
   void observe(double seconds, const ObserverScene& scene, PlayerFrame& frame);
 
  private:
-  //! Changes a frame to another observer than the infalling one. Toward the horizon, blends into the
-  //! infalling observer, because no other can cross it and the view must not jump there.
+  //! Changes a frame to another observer than the infalling one. Toward the horizon, blends into
+  //! the infalling observer, because no other can cross it and the view must not jump there.
   void use_other_observer(const ObserverScene& scene, const CameraPose& in_zamo, PlayerFrame& frame) const;
 
   ObserverMode mode_ = ObserverMode::natural;

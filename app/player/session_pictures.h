@@ -23,16 +23,17 @@ class SessionPictures {
   [[nodiscard]] const PictureReport& report() const { return flow_.report(); }
   [[nodiscard]] const std::optional<PlayBudget>& budget() const { return budget_; }
 
-  //! Takes a finished picture and requests the next one from the current renderer, which must exist;
-  //! called once per frame. The renderer, the disparity and the settings of the budget in `wish` are
-  //! chosen here. `changed`: the request differs from the last, besides session and output.
+  //! Takes a finished picture and requests the next one from the current renderer, which must
+  //! exist; called once per frame. The renderer, the disparity and the settings of the budget in
+  //! `wish` are chosen here. `changed`: the request differs from the last, besides session and
+  //! output.
   PictureNews advance(const PlayerSession& session, PictureRequest wish, bool changed);
 
   //! Returns the news of SceneRenderers::advance.
   SceneRenderers::News take_renderer(const Show& show);
 
-  //! Returns whether to show the output now. Without a frame rate budget, always; with one, for each
-  //! new picture, and sometimes for the texts.
+  //! Returns whether to show the output now. Without a frame rate budget, always; with one, for
+  //! each new picture, and sometimes for the texts.
   [[nodiscard]] bool shows_now(double now_s);
 
  private:
@@ -42,7 +43,7 @@ class SessionPictures {
   SceneRenderers renderers_;
   PictureFlow flow_;
   std::optional<PlayBudget> budget_;
-  std::optional<ImageSize> window_;  //!< its last size
+  std::optional<ImageSize> window_;  //!< last size of the window
   int failures_ = 0;                 //!< consecutive pictures that failed
   long shown_pictures_ = -1;         //!< number of pictures when the output was last shown
   double shown_s_ = 0.0;             //!< when the output was last shown

@@ -31,19 +31,22 @@ struct ProjectorOutput {
 
 //! The image that a flat warp refers to.
 enum class WarpSource {
-  dome_picture,  //!< the domemaster, or the whole buffer of an MPCDI calibration
+  dome_picture,  //!< the domemaster, or the image of the whole buffer of an MPCDI calibration
   lens_picture,  //!< the scene through the projector's lens (as in MPCDI's profile 3d), or through a view in the file
 };
 
 //! A file with a projector's warp, and options for reading it.
 struct WarpFile {
-  std::string file;  //!< as in the setup: relative to the setup, or absolute
+  std::string file;  //!< path as written in the setup: relative to the setup, or absolute
   WarpFormat format = WarpFormat::bourke;
-  RowOrder rows = RowOrder::bottom_up;                     //!< of float maps
-  TextureDirection texture = TextureDirection::downwards;  //!< of float maps
-  std::string region;                                      //!< of an MPCDI calibration; empty if it has only one
-  bool x_to_one = false;                                   //!< Bourke: x at the right side is 1, not the aspect ratio
-  WarpSource source = WarpSource::dome_picture;            //!< for formats that do not state it
+  RowOrder rows = RowOrder::bottom_up;  //!< row order of float maps
+  //! Direction of texture coordinates in float maps.
+  TextureDirection texture = TextureDirection::downwards;
+  //! Id of the region in an MPCDI calibration; empty if it has only one.
+  std::string region;
+  bool x_to_one = false;  //!< Bourke: x at the right side is 1, not the aspect ratio
+  //! Used for formats that do not state their source.
+  WarpSource source = WarpSource::dome_picture;
 };
 
 struct ProjectorSetup {
@@ -57,12 +60,14 @@ struct ProjectorSetup {
   int height_px = 0;
   ProjectorOutput output;
   std::optional<WarpFile> warp;
-  std::string blend_mask;                           //!< file with factors of the light; empty: none
-  double blend_mask_gamma = 1.0;                    //!< exponent that makes its values linear
-  std::string black_level_mask;                     //!< where the lift is added; empty: everywhere
+  std::string blend_mask;         //!< file with factors of the light; empty: none
+  double blend_mask_gamma = 1.0;  //!< exponent that makes its values linear
+  //! File with the factor of the lift per pixel; empty: the lift is the same everywhere.
+  std::string black_level_mask;
   Vector3<double> black_level_lift{0.0, 0.0, 0.0};  //!< red, green, blue; linear fraction of the full light
-  double gamma = 2.2;                               //!< of the projector: light = value ^ gamma
-  Vector3<double> gain{1.0, 1.0, 1.0};              //!< factors of linear light, red, green, blue
+  //! Gamma of the projector: light = value ^ gamma.
+  double gamma = 2.2;
+  Vector3<double> gain{1.0, 1.0, 1.0};  //!< factors of linear light, red, green, blue
 };
 
 //! Returns the name of a projector for messages: "dome.toml:12, projector north".

@@ -11,11 +11,11 @@ namespace ergodome {
 
 namespace {
 
-//! Samples per side of each raster for finding the light level.
+//! Number of samples per side of each raster from which the light level is determined.
 constexpr int samples = 97;
 //! Smaller shares are negligible and do not limit the light level.
 constexpr double least_part = 1e-3;
-//! Mask values from here on may have been clamped: the last step of 16 bits.
+//! Mask values from here on may have been clamped to 1: they are in the last step of 16 bits.
 constexpr float cut_off = 0.99998F;
 
 }  // namespace

@@ -7,14 +7,14 @@
 
 namespace ergodome {
 
-//! How overlapping projectors share the dome's light.
+//! Settings of the edge blend: how much light each of several overlapping projectors contributes.
 struct BlendSettings {
-  //! Each projector's share is proportional to this power of its depth in the raster. 1 leaves
-  //! visible edges at the ends of seams; 2 or more does not.
+  //! In an overlap, each projector's share is proportional to this power of
+  //! ProjectorOptics::depth(). 1 leaves visible edges at the ends of seams; 2 or more does not.
   double softness = 2.0;
-  //! 0: no equalization; 1: the whole dome is as bright as its dimmest point, although rasters that
-  //! are spread over more of the dome are dimmer. Between these, this power of the brightness
-  //! differences is equalized.
+  //! 0: no equalization; 1: the whole dome is as bright as its dimmest point. Between these,
+  //! brightness differences are reduced: their power with this exponent is equalized. Differences
+  //! exist because a raster that is spread over a larger area of the dome is dimmer.
   double evenness = 1.0;
 };
 
@@ -50,7 +50,8 @@ class DomeBlend {
   std::vector<ProjectorOptics> projectors_;
   DomeScreen screen_;
   BlendSettings settings_;
-  double level_ = 1.0;  //!< light, to the power of `evenness`, that all points of the dome can reach
+  //! Brightness that every point of the dome can reach, to the power of `evenness`.
+  double level_ = 1.0;
 };
 
 }  // namespace ergodome

@@ -12,16 +12,16 @@ namespace ergodome {
 
 namespace {
 
-//! Maximum error of a computed node, in widths of the master: half a pixel of a 4096-pixel master.
-//! Files round to far less.
+//! Maximum error of the nodes of a warp that counts as computed, in widths of the domemaster: half
+//! a pixel of a 4096-pixel domemaster. Rounding errors in files are far smaller.
 constexpr double node_tolerance = 1.2e-4;
-//! Maximum error of a computed mask's value: one step of 8 bits.
+//! Maximum error of the values of a mask that counts as computed: one step of 8 bits.
 constexpr double mask_tolerance = 1.0 / 255.0;
 //! Number of compared pixels per side of a mask.
 constexpr int mask_samples = 48;
 
-//! Returns true if all of a warp's nodes on the dome are where the projector's light meets the
-//! domemaster.
+//! Returns true if all nodes of a warp that are on the dome have the position in the domemaster
+//! that the projector's light meets.
 bool is_computed_warp(const ProjectorOptics& optics, const DomeScreen& screen, const WarpMesh& warp) {
   bool any = false;
   for (const WarpNode& node : warp.nodes) {
@@ -115,7 +115,7 @@ DomePictures::DomePictures(DomeSetup setup, MaskDetail detail)
       files_[i].warp = std::monostate{};
     }
     masks_.push_back(has_computed_mask(i) ? pictures_[i].blend : BlendMap{});
-    // Masks from files do not change.
+    // Only computed masks have previews.
     coarse_.push_back(detail == MaskDetail::preview && has_computed_mask(i) && read_.projectors[i].blend_mask.empty() &&
                       !read_.projectors[i].warp);
     any = any || has_computed_mask(i);
@@ -126,7 +126,7 @@ DomePictures::DomePictures(DomeSetup setup, MaskDetail detail)
 }
 
 bool DomePictures::has_computed_mask(std::size_t projector) const {
-  // Without lenses no mask is computed, and the blend has width 0.
+  // If a projector lacks a lens, no mask is computed, and `blend` has width 0.
   const ProjectorSetup& files = without_.projectors[projector];
   return !files.warp && files.blend_mask.empty() && pictures_[projector].blend.width > 0;
 }

@@ -9,17 +9,20 @@
 
 namespace ergodome {
 
-//! Returns a setup without the names of files that only contain what lenses and poses of the
-//! projectors determine, because these can be recomputed after a change of the dome. They are warps
-//! of domemasters (with a mask beside them) whose nodes agree with where the light meets the dome,
-//! and masks of these projectors that the default BlendSettings produce. Files that differ, such as
-//! external calibrations or manually moved corners, keep their names. `loaded` contains the result
-//! of load_projector() for each projector.
+//! Returns a setup without the names of those warp and mask files whose contents are determined by
+//! the lenses and poses of the projectors. Such files can be recomputed after a change of the dome.
+//!
+//! They are warps of domemasters whose nodes agree with the points where the projector's light
+//! meets the dome, if the projector also has a mask file; and masks that the default BlendSettings
+//! produce for these projectors. The names of all other files, such as external calibrations or
+//! warps with manually moved corners, are kept.
+//!
+//! `loaded` contains the result of load_projector() for each projector.
 DomeSetup without_computed_files(const DomeSetup& setup, const std::vector<LoadedProjector>& loaded);
 
-//! The warps and masks of a dome's projectors while its setup is adjusted. Those that are computed
-//! from lenses and poses, or stored in files but equal to computed ones (without_computed_files()),
-//! follow the dome's tilt; those of other files do not change.
+//! The warps and masks of a dome's projectors while its setup is adjusted. Warps and masks that are
+//! computed from lenses and poses, or come from files with the same contents as computed ones
+//! (without_computed_files()), follow the dome's tilt. Those from other files do not change.
 class DomePictures {
  public:
   //! Reads the files of a setup. With `preview`, computed masks are coarse until refine_mask()
@@ -45,7 +48,7 @@ class DomePictures {
   //! Returns for each projector whether its files no longer match its lens and pose.
   [[nodiscard]] std::vector<bool> outdated(const DomeSetup& setup) const;
 
-  //! Returns a setup of this dome without the names of such files.
+  //! Returns a setup of this dome without the names of outdated files.
   [[nodiscard]] DomeSetup without_outdated(const DomeSetup& setup) const;
 
  private:
@@ -53,14 +56,17 @@ class DomePictures {
   std::vector<BlendMap> masks_at_tilt(const DomeSetup& setup) const;
 
   DomeSetup read_;
-  DomeSetup without_;                   //!< without computed files
+  //! The setup that was read, without the names of computed files.
+  DomeSetup without_;
   std::vector<LoadedProjector> files_;  //!< files of without_
   std::vector<ProjectorPicture> pictures_;
-  double tilt_deg_;  //!< tilt that is shown
+  double tilt_deg_;  //!< current tilt, which follow() set
   double rotation_deg_;
-  std::vector<BlendMap> masks_;     //!< as read
-  std::optional<DomeBlend> blend_;  //!< blend of these masks; absent if none is computed
-  std::vector<bool> coarse_;        //!< projectors whose masks are previews
+  //! Computed masks for the tilt of the setup that was read; width 0 if not computed.
+  std::vector<BlendMap> masks_;
+  //! Edge blend from which masks_ were computed; absent if no mask was.
+  std::optional<DomeBlend> blend_;
+  std::vector<bool> coarse_;  //!< for each projector, whether its mask is still a preview
 };
 
 }  // namespace ergodome

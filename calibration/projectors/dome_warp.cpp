@@ -13,14 +13,16 @@ namespace {
 
 constexpr int coarsest = 17;
 constexpr int finest = 1025;
-//! Radius in the master, in half-widths, up to which nodes are kept for cells across the rim.
+//! Maximum radius of valid nodes in the domemaster, in half-widths: nodes beyond the rim are needed
+//! by cells that cross it.
 constexpr double beyond_rim = 1.25;
 
 Projection master_of(const DomeScreen& screen) {
   return make_dome_projection(1, one_degree * screen.field_of_view_deg, one_degree * screen.tilt_deg);
 }
 
-//! Returns the distance of a position in the master from its center, in half-widths.
+//! Returns the distance of a position from the center of the domemaster, in half-widths: 1 at the
+//! rim.
 double rim_part(double u, double v) { return 2.0 * std::hypot(u - 0.5, v - 0.5); }
 
 WarpNode node_at(const ProjectorOptics& projector, const Projection& master, const RasterPlace& place) {
@@ -54,9 +56,9 @@ WarpMesh mesh_of(const ProjectorOptics& projector, const Projection& master, int
 }
 
 //! Returns the maximum error of a mesh at the midpoints of its cells' sides and diagonals, where
-//! triangles are least accurate. Counts only positions on the dome. The unit is the larger of the
-//! master's pixels and the projector's. `finer` is the mesh whose nodes include all these
-//! midpoints.
+//! the interpolation in triangles is least accurate. Counts only positions on the dome. The unit is
+//! a pixel of the master or of the projector, whichever is larger. `finer` is an exact mesh whose
+//! nodes include all these midpoints.
 double worst_error_px(const WarpMesh& mesh, const WarpMesh& finer, int master_px, int raster_px) {
   double worst = 0.0;
   const double cell_px = static_cast<double>(raster_px) / (mesh.columns - 1);

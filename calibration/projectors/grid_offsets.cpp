@@ -65,12 +65,13 @@ WarpNode node_between(const WarpMesh& mesh, double column, double row) {
   const WarpNode& a = mesh.at(left, top);
   const WarpNode& b = across >= down ? mesh.at(left + 1, top) : mesh.at(left, top + 1);
   const WarpNode& c = mesh.at(left + 1, top + 1);
-  // Weights of a, b and c: along the triangle's side from a to b, then along that from b to c.
+  // Weights of a, b and c for a position that is reached by going along the triangle's side from a
+  // to b, then along that from b to c.
   const float first = std::max(across, down);
   const float second = std::min(across, down);
   const float weights[] = {1.0F - first, first - second, second};
   const WarpNode* const nodes[] = {&a, &b, &c};
-  // Nodes of weight 0 may contain any values.
+  // Excludes nodes of weight 0, which may contain any values, even NaN.
   const auto mix = [&](float WarpNode::*value) {
     float sum = 0.0F;
     for (int i = 0; i < 3; ++i) {
@@ -141,7 +142,8 @@ RasterPlace moved_back(const GridOffsets& grid, const RasterPlace& place) {
     const double xy = (below.x - at.x) / step;
     const double yy = (below.y - at.y) / step;
     const double area = xx * yy - xy * yx;
-    // Limits each step to half a cell: far outside a cell, its bilinear map may fold.
+    // Limits each step to half a cell. Far outside a cell, the continuation of its bilinear map may
+    // fold.
     back.x += std::clamp((yy * miss_x - xy * miss_y) / area, -longest, longest);
     back.y += std::clamp((xx * miss_y - yx * miss_x) / area, -longest, longest);
   }

@@ -25,7 +25,7 @@ struct GridOffsets {
   //! Points per side. Each grid contains the points of the smaller ones.
   static constexpr std::array sizes = {2, 3, 5, 9};
 
-  int points = 2;  //!< per side; 2: only the corners
+  int points = 2;  //!< points per side; 2: only the corners
   std::vector<double> right = std::vector<double>(4);
   std::vector<double> down = std::vector<double>(4);
 

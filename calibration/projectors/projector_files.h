@@ -17,12 +17,12 @@ struct LoadedProjector {
   //! the raster.
   std::variant<std::monostate, WarpMesh, SurfaceMesh> warp;
   WarpSource source = WarpSource::dome_picture;
-  Lens lens;  //!< the setup's; if it has none, that of the MPCDI region, with position and orientation
+  Lens lens;  //!< the setup's lens; if that has none, the lens of the MPCDI region
   Vector3<double> position_m{};
   Orientation orientation;
   std::optional<MpcdiMask> blend;       //!< the setup's mask, or else the region's alphaMap
   std::optional<BlendMap> black_level;  //!< the setup's mask, or else the region's betaMap
-  Vector3<double> black_level_lift{};   //!< the setup's; 1 if that is 0 and there is a betaMap
+  Vector3<double> black_level_lift{};   //!< the setup's lift; 1 if that is 0 and there is a betaMap
   std::vector<std::string> notes;       //!< remarks on the warp's file, for the user
 };
 

@@ -74,7 +74,7 @@ bool ProjectorOptics::is_stopped_outside(const Vector3<double>& way) const {
 }
 
 double ProjectorOptics::circle_radius(const RasterPlace& place, double& to_right, double& upwards) const {
-  // In half-widths of the raster.
+  // Position relative to the fisheye's axis, in half-widths of the raster.
   to_right = 2.0 * place.x - 1.0 - fisheye_->offset_x;
   upwards = (1.0 - 2.0 * place.y - fisheye_->offset_y) / aspect_;
   const double radius = std::hypot(to_right, upwards);
@@ -156,9 +156,9 @@ std::optional<Vector3<double>> ProjectorOptics::dome_point(const RasterPlace& pl
   return sphere_point(mirror_->position_m + met, way - (2.0 * dot(way, normal)) * normal);
 }
 
-//! Returns where light from the projector to a point is reflected (Alhazen's problem). The solution
-//! is in the plane of both points and the mirror's center, where the directions to both have
-//! opposite components along the mirror's surface.
+//! Returns the point of the mirror at which light from the projector to `point` is reflected
+//! (Alhazen's problem). The solution is in the plane of projector, point and mirror center. There,
+//! the directions to projector and point have opposite components along the mirror's surface.
 Vector3<double> ProjectorOptics::mirror_point(const Vector3<double>& point) const {
   const Vector3<double> from = position_m_ - mirror_->position_m;
   const Vector3<double> to = point - mirror_->position_m;

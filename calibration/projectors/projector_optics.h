@@ -36,8 +36,8 @@ class ProjectorOptics {
   //! and beyond, 1 in the middle, smooth between.
   [[nodiscard]] double depth(const RasterPlace& place) const;
 
-  //! Returns the area of the sphere that the raster would light if all of it were spread as at this
-  //! position [m²]; 0 if the position lights no point.
+  //! Returns the area of the sphere that the raster would light if its scale everywhere were that
+  //! at this position [m²]; 0 if the position lights no point.
   [[nodiscard]] double spread_m2(const RasterPlace& place) const;
 
   //! Returns true if the projector is outside the sphere, so that its light enters below the dome's
@@ -63,12 +63,12 @@ class ProjectorOptics {
   Vector3<double> zenith_;  //!< direction of the dome's top
   Vector3<double> position_m_;
   ProjectorAxes axes_;
-  double aspect_;       //!< of the raster, width over height
-  int longer_side_px_;  //!< of the raster
+  double aspect_;       //!< aspect ratio of the raster, width over height
+  int longer_side_px_;  //!< longer side of the raster
   std::optional<SphericalMirror> mirror_;
   Frustum frustum_;
   std::optional<ProjectorFisheye> fisheye_;
-  FisheyeLens<double> law_{};  //!< of the fisheye
+  FisheyeLens<double> law_{};  //!< relation between angle and radius of the fisheye lens
 };
 
 }  // namespace ergodome

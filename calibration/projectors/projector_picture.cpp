@@ -19,8 +19,8 @@ constexpr int preview_pixel_px = 8;
 
 DomeScreen screen_of(const DomeSetup& setup) { return {setup.tilt_deg, 180.0}; }
 
-//! Sets a node's texture coordinates to the master's position of a point or direction; invalidates
-//! it if there is none.
+//! Sets a node's texture coordinates to the position in the domemaster of a point or direction.
+//! Makes the node invalid if there is no such position.
 void set_place(const DomeScreen& screen, const Vector3<double>& point, WarpNode& node) {
   double u = 0.0;
   double v = 0.0;
@@ -47,8 +47,8 @@ WarpMesh warp_of_surface(const DomeScreen& screen, const SurfaceMesh& surface) {
   return with_rim(mesh);
 }
 
-//! Returns into how many steps a cell must be cut so that, in each, the lens image deviates from a
-//! straight line by less than about 0.1 pixel of a 4096-pixel master.
+//! Returns the number of steps into which a cell must be divided so that, in each step, the lens
+//! image deviates from a straight line by less than about 0.1 pixel of a 4096-pixel domemaster.
 int steps_through_lens(const WarpMesh& warp, const Frustum& frustum) {
   // In units of the tangent plane, in which angles are not linear: a step of 1/32 is less than 2°.
   constexpr double longest_step = 1.0 / 32.0;
@@ -95,7 +95,8 @@ WarpMesh unturned_warp(const DomeSetup& setup, const ProjectorSetup& projector, 
   return dome_warp(ProjectorOptics(setup, placed), screen, master_px, tolerance_px);
 }
 
-//! Rotates the positions in the master, so that its front is shown `angle` to the right.
+//! Rotates the positions in the domemaster so that the front of the domemaster is shown `angle` to
+//! the right.
 void turn(WarpMesh& mesh, double angle) {
   if (angle == 0.0) {
     return;
@@ -118,8 +119,8 @@ BlendMap linear(const MpcdiMask& mask) {
   return map;
 }
 
-//! Returns the blend of all projectors if one of them has neither warp nor mask and all have
-//! lenses.
+//! Returns the blend of all projectors if all have lenses and at least one of them has neither a
+//! warp nor a mask.
 std::optional<DomeBlend> computed_blend(const DomeSetup& setup) {
   const bool wanted = std::ranges::any_of(setup.projectors, [](const ProjectorSetup& projector) {
     return !projector.warp && projector.blend_mask.empty();
@@ -130,8 +131,8 @@ std::optional<DomeBlend> computed_blend(const DomeSetup& setup) {
   return blend_of(setup);
 }
 
-//! Returns the pixel density of a cell in the direction in which it is largest: pixels of the
-//! raster per width of the master.
+//! Returns the pixel density in a cell, for the direction in which it is largest: number of raster
+//! pixels per width of the domemaster.
 double finest_density(const WarpNode& corner, const WarpNode& right, const WarpNode& below, int width_px,
                       int height_px) {
   // u and v are linear functions of the raster's pixels; the smaller singular value belongs to the

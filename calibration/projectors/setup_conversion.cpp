@@ -42,8 +42,8 @@ double channel_at(const BlendMap& mask, double x, double y, std::size_t channel)
 //! The axes of the dome as an MPCDI frame: yaw down, pitch right, roll to the front.
 constexpr MpcdiFrame dome_frame = {{0, 0, 0}, {0, -1, 0}, {1, 0, 0}, {0, 0, -1}};
 
-//! Returns a direction or position in the dome's own axes: the dome is untilted, and rotated around
-//! its axis with the image, so that the front of the domemaster is in front.
+//! Returns a direction or position in the axes of the domemaster: relative to an untilted dome, and
+//! rotated around the dome's axis like the image, so that the front of the domemaster is in front.
 Vector3<double> in_own_axes(const DomeSetup& setup, const Vector3<double>& v) {
   const double tilt = one_degree * setup.tilt_deg;
   const double turn = one_degree * setup.rotation_deg;
@@ -61,10 +61,10 @@ Orientation in_own_axes(const DomeSetup& setup, const Orientation& orientation) 
       {in_own_axes(setup, axes.right), in_own_axes(setup, axes.up), in_own_axes(setup, axes.forward)});
 }
 
-//! Number of samples in a warp's map.
+//! Number of samples in a warp's map: one for each pixel, or as few as are accurate enough.
 enum class MapSamples { each_pixel, as_needed };
 
-//! Returns the region of profile 2d for a projector, whatever its files.
+//! Returns a region of profile 2d for a projector, whichever files its setup names.
 MpcdiRegion flat_region(const ProjectorPicture& picture, MapSamples samples) {
   // Masks have a sample per pixel, which is finer than the nodes of most meshes.
   const WarpMesh fine = resampled_warp(picture.warp, picture.width_px, picture.height_px);
@@ -216,7 +216,7 @@ DomeSetup setup_from_mpcdi(const Mpcdi& mpcdi, const std::string& file, double r
         projector.position_m = pose.position_m;
         projector.orientation = pose.orientation;
       }
-      // Without a warp, the file is named for its masks.
+      // The setup names the file also if the file provides only masks.
       if (region.geometry || !region.orientation || region.alpha || region.beta) {
         projector.warp = WarpFile{file, WarpFormat::mpcdi, RowOrder::bottom_up, TextureDirection::downwards, region.id};
       }

@@ -15,7 +15,8 @@ constexpr float largest_coordinate = 1e4F;
 
 float directed(float v, TextureDirection direction) { return direction == TextureDirection::downwards ? v : 1.0F - v; }
 
-//! Returns the node at `t` on the line from `inner` (0) to `outer` (1).
+//! Returns the node at parameter `t` on the line through `inner` (t = 0) and `outer` (t = 1),
+//! linearly extrapolated for t > 1.
 WarpNode continued(const WarpNode& inner, const WarpNode& outer, float t) {
   const auto along = [t](float from, float to) { return from + t * (to - from); };
   return {along(inner.x, outer.x),

@@ -21,9 +21,9 @@ inline constexpr std::size_t most_mesh_nodes = std::size_t{1} << 25U;
 
 //! One node of a warp.
 struct WarpNode {
-  float x = 0.0F;  //!< on the raster; may be outside it
+  float x = 0.0F;  //!< position on the raster; may be outside it
   float y = 0.0F;
-  float u = 0.0F;  //!< in the source image
+  float u = 0.0F;  //!< position in the source image
   float v = 0.0F;
   float intensity = 1.0F;  //!< factor of the source's values, >= 0
   bool valid = true;       //!< cells with an invalid corner are not drawn

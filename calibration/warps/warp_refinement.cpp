@@ -17,7 +17,7 @@ WarpNode in_cell(const WarpNode* const corners[4], float s, float t) {
     const float side = s >= t ? (s - t) * (b.*of - a.*of) : (t - s) * (d.*of - a.*of);
     return a.*of + side + std::min(s, t) * (c.*of - a.*of);
   };
-  // On a cell's side, only the two corners of that side count.
+  // For positions on a cell's side, uses only the two corners of that side.
   const bool left = s < 1.0F;
   const bool right = s > 0.0F;
   const bool top = t < 1.0F;

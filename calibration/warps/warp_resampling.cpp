@@ -112,8 +112,8 @@ class Resampler {
     target.valid = true;
   }
 
-  //! Keeps the values of nodes that coincide with samples, also at the edge of the drawn area,
-  //! where cells lack drawn corners.
+  //! Sets samples that coincide with nodes to the nodes' values, also at the edge of the drawn
+  //! area, where no cell with valid corners covers them.
   void keep_nodes_in_place() {
     constexpr double near = 1e-3;
     for (const WarpNode& node : mesh_.nodes) {

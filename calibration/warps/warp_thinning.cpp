@@ -38,7 +38,8 @@ struct Cell {
     const MasterPlace bottom = between(bottom_left, bottom_right, bottom_left, x, 0.0);
     return between(top, bottom, top, y, 0.0);
   }
-  //! Interpolates on the two triangles that the diagonal from the top left forms.
+  //! Interpolates in one of the two triangles into which the diagonal from the top left divides the
+  //! cell.
   [[nodiscard]] MasterPlace triangular() const {
     return x >= y ? between(top_right, top_left, bottom_right, 1.0 - x, y)
                   : between(bottom_left, bottom_right, top_left, x, 1.0 - y);
@@ -61,8 +62,8 @@ Cell cell_of(const FloatMap& map, double x, double y) {
 
 bool sees_master(const WarpNode& node) { return node.valid && std::hypot(node.u - 0.5F, node.v - 0.5F) <= 0.5F; }
 
-//! Returns the change of a warp per pixel along one axis, at a pixel: between both neighbors if
-//! they are drawn, otherwise between the pixel and the drawn one.
+//! Returns the derivative of a warp per pixel along one axis, at a pixel: from both neighbors if
+//! they are drawn, otherwise from the pixel and the drawn neighbor.
 MasterPlace slope_at(const WarpMesh& exact, int column, int row, int right, int down) {
   const auto place = [](const WarpNode& node) { return MasterPlace{node.u, node.v}; };
   int from = 0;
@@ -80,7 +81,7 @@ MasterPlace slope_at(const WarpMesh& exact, int column, int row, int right, int 
   return {change.u / steps, change.v / steps};
 }
 
-//! Converts an error on the master to pixels of the raster.
+//! Converts a displacement in the domemaster to pixels of the raster.
 double in_pixels(const WarpMesh& exact, int column, int row, const MasterPlace& error) {
   const MasterPlace along_x = slope_at(exact, column, row, 1, 0);
   const MasterPlace along_y = slope_at(exact, column, row, 0, 1);

@@ -8,10 +8,10 @@ namespace ergodome {
 //! Maximum error between the samples of a thinned map [px of the projector].
 inline constexpr double thinned_error_px = 0.05;
 
-//! Returns the maximum error of a map [px of the projector], by bilinear and by triangular
-//! interpolation, at the drawn pixels that show the domemaster's circle; infinite if the map does
-//! not draw such a pixel. Stops at the first pixel with an error above `enough_px`. `exact` has a
-//! node for each pixel of the raster.
+//! Returns the maximum deviation of a map from the warp `exact` [px of the projector], for bilinear
+//! and for triangular interpolation, at the drawn pixels that show the domemaster's circle.
+//! Infinite if the map does not draw such a pixel. Stops at the first pixel with a deviation above
+//! `enough_px`. `exact` has a node for each pixel of the raster.
 double map_error_px(const WarpMesh& exact, const FloatMap& map, double enough_px);
 
 //! Returns a map of a warp, with texture coordinates downward, that has a sample for 8 x 8, 4 x 4

@@ -69,20 +69,21 @@ glm::dquat exponential(const glm::dvec3& v) {
   return {std::cos(half_angle), v.x * factor, v.y * factor, v.z * factor};
 }
 
-//! Returns the logarithm of the shorter rotation from key i's orientation to the next one's. It is
-//! the same vector in the frames of both keys.
+//! Returns the logarithm of the shortest rotation from the orientation at key i to that at the next
+//! key. It is the same vector in the frames of both keys.
 glm::dvec3 turn_between(const CameraKeys& keys, std::size_t i) {
   const glm::dquat from = key_orientation(keys[i]);
   return logarithm(glm::inverse(from) * nearer(key_orientation(keys[i + 1]), from));
 }
 
-//! Interpolates the orientation so that it is C² between keys: the cumulative form of Kim, Kim &
-//! Shin (SIGGRAPH 1995), with the Bernstein basis of degree five.
+//! Interpolates the orientation so that it is C² within a segment: the cumulative form of Kim, Kim
+//! & Shin (SIGGRAPH 1995), with the Bernstein basis of degree five.
 //!
-//! q(t) = q0 Π exp(ω_k B_k(t)), where B_k is the sum of the basis from k on. In the camera's frame
-//! its angular velocity is 5 ω1 at t = 0 and changes by 20 (ω2 - ω1); at t = 1 these are 5 ω5 and
-//! 20 (ω5 - R ω4), where R is the inverse rotation by ω5. At a key, each component of the rate is
-//! limited as for a coordinate. Both segments at a key use its frame, so their rates match.
+//! q(t) = q0 Π exp(ω_k B_k(t)), where B_k is the sum of the basis functions from k on. In the
+//! camera's frame, its angular velocity at t = 0 is 5 ω1 and its derivative 20 (ω2 - ω1). At t = 1
+//! these are 5 ω5 and 20 (ω5 - R ω4), where R is the inverse rotation by ω5. At a key, each
+//! component of the angular velocity is limited in the same way as the rate of a coordinate. The
+//! two segments at a key use the camera's frame there, so that their angular velocities match.
 glm::dquat orientation_between(const CameraKeys& keys, const Way& way, double t) {
   const glm::dquat q0 = key_orientation(keys[way.from]);
   const glm::dvec3 whole = turn_between(keys, way.from);
@@ -121,8 +122,8 @@ CameraKeys keys_until(CameraKeys keys, double time_s) {
   return {keys.begin(), std::ranges::upper_bound(keys, time_s, {}, &CameraKey::time_s)};
 }
 
-//! Position of a time on the path: a segment and its completed part `t`, or the key at which the
-//! camera is held.
+//! Position of a time on the path: a segment and the completed fraction `t` of it, or the key at
+//! which the camera is held.
 struct OnTheWay {
   std::optional<std::size_t> held;
   Way way{};
@@ -149,7 +150,7 @@ glm::dquat orientation_at(CameraKeys keys, double time_s) {
   return now.held ? key_orientation(keys[*now.held]) : orientation_between(keys, now.way, now.t);
 }
 
-//! Returns the position, and the velocity if keys have one.
+//! Returns the camera's position and, if keys have one, its velocity, without the orientation.
 CameraPose place_at(CameraKeys keys, double time_s) {
   const OnTheWay now = on_the_way(keys, time_s);
   if (now.held) {
@@ -169,8 +170,8 @@ CameraPose place_at(CameraKeys keys, double time_s) {
   return pose;
 }
 
-//! Returns a velocity between that of the keys or the observer (part 0) and that of a fall, `falls`
-//! (part 1).
+//! Returns a velocity between that of the keys or of the show's observer (part 0) and that of a
+//! fall, `falls` (part 1).
 Vector3<double> between_observer_and_fall(const Show& show, double time_s, const CameraPose& pose,
                                           const Vector3<double>& falls, double part) {
   const Vector3<double> own = pose.velocity.value_or(
@@ -189,8 +190,8 @@ CameraPose pose_before_fall(const Show& show, double time_s) {
   return pose;
 }
 
-//! Returns the remaining part of the roll around e_r that a fall has caused; it is removed on the
-//! way to the next key.
+//! Returns the fraction of the roll around e_r that a fall has caused and that still remains after
+//! it. The roll is removed on the way to the next key.
 double roll_left(CameraKeys places, double time_s) {
   if (places.size() < 2 || !(time_s > leave_s(places[0]))) {
     return 1.0;

@@ -23,9 +23,10 @@ struct CameraPose {
   //! True if the velocity is in the rain frame and the axes are boosted from it, as for a camera
   //! that falls through the horizon.
   bool velocity_in_rain = false;
-  //! Lead of the camera's Boyer-Lindquist time, at which it sees the outside world, over the show's
-  //! time [M]. Used for a camera that falls through the horizon, where Boyer-Lindquist time
-  //! diverges; light is then delayed in the time of infalling observers (ingoing_lag()).
+  //! For a camera that falls through the horizon: its Boyer-Lindquist time minus the show's time,
+  //! which is then that of infalling observers [M]; see outer_lag(). Otherwise 0. The outside world
+  //! is seen at Boyer-Lindquist time, which diverges at the horizon; inside, this lead is 0, and
+  //! light is delayed in the time of infalling observers.
   double clock_lead = 0.0;
 };
 
@@ -33,15 +34,17 @@ struct CameraPose {
 //! hold time.
 //!
 //! Between keys, log r, θ and φ follow quintics that do not overshoot, and the orientation follows
-//! a quaternion spline. Both are C², except at keys with Ease::linear and at ends of the path
-//! without easing. Before the first key and after the last one the camera rests.
+//! a quaternion spline. All have continuous second derivatives, except at keys with Ease::linear
+//! and at ends of the path without easing. Before the first key and after the last one the camera
+//! rests.
 //!
-//! Velocities of keys follow such quintics as proper velocities (proper_velocity.h).
+//! Velocities of keys are interpolated by such quintics as proper velocities (proper_velocity.h).
 //!
-//! During a fall, the orbit defines position and velocity. The keys define the orientation in a
-//! frame that is transported along (FallPlace::frame). During FallSettings::ease_s before the fall,
-//! the velocity changes from the observer's to the fall's initial one. After the fall the keys
-//! define the path again (keys_after_fall()), and the velocity changes back in the same way.
+//! During a fall, the orbit defines position and velocity. The keys define the orientation relative
+//! to a frame that is transported along the orbit (FallPlace::frame). During FallSettings::ease_s
+//! before the fall, the velocity changes from the observer's to the fall's initial one. After the
+//! fall the keys define the path again (keys_after_fall()), and the velocity changes back in the
+//! same way.
 CameraPose camera_pose(const Show& show, double time_s);
 
 //! Returns the orientation of a key.
@@ -51,9 +54,9 @@ glm::dquat key_orientation(const CameraKey& key);
 //! [rad].
 glm::dquat spherical_frame(double theta, double phi);
 
-//! Computes the fall of a show's camera up to its end, at most to a second after the show's end.
-//! Returns nullptr if the camera does not fall. Requires a key at the beginning of the fall, and
-//! all numbers of the show.
+//! Computes the fall of a show's camera until the fall ends, at most until a second after the
+//! show's end. Returns nullptr if the camera does not fall. All numbers of the show must have been
+//! read, and the camera must have a key at the beginning of the fall.
 std::shared_ptr<const FreeFall> follow_fall(const Show& show);
 
 //! Returns the camera's keys after its fall: the end of the fall as a key, then the keys after it.

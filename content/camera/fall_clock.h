@@ -37,12 +37,14 @@ class FallClock {
   [[nodiscard]] double unstopped(double time_s) const;
 
   double begin_s_;
-  double end_s_;  //!< infinite if the fall does not end
+  double end_s_;  //!< end of the fall; infinite if the fall does not end
   double ease_s_;
   Animation clock_;
-  std::vector<Piece> pieces_;  //!< the clock rate is a polynomial on each
+  //! Intervals of show time, on each of which the clock rate is a polynomial.
+  std::vector<Piece> pieces_;
   std::optional<double> stop_;
-  double stopping_ = 0.0;  //!< proper time before the stop from which the clock slows down
+  //! Proper time before the stop at which the clock begins to slow down [M].
+  double stopping_ = 0.0;
 };
 
 }  // namespace ergodome

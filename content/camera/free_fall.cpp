@@ -13,7 +13,7 @@ namespace {
 
 constexpr double step_error = 1e-13;
 constexpr std::size_t most_steps = 200'000;
-//! Distance from the horizon at which a fall ends that does not cross it [M].
+//! Distance from the horizon at which a fall ends if it may not cross the horizon [M].
 constexpr double horizon_gap = 1e-6;
 //! Maximum time for which clocks are evaluated.
 constexpr double end_of_time_s = 1e12;
@@ -31,12 +31,13 @@ glm::dvec3 direction_in_space(const OrbitState& s) {
   return glm::normalize(glm::dvec3(c * s.m.x - d * s.m.y, d * s.m.x + c * s.m.y, s.m.z));
 }
 
-//! Returns the azimuth of a body; `on_axis` where it is undefined.
+//! Returns the azimuth of the falling camera; `on_axis` where it is undefined.
 double azimuth_of(const OrbitState& s, double on_axis) {
   return std::hypot(s.m.x, s.m.y) > 1e-150 ? std::atan2(s.m.y, s.m.x) + s.drag : on_axis;
 }
 
-//! Returns the smallest rotation from one unit vector to another; they must not be opposite.
+//! Returns the rotation by the smallest angle that turns one unit vector into another. The vectors
+//! must not be opposite.
 glm::dquat least_turn(const glm::dvec3& from, const glm::dvec3& to) {
   const glm::dvec3 axis = glm::cross(from, to);
   return glm::normalize(glm::dquat(1.0 + glm::dot(from, to), axis.x, axis.y, axis.z));
@@ -131,7 +132,7 @@ void FreeFall::follow(double proper_time) {
   }
 }
 
-//! Returns the last proper time in a step that is outside a radius.
+//! Returns the last proper time in a step at which the radius is still above r.
 double FreeFall::time_at_radius(const Station& from, double to, double r) const {
   double outside = from.proper_time;
   double inside = to;
@@ -161,10 +162,11 @@ struct FreeFall::Swing {
   FallTurn::Kind after_fall;
   double (*rate)(const OrbitState&);
   double (*measure)(const OrbitState&);
-  double last;  //!< its measure at the last turning point, or at the beginning
+  double last;  //!< value of `measure` at the last turning point, or at the beginning
 };
 
-//! Records a turning point with its proper time in place of its show time.
+//! Records a turning point if there is one in a step. Stores its proper time in the member for its
+//! show time, which is computed later.
 void FreeFall::note_turn(const Station& from, const Station& to, Swing& swing) {
   const bool rises = swing.rate(from.state) > 0.0;
   const bool has_swung = std::abs(swing.measure(from.state) - swing.last) > 0.5 * least_swing;

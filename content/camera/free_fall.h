@@ -14,15 +14,16 @@ struct FallStart {
   double r;                  //!< [M]
   double theta;              //!< [rad]
   double phi;                //!< [rad]
-  Vector3<double> velocity;  //!< in the ZAMO frame (e_r, e_θ, e_φ), below that of light
+  Vector3<double> velocity;  //!< velocity in the ZAMO frame (e_r, e_θ, e_φ), below that of light
 };
 
 //! A falling camera at one instant.
 struct FallPlace {
-  double r;                  //!< [M]
-  double theta;              //!< [rad]
-  double phi;                //!< [rad]; continues over many turns; inside the horizon that of ingoing Kerr coordinates
-  Vector3<double> velocity;  //!< in the ZAMO frame; in the rain frame if the fall leads through the horizon
+  double r;      //!< [M]
+  double theta;  //!< [rad]
+  double phi;    //!< [rad]; continues over many turns; inside the horizon that of ingoing Kerr coordinates
+  //! Velocity in the ZAMO frame; in the rain frame if the fall leads through the horizon.
+  Vector3<double> velocity;
   //! Rotation from the initial (e_r, e_θ, e_φ), transported along the fall without a roll around
   //! e_r, to those at this position. It is continuous across the axis. If the fall leads through
   //! the horizon, it turns axes boosted from the ZAMO at the start into axes boosted from the rain
@@ -68,10 +69,11 @@ class FreeFall {
   //! Returns true if the fall's settings allow it to cross the horizon and it does.
   [[nodiscard]] bool leads_within() const { return leads_within_; }
 
-  //! Returns when the orbit crosses the horizon [s]; nothing if it does not.
+  //! Returns the show time when the orbit crosses the horizon [s]; nothing if it does not.
   [[nodiscard]] std::optional<double> horizon_s() const { return horizon_s_; }
 
-  //! Returns when time stops at FallSettings::least_r [s]; nothing if the orbit does not reach it.
+  //! Returns the show time when the camera's clock stops at FallSettings::least_r [s]; nothing if
+  //! the orbit does not reach that radius.
   [[nodiscard]] std::optional<double> stop_s() const { return stop_s_; }
 
   //! Returns the show time up to which the orbit was computed [s].
@@ -90,7 +92,7 @@ class FreeFall {
     OrbitState state;
     double phi;        //!< continuous azimuth [rad]
     double swept;      //!< angle [rad]
-    glm::dquat frame;  //!< FallPlace's frame relative to space (z along the spin axis)
+    glm::dquat frame;  //!< FallPlace::frame as a rotation from fixed axes (z along the spin axis)
   };
 
   struct Swing;

@@ -12,12 +12,13 @@ namespace {
 constexpr double clock_step_error = 1e-12;
 constexpr std::size_t most_clock_steps = 1'000'000;
 
-//! Returns the lead of the time of ingoing Kerr coordinates, t + ∫ (r² + a²) / Δ dr, over that of
-//! ingoing_lag(), t + ∫ 2 r_+ / Δ dr, up to a constant [M]: ∫ (r + r_+) / (r - r_-) dr.
+//! Returns the difference between the time of ingoing Kerr coordinates, t + ∫ (r² + a²) / Δ dr, and
+//! that of ingoing_lag(), t + ∫ 2 r_+ / Δ dr, up to a constant [M]: ∫ (r + r_+) / (r - r_-) dr.
+//! Here a is the spin, Δ = r² - 2 r + a², and r_± are the radii of the horizons.
 double ahead_of_lag(Spacetime spacetime, double r) { return r + 2.0 * std::log(r - inner_horizon_radius(spacetime)); }
 
-//! Returns the integral, up to a time, of a factor that falls smoothly from 1 at 0 to 0 at `ease_s`
-//! [s].
+//! Returns the integral, from 0 to a time, of a factor that falls smoothly from 1 at time 0 to 0 at
+//! `ease_s` [s].
 double eased_away_s(double time_s, double ease_s) {
   if (!(time_s > 0.0)) {
     return 0.0;

@@ -7,16 +7,16 @@
 
 namespace ergodome {
 
-//! The hole's time in the course of a show, which drives the clouds of a disk.
+//! The hole's time as a function of show time; it drives the clouds of a disk.
 //!
 //! Without a fall it advances by a constant number of M per second of the show. In a fall, the
-//! camera's clock defines its proper time per second, and the orbit defines the hole's time per
-//! proper time; what the camera sees then runs fast or slow by the redshift factor g. During
-//! FallSettings::ease_s after the fall's beginning and before its end, one rate changes to the
-//! other.
+//! camera's clock defines how much proper time passes per second, and the orbit defines how much
+//! hole's time passes per proper time; what the camera sees then runs fast or slow by the redshift
+//! factor g. During FallSettings::ease_s after the fall's beginning and before its end, the rate
+//! without a fall changes to that of the fall and back.
 //!
-//! The hole's time is Boyer-Lindquist time, or that of infalling observers (ingoing_lag()) for a
-//! fall through the horizon.
+//! The hole's time is Boyer-Lindquist time, or for a fall through the horizon the time of infalling
+//! observers (ingoing_lag()).
 class HoleClock {
  public:
   //! `orbit` is that of the show's camera, or nullptr if it does not fall; `pace` is the rate

@@ -6,7 +6,8 @@
 
 namespace ergodome {
 
-//! Returns rain_axes_from_zamo_axes() as a rotation of (e_r, e_θ, e_φ).
+//! Returns the rotation that rain_axes_from_zamo_axes() computes, in components along (e_r, e_θ,
+//! e_φ).
 glm::dquat rain_turn(Spacetime spacetime, double r, double theta, const Vector3<double>& in_zamo,
                      const Vector3<double>& in_rain);
 

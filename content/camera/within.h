@@ -6,11 +6,12 @@
 
 namespace ergodome {
 
-//! Minimum ratio of a stopping radius to the horizon's radius, or of the horizon's to a stopping
-//! radius inside it.
+//! Minimum ratio of a stopping radius outside the horizon to the horizon's radius; also of the
+//! horizon's radius to a stopping radius inside it. The clock of a fall stops at its stopping
+//! radius.
 inline constexpr double nearest_rest = 1.001;
 
-//! Returns the minimum stopping radius of falls [M].
+//! Returns the minimum radius at which the clock of a fall can stop [M].
 double deepest_rest(Spacetime spacetime);
 
 //! Returns true if falls can stop inside the horizon; false if the spin is 1 or -1, or almost.

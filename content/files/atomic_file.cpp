@@ -62,7 +62,8 @@ bool is_partial(std::string_view name) {
 class PartialFile {
  public:
   explicit PartialFile(const std::filesystem::path& path) : path_(path) {
-    // Keeps the extension, from which image writers choose their format.
+    // Partial names end with the extension of the final name, because image writers choose their
+    // format from it.
     do {
       close();
       path_.replace_filename(partial_name(path));

@@ -11,8 +11,8 @@ namespace ergodome {
 
 namespace {
 
-//! Scans TOML by its punctuation alone. Strings and comments end where toml++ 3.3 ends them, or
-//! where it fails.
+//! Scans TOML by its punctuation alone. Takes strings and comments to end where toml++ 3.3 ends
+//! them, or where it reports an error.
 class TomlScan {
  public:
   TomlScan(std::string_view text, const std::string& file) : text_(text), file_(file) {}
@@ -47,7 +47,8 @@ class TomlScan {
         dots_ = 0;
         break;
       case ',':
-        // In an inline table, the next key is counted instead.
+        // A comma in an array precedes a value. In an inline table it precedes a key, which is
+        // counted at its equals sign.
         if (depth_ > 0 && open_[depth_ - 1] == '[') {
           count_value();
         }

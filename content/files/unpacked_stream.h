@@ -35,9 +35,9 @@ class UnpackedStream {
   std::istream& stream_;
   std::string place_;
   std::string packed_;                  //!< bytes read from the stream
-  std::size_t next_ = 0;                //!< index of the first unused one
-  std::uint64_t packed_bytes_ = 0;      //!< total read
-  std::uint64_t unpacked_bytes_ = 0;    //!< total written
+  std::size_t next_ = 0;                //!< index of the first unused byte in `packed_`
+  std::uint64_t packed_bytes_ = 0;      //!< total number of bytes read
+  std::uint64_t unpacked_bytes_ = 0;    //!< total number of bytes written
   std::unique_ptr<Inflater> inflater_;  //!< null for uncompressed data
   bool in_member_ = false;
 };

@@ -73,7 +73,7 @@ struct ImagePlan {
   std::vector<std::pair<std::string, int>> numbers;
   std::vector<float> chromaticities;  //!< xy of red, green, blue and white; empty for none
   std::vector<std::pair<std::string, std::array<int, 2>>> ratios{};
-  std::vector<std::string> channel_names{};  //!< of all channels; empty for R, G, B, A
+  std::vector<std::string> channel_names{};  //!< names of all channels; empty for R, G, B, A
 };
 
 //! A keyword of a FITS header. Names have up to 8 characters of A-Z, 0-9, - and _.
@@ -122,7 +122,7 @@ struct ImageCanvas {
   int channels;
 };
 
-//! The point of a text that lies at its position.
+//! The point of a text's box that is put at the requested position.
 enum class TextPlace { baseline_start, top_centre, centre };
 
 struct TextStyle {
@@ -149,10 +149,10 @@ class ImageLibrary {
     std::optional<std::span<const std::byte>>
         bytes;                    //!< contents of the file, if it is not on the disk; must outlive the input
     bool separate_alpha = false;  //!< integer samples are not multiplied by alpha before they are decoded
-    bool as_stored = false;       //!< the image is not turned upright
+    bool as_stored = false;       //!< true: the image is not rotated upright
     bool as_light = false;        //!< colors become linear Rec. 709 light, unless the shape is `encoded`
     bool as_panorama = false;     //!< a crop of a panorama is put at its position in it (GPano)
-    std::string layer{};          //!< of OpenEXR; empty for the main layer
+    std::string layer{};          //!< layer of an OpenEXR file; empty for the main layer
   };
 
   //! Opens an image; the ending of its name gives the format of `bytes`. Returns null and sets

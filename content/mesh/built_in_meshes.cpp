@@ -17,7 +17,8 @@ SurfaceVertex vertex_of(const Vector3<double>& position, const Vector3<double>& 
 }
 
 //! Adds a grid of (columns + 1) x (rows + 1) vertices with two triangles per cell; `point(u, v)`
-//! returns a vertex. As seen from outside, rows are counterclockwise from columns.
+//! returns a vertex. As seen from outside the surface, the direction of increasing v must be
+//! counterclockwise from that of increasing u.
 template <class Point>
 void add_grid(TriangleMesh& mesh, int columns, int rows, const Point& point) {
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());

@@ -14,8 +14,8 @@ struct TriangleShape {
 
 //! A sphere of radius 1 divided by longitude and latitude, with its poles on the z axis.
 struct SphereShape {
-  int segments = 36;  //!< of longitude
-  int rings = 18;     //!< of latitude
+  int segments = 36;  //!< number of divisions in longitude
+  int rings = 18;     //!< number of divisions in latitude
 };
 
 //! A disk with a hole and a thickness around the z axis.
@@ -23,11 +23,11 @@ struct DiskShape {
   double inner = 6.6;
   double outer = 16.5;
   double thickness = 1.1;
-  int segments = 64;  //!< around the axis
-  int rings = 9;      //!< of each face
+  int segments = 64;  //!< number of divisions around the axis
+  int rings = 9;      //!< number of divisions of each face between its inner and outer edge
 };
 
-//! Limits of the numbers above.
+//! Limits of the numbers of segments and rings above.
 inline constexpr int fewest_segments = 3;
 inline constexpr int most_segments = 4096;
 inline constexpr int most_rings = 4096;

@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::uint32_t leaf_triangles = 4;
 constexpr int bin_count = 16;
-//! Subtrees that are built in parallel: enough to balance the threads, none too small to be worth
-//! it.
+//! Number of subtrees that are built in parallel: enough to keep all threads equally busy, but so
+//! few that each is large enough.
 constexpr std::size_t most_parts = 256;
 constexpr std::size_t least_part = 4096;
 //! From this depth on, nodes are halved by triangle count, which keeps any mesh within
@@ -162,7 +162,7 @@ struct Open {
   int depth;
 };
 
-//! Builds the open node and the nodes below it, except those for which left(open) returns true.
+//! Builds the open node and all nodes below it, except for nodes for which left(open) returns true.
 template <class Left>
 void make_nodes_below(std::vector<Item>& items, const Open& from, std::vector<TreeNode>& nodes, const Left& left) {
   std::vector<Open> open = {from};

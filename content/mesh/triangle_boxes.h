@@ -11,10 +11,12 @@ namespace ergodome {
 //! use.
 struct TriangleBoxes {
   std::vector<TreeNode> nodes;
-  std::vector<float> corners;            //!< nine numbers per triangle, in the order of the leaves
-  std::vector<std::uint32_t> triangles;  //!< the mesh's triangle of each of these
-  Vector3<double> middle{};              //!< center of the box around all triangles
-  double radius = 0.0;                   //!< of the sphere around `middle` that contains all triangles
+  std::vector<float> corners;  //!< nine numbers per triangle, in the order of the leaves
+  //! Index in the mesh of each triangle, in the same order as `corners`.
+  std::vector<std::uint32_t> triangles;
+  Vector3<double> middle{};  //!< center of the box around all triangles
+  //! Radius of the sphere around `middle` that contains all triangles.
+  double radius = 0.0;
 
   [[nodiscard]] TriangleTree view() const { return {nodes.data(), corners.data(), triangles.data(), middle, radius}; }
   [[nodiscard]] long bytes() const {

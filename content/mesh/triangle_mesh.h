@@ -12,9 +12,10 @@ namespace ergodome {
 
 //! The image on some triangles.
 struct MeshImage {
-  std::string name;                          //!< path of its file, or its name in messages; empty if there is no image
-  std::shared_ptr<const std::string> bytes;  //!< of an embedded image, in the format that the name ends with
-  std::string mesh;                          //!< path of the mesh that names a separate image file
+  std::string name;  //!< path of its file, or its name in messages; empty if there is no image
+  //! Bytes of an embedded image, in the format that the ending of `name` states.
+  std::shared_ptr<const std::string> bytes;
+  std::string mesh;      //!< path of the mesh that names a separate image file
   bool of_gltf = false;  //!< colors are sRGB, whatever the image's metadata states (glTF 2.0, 3.8.3)
 
   [[nodiscard]] bool empty() const { return name.empty(); }

@@ -12,7 +12,7 @@ namespace {
 //! Returns the position on an orbit at a show time, advanced by the angle `ahead` [rad].
 Vector3<double> place_on(const ObjectOrbit& orbit, double time_s, double ahead) {
   const double turns = orbit_rate(orbit) * std::abs(orbit.speed) * time_s / full_turn;
-  // Whole turns are removed first, for accuracy in shows that run for years.
+  // Subtracts whole turns first, which keeps the angle accurate in shows that run for years.
   const double angle = orbit.phi + full_turn * (turns - std::floor(turns)) + ahead;
   const double along = orbit.r * std::cos(angle);
   const double across = orbit.r * std::sin(angle) * std::cos(orbit.inclination);

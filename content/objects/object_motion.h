@@ -11,8 +11,10 @@ struct ObjectPlacement {
   Vector3<double> position;  //!< [M]
   double rows[3][3];         //!< a rotation
   Vector3<double> ahead = {0.0, 0.0,
-                           0.0};  //!< on an orbit: the position a quarter turn later, relative to the hole [M]
-  double rate = 0.0;              //!< angular velocity in the hole's time [1/M]; 0: at rest or unknown
+                           //! For an object on an orbit: its position a quarter turn later,
+                           //! relative to the hole [M].
+                           0.0};
+  double rate = 0.0;  //!< angular velocity in the hole's time [1/M]; 0: at rest or unknown
 
   bool operator==(const ObjectPlacement& other) const {
     return position.x == other.position.x && position.y == other.position.y && position.z == other.position.z &&

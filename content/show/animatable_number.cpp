@@ -11,7 +11,7 @@ namespace {
 
 using Steps = std::span<const AnimatableNumber::Step>;
 
-//! Returns the part of a show to which these steps lead, or nullptr if the show lacks it.
+//! Returns the struct in a show to which the steps lead, or nullptr if the show does not have it.
 void* part_at(const Show& show, Steps steps) {
   void* at = const_cast<Show*>(&show);
   for (const auto& [key, entry] : steps) {

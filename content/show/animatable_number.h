@@ -27,17 +27,18 @@ struct NumberLimits {
 
 struct ShowKey;
 
-//! A number of a show that can be animated: one whose key is declared so. Integers, and numbers that
-//! belong to the screen or to the size of the image, cannot.
+//! A number of a show that can be animated, because the declaration of its key allows it. Integers,
+//! and numbers that belong to the screen or to the size of the image, cannot be animated.
 struct AnimatableNumber {
-  //! A key on the way from the whole file to the number; of a list of tables, one entry.
+  //! One key on the path through the tables of the show file to the number; `entry` is the index if
+  //! the key holds a list of tables.
   struct Step {
     const ShowKey* key;
     std::size_t entry;
   };
 
   std::string path;     //!< its path in the file: "hole.spin"
-  NumberLimits limits;  //!< of its own key, in any show
+  NumberLimits limits;  //!< limits of its key alone, whatever the show's other keys are
   NumberChange change;
   std::vector<Step> steps;
 
@@ -56,8 +57,8 @@ const AnimatableNumber* find_animatable(std::string_view path);
 //! Returns the limits of the number with this path for its own key. The number must exist.
 NumberLimits limits_of(std::string_view path);
 
-//! Returns the limits in a show whose view and other parts have been read: some lenses have a
-//! smaller maximum field of view.
+//! Returns the limits of a number in a show: some lenses have a smaller maximum field of view. The
+//! show's view and other parts must have been read.
 NumberLimits limits_in(const Show& show, const AnimatableNumber& number);
 
 //! Returns why a number that is not in the list cannot be animated, and the remedy; nothing if the

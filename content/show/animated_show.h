@@ -38,8 +38,8 @@ Spacetime spacetime_at(const Show& show, double time_s);
 //! Returns the minimum and maximum value of an animation.
 NumberLimits range_of(const Animation& animation);
 
-//! Return the show with each animated number at its minimum, or at its maximum. Whatever a show
-//! needs at some time, one of these two needs.
+//! Return the show with each animated number at its minimum, or at its maximum. If the show
+//! requires a feature at any time, at least one of these two shows requires it.
 Show show_at_least(Show show);
 Show show_at_most(Show show);
 

@@ -18,13 +18,14 @@ struct DiskSettings {
   double outer = 20.0;          //!< outer edge [M]
   bool plunging = false;        //!< matter plunges inside the innermost stable orbit; otherwise the disk ends there
   DiskProfile profile = DiskProfile::page_thorne;
-  double temperature_k = 6000.0;  //!< at the hottest radius
+  double temperature_k = 6000.0;  //!< temperature at the hottest radius
   bool limb_darkening = false;    //!< light leaves as from an electron-scattering atmosphere
   double opacity = 1.0;
   double exposure = 1.0;  //!< emitted light at the hottest radius, without redshift
   DiskPattern pattern = DiskPattern::none;
-  double contrast = 0.6;  //!< of the pattern: logarithm of its brightness
-  double speed = 20.0;    //!< of the flow [M of the hole's time per second of the show]
+  double contrast = 0.6;  //!< strength of the pattern: factor on the logarithm of its brightness
+  //! Rate at which the disk's time advances [M of the hole's time per second of the show].
+  double speed = 20.0;
 
   bool operator==(const DiskSettings&) const = default;
 };

@@ -4,8 +4,8 @@
 
 namespace ergodome {
 
-//! The surface outside which a visitor's camera stays: the horizon, or the outermost photon orbit,
-//! outside which every kind of observer can exist.
+//! The surface that a visitor's camera cannot enter: the horizon, or the outermost photon orbit.
+//! Outside the latter, every kind of observer can exist.
 enum class FlightGuard { horizon, photon_orbit };
 
 //! Where free flight begins: at the show's camera, or at the show's first key.
@@ -19,7 +19,8 @@ inline constexpr std::array flight_mode_names = {"orbit", "fly", "hover", "geode
 struct ComfortSettings {
   double turn_deg_s = 60.0;         //!< maximum turn rate of the view
   double turn_accel_deg_s2 = 90.0;  //!< maximum change of the turn rate
-  double accel = 1.5;               //!< maximum change of the speed [distances/s²]
+  //! Maximum change of the speed [distances from the guard surface per s²].
+  double accel = 1.5;
 
   bool operator==(const ComfortSettings&) const = default;
 };
@@ -29,8 +30,8 @@ struct FlightSettings {
   FlightGuard guard = FlightGuard::horizon;
   FlightMode mode = FlightMode::orbit;
   FlightStart from = FlightStart::path;
-  double max_speed = 0.6;  //!< [distances/s]
-  double least_r = 0.0;    //!< minimum radius, if it is outside the guard [M]; 0: none
+  double max_speed = 0.6;  //!< maximum speed [distances from the guard surface per s]
+  double least_r = 0.0;    //!< minimum radius, if it is outside the guard surface [M]; 0: none
   double most_r = 1e5;     //!< [M]
   double return_s = 4.0;   //!< duration of the way back to the show's path; longer if `comfort` requires it
   ComfortSettings comfort;

@@ -36,8 +36,8 @@ class Idle {
   }
 
  private:
-  //! Returns true if a path is the key or below it. A key below it is not reported separately if
-  //! the table itself has a line in the file.
+  //! Returns true if `path` is the key itself or a key below it. If the table has a line of its own
+  //! in the file, keys below it are not reported separately.
   [[nodiscard]] bool is_of(std::string_view key, std::string_view path, bool animation) const {
     const bool below = path.starts_with(key) && path.substr(key.size()).starts_with('.');
     return path == key || (below && (animation || !show_.lines.contains(std::string(key))));

@@ -11,11 +11,12 @@ namespace ergodome {
 struct IdleLine {
   std::string key;  //!< path of the key ("tone.gamma", "animate.tone.gamma")
   int line = 0;
-  std::string why;  //!< "is used only with curve = \"gamma\""
+  std::string why;  //!< text for a message, such as "is used only with curve = \"gamma\""
 };
 
-//! Returns the unused keys of a show, in the order of its file: those of a curve, pattern, filter,
-//! projection or stars that it does not have. Empty for a show that was not read from a file.
+//! Returns the unused keys of a show, in the order of its file: keys that apply only to a tone
+//! curve, pattern, filter, projection or stars that the show does not use. Empty for a show that
+//! was not read from a file.
 std::vector<IdleLine> idle_lines(const Show& show);
 
 }  // namespace ergodome

@@ -40,7 +40,8 @@ void read_tables(const ShowKey& key, TomlTable& table, void* settings) {
 
 double unit_of(const ShowKey& key) { return key.degrees ? one_degree : 1.0; }
 
-//! Returns a number as it is written. Rounding may exceed the range of an angle.
+//! Returns a number as it is written to a file: an angle in degrees, limited to its range, because
+//! rounding could exceed that.
 double written_number(const ShowKey& key, double value) {
   return key.degrees ? std::clamp(value * radian_deg, key.limits.least, key.limits.greatest) : value;
 }

@@ -9,7 +9,7 @@ namespace ergodome {
 
 namespace {
 
-//! Returns a rotation around z by an angle.
+//! Returns a rotation around the z axis by an angle.
 glm::dmat3 about_pole(double angle) {
   return {{std::cos(angle), std::sin(angle), 0.0}, {-std::sin(angle), std::cos(angle), 0.0}, {0.0, 0.0, 1.0}};
 }

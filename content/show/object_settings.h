@@ -28,7 +28,7 @@ inline constexpr std::array object_method_names = {"polygon", "trace"};
 struct ObjectOrbit {
   double r = 10.0;           //!< [M]
   double phi = 0.0;          //!< angle on the orbit at time 0, from the ascending node [rad]
-  double inclination = 0.0;  //!< of the orbit to the plane z = 0 [rad]
+  double inclination = 0.0;  //!< inclination of the orbit to the plane z = 0 [rad]
   double node = 0.0;         //!< azimuth of the ascending node [rad]
   double speed = 20.0;       //!< M of the hole's time per second of the show; negative runs backward
   Spacetime spacetime{};     //!< of the hole at the center
@@ -39,7 +39,7 @@ struct ObjectOrbit {
 //! The position of an object at a time of the show.
 struct ObjectKey {
   double time_s = 0.0;
-  Vector3<double> position = {0.0, 0.0, 0.0};  //!< of the mesh's origin [M]
+  Vector3<double> position = {0.0, 0.0, 0.0};  //!< position of the mesh's origin [M]
   Ease ease = Ease::smooth;                    //!< from this key to the next
 };
 
@@ -47,7 +47,7 @@ struct ObjectKey {
 struct CheckerSettings {
   int columns = 8;
   int rows = 8;
-  double dark = 0.35;  //!< factor on the light of every other field
+  double dark = 0.35;  //!< factor on the light of every second field
 
   bool operator==(const CheckerSettings&) const = default;
 };
@@ -60,27 +60,37 @@ struct ObjectSettings {
   TriangleShape triangle;
   SphereShape sphere;
   DiskShape disk;
-  double size = 1.0;                           //!< M per unit of the mesh
-  Vector3<double> turn = {0.0, 0.0, 0.0};      //!< around the x, then the y, then the z axis [rad]
-  Vector3<double> position = {0.0, 0.0, 0.0};  //!< of the mesh's origin [M]
-  std::optional<ObjectOrbit> orbit;            //!< in place of the position
-  std::vector<ObjectKey> keys;                 //!< in order of time; replace the position if there are any
-  Vector3<double> color = {1.0, 1.0, 1.0};     //!< linear light; multiplies the color of the mesh
+  double size = 1.0;  //!< M per unit of the mesh
+  //! Rotation around the x, then the y, then the z axis [rad].
+  Vector3<double> turn = {0.0, 0.0, 0.0};
+  Vector3<double> position = {0.0, 0.0, 0.0};  //!< position of the mesh's origin [M]
+  //! Orbit of the mesh's origin, if set instead of the position.
+  std::optional<ObjectOrbit> orbit;
+  std::vector<ObjectKey> keys;              //!< in order of time; replace the position if there are any
+  Vector3<double> color = {1.0, 1.0, 1.0};  //!< linear light; multiplies the color of the mesh
   double exposure = 1.0;
   std::optional<CheckerSettings> checker;
   bool lit = false;  //!< reflects the show's point light by Lambert's law; otherwise emits light
   ObjectMethod method = ObjectMethod::polygon;
-  bool retarded = false;  //!< traced objects are seen where they were when their light left them
+  //! True: traced objects are seen at the positions that they had when their light left them.
+  bool retarded = false;
   TessellationSettings tessellation;
-  int images = 2;      //!< of polygons: 1 for the direct image; each more goes half a turn further around the hole
-  double torn = 10.0;  //!< triangles whose circumference grows by more count as torn and are not drawn
+  //! Number of images that polygons draw: 1 is the direct image; each further one goes half a turn
+  //! further around the hole.
+  int images = 2;
+  //! Maximum factor by which lensing may enlarge a triangle's circumference; above it, the triangle
+  //! is torn and not drawn.
+  double torn = 10.0;
 };
 
 //! A static point light.
 struct PointLight {
   Vector3<double> position = {0.0, 0.0, 0.0};  //!< pseudo-Cartesian [M]
-  double strength = 1.0;                       //!< white light on a facing surface at a distance of 1 M in flat space
-  LampFalloff falloff = LampFalloff::lens;     //!< of the light on traced objects
+  //! Illuminance, in white light, of a surface that faces the light at a distance of 1 M in flat
+  //! space.
+  double strength = 1.0;
+  //! How light on traced objects decreases with distance.
+  LampFalloff falloff = LampFalloff::lens;
 };
 
 //! Maximum number of images that polygons draw. The fifth is 10^-6 as wide as the first, which

@@ -16,9 +16,10 @@ inline constexpr double least_shell_gap = 1e-3;
 //! A sphere r = const around the hole, with a grid of parallels and meridians: one of a show's
 //! [[shells]].
 struct ShellSettings {
-  double radius = 10.0;                                //!< Boyer-Lindquist [M]
-  double spacing_deg = 15.0;                           //!< between grid lines; divides 180
-  double line_width_deg = 1.0;                         //!< as seen from the center of the shell; 0: no lines
+  double radius = 10.0;       //!< Boyer-Lindquist [M]
+  double spacing_deg = 15.0;  //!< between grid lines; divides 180
+  //! Width of the lines as seen from the center of the shell; 0: no lines.
+  double line_width_deg = 1.0;
   std::array<double, 3> line_color = {1.0, 1.0, 1.0};  //!< linear light
   std::array<double, 3> fill_color = {1.0, 1.0, 1.0};  //!< between the lines; multiplies the texture
   double line_opacity = 1.0;

@@ -27,7 +27,8 @@ class FreeFall;
 struct LookTarget {
   enum class Kind { hole, away, direction };
   Kind kind = Kind::hole;
-  Vector3<double> direction = {-1.0, 0.0, 0.0};  //!< in (e_r, e_θ, e_φ), for Kind::direction; any nonzero length
+  //! Direction in (e_r, e_θ, e_φ), for Kind::direction; any nonzero length.
+  Vector3<double> direction = {-1.0, 0.0, 0.0};
 };
 
 //! The camera at one instant of the show.
@@ -37,11 +38,11 @@ struct CameraKey {
   double theta = 1.57079632679489661923;  //!< polar angle [rad]
   double phi = 0.0;                       //!< azimuth [rad]; may exceed a full turn
   LookTarget look;
-  double yaw = 0.0;          //!< to the right [rad]
-  double pitch = 0.0;        //!< upward [rad]
-  double roll = 0.0;         //!< clockwise [rad]
+  double yaw = 0.0;          //!< rotation to the right [rad]
+  double pitch = 0.0;        //!< rotation upward [rad]
+  double roll = 0.0;         //!< clockwise rotation [rad]
   double hold_s = 0.0;       //!< the camera stays at this key for this time
-  Ease ease = Ease::smooth;  //!< from here to the next key; cameras cannot use Ease::hold
+  Ease ease = Ease::smooth;  //!< easing from here to the next key; cameras cannot use Ease::hold
   //! Velocity of the observer at this key in the ZAMO frame; absent: as CameraSettings defines.
   //! Either all keys have one or none.
   std::optional<Vector3<double>> velocity = std::nullopt;
@@ -49,9 +50,10 @@ struct CameraKey {
 
 struct CameraSettings {
   ObserverMotion motion = ObserverMotion::zamo;
-  Vector3<double> velocity = {0.0, 0.0, 0.0};  //!< in the ZAMO frame, for ObserverMotion::velocity
-  std::vector<CameraKey> keys;                 //!< in order of time, at least one
-  std::optional<FallSettings> fall;            //!< absent: the keys define the camera's whole path
+  //! Velocity in the ZAMO frame, for ObserverMotion::velocity.
+  Vector3<double> velocity = {0.0, 0.0, 0.0};
+  std::vector<CameraKey> keys;       //!< in order of time, at least one
+  std::optional<FallSettings> fall;  //!< absent: the keys define the camera's whole path
   //! The orbit of the fall, from follow_fall() in content/camera/camera_path.h. Keys during the
   //! fall only define where the camera looks.
   std::shared_ptr<const FreeFall> orbit;
@@ -66,7 +68,7 @@ enum class StarMethod { inverse, gather };
 
 struct SkySettings {
   std::string map = "milky_way";  //!< a built-in name, or a path relative to the show
-  MapLayout map_layout;           //!< of the map, if it is a path
+  MapLayout map_layout;           //!< layout of the map, if that is a path
   std::string stars;              //!< a built-in name, a path, or empty for no stars
   StarMethod star_method = StarMethod::inverse;
   double faintest_mag = 10.0;       //!< images of stars fainter than this are not drawn
@@ -86,7 +88,7 @@ struct PointSpreadSettings {
   //! Of a Gaussian. Two pixels wide at half maximum by default, so that moving stars do not
   //! flicker. 0: a single pixel.
   double sigma_px = 0.85;
-  double cutoff_px = 0.0;  //!< radius of the spot; 0: three sigma
+  double cutoff_px = 0.0;  //!< radius of the spot; 0: three times sigma_px
 };
 
 struct TrailSettings {
@@ -98,7 +100,9 @@ struct DiffractionSettings {
   double brighter_than_mag = 2.0;  //!< star images at least this bright have spikes
   double strength = 0.3;           //!< fraction of a star's light that goes into the spikes
   std::string pattern;             //!< an image, as a path relative to the show; empty: computed from the aperture
-  int blades = 6;                  //!< this and the rest as in ApertureSettings (render/effects/far_field.h)
+  //! Number of aperture blades; this and the rest as in ApertureSettings
+  //! (render/effects/far_field.h).
+  int blades = 6;
   int vanes = 0;
   double obstruction = 0.0;
   int size_px = 129;
@@ -152,19 +156,22 @@ struct ViewSettings {
   ViewProjection projection = ViewProjection::dome;
   double field_of_view_deg = 180.0;
   double tilt_deg = 0.0;
-  bool artistic_tilt = false;           //!< a dome setup does not override the tilt
-  int size_px = 1024;                   //!< width of the image; of one face if each has a file
-  double aspect = 1.0;                  //!< width over height, for the pinhole view
-  bool from_outside = false;            //!< mirrors the image
-  double vignette = 0.0;                //!< part of the light lost at the edge of a dome's or pinhole's picture
-  LensLaw lens = LensLaw::equidistant;  //!< of the dome, as are the next three
-  std::array<double, 4> polynomial =
-      {};  //!< for LensLaw::polynomial: coefficients of t, t³, t⁵, t⁷ [rad], t in half widths of the image
+  bool artistic_tilt = false;  //!< a dome setup does not override the tilt
+  int size_px = 1024;          //!< width of the image; of one face if each has a file
+  double aspect = 1.0;         //!< width over height, for the pinhole view
+  bool from_outside = false;   //!< mirrors the image
+  double vignette = 0.0;       //!< part of the light lost at the edge of a dome's or pinhole's picture
+  //! Lens of the dome view; the next three members are also for the dome view.
+  LensLaw lens = LensLaw::equidistant;
+  //! Coefficients of LensLaw::polynomial: of t, t³, t⁵, t⁷ [rad], where t is in half widths of the
+  //! image.
+  std::array<double, 4> polynomial = {};
   DomeTruncation truncation;
   Vector3<double> viewer = {0.0, 0.0, 0.0};  //!< position relative to the dome's center: right, up, back; in dome radii
   CubeFiles cube_files = CubeFiles::cross;
-  double height_deg = 90.0;              //!< vertical field of view of the cylinder
-  std::optional<FrustumAngles> frustum;  //!< of an asymmetric pinhole; replaces field of view and aspect
+  double height_deg = 90.0;  //!< vertical field of view of the cylinder
+  //! Frustum of an asymmetric pinhole view; replaces field of view and aspect.
+  std::optional<FrustumAngles> frustum;
 };
 
 //! How the renderings of the two eyes become output images (render/output/stereo_layout.h).
@@ -200,7 +207,7 @@ struct StereoSettings {
   double convergence = 0.0;     //!< distance of points without parallax [M]; 0: infinity
   double fade_from_deg = 60.0;  //!< elevation, up and down, from which the baseline of StereoModel::omni is reduced
   double fade_to_deg = 90.0;    //!< elevation at which it reaches 0
-  double comfort_deg = 1.0;     //!< difference of disparities that viewers fuse without effort
+  double comfort_deg = 1.0;     //!< range of disparities that viewers fuse without effort
   bool swap_eyes = false;
   bool tint_eyes = false;  //!< tints the left eye's image red and the right eye's cyan
 
@@ -211,7 +218,7 @@ struct StereoSettings {
 constexpr int eye_count(const StereoSettings& stereo) { return stereo.layout == StereoLayout::mono ? 1 : 2; }
 
 //! Returns how many times StereoModel::flat renders the head's view: once for both eyes, or twice
-//! if they have different frusta.
+//! if their frusta differ.
 constexpr int flat_pictures(const StereoSettings& stereo) {
   return stereo.convergence > 0.0 && stereo.baseline > 0.0 ? 2 : 1;
 }
@@ -223,10 +230,12 @@ constexpr int drawn_pictures(const StereoSettings& stereo) {
 
 //! Automatic exposure that adapts to the light as an eye does.
 struct AutoExposureSettings {
-  double target = 0.1;        //!< display light to which the geometric mean of the light is adjusted
-  double least_stops = -4.0;  //!< limits of the adjustment
+  //! Mean display light after the adjustment: the geometric mean of the frame is adjusted to it.
+  double target = 0.1;
+  double least_stops = -4.0;  //!< limits of the adjustment [stops]
   double most_stops = 4.0;
-  double adapt_s = 1.0;  //!< time constant: a change is followed to all but 1/e in this time
+  //! Time constant of the adaptation: after this time, 1/e of a change remains.
+  double adapt_s = 1.0;
 };
 
 //! Names of the values of ToneCurve (kernels/image/tone_curve.h), in the same order.
@@ -251,10 +260,10 @@ enum class GridScheme { conforming, quadtree };
 //! Settings from the command line that change a show before it is read, each as "hole.spin=0.5".
 using ShowSettings = std::vector<std::string>;
 
-//! The option of these settings; messages name keys after it: "--set hole.spin".
+//! The command-line option of these settings. Messages put the key after it: "--set hole.spin".
 inline constexpr const char* show_setting_option = "--set";
 
-//! The line number of keys that were set on the command line.
+//! The line number that Show::lines has for keys that were set on the command line.
 inline constexpr int key_set_outside = 0;
 
 //! Display of spin and camera position as a line of text on the dome.

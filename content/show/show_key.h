@@ -33,17 +33,17 @@ enum class KeyKind {
   integer,
   boolean,
   text,
-  local_text,  //!< in several languages; always required
-  word,        //!< one of a list: an enumeration
+  local_text,  //!< a text in several languages; always required
+  word,        //!< one of a list of words: an enumeration
   color,       //!< three numbers: an array
   vector,      //!< three numbers: a Vector3
   table,       //!< a table; absent if its struct is an empty optional
   tables,      //!< a list of tables: a vector of structs
-  part,        //!< a struct whose keys are in the same table
+  part,        //!< a struct whose keys are in the table of the enclosing struct
   other        //!< has its own functions for reading and writing
 };
 
-//! Cells of a key's row in the tables of the reference pages. Those that are empty follow from the
+//! Texts for a key's row in the tables of the reference pages. Empty ones are generated from the
 //! declaration.
 struct PageText {
   std::string_view type{};
@@ -53,35 +53,41 @@ struct PageText {
   std::string_view varies{};     //!< whether it changes with time
 };
 
-//! Declaration of a key. All functions get the struct of the key's table as `settings`.
+//! Declaration of a key. All its functions receive the struct of the key's table as `settings`.
 struct ShowKey {
   std::string_view name;
   KeyKind kind = KeyKind::other;
-  NumberLimits limits{0.0, 0.0};        //!< of numbers, also in lists
-  std::span<const char* const> words;   //!< of a word, by the values of the enumeration
-  std::int32_t first_word = 0;          //!< the value of the first word
-  std::span<const ShowKey> keys;        //!< of a table
-  std::size_t most = 0;                 //!< tables in a list
-  bool degrees = false;                 //!< the file has degrees, the member radians
-  const char* missing = nullptr;        //!< remedy if the key is absent; nullptr: the key is optional
-  std::optional<NumberChange> changes;  //!< by animation; absent: cannot be animated
-  const char* fixed = nullptr;          //!< why the key, or a key in this table, cannot be animated
+  NumberLimits limits{0.0, 0.0};       //!< limits of a number, or of the numbers in a list
+  std::span<const char* const> words;  //!< allowed words, in the order of the enumeration's values
+  std::int32_t first_word = 0;         //!< enumeration value of the first word
+  std::span<const ShowKey> keys;       //!< keys of the table, for a table or a list of tables
+  std::size_t most = 0;                //!< maximum number of tables in a list
+  bool degrees = false;                //!< the file has degrees, the member radians
+  const char* missing = nullptr;       //!< remedy if the key is absent; nullptr: the key is optional
+  //! What an animation of the number changes; absent: it cannot be animated.
+  std::optional<NumberChange> changes;
+  const char* fixed = nullptr;  //!< why the key, or a key in this table, cannot be animated
 
-  //! Returns the value; of a list, entry `i`. Returns nullptr if it is absent.
+  //! Returns a pointer to the value, or to entry `i` of a list; nullptr if it is absent.
   void* (*at)(void* settings, std::size_t i) = nullptr;
-  //! Makes an absent value, or another entry of a list, and returns it.
+  //! Creates an absent value, or appends an entry to a list, and returns a pointer to it.
   void* (*make)(void* settings) = nullptr;
   void (*before)(TomlTable& table, void* settings) = nullptr;  //!< runs before the key is read
   void (*after)(TomlTable& table, void* settings) = nullptr;   //!< runs after the key was read
-  void (*read)(TomlTable& table, void* settings) = nullptr;    //!< replaces the reader of the kind
+  //! Reads the key instead of the reader of its kind.
+  void (*read)(TomlTable& table, void* settings) = nullptr;
   void (*write)(toml::table& table, const void* settings) = nullptr;
-  bool (*applies)(const void* settings) = nullptr;           //!< false: the key is unknown
-  bool (*written)(const void* settings) = nullptr;           //!< false: the writer omits the key
-  NumberLimits (*narrower)(const void* settings) = nullptr;  //!< limits that depend on other keys
+  //! If it returns false, the key is treated as unknown.
+  bool (*applies)(const void* settings) = nullptr;
+  //! If it returns false, the writer omits the key.
+  bool (*written)(const void* settings) = nullptr;
+  //! Returns limits that depend on other keys.
+  NumberLimits (*narrower)(const void* settings) = nullptr;
   //! Returns why the key is unused in a show, or nullptr if it is used.
   const char* (*unused)(const Show& show, const void* settings) = nullptr;
 
-  std::string_view meaning;  //!< one or two sentences; empty: only for tables
+  //! One or two sentences for the reference page; empty: only for tables.
+  std::string_view meaning;
   PageText page;
 };
 
@@ -90,18 +96,20 @@ inline NumberLimits limits_of(const ShowKey& key, const void* settings) {
   return key.narrower != nullptr ? key.narrower(settings) : key.limits;
 }
 
-// What an animation of a number changes, besides the picture itself.
+// Values of KeyOf::animated(): the parts that an animation of the number changes, besides the
+// picture itself.
 inline constexpr NumberChange changes_stars{true, false, false};
 inline constexpr NumberChange changes_sky{true, true, false};
 inline constexpr NumberChange changes_exposure{false, false, true};
 
-//! The keys of a table whose values are in a struct.
+//! The keys of a table whose values are members of `Settings`.
 template <class Settings>
 struct KeyTable {
   std::span<const ShowKey> keys;
 };
 
-//! Declaration of a key of a struct; its functions add what does not follow from the member.
+//! Builds the declaration of a key of `Settings`. The member functions below set what does not
+//! follow from the type of the key's member.
 template <class Settings>
 struct KeyOf {
   ShowKey key;
@@ -111,12 +119,12 @@ struct KeyOf {
     key.page.unit = unit;
     return *this;
   }
-  //! The range is in degrees, as in the file; the member is in radians.
+  //! Sets the range in degrees, as in the file; the struct's member is in radians.
   constexpr KeyOf degrees(double least, double greatest) {
     key.degrees = true;
     return range(least, greatest, "deg");
   }
-  //! The range in this struct, if it is narrower than range().
+  //! Sets a function that returns the range for given settings, if that is narrower than range().
   template <class Function>
   constexpr KeyOf range_in(Function /*function*/) {
     key.narrower = [](const void* settings) { return Function{}(*static_cast<const Settings*>(settings)); };
@@ -127,7 +135,7 @@ struct KeyOf {
     key.words = all;
     return *this;
   }
-  //! The value that the first word stands for.
+  //! Sets the enumeration value of the first word; the default is 0.
   template <class Word>
   constexpr KeyOf first(Word word) {
     key.first_word = static_cast<std::int32_t>(word);
@@ -145,7 +153,7 @@ struct KeyOf {
     key.missing = remedy;
     return *this;
   }
-  //! A key that files may have, and have when written, only if `function(settings)` is true.
+  //! The key is allowed in files, and written, only if `function(settings)` returns true.
   template <class Function>
   constexpr KeyOf only_if(Function /*function*/) {
     key.applies = [](const void* settings) { return Function{}(*static_cast<const Settings*>(settings)); };
@@ -156,27 +164,28 @@ struct KeyOf {
     key.written = [](const void* settings) { return Function{}(*static_cast<const Settings*>(settings)); };
     return *this;
   }
-  //! Calls `function(table, settings)` before the key is read, to set a default that depends on
-  //! other keys.
+  //! Calls `function(table, settings)` before the key is read, so that it can set a default that
+  //! depends on other keys.
   template <class Function>
   constexpr KeyOf before(Function /*function*/) {
     key.before = [](TomlTable& table, void* settings) { Function{}(table, *static_cast<Settings*>(settings)); };
     return *this;
   }
-  //! Calls `function(table, settings)` after the key was read, to check it against the keys above.
+  //! Calls `function(table, settings)` after the key was read, so that it can check the key against
+  //! earlier keys of the table.
   template <class Function>
   constexpr KeyOf after(Function /*function*/) {
     key.after = [](TomlTable& table, void* settings) { Function{}(table, *static_cast<Settings*>(settings)); };
     return *this;
   }
-  //! Reads the key by `read(table, settings)`.
+  //! Reads the key with `read(table, settings)` instead of the default reader.
   template <class Read>
   constexpr KeyOf by(Read /*read*/) {
     key.read = [](TomlTable& table, void* settings) { Read{}(table, *static_cast<Settings*>(settings)); };
     return *this;
   }
-  //! Reads and writes the key, if it is present, by `read(table, settings)` and
-  //! `write(toml, settings)`.
+  //! Reads the key with `read(table, settings)`, and writes it with `write(toml, settings)`,
+  //! instead of the default functions.
   template <class Read, class Write>
   constexpr KeyOf by(Read read, Write /*write*/) {
     by(read);
@@ -185,7 +194,8 @@ struct KeyOf {
     };
     return *this;
   }
-  //! A key is unused if `function(show, settings)` returns a reason.
+  //! Sets a function: the key is unused in a show if `function(show, settings)` returns a reason
+  //! instead of nullptr.
   template <class Function>
   constexpr KeyOf unused_if(Function /*function*/) {
     key.unused = [](const Show& show, const void* settings) -> const char* {
@@ -202,7 +212,7 @@ struct KeyOf {
   }
 };
 
-//! Types of a pointer to a member.
+//! Derives the types of struct and member from a pointer to a member.
 template <class Pointer>
 struct MemberTypes;
 template <class SettingsType, class ValueType>
@@ -249,7 +259,7 @@ constexpr KeyKind kind_of() {
   }
 }
 
-//! Declares the key of a member, or of a member of a member.
+//! Declares the key of a member (one pointer), or of a member of a member (several pointers).
 template <auto First, auto... Rest>
 constexpr auto key(std::string_view name, std::string_view meaning) {
   using Settings = typename MemberTypes<decltype(First)>::Settings;
@@ -279,7 +289,8 @@ constexpr auto key(std::string_view name, std::string_view meaning) {
   return made;
 }
 
-//! Type of the struct of a table's keys, which may be optional or in a list.
+//! Derives the struct of a table's keys from the type of a member, which may be an optional or a
+//! vector of that struct.
 template <class Value>
 struct TableOf {
   using Type = Value;
@@ -322,7 +333,8 @@ constexpr KeyOf<Settings> group(std::string_view name, KeyTable<Settings> keys, 
   return made;
 }
 
-//! Declares a key that is not a single member; KeyOf::by() reads and writes it.
+//! Declares a key that does not correspond to a single member; KeyOf::by() sets the functions that
+//! read and write it.
 template <class Settings>
 constexpr KeyOf<Settings> other(std::string_view name, std::string_view meaning) {
   KeyOf<Settings> made;
@@ -331,8 +343,8 @@ constexpr KeyOf<Settings> other(std::string_view name, std::string_view meaning)
   return made;
 }
 
-//! Returns the path of the keys in a table with a path of its own ("" or "sky."); of a list, of its
-//! entry `i`.
+//! Returns the prefix of the paths of keys in a table: "sky.", for example. `path` is the prefix of
+//! the table's own path ("" or "sky."); `i` is the entry if the table is in a list.
 std::string path_below(const std::string& path, const ShowKey& key, std::size_t i);
 
 //! The declarations of a table's keys, in the order in which they are read and documented.

@@ -4,7 +4,8 @@
 
 #include "content/show/show.h"
 
-// Properties of the eyes that a stereo model makes, so that other rooms need not know the models.
+// Properties of the eyes that a stereo model makes. Other folders use these functions instead of
+// comparing models.
 
 namespace ergodome {
 
@@ -40,8 +41,8 @@ constexpr StereoModel next_model(StereoModel model) {
   return static_cast<StereoModel>((static_cast<std::size_t>(model) + 1) % stereo_model_names.size());
 }
 
-//! Returns the model to use on a path that leads through the horizon: the given one, if its eyes are
-//! defined inside.
+//! Returns the model to use on a path that leads through the horizon: the given one if its eyes are
+//! defined inside the horizon, otherwise StereoModel::physical.
 constexpr StereoModel model_for_fall(StereoModel model) {
   return model == StereoModel::flat ? StereoModel::physical : model;
 }

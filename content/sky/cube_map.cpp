@@ -11,7 +11,7 @@ namespace ergodome {
 
 namespace {
 
-//! A direction as seen by a viewer inside the cube.
+//! A direction in the axes of a viewer inside the cube.
 struct ViewDirection {
   double right, up, forward;
 };
@@ -66,8 +66,8 @@ FacePosition place_in_cross(const FacePoint& point, bool vertical) {
   return vertical ? FacePosition{1, 3, 1.0 - point.s, 1.0 - point.t} : FacePosition{3, 1, point.s, point.t};
 }
 
-//! Returns a face position in OpenEXR's layout. Its X axis points to the left of a viewer facing
-//! along Z, and its side faces are turned by 90°.
+//! Converts a position on a face to OpenEXR's layout, whose X axis points to the left of a viewer
+//! facing along Z, and whose side faces are turned by 90°.
 FacePosition place_in_openexr(const FacePoint& point) {
   switch (point.face) {
     case left_face:  // +X

@@ -58,8 +58,8 @@ Error of_wrong_shape(const std::string& name, const ImageShape& shape) {
           "convert it to an equirectangular (2:1) map of the whole sky"};
 }
 
-//! Position of one of `from` texels in a row of `to` texels, where to <= from: `part` of it is in
-//! texel `first`, the rest in the next one.
+//! Where the light of one texel in a row of `from` texels goes in a row of `to` texels, with to <=
+//! from: the fraction `part` of the texel is in texel `first`, the rest in the next one.
 struct TexelPlace {
   int first;
   float part;
@@ -123,7 +123,7 @@ class MapReader {
     return 3 * static_cast<std::size_t>(image_.width) * static_cast<std::size_t>(rows);
   }
 
-  //! Adds black rows to the image until it has `rows`.
+  //! Appends black rows to the image until it has `rows` rows.
   void make_rows(int rows) {
     image_.rgb.resize(std::max(image_.rgb.size(), floats_of_rows(std::min(rows, image_.height))));
   }
@@ -180,8 +180,9 @@ class MapReader {
   ImageInput& input_;
   std::string name_;
   LightCoding coding_;
-  int read_channels_ = 3;            //!< per pixel
-  std::vector<TexelPlace> columns_;  //!< position of each texel of a row in the smaller image
+  int read_channels_ = 3;  //!< number of channels read per pixel
+  //! For each texel of a row of the file, its position in the smaller image.
+  std::vector<TexelPlace> columns_;
   EnvironmentImage image_;
 };
 

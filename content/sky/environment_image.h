@@ -10,17 +10,18 @@
 
 namespace ergodome {
 
-//! Brighter light is clamped to this value, which is far above the Sun in any unit.
+//! Light above this value, which is far above the Sun in any unit, is clamped to it.
 inline constexpr float brightest_texel = 1e9F;
-//! Infinite light becomes the maximum of half floats, where it usually comes from; a larger value
-//! would drown the sky.
+//! Replaces infinite light: the maximum of half floats, from whose overflow it usually results. A
+//! larger value would outshine the sky.
 inline constexpr float infinite_texel = 65504.0F;
 
-//! Numbers of invalid texels that were repaired, each counted once.
+//! Numbers of invalid texels that were repaired. Each texel is counted once.
 struct RepairedTexels {
-  long too_bright = 0;   //!< above brightest_texel and clamped to it, or infinite and set to infinite_texel
-  long below_zero = 0;   //!< with a negative color component, set to 0
-  long not_numbers = 0;  //!< with a NaN color component, set to black
+  //! Texels above brightest_texel, clamped to it, and infinite ones, set to infinite_texel.
+  long too_bright = 0;
+  long below_zero = 0;   //!< texels with a negative color component, which was set to 0
+  long not_numbers = 0;  //!< texels with a NaN color component, which were set to black
 
   [[nodiscard]] long all() const { return too_bright + below_zero + not_numbers; }
 

@@ -68,7 +68,8 @@ std::filesystem::path built_in_content_folder() {
     return chosen;
   }
   const fs::path program = fs::read_symlink("/proc/self/exe", problem).parent_path();
-  // For an installed program, the checkout that it was built in, and a checkout that was moved
+  // Candidates, in order: relative to an installed program; the source tree in which the program
+  // was built; relative to a program in a build folder of a source tree that was moved
   // (build/PRESET/app).
   const fs::path candidates[] = {program / "../share/ergodome/content", fs::path(ERGODOME_CONTENT_DIR),
                                  program / "../../../content"};
@@ -157,8 +158,8 @@ glm::dmat3 sky_from_equatorial(const SkySettings& sky) {
   const double ra = sky.spin_axis_ra_deg * pi / 180.0;
   const double dec = sky.spin_axis_dec_deg * pi / 180.0;
   const glm::dvec3 axis(std::cos(dec) * std::cos(ra), std::cos(dec) * std::sin(ra), std::sin(dec));
-  // The direction of decreasing declination along the meridian of the axis, which is also defined
-  // at the poles.
+  // The direction in which the declination decreases along the meridian through the spin axis; it
+  // is also defined at the poles.
   const glm::dvec3 x(std::sin(dec) * std::cos(ra), std::sin(dec) * std::sin(ra), -std::cos(dec));
   return glm::transpose(glm::dmat3(x, glm::cross(axis, x), axis));
 }

@@ -14,7 +14,9 @@ namespace ergodome {
 struct KnownName {
   std::string_view name;
   Quantity quantity;
-  int pair = 0;  //!< names with the same number belong together; smaller ones are preferred
+  //! Names with the same number form a pair of coordinates; pairs with smaller numbers are
+  //! preferred.
+  int pair = 0;
   AngleUnit unit = AngleUnit::open;
 };
 
@@ -24,7 +26,7 @@ std::span<const KnownName> known_column_names();
 //! Returns the preferred name of a column, for messages.
 std::string_view column_name_to_use(Quantity quantity);
 
-//! Columns whose presence explains why a quantity is missing.
+//! Columns whose presence explains in messages why a quantity is missing from a table.
 struct Substitute {
   Quantity missing;
   std::initializer_list<std::string_view> names;

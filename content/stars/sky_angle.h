@@ -10,7 +10,7 @@ enum class AngleMark { none, hours, degrees };
 
 //! A coordinate as written in a table.
 struct SkyAngle {
-  double value = 0.0;  //!< in the unit of its first part
+  double value = 0.0;  //!< value in the unit of the coordinate's first part
   AngleMark mark = AngleMark::none;
   bool sexagesimal = false;  //!< has minutes
 };

@@ -23,8 +23,8 @@ struct CatalogueStar {
 struct RowsLeftOut {
   std::string why;  //!< "without a magnitude"
   std::size_t count = 0;
-  std::size_t first_line = 0;  //!< line in the file
-  bool meant = false;          //!< skipped on purpose: the row of the Sun
+  std::size_t first_line = 0;  //!< line of the first of these rows in the file
+  bool meant = false;          //!< true if the rows were skipped on purpose: the row of the Sun
 };
 
 //! A star catalog, brightest star first.
@@ -32,7 +32,8 @@ struct StarCatalogue {
   std::string name;
   std::vector<CatalogueStar> stars;
   std::vector<RowsLeftOut> left_out;
-  std::string read_as;  //!< for a table, the columns read and the unit of the right ascension; otherwise empty
+  //! If read from a table: the columns used and the unit of the right ascension; otherwise empty.
+  std::string read_as;
 };
 
 //! Returns the total number of skipped rows.

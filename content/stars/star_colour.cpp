@@ -14,7 +14,7 @@ struct DwarfColours {
   double b_v;
 };
 
-//! Types B9, A0, A2, A5, F0, F5, G0, G2, K0, K3, K5, M0, M2.5, M5, M8.
+//! Mean colors of dwarfs of the types B9, A0, A2, A5, F0, F5, G0, G2, K0, K3, K5, M0, M2.5, M5, M8.
 constexpr DwarfColours dwarf_colours[] = {{-0.120, -0.070}, {-0.037, 0.000}, {0.068, 0.070}, {0.194, 0.160},
                                           {0.377, 0.295},   {0.587, 0.440},  {0.784, 0.595}, {0.823, 0.650},
                                           {0.983, 0.816},   {1.190, 0.990},  {1.430, 1.150}, {1.840, 1.420},
@@ -26,7 +26,7 @@ constexpr double coolest_k = 1000.0;
 }  // namespace
 
 double b_v_from_bp_rp(double bp_rp) {
-  // Stars bluer than the first type follow the line through the first two.
+  // Extrapolates for stars bluer than the first type: along the line through the first two types.
   const auto* const above = std::find_if(std::next(std::begin(dwarf_colours)), std::prev(std::end(dwarf_colours)),
                                          [&](const DwarfColours& knot) { return knot.bp_rp > bp_rp; });
   const DwarfColours& from = *std::prev(above);

@@ -22,7 +22,8 @@ namespace {
 
 constexpr std::size_t most_stars = 100'000'000;
 
-//! Brighter objects are the Sun, for which catalogs have a distance of 0.
+//! Magnitude of an object at distance 0 below which it is the Sun, for which catalogs have a
+//! distance of 0.
 constexpr double brightest_but_the_sun = -20.0;
 
 //! Maximum absolute color; catalogs write 99 for an unknown one.
@@ -196,7 +197,8 @@ void StarRows::take(const RowCells& cells, std::size_t line) {
   if (!std::isfinite(v_mag)) {
     return leave_out({"without a magnitude", 1, line, false});
   }
-  // Other stars also have a distance of 0 if it is unknown.
+  // The magnitude is checked too, because catalogs also have a distance of 0 for stars whose
+  // distance is unknown.
   if (number(cells, sun_distance, line) == 0.0 && v_mag < brightest_but_the_sun) {
     return leave_out({"for the Sun", 1, line, true});
   }

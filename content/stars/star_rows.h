@@ -25,8 +25,8 @@ class StarRows {
   //! Adds a row. Throws Error for cells that are not numbers, and for values out of range.
   void take(const RowCells& cells, std::size_t line);
 
-  //! Takes a row as the units of the columns if it contains units, and returns whether it does.
-  //! Throws Error for unsupported units.
+  //! Checks whether a row contains units, and if so applies them to the columns. Returns true if it
+  //! does. Throws Error for unsupported units.
   bool take_units(const RowCells& cells, std::size_t line);
 
   //! Counts skipped rows.
@@ -60,10 +60,11 @@ class StarRows {
   std::string file_;
   TableColumns columns_;
   char separator_ = ',';
-  bool sexagesimal_ = false;                 //!< a right ascension with minutes was read
-  bool decimal_ = false;                     //!< a right ascension without minutes was read
-  double largest_ra_ = 0.0;                  //!< maximum absolute decimal right ascension
-  std::array<bool, quantity_count> used_{};  //!< quantities that gave a magnitude or a color
+  bool sexagesimal_ = false;  //!< a right ascension with minutes was read
+  bool decimal_ = false;      //!< a right ascension without minutes was read
+  double largest_ra_ = 0.0;   //!< maximum absolute decimal right ascension
+  //! Quantities from which at least one star's magnitude or color was computed.
+  std::array<bool, quantity_count> used_{};
   StarCatalogue catalogue_;
 };
 

@@ -41,14 +41,16 @@ class CsvParser {
     if (csv_parse(&parser_, text.data(), text.size(), &take_cell, &end_row, &table) != text.size()) {
       table.fail(csv_strerror(csv_error(&parser_)), "write comma-separated values");
     }
-    // A quote that is never closed absorbs the rest of the file.
+    // Limits the size of a cell: a quote that is never closed would include the rest of the file in
+    // one.
     if (csv_get_buffer_size(&parser_) > longest_cell) {
       table.fail("has a cell of more than 64 KiB", "close its quotation marks");
     }
   }
 
   void finish(TableBuilder& table) {
-    // Strict only at the end: a quote within an unquoted cell is allowed.
+    // Strict checks apply only at the end of the file, so that a quote within an unquoted cell is
+    // allowed.
     csv_set_opts(&parser_, CSV_REPALL_NL | CSV_STRICT | CSV_STRICT_FINI);
     if (csv_fini(&parser_, &take_cell, &end_row, &table) != 0) {
       table.fail("has a quotation mark that is never closed", "close it");
@@ -118,7 +120,7 @@ class TableLines {
   }
 
  private:
-  //! Takes a line, or a part of one that continues in the next part of the text.
+  //! Processes a line, or a piece of a line that continues in the next part of the text.
   void take_piece(std::string_view piece, bool ended) {
     if (!header_found_) {
       kept_ += piece;
@@ -173,7 +175,8 @@ class TableLines {
     table_.begin(separator_, std::move(units_));
     header_found_ = true;
     if (data) {
-      // The line of this header was counted; a carriage return does not count again.
+      // The line of this header was already counted as a comment. A carriage return ends a row
+      // without being counted.
       parse(header + '\r');
     }
     at_line_start_ = kept_.ends_with('\n') || kept_.ends_with('\r');
@@ -227,16 +230,18 @@ class TableLines {
   TableBuilder table_;
   CsvParser parser_;
   char separator_ = ',';
-  std::optional<char> told_separator_;  //!< from a spreadsheet's line `sep=`
-  std::string kept_;                    //!< an incomplete line before the rows
+  std::optional<char> told_separator_;  //!< separator stated in a spreadsheet's line `sep=`
+  std::string kept_;                    //!< beginning of an incomplete line before the rows
   std::string last_comment_;
   UnitsByName units_;
   bool header_found_ = false;
   bool at_line_start_ = true;
   bool in_comment_ = false;
-  bool in_quotes_ = false;    //!< used if spaces separate cells
-  bool in_line_ = false;      //!< likewise: the line has a cell
-  bool space_waits_ = false;  //!< likewise: a space is due before the next cell
+  bool in_quotes_ = false;  //!< true within quotes; used if spaces separate cells
+  //! True if the line already has a cell; used if spaces separate cells.
+  bool in_line_ = false;
+  //! True if a space must precede the next cell; used if spaces separate cells.
+  bool space_waits_ = false;
 };
 
 }  // namespace

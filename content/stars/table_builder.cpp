@@ -88,9 +88,10 @@ void TableBuilder::take_row() {
   rows_.take(cells_, line_);
 }
 
-//! Counts the lines that end within a quoted cell. A quote closed in a later row absorbs whole
-//! rows, which their separators reveal: a cell may contain line breaks, but not as many separators
-//! as rows have. Such rows are reported as skipped.
+//! Counts the lines that end within a quoted cell. If the cell also contains at least as many
+//! separators as that number of complete rows, its closing quote is missing, and whole rows became
+//! part of the cell; they are reported as skipped. An ordinary cell may contain line breaks, but
+//! not so many separators.
 void TableBuilder::count_lines(std::string_view cell) {
   const auto lines = static_cast<std::size_t>(std::ranges::count(cell, '\n'));
   const auto separators = static_cast<std::size_t>(std::ranges::count(cell, separator_));

@@ -54,11 +54,12 @@ class TableBuilder {
   std::size_t cell_ = 0;
   bool in_header_ = true;
   bool between_rows_ = true;
-  bool rows_begun_ = false;  //!< after the header, the units and the dashes
+  //! True once a row of stars has begun: after the header, the row of units and the row of dashes.
+  bool rows_begun_ = false;
   bool only_dashes_ = true;  //!< the cells of this row contain only dashes
   char separator_ = ',';
   UnitsByName units_;
-  std::vector<std::string> names_;  //!< of the header columns that are kept
+  std::vector<std::string> names_;  //!< names of the header's columns, at most `most_columns`
   std::size_t named_ = 0;           //!< number of columns in the header
   RowCells cells_;
   std::optional<Error> problem_;

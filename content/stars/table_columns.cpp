@@ -25,7 +25,7 @@ bool holds(const std::vector<std::string>& names, std::string_view name) {
 //! Returns a text about columns that are present instead of a missing quantity, or an empty text.
 std::string substitute_for(Quantity missing, const std::vector<std::string>& names) {
   for (const Substitute& other : column_substitutes()) {
-    // One-letter names are ambiguous, so all of them must be present.
+    // One-letter names are ambiguous, so all columns of the substitute must be present.
     const bool all = other.names.begin()->size() == 1;
     const auto there = [&](std::string_view name) { return holds(names, name); };
     if (other.missing == missing &&

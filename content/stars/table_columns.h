@@ -30,11 +30,11 @@ enum Quantity {
 //! Returns the quantity in words for messages: "a declination".
 const char* words_of(Quantity quantity);
 
-//! The unit of a coordinate. `open`: only the values can decide.
+//! The unit of a coordinate. `open`: not stated; decided by the values of the column.
 enum class AngleUnit { open, degrees, hours, radians };
 
-//! The source of the unit of the right ascension. `units_row`: a row of units, an ECSV comment, or
-//! brackets after the name. `program`: the program that wrote the table.
+//! What determined the unit of the right ascension. `units_row`: a row of units, an ECSV comment,
+//! or brackets after the name. `program`: the program that wrote the table.
 enum class UnitSource { values, name, units_row, program };
 
 struct CoordinateUnit {
@@ -44,8 +44,10 @@ struct CoordinateUnit {
 
 //! The columns of a table that are read.
 struct TableColumns {
-  std::vector<std::optional<Quantity>> quantities;  //!< by column index
-  std::vector<std::string> names;                   //!< by quantity, as written in the table; empty if absent
+  //! Quantity of each column; empty if the column is not read.
+  std::vector<std::optional<Quantity>> quantities;
+  //! Column name for each quantity, as written in the table; empty if absent.
+  std::vector<std::string> names;
   CoordinateUnit ra;
   CoordinateUnit dec = {AngleUnit::degrees, UnitSource::name};
   std::string program;  //!< the program or archive that wrote the table: "Gaia's archive", "HYG"; empty if unknown

@@ -17,7 +17,9 @@ struct RayRow {
   double theta = 0.0;  //!< [rad]
   ObserverMotion motion = ObserverMotion::zamo;
   Vector3<double>
-      velocity{};  //!< in the ZAMO frame for ObserverMotion::velocity ("boost"), in the rain's for rain_boost
+      //! Velocity in the ZAMO frame for ObserverMotion::velocity ("boost"), in the rain frame for
+      //! rain_boost.
+      velocity{};
   Vector3<double> direction{};  //!< unit vector in the observer's frame (e_r, e_θ, e_φ)
 };
 

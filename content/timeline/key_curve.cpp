@@ -7,19 +7,21 @@ namespace ergodome {
 
 namespace {
 
-// For a span of length h that rises at the mean rate d (falling ones are mirrored) and begins with
-// the derivatives m and s, the first Bernstein coefficients are p, p + h m / 5 and p + 2 h m / 5 +
-// h² s / 20. They increase, and stay in the first half of the span, if m ≥ 0 and -4 m / h ≤ s ≤ 10
-// d / h - 8 m / h. At the end the same holds with the sign of s reversed. The two spans at a key
-// share m and s: an s for both exists if m ≤ 2.5 d on both sides, and if m is at most 1.25 times
-// the slope of the parabola.
+// Constraints for a span of length h that rises at the mean rate d (falling spans are mirrored)
+// from the value p, and begins with the first derivative m and the second derivative s. Its first
+// Bernstein coefficients are p, p + h m / 5 and p + 2 h m / 5 + h² s / 20. They increase, and stay
+// in the first half of the span's rise, if m ≥ 0 and -4 m / h ≤ s ≤ 10 d / h - 8 m / h. At the end
+// of a span the same holds with the sign of s reversed. The two spans at a key share m and s. An s
+// that satisfies both exists if m ≤ 2.5 d for both spans, and if m is at most 1.25 times the slope
+// of the parabola.
 constexpr double steepest = 2.5;
 //! Maximum slope, relative to the span's mean rate, at an end with s = 0.
 constexpr double steepest_straight = 1.25;
 
 double same_sign(double value, double as) { return std::copysign(value, as); }
 
-//! Returns the motion at the full-speed end of a span that rests at its other end: t³.
+//! Returns the motion at the end of a span that has full speed there and rests at its other end:
+//! that of the cubic t³.
 KeyMotion unslowed(const Chord& own, double side) { return {3.0 * own.rate, side * 6.0 * own.rate / own.span_s}; }
 
 KeyMotion straight_on(const Chord& other, const Chord& own) {
@@ -29,20 +31,20 @@ KeyMotion straight_on(const Chord& other, const Chord& own) {
   return {same_sign(std::min(std::abs(other.rate), steepest_straight * std::abs(own.rate)), own.rate), 0.0};
 }
 
-//! Range of a second derivative.
+//! Allowed range of a second derivative.
 struct Limits {
   double least;
   double greatest;
 };
 
-//! Returns the range for a span that begins with the slope m.
+//! Returns the allowed range of the second derivative for a span that begins with the slope m.
 Limits limits_at_begin(double m, const Chord& way) {
   const double back = -4.0 * m / way.span_s;
   const double forth = (10.0 * way.rate - 8.0 * m) / way.span_s;
   return {std::min(back, forth), std::max(back, forth)};
 }
 
-//! Returns the range for a span that ends with the slope m.
+//! Returns the allowed range of the second derivative for a span that ends with the slope m.
 Limits limits_at_end(double m, const Chord& way) {
   const double back = 4.0 * m / way.span_s;
   const double forth = (8.0 * m - 10.0 * way.rate) / way.span_s;
@@ -135,7 +137,7 @@ double quintic(double from, double to, double span_s, const KeyMotion& begin, co
   const double s = 1.0 - t;
   const double sum = t * (5.0 * s * s * s * s * c1 +
                           t * (10.0 * s * s * s * c2 + t * (10.0 * s * s * c3 + t * (5.0 * s * c4 + t * way))));
-  // Rounding must not leave the range of the number.
+  // Prevents rounding errors from leaving the range between the two values.
   return std::clamp(from + sum, std::min(from, to), std::max(from, to));
 }
 

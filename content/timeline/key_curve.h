@@ -7,21 +7,21 @@
 
 namespace ergodome {
 
-//! Times and easing of a key: when the curve arrives and leaves (later, if the key is held), and
-//! the easing of the span after it.
+//! Times and easing of a key: when the curve arrives at it and when it leaves (later, if the key is
+//! held), and the easing between this key and the next.
 struct CurveKey {
   double arrive_s;
   double leave_s;
   Ease ease;
 };
 
-//! Rises from 0 to 1 on [0, 1], with two zero derivatives at both ends.
+//! Rises from 0 to 1 on [0, 1]; its first and second derivative are zero at both ends.
 inline double eased(double s) { return s * s * s * (10.0 + s * (6.0 * s - 15.0)); }
 
 //! The motion of a curve at a key.
 struct KeyMotion {
-  double rate = 0.0;    //!< first derivative [1/s]
-  double change = 0.0;  //!< second derivative [1/s²]
+  double rate = 0.0;    //!< first derivative of the curve [1/s]
+  double change = 0.0;  //!< second derivative of the curve [1/s²]
 };
 
 //! The straight line between two keys.
@@ -32,10 +32,10 @@ struct Chord {
 
 //! How the curve between two keys begins or ends.
 enum class SpanEnd {
-  rest,      //!< both derivatives are 0
-  shared,    //!< the same derivatives as on the other side of the key
-  straight,  //!< at the speed of the neighboring linear span, limited against overshoot
-  at_speed   //!< at full speed without easing, as t³ ends
+  rest,      //!< the first and second derivative are 0
+  shared,    //!< the first and second derivative equal those on the other side of the key
+  straight,  //!< the slope of the neighboring linear span, limited against overshoot
+  at_speed   //!< derivatives of a cubic t³ at t = 1: no easing at this end
 };
 
 //! Both ends of a span.

@@ -25,7 +25,7 @@ inline constexpr double least_key_gap_s = 1e-6;
 struct NumberKey {
   double time_s = 0.0;
   double value = 0.0;
-  Ease ease = Ease::smooth;  //!< on the way from this key to the next
+  Ease ease = Ease::smooth;  //!< easing on the way from this key to the next
 };
 
 //! A number of the show that changes with time, in place of its fixed value.
@@ -52,11 +52,11 @@ struct Presence {
   double fade_out_s = 0.5;
 };
 
-//! Position on the dome for a viewer who faces its front. The view's tilt does not move it.
+//! Position on the dome for a viewer who faces the dome's front. The view's tilt does not move it.
 struct DomePlace {
-  double azimuth_deg = 0.0;     //!< to the right of the front
-  double elevation_deg = 20.0;  //!< of its center, above the horizon
-  double roll_deg = 0.0;        //!< clockwise
+  double azimuth_deg = 0.0;     //!< azimuth to the right of the front
+  double elevation_deg = 20.0;  //!< elevation of the center above the horizon
+  double roll_deg = 0.0;        //!< clockwise rotation
 
   bool operator==(const DomePlace&) const = default;
 };
@@ -77,8 +77,8 @@ struct Overlay {
   Presence presence;
   bool fisheye = false;
   DomePlace place;
-  double width_deg = 30.0;  //!< of a flat image
-  double fov_deg = 180.0;   //!< of a fisheye image
+  double width_deg = 30.0;  //!< width of a flat image
+  double fov_deg = 180.0;   //!< field of view of a fisheye image
   double opacity = 1.0;
 };
 

@@ -7,15 +7,17 @@
 
 namespace ergodome {
 
-//! Disk crossings of the light that reaches one camera position: a grid over the whole sky in the
-//! rain frame, including the shadow. It serves every motion, orientation and azimuth of the camera
-//! there. DiskGrid documents the arrays.
+//! Disk crossings of the light that reaches one camera position: a grid over all view directions in
+//! the rain frame, including those in the shadow. It applies to every motion, orientation and
+//! azimuth of the camera at that position. DiskGrid documents the arrays.
 struct DiskStation {
-  //! Sets of nodes: one per order with a pattern, otherwise only the first.
+  //! Arrays of nodes by order of crossing. If the disk has a pattern there is one for each order,
+  //! otherwise only that of the first order.
   using NodeSets = std::vector<float>[layer_orders];
 
-  LensStation cells;     //!< without nodes; the chart is that of kernels/disk/disk_chart.h, without a range
-  double inner_r = 0.0;  //!< edges of the disk [M]
+  //! Grid cells, without nodes; the chart is that of kernels/disk/disk_chart.h, without a range.
+  LensStation cells;
+  double inner_r = 0.0;  //!< inner edge of the disk [M]
   double outer_r = 0.0;
   bool pattern = false;  //!< true if the nodes contain azimuth and time
   NodeSets nodes;

@@ -11,7 +11,8 @@ namespace ergodome {
 
 namespace {
 
-//! The first byte is not text, and the line breaks reveal files that were transferred as text.
+//! First bytes of a trajectory file. The first byte is not text, and a transfer of the file as text
+//! would change the line breaks.
 constexpr unsigned char frame_magic[8] = {0x89, 'E', 'R', 'G', 'O', '\r', '\n', 0x1A};
 constexpr std::size_t header_summed_bytes = trajectory_header_bytes - 8;
 constexpr std::size_t frame_summed_bytes = frame_header_bytes - 8;

@@ -40,18 +40,19 @@ enum class FrameKind : std::uint32_t {
 //! The header of a trajectory file.
 struct TrajectoryHeader {
   bool sealed = false;             //!< false: the journal of a bake, without an index
-  std::uint64_t file_bytes = 0;    //!< only in a sealed file
-  std::uint64_t index_offset = 0;  //!< only in a sealed file
-  std::uint64_t index_bytes = 0;   //!< including its frame header
+  std::uint64_t file_bytes = 0;    //!< size of the file; set only in a sealed file
+  std::uint64_t index_offset = 0;  //!< offset of the index; set only in a sealed file
+  std::uint64_t index_bytes = 0;   //!< size of the index, including its frame header
   std::uint32_t station_count = 0;
   std::uint32_t version = outside_version;
 };
 
 struct FrameHeader {
   FrameKind kind;
-  std::uint32_t number;          //!< index of the station, also for its disk layers; 0 in other frames
-  std::uint64_t payload_bytes;   //!< as stored in the file
-  std::uint64_t unpacked_bytes;  //!< after decompression; equals payload_bytes if not compressed
+  std::uint32_t number;         //!< index of the station, also for its disk layers; 0 in other frames
+  std::uint64_t payload_bytes;  //!< size of the payload as stored in the file
+  //! Size of the payload after decompression; equals payload_bytes if it is not compressed.
+  std::uint64_t unpacked_bytes;
   std::uint64_t checksum;
 };
 

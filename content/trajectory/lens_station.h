@@ -7,8 +7,9 @@
 
 namespace ergodome {
 
-//! The lens map of one camera position: a grid over the whole sky in the rain frame. It serves
-//! every motion, orientation and azimuth of the camera there. LensGrid documents the arrays.
+//! The lens map of one camera position: a grid over all view directions in the rain frame. It
+//! applies to every motion, orientation and azimuth of the camera at that position. LensGrid
+//! documents the arrays.
 struct LensStation {
   Spacetime spacetime;
   double r = 0.0;           //!< Boyer-Lindquist radius [M]
@@ -25,9 +26,9 @@ struct LensStation {
   std::vector<int> leaves;
   std::vector<float> nodes;
   std::vector<float> leaf_error_px;  //!< maximum error at each leaf's check points [px]
-  //! Data for images of stars, empty if not requested: the nodes as traced by rays, including those
-  //! in the middle of a larger leaf's side; and the displacements at each leaf's check points
-  //! (CheckBatch), those along γ before those along s.
+  //! Data for the search for star images, empty if not requested: the nodes as traced by rays,
+  //! including nodes in the middle of a larger leaf's side; and the displacements at each leaf's
+  //! check points (CheckBatch), first those along γ, then those along s.
   std::vector<float> traced_nodes;
   std::vector<float> leaf_displacements;
   //! Derivatives of the nodes with respect to the camera's position at fixed (γ, s), without the

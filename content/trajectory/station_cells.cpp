@@ -35,8 +35,8 @@ bool is_place(const LensStation& s) {
   return s.r > deepest && s.r < 1e9 && s.theta >= 0.0 && s.theta <= 3.1416;
 }
 
-//! Returns true if the axes are orthonormal, right-handed or left-handed, and the edge is an angle
-//! at every γ.
+//! Returns true if the chart's axes are orthonormal (right-handed or left-handed) and the shadow's
+//! edge is an angle at every γ.
 bool is_chart(const LensStation& s) {
   const auto near = [](float value, float wanted) { return std::abs(value - wanted) < 1e-3F; };
   const bool orthonormal = near(dot(s.centre, s.centre), 1.0F) && near(dot(s.first, s.first), 1.0F) &&

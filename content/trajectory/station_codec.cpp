@@ -10,8 +10,8 @@ namespace ergodome {
 
 namespace {
 
-//! Stored components of a node: three of each vector, and the first padding float, which marks a
-//! node that sees the sky.
+//! Indices of the floats of a node that are stored: the three components of each vector, and the
+//! first padding float, which marks a node that sees the sky.
 constexpr int stored_components[] = {0, 1, 2, 3, 4, 5, 6, 8, 9, 10, 12, 13, 14};
 
 void write_nodes(ByteWriter& to, const std::vector<float>& nodes) {
@@ -27,8 +27,9 @@ void read_nodes(ByteReader& from, std::size_t count, std::vector<float>& nodes) 
   }
 }
 
-//! Returns how many components of a node are stored, each as value, derivatives along γ and s, and
-//! mixed derivative: 1/r of three orders, or all components with a pattern.
+//! Returns how many components of each node are stored: 1/r of three orders, or with a pattern all
+//! four components. Each is stored as its value, its derivatives along γ and s, and its mixed
+//! derivative.
 std::size_t stored_parts(bool pattern) { return pattern ? 4 : 3; }
 
 std::size_t stored_floats(const DiskStation& station) {

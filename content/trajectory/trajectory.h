@@ -15,7 +15,7 @@ namespace ergodome {
 //! The inputs of a bake. Two bakes with the same provenance produce the same stations.
 struct TrajectoryProvenance {
   std::string code_version;
-  std::string show_text;  //!< as TOML
+  std::string show_text;  //!< the show as TOML
   Spacetime spacetime;
   double pixel = 0.0;        //!< angle of a screen pixel [rad]
   double budget_px = 0.0;    //!< accepted displacement on the screen
@@ -30,27 +30,30 @@ struct StationEntry {
   double time_s = 0.0;       //!< show time of the camera at this position
   double r = 0.0;            //!< [M]
   double theta = 0.0;        //!< [rad]
-  std::uint64_t offset = 0;  //!< of its frame in the file
-  std::uint64_t bytes = 0;   //!< of its frame
-  //! Error on the screen of blending this station with the next one, the larger of those at a
-  //! quarter and at half of the way [px]. At each it is the error that 1% of the sky exceeds, or a
-  //! fifth of the error that 0.1% exceeds, whichever is larger. 0 if the camera does not move, -1
-  //! for the last station.
+  std::uint64_t offset = 0;  //!< offset of the station's frame in the file
+  std::uint64_t bytes = 0;   //!< size of the station's frame
+  //! Error on the screen if this station and the next one are blended: the larger of the errors at
+  //! a quarter and at half of the way [px]. The error at a point of the way is the value that 1% of
+  //! the sky exceeds, or a fifth of the value that 0.1% exceeds, whichever is larger. 0 if the
+  //! camera does not move, -1 for the last station.
   float gap_error_px = -1.0F;
   std::uint32_t nodes = 0;
   std::uint32_t leaves = 0;
-  std::uint32_t disk_bytes = 0;         //!< of the frame with its disk layers, which follows; 0 without disk layers
-  std::uint32_t disk_memory_bytes = 0;  //!< of these after decompression
-  float disk_gap_error_px =
-      0.0F;  //!< like gap_error_px, for the disk's layers; 0 without, 1e30 if they cannot be blended
+  //! Size of the frame with its disk layers, which follows the station's frame; 0 without disk
+  //! layers.
+  std::uint32_t disk_bytes = 0;
+  std::uint32_t disk_memory_bytes = 0;  //!< size of the disk layers after decompression
+  //! Like gap_error_px, for the disk's layers; 0 without layers, 1e30 if they cannot be blended.
+  float disk_gap_error_px = 0.0F;
 };
 
-//! An interval between two stations that blends accurately enough, or as accurately as possible.
+//! An accepted interval between two stations: blending them is accurate enough, or division would
+//! not make it more accurate.
 struct Gap {
   double begin_s = 0.0;
   double end_s = 0.0;
   float error_px = 0.0F;
-  float disk_error_px = 0.0F;  //!< of the disk layers
+  float disk_error_px = 0.0F;  //!< blending error of the disk layers
 };
 
 //! Summary of the gaps whose blending error exceeds a limit.
@@ -58,7 +61,7 @@ struct MissedGaps {
   int count = 0;
   double seconds = 0.0;       //!< total duration
   double worst_px = 0.0;      //!< largest error
-  double worst_time_s = 0.0;  //!< in the middle of the gap with the largest error
+  double worst_time_s = 0.0;  //!< show time in the middle of the gap with the largest error
 };
 
 //! Summarizes the gaps of a finished trajectory whose StationEntry::gap_error_px exceeds

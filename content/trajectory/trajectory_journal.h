@@ -11,12 +11,12 @@
 namespace ergodome {
 
 //! The journal of an unfinished bake: stations and gaps in the order of their computation, each
-//! flushed to the disk before the next one. After an interruption only the unfinished one is lost,
-//! and the bake can resume.
+//! flushed to the disk before the next one begins. After an interruption only the unfinished entry
+//! is lost, and the bake can resume.
 class TrajectoryJournal {
  public:
   //! Opens or creates a journal, and removes a truncated frame at its end. Throws Error if another
-  //! process uses it, or if it belongs to another bake.
+  //! process uses the journal, or if it belongs to another bake.
   TrajectoryJournal(const std::filesystem::path& path, const TrajectoryProvenance& provenance);
 
   [[nodiscard]] bool has_station(double time_s) const { return stations_.contains(time_s); }

@@ -15,8 +15,9 @@
 // or a dual number (added by kernels/core/dual.h).
 namespace ergodome::inline ERGO_TARGET {
 
-//! Components of a real type: `Scalar` is float or double, `Real` the type without derivatives,
-//! `Integer` as many integers of the same width, `lane_count` the number of lanes.
+//! Types that belong to a real type: `Scalar` is the number type of one lane (float or double),
+//! `Real` the type without derivatives, and `Integer` a pack of integers of the same width as
+//! Scalar. `lane_count` is the number of lanes.
 template <class T>
 struct RealTraits {
   using Scalar = T;
@@ -211,7 +212,8 @@ ERGO_HD void sine_cosine(const T& angle, T& sine, T& cosine) {
   T s;
   T c;
   detail::sine_cosine_octant(rest, s, c);
-  // quadrant mod 4 in {0, 1, 2, 3} without integers, for numbers and packs.
+  // Computes quadrant mod 4 (0, 1, 2 or 3) by rounding instead of integer arithmetic, which works
+  // for numbers and packs.
   const T turn = quadrant - S(4) * round_to_nearest(quadrant * S(0.25) - S(0.375));
   const auto odd = absolute(turn - S(2) * round_to_nearest(turn * S(0.5) - S(0.25))) > S(0.5);
   const auto sine_negative = turn > S(1.5);

@@ -88,7 +88,7 @@ struct MixedDual {
   T value;
   T along_x;
   T along_y;
-  T mixed;  //!< second derivative, once along each direction
+  T mixed;  //!< mixed second derivative ∂²/∂x∂y
 
   MixedDual() = default;
   ERGO_HD MixedDual(const T& v)  // NOLINT(google-explicit-constructor)

@@ -4,9 +4,9 @@
 //! file is compiled for.
 //!
 //! ERGO_HD_RARE functions contain code that few pictures need. On the host they are not inlined, so
-//! that the loops of other pictures remain short. On a device, a call would cost all pictures
-//! registers.
-//! ERGO_HD_CALLED functions are never inlined: they are large, and have several callers.
+//! that the loops of other pictures remain short. On a device they are inlined, because a call
+//! would make the kernel need more registers for every picture. ERGO_HD_CALLED functions are never
+//! inlined: they are large, and have several callers.
 //!
 //! Inline code of `kernels/` is in `ergodome::ERGO_TARGET`, an inline namespace. The same header
 //! compiled for AVX-512 and for plain x86-64 in one program gives two functions with two names, so
@@ -22,9 +22,9 @@
 #define ERGO_HD_CALLED [[gnu::noinline]] inline
 #endif
 
-//! Makes the compiler unroll the next loop; the order of a series and the stages of a method are
-//! constants. Disabled for sanitizers, whose checks in unrolled code take the compiler many
-//! minutes.
+//! Makes the compiler unroll the next loop, whose length is a compile-time constant (the order of a
+//! series, or the number of stages of a method). Disabled for sanitizers, whose checks in unrolled
+//! code take the compiler many minutes.
 #if defined(ERGODOME_SANITIZED)
 #define ERGO_UNROLL
 #elif defined(__CUDA_ARCH__) || defined(__clang__)

@@ -29,8 +29,8 @@ ERGO_HD T load_lanes(const ScalarOf<T>* from, int first, int count) {
   }
 }
 
-//! Writes the lanes that lie inside the array. Does nothing for a null pointer, a channel that is
-//! not wanted.
+//! Writes the lanes that lie inside the array. Does nothing if the pointer is null, which means
+//! that this output channel is not requested.
 template <class T>
 ERGO_HD void store_lanes(ScalarOf<T>* to, int first, int count, const T& value) {
   if (to == nullptr) {
@@ -57,7 +57,7 @@ ERGO_HD T lane_numbers() {
   return value;
 }
 
-//! Returns the mask whose lane i is bit i.
+//! Returns a mask in which lane i is set if bit i of `bits` is set.
 template <class T>
 ERGO_HD MaskOf<T> mask_from_bits(unsigned bits) {
   T flags(ScalarOf<T>(0));
@@ -67,7 +67,8 @@ ERGO_HD MaskOf<T> mask_from_bits(unsigned bits) {
   return flags > T(ScalarOf<T>(0));
 }
 
-//! Returns bits for the valid lanes of a register that begins at element `first` of `count`.
+//! Returns a bit mask of the lanes that are inside the array, for a register that begins at element
+//! `first` of `count`.
 template <class T>
 ERGO_HD unsigned bits_within(int first, int count) {
   constexpr int lanes = RealTraits<T>::lane_count;

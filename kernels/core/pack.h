@@ -21,7 +21,8 @@ inline constexpr int register_bytes = 32;
 inline constexpr int register_bytes = 16;
 #endif
 
-//! Mask of a pack: all bits of a lane set, or none, in integers as wide as the numbers.
+//! Mask of a pack. Each lane is an integer as wide as the numbers, with all bits set (true) or no
+//! bit set (false).
 template <class T, int N>
 struct PackMask {
   using Integer = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;

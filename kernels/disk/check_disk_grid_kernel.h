@@ -23,8 +23,8 @@ struct CheckDiskGrid {
   }
 
  private:
-  //! Finds the largest displacement of all orders at a position. Returns false if none of the
-  //! disk's images is near.
+  //! Computes the largest displacement on the screen [px] between the grid and the traced ray at a
+  //! position, over all orders. Returns false if no image of the disk is near the position.
   ERGO_HD bool compare(const RaysOfDiskChart<T, WithPattern>& rays, int i, float gamma_turns, float s,
                        float& error_px) const {
     const LensGrid& cells = batch.grid.cells;
@@ -43,7 +43,8 @@ struct CheckDiskGrid {
       if (told && !leaf.flagged) {
         PatchValue value = patch_value(batch.grid.nodes[WithPattern ? order : 0], cells.leaves + 4 * leaf.number, at.u,
                                        at.v, leaf.width_turns, leaf.height);
-        // In the mirrored half, γ increases in the opposite direction.
+        // The grid covers only half a turn; in the other half, which is its mirror image, γ
+        // increases in the opposite direction.
         value.along_gamma = (over ? -1.0F : 1.0F) * value.along_gamma;
         error_px = maximum(error_px, miss.of(value, order, rays.layers[order], i, rays.screen(i)));
       } else if (seen && !told) {

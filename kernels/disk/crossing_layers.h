@@ -9,33 +9,35 @@
 // the disk may be seen.
 //
 // When light crosses the plane depends only on its polar motion, and it does so at a finite Mino
-// time. So 1/r at the n-th crossing is a smooth function of the direction, even from light that the
-// hole captures to light that escapes, if 1/r is continued beyond the range that matters. Inwards
-// from where no light turns, and outwards from beyond the disk, 1/r, azimuth and time are continued
-// straight, as if no force acted. Values and first derivatives are continuous where that begins,
-// and nothing diverges at the horizon or far out.
+// time. So 1/r at the n-th crossing is a smooth function of the direction, even across the boundary
+// between light that the hole captures and light that escapes, if 1/r is continued beyond the range
+// in which the equation of motion is followed (LayerLimits). Once light goes inwards past the
+// radius below which no light turns, or outwards past the disk, its 1/r, azimuth and time continue
+// at constant rates ("straight"), as if no force acted. Values and first derivatives are continuous
+// where this continuation begins, and nothing diverges at the horizon or far out.
 namespace ergodome::inline ERGO_TARGET {
 
-//! The crossing of one order. Outside the bounds of LayerLimits, u is the bound, without
-//! derivatives.
+//! The crossing of one order. If u would be outside [lowest_u, highest_u] of LayerLimits, it is the
+//! nearer of these bounds, and its derivatives are 0.
 template <class T>
 struct CrossingLayer {
   T u;  //!< 1 / r [1/M]
-  //! Of the Boyer-Lindquist azimuth relative to the camera's, minus the winding at u
-  //! (horizon_winding.h); only with the pattern.
+  //! Cosine and sine of the crossing's Boyer-Lindquist azimuth relative to the camera's, minus the
+  //! winding at u (horizon_winding.h). Only computed if the disk has a pattern.
   T cosine;
   T sine;
-  //! Coordinate time from emission to the camera, minus that of the winding [M]; only with the
-  //! pattern.
+  //! Coordinate time from emission to the camera, minus the time of the winding [M]. Only computed
+  //! if the disk has a pattern.
   T delay;
   T distance;  //!< affine distance from the camera [M]; only if Parts include it
-  //! Du/dλ, backwards: positive for light emitted outwards; only with the distance.
+  //! Rate du/dλ along the ray, followed backwards: positive for light emitted outwards. Only
+  //! computed with the distance.
   RealOf<T> u_rate;
 };
 
 namespace detail {
 
-//! Constant rates on the straight continuation of a ray.
+//! Constant rates of a ray's quantities on its straight continuation.
 template <class T>
 struct StraightRates {
   T drag;
@@ -43,7 +45,8 @@ struct StraightRates {
   T distance;
 };
 
-//! Removes the force from the series of the lanes that are continued straight.
+//! Replaces the series of lanes on their straight continuation: u is linear, and the other
+//! quantities change at the constant `rates`.
 template <int Order, class T, NearParts Parts>
 ERGO_HD void straighten(const MaskOf<RealOf<T>>& straight, const StraightRates<T>& rates,
                         NearSeries<Order, T, Parts>& s) {
@@ -88,8 +91,8 @@ ERGO_HD CrossingLayer<T> empty_layer(const T& u) {
   return {u, none, none, none, none, zero};
 }
 
-//! Reads a layer from the series at the h where the light is in the plane. Lanes that are continued
-//! straight have lost their winding where that began.
+//! Reads a layer from the series at the h where the light crosses the plane. In lanes on a straight
+//! continuation, the winding has already been subtracted at the start of the continuation.
 template <int Order, class T, NearParts Parts>
 ERGO_HD CrossingLayer<T> layer_at(const LostWinding<T>& lost, const MaskOf<RealOf<T>>& straight,
                                   const NearSeries<Order, T, Parts>& s, const T& h) {
@@ -123,8 +126,8 @@ ERGO_HD void keep_layer(const Mask& mask, const CrossingLayer<T>& from, Crossing
         select(mask, from.u_rate, to.u_rate)};
 }
 
-//! Makes light that starts in the equatorial plane cross it where neighboring light does: its
-//! vertical rate gets a minimum size, which does not matter, and keeps its sign.
+//! For light that starts in the equatorial plane: makes it cross the plane where neighboring light
+//! does. Its vertical rate keeps its sign but gets a minimum size, too small to affect the picture.
 template <class T>
 ERGO_HD NearRay<T> off_the_plane(const NearRay<T>& ray) {
   using S = ScalarOf<T>;
@@ -147,13 +150,13 @@ struct LayerState {
 
   Mask active;
   Mask straight;
-  Real side;   //!< of the plane
-  Real count;  //!< crossings so far
+  Real side;   //!< side of the plane: sign of z
+  Real count;  //!< number of crossings so far
   StraightRates<T> rates;
 };
 
-//! Returns where a step ends: at `length`, or earlier where 1/r leaves the range that matters.
-//! `leaves` receives the lanes that are continued straight from there.
+//! Returns where a step ends: at `length`, or earlier where 1/r leaves the range of LayerLimits.
+//! `leaves` receives the lanes that continue straight from the end of this step.
 template <int Order, class T, NearParts Parts>
 ERGO_HD T end_of_step(const NearSeries<Order, T, Parts>& s, const LayerLimits<ScalarOf<T>>& limits,
                       const RealOf<T>& length, const LayerState<T>& state, MaskOf<RealOf<T>>& leaves) {
@@ -166,7 +169,8 @@ ERGO_HD T end_of_step(const NearSeries<Order, T, Parts>& s, const LayerLimits<Sc
   const auto inwards = (end > Real(limits.near_u)) & (rate > zero);
   const auto outwards = (end < Real(limits.far_u)) & (rate < zero);
   leaves = (inwards | outwards) & (!state.straight) & state.active;
-  // A lane that began beyond the bound has turned there, and is far from the disk.
+  // A lane that began the step already beyond the bound has turned there, far from the disk. For
+  // it, the continuation starts at the end of the step.
   const Real bound = select(inwards, Real(limits.near_u), Real(limits.far_u));
   const auto passes = leaves & ((inwards & (begin < bound)) | (outwards & (begin > bound)));
   if (!any(passes)) {
@@ -182,8 +186,8 @@ ERGO_HD T end_of_step(const NearSeries<Order, T, Parts>& s, const LayerLimits<Sc
   return select(passes, exit, T(length));
 }
 
-//! Removes the winding from azimuth and time of lanes that are continued straight from h = 0 of the
-//! series. `kept` receives their straight rates.
+//! Subtracts the winding from azimuth and time in the lanes that continue straight from h = 0 of
+//! the series. `kept` receives the constant rates of these lanes.
 template <int Order, class T, NearParts Parts>
 ERGO_HD void unwind(const LostWinding<T>& lost, const MaskOf<RealOf<T>>& leaves, const StraightRates<T>& rates,
                     NearSeries<Order, T, Parts>& s, StraightRates<T>& kept) {
@@ -195,7 +199,8 @@ ERGO_HD void unwind(const LostWinding<T>& lost, const MaskOf<RealOf<T>>& leaves,
   kept.delay = select(leaves, rates.delay - lost.delay * rate, kept.delay);
 }
 
-//! Detects a crossing in a step, keeps its layer, and counts it.
+//! If a lane crosses the plane during a step, stores the crossing as the layer of its order and
+//! counts it.
 template <int Order, class T, NearParts Parts>
 ERGO_HD void meet_plane(const LostWinding<T>& lost, const NearSeries<Order, T, Parts>& s, const RealOf<T>& length,
                         LayerState<T>& state, CrossingLayer<T> (&layers)[crossing_orders]) {
@@ -214,8 +219,8 @@ ERGO_HD void meet_plane(const LostWinding<T>& lost, const NearSeries<Order, T, P
   state.side = side;
 }
 
-//! Ends lanes that have `orders` crossings, or whose remaining crossings are so far from the disk
-//! that they do not matter.
+//! Ends lanes that have `orders` crossings, and lanes whose straight continuation has left
+//! [lowest_u, highest_u]. The missing crossings of the latter get the bound as their u.
 template <class T>
 ERGO_HD void end_layers(const T& u, const T& distance, const LayerLimits<ScalarOf<T>>& limits, int orders,
                         LayerState<T>& state, CrossingLayer<T> (&layers)[crossing_orders]) {
@@ -237,7 +242,7 @@ ERGO_HD void end_layers(const T& u, const T& distance, const LayerLimits<ScalarO
 }  // namespace detail
 
 //! Follows rays to their first `orders` crossings of the equatorial plane, wherever these are.
-//! `Parts`: what is computed beside their positions.
+//! `Parts` selects the quantities that are computed in addition to 1/r.
 //!
 //! Returns false in lanes that reached the step limit. With MixedDual numbers all derivatives are
 //! exact.
@@ -253,8 +258,8 @@ ERGO_HD MaskOf<RealOf<T>> trace_layers(ScalarOf<T> spin, const NearRay<T>& start
   const auto sees = has_been_outside(spin, ray);
   const auto within = begins_within(spin, ray);
   for (CrossingLayer<T>& layer : layers) {
-    // Light within the horizon that has never been outside has no neighbors that come from far
-    // away.
+    // Light within the horizon that never was outside has no neighboring light that comes from far
+    // away, so its layers get the inner bound.
     layer = detail::empty_layer(T(select(sees, Real(limits.lowest_u), Real(limits.highest_u))));
   }
   const Real scale =

@@ -8,8 +8,8 @@ namespace ergodome::inline ERGO_TARGET {
 //! A position in the equatorial plane from which light comes.
 template <class T>
 struct EquatorialCrossing {
-  //! 1 / r [1/M]; 0 if there is no crossing. Without WithDelay also past infinity, u < 0, and past
-  //! the horizon.
+  //! 1 / r [1/M]; 0 if there is no crossing. Without WithDelay, crossings past infinity (u < 0) and
+  //! behind the horizon are stored as well.
   T u;
   T u_rate;        //!< du/dλ, backwards: positive for light emitted outwards
   T x, y;          //!< (cosφ, sinφ) without frame dragging; only with WithDelay
@@ -60,8 +60,9 @@ ERGO_HD Real side_of(const Real& z, const Real& otherwise) {
   return select(z > Real(S(0)), Real(S(1)), select(z < Real(S(0)), Real(S(-1)), otherwise));
 }
 
-//! Returns the lanes whose light passes the horizon before the end of a step, even if it turns
-//! behind it. Light that comes back is from another universe.
+//! Returns the lanes whose ray, followed backwards, enters the horizon before the end of a step,
+//! even if it turns behind the horizon. Light on the part after such a turn would come from another
+//! universe.
 template <int Order, class T, NearParts Parts>
 ERGO_HD MaskOf<RealOf<T>> falls_within(const NearSeries<Order, T, Parts>& s, const RealOf<T>& length,
                                        ScalarOf<T> horizon_r) {

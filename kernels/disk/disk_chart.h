@@ -10,9 +10,9 @@
 //   s = α (π - α_e) / (α (π - α_e) + α_e (π - α)):
 // the center is s = 0, the edge s = 1/2, the direction opposite to the center s = 1. Where light
 // crosses the equatorial plane is a smooth function at the edge, since light crosses at a finite
-// Mino time, whatever becomes of it later. But across the edge that function changes faster from
-// order to order. So the edge is a line of the chart, and cells there may be thin. Inverse: α = π
-// α_e s / (π (1 - s) - α_e (1 - 2 s)).
+// Mino time, whatever becomes of it later. But the higher the order of the crossing, the faster
+// this function changes across the edge. So the edge is a line of constant s, along which cells may
+// be thin. Inverse: α = π α_e s / (π (1 - s) - α_e (1 - 2 s)).
 namespace ergodome::inline ERGO_TARGET {
 
 //! Position of a direction in the chart, with its derivatives.
@@ -71,7 +71,8 @@ struct DiskLanePlace {
   }
 };
 
-//! Returns the position of lane `i`. A grid of half the sky is read at -γ for the other half.
+//! Returns the position of lane `i`. If the grid covers only half of the sky, positions in the
+//! other half are mirrored to -γ.
 template <class T>
 ERGO_HD DiskLanePlace disk_lane_place(const LensGrid& cells, const DiskPlace<T>& place, int i) {
   const float turns = lane(place.gamma_turns.value, i);

@@ -8,15 +8,15 @@
 // innermost stable orbit Cunningham 1975.)
 namespace ergodome {
 
-//! How matter moves in the equatorial plane.
+//! Parameters of the motion of matter in the equatorial plane.
 template <class S>
 struct DiskFlow {
   S spin;
   //! Innermost stable orbit [M]; inside it matter falls with that orbit's energy and angular
   //! momentum.
   S stable_r;
-  S energy;                  //!< of that orbit, for mass 1
-  S axial_angular_momentum;  //!< of that orbit [M]
+  S energy;                  //!< energy of the innermost stable orbit, for mass 1
+  S axial_angular_momentum;  //!< L_z of the innermost stable orbit, for mass 1 [M]
 };
 
 inline namespace ERGO_TARGET {
@@ -77,7 +77,8 @@ ERGO_HD S circular_frequency(S spin, const DiskLight<S>& light) {
 
 namespace detail {
 
-//! Returns Δ from its factors, since the sum loses digits next to the horizon of a fast hole.
+//! Returns Δ from its factors, since the sum r² - 2r + a² loses digits next to the horizon of a
+//! fast-spinning hole.
 template <class S>
 ERGO_HD S lapse_at(S spin, S r) {
   const S half_gap = safe_sqrt((S(1) - spin) * (S(1) + spin));
@@ -105,8 +106,8 @@ ERGO_HD bool can_be_there(S spin, const DiskLight<S>& light) {
 //!   V² = P² - Δ M = 2 r (r_s - r)³ / (3 r_s),     M = r² + (L_m - a E_m)²,
 //! with - for light that goes inwards, where W V nearly cancels X P next to the horizon, and
 //!   (X P - W V) / Δ = (K V² + M X²) / (X P + W V).
-//! A linear footprint may lead to a radius where the light cannot exist. The light is then taken to
-//! turn there, which keeps its ν above 0.
+//! Linear extrapolation across a pixel may give a radius at which light with these constants cannot
+//! exist. The light is then assumed to turn there, which keeps ν above 0.
 template <class S>
 ERGO_HD S plunging_frequency(const DiskFlow<S>& flow, const DiskLight<S>& light) {
   const S a = flow.spin;
@@ -119,7 +120,8 @@ ERGO_HD S plunging_frequency(const DiskFlow<S>& flow, const DiskLight<S>& light)
   const S m = r2 + skew * skew;
   const S way = maximum(flow.stable_r - light.r, S(0));
   const S v2 = S(2) / S(3) * (light.r / flow.stable_r) * (way * way * way);
-  // P itself is a difference that loses digits about a fast hole.
+  // P is a difference that loses digits near a fast-spinning hole, so it is computed as √(V² + Δ
+  // M).
   const S both = x * sqrt(v2 + delta * m) + safe_sqrt(x * x - delta * k) * sqrt(v2);
   const S apart = light.outwards ? both / delta : (k * v2 + m * (x * x)) / both;
   return (apart - skew * light_skew) / r2;

@@ -17,7 +17,7 @@ inline constexpr int layer_orders = 3;
 //! there is a set for each order, of (u, cosφ, sinφ, delay), with azimuth and delay minus the
 //! winding (kernels/spacetime/kerr/horizon_winding.h).
 struct DiskGrid {
-  LensGrid cells;  //!< its `nodes` are not used
+  LensGrid cells;  //!< the cells; the member `nodes` is not used
   const float* nodes[layer_orders];
   //! For each leaf: bit n is set if the disk's n-th image may be seen there.
   const unsigned char* orders;
@@ -26,13 +26,16 @@ struct DiskGrid {
   const float* nearness;
 };
 
-//! The range of 1/r that a grid is for, and the minimum changes by which its errors are measured.
+//! The disk's range of 1/r, and the minimum changes per pixel by which a grid's errors are divided
+//! to convert them to displacements in pixels.
 struct DiskSpanOnScreen {
   float outer_u;
   float inner_u;
-  //! Minimum change of 1/r in a pixel: errors are measured as if it were no smaller.
+  //! An error of 1/r is converted to pixels by dividing it by the change of 1/r across a pixel, but
+  //! at least by this.
   float least_change;
-  float least_turn;  //!< minimum turn of the pattern in a pixel [rad], likewise
+  //! The same for the pattern: minimum change of its azimuth across a pixel [rad].
+  float least_turn;
 };
 
 //! The camera of all kernels that trace a disk's grid, in the rain frame at φ = 0.
@@ -42,7 +45,7 @@ struct DiskGridCamera {
   bool pattern;
 };
 
-//! Nodes to trace: `nodes` as in DiskGrid.
+//! Nodes to trace; the members `nodes` and `nearness` have the format of DiskGrid.
 struct DiskNodeBatch {
   DiskGridCamera camera;
   int count;
@@ -61,18 +64,18 @@ struct DiskCheckBatch {
   int count;  //!< number of checks: checks_a_cell for each cell
   const GridCell* cells;
   const float* nodes[layer_orders];
-  //! Displacement on the screen of lines of equal radius, and of the pattern; the largest of all
-  //! orders.
+  //! Largest displacement on the screen, over all orders, of lines of equal radius and of the
+  //! pattern; one value per check.
   float* error_px;
   float* area_px;              //!< the cell's area on the screen [px²]
   float* u[layer_orders];      //!< 1/r at the checks
-  float* width[layer_orders];  //!< its change across a pixel there
+  float* width[layer_orders];  //!< change of 1/r across a pixel at the checks
 };
 
-//! An error of unknown size [px].
+//! Value that marks an error of unknown size [px].
 inline constexpr float unknown_disk_error = 1e30F;
 
-//! Positions of its chart at which a grid is compared with traced rays.
+//! Positions in a grid's chart at which the finished grid is compared with traced rays.
 struct DiskGridCheckBatch {
   DiskGridCamera camera;
   DiskGrid grid;
@@ -82,11 +85,11 @@ struct DiskGridCheckBatch {
   int count;
   const float* gamma_turns;
   const float* s;
-  //! As in DiskCheckBatch; 0 where the grid leaves the pixel to rays, unknown_disk_error where the
-  //! grid lacks an image.
+  //! As in DiskCheckBatch. 0 where the leaf is flagged as inaccurate, so that pixels are traced;
+  //! unknown_disk_error where the grid lacks an image that the ray sees.
   float* error_px;
-  //! Area on the screen of one turn times one unit of s [px²]; 0 where no image of the disk is
-  //! near.
+  //! Area on the screen of a chart area of one turn of γ times one unit of s [px²]; 0 where no
+  //! image of the disk is near.
   float* area_px;
 };
 

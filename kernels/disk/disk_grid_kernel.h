@@ -41,7 +41,8 @@ struct TraceDiskNodes {
   }
 
  private:
-  //! Traces the affine distances of the nodes, by rays that carry only that.
+  //! Computes the inverse affine distances of the nodes (DiskGrid::nearness), by separate rays that
+  //! carry only the distance.
   ERGO_HD void trace_nearness(const Vector3<M>& n, int first) const {
     CrossingLayer<M> layers[crossing_orders];
     detail::trace_grid_layers<NearParts::distance>(batch.camera, n, layers);
@@ -74,8 +75,8 @@ struct TraceDiskNodes {
            1e30F;
   }
 
-  //! Writes a number and its derivatives. If `otherwise` is not 0, writes that without derivatives
-  //! instead.
+  //! Writes a number and its derivatives. If `otherwise` is not 0, writes `otherwise` with
+  //! derivatives 0 instead.
   ERGO_HD static void put(float* to, const M& a, int i, float otherwise) {
     const bool good = !(::fabsf(otherwise) > 0.0F);
     to[0] = good ? lane(a.value, i) : otherwise;
@@ -120,7 +121,8 @@ struct CheckDiskCells {
   }
 
  private:
-  //! Rounding error of a direction in float [rad]: errors of this size are not the grid's.
+  //! Rounding error of a direction in float [rad]: errors up to this size are not caused by the
+  //! grid.
   static constexpr float noise = 4e-7F;
 
   //! Position of a check in its cell and in the chart.
@@ -141,7 +143,8 @@ struct CheckDiskCells {
     return {u, v, cell.gamma_turns + u * cell.width_turns, cell.s + v * cell.height};
   }
 
-  //! Returns the largest displacement of all orders at a check.
+  //! Returns the largest displacement on the screen [px] between grid and traced ray at a check,
+  //! over all orders.
   ERGO_HD float compare(int check, int i, const RaysOfDiskChart<T, WithPattern>& rays) const {
     const GridCell& cell = batch.cells[check / checks_a_cell];
     const CellPlace at = place_of(check);

@@ -26,8 +26,9 @@ struct DiskSpan {
 };
 
 //! Returns the part of the disk that a pixel sees at u = 1/r. `width`: change of u across the
-//! pixel. The coverage is that of the radii between the disk's edges. In u the map of pixels to the
-//! plane is smooth past infinity, so images finer than a pixel get their share of it.
+//! pixel. The pixel sees the range u ± width/2, and the coverage is the fraction of this range
+//! between the disk's edges. u varies smoothly even across infinity (u = 0), so an image thinner
+//! than a pixel gets the right coverage.
 ERGO_HD DiskSpan disk_span(float inner_r, float outer_r, float u, float width) {
   const float w = maximum(width, 1e-6F / inner_r);
   const float low = maximum(u - 0.5F * w, 1.0F / outer_r);
@@ -39,8 +40,8 @@ ERGO_HD DiskSpan disk_span(float inner_r, float outer_r, float u, float width) {
 }  // namespace detail
 
 //! Returns whether a pixel may contain images that are finer than itself. `change`: of 1/r across
-//! the pixel. Next to the critical curve each image is thinner than the one before, by about e^π
-//! without spin.
+//! the pixel. Next to the critical curve the image of each order is thinner than that of the order
+//! before, by a factor of about e^π without spin.
 ERGO_HD bool holds_finer(const DiskLook& look, float change) {
   constexpr float fine_change = 0.25F;  // fraction of the disk's whole range of 1/r
   return change > fine_change * (1.0F / look.inner_r - 1.0F / look.outer_r);
@@ -49,11 +50,11 @@ ERGO_HD bool holds_finer(const DiskLook& look, float change) {
 //! A crossing as one pixel sees it.
 struct SeenCrossing {
   float coverage;  //!< fraction of the pixel that the disk covers
-  float r;         //!< in the middle of the covered part [M]
+  float r;         //!< radius in the middle of the covered part [M]
   float blur;      //!< change of r across the pixel, relative to r
   bool outwards;
   float phi;    //!< Boyer-Lindquist azimuth [rad], for the pattern
-  float delay;  //!< [M], for the pattern
+  float delay;  //!< coordinate time from emission to the camera [M], for the pattern
 };
 
 //! Constants of motion of a photon; see NearRay.
@@ -66,14 +67,14 @@ struct PhotonConstants {
 
 //! Returns the light of the disk at a crossing, in linear sRGB.
 //!
-//! Intensity over the cube of the frequency is constant along a ray, so a blackbody of T is seen as
-//! one of g T; this includes both shift and beaming.
+//! Intensity over the cube of the frequency is constant along a ray, so a blackbody of temperature
+//! T is seen as one of temperature g T; this includes both shift and beaming.
 ERGO_HD Vector3<float> disk_light(const DiskLook& look, const PhotonConstants& photon, const SeenCrossing& at) {
   const float r = at.r;
   const float frequency =
       disk_frequency(look.flow, {r, photon.energy, photon.axial_angular_momentum, photon.shear_constant, at.outwards});
-  // A linear footprint may lead to a radius where the light cannot exist; its frequency is then not
-  // well above 0.
+  // Linear extrapolation across a pixel may give a radius at which this light cannot exist. The
+  // frequency is then 0 or too small, and the light is treated as dark.
   const float g = frequency > 1e-30F ? 1.0F / frequency : 0.0F;
   const float shift = look.shifted ? ::logf(maximum(g, 1e-30F)) : 0.0F;
   const Vector3<float> seen = read_blackbody(look.colours, detail::log_temperature_at(look.profile, r) + shift);

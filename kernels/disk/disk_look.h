@@ -86,14 +86,15 @@ ERGO_HD float disk_pattern(const PatternTime& time, float r, float phi, float ro
     const float shifted = (time.age - delay) / time.period + 0.5F * static_cast<float>(set);
     const float cycles = ::floorf(shifted);
     const float age = shifted - cycles;
-    // From half a life before to half a life after, so that clouds lead as much as they trail.
+    // The flow shears a cloud over its life. A cloud is undistorted in the middle of its life, so
+    // that the shear before and after is equally strong.
     const float turn = per_turn * (phi - rotation * time.period * (age - 0.5F));
     const std::uint32_t born = time.cycle + static_cast<std::uint32_t>(static_cast<std::int32_t>(cycles));
     const float weight = 1.0F - ::fabsf(2.0F * age - 1.0F);
     sum += weight * detail::cloud_noise(detail::scrambled(2U * born + set), log_r, turn - ::floorf(turn), blur);
     squares += weight * weight;
   }
-  // The sum of two sets keeps the strength of one.
+  // Keeps the contrast of the sum of two sets equal to that of one set.
   return sum / sqrt(squares);
 }
 
@@ -111,17 +112,18 @@ struct DiskProfileTable {
 //! How a disk looks.
 struct DiskLook {
   DiskFlow<float> flow;
-  float inner_r;  //!< edges [M]
+  float inner_r;  //!< inner edge [M]; outer_r: outer edge [M]
   float outer_r;
   DiskProfileTable profile;
   BlackbodyTable colours;
-  float log_unit;  //!< ln of the luminance [cd/m²] that is shown as `exposure`
+  float log_unit;  //!< ln of the luminance [cd/m²] that is displayed with the value `exposure`
   float exposure;
   float opacity;
-  //! Frequencies are shifted: light of a blackbody T is seen as that of one of g T.
+  //! Whether Doppler and gravitational shifts are applied: light of a blackbody of temperature T is
+  //! then seen as that of one of temperature g T.
   bool shifted;
-  bool limb_darkened;  //!< as by an atmosphere that scatters on electrons
-  float contrast;      //!< of the pattern; 0: no pattern
+  bool limb_darkened;  //!< limb darkening of an electron-scattering atmosphere
+  float contrast;      //!< strength of the brightness pattern; 0: no pattern
   PatternTime pattern;
 };
 

@@ -10,24 +10,24 @@
 // Errors of a disk's grid on the screen, measured by traced rays.
 namespace ergodome::inline ERGO_TARGET {
 
-//! Bounds of 1/r.
+//! Bounds of 1/r between which a grid is checked.
 struct CheckedBounds {
   float low;
   float high;
 };
 
-//! Returns the bounds between which grids must be accurate: somewhat beyond the disk's edges, for
-//! cells of which only a small part is within.
+//! Returns the bounds between which grids must be accurate: somewhat beyond the disk's edges, so
+//! that cells with only a small part inside the disk are checked as well.
 ERGO_HD CheckedBounds checked_bounds(const DiskSpanOnScreen& span, const LayerLimits<float>& limits) {
   return {0.6F * span.outer_u, span.inner_u + 0.25F * maximum(limits.near_u - span.inner_u, 0.0F)};
 }
 
 //! Converts derivatives in a disk's chart to derivatives on the screen.
 struct DiskScreen {
-  float scale;            //!< [px/rad]
-  float alpha_by_turn;    //!< dα/dγ
-  float s_per_alpha;      //!< [1/rad]
-  float turns_per_angle;  //!< across [1/rad]
+  float scale;            //!< scale of the screen [px/rad]
+  float alpha_by_turn;    //!< dα/dγ at constant s [rad/turn]
+  float s_per_alpha;      //!< ∂s/∂α [1/rad]
+  float turns_per_angle;  //!< turns of γ per angle perpendicular to α [1/rad]
 
   //! Returns the change across a pixel of a quantity with these derivatives along γ [turns] and s.
   [[nodiscard]] ERGO_HD float across_pixel(float along_gamma, float along_s) const {
@@ -55,8 +55,8 @@ struct RaysOfDiskChart {
   CrossingLayer<T> layers[crossing_orders];
   MaskOf<T> done;  //!< false where a ray reached the step limit
   MixedDual<T> alpha;
-  T scale;  //!< [px/rad]
-  T sine;   //!< of α
+  T scale;  //!< scale at which the observer sees each ray [px/rad]
+  T sine;   //!< sin α
 
   ERGO_HD RaysOfDiskChart(const DiskGridCamera& camera, const AberrationOf<float>& observer, float pixel,
                           const T& gamma_turns, const T& s)
@@ -76,8 +76,8 @@ struct RaysOfDiskChart {
             0.159154943F / maximum(::fabsf(lane(sine, i)), least_sine_)};
   }
 
-  //! Returns the area on the screen of one turn times one unit of s, by the scale at a lane's
-  //! position [px²].
+  //! Returns the area on the screen [px²] of a chart area of one turn of γ times one unit of s,
+  //! with the scale at the position of lane `i`.
   [[nodiscard]] ERGO_HD float area_px(int i) const {
     return 6.28318531F * ::fabsf(lane(sine, i) * lane(alpha.along_y, i)) * lane(scale, i) * lane(scale, i);
   }
@@ -86,7 +86,7 @@ struct RaysOfDiskChart {
   float least_sine_;
 };
 
-//! Compares a grid's values of an order with those of a ray.
+//! Compares a grid's values for the crossing of one order with those of a traced ray.
 template <bool WithPattern>
 struct DiskMiss {
   const DiskGridCamera& camera;
@@ -101,8 +101,9 @@ struct DiskMiss {
     return screen.across_pixel(quad_part(read.along_gamma, part), quad_part(read.along_s, part));
   }
 
-  //! Returns the displacement on the screen of lines of equal radius, and of the pattern, at lane
-  //! `i` [px]; 0 where neither value is near the disk.
+  //! Returns the displacement on the screen at lane `i` [px] of lines of equal radius or of the
+  //! pattern, whichever is larger. Returns 0 if neither the grid's radius nor the traced one is
+  //! near the disk.
   template <class T>
   [[nodiscard]] ERGO_HD float of(const PatchValue& read, int order, const CrossingLayer<T>& layer, int i,
                                  const DiskScreen& screen) const {
@@ -119,13 +120,13 @@ struct DiskMiss {
     if constexpr (WithPattern) {
       error = maximum(error, pattern_error(read, layer, i, screen));
     }
-    // NaN counts as an unknown error.
+    // If the error is NaN, it counts as unknown.
     return error >= 0.0F ? error : unknown_disk_error;
   }
 
  private:
-  //! Returns the displacement of the pattern along its gradient [px]. An error in the delay turns
-  //! the pattern with the flow.
+  //! Returns the displacement of the pattern along its gradient [px]. An error of the delay counts
+  //! as a rotation of the pattern by the flow during that time.
   template <class T>
   [[nodiscard]] ERGO_HD float pattern_error(const PatchValue& read, const CrossingLayer<T>& layer, int i,
                                             const DiskScreen& screen) const {
@@ -136,7 +137,8 @@ struct DiskMiss {
     const float sine = quad_part(read.sky, 2);
     const float turned = ::atan2f(cosine * lane(layer.sine, i) - sine * lane(layer.cosine, i),
                                   cosine * lane(layer.cosine, i) + sine * lane(layer.sine, i));
-    // Where the radius is wrong, so is the winding there.
+    // The winding depends on the radius, so an error of the radius also causes an error of the
+    // winding.
     const HorizonWinding<float> horizon = horizon_winding(spin, is_within_horizon(camera.grid.rays));
     const float wound = winding_turn(horizon) + rotation * winding_delay(horizon);
     const float read_u = minimum(maximum(quad_part(read.sky, 0), span.outer_u), span.inner_u);

@@ -38,11 +38,12 @@ class DiskSight {
                                                                         : std::numeric_limits<S>::infinity();
   }
 
-  //! Adds a crossing behind what lane `i` has seen.
+  //! Composites the disk's light at the crossing of an order behind everything that lane `i` has
+  //! seen so far.
   ERGO_HD void compose(int order, int i, SeenLanes<T>& seen) const {
     SeenCrossing at = seen_at(crossings_[order], i);
     const float opacity = look_.opacity * at.coverage;
-    // NaN covers nothing.
+    // Also true for a NaN opacity, which then hides nothing.
     if (!(opacity > 0.0F)) {
       return;
     }
@@ -89,9 +90,9 @@ class DiskSight {
     return {span.coverage, span.r, width * span.r, lane(crossing.u_rate.value, i) > 0.0F, 0.0F, 0.0F};
   }
 
-  //! Returns whether lane `i` meets the plane behind the horizon, and a linear footprint leads to a
-  //! radius where its light cannot exist. Only happens with disks that reach inside the innermost
-  //! stable orbit.
+  //! Returns whether lane `i` crosses the plane behind the horizon, while the part of the disk that
+  //! its pixel sees (by linear extrapolation) is at a radius where its light cannot exist. Only
+  //! happens with disks that reach inside the innermost stable orbit.
   ERGO_HD bool comes_from_behind(int order, int i, const PhotonConstants& photon, const SeenCrossing& at) const {
     return look_.inner_r < look_.flow.stable_r && lane(crossings_[order].u.value, i) * camera_.horizon_r > S(1) &&
            !can_be_there<float>(look_.flow.spin, {at.r, photon.energy, photon.axial_angular_momentum,

@@ -13,7 +13,7 @@ inline constexpr int crossing_orders = 3;
 //! How far rays are followed, and how precisely.
 template <class S>
 struct CrossingLimits {
-  //! Outgoing light is done past this 1/r, which is well below that of the photon orbits.
+  //! Outgoing rays end once 1/r is below this value, which is well below that of the photon orbits.
   S outermost_u;
   S tolerance;  //!< local error
   int step_limit;
@@ -25,7 +25,7 @@ namespace detail {
 template <class S>
 struct CrossingBounds {
   S horizon_r;
-  S least_u;  //!< crossings count between these
+  S least_u;  //!< only crossings with u between least_u and greatest_u count
   S greatest_u;
   S innermost_u;  //!< rays end at this u
   S outermost_u;  //!< outgoing rays end at this u
@@ -33,8 +33,8 @@ struct CrossingBounds {
 
 //! Returns the bounds of a hole. With the delay, rays end before the horizon, where time and
 //! azimuth diverge and light is frozen and dark. Without it, rays go on a little past infinity and
-//! past the horizon, so that pixels there measure how near they are to where light crosses the
-//! plane.
+//! past the horizon, so that a pixel whose light just misses the plane still gets a u, from which
+//! the part of it that the disk covers is computed.
 template <bool WithDelay, class S>
 ERGO_HD CrossingBounds<S> crossing_bounds(S spin, S outermost_u) {
   const S horizon_r = kerr_horizon_radius(spin);
@@ -80,8 +80,8 @@ ERGO_HD MaskOf<RealOf<T>> trace_crossings(ScalarOf<T> spin, const NearRay<T>& ra
   Real time(S(0));
   auto fallen = zero > zero;
   auto active = active_at_start & ((side > zero) | (side < zero)) & has_been_outside(spin, ray);
-  // Rays from a camera within the horizon start on their way out of it. Crossings before the
-  // horizon do not count, and do not end the ray.
+  // Rays from a camera within the horizon start on their way out of it. Crossings before they leave
+  // the horizon do not count, and do not end the ray.
   const Real out_of_horizon(minimum(bounds.innermost_u, S(1) / bounds.horizon_r));
   auto emerging = (value_of(s.u[0]) > out_of_horizon) & (value_of(s.u[1]) < zero);
   for (int step = 0; step < limits.step_limit && any(active); ++step) {
@@ -90,14 +90,15 @@ ERGO_HD MaskOf<RealOf<T>> trace_crossings(ScalarOf<T> spin, const NearRay<T>& ra
     const Real new_side = detail::side_of(value_of(series_value(s.z, length)), side);
     const auto crossed = active & (new_side * side < zero);
     const auto falls = detail::falls_within(s, length, bounds.horizon_r) & !emerging;
-    // A ray that begins a step outwards meets the plane on its way out, before it falls.
+    // If a ray moves outwards at the start of a step in which it falls, it crosses the plane on its
+    // way out, before the fall.
     const auto fell = fallen | (falls & (value_of(s.u[1]) > zero));
     fallen = fallen | falls;
     if (any(crossed)) {
       const auto crossing = detail::crossing_at(reading, s, detail::time_to_zero(s.z, side, zero, length), time);
       const Real u = value_of(crossing.u);
-      // Light does not come back from where it has left: later crossings of the smooth equations do
-      // not count.
+      // Light that has left does not come back. The equations continue smoothly past infinity and
+      // return from there; crossings after that do not count.
       const auto leaving = (value_of(s.u[1]) < zero) & (value_of(s.u[0]) < Real(limits.outermost_u));
       const auto back = leaving & (value_of(crossing.u_rate) > zero);
       const auto out_of_hole = fell & (value_of(crossing.u_rate) < zero);
@@ -108,8 +109,8 @@ ERGO_HD MaskOf<RealOf<T>> trace_crossings(ScalarOf<T> spin, const NearRay<T>& ra
         detail::keep_crossing(outside & (absolute(beyond) < Real(S(0.5))), crossing, crossings[order]);
       }
       count = select(outside, count + S(1), count);
-      // A crossing behind the horizon shows how near the ray was to crossing before it; later ones
-      // are meaningless.
+      // A crossing behind the horizon is kept, as it shows how nearly the ray crossed the plane
+      // outside. The ray ends there, since later crossings are meaningless.
       active = active & !(outside & (u * bounds.horizon_r > Real(S(1))));
     }
     time = time + length * inverse_scale;

@@ -8,24 +8,26 @@
 // Adds the disk's light at crossings that are read from a grid.
 namespace ergodome::inline ERGO_TARGET {
 
-//! A layer of crossings (kernels/disk/crossing_layers.h) as a part of one pixel sees it.
+//! A layer of crossings (kernels/disk/crossing_layers.h) as one sample of a pixel sees it.
 struct SeenLayer {
-  float u;      //!< 1/r in its middle [1/M]
-  float width;  //!< change of u across it
-  //! Of the azimuth relative to the camera's, minus the winding; only with a pattern.
+  float u;      //!< 1/r in the middle of the sample [1/M]
+  float width;  //!< change of u across the sample
+  //! Cosine and sine of the azimuth relative to the camera's, minus the winding; only with a
+  //! pattern.
   float cosine;
   float sine;
-  float delay;    //!< minus that of the winding [M]; only with a pattern
+  //! Time from emission to the camera, minus that of the winding [M]; only with a pattern.
+  float delay;
   bool outwards;  //!< the light was emitted outwards
 };
 
-//! Adds the disk's light at a crossing behind what lane `i` has seen.
+//! Composites the disk's light at a crossing behind everything that lane `i` has seen so far.
 template <bool WithPattern, class T>
 ERGO_HD void put_layer_behind(const CameraStationOf<float>& camera, const DiskLook& look, const SeenLayer& layer,
                               const PhotonConstants& photon, int i, SeenLanes<T>& seen) {
   const detail::DiskSpan span = detail::disk_span(look.inner_r, look.outer_r, layer.u, layer.width);
   const float opacity = look.opacity * span.coverage;
-  // NaN covers nothing.
+  // Also true for a NaN opacity, which then hides nothing.
   if (!(opacity > 0.0F)) {
     return;
   }

@@ -6,10 +6,12 @@ namespace ergodome {
 //! (kernels/disk/crossing_layers.h), and how precisely.
 template <class S>
 struct LayerLimits {
-  //! Ingoing light past this 1/r does not turn any more, and has passed the disk [1/M].
+  //! Ingoing light beyond this 1/r cannot turn any more, and has passed the disk's inner edge
+  //! [1/M]. Its 1/r is continued straight from there.
   S near_u;
-  S far_u;      //!< outgoing light past this 1/r has left the disk behind
-  S highest_u;  //!< layers are continued straight from there up to these bounds
+  //! Outgoing light below this 1/r is outside the disk, and is continued straight as well.
+  S far_u;
+  S highest_u;  //!< straight continuations of layers end at u = highest_u or at u = lowest_u
   S lowest_u;
   S tolerance;  //!< local error
   int step_limit;

@@ -9,8 +9,8 @@ namespace ergodome::inline ERGO_TARGET {
 namespace detail {
 
 //! Returns a term of eq. 15n, without its minus sign: the integral of B / (x - root) from x0, with
-//! B = 3 (root - a)² / (root (root - other)(root - another)). If the root is 0, or if two roots
-//! meet (a = ±1), the limit is 0.
+//! B = 3 (root - a)² / (root product), where product = (root - other)(root - another) is over the
+//! two other roots. If the root is 0, or if two roots meet (a = ±1), the limit is 0.
 ERGO_HD double page_thorne_term(double spin, double root, double product, double x0, double x) {
   if (::fabs(root) < 1e-12 || ::fabs(product) < 1e-9) {
     return 0.0;

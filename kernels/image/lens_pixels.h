@@ -7,10 +7,11 @@ namespace ergodome {
 //!
 //! One array per channel, one element per pixel. A channel that the scene does not need is null.
 struct LensPixels {
-  float* sky
-      [3];  //!< unit vector to the source on the celestial sphere; 0 where light is lost in scenes that have no footprints
-  float* sky_along_x[3];   //!< its derivative per pixel to the right
-  float* sky_along_y[3];   //!< its derivative per pixel downwards
+  //! Unit vector to the source on the celestial sphere; 0 where light is lost in scenes that have
+  //! no footprints.
+  float* sky[3];
+  float* sky_along_x[3];   //!< derivative of `sky` per pixel to the right
+  float* sky_along_y[3];   //!< derivative of `sky` per pixel downwards
   float* coverage;         //!< fraction of the pixel that the sky lights
   float* frequency_ratio;  //!< g = ν_observed / ν_emitted
   float* steps;            //!< integration steps

@@ -41,7 +41,7 @@ struct ToneBatch {
   int count;
 };
 
-//! Computes tiles of a level from the one before.
+//! Computes tiles of a mip level from the next finer level.
 struct AverageBatch {
   LightLevel from;
   LightLevel to;

@@ -77,8 +77,8 @@ struct ToneTiles {
 };
 
 //! Averages a level; index i is a tile. A texel is the finer level interpolated at its center,
-//! between the four nearest texels. Where the sides of the finer level are even, that is their
-//! mean.
+//! between the four nearest texels. If width and height of the finer level are even, that is the
+//! mean of four texels.
 struct AverageTiles {
   AverageBatch batch;
 

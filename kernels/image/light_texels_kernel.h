@@ -36,8 +36,8 @@ struct LevelPlace {
   int row;
 };
 
-//! Returns the texel of an index, with light_tile_texels for each listed tile. It is outside the
-//! level where a tile extends beyond it.
+//! Returns the texel of an index. Every listed tile has light_tile_texels indices; where a tile
+//! extends beyond the level, the texel is outside the level.
 ERGO_HD LevelPlace place_in_tiles(const LightLevel& level, const std::int32_t* tiles, int index) {
   const int tile = tiles[index / light_tile_texels];
   const int texel = index % light_tile_texels;
@@ -55,8 +55,8 @@ ERGO_HD long first_float(const LightLevel& level, const LevelPlace& at) {
 }
 }  // namespace detail
 
-//! Applies the tone curve; index i is a texel, with light_tile_texels for each tile. Coverage is
-//! not toned, as it is not used.
+//! Applies the tone curve. Each index is one texel, and every listed tile has light_tile_texels
+//! indices. The fourth component, coverage, is not changed, as projectors do not use it.
 struct ToneTexels {
   ToneBatch batch;
 
@@ -78,7 +78,7 @@ struct ToneTexels {
   }
 };
 
-//! Averages a level; index i is a texel, with light_tile_texels for each tile.
+//! Averages a level. Each index is one texel, and every listed tile has light_tile_texels indices.
 struct AverageTexels {
   AverageBatch batch;
 

@@ -26,15 +26,15 @@ struct ShadeBatch {
   bool brightening;                //!< multiplies the map's light by the magnification
   BlackbodyTable colours;          //!< for SkyShift::blackbody_fit
   ProjectionOf<float> projection;  //!< for brightening, and for the width of a row
-  int first_row;                   //!< of the image in this batch, for brightening
+  int first_row;                   //!< row of the image at which this batch begins, for brightening
   float exposure;                  //!< factor of the sky's light
   //! Value at the low end of a heat map, or its logarithm for logarithmic ones.
   float range_low;
   float range_high;
-  //! With SkyFilter::polygon, contains each pixel's filtered light on input, in the format of cube
-  //! map texels.
+  //! On output, the color of each pixel. With SkyFilter::polygon, contains each pixel's filtered
+  //! light on input, in the format of cube map texels.
   float* rgba;
-  int count;  //!< whole rows
+  int count;  //!< number of pixels; whole rows
 };
 
 //! Returns the counter's name for a variant of shading the sky; each variant is compiled

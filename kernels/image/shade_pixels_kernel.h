@@ -9,7 +9,8 @@
 // Shades pixels: from lens channels to light or a heat map.
 namespace ergodome::inline ERGO_TARGET {
 
-//! Limit of brightening: at caustics a footprint has no area.
+//! Maximum factor of brightening. At caustics a pixel's footprint on the sky has no area, which
+//! would make the factor infinite.
 inline constexpr float brightening_limit = 1000.0F;
 
 namespace detail {
@@ -94,7 +95,7 @@ struct ShadeSky {
     const Vector3<T> along_x = vectors(batch.lens.sky_along_x, first);
     const Vector3<T> area = cross(along_x, vectors(batch.lens.sky_along_y, first));
     const T whole_sky(12.566371F);
-    // Lost light has derivatives that are too large to be real.
+    // Where light is lost, store_sky() writes derivatives that are too large to be real.
     const auto lost = dot(along_x, along_x) > T(1e6F);
     const T on_sky = select(lost, whole_sky, minimum(safe_sqrt(dot(area, area)), whole_sky));
     T x_px(0.0F);
@@ -104,7 +105,7 @@ struct ShadeSky {
     return on_screen / maximum(on_sky, on_screen * (1.0F / brightening_limit));
   }
 
-  //! Writes light shifted by g. The fourth component of light is that of cube map texels.
+  //! Writes light shifted by g. The fourth component of `light` is as in the texels of CubeMap.
   ERGO_HD void store_shifted(const Quad& light, float g, float* to) const {
     const Vector3<float> rgb = {quad_part(light, 0), quad_part(light, 1), quad_part(light, 2)};
     const float luminance = luminance_of(rgb);
@@ -192,11 +193,11 @@ struct ShadeHeatMap {
   }
 };
 
-//! Calls a functor for each element of a register.
+//! Calls a functor that computes one element, for all elements of a register.
 template <class T, class Functor>
 struct EachLane {
   Functor functor;
-  int count;  //!< elements in all
+  int count;  //!< total number of elements
 
   ERGO_HD void operator()(int index) const {
     constexpr int lanes = RealTraits<T>::lane_count;

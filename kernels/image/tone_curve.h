@@ -14,7 +14,7 @@ enum class ToneCurve : std::int32_t { shoulder, reinhard, filmic, gamma };
 //! The conversion of a picture's light to display light.
 struct Tone {
   ToneCurve curve = ToneCurve::shoulder;
-  float gain = 1.0F;  //!< exposure, as a factor
+  float gain = 1.0F;  //!< factor of the light (exposure)
   float white = 4.0F;
   float gamma = 2.2F;
 };

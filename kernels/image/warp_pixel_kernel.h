@@ -18,7 +18,8 @@ struct WarpPixel {
     store(index, sent(index - y * batch.width_px, y));
   }
 
-  //! Returns the value that is sent for a pixel: red in the lowest byte, then green and blue.
+  //! Returns the value of a pixel as sent to the projector: red in the lowest byte, then green and
+  //! blue.
   ERGO_HD std::uint32_t sent(int x, int y) const {
     const int group = y * warp_groups(batch.width_px) + x / warp_group_px;
     const int place = x % warp_group_px;

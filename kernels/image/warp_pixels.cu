@@ -8,12 +8,12 @@ namespace ergodome {
 
 namespace {
 
-//! A warp covers adjacent pixels of a row, so their bytes can be written as words; rows of a block
-//! read the same texels.
+//! A CUDA warp (32 threads) covers adjacent pixels of a row, so their bytes can be written as
+//! words; rows of a block read the same texels.
 constexpr int columns_of_a_block = 32;
 constexpr int rows_of_a_block = 8;
 
-//! Writes 32 adjacent pixels of a warp's threads as words, red in the lowest byte. `count` is the
+//! Writes the 32 adjacent pixels of a CUDA warp as words, red in the lowest byte. `count` is the
 //! number of bytes inside the row, a multiple of 4.
 __device__ void store_words(std::uint8_t* to, std::uint32_t rgb, int count) {
   constexpr unsigned all = 0xffffffffU;

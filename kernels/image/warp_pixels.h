@@ -5,13 +5,14 @@
 #include "kernels/image/light_levels.h"
 #include "kernels/launch/kernel.h"
 
-// Warping of a master's light to a projector's raster.
+// Warps the light of a domemaster (the "master") to the raster of a projector.
 namespace ergodome {
 
 //! Number of adjacent pixels in a projector's row that are processed together.
 inline constexpr int warp_group_px = 16;
 
-//! Steps between two levels of light, from which pixels choose.
+//! Number of steps between adjacent mip levels of the light. The level that a pixel samples is
+//! rounded to such a step.
 inline constexpr int warp_level_steps = 32;
 
 //! Positions that a group's pixels sample: pixel i at x + step_x * WarpBatch::x[i], in texels of
@@ -21,14 +22,15 @@ struct WarpGroup {
   float y;
   float step_x;
   float step_y;
-  //! Bit l: some pixels sample level l and, if they are larger, the next one. 0 if the group shows
-  //! nothing of the master.
+  //! Bit l is set if some pixels of the group sample mip level l. Pixels that are larger than its
+  //! texels also sample level l + 1. 0 if the group shows nothing of the master.
   std::uint16_t levels;
-  std::uint16_t blended;  //!< bit l: some of these pixels also sample the next level
+  //! Bit l is set if some of the pixels that sample level l also sample level l + 1.
+  std::uint16_t blended;
 };
 
-//! A projector's raster, filled with the values that it is sent for a master's light: the formula
-//! of projector_light.h for each pixel.
+//! Computes the values to send to a projector, for all pixels of its raster, from the light of a
+//! master. The formula for a pixel is that of projector_light.h.
 //!
 //! Memory limits the speed of a warp, so the data of a pixel is as small as eight bits of output
 //! allow: 8 bytes per pixel if masks are gray. Factors of the light (blend, the warp's intensity,
@@ -38,19 +40,19 @@ struct WarpBatch {
   LightLevels light;
   std::int32_t width_px;
   std::int32_t height_px;
-  const WarpGroup* groups;  //!< row by row, the last of each row partly beyond it
-  const std::uint16_t* x;   //!< warp_group_px for each group, like the following
+  const WarpGroup* groups;  //!< row by row; the last group of a row may extend beyond the row
+  const std::uint16_t* x;   //!< warp_group_px values for each group, as in the arrays below
   const std::uint16_t* y;
-  const std::uint8_t* level;  //!< in warp_level_steps from one level to the next
-  //! One per pixel. If `coloured`, a group's red, green and blue factors, then its red, green and
-  //! blue lifts.
+  const std::uint8_t* level;  //!< mip level of each pixel, in units of 1 / warp_level_steps
+  //! Factor of the light, one per pixel. If `coloured`, each group has its red, green and blue
+  //! factors, then its red, green and blue lifts.
   const std::uint16_t* factor;
   bool coloured;
-  float factor_scale[3];  //!< factor of the square of the number, per channel
+  float factor_scale[3];  //!< per channel: factor of the light = factor_scale * (stored number)²
   float lift_scale[3];    //!< the same for the lift; if not `coloured`, the lift itself
-  float exponent;         //!< of the projector's curve: value = light ^ exponent
-  //! Light is raised to at least this, which is still black: 2^-100, or 2^(-100 / exponent) if the
-  //! exponent is above 1.
+  float exponent;         //!< exponent of the projector's curve: value = light ^ exponent
+  //! Minimum light: smaller values are replaced by this one, which is still black. It is 2^-100, or
+  //! 2^(-100 / exponent) if the exponent is above 1.
   float least;
   std::uint8_t* rgb;  //!< three bytes per pixel, top row first
 };
@@ -65,7 +67,7 @@ struct Kernel<WarpBatch> : KernelDefaults {
   static constexpr bool one_element_a_call = true;
   static constexpr int grain = 512;
   static const char* name(const WarpBatch& /*batch*/) { return "warp_pixels"; }
-  //! Groups of pixels.
+  //! Returns the number of groups of pixels.
   static int elements(const WarpBatch& batch) { return warp_groups(batch.width_px) * batch.height_px; }
   static long work(const WarpBatch& batch) { return static_cast<long>(batch.width_px) * batch.height_px; }
 };

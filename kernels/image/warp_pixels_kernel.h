@@ -99,7 +99,7 @@ struct WarpPixels {
   static_assert(warp_group_px % lanes == 0);
 
   //! For each pixel of a group: the upper left of the four texels around its position, and the
-  //! fractions between.
+  //! position between them as fractions.
   struct Places {
     alignas(64) std::int32_t texel[warp_group_px];
     alignas(64) float across[warp_group_px];

@@ -9,7 +9,7 @@ namespace ergodome {
 
 //! Returns whether the outputs of every kernel launch are scanned for NaN and infinity. Enabled by
 //! the environment variable ERGODOME_CHECK_NUMBERS=1 or set_numbers_checked(). A launch then reads
-//! all its outputs, which a GPU first copies to the host; if disabled, the cost is one flag.
+//! all its outputs, which a GPU first copies to the host; if disabled, a launch only tests a flag.
 bool numbers_are_checked();
 void set_numbers_checked(bool on);
 

@@ -79,8 +79,9 @@ void sum_counts_cuda(const std::int32_t* counts, int count, std::int32_t* sums) 
 
 namespace {
 
-//! Returns the pool that keeps released memory in the process, because allocating from the driver
-//! for each picture takes longer than many kernels. Returns null if the device has no pools.
+//! Returns the memory pool that keeps released GPU memory in the process, because allocating from
+//! the driver for each picture takes longer than many kernels. Returns null if the device has no
+//! pools.
 cudaMemPool_t kept_pool() {
   static const cudaMemPool_t pool = [] {
     int device = 0;
@@ -110,7 +111,8 @@ void* allocate_cuda(std::size_t bytes) {
     return memory;
   }
   check_cuda(cudaMallocFromPoolAsync(&memory, bytes, kept_pool(), current_stream()), "allocating GPU memory");
-  // Other streams copy into it, except in threads that work in order.
+  // Other streams may copy into the new memory, so the allocation must have finished. Threads that
+  // work in order use one stream and need not wait.
   if (!works_in_order()) {
     check_cuda(cudaStreamSynchronize(current_stream()), "allocating GPU memory");
   }
@@ -128,7 +130,7 @@ void release_cuda(void* memory) noexcept {
 
 namespace {
 
-//! A separate stream, so that copies and the pictures in flight do not wait for each other.
+//! A separate CUDA stream, so that copies and the pictures in flight do not wait for each other.
 class CopyStream {
  public:
   CopyStream() { check_cuda(cudaStreamCreateWithFlags(&handle_, cudaStreamNonBlocking), "creating a CUDA stream"); }
@@ -190,7 +192,7 @@ class HostStage {
 template <class T>
 class Idle {
  public:
-  //! Exclusive use of one object during its lifetime.
+  //! Takes one of the objects for exclusive use, and gives it back in the destructor.
   class Taken {
    public:
     Taken() : thing_(idle().take()) {}

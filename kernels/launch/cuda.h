@@ -6,7 +6,8 @@
 #include "kernels/core/error.h"
 #include "kernels/launch/kernel.h"
 
-// What the rest of the program may ask of a GPU. Without a CUDA toolkit, without_cuda.cpp refuses.
+// The functions by which the rest of the program uses a GPU. In a program that is built without
+// CUDA, kernels/launch/without_cuda.cpp defines them; those that need a GPU throw Error.
 namespace ergodome {
 
 //! Returns why CUDA cannot be used here, or nullptr if it can. Determined once; any driver error
@@ -28,13 +29,13 @@ void sum_counts_cuda(const std::int32_t* counts, int count, std::int32_t* sums);
 //! Returns how many of the values, which are in the GPU's memory, are below 0.
 long count_negative_cuda(const float* values, long count);
 
-//! Begin and end of DeviceWorkInOrder and UrgentDeviceWork (render/backend/buffer.h).
+//! Begin and end the scopes DeviceWorkInOrder and UrgentDeviceWork (render/backend/buffer.h).
 bool begin_in_order_cuda();
 void end_in_order_cuda(bool before, bool may_throw);
 void* begin_urgent_cuda();
 void end_urgent_cuda(void* before);
 
-//! GPU memory, and copies between it and the host's.
+//! Allocates and releases GPU memory, and copies between GPU and host memory.
 void* allocate_cuda(std::size_t bytes);
 void release_cuda(void* memory) noexcept;
 void clear_cuda(void* memory, std::size_t bytes);
@@ -42,7 +43,7 @@ void copy_to_cuda(void* to, const void* from, std::size_t bytes);
 void copy_from_cuda(void* to, const void* from, std::size_t bytes);
 
 #if !defined(ERGODOME_HAVE_CUDA) && !defined(__CUDACC__)
-//! Throws the Error of a program without CUDA.
+//! Throws the Error of a program that was built without CUDA.
 [[noreturn]] void refuse_cuda();
 
 template <class Batch>

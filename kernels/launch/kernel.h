@@ -1,6 +1,7 @@
 #pragma once
 
-// What a kernel's header declares about it. launch() (kernels/launch/launch.h) follows from this.
+// What the header of a kernel declares about the kernel. launch() (kernels/launch/launch.h) needs
+// nothing else.
 namespace ergodome {
 
 //! Where kernels run.
@@ -12,12 +13,12 @@ struct PixelRows {
   int count;
 };
 
-//! What a kernel is unless it declares otherwise.
+//! Default declarations of a kernel.
 struct KernelDefaults {
-  //! Type of a lane.
+  //! Number type of one lane.
   using Real = float;
-  //! The CPU kernel computes with registers of several lanes (WidePack<Real>), not with Real. A call
-  //! then computes one element per lane.
+  //! The CPU kernel computes with registers of several lanes (WidePack<Real>), not with Real. A
+  //! call then computes one element per lane.
   static constexpr bool wide = true;
   //! A call of the CPU kernel computes one element, such as a tile, whatever the number of lanes.
   static constexpr bool one_element_a_call = false;
@@ -26,7 +27,7 @@ struct KernelDefaults {
   static constexpr int grain = 32;
   //! Launches are counted by work_counter().
   static constexpr bool counted = true;
-  //! Number of launches that work_counter() is adds for one, such as 2 for a launch that serves both eyes.
+  //! Number of launches that work_counter() adds for one launch, such as 2 if it serves both eyes.
   static constexpr int counted_launches = 1;
   //! The CPU kernel is compiled once, not for each instruction set.
   static constexpr bool compiled_once = false;
@@ -36,7 +37,8 @@ struct KernelDefaults {
   static void visit_outputs(const Batch& /*batch*/, const Visit& /*visit*/) {}
 };
 
-//! Grain of kernels that trace the rays of a grid: a grid has only hundreds, and each costs more.
+//! Grain of kernels that trace the rays of a grid. A grid has only hundreds of rays, and each takes
+//! longer than a pixel of a picture.
 inline constexpr int grid_grain = 4;
 
 //! Declares the kernel that runs a batch. Each batch has a specialization in its header, derived

@@ -13,7 +13,7 @@
 // Launches kernels, on the CPU or on a GPU.
 namespace ergodome {
 
-// Defined by the registrations of kernels (kernels/launch/register.h).
+// These functions are defined by the registrations of kernels (kernels/launch/register.h).
 inline namespace portable {
 template <class Batch>
 CpuKernel<Batch> compiled_kernel();
@@ -67,7 +67,8 @@ void run_on_this_thread(const Batch& batch) {
   kernel.run(batch, 0, kernel.calls(batch));
 }
 
-//! Counts a launch of a batch, calls run(), and checks the outputs if numbers are checked.
+//! Counts a launch of a batch, calls run(), and checks that the outputs are finite if
+//! numbers_are_checked().
 template <class Batch, class Run>
 void count_and_check(Backend backend, const Batch& batch, const Run& run) {
   const char* const name = Kernel<Batch>::name(batch);
@@ -90,11 +91,11 @@ void count_and_check(Backend backend, const Batch& batch, const Run& run) {
   }
 }
 
-//! Runs the kernel of a batch, whose arrays are in the backend's memory. With Backend::cuda, returns
-//! after the device has finished. Two exceptions need wait_for_device(): threads that work in order
-//! (DeviceWorkInOrder), and the kernels of kernels/image/warp_pixels.cu.
+//! Runs the kernel of a batch, whose arrays are in the backend's memory. With Backend::cuda,
+//! returns after the device has finished. Two exceptions need wait_for_device(): threads that work
+//! in order (DeviceWorkInOrder), and the kernels of kernels/image/warp_pixels.cu.
 //!
-//! Throws Error if a launch fails, or if numbers are checked and an output is not finite.
+//! Throws Error if a launch fails, or if numbers_are_checked() and an output is not finite.
 template <class Batch>
 void launch(Backend backend, const Batch& batch) {
   count_and_check(backend, batch, [&] {
@@ -106,7 +107,7 @@ void launch(Backend backend, const Batch& batch) {
   });
 }
 
-//! Runs a kernel that is on the CPU only.
+//! Runs a kernel that exists for the CPU only.
 template <class Batch>
 void launch(const Batch& batch) {
   count_and_check(Backend::cpu, batch, [&] { launch_on_cpu(batch); });

@@ -14,7 +14,7 @@ namespace {
 //! microseconds, and the next work mostly comes within this time.
 constexpr std::chrono::microseconds patience{60};
 
-//! A forked process has none of its parent's helpers.
+//! True in a forked process, which has none of its parent's helpers.
 std::atomic<bool> forked{false};
 
 //! Polls a condition for a while and yields to other threads. Returns false if it did not become
@@ -68,7 +68,7 @@ void WorkerPool::help() {
   while (true) {
     Job* const job = wait_for_job();
     (*job->work)();
-    // After this decrement the job may be gone.
+    // After this decrement, run() may return and destroy the job.
     --job->helpers;
     const std::lock_guard lock(mutex_);
     done_.notify_all();

@@ -15,9 +15,9 @@ namespace ergodome {
 //! works as well, so it never waits for helpers that are busy elsewhere.
 class WorkerPool {
  public:
-  //! Starts the helpers, which live as long as the process. The pool must, too: make it by new, and
-  //! never delete it. Joining at the end of a forked process would wait for threads that it does
-  //! not have.
+  //! Starts the helpers, which live as long as the process. The pool must live as long: create it
+  //! with new, and never delete it. A destructor that joins the helpers would wait forever in a
+  //! forked process, which has no helpers.
   explicit WorkerPool(int helpers);
 
   WorkerPool(const WorkerPool&) = delete;

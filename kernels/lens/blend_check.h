@@ -16,7 +16,7 @@ struct BlendCheckBatch {
   const double* gamma_turns;
   const double* s;
   double* error_px;  //!< displacement on the screen; 0 for pixels that the lens leaves to rays
-  double* area_px;   //!< screen area of one turn times one unit of s [px²]
+  double* area_px;   //!< screen area of a chart area of one turn of γ times one unit of s [px²]
 };
 
 template <>

@@ -58,10 +58,12 @@ struct CheckBatch {
   int count;                 //!< number of checks: checks_a_cell per cell
   const GridCell* cells;
   const float* nodes;
-  float* error_px;  //!< displacement on the screen; huge if a corner or the check has no sky
-  float* area_px;   //!< area of the cell on the screen, by the stretch at the check [px²]
-  // Displacement in the chart of the sky that the patch yields, as fractions of the cell's sides.
-  // Includes the error of the tracing itself. Huge if unknown.
+  //! Displacement on the screen; huge if the ray of a corner or of the check does not come from the
+  //! sky.
+  float* error_px;
+  float* area_px;  //!< area of the cell on the screen, computed with the scale at the check [px²]
+  // The error as a displacement of the camera direction in the chart, along γ and along s, in
+  // fractions of the cell's sides. Includes the error of the tracing itself. Huge if unknown.
   float* gamma_parts;
   float* s_parts;
 };

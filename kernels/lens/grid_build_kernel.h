@@ -27,8 +27,8 @@ ERGO_HD Vector3<T> grid_sky(const GridCamera<ScalarOf<T>, Camera>& camera, const
 //! Displacement of a camera direction.
 template <class T>
 struct Displacement {
-  T length;       //!< [rad]
-  T gamma_turns;  //!< in the chart
+  T length;       //!< length of the displacement as an angle [rad]
+  T gamma_turns;  //!< displacement in the chart along γ [turns]; s: along s
   T s;
 };
 

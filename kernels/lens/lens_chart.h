@@ -10,8 +10,8 @@ namespace ergodome {
 //! turns, and s in [0, 1].
 //!
 //! With x the fraction of the way from the shadow's edge to the far pole of the chart, s = 1 + ln x
-//! / range. The edge is the line s -> -infinity, the sky winds uniformly in s near it, s = 1 is the
-//! far pole, and s = 0 the cut-off.
+//! / range. The edge is the line s -> -infinity; near it, the sky direction turns around the hole
+//! at a constant rate in s. s = 1 is the far pole, and s = 0 the cut-off.
 struct LensChart {
   EdgeCurve edge;
   float range;  //!< ln x at the far pole minus ln x at the cut-off

@@ -37,8 +37,8 @@ struct LensGrid {
 struct Leaf {
   int number;
   bool flagged;       //!< the leaf is not accurate: trace the ray instead
-  float gamma_turns;  //!< its lower end along γ
-  float s;            //!< its lower end along s
+  float gamma_turns;  //!< lower end of the leaf along γ
+  float s;            //!< lower end of the leaf along s
   float width_turns;
   float height;  //!< along s
 };
@@ -112,7 +112,8 @@ ERGO_HD void hermite_basis(float t, float (&basis)[4], float (&slope)[4]) {
 //! The sum of a bicubic patch: the sky direction before normalization, and its derivatives along γ
 //! [turns] and s.
 struct PatchValue {
-  Quad sky;  //!< x, y, z, and the summed weights of the corners that have a sky: 1 for all
+  //! X, y, z; then the summed weights of the corners whose rays come from the sky, 1 if all do.
+  Quad sky;
   Quad along_gamma;
   Quad along_s;
 };

@@ -12,12 +12,12 @@ namespace ergodome {
 
 //! A lens for one camera position: the grid of a station there, or two grids of adjacent stations.
 struct LensBlend {
-  LensChart chart;  //!< of the camera position itself
+  LensChart chart;  //!< chart for the camera position itself
   LensGrid grids[2];
   //! Rotations from each station's sky to that of the camera position, as motion in r and θ causes
   //! them (render/lens/stations/place_turn.h).
   float turn[2][3][3];
-  float second_weight;  //!< 0: only the first grid is used
+  float second_weight;  //!< weight of the second grid; 0: only the first is used
 };
 
 inline namespace ERGO_TARGET {
@@ -42,7 +42,8 @@ ERGO_HD GridSky<T> read_blended(const LensBlend& lens, const ChartPlace<Dual<T>>
     return a * (S(1) - w) + b * w;
   };
   const Vector3<D> v = {component(0), component(1), component(2)};
-  // Next to the edge the two directions may be arbitrary, even opposite.
+  // Next to the edge the two directions may be arbitrary, even opposite, so their sum may be 0. The
+  // small term avoids 0 / 0.
   const D inverse = D(T(S(1))) / sqrt(dot(v, v) + D(T(S(1e-12))));
   return {{v.x * inverse, v.y * inverse, v.z * inverse}, MaskOf<T>(first.flagged | second.flagged)};
 }
@@ -111,7 +112,7 @@ struct Kernel<LookUpBatch> : KernelDefaults {
 
 template <>
 struct Kernel<LookUpPairBatch> : KernelDefaults {
-  //! One per eye, like two separate launches.
+  //! Counts one launch per eye, as for two separate launches.
   static constexpr int counted_launches = 2;
   static const char* name(const LookUpPairBatch& batch) { return Kernel<LookUpBatch>::name(batch.eyes[0]); }
   static PixelRows rows(const LookUpPairBatch& batch) { return Kernel<LookUpBatch>::rows(batch.eyes[0]); }

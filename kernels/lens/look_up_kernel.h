@@ -43,7 +43,7 @@ struct LookUpPixels {
   }
 
  private:
-  //! Values of the grid for the pixels of an index.
+  //! Values read from the grid, for the register of pixels that one index covers.
   struct Looked {
     int first;
     Vector3<D> n;

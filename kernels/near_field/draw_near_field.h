@@ -17,21 +17,24 @@ enum class DiskDrawing { none, plain, pattern };
 //! A block of rows of one image over which disk, shells and objects are drawn: linear light, four
 //! floats per pixel (the fourth is the coverage).
 struct NearFieldBatch {
-  PixelBatch pixels;  //!< without outputs or an edge
+  PixelBatch pixels;  //!< pixels to draw over; the members for outputs and the edge are not used
   DiskDrawing drawing;
-  DiskLook disk;      //!< used if it is drawn
+  DiskLook disk;      //!< only used if the disk is drawn
   ShellTable shells;  //!< none are drawn if it is empty
   float* rgba;
-  ObjectLayer objects;  //!< composed between disk and shells, if there are any
-  //! Only pixels that show objects are drawn; the disk's grid draws the others.
+  //! Composited with disk and shells in the order of distance, if there are any.
+  ObjectLayer objects;
+  //! Whether to draw only the pixels that show objects. The others are then drawn from the disk's
+  //! grid (DiskLookUpBatch).
   bool objects_alone;
-  //! Omnidirectional stereo, if it has coefficients: it then replaces the camera of `pixels`, which
-  //! is that of the head, for spin and azimuth. The frame is that of the view.
+  //! Camera of an omnidirectional eye, used if it has coefficients. It then replaces the camera of
+  //! `pixels`, which is the head's and only supplies spin and azimuth. Directions are then in the
+  //! view's axes.
   OmniCameraOf<float> turning;
 };
 
-//! Calls action(functor) for a batch with objects. A disk is always drawn by the variant with a
-//! pattern, since few scenes have all of these.
+//! Calls action(functor) for a batch with objects. The disk is always drawn by the variant with a
+//! pattern: scenes with both disk and objects are too few for a variant of their own.
 template <template <class, DiskDrawing, bool, bool> class Functor, class T, class Action>
 inline void dispatch_near_field_with_objects(const NearFieldBatch& batch, const Action& action) {
   const bool shells = batch.shells.count > 0;

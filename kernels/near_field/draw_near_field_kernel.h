@@ -10,8 +10,8 @@
 namespace ergodome::inline ERGO_TARGET {
 
 //! Draws disk and shells, with objects between them, over pixels; index i stands for the pixels i *
-//! lanes, i * lanes + 1, ... of the block. Things nearer along the ray cover farther ones, and all
-//! cover the sky. Each variant computes only what its scene has.
+//! lanes, i * lanes + 1, ... of the block. Along a ray, nearer things hide farther ones, and all of
+//! them hide the sky. Each variant computes only what its scene has.
 template <class T, DiskDrawing Disk, bool Shells, bool Objects>
 struct DrawNearField {
   using D = Dual<T>;
@@ -65,7 +65,7 @@ struct DrawNearField {
   }
 
  private:
-  //! The pixels of an index.
+  //! The register of pixels that one index draws.
   struct Place {
     int first;
     T x_px;

@@ -14,7 +14,8 @@ class LayerSight {
   using S = ScalarOf<T>;
   using Mask = MaskOf<T>;
 
-  //! For pixels first, first + 1, ... of a block of `count`. Without a layer no object waits.
+  //! Reads the objects of the pixels first, first + 1, ... of a block of `count`. Without a layer,
+  //! no lane has an object.
   ERGO_HD LayerSight(const ObjectLayer& layer, int first, int count) : layer_(layer), first_(first), waiting_(S(0)) {
     for (int i = 0; layer.rgba != nullptr && i < RealTraits<T>::lane_count && first + i < count; ++i) {
       set_lane(waiting_, i, layer.rgba[4 * static_cast<long>(first + i) + 3] > 0.0F ? S(1) : S(0));
@@ -24,8 +25,9 @@ class LayerSight {
   //! Returns the lanes whose object has not been added yet.
   [[nodiscard]] ERGO_HD Mask waiting() const { return waiting_ > T(S(0)); }
 
-  //! Adds the object of lane i if it is nearer than a Mino time (or the layer's substitute for
-  //! that). Before that, nearer(lane, time) adds things that are nearer than the object.
+  //! Adds the object of lane `i` if its Mino time is less than `time`, which means that it is
+  //! nearer. (For `flat` eyes, the times are minus the nearness.) Before that, calls nearer(lane,
+  //! time) to add what is nearer than the object.
   template <class Nearer>
   ERGO_HD void until(int i, S time, const Nearer& nearer, SeenLanes<T>& seen) {
     if (!(lane(waiting_, i) > S(0))) {
@@ -47,7 +49,7 @@ class LayerSight {
   T waiting_;
 };
 
-//! A substitute for scenes without objects.
+//! A substitute without any function, for scenes without objects.
 template <class T>
 class LayerSight<T, false> {
  public:

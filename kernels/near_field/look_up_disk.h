@@ -10,7 +10,7 @@ namespace ergodome {
 //! A block of rows of one image whose disk is read from a grid. Pixels of leaves that remained
 //! inaccurate are traced; pixels that show objects are left unchanged.
 struct DiskLookUpBatch {
-  NearFieldBatch near_field;  //!< without shells and without omnidirectional stereo
+  NearFieldBatch near_field;  //!< must not have shells or omnidirectional stereo
   DiskGrid grid;
   AberrationOf<float> aberration;
 };

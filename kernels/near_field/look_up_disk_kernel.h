@@ -92,7 +92,7 @@ struct LookUpDisk {
     return seen;
   }
 
-  //! A pixel, or a part of one: its width as a fraction of a pixel's, and its lane.
+  //! A sample: its width as a fraction of a pixel's, and its lane.
   struct Look {
     float pixel;
     int lane;
@@ -131,7 +131,7 @@ struct LookUpDisk {
     return fine;
   }
 
-  //! Adds a crossing behind what lane `i` has seen.
+  //! Composites the disk's light at a crossing behind everything that lane `i` has seen so far.
   ERGO_HD void compose(float u, float width, const PatchValue& value, int i, const NearRay<T>& ray,
                        SeenLanes<T>& seen) const {
     SeenLayer layer = {u, width, 1.0F, 0.0F, 0.0F, false};

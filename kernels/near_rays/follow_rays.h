@@ -7,7 +7,7 @@
 // Measures what following rays costs: steps and errors of any integrator.
 namespace ergodome {
 
-//! A shell up to which rays are followed.
+//! A shell that rays are followed to.
 struct WatchedShell {
   float u;      //!< 1 / r [1/M]
   bool opaque;  //!< hides everything behind it
@@ -17,7 +17,7 @@ struct WatchedShell {
 //! errors. Rays end behind the last shell that they meet, or at the sky if they meet none.
 struct FollowBatch {
   PixelBatch pixels;           //!< out: coverage (0 if a ray sees nothing), error_estimate, steps
-  TraceMethod method;          //!< must take steps
+  TraceMethod method;          //!< must be an integrator with steps, not closed_form
   const WatchedShell* shells;  //!< the outermost first; outside the horizon
   int shell_count;
 };

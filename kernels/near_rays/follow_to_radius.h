@@ -5,8 +5,8 @@
 #include "kernels/spacetime/geodesic/runge_kutta.h"
 #include "kernels/spacetime/geodesic/taylor.h"
 
-// The integrators of spacetime/geodesic, each with its own steps, but up to the radius where a ray
-// ends instead of the sky.
+// The integrators of spacetime/geodesic, each with its own steps. They follow a ray to the radius
+// where it ends, not to the sky.
 namespace ergodome::inline ERGO_TARGET {
 
 //! Cost and accuracy of following a ray.

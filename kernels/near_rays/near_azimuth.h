@@ -6,12 +6,12 @@
 // Azimuth and coordinate time along a ray's series.
 namespace ergodome::inline ERGO_TARGET {
 
-//! How positions are read from a ray's series.
+//! Parameters for reading positions from a ray's series.
 template <class T>
 struct SeriesReading {
   ScalarOf<T> spin;
   MaskOf<RealOf<T>> ingoing;  //!< lanes whose azimuth and time are in ingoing Kerr coordinates
-  RealOf<T> scale;            //!< of the series' time over Mino time
+  RealOf<T> scale;            //!< time of the series / Mino time
 
   //! Converts azimuth and time at 1/r = u outside the horizon to Boyer-Lindquist coordinates in all
   //! lanes.
@@ -27,7 +27,8 @@ struct SeriesReading {
 
 namespace detail {
 
-//! Expands frame dragging and, if carried, time, by division of series:
+//! Expands the azimuth ψ of frame dragging and, if carried, the time t, by division of series (z =
+//! cosθ; rates are in Mino time):
 //!   Δ u² = (1 - r_+ u)(1 - (a²/r_+) u),
 //!   ψ' = a (2 E u - a L u²) / Δu²,
 //!   t' = (1 + a²u²)(E (1 + a²u²) - a L u²) / (u² Δu²) + a (L - a E (1 - z²)).
@@ -92,7 +93,7 @@ ERGO_HD void expand_drag(ScalarOf<T> spin, const NearRay<T>& ray, const RealOf<T
   }
 }
 
-//! Expands the same in ingoing Kerr coordinates, in the lanes of a mask, for light that only comes
+//! Expands ψ and t in ingoing Kerr coordinates, in the lanes of a mask, for light that only comes
 //! in to the camera.
 //!
 //! With X = E (r² + a²) - a L, and √R = -u'/u² for such light, X - √R = Δ K / (X + √R) cancels Δ in

@@ -5,7 +5,7 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Quantities that are carried along a ray beside 1/r and the height m_z.
+//! Quantities that are carried along a ray in addition to 1/r and m_z = cosθ.
 enum class NearParts {
   place_alone,
   distance,
@@ -19,7 +19,8 @@ constexpr bool has_azimuth(NearParts parts) { return parts >= NearParts::azimuth
 constexpr bool has_delay(NearParts parts) {
   return parts == NearParts::azimuth_and_delay || parts == NearParts::azimuth_delay_and_distance;
 }
-//! The affine distance of kernels/spacetime/geodesic/affine_distance.h.
+//! Returns whether the affine distance (kernels/spacetime/geodesic/affine_distance.h) is carried
+//! along rays.
 constexpr bool has_distance(NearParts parts) {
   return parts == NearParts::distance || parts == NearParts::azimuth_and_distance ||
          parts == NearParts::azimuth_delay_and_distance;
@@ -27,7 +28,7 @@ constexpr bool has_distance(NearParts parts) {
 
 namespace detail {
 
-//! The series of a ray in scaled time; Parts selects which of them it carries.
+//! The Taylor series of a ray in scaled time. `Parts` selects the quantities that have a series.
 template <int Order, class T, NearParts Parts>
 struct NearSeries {
   T u[Order + 1];
@@ -39,10 +40,11 @@ struct NearSeries {
   T distance[has_distance(Parts) ? Order + 1 : 1];
 };
 
-//! Constants of a ray as the recurrences use them, in time scaled by 1 / s.
+//! Constants of a ray as the recurrences use them, in time scaled by 1 / s. For E, C, K and Q see
+//! NearRay.
 template <class T>
 struct NearCoefficients {
-  T linear;       //!< (a² E² - C) / s², of u and of z
+  T linear;       //!< (a² E² - C) / s², the linear coefficient in the equations of both u and z
   T u_quadratic;  //!< 3 K / s²
   T u_cubic;      //!< -2 a² Q / s²
   T polar;        //!< C / s²

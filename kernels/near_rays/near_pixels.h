@@ -3,10 +3,10 @@
 #include "kernels/core/dual.h"
 #include "kernels/near_rays/series_search.h"
 
-// Definitions that all rays of near-field pictures share.
+// Definitions shared by all rays that draw the near field (disk, shells and objects).
 namespace ergodome::inline ERGO_TARGET {
 
-//! Order of their Taylor series, the same as for the sky.
+//! Order of the Taylor series of these rays, the same as for rays to the sky.
 inline constexpr int near_order = 10;
 
 //! Returns the lanes in which light from inside radius r may come along the ray. From outside, the
@@ -15,7 +15,7 @@ template <class T>
 ERGO_HD MaskOf<RealOf<T>> may_reach(ScalarOf<T> spin, const NearRay<T>& ray, ScalarOf<T> r) {
   using S = ScalarOf<T>;
   using Real = RealOf<T>;
-  // A pixel's width beyond an edge still belongs to the edge.
+  // A pixel just outside an edge may still be partly covered, so the radius is slightly enlarged.
   const S u = S(0.9) / r;
   const S a2 = spin * spin;
   const Real e2 = value_of(ray.energy) * value_of(ray.energy);

@@ -90,8 +90,8 @@ ERGO_HD NearRay<T> start_near_ray(const OmniCameraOf<ScalarOf<T>>& camera, const
   ray.carter = moment.x * moment.x + moment.y * moment.y - drag;
   const T skew = ray.axial_angular_momentum - a * ray.energy;
   ray.shear_constant = ray.carter + skew * skew;
-  // The eyes are at their positions at one time of infalling observers. (The few rays that go
-  // inwards ignore how far the eye's Boyer-Lindquist time is ahead of the head's.)
+  // Head and eyes are simultaneous in the time of infalling observers. (For the few rays that go
+  // inwards, the difference between the Boyer-Lindquist times of eye and head is neglected.)
   ray.ingoing = camera.ingoing;
   ray.lag = camera.lag;
   return ray;

@@ -38,7 +38,7 @@ ERGO_HD SeenLanes<T> operator+(const SeenLanes<T>& a, const SeenLanes<T>& b) {
   return {a.red + b.red, a.green + b.green, a.blue + b.blue, a.clear + b.clear};
 }
 
-//! Samples along each side of a pixel that contains images finer than itself.
+//! Number of samples along each side of a pixel that contains images finer than itself.
 inline constexpr int near_samples = 4;
 
 //! A part of a pixel: the offset of its middle from the pixel's, and its width [px].

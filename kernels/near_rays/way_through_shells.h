@@ -8,11 +8,11 @@
 // Where the path of a ray through shells ends.
 namespace ergodome::inline ERGO_TARGET {
 
-//! The last shell that a ray meets, which may be the first opaque one.
+//! The last shell that a ray meets: the first opaque one on its path, or the last of all.
 template <class T>
 struct WayEnd {
   T u;              //!< 1 / r of the shell [1/M]
-  T side;           //!< 1 if the ray crosses it inwards, -1 outwards
+  T side;           //!< 1 if the ray crosses this shell inwards, -1 outwards
   T first_side;     //!< 1 if the ray starts inwards, -1 outwards
   MaskOf<T> meets;  //!< lanes that meet a shell
 };

@@ -5,7 +5,7 @@
 #include "kernels/objects/ray_arrival.h"
 #include "kernels/spacetime/shadow/shadow_chart.h"
 
-// Finds the direct ray from a point to one that is no nearer to the hole.
+// Finds the direct ray from a point to another point that is at least as far from the hole.
 namespace ergodome::inline ERGO_TARGET {
 
 namespace detail {
@@ -14,7 +14,7 @@ namespace detail {
 //! the last.
 struct RayEnds {
   Vector3<double> from;   //!< pseudo-Cartesian [M]
-  Vector3<double> place;  //!< the target, which is no nearer to the hole
+  Vector3<double> place;  //!< the target, at least as far from the hole as `from`
   double near_enough;
 };
 
@@ -41,9 +41,9 @@ ERGO_HD bool aim_at(const CameraStation& camera, const RayTarget& target, Vector
   return false;
 }
 
-//! Finds the ray from the direction without spin. Tries the correction that was found nearby; if
-//! that fails, raises the spin to the frame's in steps. `correction`: what spin adds to the
-//! direction, first nearby, then here.
+//! Finds the ray from the direction without spin. Tries the correction that was found for a nearby
+//! target; if that fails, raises the spin to the frame's in steps. `correction` is what the spin
+//! adds to the direction: on input for a nearby target, on output for this one.
 ERGO_HD bool aim_with_spin(const LocalFrame& frame, const RayEnds& ends, Vector3<double>& direction,
                            RayCorrection& correction, Miss& miss) {
   constexpr int raises = 6;

@@ -4,8 +4,8 @@
 #include "kernels/spacetime/schwarzschild/apparent_place.h"
 #include "kernels/spacetime/shadow/critical_curve.h"
 
-// Finds the ray from a point to one that is no nearer to the hole, either on the second way round
-// the hole, or on the first way where that passes close to the hole.
+// Finds the ray from a point to another point that is at least as far from the hole, either on the
+// second way round the hole, or on the first way where that passes close to the hole.
 //
 // Next to the shadow's edge a ray's end moves about a hundred times as fast as its direction, and
 // the edge depends on the spin. In terms of the position angle γ and the logarithm x of the
@@ -55,7 +55,7 @@ ERGO_HD Vector3<Dual<double>> dual_direction(const ShadowChart& chart, const Dua
 //! Returns the direction of a position, with its derivatives by γ and x.
 ERGO_HD Vector3<Dual<double>> direction_at(const CameraStation& camera, const ShadowChart& chart, const EdgePlace& at) {
   const double edge = edge_along_circle(camera, chart, at.gamma, pi);
-  // The darkness is 0 all along the edge.
+  // darkness() is 0 all along the edge, so its derivatives give the slope dα_e/dγ.
   const RayStart<Dual<double>> on_edge =
       start_ray(camera, dual_direction(chart, Dual<double>(edge, 1.0, 0.0), Dual<double>(at.gamma, 0.0, 1.0)));
   const Dual<double> dark = darkness(camera.spin, camera.horizon_r, on_edge);
@@ -66,9 +66,9 @@ ERGO_HD Vector3<Dual<double>> direction_at(const CameraStation& camera, const Sh
   return dual_direction(chart, alpha, Dual<double>(at.gamma, 1.0, 0.0));
 }
 
-//! Moves a direction about the shadow by Newton's method until its ray comes to the target. Returns
-//! false if it does not, or by a way of another order: images of the first way are upright, those
-//! of the second are mirrored.
+//! Adjusts a direction outside the shadow by Newton's method until its ray meets the target.
+//! Returns false if it does not, or if it meets the target on a way round the hole of another
+//! order: images of the first way are upright, those of the second are mirrored.
 ERGO_HD bool aim_round(const CameraStation& camera, const RayTarget& target, int order, EdgePlace& at,
                        Vector3<double>& direction, Miss& miss) {
   constexpr double longest_turn = 0.5;
@@ -149,10 +149,10 @@ ERGO_HD bool raise_spin(const LocalFrame& frame, const RayEnds& ends, int order,
   return true;
 }
 
-//! Finds the ray from the direction without spin and the correction that was found nearby. If that
-//! is 0 or fails, raises the spin in steps. `correction`: what spin adds to γ and x, first nearby,
-//! then here. Returns false if no ray is found: next to caustics, where it may have merged with
-//! another.
+//! Finds the ray from the direction without spin and the correction that was found for a nearby
+//! target. If the correction is 0 or fails, raises the spin in steps. `correction` is what the spin
+//! adds to γ and x: on input for a nearby target, on output for this one. Returns false if no ray
+//! is found: next to caustics, where it may have merged with another.
 ERGO_HD bool aim_round_with_spin(const LocalFrame& frame, const RayEnds& ends, int order, Vector3<double>& direction,
                                  RayCorrection& correction, Miss& miss) {
   const EdgePlace start = place_without_spin(frame.camera.u, direction);

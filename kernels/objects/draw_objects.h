@@ -13,21 +13,23 @@
 // Batches that draw objects: tiles are marked first, then their pixels are drawn.
 namespace ergodome {
 
-//! Objects as an eye sees them.
+//! The objects of a scene, and the eye that sees them.
 struct ObjectScene {
   CameraStation camera;
   Projection projection;
-  double frame_from_view[3]   //!< rows: the observer's frame (e_r, e_θ, e_φ)
-                        [3];  //!< columns: the view's x (right), y (up), z (back)
+  //! Rows: the observer's frame (e_r, e_θ, e_φ); columns: the view's x (right), y (up), z (back).
+  double frame_from_view[3][3];
   MeshScene scene;
-  const SurfaceLook* looks;        //!< one per mesh
-  LampPlace lamp;                  //!< strength 0: no lamp
-  const LampCorrections* guesses;  //!< one per mesh: corrections of the lamp's rays to its middle
+  const SurfaceLook* looks;  //!< one per mesh
+  LampPlace lamp;            //!< strength 0: no lamp
+  //! First guesses, one per mesh: corrections of the lamp's rays to its middle.
+  const LampCorrections* guesses;
   MeshLimits limits;
   bool shifted;   //!< light is multiplied by g⁴
   bool retarded;  //!< at least one mesh is retarded
-  //! Omnidirectional stereo, if it has coefficients: it then replaces `camera`, which is that of
-  //! the head, for spin and azimuth. The frame is that of the view.
+  //! Camera of an omnidirectional eye, used if it has coefficients. It then replaces `camera`,
+  //! which is the head's and only supplies spin and azimuth. Directions are then in the view's
+  //! axes.
   OmniCameraOf<double> turning;
 };
 
@@ -44,10 +46,11 @@ enum class TileMark : std::uint8_t {
 //! Tiles of an image to be marked.
 struct ObjectTileBatch {
   ObjectScene objects;
-  const std::int32_t* tiles;  //!< two numbers each: their first pixel, x and y
+  const std::int32_t* tiles;  //!< x and y of each tile's first pixel
   int count;
   int side_px;
-  //! Rotation of the planes of rays from pixel to pixel beside the shadow [rad].
+  //! Next to the shadow, the rays of adjacent pixels move in planes through the hole that are
+  //! rotated by up to this angle relative to each other [rad].
   double turn_per_px;
   TileMark* marks;  //!< one per tile
 };
@@ -65,7 +68,7 @@ enum class PixelPattern : std::uint8_t {
 //! Pixels to be drawn.
 struct ObjectPixelBatch {
   ObjectScene objects;
-  const std::int32_t* pixels;  //!< two numbers each: x and y
+  const std::int32_t* pixels;  //!< x and y of each pixel
   int count;
   PixelPattern pattern;
   int samples;  //!< along each side of a pixel, or the square root of the number of slices; even
@@ -94,7 +97,8 @@ inline void dispatch_objects(const Batch& batch, const Action& action) {
 struct FlatEyeSight {
   Vector3<double> eye;  //!< relative to the head, in the observer's frame [M]; not 0
   double most_w;        //!< nothing that is nearer to the eye than 1 / most_w is drawn [1/M]
-  //! Light of the hole's neighborhood, where neighboring rays separate, comes from beyond 1 / this.
+  //! Maximum nearness of the region around the hole, in which neighboring rays separate: all light
+  //! from there comes from farther than 1 / most_hole_w [1/M].
   double most_hole_w;
   double pixel;         //!< angle of a pixel of the picture [rad]
   double tolerance_px;  //!< maximum error of the positions of neighbors that a ray predicts
@@ -109,7 +113,7 @@ inline constexpr double most_way_of_slices = 4.0;
 
 //! The part of an eye's lines of sight on which objects may be.
 struct FlatReach {
-  float least_w;  //!< nearness [1/M]
+  float least_w;  //!< minimum nearness [1/M]
   float most_w;
   float width;  //!< width of a pixel there, over r
 };
@@ -119,7 +123,7 @@ struct FlatObjectTileBatch {
   ObjectTileBatch tiles;
   FlatEyeSight sight;
   double part;             //!< length of line that one ray represents, as the head sees it [rad]
-  const FlatReach* along;  //!< one per tile: where to search
+  const FlatReach* along;  //!< one per tile: part of the line of sight to search
   FlatReach* reach;        //!< one per tile: where objects may be, if any
 };
 
@@ -127,7 +131,7 @@ struct FlatObjectTileBatch {
 struct FlatObjectPixelBatch {
   ObjectPixelBatch pixels;  //!< `time`: minus the mean nearness
   FlatEyeSight sight;
-  const FlatReach* reach;  //!< one per pixel
+  const FlatReach* reach;  //!< one per pixel: part of the line of sight on which objects may be
 };
 
 //! Calls action(functor) for a batch of an eye of the stereo model `flat`.

@@ -9,9 +9,10 @@ namespace ergodome {
 //! Light of a lamp that arrives at a point, and its surroundings, on both ways round the hole.
 struct LampLight {
   LocalFrame frame;
-  Vector3<double> velocity;      //!< of the surface, in the frame; 0 if it is not needed
+  Vector3<double> velocity;      //!< velocity of the surface in the frame; 0 if it is not needed
   Vector3<double> direction[2];  //!< see LightRay
-  //! For a surface that is at rest in the frame and faces it; 0 in shadow.
+  //! Illuminance, for each way round the hole, of a surface at rest in the frame that faces the
+  //! light; 0 in shadow.
   double strength[2];
 };
 
@@ -37,8 +38,9 @@ ERGO_HD double energy_at_rest(Spacetime spacetime, const Vector3<double>& place)
 }
 
 //! Returns the illuminance of a surface that faces the lamp: strength · e_R² / (e_L⁴ · spread),
-//! with the energies that lamp and surface measure. Without shift only the number of photons
-//! counts: strength / (e_L² · spread).
+//! where e_L and e_R are the photon's energies that the lamp and an observer at the surface
+//! measure, and `spread` is that of LightRay. Without shift only the number of photons counts:
+//! strength / (e_L² · spread).
 ERGO_HD double strength_of(const LampPlace& lamp, const LocalFrame& frame, const LightRay& ray) {
   // Behind the hole, next to the axis, only the size of a lamp would keep its light finite, but
   // this lamp is a point. So the brightening is limited, as for stars.
@@ -83,7 +85,7 @@ ERGO_HD double meeting(const LampLight& light, const Vector3<double>& normal, co
   return shift * ::fmax(0.0, (moves + dot(n, direction)) / ::sqrt(1.0 - moves * moves));
 }
 
-//! Returns the illuminance of a surface as it measures it itself.
+//! Returns the illuminance of a surface in the surface's own frame.
 ERGO_HD double illuminance(const LampLight& light, const Vector3<double>& normal) {
   double sum = 0.0;
   for (int way = 0; way < 2; ++way) {

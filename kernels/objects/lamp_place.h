@@ -7,7 +7,7 @@ namespace ergodome {
 
 //! How light weakens with distance.
 enum class LampFalloff {
-  lens,      //!< by the spread of its bundles about the hole
+  lens,      //!< with the spread of its bundles of rays in curved space
   published  //!< with the square of its travel time: Müller, Schulz & Weiskopf (2021), eq. 20
 };
 
@@ -27,7 +27,7 @@ struct RayCorrection {
   double gamma, x;            //!< what the spin adds to γ and x, for aim_round_with_spin
 };
 
-//! Corrections of a lamp's rays to a point, for both ways.
+//! Corrections of a lamp's rays to a point, for both ways round the hole.
 struct LampCorrections {
   RayCorrection by_way[2];
 };

@@ -11,8 +11,8 @@ struct ObjectLayer {
   //! Four per pixel: linear light times the fraction of the pixel that objects cover, and that
   //! fraction; nullptr: no objects.
   const float* rgba = nullptr;
-  //! One per pixel: Mino time from there to the camera, for a photon seen with energy 1 [1/M]; for
-  //! an eye of the stereo model `flat` minus the nearness.
+  //! One per pixel: Mino time from the object to the camera, for a photon seen with energy 1 [1/M].
+  //! For an eye of the stereo model `flat`: minus the nearness (1/distance).
   const float* time = nullptr;
 };
 

@@ -8,13 +8,14 @@ namespace ergodome {
 
 //! How light arrives at a point.
 struct LightRay {
-  //! Towards its origin, in the frame of an observer without angular momentum: e_r, e_θ, e_φ.
+  //! Unit vector towards the light's origin, in the frame of the zero-angular-momentum observer
+  //! (e_r, e_θ, e_φ).
   Vector3<double> direction;
   double travel_time;  //!< [M]
-  //! Cross-section at one end of a narrow bundle that converges at the other, over its solid angle
-  //! there and over the square of the energy that the observer there measures of a photon with
-  //! energy 1 at infinity [M²]. It is the same in both directions (Etherington's reciprocity) and
-  //! for all observers.
+  //! Spread of a narrow bundle of rays that converge at one end of the ray: the cross-section at
+  //! the other end, divided by the solid angle where they converge and by the square of the energy
+  //! that an observer there measures of a photon with energy 1 at infinity [M²]. It is the same if
+  //! the ends are exchanged (Etherington's reciprocity) and for all observers.
   double spread;
 };
 
@@ -47,16 +48,17 @@ ERGO_HD bool is_next_to(const Vector3<double>& a, const Vector3<double>& b) {
   return dot(way, way) < near * near * dot(a, a);
 }
 
-//! Returns the spread between such points: the square of the distance over that of the energy, as
-//! the observer measures both.
+//! Returns the spread between points that are next to each other: (distance / energy)², both as the
+//! observer measures them.
 ERGO_HD double spread_nearby(const LocalFrame& frame, const LightRay& ray) {
   const double lapse = frame.normal_by.x * frame.normal_by.z / frame.normal_by.y;
   const double distance = lapse * ray.travel_time * evaluate(frame.camera.energy, ray.direction);
   return distance * distance;
 }
 
-//! Aims from the frame's position at another on the first or the second way round. `direction`:
-//! without spin; afterwards, that of the ray. `phi`: angle between both positions [rad].
+//! Finds the ray from the frame's position to another position, on the first or the second way
+//! round the hole. `direction`: on input, for a hole without spin; on output, that of the ray.
+//! `phi`: angle between both positions [rad].
 ERGO_HD bool aim(const LocalFrame& frame, const RayEnds& ends, int order, double phi, Vector3<double>& direction,
                  RayCorrection& correction, Miss& miss) {
   // From this angle on, the first way passes so close to the hole that its rays change as those of
@@ -71,8 +73,8 @@ ERGO_HD bool aim(const LocalFrame& frame, const RayEnds& ends, int order, double
 //! Finds the light from a lamp to a point, on the first or the second way round the hole. Without
 //! spin it is in closed form (kernels/spacetime/schwarzschild). With spin, and for its spread, it
 //! is found by Newton's method on exact rays, which start at the end that is nearer to the hole.
-//! Returns false if no ray is found. `correction`: what spin adds to that way's ray, first nearby,
-//! then here.
+//! Returns false if no ray is found. `correction` is what the spin adds to the ray of that way: on
+//! input for a nearby point, on output for this one.
 ERGO_HD_CALLED bool light_ray(Spacetime spacetime, const LocalFrame& frame, const Vector3<double>& point,
                               const Vector3<double>& lamp, int order, LightRayParts parts, RayCorrection& correction,
                               LightRay& ray) {
@@ -93,8 +95,8 @@ ERGO_HD_CALLED bool light_ray(Spacetime spacetime, const LocalFrame& frame, cons
     found = detail::aim(frame, {point, lamp, near_enough}, order, plane.phi, ray.direction, correction, miss);
     ray = {ray.direction, miss.arrival.delay, miss.spread};
   } else {
-    // From the lamp to the point, time is reversed, and so is the hole's rotation. The arrival is
-    // that before the last step, so near_enough is smaller.
+    // From the lamp to the point, time is reversed, and so is the hole's rotation. Miss::arrival
+    // belongs to the ray before the last Newton step, so near_enough is smaller here.
     constexpr double near_enough = 1e-5;
     const LocalFrame at_lamp = local_frame(Spacetime{-spacetime.spin}, lamp);
     Vector3<double> direction = in_axes(at_lamp, place.direction);

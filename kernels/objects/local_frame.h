@@ -9,7 +9,8 @@ namespace ergodome {
 struct LocalFrame {
   CameraStation camera;
   Vector3<double> axes[3];  //!< e_r, e_θ, e_φ, pseudo-Cartesian
-  //! Factors that convert a normal's components along them to those that the observer measures.
+  //! Factors that convert the components of a surface normal along `axes` to those that the
+  //! observer measures.
   Vector3<double> normal_by;
 };
 

@@ -5,7 +5,7 @@
 // Draws objects for a camera or omnidirectional stereo.
 namespace ergodome::inline ERGO_TARGET {
 
-//! Order of the series by which objects are searched.
+//! Order of the Taylor series of rays that search for objects.
 inline constexpr int object_order = 10;
 
 //! Finds the objects that rays of a camera, or of omnidirectional stereo, meet.

@@ -26,7 +26,7 @@ ERGO_HD double emitted_frequency(Spacetime spacetime, const MeshHit& hit, double
   const double delta = (r - horizon_r) * (r - a2 / horizon_r);
   const double sigma = r * r + a2 * (n.z * n.z);
   const double pull = 2.0 * r / sigma;
-  // -ds²/dt² along its path.
+  // -ds²/dt² along the path of the matter.
   const double square = 1.0 - pull + 2.0 * pull * spin * axial - sigma / delta * (radial * radial) -
                         sigma * dot(turn, turn) - a2 * (1.0 + pull) * (axial * axial);
   if (!(square > 0.0)) {

@@ -8,10 +8,10 @@ namespace ergodome::inline ERGO_TARGET {
 //! ways round the hole. `hits`: one per lane. `active_at_start`: lanes to follow; the hits of all
 //! others stay empty. Returns false in lanes that reached the step limit before they were decided.
 //!
-//! Paths are Taylor series. Pieces that come near a mesh are compared with triangles as parabolas,
-//! and a crossing is a zero of the series itself, so outlines are as exact as the path. A path that
-//! grazes a plane twice within a fiftieth of its mesh is decided by the parabola through the piece.
-//! Retarded meshes move while light passes, if the delay is carried.
+//! Paths are Taylor series. Pieces of a path that come near a mesh are approximated by parabolas to
+//! select triangles. A crossing is then a zero of the series itself, so outlines are as exact as
+//! the path. If a path crosses a triangle's plane twice within a fiftieth of the mesh's size, the
+//! parabola decides. Retarded meshes move while light passes, if the delay is carried.
 template <int Order, NearParts Parts, class T>
 ERGO_HD MaskOf<T> trace_meshes(ScalarOf<T> spin, double cosine_phi, double sine_phi, const NearRay<T>& ray,
                                const MeshScene& scene, const MeshLimits& limits, const MaskOf<T>& active_at_start,

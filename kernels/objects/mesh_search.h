@@ -13,19 +13,19 @@ struct MeshHit {
   double weight_1 = 0.0;    //!< weights of the second and the third corner; the first has the rest
   double weight_2 = 0.0;
   Vector3<double> point;  //!< pseudo-Cartesian [M]
-  //! Coordinate time from there to the camera [M]; only with azimuth_and_delay.
+  //! Coordinate time from the hit to the camera [M]; only with azimuth_and_delay.
   double delay = 0.0;
-  //! Mino time from there to the camera, for a photon seen with energy 1 [1/M].
+  //! Mino time from the hit to the camera, for a photon seen with energy 1 [1/M].
   double time = 0.0;
-  double u_rate = 0.0;             //!< du/dλ there, backwards
-  Vector3<double> polar_momentum;  //!< dm/dλ there, backwards, pseudo-Cartesian [M]
+  double u_rate = 0.0;             //!< du/dλ at the hit, backwards
+  Vector3<double> polar_momentum;  //!< dm/dλ at the hit, backwards, pseudo-Cartesian [M]
 };
 
 inline namespace ERGO_TARGET {
 
 namespace detail {
 
-//! A path in the unit and the axes of a mesh, which may move while light passes.
+//! A path, transformed to the unit and the axes of a mesh; the mesh may move while light passes.
 template <int Order, NearParts Parts>
 struct PathInMesh {
   const PathStep<Order, Parts, double>& step;
@@ -56,7 +56,7 @@ struct PlaneDistance {
 template <class Path>
 struct PieceCrossings {
   const Path& path;
-  const PathPiece& piece;  //!< in the mesh's unit
+  const PathPiece& piece;  //!< the piece in the mesh's unit
   PathParabola parabola;
   int index;
   double first_h;
@@ -138,12 +138,14 @@ struct StepSearch {
            mesh.size * mesh.tree.radius + stray;
   }
 
-  //! Returns what to do with a piece. It has to be short near a mesh.
+  //! Returns what to do with a piece: pieces near a mesh have to be short.
   ERGO_HD PieceAnswer operator()(const PathPiece& p) {
-    // Maximum stray of a piece, as a fraction of the radius of a mesh that it comes near.
+    // Maximum distance of a piece from its chord (stray), as a fraction of the radius of a mesh
+    // that it comes near.
     constexpr double fine = 0.02;
-    // Maximum error of its parabola, likewise. A smaller one leads to more pieces, a larger one to
-    // more triangles that only the path itself excludes.
+    // Maximum error of the piece's parabola, as such a fraction. A smaller limit leads to more
+    // pieces. A larger one leads to more triangles that the parabola cannot exclude, only the path
+    // itself.
     constexpr double finest = 3e-4;
     const double stray = p.stray();
     bool near = false;
@@ -166,7 +168,7 @@ struct StepSearch {
     return near && find(p, stray) ? PieceAnswer::stop : PieceAnswer::finish;
   }
 
-  //! Finds the first triangle of a piece that strays little.
+  //! Finds the first triangle that a piece crosses. The piece must be close to its chord.
   ERGO_HD bool find(const PathPiece& p, double stray) {
     double first_h = p.to_h + (p.to_h - p.from_h);
     for (int i = 0; i < scene.count; ++i) {

@@ -5,7 +5,7 @@
 #include "kernels/objects/object_sight.h"
 #include "kernels/objects/pixel_slices.h"
 
-// Draws pixels with objects from quads of samples, whichever rays find the hits.
+// Draws pixels with objects from quads of samples, for any kind of ray that finds the hits.
 namespace ergodome::inline ERGO_TARGET {
 
 //! Number of neighboring positions in a pixel that form a quad.
@@ -15,8 +15,8 @@ inline constexpr int quad_size = 4;
 template <class T>
 struct SampleHits {
   MeshHit hits[RealTraits<T>::lane_count];
-  T energy;    //!< at infinity, of light seen with energy 1
-  T momentum;  //!< about the axis [M]
+  T energy;    //!< energy at infinity of light that is seen with energy 1
+  T momentum;  //!< axial angular momentum [M]
 };
 
 //! Computes the light of pixels in which objects may be seen, from several quads of positions each.
@@ -56,7 +56,7 @@ struct ObjectQuads {
     bool several;
     Vector3<float> normal;
     int met;            //!< number of samples that have hit anything
-    int outlines;       //!< number of successive samples that have hit different things
+    int outlines;       //!< number of pairs of successive samples that have hit different things
     std::int32_t last;  //!< mesh that the last sample has hit
   };
 
@@ -66,10 +66,10 @@ struct ObjectQuads {
     LampLight light = {};
   };
 
-  //! The lamp's light as each pixel last saw it.
+  //! The lamp's light as last computed, for each pixel.
   struct LampSight {
     int corrected = -1;                //!< the mesh to which the corrections belong
-    LampCorrections corrections = {};  //!< kept from point to point
+    LampCorrections corrections = {};  //!< first guesses for the next point
     LitMesh lit[lanes] = {};
   };
 
@@ -136,7 +136,7 @@ struct ObjectQuads {
         return;
       }
       const SurfacePlace beside = place_of(quad[other]);
-      // A larger change crosses the seam of an image.
+      // A larger change means that the samples are on both sides of an image's seam.
       const float u = beside.u - at.u;
       const float v = beside.v - at.v;
       along_u = ::fabsf(u) < 0.5F ? u : 0.0F;
@@ -212,8 +212,8 @@ struct ObjectQuads {
     ++sum.met;
   }
 
-  //! Returns whether slices have met an object that may be thinner than they resolve. They do
-  //! resolve a single side of an object.
+  //! Returns whether slices have met an object that may be thinner than they resolve. A single
+  //! outline of an object is resolved.
   ERGO_HD static bool is_thin(const PixelSum& sum) {
     constexpr int few = 4;
     return sum.outlines > 1 || (sum.outlines > 0 && sum.met < few);

@@ -15,8 +15,8 @@ struct PathPiece {
 
   ERGO_HD double middle_h() const { return 0.5 * (from_h + to_h); }
   ERGO_HD double chord() const { return ::sqrt(dot(to - from, to - from)); }
-  //! Returns twice the sagitta, since pieces are short and close to parabolas. A displacement along
-  //! the chord only counts if the path turns back there.
+  //! Returns twice the sagitta, since pieces are short and close to parabolas. A displacement of
+  //! the middle along the chord is only included if the path turns back there.
   ERGO_HD double stray() const {
     const Vector3<double> bow = middle - 0.5 * (from + to);
     const double along = unevenness();
@@ -42,8 +42,8 @@ ERGO_HD double distance_from_segment(const Vector3<double>& point, const Vector3
   return ::sqrt(dot(rest, rest));
 }
 
-//! Maximum bend and unevenness of a piece, as fractions of its length, for which its middle shows
-//! how far it strays.
+//! Maximum bend and unevenness of a piece, as fractions of its length, for which the position of
+//! its middle shows how far it is from its chord.
 inline constexpr double straight_enough = 0.1;
 inline constexpr double even_enough = 0.15;
 
@@ -85,7 +85,7 @@ ERGO_HD void visit_pieces(double length, double smallest_chord, double most_unev
 //! The parabola through a piece's ends and its middle, P(s) for s from 0 to 1.
 struct PathParabola {
   Vector3<double> from, middle, to;
-  double off;      //!< estimated maximum distance of the path from it at the same s
+  double off;      //!< estimated maximum distance between path and parabola at the same s
   double fastest;  //!< upper limit of |dP/ds|
 
   ERGO_HD Vector3<double> at(double s) const {
@@ -93,9 +93,9 @@ struct PathParabola {
   }
 };
 
-//! Returns the parabola of a piece; path(h) returns a position. The difference by the cubic and
-//! higher terms is largest near the quarters, where it is measured. `off` is twice that, plus the
-//! rounding error of a path of size `radius`.
+//! Returns the parabola of a piece; path(h) returns a position. The difference between path and
+//! parabola, due to cubic and higher terms, is largest near the quarters, where it is measured.
+//! `off` is twice that, plus the rounding error of a path of size `radius`.
 template <class Path>
 ERGO_HD PathParabola parabola_of(const PathPiece& p, const Path& path, double radius) {
   PathParabola parabola = {p.from, p.middle, p.to, 0.0, 0.0};
@@ -138,8 +138,9 @@ ERGO_HD bool is_within(const PlaneOnPiece& plane, const Vector3<double>& point, 
 
 }  // namespace detail
 
-//! Returns whether a path may cross a triangle before `first_s`, according to its parabola. False
-//! only if it does not, as far as `off` is right. A path that grazes the plane may cross it.
+//! Returns whether a path may cross a triangle before `first_s`, according to its parabola. Returns
+//! false only if it certainly does not, provided that `off` is right. A path that grazes the plane
+//! may cross it.
 ERGO_HD bool may_cross(const PathParabola& path, const PlaneOnPiece& plane, double first_s) {
   const double reach = path.off * ::sqrt(dot(plane.normal, plane.normal));
   const double bow = 2.0 * (plane.at_from + plane.at_to) - 4.0 * plane.at_middle;
@@ -157,7 +158,7 @@ ERGO_HD bool may_cross(const PathParabola& path, const PlaneOnPiece& plane, doub
     return !(::fabs(square) > 8.0 * reach * ::fabs(bow));
   }
   const double root = ::sqrt(square);
-  // Maximum distance along the path between its crossing and that of the parabola.
+  // Maximum difference in s between the path's crossing and the parabola's.
   const double slip = 2.0 * reach / root;
   if (!(slip < 0.25) || square < 4.0 * reach * ::fabs(bow)) {
     return true;

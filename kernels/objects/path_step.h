@@ -17,7 +17,7 @@ struct RadialBounds {
 struct MeshLimits {
   double tolerance;  //!< local error of the path
   int step_limit;
-  double delay = 0.0;  //!< coordinate time that has passed where rays start [M]
+  double delay = 0.0;  //!< coordinate time that is already counted at the start of the rays [M]
 };
 
 inline namespace ERGO_TARGET {
@@ -28,7 +28,7 @@ struct PathStep {
   detail::NearSeries<Order, T, Parts> series;
   Vector3<double> axes[2];  //!< directions of m's x and y, before frame dragging
   double least_u;           //!< no objects are farther out: positions are clamped to this 1/r
-  double length;            //!< of the step, in h
+  double length;            //!< length of the step, in h
   double scale;             //!< h over Mino time
   //! Mino time at h = 0, from the camera, for a photon seen with energy 1 [1/M].
   double start;
@@ -62,7 +62,7 @@ struct PathStep {
   //! Returns the affine distance from the camera [M]; only with parts that carry it.
   ERGO_HD T distance(const T& h) const { return series_value(series.distance, h); }
 
-  //! Returns the coordinate time from there to the camera [M]; 0 if it is not carried.
+  //! Returns the coordinate time from the point at h to the camera [M]; 0 if it is not carried.
   ERGO_HD double delay(double h) const {
     if constexpr (has_delay(Parts)) {
       return delay_at_camera + value_of(series_value(series.delay, T(h)));
@@ -93,7 +93,7 @@ ERGO_HD void take_lane(const T (&all)[Count], int i, One (&one)[Count]) {
   }
 }
 
-//! Takes the series of one ray from those of many.
+//! Copies the series of lane `i`.
 template <int Order, NearParts Parts, class T, class One>
 ERGO_HD void take_lane(const NearSeries<Order, T, Parts>& all, int i, NearSeries<Order, One, Parts>& one) {
   take_lane(all.u, i, one.u);
@@ -200,7 +200,8 @@ ERGO_HD MaskOf<RealOf<T>> follow_path(ScalarOf<T> spin, double cosine_phi, doubl
     const MaskOf<Real> arrives = detail::end_way_out(s, on_way_out, innermost, length);
     const Real end_u = value_of(series_value(s.u, length));
     const Real end_rate = value_of(series_rate(s.u, length));
-    // A step that begins and ends outside, without a turn between, meets no objects.
+    // A step that begins and ends outside the outermost objects, without a turning point between,
+    // meets none.
     const MaskOf<Real> far_out = (u < outermost) & (end_u < outermost) & (value_of(s.u[1]) * end_rate > zero);
     const unsigned near = mask_bits(active & !(far_out | on_way_out));
     Real found = zero;

@@ -28,7 +28,8 @@ class PixelSlices {
   ERGO_HD PixelSlices(double x, double y, double edge_px)
       : x_(x), y_(y), edge_px_(edge_px), first_(root(-reach() - edge_px)), last_(root(reach() - edge_px)) {}
 
-  //! Returns the position of one of `count` slices, the darkest first.
+  //! Returns the position of one of `count` slices, numbered from the dark side of the edge
+  //! outwards.
   ERGO_HD PixelPlace place(int slice, int count) const {
     // Multiples of the golden ratio are spread evenly along the edge, for any number of slices.
     constexpr double golden = 0.61803398874989485;
@@ -56,7 +57,8 @@ class PixelSlices {
   ERGO_HD static double root(double outside_px) {
     return outside_px > 0.0 ? ::sqrt(outside_px) : -dark_part * ::sqrt(-outside_px);
   }
-  //! Returns the beginning of a slice, across the edge from the middle [px].
+  //! Returns where a slice begins: distance from the pixel's middle, perpendicular to the edge
+  //! [px].
   ERGO_HD double at(double slice, int count) const {
     const double r = first_ + (last_ - first_) * (slice / count);
     const double square = r * r;
@@ -64,7 +66,8 @@ class PixelSlices {
     return ::fmax(-reach(), ::fmin(reach(), edge_px_ + outside_px));
   }
 
-  //! Returns the fraction of the pixel on the near side of a line along the edge.
+  //! Returns the fraction of the pixel on the dark side of a line parallel to the edge, at distance
+  //! `across` from the pixel's middle [px].
   ERGO_HD double area_before(double across) const {
     const double longer = ::fmax(::fabs(x_), ::fabs(y_));
     const double shorter = ::fmin(::fabs(x_), ::fabs(y_));
@@ -123,7 +126,7 @@ ERGO_HD PixelSlices slice_pixel(const CameraStation& camera, const NearRay<Dual<
   const Dual<double> dark = darkness(camera.spin, camera.horizon_r, in_unit_of_energy(ray));
   const double slope = ::sqrt(dark.along_x * dark.along_x + dark.along_y * dark.along_y);
   const double edge_px = dark.value / slope;
-  // NaN does not locate the edge.
+  // If edge_px is NaN, the edge is not located.
   return slope > 0.0 && ::fabs(edge_px) < far_away_px
              ? PixelSlices(-dark.along_x / slope, -dark.along_y / slope, edge_px)
              : even;
@@ -144,7 +147,8 @@ ERGO_HD const std::int32_t* pixel_of_batch(const ObjectPixelBatch& batch, int at
 template <int Pixels>
 class PixelPlaces {
  public:
-  //! For the pixels from `first` on; slice(number) cuts one.
+  //! Computes the positions for the pixels from `first` on; slice(number) returns the slices of one
+  //! pixel.
   template <class Slice>
   ERGO_HD PixelPlaces(const ObjectPixelBatch& batch, int first, const Slice& slice)
       : pattern_(batch.pattern), samples_(batch.samples) {

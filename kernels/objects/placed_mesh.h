@@ -5,26 +5,28 @@
 // Meshes placed in space, at rest or on circular orbits.
 namespace ergodome {
 
-//! A circle on which a mesh moves in the hole's time.
+//! A circle on which a mesh moves, as a function of coordinate time.
 struct MeshOrbit {
-  Vector3<double> toward;  //!< from the hole's center to the mesh at the camera's time [M]
-  Vector3<double> ahead;   //!< to its position a quarter of the circle later [M]
-  double rate = 0.0;       //!< angular velocity [1/M]; 0: at rest
+  Vector3<double> toward;  //!< vector from the hole's center to the mesh at the camera's time [M]
+  //! Vector from the hole's center to its position a quarter of the circle later [M].
+  Vector3<double> ahead;
+  double rate = 0.0;  //!< angular velocity [1/M]; 0: at rest
 };
 
 //! A mesh in space: its point p is at position + size · rows · p, pseudo-Cartesian: x = r sinθ
 //! cosφ, y = r sinθ sinφ, z = r cosθ [M].
 struct PlacedMesh {
   TriangleTree tree;
-  Vector3<double> position;  //!< at the camera's time
+  Vector3<double> position;  //!< position at the camera's time
   double rows[3][3];         //!< a rotation
   double size;               //!< M per unit of the mesh
-  MeshOrbit orbit = {};      //!< how it moves
-  //! Light shows it where it was when the light left it, not where it is.
+  MeshOrbit orbit = {};      //!< its motion
+  //! Whether the mesh is seen at the position that it had when the light left it, not at its
+  //! present position.
   bool retarded = false;
 };
 
-//! Meshes among which the first on a ray's path is found.
+//! The meshes of a scene, and the range of radii in which they are.
 struct MeshScene {
   const PlacedMesh* meshes;
   int count;

@@ -85,19 +85,19 @@ ERGO_HD RayTarget ray_target(const Vector3<double>& from, const Vector3<double>&
   return target;
 }
 
-//! By how much a ray misses a point.
+//! How a ray misses its target, and the Newton step that corrects it.
 struct Miss {
   Arrival arrival;
-  double size;     //!< [rad about the hole]
-  bool same_side;  //!< on the point's side of the hole
-  double step[2];  //!< Newton step of both numbers that the direction depends on
+  double size;     //!< distance between arrival and target, as an angle about the hole [rad]
+  bool same_side;  //!< the ray arrives on the target's side of the hole
+  double step[2];  //!< Newton step of the two numbers that parametrize the direction
   double spread;   //!< see LightRay
   bool mirrored;   //!< the bundle arrives mirrored, as for images of the second way
 };
 
-//! Traces a ray to the radius of a point that is no nearer to the hole. `n`: its direction at
-//! `camera`, with its derivatives by two numbers. Returns false if it does not get there, or if no
-//! usable step corrects it.
+//! Traces a ray to the radius of a point that is at least as far from the hole as the camera. `n`:
+//! its direction at `camera`, with its derivatives by two numbers. Returns false if it does not get
+//! there, or if no usable step corrects it.
 //!
 //! The bundle's cross-section at the point, on a screen perpendicular to the ray for an observer
 //! without angular momentum, is √A |n_r| (1 - ω L) times that in θ and φ sinθ at constant r. There

@@ -41,7 +41,7 @@ struct Surface {
 struct SurfaceLook {
   Surface surface;
   Vector3<float> factor;  //!< multiplies all its colors
-  float columns, rows;    //!< of a checkerboard; 0: none
+  float columns, rows;    //!< number of columns and rows of a checkerboard; 0: none
   float dark;             //!< factor on the light of every other field
   bool lit;               //!< reflects the scene's light by Lambert's law
 };
@@ -84,7 +84,8 @@ ERGO_HD SurfacePlace surface_place(const Surface& surface, const PlacedMesh& mes
     u += weight[i] * static_cast<double>(corner[i]->texture[0]);
     v += weight[i] * static_cast<double>(corner[i]->texture[1]);
   }
-  // Onto the planes perpendicular to the corners' normals, as far as they lie above (Hanika 2021).
+  // Projects the point onto the planes perpendicular to the corners' normals, as far as these lie
+  // above the triangle (Hanika 2021).
   Vector3<double> lift = {0.0, 0.0, 0.0};
   for (int i = 0; i < 3; ++i) {
     const Vector3<double> n = vector_of(corner[i]->normal);
@@ -120,8 +121,9 @@ ERGO_HD WrappedTexture wrapped_texture(float x, TextureWrap wrap) {
   return there_and_back <= 1.0F ? WrappedTexture{there_and_back, 1.0F} : WrappedTexture{2.0F - there_and_back, -1.0F};
 }
 
-//! Returns the linear light of a surface by itself, or in white light of strength 1. `footprint`:
-//! of the texture, in a pixel or less; v counts upwards.
+//! Returns the linear light of a surface: its own light if it is not lit, otherwise the light that
+//! it reflects under white light of strength 1. `footprint`: of the texture, in a pixel or less; v
+//! counts upwards.
 ERGO_HD Vector3<float> surface_color(const SurfaceLook& look, const SurfacePlace& at,
                                      const OverlayFootprint& footprint) {
   const SurfacePart& part = look.surface.parts[at.part];

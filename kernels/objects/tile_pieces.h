@@ -54,8 +54,9 @@ ERGO_HD MaskOf<T> is_by_edge(ScalarOf<T> spin, const Start& start, const Vector3
   return some & !all;
 }
 
-//! Returns the radius within which the rays of tiles are followed. They may come to the ball about
-//! all objects even if that of their middle, n, does not.
+//! Returns the radius within which the rays of tiles are followed. It is larger than that of the
+//! ball about all objects, because some rays of a tile may enter the ball although the ray in the
+//! tile's middle, in direction n, does not.
 template <class T>
 ERGO_HD double greatest_r_of_tiles(const ObjectScene& objects, const Vector3<Dual<T>>& n, const T& half_px) {
   double beside = 0.0;
@@ -71,7 +72,7 @@ ERGO_HD double greatest_r_of_tiles(const ObjectScene& objects, const Vector3<Dua
 //! A pixel's footprint on the path of the ray in its middle [M]: distances of its neighbors at the
 //! same time.
 struct PixelOnPath {
-  double width;              //!< in x and y of the picture together
+  double width;              //!< neighbors in x and y of the picture combined
   double across, along;      //!< parts of `width` across the path and along it
   double widest, narrowest;  //!< maximum and minimum across the path
   Vector3<double> narrow;    //!< direction of `narrowest`
@@ -122,7 +123,7 @@ ERGO_HD double reach_out_of_plane(const PixelOnPath& pixel, double within_px, do
 
 //! Pixels around that of a ray.
 struct Neighbours {
-  double half_px;      //!< their maximum distance in the picture
+  double half_px;      //!< maximum distance of these pixels in the picture
   double turn_per_px;  //!< rotation of the planes of their rays from pixel to pixel [rad]
   NeighbourTimes times;
 };
@@ -141,7 +142,7 @@ ERGO_HD double footprint_reach(const PathPiece& piece, const PixelOnPath& pixel,
   const double bend = 2.0 * piece.stray() / (chord * chord);
   const double ahead = within_px * pixel.along;
   const double aside = ahead * ahead * (bend + 1.0 / length_of(piece.middle));
-  // NaN yields the whole width.
+  // If `beside` is NaN, the result is the whole width.
   const double beside = within_px * pixel.across + aside;
   return beside < whole ? beside : whole;
 }
@@ -174,10 +175,10 @@ ERGO_HD void visit_tile_pieces(const MeshScene& scene, const PathStep<mark_order
   const auto place = [&](double h) { return plain_vector(step.point(Dual<double>(h))); };
   visit_pieces(step.length, 1e-9 * scene.greatest_r, most_uneven, place, [&](const PathPiece& p) {
     const PixelOnPath pixel = pixel_on_path(step.point(Dual<double>(p.middle_h())), p.to - p.from);
-    // The footprint is that of the middle, but grows along the piece.
+    // The footprint is computed in the middle of the piece, but changes along it.
     const double reach =
         p.stray() + 2.0 * ::fabs(p.unevenness()) * p.chord() + footprint_reach(p, pixel, within_px, neighbours.times);
-    // NaN counts as not stretched.
+    // `stretched` is false if a width is NaN.
     const bool stretched = pixel.widest > stretched_part * pixel.narrowest && length_of(pixel.narrow) > 0.5;
     const double beside = stretched ? p.stray() + reach_out_of_plane(pixel, within_px, neighbours.turn_per_px) : 0.0;
     bool enough = false;
@@ -193,7 +194,7 @@ ERGO_HD void visit_tile_pieces(const MeshScene& scene, const PathStep<mark_order
       if (stretched && ::fabs(dot(pixel.narrow, middle - p.middle)) > radius + beside + moved) {
         continue;
       }
-      // NaN counts as near.
+      // Also true for NaN, which counts as near.
       if (!(distance_from_segment(middle, p.from, p.to) > radius + reach + moved)) {
         enough = each(p, radius, pixel);
       }

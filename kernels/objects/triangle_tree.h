@@ -9,7 +9,7 @@
 // A tree of boxes about a mesh's triangles, to find those near a segment.
 namespace ergodome {
 
-//! A box about triangles.
+//! A bounding box of triangles.
 struct TreeNode {
   float low[3];
   std::uint32_t first;  //!< leaf: its first triangle; otherwise the first of two adjacent children

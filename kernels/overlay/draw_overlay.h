@@ -21,7 +21,7 @@ inline constexpr int overlay_tile_px = 32;
 //! values by its tone, covered, and converted back. So an overlay's colors do not depend on the
 //! exposure. Where it is drawn, light is limited to what shows as white.
 struct OverlayBatch {
-  float* rgba;  //!< of the whole picture: light and coverage
+  float* rgba;  //!< light and coverage of the whole picture
   ProjectionOf<float> projection;
   OverlayTexture texture;
   OverlaySheet sheet;
@@ -30,7 +30,7 @@ struct OverlayBatch {
   bool display_colours;       //!< the picture has a display's values already: no tone is applied
   const std::int32_t* tiles;  //!< numbers of tiles, row by row from the top left
   int tile_columns;           //!< tiles per row of the picture
-  int count;                  //!< pixels of the tiles
+  int count;                  //!< number of pixels of the listed tiles
 };
 
 template <>

@@ -63,7 +63,7 @@ ERGO_HD void place_on_sheet(const OverlaySheet& sheet, const Vector3<Dual<T>>& v
   const D z = along(sheet.ahead);
   switch (sheet.shape) {
     case OverlayShape::bent: {
-      // Next to the pole nothing is drawn.
+      // The latitude is limited, since Mercator's diverges at the poles; nothing is drawn there.
       const D latitude = {minimum(maximum(y.value, T(-0.9999F)), T(0.9999F)), y.along_x, y.along_y};
       s = detail::arc_tangent_of(x, z) * T(sheet.scale / sheet.width) + T(0.5F);
       t = T(0.5F) - (detail::area_tangent_of(latitude) - T(sheet.middle)) * T(sheet.scale / sheet.height);

@@ -15,8 +15,8 @@ inline constexpr int overlay_level_limit = 15;
 //! The first row is the top.
 struct OverlayTexture {
   const std::uint16_t* texels;
-  long level_offset[overlay_level_limit];  //!< in texels
-  int width;                               //!< of level 0; level k has width >> k, at least 1
+  long level_offset[overlay_level_limit];  //!< first texel of each level
+  int width;                               //!< width of level 0; level k has width >> k, at least 1
   int height;
   int level_count;
 };

@@ -14,14 +14,14 @@ namespace ergodome {
 
 enum class LensLaw : std::int32_t { equidistant, equisolid, stereographic, orthographic, polynomial };
 
-//! A law and its field of view.
+//! A lens: its law and its field of view.
 template <class S>
 struct FisheyeLens {
   LensLaw law;
   S half_angle;      //!< angle at the rim [rad]
   S rim;             //!< radius of the rim
   S scale;           //!< sin h, sin(h/2) or tan(h/2), depending on the law
-  S coefficient[4];  //!< of t, t³, t⁵, t⁷
+  S coefficient[4];  //!< coefficients of t, t³, t⁵, t⁷
 };
 
 inline namespace ERGO_TARGET {
@@ -81,7 +81,7 @@ ERGO_HD void look_through_plain_lens(const FisheyeLens<ScalarOf<T>>& lens, const
   sine_over_radius = sine / radius;
 }
 
-//! Computes the same for any law.
+//! Computes the same as look_through_plain_lens(), for any law.
 //!
 //! Only the laws that need the angle itself divide by the radius; there its square is kept above 0,
 //! far below the resolution of any image. The equisolid and the orthographic law end where the

@@ -10,9 +10,9 @@ struct DomeView {
   double field_of_view = 3.14159265358979323846;  //!< full angle [rad], see largest_half_angle()
   double tilt = 0.0;                              //!< tilt of the dome's top to the front [rad]
   LensLaw law = LensLaw::equidistant;
-  double coefficient[4] = {0.0, 0.0, 0.0, 0.0};  //!< of LensLaw::polynomial
-  //! Position for which the picture is right, from the dome's center in view axes (x right, y up, z
-  //! back), in radii of the dome; shorter than 1.
+  double coefficient[4] = {0.0, 0.0, 0.0, 0.0};  //!< coefficients of LensLaw::polynomial
+  //! Position of the viewer for whom directions in the picture are correct, relative to the dome's
+  //! center in view axes (x right, y up, z back), in radii of the dome; shorter than 1.
   Vector3<double> viewer = {0.0, 0.0, 0.0};
   double cut_below = 0.0;  //!< black part of the image's height, from the bottom
   double cut_above = 0.0;  //!< black part of the image's height, from the top
@@ -100,7 +100,7 @@ ERGO_HD Projection make_pinhole_projection(int width_px, int height_px, double f
   return p;
 }
 
-//! Makes a flat screen off the axis.
+//! Makes a flat screen whose center need not be on the view's axis.
 ERGO_HD Projection make_frustum_projection(int width_px, int height_px, const FrustumSides& sides) {
   Projection p = detail::plain_projection(ProjectionKind::pinhole, width_px, height_px);
   p.pinhole = {0.5 * (sides.right - sides.left), 0.5 * (sides.up - sides.down), 0.5 * (sides.right + sides.left),

@@ -12,7 +12,7 @@ struct Pinhole {
   S half_width;   //!< half the width on a screen at distance 1
   S half_height;  //!< half the height on that screen
   S middle_x;     //!< center of the image on that screen, to the right of the axis
-  S middle_y;     //!< and upwards
+  S middle_y;     //!< center of the image on that screen, upwards from the axis
 };
 
 inline namespace ERGO_TARGET {

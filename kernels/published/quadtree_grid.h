@@ -11,13 +11,14 @@
 namespace ergodome {
 
 //! A position on the celestial sky or on the camera's, in VE's form: two angles [rad]. A negative
-//! theta is the shadow.
+//! theta means that the direction is in the shadow.
 struct SkyAngles {
   float theta;
   float phi;
 };
 
-//! A vertex in the hash: its position on the camera's sky, and the source of its light.
+//! An entry of the hash table, a vertex: its position on the camera's sky, and the source of its
+//! light.
 struct QuadtreeVertex {
   std::int32_t row;  //!< -1: the slot is free
   std::int32_t column;
@@ -96,7 +97,7 @@ ERGO_HD bool find_any_vertex(const QuadtreeGrid& grid, int row, int column, SkyA
   return true;
 }
 
-//! Returns b with its azimuth on the same turn as that of a.
+//! Returns b with its azimuth changed by a multiple of 2π, so that it is within π of that of a.
 ERGO_HD SkyAngles beside(const SkyAngles& a, SkyAngles b) {
   b.phi += b.phi - a.phi > sky_pi ? -2.0F * sky_pi : (a.phi - b.phi > sky_pi ? 2.0F * sky_pi : 0.0F);
   return b;
@@ -140,7 +141,7 @@ struct QuadtreeCorners {
 };
 
 ERGO_HD QuadtreeCorners corners_of(const QuadtreeGrid& grid, const QuadtreeCell& c) {
-  // A missing corner belongs to a cell in the shadow.
+  // A corner without a vertex is in the shadow.
   const auto vertex = [&](int row, int column) {
     SkyAngles sky{};
     return find_any_vertex(grid, row, column, sky) ? sky : shadow_angles();

@@ -13,7 +13,9 @@ namespace ergodome {
 struct QuadtreeShadow {
   float row;
   float column;
-  const float* radius;  //!< towards the angles 2π i / count, from more columns to more rows
+  //! Distance of the edge at the angle 2π i / count, from the direction of increasing columns
+  //! towards that of increasing rows.
+  const float* radius;
   int count;
 };
 
@@ -21,7 +23,7 @@ struct QuadtreeShadow {
 struct QuadtreeLookUp {
   QuadtreeGrid grids[2];
   QuadtreeShadow shadows[2];
-  float second_weight;  //!< 0: only the first grid is used
+  float second_weight;  //!< weight of the second grid; 0: only the first is used
   QuadtreeInterpolation interpolation;
 };
 

@@ -10,7 +10,7 @@ namespace ergodome::inline ERGO_TARGET {
 //! The shells that rays may cross, the outermost first.
 template <class S>
 struct ShellRadii {
-  const S* u;  //!< 1/r of each, growing [1/M]; outside the horizon
+  const S* u;  //!< 1/r of each shell, ascending [1/M]; all are outside the horizon
   int count;   //!< at least one
 };
 
@@ -50,7 +50,7 @@ ERGO_HD NearPlace<T> place_at(const SeriesReading<T>& reading, const NearSeries<
   return place;
 }
 
-//! Part of a step in which r only falls or only grows.
+//! Part of a step in which r only decreases or only increases.
 template <class Real>
 struct RadialLeg {
   Real from_h;
@@ -86,7 +86,7 @@ ERGO_HD void visit_leg(const NearSeries<Order, T, Parts>& s, const ShellRadii<Sc
   }
 }
 
-//! Returns the time within a step at which r is least or greatest.
+//! Returns the time within a step at which r has its minimum or maximum.
 template <int Order, class T>
 ERGO_HD T time_to_turn(const T (&u)[Order], const RealOf<T>& side, const RealOf<T>& length) {
   using S = ScalarOf<T>;

@@ -11,9 +11,9 @@ namespace ergodome::inline ERGO_TARGET {
 
 namespace detail {
 
-//! Returns the fraction of a stretch [x - f/2, x + f/2] that is covered by lines of width w about
-//! the multiples of a spacing. It is exact for few lines, and w / spacing for many. A NaN stretch
-//! counts as one with many.
+//! Returns the fraction of an interval of length `stretch` about x that is covered by lines of
+//! width w about the multiples of a spacing. It is exact if the interval contains few lines, and w
+//! / spacing if it contains many or if `stretch` is NaN.
 ERGO_HD float line_coverage(float x, float spacing, float width, float stretch) {
   constexpr float many = 16.0F;
   if (!(stretch < many * spacing)) {
@@ -36,7 +36,7 @@ ERGO_HD float line_coverage(float x, float spacing, float width, float stretch) 
 //! A position on a shell as one pixel sees it.
 struct ShellFootprint {
   Vector3<float> direction;  //!< unit vector from the shell's center
-  Vector3<float> along_x;    //!< its derivatives per pixel
+  Vector3<float> along_x;    //!< derivatives of `direction` per pixel
   Vector3<float> along_y;
 };
 

@@ -30,8 +30,8 @@ class ShellSight {
     }
   }
 
-  //! Marks pixels that need more samples than their middle, next to the edge of a shell and to the
-  //! critical curve.
+  //! Marks pixels that need more samples than the one in their middle: those next to the edge of a
+  //! shell and to the critical curve.
   ERGO_HD void turn(const Mask& lanes, const NearPlace<D>& place) {
     for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
       if (!mask_lane(lanes, i)) {
@@ -49,10 +49,10 @@ class ShellSight {
     }
   }
 
-  //! Returns the lanes that see nothing farther away.
+  //! Returns the lanes that are opaque so far, so that nothing farther away is visible.
   ERGO_HD Mask done() const { return seen_.clear < T(opaque); }
 
-  //! Returns the lanes that need more samples than their middle.
+  //! Returns the lanes that need more samples than the one in their middle.
   ERGO_HD Mask fine() const { return fine_ > T(S(0)); }
 
  private:
@@ -96,7 +96,7 @@ class ShellSight {
       g = 1.0F / maximum(frequency, 1e-6F);
     }
     const CoveredLight light = shell_light(look, at, g, shells_.shifted);
-    // NaN covers nothing.
+    // False for a NaN opacity, which then hides nothing.
     if (light.opacity > 0.0F) {
       put_behind(light.light, light.opacity, i, seen_);
     }

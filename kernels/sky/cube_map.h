@@ -22,8 +22,9 @@ inline constexpr int cube_level_limit = 16;
 struct CubeMap {
   //! Four floats per texel, 16-byte aligned: red, green, blue, and the fourth as above.
   const float* texels;
-  long level_offset[cube_level_limit];  //!< in texels; a level has 6 (size + 2)² texels
-  int face_size;                        //!< of level 0; a power of two; level k has face_size >> k
+  long level_offset[cube_level_limit];  //!< first texel of each level; a level has 6 (size + 2)² texels
+  //! Width of a face at level 0, a power of two; level k has face_size >> k.
+  int face_size;
   int level_count;
 };
 

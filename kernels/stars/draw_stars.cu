@@ -45,7 +45,7 @@ struct TileOfBlock {
   int x;
   int y;
   bool inside;
-  int first;  //!< first of its members
+  int first;  //!< first member of the tile's list
   int last;
 
   __device__ explicit TileOfBlock(const StarLightBatch& batch) {

@@ -48,7 +48,8 @@ struct StarLightBatch {
   PixelCell cells[cube_faces];  //!< part of the picture that each sheet covers
   const StarPoint* points;
   int point_count;
-  const std::int32_t* first;  //!< see StarTileBatch
+  //! Index in `members` of each tile's first point, as in StarTileBatch.
+  const std::int32_t* first;
   //! Numbers of points in the order in which their light is added; a repeated number counts once.
   const std::int32_t* members;
   int tile_columns;

@@ -11,7 +11,7 @@ namespace ergodome {
 struct FieldStar {
   Vector3<double> direction;  //!< unit vector in the hole's sky axes (z: spin axis)
   float log_temperature;      //!< ln of its temperature [K]
-  float illuminance;          //!< without lensing [lx]
+  float illuminance;          //!< illuminance without lensing [lx]
   float radius;               //!< angular radius of its disk [rad]
   std::uint32_t number;       //!< number in the catalogue
 };

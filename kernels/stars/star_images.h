@@ -13,7 +13,7 @@ namespace ergodome {
 template <class S>
 struct StarChartOf {
   LensChart chart;             //!< without edge points, the edge is unknown
-  AberrationOf<S> aberration;  //!< from the camera's frame to the chart's
+  AberrationOf<S> aberration;  //!< aberration from the camera's frame to the chart's
 };
 
 //! Newton's method ends once an image's magnification is known to within this fraction.

@@ -53,16 +53,18 @@ struct FindStarImages {
   }
 
  private:
-  //! Error that a step leaves, over the step's length in distances to the edge and over the ratio
-  //! of the map's singular values. Next to the edge it is at most 0.04 for 6,000 images about a
-  //! hole of spin 0.999; elsewhere, next to caustics, it is 1 over the larger value. `most_changed`
-  //! is the relative change of the magnification by a step, over that length and the smaller
-  //! singular value where that is below 1. For 99 % of the images it is less; it is at most 3.
+  //! Constants of the error estimates. With l the length of a step in units of the distance to the
+  //! shadow's edge, and σ1 >= σ2 the singular values of the map, a step leaves a fraction of about
+  //! l (most_bent σ1 + 1) / σ2 of its length as an error. The first term is for images next to the
+  //! edge (an upper limit for 6,000 images about a hole of spin 0.999), the second for images next
+  //! to caustics. The magnification is assumed to change by a fraction of most_changed l / min(σ2,
+  //! 1) in a step. This is an upper limit for 99 % of the images; the largest factor found is 3.
   static constexpr double most_bent = 0.04;
   static constexpr double most_changed = 1.5;
-  //! Damping of steps along directions that hardly change the sky, times the square of the distance
-  //! to the star. Next to the shadow's edge, the first-order error across it would otherwise cause
-  //! a much larger step along it. Values of 4 to 256 find the same images.
+  //! Factor of the damping of steps along directions that hardly change the sky; the damping is
+  //! this times the square of the distance to the star. Without it, next to the shadow's edge, the
+  //! first-order error across the edge would cause a much larger step along it. Values of 4 to 256
+  //! find the same images.
   static constexpr double far_damping = 32.0;
 
   struct State {
@@ -100,8 +102,8 @@ struct FindStarImages {
     return {select(known, in_chart.x, there.x), select(known, in_chart.y, there.y), select(known, in_chart.z, there.z)};
   }
 
-  //! Makes the same step in the chart's coordinates. One of them is the logarithm of the distance
-  //! to the edge, so no step crosses the edge.
+  //! Makes the same step as moved(), but in the chart's coordinates. One of them is the logarithm
+  //! of the distance to the edge, so no step crosses the edge.
   ERGO_HD Vector3<T> moved_in_chart(const Vector3<D>& n, const T& x, const T& y) const {
     constexpr double most_e_folds = 1.0;
     const LensChart& chart = batch.chart.chart;
@@ -150,12 +152,13 @@ struct FindStarImages {
     const T inverse = one / maximum(square + damping * (a + c), T(S(1e-30)));
     T x = (c * p - b * q) * inverse;
     T y = (a * q - b * p) * inverse;
-    // Well within the star's disk; next to a caustic the disk's center may be far away.
+    // A ray well within the star's disk needs no further step; next to a caustic, the image of the
+    // disk's center may be far away.
     const auto hit = dot(missing, missing) < hit_square;
     x = select(hit, zero, x);
     y = select(hit, zero, y);
     const T length = sqrt(x * x + y * y);
-    // First order is meaningless beyond this distance.
+    // Steps are limited to 0.1 rad, beyond which the first-order map is meaningless.
     const T part = minimum(T(S(0.1)) / maximum(length, T(S(1e-30))), one);
     // Light that hardly escapes the horizon of an extremal hole may have non-finite derivatives.
     const MaskOf<T> usable = reached & (length < T(S(1e20)));
@@ -170,7 +173,7 @@ struct FindStarImages {
     const T left =
         minimum(part_of_way * (T(S(most_bent)) * larger + one) / smaller + damping / (smaller * smaller), one);
     const T change = minimum(T(S(most_changed)) * part_of_way / minimum(smaller, one), one);
-    // Below the tolerance there is nothing to improve.
+    // An image whose step is below the tolerance cannot be improved.
     const auto close = length <= T(S(batch.tolerance));
     return {moved(n, e1, e2, x, y, scale),
             select(side < zero, -area, area),

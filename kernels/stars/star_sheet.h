@@ -21,7 +21,7 @@ struct StarSheet {
   float spikes_from;       //!< minimum illuminance of images with spikes [lx]
   float spike_strength;    //!< fraction of their light that goes into the spikes
   double reach_px;         //!< how far the light of a point reaches
-  double spiked_reach_px;  //!< how far that of a point with spikes reaches
+  double spiked_reach_px;  //!< how far the light of a point with spikes reaches
 };
 
 //! Converts images of stars to points on a sheet, image i to point i. Arrays lie in the backend's

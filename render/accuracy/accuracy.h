@@ -4,11 +4,12 @@
 
 #include "render/accuracy/lenses/lens_race.h"
 
-// Measures cost and accuracy of rendering a show.
+// Measures cost and accuracy of several ways to render a show.
 
 namespace ergodome {
 
-//! Names of all axes, in the order of reports.
+//! Names of all axes, in the order of reports. An axis is a choice that a show leaves open, for
+//! example the lens grid; it compares the options (AccuracyAxis).
 inline constexpr std::array accuracy_axis_names = {"rays", "lens",  "stations", "stereo",
                                                    "map",  "stars", "near",     "frame"};
 
@@ -18,7 +19,8 @@ inline constexpr std::array accuracy_axis_names = {"rays", "lens",  "stations", 
 //! the spin is constant and the grid scheme can be baked; `stars` if the show has stars.
 std::vector<std::string> accuracy_axes(const Show& show, const AccuracySettings& settings);
 
-//! Measures the cost of accuracy on this machine for a show, along each axis that applies.
+//! Measures, on this machine and for a show, what each degree of accuracy costs, along each axis
+//! that applies.
 //!
 //! Throws Error if the show cannot be drawn or `progress` stops the measurement.
 AccuracyReport measure_accuracy(const Show& show, const AccuracySettings& settings, const AccuracyProgress& progress);

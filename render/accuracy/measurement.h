@@ -12,41 +12,45 @@
 
 namespace ergodome {
 
-//! Errors over a picture, one per cell of a lattice, top row first; NaN where nothing was compared.
+//! Errors over a picture, one per cell of a lattice over it, top row first; NaN where nothing was
+//! compared.
 struct ErrorMap {
   int width = 0;
   int height = 0;
   std::vector<float> error;
 };
 
-//! Measured cost and error of one way to make a picture.
+//! Measured cost and error of one method with one setting and precision.
 struct Measurement {
   std::string method;     //!< for example "conforming grid"
   std::string setting;    //!< for example "budget 0.25 px"
   std::string precision;  //!< "float", "double" or empty
-  std::string published;  //!< authors of the method; empty: this project
+  std::string published;  //!< authors of a published method; empty for this project's own methods
 
-  //! In the unit of its axis.
+  //! Errors in the unit of the axis.
   ErrorSummary error;
-  //! p99 of the error's change from frame to frame, in the same unit.
+  //! 99th percentile of the error's change from frame to frame, in the same unit.
   std::optional<double> flicker;
-  //! Fraction of the compared things that it shows as dark, or not at all.
+  //! Fraction of the compared pixels or star images that the method shows as dark, or not at all.
   double lost = 0.0;
-  //! In addition to a displacement: relative error of the light.
+  //! Relative error of the light, if `error` is a displacement.
   std::optional<ErrorSummary> light_error;
 
   std::vector<double> prepare_ms;  //!< time to prepare a camera position (grids, tables), by run
-  std::vector<double> frame_ms;    //!< time of a frame with prepared data, in the same rounds
-  //! Of one such frame, by work counter (`ergodome plan --measure`).
+  //! Time of a frame with prepared data, by run, in the same rounds as `prepare_ms`.
+  std::vector<double> frame_ms;
+  //! Time of each pass of a frame with prepared data, by name of its work counter (as in `ergodome
+  //! plan --measure`).
   std::map<std::string, double> passes_ms;
-  std::size_t memory_bytes = 0;           //!< of the prepared data
-  std::optional<std::size_t> disk_bytes;  //!< of the prepared data in a trajectory
+  std::size_t memory_bytes = 0;           //!< memory of the prepared data
+  std::optional<std::size_t> disk_bytes;  //!< size of the prepared data in a trajectory file
 
   bool best_ready = false;  //!< on the Pareto front of error (p99) and time of a prepared frame
   bool best_anew = false;   //!< on the Pareto front of error and time including preparation
 
   ErrorMap map;
-  std::string picture;  //!< image file of the map, beside the report; empty: none
+  //! File name of the picture of the error map, beside the report; empty: none.
+  std::string picture;
 
   //! Returns the times of a frame including preparation, by run [ms].
   [[nodiscard]] std::vector<double> anew_ms() const;
@@ -55,16 +59,18 @@ struct Measurement {
 //! Unit of errors: pixels of the screen, or light relative to the picture's mean.
 enum class ErrorUnit { pixels, light };
 
-//! Returns "px", or "%" of 1 = 100 %.
+//! Returns "px", or "%" for light (an error of 1 is 100 %).
 const char* unit_name(ErrorUnit unit);
 
-//! A choice that a show leaves open, and the cost of each option.
+//! A choice that a show leaves open, such as the lens, with the measured cost and error of each
+//! option.
 struct AccuracyAxis {
   std::string name;   //!< for example "lens"
   std::string title;  //!< a sentence
   ErrorUnit unit = ErrorUnit::pixels;
-  std::string reference;  //!< what errors are measured against, a sentence
-  //! The method with which others are compared at equal error; empty: the cheapest.
+  std::string reference;  //!< a sentence that describes the reference of the errors
+  //! The method whose time is the base of the comparison at equal error; empty: the cheapest
+  //! method.
   std::string base;
   std::vector<Measurement> choices;
   std::string time = "per frame";  //!< what Measurement::frame_ms measures
@@ -75,11 +81,11 @@ struct AccuracyReport {
   std::string show;
   std::string title;
   std::string machine;
-  std::string date;  //!< UTC
+  std::string date;  //!< time of the measurement, UTC
   int width_px = 0;
   int height_px = 0;
   double pixel_arcmin = 0.0;    //!< angle of the pixel that is the unit of errors
-  std::vector<double> times_s;  //!< show times of the moments
+  std::vector<double> times_s;  //!< show times of the measured moments
   int samples = 0;              //!< pixels compared at each moment
   int rounds = 0;
   double took_s = 0.0;
@@ -87,47 +93,48 @@ struct AccuracyReport {
   std::vector<std::string> notes;  //!< what was omitted, and why
 };
 
-//! Returns the slowest run of a choice over its fastest, as the median over all choices with at
-//! least two runs; 0 if there is none. The median is insensitive to single disturbed choices.
+//! Returns the ratio of the slowest to the fastest run of a measurement, as the median over all
+//! measurements with at least two runs; 0 if there is none. The median is insensitive to single
+//! disturbed measurements.
 double time_spread(const AccuracyReport& report);
 
-//! Maximum time_spread() of a machine that is idle enough to rank methods.
+//! Maximum time_spread() for which the machine counts as idle enough to rank methods.
 inline constexpr double busy_time_spread = 1.25;
 
 //! Returns whether times vary too much to rank methods.
 bool is_too_busy(const AccuracyReport& report);
 
-//! Marks both Pareto fronts of an axis.
+//! Sets best_ready and best_anew of all measurements of an axis.
 void mark_pareto(AccuracyAxis& axis);
 
-//! Returns the axis with a name; nullptr if the show has none.
+//! Returns the axis with a name; nullptr if the report has none.
 const AccuracyAxis* find_axis(const AccuracyReport& report, const std::string& name);
 
-//! Which time counts as cost.
+//! Selects the time that counts as the cost of a frame.
 enum class FrameCost {
-  ready,  //!< a frame whose prepared data exist
-  anew    //!< a frame including the preparation
+  ready,  //!< time of a frame whose camera position is already prepared
+  anew    //!< time of a frame including the preparation of its camera position
 };
 
-//! Returns the median time of a choice [ms].
+//! Returns the median time of a measured method and setting [ms].
 double cost_ms(const Measurement& choice, FrameCost cost);
 
-//! Returns the cheapest choice whose error is at most `most` for 99 % (p99), among those of
-//! `method`, or of all methods if it is empty; nullptr if there is none.
+//! Returns the cheapest measurement whose 99th percentile of errors (p99) is at most `most`, among
+//! those of `method`, or of all methods if `method` is empty; nullptr if there is none.
 const Measurement* cheapest_within(const AccuracyAxis& axis, double most, FrameCost cost,
                                    const std::string& method = {});
 
-//! A method at an error limit that applies to all methods.
+//! The cheapest measurement of a method at an error limit that applies to all methods.
 struct EqualErrorRow {
   std::string method;
-  //! Its cheapest choice within the limit; nullptr: none that was measured.
+  //! The method's cheapest measurement within the error limit; nullptr if none is within it.
   const Measurement* choice = nullptr;
-  //! Of its time to that of the base method, by round; without a base it has no runs.
+  //! Ratio of its time to that of the base method, by round; empty if there is no base.
   Spread ratio;
 };
 
-//! Compares the methods of an axis at the same error (p99), in the order of the axis; each with its
-//! cheapest precision and setting.
+//! Compares the methods of an axis at the same error limit `most` (p99), in the order of the axis.
+//! Uses each method's cheapest precision and setting within the limit.
 std::vector<EqualErrorRow> compare_at(const AccuracyAxis& axis, double most, FrameCost cost);
 
 }  // namespace ergodome

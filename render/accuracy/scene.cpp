@@ -59,8 +59,8 @@ PixelLattice pixel_lattice(const Projection& projection, int columns, std::uint6
   const double cell = static_cast<double>(projection.width_px) / lattice.columns;
   lattice.rows = std::clamp(static_cast<int>(std::lround(projection.height_px / cell)), 1, projection.height_px);
   std::mt19937_64 random(seed);
-  // The standard's distributions differ between libraries, but a seed must select the same pixels
-  // everywhere.
+  // Uses its own conversion of random numbers: the distributions of the C++ standard differ between
+  // libraries, but a seed must select the same pixels everywhere.
   const auto within = [&](int cell_number, int cells, int pixels) {
     const auto begin = static_cast<std::int64_t>(cell_number) * pixels / cells;
     const auto end = static_cast<std::int64_t>(cell_number + 1) * pixels / cells;

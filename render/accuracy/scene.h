@@ -8,31 +8,33 @@
 #include "kernels/projection/projection.h"
 #include "render/eyes/eye_camera.h"
 
-// Settings of a measurement, and the moments and pixels that it compares.
+// Settings of a measurement, and the instants and pixels that it compares.
 
 namespace ergodome {
 
 //! Extent of a measurement.
 struct AccuracySettings {
-  int size_px = 0;     //!< width of the pictures; 0: the show's, up to `most_px`
+  int size_px = 0;     //!< width of the pictures; 0: the show's, but at most `most_px`
   int most_px = 1024;  //!< see size_px
-  int moments = 3;     //!< of the show; one if nothing moves
-  int rounds = 5;      //!< timed runs of each choice, in turn
-  int lattice = 200;   //!< columns of a lattice; one pixel of each cell is compared
-  //! Measures less of everything, and omits what is relatively slow.
+  int moments = 3;     //!< number of instants of the show to measure; one if nothing moves
+  int rounds = 5;      //!< timed runs of each method; methods take turns
+  int lattice = 200;   //!< number of columns of the lattice; one pixel of each cell is compared
+  //! Measures fewer settings, moments and pixels, and omits methods that are relatively slow.
   bool quick = false;
-  std::vector<std::string> axes;  //!< names; empty: all that apply to the show
-  std::uint64_t seed = 1;         //!< of the random pixels to compare
+  //! Names of the axes to measure; empty: all that apply to the show.
+  std::vector<std::string> axes;
+  std::uint64_t seed = 1;  //!< seed of the random choice of compared pixels
 };
 
 //! An instant of a show that is measured.
 struct AccuracyMoment {
-  Show show;  //!< with the numbers of that time
+  Show show;  //!< the show with its animated numbers at `time_s`
   double time_s = 0.0;
-  CameraPose pose{};  //!< of the head
+  CameraPose pose{};  //!< the head's pose at `time_s`
   CameraPose next_pose{};
-  EyeCamera eye{};  //!< of the head
-  //! A frame later; if the camera stands still, turned to the right by half a pixel.
+  EyeCamera eye{};  //!< the head as a single eye at `time_s`
+  //! The head as a single eye one frame later; if the camera stands still, turned to the right by
+  //! half a pixel.
   EyeCamera next{};
   Projection projection{};
   double pixel = 0.0;  //!< angle of the pixel that is the unit of errors [rad]
@@ -44,23 +46,23 @@ struct PixelMiddle {
   double y_px;
 };
 
-//! Returns the center of a pixel, given as row times width plus column.
+//! Returns the center of a pixel. `pixel`: row times width plus column.
 inline PixelMiddle pixel_middle(std::int64_t pixel, int width_px) {
   const std::int64_t row = pixel / width_px;
   const std::int64_t column = pixel % width_px;
   return {static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5};
 }
 
-//! One pixel of each cell of a lattice over a picture, at random (with a fixed seed) within the
-//! cell.
+//! Pixels to compare: one in each cell of a lattice over a picture, chosen at random (with a fixed
+//! seed).
 struct PixelLattice {
   int columns = 0;
   int rows = 0;
-  std::vector<std::int64_t> pixels;  //!< by cell: row times width plus column
+  std::vector<std::int64_t> pixels;  //!< pixel of each cell: row times width plus column
 };
 
-//! Returns the moments of a show to measure, evenly within its duration. Throws Error if the camera
-//! cannot be at its position.
+//! Returns the moments of a show to measure, at equal intervals. Throws Error if the camera cannot
+//! be at its position at one of them.
 std::vector<AccuracyMoment> accuracy_moments(const Show& show, const AccuracySettings& settings);
 
 //! Returns a lattice with `columns` columns and as many rows as the picture's shape requires; at

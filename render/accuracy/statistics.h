@@ -37,8 +37,8 @@ struct Spread {
   int runs = 0;
 };
 
-//! Returns the value that a share of the values (0 to 1) does not exceed: nearest rank, of sorted
-//! values; 0 without values.
+//! Returns the quantile of sorted values at `share` (0 to 1), by nearest rank; 0 if there are no
+//! values.
 double quantile(const std::vector<double>& sorted, double share);
 
 //! Summarizes errors, which must not be negative, in any order.
@@ -48,12 +48,13 @@ ErrorSummary summary_of(std::vector<double> errors);
 //! mean of the middle two.
 Spread spread_of(std::vector<double> runs);
 
-//! Returns the ratios of runs to others that were timed in the same rounds; as many as both have.
+//! Returns the spread of the ratios between the times of two methods, formed round by round; uses
+//! as many rounds as both have.
 Spread ratio_of(const std::vector<double>& runs, const std::vector<double>& other);
 
-//! Returns for each choice whether it is on the Pareto front: no other is at least as good in cost
-//! and error, and better in one. Choices with a non-finite cost or error never are. Both vectors
-//! have one value per choice.
+//! Returns for each entry whether it is on the Pareto front: no other entry is at least as good in
+//! both cost and error, and better in one. Entries with a non-finite cost or error are never on it.
+//! Both vectors have one value per entry.
 std::vector<bool> pareto_front(const std::vector<double>& cost, const std::vector<double>& error);
 
 }  // namespace ergodome

@@ -33,7 +33,7 @@ class Buffer {
  public:
   Buffer() : data_(nullptr, Release{Backend::cpu}) {}
 
-  //! Allocates `count` uninitialized elements. `name`: their bytes are counted as "buffer: NAME".
+  //! Allocates `count` uninitialized elements. Statistics count their bytes under "buffer: NAME".
   //! Throws Error if the GPU is out of memory, std::bad_alloc if the host is.
   Buffer(Backend backend, std::size_t count, const char* name)
       : data_(static_cast<T*>(allocate(backend, count * sizeof(T))), Release{backend}), count_(count) {

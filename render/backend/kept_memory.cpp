@@ -14,10 +14,11 @@ namespace ergodome {
 namespace {
 
 constexpr std::size_t kept_page = std::size_t{1} << 21U;
-//! Pictures of two eyes and buffers to join them.
+//! Enough for the pictures of two eyes and for the buffers in which they are combined.
 constexpr std::size_t most_kept_blocks = 4;
 constexpr std::size_t most_kept_bytes = std::size_t{3} << 29U;
-//! The maximum that glibc allows. Larger blocks are always mapped and unmapped.
+//! Block size up to which memory comes from the heap: the maximum that glibc allows. Larger blocks
+//! are always mapped and unmapped.
 constexpr int most_heap_bytes = 32 << 20;
 constexpr int most_free_bytes = 1 << 30;
 
@@ -28,7 +29,7 @@ struct KeptBlock {
 
 std::size_t whole_pages(std::size_t bytes) { return (bytes / kept_page + 1) * kept_page; }
 
-//! Unused blocks, the latest last.
+//! Blocks that were released and are kept for later requests, the latest last.
 class KeptBlocks {
  public:
   //! Returns a block of exactly that size, or nullptr.

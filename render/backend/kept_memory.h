@@ -15,10 +15,11 @@ void keep_freed_memory();
 //! std::bad_alloc.
 void* take_large_block(std::size_t bytes);
 
-//! Releases such memory, or keeps it for the next request of the same size, within bounds.
+//! Releases memory from take_large_block(), or keeps it for the next request of the same size if
+//! few blocks are kept.
 void return_large_block(void* memory, std::size_t bytes) noexcept;
 
-//! Returns the number of kept blocks.
+//! Returns the number of released blocks that are kept for later requests.
 std::size_t kept_large_blocks();
 
 //! Allocator that leaves the elements added by resize() uninitialized, so that all threads touch

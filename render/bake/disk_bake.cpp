@@ -26,7 +26,8 @@ std::unique_ptr<const DiskPass> disk_to_bake(const Show& show) {
   if (!show.disk) {
     return nullptr;
   }
-  // A moving edge is baked at its maximum; the grid also serves a slightly smaller disk.
+  // If an edge of the disk moves, the disk is baked with its maximum size; the grid can also be
+  // used for a slightly smaller disk.
   auto disk = std::make_unique<const DiskPass>(show_at_most(show), Backend::cpu);
   return can_have_disk_grid(disk->look_at(0.0)) ? std::move(disk) : nullptr;
 }

@@ -13,7 +13,8 @@
 
 namespace ergodome {
 
-//! Returns the disk of a show at its largest; nothing without a disk whose layers a grid can hold.
+//! Returns the pass of a show's disk with its animated edges at their maximum; nullptr if the show
+//! has no disk, or one that a grid cannot hold.
 std::unique_ptr<const DiskPass> disk_to_bake(const Show& show);
 
 //! Bakes the layers of a show's disk along with its lenses.
@@ -21,14 +22,15 @@ class DiskBake {
  public:
   DiskBake(const Show& show, const BakeSettings& settings, TrajectoryJournal& journal);
 
-  //! Returns whether the show has such a disk. If not, no other function may be called.
+  //! Returns whether the show has a disk that can be baked. If not, no other function may be
+  //! called.
   [[nodiscard]] bool wanted() const { return disk_ != nullptr; }
 
-  //! Builds the layers at a show time unless the journal has them.
+  //! Builds the disk layers at a show time, unless the journal already contains them.
   void add_if_missing(double time_s);
 
-  //! Returns the largest error of blending the layers at two times [px], at a quarter, half and
-  //! three quarters of the gap. Measured like gaps of lenses.
+  //! Returns the error of blending the disk layers of two stations [px]: the largest at a quarter,
+  //! half and three quarters of the gap, measured as for lens stations (gap_measure()).
   [[nodiscard]] double gap_error(double begin_s, double end_s) const;
 
  private:
@@ -41,11 +43,12 @@ class DiskBake {
   std::unique_ptr<const DiskPass> disk_;
 };
 
-//! Share of the bake's budget for the grid of a station; the rest is for blending.
+//! Fraction of the bake's error budget that the grid of a station may use; the rest is for the
+//! error of blending.
 inline constexpr double baked_grid_share = 0.5;
 
-//! Combines the quantiles of an error into one number: the limit for 99.9 % of the sky is five
-//! times that for 99 %.
+//! Combines two quantiles of an error over the sky into one number: the larger of the 99 % quantile
+//! and a fifth of the 99.9 % quantile.
 double gap_measure(const ScreenError& error);
 
 }  // namespace ergodome

@@ -23,24 +23,26 @@ namespace ergodome {
 
 namespace {
 
-//! A gap is good enough if its error is at most this multiple of its stations' own errors.
+//! Blending between two stations is accurate enough if its error is at most this multiple of the
+//! stations' own errors.
 constexpr double floor_slack = 1.1;
 //! Maximum number of parts into which a stretch is divided at once.
 constexpr int most_parts = 16;
 constexpr int most_halvings = 12;
-//! A station whose error at its own position exceeds this share of the budget is rebuilt with half
-//! the budget, up to `most_finer_grids` times.
+//! A station whose error at its own position exceeds this fraction of the budget is rebuilt with
+//! half the budget, up to `most_finer_grids` times.
 constexpr double own_share = 0.8;
 constexpr int most_finer_grids = 2;
-//! Division of a stretch stalls if a part's error exceeds this share of the whole's error. After
-//! `most_stalls` stalls in a row the parts are not divided further.
+//! A division of a stretch counts as a stall if the error of a part exceeds this fraction of the
+//! error of the whole. After `most_stalls` successive stalls the parts are not divided further.
 constexpr double stalled_share = 0.5;
 constexpr int most_stalls = 2;
-//! A stretch of fewer frames is not divided: building a grid for each costs no more than reading
-//! stations.
+//! Stretches with fewer frames than this are not divided: at such distances, building a grid for
+//! each frame costs no more than reading stations.
 constexpr double fewest_frames = 4.0;
-//! Maximum number of times that a stretch is halved because of errors of the disk's layers. They
-//! are discontinuous where a camera crosses the disk, and halving does not remove that error.
+//! Maximum number of times that a stretch is halved because of errors of the disk layers. Layers
+//! are discontinuous where a camera crosses the disk's plane, and halving does not remove that
+//! error.
 constexpr int most_halvings_for_the_disk = 4;
 
 class Baker {
@@ -67,13 +69,13 @@ class Baker {
  private:
   using Station = std::shared_ptr<const LensStation>;
 
-  //! How often a stretch has been divided for the lens and for the disk, and how many divisions in
-  //! a row did not help the lens.
+  //! How often a stretch has been divided, because of the lens and because of the disk, and how
+  //! many successive divisions did not reduce the lens's error.
   struct Depth {
     int lens = 0;
     int disk = 0;
     int stalls = 0;
-    double whole_px = INFINITY;  //!< error of the stretch of which this is a part
+    double whole_px = INFINITY;  //!< error of the stretch that was divided into this one and others
   };
 
   [[nodiscard]] bool touches(double from_s, double to_s) const { return to_s >= begin_s_ && from_s <= end_s_; }
@@ -97,7 +99,8 @@ class Baker {
     return grid;
   }
 
-  //! Returns one range for all charts of the path, because derivatives are taken at a fixed range.
+  //! Returns the range that all charts of the path have, because the derivatives of a station are
+  //! computed for a fixed range.
   [[nodiscard]] double common_range() const {
     constexpr int samples = 64;
     double range = 0.0;
@@ -108,9 +111,9 @@ class Baker {
     return range;
   }
 
-  //! Builds a station. Where a caustic crosses the sky, a grid that keeps its budget in each cell
-  //! may still be wrong in more than a thousandth of the view, and blending cannot correct that;
-  //! such grids are built finer.
+  //! Builds a station. Where a caustic crosses the sky, a grid whose cells all keep the budget at
+  //! their check points may still exceed it in more than a thousandth of the view, and blending
+  //! cannot correct that; such grids are built with a smaller budget.
   [[nodiscard]] LensStation built_station(double time_s) const {
     const LensView view = view_at(time_s);
     GridSettings grid = grid_settings(view);
@@ -180,8 +183,9 @@ class Baker {
     note_gap(gap);
   }
 
-  //! Returns the wished number of parts: errors grow with the square of the distance, with
-  //! derivatives with its fourth power.
+  //! Returns the number of parts into which a stretch should be divided. Blending errors grow with
+  //! the square of the distance between stations; if stations have derivatives, with its fourth
+  //! power.
   [[nodiscard]] int wished_parts(double error_px) const {
     const double wished = std::ceil(std::pow(error_px / settings_.budget_px, settings_.derivatives ? 0.25 : 0.5));
     return static_cast<int>(std::clamp(wished, 2.0, 1.0 * most_parts));
@@ -198,7 +202,7 @@ class Baker {
 
   [[nodiscard]] bool meets_budget(float error_px) const { return static_cast<double>(error_px) <= settings_.budget_px; }
 
-  //! Returns whether the head's observer has the same motion at two times.
+  //! Returns whether the head's observer has the same velocity at two times.
   [[nodiscard]] bool moves_alike(double first_s, double second_s) const {
     const EyeCamera first = eye_camera(show_, camera_pose(show_, first_s), 0.0);
     const EyeCamera second = eye_camera(show_, camera_pose(show_, second_s), 0.0);
@@ -206,8 +210,8 @@ class Baker {
     return first.motion == second.motion && dot(change, change) == 0.0;
   }
 
-  //! Returns the largest error of blending two stations between them [px]; 0 if the camera stands
-  //! still and its motion does not change.
+  //! Returns the largest error of blending two stations, over the times between them [px]; 0 if the
+  //! camera stands still and its velocity does not change.
   [[nodiscard]] double gap_error(const LensStation& first, const LensStation& last, double begin_s,
                                  double end_s) const {
     const double length_s = end_s - begin_s;
@@ -220,8 +224,8 @@ class Baker {
       if (moves_alike(begin_s, early_s) && moves_alike(begin_s, middle_s) && moves_alike(begin_s, end_s)) {
         return edge_error(first, begin_s);
       }
-      // The first station serves the whole stretch; the error is largest where the velocity differs
-      // most from its own.
+      // The first station is used for the whole stretch; its error is largest at the end, where the
+      // velocity differs most from that at the station.
       error_px = blending_error(first, last, end_s);
     }
     // Where the camera accelerates towards the hole, the error of a gap peaks in its last quarter.
@@ -242,8 +246,9 @@ class Baker {
     return error_of(alone, view_at(time_s), station);
   }
 
-  //! Returns the error of a stretch that no division can remove [px]: blends are no better than
-  //! their grids, and if the shadow's edge is wrong at both ends, it is wrong in between.
+  //! Returns the part of a stretch's error that no division can remove [px]: blends are no more
+  //! accurate than the stations' grids, and if the shadow's edge is wrong at both ends, it is also
+  //! wrong in between.
   [[nodiscard]] double least_error(const LensStation& first, const LensStation& last, double begin_s,
                                    double end_s) const {
     return std::max({own_error(first, begin_s), own_error(last, end_s),

@@ -15,10 +15,10 @@ namespace ergodome {
 
 //! A metadata entry of a frame of channels.
 struct ChannelFact {
-  std::string name;     //!< in an EXR, after "ergodome:"
-  std::string keyword;  //!< in a FITS header
+  std::string name;     //!< name of the attribute in an EXR, after the prefix "ergodome:"
+  std::string keyword;  //!< name of the keyword in a FITS header
   std::variant<std::string, double, int> value;
-  std::string comment{};  //!< in a FITS header
+  std::string comment{};  //!< comment of the keyword in a FITS header
 };
 
 //! Writes channels as one EXR of 32-bit floats; `compression` must be lossless. Facts become

@@ -28,8 +28,8 @@ enum class ChannelGroup : std::int32_t {
 
 //! Description of a channel. Lengths and times are in units of the hole's mass.
 struct ChannelMeaning {
-  const char* name;     //!< in EXR and FITS files
-  const char* unit;     //!< in FITS spelling (BUNIT); empty for pure numbers and light
+  const char* name;     //!< name of the channel in EXR and FITS files
+  const char* unit;     //!< unit in FITS spelling (BUNIT); empty for pure numbers and light
   const char* meaning;  //!< short enough for the comment of a FITS keyword
 };
 

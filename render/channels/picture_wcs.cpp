@@ -8,10 +8,11 @@ namespace ergodome {
 
 namespace {
 
-//! Returns the FITS pixel coordinate of a position in the image, -1 to 1 across width or height.
+//! Returns the FITS pixel coordinate of a position in the image; `position` runs from -1 to 1
+//! across its width or height.
 double fits_pixel(double position, int size_px) { return 0.5 * (1.0 + position) * size_px + 0.5; }
 
-//! Returns 1, or -1 for a mirrored image.
+//! Returns 1 for a normal image, -1 for a mirrored one.
 double to_the_right(const Projection& projection) { return -projection.left; }
 
 PictureWcs pinhole_wcs(const Projection& projection) {

@@ -17,12 +17,13 @@ namespace ergodome {
 //! Members are named by their keywords. Pixels of a FITS image count from 1, and its first row is
 //! the lowest.
 struct PictureWcs {
-  std::string code;                           //!< of the projection, three letters: "TAN"
+  //! FITS code of the projection, three letters such as "TAN".
+  std::string code;
   std::array<double, 2> crpix;                //!< [px]
   std::array<double, 2> cdelt;                //!< [deg/px] in the plane of projection
   std::array<double, 2> crval;                //!< [deg]
-  std::optional<double> lonpole_deg{};        //!< for zenithal projections
-  std::vector<std::pair<int, double>> pv2{};  //!< PV2_m
+  std::optional<double> lonpole_deg{};        //!< LONPOLE [deg], only for zenithal projections
+  std::vector<std::pair<int, double>> pv2{};  //!< (m, value) of each PV2_m keyword
 };
 
 //! Returns the world coordinates of a picture. Returns nothing for cubes, and for domes seen from

@@ -23,7 +23,7 @@ using Derived = Dual<double>;
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
-//! Pixels per block.
+//! Number of pixels per block.
 constexpr int traced_block_px = 1 << 15;
 constexpr int rays_of_a_task = 64;
 
@@ -39,7 +39,7 @@ Vector3<T> turned_from_view(const EyeCamera& eye, const Vector3<T>& view) {
   return {row(0), row(1), row(2)};
 }
 
-//! Returns an angle in [0, 360).
+//! Returns the angle of the direction (x, y) in [0, 360) [deg].
 double turn_deg(double y, double x) {
   const double angle = radian_deg * std::atan2(y, x);
   return angle < 0.0 ? angle + 360.0 : angle;
@@ -47,7 +47,7 @@ double turn_deg(double y, double x) {
 
 double latitude_deg(const Vector3<double>& v) { return radian_deg * std::atan2(v.z, std::hypot(v.x, v.y)); }
 
-//! Pixels of a block whose middle is in the image, and their rays.
+//! The pixels of a block whose centers are inside the image, and their rays.
 struct RayBlock {
   std::vector<std::size_t> pixels;
   std::array<std::vector<double>, 3> n, sky;
@@ -142,7 +142,7 @@ class ChannelTracer {
     }
   }
 
-  //! Stores the values of a ray. Returns whether all of them converged.
+  //! Stores the channel values of a ray's pixel. Returns whether all of its rays converged.
   bool store(const RayBlock& rays, std::size_t i) {
     const std::optional<DiskCrossings> crossings = meets_disk_ ? disk_.trace(rays.direction(i)) : DiskCrossings{};
     bool resolved = crossings && !rays.has(i, LightEnd::unresolved);
@@ -212,10 +212,10 @@ class ChannelTracer {
     }
   }
 
-  //! Returns the angle that the ray sweeps about the hole, in half turns:
-  //! m'
-  //! times the Mino time, with the mean of m_z² at both ends. Exact for a hole without spin. Same
-  //! formula as in kernels/trace/trace_pixels_kernel.h.
+  //! Returns the angle that the ray sweeps around the hole, in half turns: m' times the Mino time,
+  //! where m is the ray's direction vector and m' its derivative, with the mean of m_z² at both
+  //! ends. Exact for a hole without spin. kernels/trace/trace_pixels_kernel.h uses the same
+  //! formula.
   [[nodiscard]] double swept_half_turns(const RayBlock& rays, std::size_t i) const {
     const RayStart<double> start = start_ray(camera_, rays.direction(i));
     const double square = 0.5 * (start.m.z * start.m.z + rays.sky[2][i] * rays.sky[2][i]);

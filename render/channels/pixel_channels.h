@@ -13,7 +13,7 @@
 
 namespace ergodome {
 
-//! Accuracy of the rays: as good as doubles allow.
+//! Tolerance of the ray integration: as small as doubles allow.
 inline constexpr double channel_tolerance = 1e-14;
 inline constexpr int channel_step_limit = 100'000;
 
@@ -23,13 +23,14 @@ struct PixelChannel {
   std::vector<double> values;
 };
 
-//! The scene of a picture's channels.
+//! What the channels of a picture show: camera, projection, hole and disk.
 struct ChannelScene {
   EyeCamera eye;
   Projection projection;
-  double disk_inner = 0.0;  //!< edges of the disk [M]; used only by the groups of the disk
+  //! Inner edge of the disk [M]; the edges are used only by the groups of the disk.
+  double disk_inner = 0.0;
   double disk_outer = 0.0;
-  glm::dmat3 equatorial_from_sky{1.0};  //!< from the hole's sky axes to J2000
+  glm::dmat3 equatorial_from_sky{1.0};  //!< rotation from the hole's sky axes to equatorial J2000
 };
 
 //! The channels of some groups, in their order.
@@ -38,9 +39,9 @@ struct PixelChannels {
   long unresolved = 0;  //!< pixels with a ray that did not converge; their values are NaN
 };
 
-//! Computes the channel values of every pixel from the ray through its middle, in double precision
-//! on the CPU. Pixels whose middle is outside the image are NaN. `groups` must not contain
-//! ChannelGroup::color.
+//! Computes the channel values of every pixel from the ray through the pixel's center, in double
+//! precision on the CPU. Pixels whose center is outside the image are NaN. `groups` must not
+//! contain ChannelGroup::color.
 //!
 //! `advance` is called from time to time; if it returns false, tracing stops and the channels are
 //! incomplete.

@@ -16,17 +16,17 @@ namespace {
 using Triangle = std::array<std::uint32_t, 3>;
 
 constexpr std::uint32_t whole_edge = 0xFFFFFFFFU;
-//! Maximum number of triangles after dividing.
+//! Maximum number of triangles after edges are divided.
 constexpr std::size_t most_divided_triangles = 1'000'000;
 
 double length_of(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
 
-//! Returns a key of an edge from its two corners, the smaller number first.
+//! Returns a number that identifies the edge between two corners, whatever their order.
 std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
   return (std::uint64_t{std::min(a, b)} << 32U) | std::max(a, b);
 }
 
-//! Halves edges that look curved.
+//! Halves those edges of a mesh that look curved.
 class EdgeDivider {
  public:
   EdgeDivider(const Vector3<double>& observer, int order, double tolerance, ApparentMesh& mesh)
@@ -73,7 +73,7 @@ class EdgeDivider {
     }
   }
 
-  //! Returns the middle of an edge if the edge looks curved.
+  //! Returns the vertex in the middle of an edge if the edge looks curved; otherwise nothing.
   [[nodiscard]] std::optional<ApparentVertex> bent_middle(const ApparentVertex& a, const ApparentVertex& b) const {
     const ApparentVertex middle =
         apparent_vertex(observer_, 0.5 * (a.place + b.place), order_,

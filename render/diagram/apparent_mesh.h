@@ -11,9 +11,9 @@
 
 namespace ergodome {
 
-//! A corner of a mesh with its true and its apparent position.
+//! A corner of a mesh with its true position and the position where an observer sees it.
 struct ApparentVertex {
-  Vector3<double> place;  //!< pseudo-Cartesian [M]
+  Vector3<double> place;  //!< true position, pseudo-Cartesian [M]
   //! Apparent position: from the observer in the direction of the incoming light, at the distance
   //! that the light has traveled in time [M].
   Vector3<double> seen;
@@ -22,7 +22,7 @@ struct ApparentVertex {
   bool connected;  //!< whether light from there reaches the observer
 };
 
-//! A mesh as an observer at rest sees it near a hole without spin: Müller, Schulz & Weiskopf
+//! A mesh as an observer at rest near a hole without spin sees it: Müller, Schulz & Weiskopf
 //! (2021), figures 6 and 10.
 struct ApparentMesh {
   std::vector<ApparentVertex> vertices;
@@ -31,14 +31,15 @@ struct ApparentMesh {
 
 //! How finely a mesh is divided so that curved edges look curved.
 struct ApparentSettings {
-  //! Maximum apparent distance between the middle of an edge and the middle of its ends [M].
+  //! Maximum distance between the apparent position of an edge's midpoint and the midpoint of the
+  //! apparent positions of its ends [M].
   double tolerance = 0.05;
   int halvings = 6;    //!< maximum number of halvings of an edge
   double torn = 10.0;  //!< limit for triangles that the hole tears: see ObjectSettings::torn
 };
 
-//! Computes where an observer sees a point on the ray of an image (order 1 and up). `texture` is
-//! passed on.
+//! Computes where an observer sees a point, by the ray of a given image order (1 is the direct
+//! image). `texture` is copied to the result.
 ApparentVertex apparent_vertex(const Vector3<double>& observer, const Vector3<double>& point, int order,
                                const std::array<double, 2>& texture = {0.0, 0.0});
 
@@ -46,9 +47,9 @@ ApparentVertex apparent_vertex(const Vector3<double>& observer, const Vector3<do
 //! rotates and moves it as the object is placed.
 Vector3<double> placed_point(const ObjectPlacement& placement, double size, const float (&position)[3]);
 
-//! Computes the mesh of an image. Edges are halved until they are straight, consistently for both
-//! of their triangles. Omits triangles that the hole tears, and those with corners from which no
-//! light arrives.
+//! Computes the apparent mesh of one image order. Divides edges until they look straight, in the
+//! same way for both triangles at an edge. Omits triangles that the hole tears apart, and those
+//! with a corner from which no light arrives.
 ApparentMesh apparent_mesh(const Vector3<double>& observer, const TriangleMesh& mesh, const ObjectPlacement& placement,
                            double size, int order, const ApparentSettings& settings);
 

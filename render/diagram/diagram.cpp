@@ -25,15 +25,16 @@ namespace {
 constexpr double ray_width_px = 1.6;
 constexpr double other_ray_width_px = 1.0;
 constexpr double sight_width_px = 1.0;
-//! Maximum number of rays per object image that are extended to the apparent position.
+//! Maximum number of rays per object image for which a dashed line shows the apparent direction up
+//! to the apparent position.
 constexpr int most_sights = 6;
 //! Length of a dash, as a fraction of the scene's extent.
 constexpr double dash_share = 0.012;
-//! Size of an invisible curvature, as a fraction of the scene's extent.
+//! Deviation from a straight line that is invisible, as a fraction of the scene's extent.
 constexpr double finest_bend = 1.0 / 2000.0;
 //! Drawn length of the borders of the observer's view, as a fraction of the scene's extent.
 constexpr double view_share = 0.14;
-//! Maximum number of a mesh's corners from which rays are selected.
+//! Maximum number of mesh corners among which the starting points of rays are selected.
 constexpr std::size_t most_candidates = 4096;
 constexpr int coarse_width_px = 192;
 //! Limit for all objects together. Each image adds as many triangles again, or more if they are
@@ -48,7 +49,7 @@ std::string turns_of(int order) {
                       : fmt::format("{:.2g} to {:.2g} turns", 0.5 * (order - 1), 0.5 * order);
 }
 
-//! Adds a dashed line with dashes and gaps of equal length [M]; `look` has its ink and width.
+//! Length of the dashes and gaps of a dashed line [M]; `look` has the line's color and width.
 struct DashLook {
   Ink ink;
   double width_px;
@@ -63,7 +64,8 @@ void add_dashes(const Vector3<double>& from, const Vector3<double>& to, double d
   }
 }
 
-//! Returns the placement of an object when it emitted light that takes `delay` to the camera [M].
+//! Returns the placement of an object at the time when it emitted the light that reaches the camera
+//! after `delay` [M].
 ObjectPlacement placement_before(ObjectPlacement placement, double delay) {
   const double angle = placement.rate * delay;
   placement.position = std::cos(angle) * placement.position - std::sin(angle) * placement.ahead;
@@ -232,7 +234,7 @@ void Diagram::add_traced_rays(const Moment& moment, DiagramScene& scene) const {
                            meets ? ray_width_px : other_ray_width_px});
     ++scene.ray_count;
     if (meets) {
-      // Rays that go on to the sky may leave the picture.
+      // Paths to objects must be inside the picture. Paths that continue to the sky may leave it.
       scene.framed.insert(scene.framed.end(), curve.places.begin(), curve.places.end());
       delays[curve.order][curve.object].push_back(curve.delay);
     }

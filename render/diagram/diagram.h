@@ -13,9 +13,10 @@
 
 namespace ergodome {
 
-//! What a diagram shows of light.
+//! Which light rays a diagram shows.
 struct DiagramSettings {
-  //! Image orders, 1 to most_polygon_images; empty: 1 and 2, and all that traced rays see.
+  //! Orders of the images whose rays are shown, 1 to most_polygon_images. Empty: orders 1 and 2, or
+  //! all orders that occur if rays are traced.
   std::vector<int> images;
   int rays = 24;  //!< approximate number of rays
 };
@@ -38,25 +39,27 @@ class Diagram {
 
  private:
   struct Moment;
-  //! Of rays, by order and object [M].
+  //! Light travel times of the shown rays [M], by image order and by object.
   using DelaysByOrder = std::map<int, std::map<int, std::vector<double>>>;
 
   void add_objects(const Moment& moment, DiagramScene& scene) const;
   void add_connections(const Moment& moment, DiagramScene& scene) const;
-  //! Returns corners from which rays of an image start: first on sides that emit light towards the
-  //! observer, then others, because single sheets show both sides.
+  //! Returns mesh corners where rays of an image order start: first corners on sides that emit
+  //! light towards the observer, then others, because thin meshes without an inside show both
+  //! sides.
   [[nodiscard]] std::vector<Vector3<double>> ray_starts(const Moment& moment, std::size_t object, int order,
                                                         std::size_t count) const;
   void add_connecting_rays(const Moment& moment, std::size_t object, int order, int count, DiagramScene& scene) const;
   void add_traced_rays(const Moment& moment, DiagramScene& scene) const;
-  //! Adds the legend of the images that traced rays show and, for retarded objects, their former
+  //! Adds legend lines for the images that traced rays show and, for retarded objects, their former
   //! positions. Returns whether any were added.
   bool add_traced_images(const Moment& moment, DelaysByOrder& delays, DiagramScene& scene) const;
 
   Show show_;
   DiagramSettings settings_;
   ObjectMeshes meshes_;
-  bool connects_;  //!< rays come from the closed form
+  //! True: rays connect points in closed form; false: rays are traced back from the eye.
+  bool connects_;
 };
 
 }  // namespace ergodome

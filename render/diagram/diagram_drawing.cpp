@@ -15,7 +15,7 @@ namespace ergodome {
 
 namespace {
 
-//! Supersampling factor each way, in addition to the target's multisampling.
+//! Supersampling factor in each direction, in addition to the target's multisampling.
 constexpr int finer_each_way = 2;
 //! Picture height for which line widths are specified [px].
 constexpr double told_height_px = 720.0;
@@ -67,7 +67,8 @@ DrawnCorner drawn_corner(const DiagramCorner& corner, const OutsideCamera& camer
   return out;
 }
 
-//! Returns the corners of veils, farthest triangle first (painter's algorithm).
+//! Returns the corners of translucent triangles, sorted so that the farthest triangle is drawn
+//! first (painter's algorithm).
 std::vector<DrawnCorner> painted_veils(const std::vector<DiagramCorner>& veils, const OutsideCamera& camera) {
   const std::size_t count = veils.size() / 3;
   std::vector<float> depth(count);
@@ -105,7 +106,7 @@ void add_pieces(const std::vector<Vector3<double>>& places, const Ink& ink, doub
 
 }  // namespace
 
-//! Sizes of the uploaded data.
+//! Numbers of corners and lines that were uploaded.
 struct DiagramDrawing::Uploaded {
   int solid_corners;
   int veil_corners;

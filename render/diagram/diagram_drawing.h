@@ -18,8 +18,8 @@ class DiagramDrawing {
   DiagramDrawing(const DiagramDrawing&) = delete;
   DiagramDrawing& operator=(const DiagramDrawing&) = delete;
 
-  //! Draws a picture: linear light on paper, three floats per pixel, top row first. Every pixel is
-  //! the mean of sixteen samples.
+  //! Draws a picture on a paper-colored background: linear light, three floats per pixel, top row
+  //! first. Every pixel is the mean of sixteen samples.
   std::vector<float> draw(const DiagramScene& scene, const OutsideCamera& camera, int width_px, int height_px);
 
  private:
@@ -28,7 +28,8 @@ class DiagramDrawing {
 
   [[nodiscard]] Uploaded upload(const DiagramScene& scene, const OutsideCamera& camera);
   void draw_tile(const Uploaded& uploaded, const OutsideCamera& camera, const Tile& tile) const;
-  //! Composites the means of a tile's samples, bottom row first, on paper.
+  //! Composites the means of a tile's samples, bottom row first, over the paper-colored background
+  //! of the picture.
   static void lay_on_paper(const std::vector<float>& rgba, const Tile& tile, std::vector<float>& picture);
 
   unsigned surface_program_ = 0;

@@ -9,7 +9,7 @@ namespace ergodome {
 
 namespace {
 
-//! Heights of letters, lines and margins, as fractions of unit_height_px.
+//! Heights of letters, lines and margins, as fractions of unit_height_px().
 constexpr double letter_share = 0.019;
 constexpr double label_share = 0.016;
 constexpr double line_share = 0.031;
@@ -20,7 +20,7 @@ int share_px(double share, int width_px, int height_px) {
   return std::max(1, static_cast<int>(std::lround(share * unit_height_px(width_px, height_px))));
 }
 
-//! Linear light on which texts are drawn.
+//! A picture in linear light on which texts are drawn.
 struct Sheet {
   int width;
   int height;
@@ -47,7 +47,7 @@ struct Sheet {
     }
   }
 
-  //! Draws a text with the middle of its height at y.
+  //! Draws a text whose vertical center is at y.
   void write(const TextImage& letters, int left, int y, const Ink& color) const {
     for (int row = 0; row < letters.height; ++row) {
       for (int column = 0; column < letters.width; ++column) {
@@ -59,7 +59,7 @@ struct Sheet {
   }
 };
 
-//! Returns the top of the legend, from the top of the picture [px].
+//! Returns the distance of the legend from the top of the picture [px].
 int legend_top(std::size_t lines, int width_px, int height_px) {
   return height_px - share_px(margin_share + line_share * static_cast<double>(lines), width_px, height_px);
 }
@@ -79,7 +79,7 @@ void write_legend(const Sheet& sheet, const std::vector<LegendLine>& legend) {
     }
     const int indent = line.sign == LegendLine::Sign::none ? 0 : sign_px + margin_px / 2;
     const TextImage letters = text_image(line.text, sheet.pixels(letter_share));
-    // Fade the picture behind texts.
+    // Blends the picture behind a text with the color of the paper.
     sheet.fill(margin_px + indent - margin_px / 4, y - line_px / 2, letters.width + margin_px / 2, line_px,
                diagram_inks::paper(), 0.85F);
     sheet.write(letters, margin_px + indent, y, diagram_inks::words());

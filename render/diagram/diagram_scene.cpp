@@ -66,9 +66,10 @@ std::vector<Vector3<double>> level_circle(double radius, double height) {
 
 namespace {
 
-//! Opacity of a veil.
+//! Opacity of translucent meshes (veils).
 constexpr float veil_cover = 0.6F;
-//! Veils keep their color in the dark fields of their checkerboard.
+//! Minimum light factor of the dark checkerboard fields of translucent meshes, so that these keep
+//! their color there.
 constexpr double least_veil_dark = 0.55;
 
 Vector3<float> in_floats(const Vector3<double>& v) {

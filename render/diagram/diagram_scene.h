@@ -22,7 +22,8 @@ struct DiagramCorner {
   Vector3<double> place;
   Vector3<float> normal;
   std::array<float, 4> color;  //!< linear light and opacity
-  //! Position on a checkerboard with fields of size 1, and the factor on every other field's light.
+  //! Checkerboard coordinates (two numbers; fields have size 1), and the factor on the light of
+  //! every second field.
   std::array<float, 3> checker = {0.0F, 0.0F, 1.0F};
 };
 
@@ -30,7 +31,7 @@ struct DiagramCorner {
 struct DiagramLine {
   std::vector<Vector3<double>> places;
   Ink ink;
-  double width_px = 1.0;  //!< in a picture 720 pixels high
+  double width_px = 1.0;  //!< width of the line in a picture 720 pixels high
 };
 
 //! A text beside a position.
@@ -54,22 +55,23 @@ struct DiagramScene {
   std::vector<DiagramLine> lines;
   std::vector<DiagramLabel> labels;
   std::vector<LegendLine> legend;
-  std::vector<Vector3<double>> framed;  //!< positions that should be inside the picture
-  double photon_sphere = 0.0;           //!< radius of a sphere whose outline is drawn; 0: none
+  //! Positions that the automatic camera keeps inside the picture.
+  std::vector<Vector3<double>> framed;
+  double photon_sphere = 0.0;  //!< radius of a sphere whose outline is drawn; 0: none
   int ray_count = 0;
 };
 
 //! Adds a sphere centered at `middle`.
 void add_ball(std::vector<DiagramCorner>& corners, const Vector3<double>& middle, double radius, const Ink& ink);
 
-//! Returns a circle about the z axis in the plane z = height.
+//! Returns a circle around the z axis in the plane z = height.
 std::vector<Vector3<double>> level_circle(double radius, double height);
 
 namespace diagram_inks {
-//! Returns the color of an image order. Most people with color vision deficiency can distinguish
-//! these colors, too (Okabe & Ito 2008).
+//! Returns the color for rays of an image order. The colors are distinguishable for most people
+//! with color vision deficiency, too (Okabe & Ito 2008).
 Ink of_image(int order);
-//! Returns a color halfway to paper.
+//! Returns the mean of a color and the color of the paper.
 Ink pale(const Ink& ink);
 Ink paper();
 Ink hole();

@@ -3,12 +3,12 @@
 // The shaders of diagrams.
 namespace ergodome {
 
-//! Locations of uniforms.
+//! Locations of the shaders' uniforms.
 enum DiagramUniform {
-  //! Half width and height of the whole picture's screen; nearest and farthest depth.
+  //! Half width and half height of the screen of the whole picture; nearest and farthest depth.
   uniform_diagram_screen = 0,
   uniform_diagram_tile = 1,  //!< scale and shift from the picture's clip space to the tile's
-  uniform_diagram_pixel = 2  //!< for lines: size of a width of 1 in the tile's clip space
+  uniform_diagram_pixel = 2  //!< for lines: size of one unit of line width in the tile's clip space
 };
 
 extern const char* const diagram_surface_vertex_source;

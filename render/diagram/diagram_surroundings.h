@@ -15,7 +15,7 @@ void add_hole(Spacetime spacetime, DiagramScene& scene);
 //! and y axes, and a part of the z axis [M].
 void add_grid(double extent, double label_azimuth, DiagramScene& scene);
 
-//! Adds the observer and the borders of its view with a length of `length` [M].
+//! Adds the observer, and the borders of the observer's view as lines of length `length` [M].
 void add_observer(const ViewSettings& view, const EyeCamera& eye, double length, DiagramScene& scene);
 
 //! Returns a round number near `about`: 1, 2 or 5 times a power of ten.

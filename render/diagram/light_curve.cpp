@@ -40,7 +40,7 @@ std::vector<Vector3<double>> light_curve(const Vector3<double>& observer, const 
     from_observer = moved_on(from_observer, angle, step);
     last.push_back(place(from_observer));
   }
-  // Both halves end in the middle point, which must occur once.
+  // Both halves of the curve end at the point where they meet, which must appear once.
   first.insert(first.end(), last.rbegin() + 1, last.rend());
   return first;
 }

@@ -15,8 +15,8 @@ constexpr double half_view = 13.0 * one_degree;
 //! Fraction of the picture that stays free around the subject.
 constexpr double picture_margin = 0.04;
 
-//! Maxima over all positions of p.x + tangent · p.z and the like: the constraints that the sides of
-//! the frustum put on the camera.
+//! Maxima over all positions of linear combinations such as p.x + tangent · p.z. Each is the
+//! constraint that one side of the frustum puts on the camera's position.
 struct FrustumBounds {
   double right = -std::numeric_limits<double>::max();
   double left = right;

@@ -12,28 +12,30 @@ namespace ergodome {
 
 //! The direction from which a diagram is viewed, in flat space.
 struct OutsideDirection {
-  double azimuth = 0.0;    //!< of the camera, from +x towards +y [rad]
-  double elevation = 0.0;  //!< above the plane z = 0 [rad]
-  //! From the middle of the subject [M]; empty: chosen so that the whole subject is in the picture.
+  double azimuth = 0.0;    //!< azimuth of the camera, from +x towards +y [rad]
+  double elevation = 0.0;  //!< elevation of the camera above the plane z = 0 [rad]
+  //! Distance of the camera from the middle of the subject [M]; empty: chosen so that the whole
+  //! subject is in the picture.
   std::optional<double> distance;
 };
 
 //! A camera with a flat screen in flat space.
 struct OutsideCamera {
-  Vector3<double> place;            //!< [M]
+  Vector3<double> place;            //!< position of the camera [M]
   Vector3<double> right, up, back;  //!< unit vectors
-  double half_width;                //!< of the screen at distance 1
+  double half_width;                //!< half width of the screen at distance 1
   double half_height;
   double nearest, farthest;  //!< depth range of the subject along the view [M]
 
-  //! Returns the components of a position along right, up and back, from the camera [M].
+  //! Returns the position of `p` relative to the camera, in components along right, up and back
+  //! [M].
   [[nodiscard]] Vector3<double> in_view(const Vector3<double>& p) const {
     return {dot(right, p - place), dot(up, p - place), dot(back, p - place)};
   }
 };
 
-//! The part of a picture that the subject may fill, from its lower to its upper edge; 0 is the
-//! bottom, 1 the top.
+//! The horizontal band of a picture that the subject may fill; 0 is the bottom of the picture, 1
+//! the top.
 struct PictureBand {
   double low = 0.0;
   double high = 1.0;
@@ -44,12 +46,12 @@ struct PictureBand {
 OutsideCamera outside_camera(const OutsideDirection& direction, const std::vector<Vector3<double>>& places,
                              double aspect, const PictureBand& band);
 
-//! Returns the height that determines the sizes of letters and lines [px]: the picture's, or less
-//! if it is so narrow that texts would not fit.
+//! Returns the reference height that letter sizes and line widths are proportional to [px]: the
+//! picture's height, or less if the picture is so narrow that texts would not fit.
 inline double unit_height_px(int width_px, int height_px) { return std::min<double>(height_px, 0.9 * width_px); }
 
-//! Returns the circle that is the outline of a sphere about the origin, as the camera sees it;
-//! nothing from inside the sphere.
+//! Returns the circle of the outline of a sphere around the origin as the camera sees it; nothing
+//! if the camera is inside the sphere.
 std::vector<Vector3<double>> sphere_outline(double radius, const OutsideCamera& camera);
 
 }  // namespace ergodome

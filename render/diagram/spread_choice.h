@@ -7,9 +7,9 @@
 
 namespace ergodome {
 
-//! Selects `count` positions that are far from each other, and returns their indices: each is the
-//! farthest from all earlier ones. The first is the farthest from the mean. Returns fewer if no
-//! more positions differ.
+//! Selects `count` positions that are far from each other, and returns their indices. The first is
+//! the farthest from the mean; each further one is the farthest from all selected before. Returns
+//! fewer if no other positions are distinct.
 std::vector<std::size_t> spread_choice(const std::vector<Vector3<double>>& places, std::size_t count);
 
 }  // namespace ergodome

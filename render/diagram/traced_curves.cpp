@@ -16,10 +16,11 @@ namespace {
 constexpr int diagram_series = 16;
 constexpr double diagram_tolerance = 1e-10;
 constexpr int diagram_step_limit = 10'000;
-//! Number of straight lines that approximate a step of the series.
+//! Number of straight lines that approximate an integration step of a ray, which is a Taylor
+//! series.
 constexpr int lines_a_step = 12;
-//! Minimum radius of paths into the hole, in radii of the horizon: their azimuth grows without
-//! bound towards it.
+//! Minimum radius of drawn paths into the hole, in radii of the horizon. Closer to the horizon,
+//! their azimuth grows without bound.
 constexpr double beside_the_hole = 1.01;
 
 using DiagramStep = PathStep<diagram_series, NearParts::azimuth_and_delay, double>;
@@ -31,12 +32,12 @@ double angle_between(const Vector3<double>& a, const Vector3<double>& b) {
   return std::atan2(distance_of(cross(a, b)), dot(a, b));
 }
 
-//! A ray of the picture, and what it meets.
+//! A ray through a pixel of the coarse picture, and what it hits.
 struct LookedAt {
   Vector3<double> view;  //!< direction in the view's axes
-  Vector3<double> n;     //!< in (e_r, e_θ, e_φ)
+  Vector3<double> n;     //!< direction in the observer's frame (e_r, e_θ, e_φ)
   MeshHit hit;
-  int order = 0;  //!< of the image; 0: the ray meets no object
+  int order = 0;  //!< image order of the hit object; 0: the ray hits no object
 };
 
 Vector3<double> in_eye_frame(const EyeCamera& eye, const Vector3<double>& view) {

@@ -25,17 +25,19 @@ struct TracedCurve {
 
 //! Selects which rays of a view are traced.
 struct TracedChoice {
-  int count = 24;      //!< approximate number; two thirds of them end on objects, if there are any
+  //! Approximate number of rays; two thirds of them end on objects, if there are any.
+  int count = 24;
   int most_order = 5;  //!< rays to objects of higher order are left out
   double reach;        //!< paths to the sky end at this distance from the hole [M]
 };
 
-//! Computes the path of the ray that a camera sees in direction `n` (e_r, e_θ, e_φ), up to its hit,
-//! the hole or `reach`.
+//! Computes the path of the ray that a camera sees in direction `n` (e_r, e_θ, e_φ), traced back
+//! until it meets the object `hit`, falls into the hole or reaches the distance `reach` [M].
 TracedCurve traced_curve(const CameraStation& camera, const Vector3<double>& n, const MeshHit& hit, double reach);
 
-//! Traces rays through the pixels of a coarse picture of an eye's view and selects some, spread
-//! over the view: first rays that meet objects, equally many of every order, then others.
+//! Traces rays back through the pixels of a coarse picture of an eye's view, and selects some that
+//! are spread over the view: first rays that meet objects, equally many of every image order, then
+//! others.
 std::vector<TracedCurve> traced_curves(const EyeCamera& eye, const Projection& coarse, const ObjectRays& objects,
                                        const TracedChoice& choice);
 

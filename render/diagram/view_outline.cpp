@@ -13,8 +13,8 @@ namespace {
 
 constexpr int parts_of_side = 12;
 
-//! Transforms directions from an eye's view axes to pseudo-Cartesian axes, in the frame without
-//! angular momentum.
+//! Transforms directions from an eye's view axes to pseudo-Cartesian axes, in the frame of an
+//! observer without angular momentum.
 class ViewTurn {
  public:
   explicit ViewTurn(const EyeCamera& eye)
@@ -57,7 +57,8 @@ ViewOutline view_outline(const ViewSettings& view, const EyeCamera& eye) {
   const auto add = [&](double x, double y, bool corner) {
     const Vector3<double> unit =
         turned(direction_from_pixel(projection, x * projection.width_px, y * projection.height_px));
-    // Limits screens that are very wide, or turned backwards by aberration.
+    // Limits screens that are very wide, or that aberration turns beyond 90° from the forward
+    // direction.
     const Vector3<double> direction = flat ? (1.0 / std::max(dot(unit, forward), 0.3)) * unit : unit;
     outline.border.push_back(direction);
     if (corner) {

@@ -9,10 +9,10 @@
 
 namespace ergodome {
 
-//! Border of an observer's picture: points in pseudo-Cartesian axes relative to the observer, on a
-//! sphere of radius 1 or, for flat pictures, on a screen at distance 1.
+//! Border of an observer's picture: points in pseudo-Cartesian axes relative to the observer. They
+//! are on a sphere of radius 1 or, for flat pictures, on a screen at distance 1.
 struct ViewOutline {
-  std::vector<Vector3<double>> border;  //!< closed curve; empty for a picture of the whole sky
+  std::vector<Vector3<double>> border;  //!< closed curve; empty for a picture of all directions
   std::vector<Vector3<double>> corners;
 };
 
@@ -20,7 +20,7 @@ struct ViewOutline {
 //! eye's position: a moving observer's directions are aberrated.
 ViewOutline view_outline(const ViewSettings& view, const EyeCamera& eye);
 
-//! Returns the direction of the middle of an eye's view, in the same frame as the border.
+//! Returns the direction of the middle of an eye's view, in the frame that view_outline() uses.
 Vector3<double> forward_of(const EyeCamera& eye);
 
 }  // namespace ergodome

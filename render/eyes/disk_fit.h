@@ -3,8 +3,8 @@
 #include <functional>
 #include <vector>
 
-// Least-squares fit of polynomials of two variables on the unit disk. Order of terms: 1, p, q, p²,
-// p q, q², ...
+// Least-squares fit of polynomials of two variables (p, q) on the unit disk. Order of terms: 1, p,
+// q, p², p q, q², ...
 namespace ergodome {
 
 //! A point on the unit disk.
@@ -13,11 +13,12 @@ struct DiskPoint {
   double q;
 };
 
-//! Returns the middle and `rings` rings of `spokes` points each, denser towards the rim. Every
-//! other ring is turned by half a spoke; `turn` turns all points, in spokes.
+//! Returns the center of the unit disk and `rings` rings of `spokes` points each, denser towards
+//! the rim. Every second ring is rotated by half the angle between spokes. `turn` rotates all
+//! points, in units of that angle.
 std::vector<DiskPoint> disk_points(int rings, int spokes, double turn);
 
-//! Returns the terms of polynomials of a degree at a point.
+//! Returns the values at a point of all terms up to a degree.
 std::vector<double> disk_terms(const DiskPoint& point, int degree);
 
 //! Fits many sets of values at the same points. There must be more points than terms, in general
@@ -30,14 +31,17 @@ class DiskFit {
   [[nodiscard]] std::vector<double> fit(std::vector<double> values) const;
 
  private:
-  std::vector<std::vector<double>> columns_;   //!< orthonormal, one number per point
-  std::vector<std::vector<double>> triangle_;  //!< transforms them back to the terms
+  //! Orthonormalized terms: one vector of values at the points for each term.
+  std::vector<std::vector<double>> columns_;
+  //! Triangular matrix that transforms coefficients of `columns_` to coefficients of the terms.
+  std::vector<std::vector<double>> triangle_;
 };
 
 //! A fixed number of values at a point on the disk.
 using DiskNumbers = std::function<std::vector<double>(const DiskPoint& point)>;
 
-//! Fits polynomials of a degree to all values and returns them one after the other.
+//! Fits one polynomial of a degree to each of the numbers, and returns the coefficients of all
+//! polynomials one after the other.
 std::vector<double> fit_numbers(const DiskNumbers& numbers_at, int degree);
 
 }  // namespace ergodome

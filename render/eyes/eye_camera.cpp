@@ -55,13 +55,14 @@ EyeCamera eye_camera(const Show& show, const CameraPose& pose, const Vector3<dou
       head[i][j] = turn[j][i];
     }
   }
-  // An eye that would be inside the hole is kept just outside; eyes of an infalling head are kept
-  // above the minimum radius.
+  // An eye that would be inside the hole is moved out to just outside the horizon; an eye of an
+  // infalling head is moved out to the minimum radius.
   const EyeEvent event =
       eye_event(spacetime, pose.r, pose.theta, pose.phi, head, offset, {deepest + 1e-3 * (pose.r - deepest), in_rain});
   EyeCamera eye{};
   eye.spacetime = spacetime;
-  // An eye at the head's position gets exactly the head's numbers, like a single camera.
+  // An eye at the head's position gets exactly the head's coordinates, so that it equals a single
+  // camera.
   constexpr double rounding = 1e-12;
   const auto unless_rounding = [](double of_eye, double of_head) {
     return std::abs(of_eye - of_head) <= rounding * of_head ? of_head : of_eye;

@@ -13,13 +13,14 @@ struct EyeCamera {
   double theta;  //!< polar angle [rad]
   double phi;    //!< azimuth [rad]; inside the horizon, of ingoing Kerr coordinates
   ObserverMotion motion;
-  //! In the ZAMO frame for ObserverMotion::velocity, in the rain frame for rain_boost.
+  //! Velocity of the observer: in the ZAMO frame for ObserverMotion::velocity, in the rain frame
+  //! for rain_boost.
   Vector3<double> velocity{};
-  //! Columns: the view's x (right), y (up), z (back) in (e_r, e_θ, e_φ).
+  //! Rotation whose columns are the view's x (right), y (up), z (back) in (e_r, e_θ, e_φ).
   double frame_from_view[3][3];
-  double head_r;            //!< the head's position; for a single eye its own [M]
-  double head_theta;        //!< [rad]
-  double clock_lead = 0.0;  //!< like CameraPose's, for this eye [M]
+  double head_r;            //!< Boyer-Lindquist radius of the head; for a single eye its own [M]
+  double head_theta;        //!< polar angle of the head [rad]
+  double clock_lead = 0.0;  //!< CameraPose::clock_lead for this eye [M]
 };
 
 //! Returns an eye of the show's camera at a pose, at `offset` [M] from the head in the view's axes
@@ -27,7 +28,8 @@ struct EyeCamera {
 //! near the inner horizon, if the observer would be faster than light, and for NaN.
 EyeCamera eye_camera(const Show& show, const CameraPose& pose, const Vector3<double>& offset);
 
-//! Returns the same for an eye `to_the_right` [M] of the head; 0 is the head itself.
+//! Returns an eye as above; `to_the_right` is its distance from the head along the view's x axis
+//! [M], and 0 is the head itself.
 inline EyeCamera eye_camera(const Show& show, const CameraPose& pose, double to_the_right) {
   return eye_camera(show, pose, {to_the_right, 0.0, 0.0});
 }

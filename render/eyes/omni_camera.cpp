@@ -17,7 +17,7 @@ namespace ergodome {
 
 namespace {
 
-//! Below this, the rounding of float is larger.
+//! Minimum tolerance of a fit: the rounding errors of float are larger than this.
 constexpr double finest_fit = 2e-7;
 
 using Numbers = std::array<double, omni_numbers>;
@@ -42,7 +42,7 @@ Form sum_of(double a, const Form& first, double b, const Form& second) {
   return sum;
 }
 
-//! Returns whether the eyes may be on both sides of the horizon.
+//! Returns whether eyes of this head may be on both sides of the horizon.
 bool is_ingoing(const EyeCamera& head) {
   return head.motion == ObserverMotion::rain_boost && is_near_horizon(head.spacetime, head.r);
 }
@@ -73,7 +73,8 @@ Numbers numbers_of(const EyeCamera& eye, const EyeCamera& head) {
   return numbers;
 }
 
-//! Returns a function that computes the camera's numbers at a point of the disk of all positions.
+//! Returns a function that computes the numbers of the exact camera (omni_numbers) for a point on
+//! the disk of all eye positions.
 DiskNumbers exact_numbers(const EyePlace& eye_at, double reach, const EyeCamera& head) {
   return [&eye_at, reach, head](const DiskPoint& point) {
     const Numbers numbers = numbers_of(eye_at({reach * point.p, 0.0, reach * point.q}), head);
@@ -81,7 +82,8 @@ DiskNumbers exact_numbers(const EyePlace& eye_at, double reach, const EyeCamera&
   };
 }
 
-//! Returns the largest error of a fit, each number relative to the largest of its form.
+//! Returns the largest error of a fit. The error of each number is relative to the largest number
+//! of its group.
 double fit_error(const EyePlace& eye_at, double reach, const EyeCamera& head, int degree,
                  const std::vector<double>& coefficients) {
   const std::vector<DiskPoint> points = disk_points(3, 13, 0.37);
@@ -103,8 +105,8 @@ double fit_error(const EyePlace& eye_at, double reach, const EyeCamera& head, in
   }
   double largest = 0.0;
   for (std::size_t i = 0; i < 6; ++i) {
-    // Without spin the axial momenta are like any other; no group vanishes everywhere except by
-    // rounding.
+    // The minimum prevents a division by zero. No group of numbers vanishes everywhere, except by
+    // rounding; that includes the axial momenta without spin.
     largest = std::max(largest, error[i] / std::max(scale[i], 1e-300));
   }
   return largest;
@@ -178,7 +180,8 @@ OmniCameraOf<double> OmniCamera::exact(double side) const {
 ShadowChart omni_shadow_chart(const OmniCameraOf<double>& camera, const EyePlace& eye_at) {
   const EyeCamera head = eye_at({0.0, 0.0, 0.0});
   Vector3<double> middle = in_view(head, make_shadow_chart(station_of(head, 0.0)).centre);
-  // Iterates to the shadow's middle as seen by the camera that looks there.
+  // Iterates: the shadow's center is that seen by the camera that looks in the direction of this
+  // center.
   constexpr int rounds = 4;
   for (int round = 0; round < rounds; ++round) {
     double right = 0.0;
@@ -198,8 +201,8 @@ double omni_darkness(const OmniCameraOf<double>& camera, const ShadowChart& char
   return darkness(camera.spin, camera.horizon_r, start_omni_ray(camera, view));
 }
 
-//! Returns the angle at which the sky turns bright along a great circle from the chart's middle, by
-//! false position with bisection.
+//! Returns the angle from the chart's center, along a great circle, at which the shadow ends and
+//! the sky begins. Uses false position with bisection.
 double omni_edge_angle(const OmniCameraOf<double>& camera, const ShadowChart& chart, double gamma) {
   double dark = 0.0;
   double bright = pi;

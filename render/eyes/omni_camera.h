@@ -12,30 +12,30 @@
 
 namespace ergodome {
 
-//! Returns the camera of an eye at an offset from the head, in the view's axes (right, up, back)
-//! [M].
+//! Function that returns the camera of an eye at an offset from the head, in the view's axes
+//! (right, up, back) [M].
 using EyePlace = std::function<EyeCamera(const Vector3<double>& offset)>;
 
 //! Settings of ODS eyes, which turn with the viewing azimuth.
 struct OmniSettings {
-  double half_baseline = 0.0;  //!< [M]
-  double convergence = 0.0;    //!< [M]; 0: infinity
+  double half_baseline = 0.0;  //!< half of the baseline [M]
+  double convergence = 0.0;    //!< distance of points without parallax [M]; 0: infinity
   double fade_from = 1.0;      //!< elevation at which the baseline begins to shrink [rad]
   double fade_to = 1.57;       //!< elevation at which the baseline is zero [rad]
-  //! Accepted error of cameras as a direction [rad]; the fit aims at a tenth of it.
+  //! Accepted error of a direction seen by the fitted cameras [rad]; the fit aims at a tenth of it.
   double tolerance = 1e-5;
 };
 
-//! Camera error [rad] up to which ODS eyes count as drawable, at any picture size, so that the
-//! largest baseline does not depend on the size.
+//! Error [rad] up to which fitted ODS cameras count as drawable. It does not depend on the
+//! picture's size, so that the maximum baseline does not either.
 inline constexpr double omni_least_exact = 1e-5;
 
 //! Returns the settings of ODS eyes for a show's stereo settings and a baseline [M].
 OmniSettings omni_settings(const StereoSettings& stereo, double baseline, double tolerance);
 
-//! The cameras of ODS eyes about a head, as polynomials of the eye position: fitted by least
-//! squares to exact cameras on the disk of all positions, with the lowest sufficient degree. One
-//! fit serves both eyes and all pixels.
+//! The cameras of ODS eyes around a head, as polynomials of the eye position. They are fitted by
+//! least squares to exact cameras on the disk of all eye positions, with the lowest sufficient
+//! degree. One fit serves both eyes and all pixels.
 class OmniCamera {
  public:
   //! Fits the polynomials. Throws Error if none reaches omni_least_exact: the baseline is too large
@@ -45,12 +45,12 @@ class OmniCamera {
   //! Returns the cameras as kernels read them; `side` is -1 for the left eye, 1 for the right one.
   //! The result points into this object.
   [[nodiscard]] OmniCameraOf<float> view(double side) const;
-  //! Returns the same on the host, whatever the backend.
+  //! Returns the same cameras in host memory, whatever the backend.
   [[nodiscard]] OmniCameraOf<float> on_host(double side) const;
-  //! Returns the same on the host, in double.
+  //! Returns the same cameras in host memory, in double precision.
   [[nodiscard]] OmniCameraOf<double> exact(double side) const;
 
-  //! Returns the coefficients that exact() uses: omni_numbers polynomials.
+  //! Returns the coefficients of the omni_numbers polynomials that exact() uses.
   [[nodiscard]] const std::vector<double>& coefficients() const { return coefficients_; }
 
   [[nodiscard]] int degree() const { return camera_.degree; }
@@ -62,11 +62,11 @@ class OmniCamera {
   Buffer<float> for_kernels_;
 };
 
-//! Returns a chart about the middle of the shadow that an ODS eye sees, in the view's axes.
+//! Returns a chart centered on the shadow that an ODS eye sees, in the view's axes.
 ShadowChart omni_shadow_chart(const OmniCameraOf<double>& camera, const EyePlace& eye_at);
 
-//! Solves the shadow's edge in the chart at `count` position angles [rad]. Throws Error if the
-//! shadow does not surround the chart's middle.
+//! Computes the shadow's edge in the chart, at `count` position angles [rad]. Throws Error if the
+//! chart's center is not inside the shadow.
 std::vector<float> solve_omni_edge(const OmniCameraOf<double>& camera, const ShadowChart& chart, int count);
 
 }  // namespace ergodome

@@ -10,7 +10,8 @@ namespace ergodome {
 
 namespace {
 
-//! The unit vectors of r, θ, φ at a position, in the Cartesian-like axes; rows.
+//! The unit vectors of r, θ and φ at a position, as rows, in the axes of the Cartesian-like
+//! coordinates.
 struct Axes {
   double row[3][3];
 };
@@ -32,8 +33,8 @@ EyeEvent eye_event(Spacetime spacetime, double r, double theta, double phi, cons
   // = r/√Σ, r sinθ dφ = r √(Σ/A).
   const double outwards = room.in_rain ? std::sqrt(f.area) / f.sigma : std::sqrt(std::max(f.delta, 0.0) / f.sigma);
   const double scale[3] = {outwards, r / std::sqrt(f.sigma), r / f.circumference_factor};
-  // In the azimuth of ingoing Kerr coordinates, infalling observers move straight in. The
-  // Boyer-Lindquist azimuth diverges at the horizon.
+  // Uses the azimuth of ingoing Kerr coordinates, in which infalling observers move straight in.
+  // The Boyer-Lindquist azimuth diverges at the horizon.
   const auto turn_at = [&](double radius) {
     return room.in_rain && radius > horizon_radius(spacetime) ? ingoing_turn(spacetime, radius) : 0.0;
   };
@@ -52,7 +53,8 @@ EyeEvent eye_event(Spacetime spacetime, double r, double theta, double phi, cons
   const double across = std::hypot(place[0], place[1]);
   eye.r = std::max(std::hypot(across, place[2]), room.least_r);
   eye.theta = std::atan2(across, place[2]);
-  // Keeps the head's branch of φ, so that a show with many turns does not jump.
+  // Chooses the azimuth within half a turn of the head's, so that it does not jump in a show with
+  // many turns.
   const double azimuth = across > 0.0 ? std::atan2(place[1], place[0]) : azimuth_here;
   const double azimuth_there = azimuth_here + std::remainder(azimuth - azimuth_here, full_turn);
   eye.phi = azimuth_there - turn_at(eye.r);

@@ -7,20 +7,22 @@
 
 namespace ergodome {
 
-//! An eye's event and axes, derived from the head's.
+//! Position and axes of an eye, derived from the head's.
 struct EyeEvent {
   double r;      //!< [M]
   double theta;  //!< [rad]
-  //! [rad]; inside the horizon, of ingoing Kerr coordinates, like the head's.
+  //! Azimuth [rad]; inside the horizon, of ingoing Kerr coordinates, like the head's.
   double phi;
-  //! Columns: the view's x (right), y (up), z (back) in (e_r, e_θ, e_φ) at the eye.
+  //! Rotation whose columns are the view's x (right), y (up), z (back) in (e_r, e_θ, e_φ) at the
+  //! eye.
   double frame_from_view[3][3];
 };
 
 //! Limits for eye positions, and the frame in which lengths are measured.
 struct EyeRoom {
-  double least_r;  //!< minimum radius; eyes are kept outside it [M]
-  //! Measure lengths in the rain frame, not the ZAMO's; eyes may be inside the horizon.
+  double least_r;  //!< minimum radius; an eye closer to the hole is moved out to it [M]
+  //! Lengths are measured in the rain frame instead of the ZAMO frame; eyes may be inside the
+  //! horizon.
   bool in_rain = false;
 };
 

@@ -14,7 +14,7 @@ namespace ergodome {
 namespace {
 
 constexpr double largest_height_px = 16384.0;
-//! Maximum distance of an eye from the middle of a dome, in its radii.
+//! Maximum distance of an eye from the center of a dome, in radii of the dome.
 constexpr double nearest_convergence = 0.95;
 
 //! Returns the height of a picture with square pixels.

@@ -20,11 +20,11 @@ inline bool has_face_files(const ViewSettings& view) {
 //! face has the requested width.
 Projection make_projection(const ViewSettings& view, int width_px, double field_of_view_deg);
 
-//! Returns the projection for an eye that sits `offset` M to the right of the head, so that objects
-//! `convergence` M away appear at the same position for both eyes. Screens get an off-axis frustum
-//! with its plane at that distance; domes are seen from beside the middle of a sphere with that
-//! radius. Other projections stay unchanged; 0 means infinity. Throws Error if the eye would be at
-//! the dome's surface.
+//! Returns the projection for an eye that is `offset` M to the right of the head, such that objects
+//! at distance `convergence` [M] appear at the same position for both eyes. Flat screens get an
+//! off-axis frustum with the screen plane at that distance; domes are viewed from beside the center
+//! of a sphere with that radius. Other projections do not change, and none does if `convergence` is
+//! 0 (infinity). Throws Error if the eye would be at the dome's surface.
 Projection converged_projection(const Projection& projection, double offset, double convergence);
 
 }  // namespace ergodome

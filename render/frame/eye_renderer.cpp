@@ -26,8 +26,8 @@ std::vector<std::unique_ptr<PassDrawing>> prepare_passes(const EyePicture& wante
 //! A picture in progress, rendered block by block into host memory.
 class EyeRenderer::Making {
  public:
-  //! `wanted` and `sky` must outlive it. Passes are prepared before the lens is chosen: they may
-  //! work in other threads meanwhile.
+  //! `wanted` and `sky` must outlive this object. Prepares the passes before it chooses the lens,
+  //! because passes may work in other threads meanwhile.
   Making(EyeRenderer& renderer, const EyePicture& wanted, const SkyCube& sky)
       : renderer_(renderer),
         wanted_(wanted),
@@ -54,7 +54,7 @@ class EyeRenderer::Making {
 
   static bool share_work(const Making (&both)[2]) { return both[0].sky_.lens().shares_work_with(both[1].sky_.lens()); }
 
-  //! Makes the sky of both eyes, whose lenses share work.
+  //! Renders the sky of both eyes, whose lenses share work (LensSource::shares_work_with()).
   static void make_sky_of_both(Making (&both)[2], const RowBlock& rows) {
     SkyDrawing::draw_both(both[0].sky_, both[1].sky_, rows, both[0].memory_of(rows), both[1].memory_of(rows));
     for (Making& making : both) {
@@ -84,7 +84,8 @@ class EyeRenderer::Making {
   float* light(const RowBlock& rows) {
     return picture_.rgba.data() + 4 * picture_pixels(wanted_.projection, rows.first);
   }
-  //! Returns the backend's memory for rows: on the CPU, rows are made directly in the picture.
+  //! Returns the memory of the backend in which rows are rendered. On the CPU, this is the picture
+  //! itself.
   float* memory_of(const RowBlock& rows) {
     return renderer_.backend_ == Backend::cpu ? light(rows)
                                               : renderer_.room_for(picture_pixels(wanted_.projection, block_rows_));
@@ -120,7 +121,8 @@ std::vector<Picture> EyeRenderer::render_pair(const EyePair& wanted, const SkyCu
   const EyePicture& first = wanted.first;
   const EyePicture& second = wanted.second;
   std::vector<Picture> pictures;
-  // On GPUs, the rows of a picture and its stars are stored for one picture only.
+  // Renders one eye after the other: on GPUs, rows and stars are stored for one picture only, and
+  // some passes prepare one picture at a time.
   if (backend_ != Backend::cpu ||
       std::ranges::any_of(first.settings.passes, [](const Pass* pass) { return pass->kind().serves_one_picture; })) {
     pictures.push_back(render(first.eye, first.projection, sky, first.settings));

@@ -15,15 +15,16 @@
 
 namespace ergodome {
 
-//! Two eyes' pictures with the same size and the same channels.
+//! Renderings of two eyes with the same size and the same channels.
 struct EyePair {
   EyePicture first;
   EyePicture second;
-  bool one_projection;  //!< both have the same projection, as eyes that do not converge do
+  bool one_projection;  //!< true if both have the same projection, as eyes without convergence do
 };
 
-//! Renders eyes' pictures: the sky and, over it, their passes in order. Works on a block of rows at
-//! a time, which bounds memory at any size. Keeps its buffers for the next picture.
+//! Renders the pictures of eyes: the sky and, over it, the drawing passes in order. Renders a block
+//! of rows at a time, which bounds memory for any picture size. Keeps its buffers for the next
+//! picture.
 class EyeRenderer {
  public:
   //! `stream`: baked stations of the show, if there are any.
@@ -35,50 +36,51 @@ class EyeRenderer {
 
   [[nodiscard]] Backend backend() const { return backend_; }
 
-  //! Returns the lens of a picture with these settings, using cached grids of earlier pictures.
+  //! Returns the lens of a picture with these settings, using grids that are cached from earlier
+  //! pictures.
   std::unique_ptr<LensSource> lens_for(const EyeCamera& eye, const Projection& projection,
                                        const PictureSettings& settings) {
     return sky_.lens_for(eye, projection, settings);
   }
 
-  //! Returns the floats allocated for lens channels.
+  //! Returns the number of floats allocated for lens channels.
   [[nodiscard]] std::size_t lens_floats() const { return sky_.lens_floats(); }
 
   Picture render(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
                  const PictureSettings& settings);
 
-  //! Renders both eyes' pictures. On the CPU, alternates between them block by block: the sky that
-  //! one eye has read is still in the cache for the other, and if both have grids and the same
-  //! projection, each pixel is projected once.
+  //! Renders both eyes' pictures. On the CPU, alternates between the eyes block by block, so that
+  //! sky texels that one eye has read are still in the cache for the other. If both have grids and
+  //! the same projection, each pixel's view direction is computed once.
   std::vector<Picture> render_pair(const EyePair& wanted, const SkyCube& sky);
 
-  //! Draws passes over the whole of a picture in host memory, as if it had been rendered with them.
-  //! They must belong to finished pictures.
+  //! Draws passes over a whole picture in host memory, with the same result as if they had been
+  //! drawn while it was rendered. The passes must support finished pictures.
   static void finish(Picture& picture, const EyePicture& wanted);
 
-  //! Renders a picture in one piece that stays in the backend's memory until the next picture and
-  //! may be drawn on.
+  //! Renders a picture in one piece. It stays in the backend's memory until the next picture, and
+  //! passes may draw on it.
   PictureInPlace render_in_place(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
                                  const PictureSettings& settings);
 
-  //! Keeps the last picture rendered in place while the next one is rendered, so that two eyes'
-  //! pictures can stay.
+  //! Keeps the last picture rendered in place while the next one is rendered, so that the pictures
+  //! of two eyes exist at the same time.
   void set_aside() { std::swap(rgba_, aside_); }
 
  private:
   class Making;
   using Drawings = std::vector<std::unique_ptr<PassDrawing>>;
 
-  //! Lets passes near the hole that draw in host memory draw over the picture in place.
+  //! Lets near-field passes that draw in host memory draw over the picture in the backend's memory.
   void finish_in_place(const EyePicture& wanted, const Drawings& drawings);
 
-  //! Returns memory for `pixels` in the backend's memory.
+  //! Returns a buffer for `pixels` pixels in the backend's memory.
   float* room_for(std::size_t pixels);
 
   Backend backend_;
   SkyPass sky_;
   Buffer<float> rgba_;
-  Buffer<float> aside_;  //!< a picture to keep
+  Buffer<float> aside_;  //!< a picture kept by set_aside()
 };
 
 }  // namespace ergodome

@@ -11,7 +11,7 @@ namespace ergodome {
 
 namespace {
 
-//! Returns the passes up to a stage, or those after it.
+//! passes_until() returns the passes whose stage is at most `last`, passes_after() the others.
 std::vector<Pass*> passes_until(std::vector<Pass*> passes, PassStage last) {
   std::erase_if(passes, [&](const Pass* pass) { return pass->kind().stage > last; });
   return passes;
@@ -32,7 +32,8 @@ StereoPictures render_flat_eyes(EyeRenderer& renderer, const EyePicture& head, c
     shadow = std::make_shared<const FlatShadow>(head.eye);
     made.baseline = std::min(stereo.baseline, shadow->greatest_baseline());
   }
-  // Light is spread only after the shadow, and everything with its own parallax, has been drawn.
+  // Passes that spread light (bloom) come after the shadow and everything that has its own
+  // parallax.
   const PassStage shared = shadow ? PassStage::distant : PassStage::near;
   PictureSettings sharp = settings;
   sharp.passes = passes_until(settings.passes, shared);

@@ -25,8 +25,8 @@ EyePlace eyes_at(const Show& show, const CameraPose& pose) {
   return [&show, &pose](const Vector3<double>& offset) { return eye_camera(show, pose, offset); };
 }
 
-//! Returns ODS eyes with the show's baseline or, if it does not fit, with the largest that does.
-//! `tolerance`: errors of the cameras [rad]. Throws Error if even one eye does not fit.
+//! Returns ODS eyes with the show's baseline or, if it does not fit, with the largest baseline that
+//! does. `tolerance`: accepted error of the cameras [rad]. Throws Error if no baseline fits.
 FittingPair fitting_omni_pair(const Show& show, Backend backend, const CameraPose& pose, double tolerance) {
   const auto pair_at = [&](double apart) {
     return make_omni_pair(backend, eyes_at(show, pose), omni_settings(show.stereo, apart, tolerance));
@@ -44,8 +44,8 @@ FittingPair fitting_omni_pair(const Show& show, Backend backend, const CameraPos
   return {*pair, baseline};
 }
 
-//! Returns the ODS cameras at a pose while the shutter is open, with the largest baseline that fits
-//! there.
+//! Returns the ODS cameras for a pose of the head while the shutter is open, with the largest
+//! baseline that fits there.
 std::shared_ptr<const OmniCamera> fitting_omni_cameras(const Show& show, Backend backend, const CameraPose& pose,
                                                        double tolerance) {
   const auto cameras = [&](double baseline) {
@@ -68,7 +68,8 @@ StereoPictures OmniEyes::render(EyeRenderer& renderer, const CameraPose& pose, c
   const double tolerance = settings.accuracy.tolerance_px * pixel_angle(head.projection);
   const FittingPair fitting = fitting_omni_pair(show, backend_, pose, tolerance);
   StereoPictures made{{}, fitting.baseline};
-  // Without a baseline, stars and the near field are bit-identical to the head's.
+  // If the baseline is 0, uses the head itself for stars and near field, so that the result is
+  // bit-identical to the head's picture.
   const bool turns = made.baseline > 0.0;
   std::vector<std::shared_ptr<const OmniCamera>> shutter_cameras;
   for (std::size_t i = 0; turns && i < shutter.size(); ++i) {

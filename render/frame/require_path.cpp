@@ -19,7 +19,7 @@ void require_path_of(const Show& show, const TrajectoryReader& trajectory) {
   if (trajectory.provenance().spacetime != spacetime_of(show)) {
     throw other("spin");
   }
-  // Other machines round differently, and errors grow over long orbits.
+  // Tolerates rounding differences between machines, which grow over long orbits.
   constexpr double rounding = 1e-9;
   const auto same = [](double a, double b) { return std::abs(a - b) <= rounding * std::abs(a); };
   for (const StationEntry& station : trajectory.stations()) {

@@ -5,7 +5,8 @@
 
 namespace ergodome {
 
-//! Throws Error unless the trajectory was baked along the show's camera path, for its hole.
+//! Throws Error unless the trajectory was baked along the camera path of the show, and for the
+//! show's hole.
 void require_path_of(const Show& show, const TrajectoryReader& trajectory);
 
 }  // namespace ergodome

@@ -9,10 +9,10 @@
 
 namespace ergodome {
 
-//! The passes that a show needs at any time, in the order of frame_passes().
+//! The passes that a show needs at some time, in the order of frame_passes().
 class ShowPasses {
  public:
-  //! Throws Error if something that a pass draws cannot be read.
+  //! Throws Error if a file that a pass draws cannot be read.
   explicit ShowPasses(const PassInput& input);
 
   //! Returns the passes of eyes' pictures with the show's present numbers.
@@ -21,7 +21,7 @@ class ShowPasses {
   //! Draws the passes of PassStage::frame over the finished pictures of a frame.
   void finish(FinishedFrame& frame) const;
 
-  //! Returns the pass of a type, or nullptr if the show has none.
+  //! Returns the pass of type T, or nullptr if the show has none.
   template <class T>
   [[nodiscard]] T* find() const {
     for (const std::unique_ptr<Pass>& pass : passes_) {
@@ -35,11 +35,12 @@ class ShowPasses {
   void apply(const Show& show, const NumberChange& change);
   [[nodiscard]] std::vector<std::string> notes(const Show& show) const;
 
-  //! The passes of another show, where the present ones do not serve it.
+  //! New passes for another show, by index in frame_passes(). An entry is empty if the current pass
+  //! can draw the other show, and holds null if that show does not need the pass.
   using Change = std::vector<std::optional<std::unique_ptr<Pass>>>;
 
-  //! Makes the passes of another show (`input.show`) that the present ones cannot draw. Throws
-  //! Error like the constructor, and changes nothing.
+  //! Creates those passes for another show (`input.show`) that replace current passes which cannot
+  //! draw it. Throws Error like the constructor. Changes nothing in this object.
   [[nodiscard]] Change changed_for(const Show& now, PassInput input) const;
   void replace(Change change);
 

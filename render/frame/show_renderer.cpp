@@ -30,11 +30,13 @@ namespace ergodome {
 
 namespace {
 
-//! Maximum camera motion past the hole per step in which images of stars are followed [rad].
+//! Star images are followed in steps, in each of which the camera moves around the hole by at most
+//! this angle [rad].
 constexpr double longest_trail_step = 0.02;
 constexpr int most_trail_steps = 32;
 
-//! Returns whether two shows use one map in the same way, so that it need not be read again.
+//! Returns whether two shows have the same map with the same settings, so that the map need not be
+//! read again.
 bool same_map(const Show& a, const Show& b) {
   return a.folder == b.folder && a.sky.map == b.sky.map && a.sky.map_layout == b.sky.map_layout &&
          a.sky.spin_axis_ra_deg == b.sky.spin_axis_ra_deg && a.sky.spin_axis_dec_deg == b.sky.spin_axis_dec_deg &&
@@ -91,7 +93,7 @@ void ShowRenderer::set_show(const Show& show, std::shared_ptr<StationStream> str
     sky.emplace(next, backend());
   }
   ShowPasses::Change passes = passes_.changed_for(show_, {next, backend(), stream});
-  // Nothing below throws.
+  // Nothing from here on throws an exception.
   if (sky) {
     sky_ = std::move(*sky);
   }
@@ -141,7 +143,8 @@ std::vector<CameraPose> ShowRenderer::shutter_poses(const CameraPose& middle, do
   const double half = 0.5 * show_.effects.trails->shutter_s;
   const CameraPose open = camera_pose(show_, time_s - half);
   const CameraPose close = camera_pose(show_, time_s + half);
-  // Images are followed in steps that are small compared with the hole and the view.
+  // Star images are followed in steps that are small relative to the distance from the hole and to
+  // the view.
   const double turn = 2.0 * std::acos(std::min(std::abs(glm::dot(open.orientation, close.orientation)), 1.0));
   const double way = std::abs(close.phi - open.phi) + std::abs(close.theta - open.theta) +
                      std::abs(std::log(close.r / open.r)) + 0.1 * turn;
@@ -150,7 +153,7 @@ std::vector<CameraPose> ShowRenderer::shutter_poses(const CameraPose& middle, do
   for (int i = -steps; i <= steps; ++i) {
     poses.push_back(camera_pose(show_, time_s + half * i / steps));
     if (!middle.velocity) {
-      // The observer was set independently of the show and is outside the horizon.
+      // An observer that was set with set_observer() is outside the horizon.
       const CameraPose outside = in_zamo_frame(poses.back(), spacetime_of(show_));
       poses.back() = outside.velocity_in_rain ? middle : outside;
       poses.back().velocity.reset();
@@ -270,7 +273,7 @@ bool ShowRenderer::may_stay_in_place(ViewMode mode) const {
     return false;
   }
   const StereoSettings& stereo = show_.stereo;
-  // Color bars span both eyes.
+  // Color bars cover both eyes' pictures together.
   return eye_count(stereo) < 2 || (eye_cameras(stereo.model) == EyeCameras::own && mode == ViewMode::sky &&
                                    shows_eyes_whole(stereo.layout) && !stereo.tint_eyes);
 }
@@ -342,7 +345,8 @@ void ShowRenderer::set_observer(ObserverMotion motion, const Vector3<double>& ve
 std::vector<Picture> ShowRenderer::render_window_parts(const CameraPose& pose, const Projection& projection,
                                                        ViewMode mode, const ShowMoment& moment) {
   std::vector<Picture> eyes = render_eyes(pose, projection, mode, moment);
-  // Like a visitor's eye, exposure follows the wall clock, whether the show plays or not.
+  // Automatic exposure adapts over wall-clock time, like a visitor's eye, even if the show is
+  // paused.
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
   finish_eyes(eyes, pose, projection, mode, moment, std::chrono::duration<double>(now).count());
   if (eyes.size() == 2 && !shows_eyes_whole(show_.stereo.layout)) {

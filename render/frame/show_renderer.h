@@ -23,26 +23,26 @@
 
 namespace ergodome {
 
-//! Choices of the user that are not part of the show.
+//! Choices of the user that apply to the rendering but are not part of the show.
 struct ViewChoice {
   ViewMode mode = ViewMode::sky;
   int size_px = 0;                      //!< width of one eye's picture; 0: the show's
-  std::optional<TraceMethod> method{};  //!< heat maps of steps and errors: how rays are followed
-  std::optional<ViewRange> range{};     //!< heat maps: replaces the default range
-  //! Set the alpha channel to the coverage of the image, see set_image_alpha.
+  std::optional<TraceMethod> method{};  //!< integrator of the rays in heat maps of steps and errors
+  std::optional<ViewRange> range{};     //!< replaces the default value range of heat maps
+  //! Sets the alpha channel to the coverage of the image, see set_image_alpha().
   bool alpha = false;
 };
 
 //! Settings that trade picture quality for speed while a show plays.
 struct FrameQuality {
-  double budget_px = 0.25;  //!< QualitySettings::budget_px of the next pictures
+  double budget_px = 0.25;  //!< QualitySettings::budget_px for the next pictures
   LensChoice lens = LensChoice::automatic;
   SkyFilter filter = SkyFilter::ewa;
 
   bool operator==(const FrameQuality&) const = default;
 };
 
-//! Pictures that stay in the backend's memory until the next one.
+//! Pictures that stay in the backend's memory until the next picture is rendered.
 struct EyesInPlace {
   PictureInPlace first;                 //!< the only picture, or that of the left eye
   std::optional<PictureInPlace> right;  //!< picture of the right eye, if there is one
@@ -64,8 +64,8 @@ class ShowRenderer {
   [[nodiscard]] std::vector<std::string> notes() const;
 
   //! Sets the show's animated numbers to their values at a show time, for all pictures until the
-  //! next call. render() calls it. Unchanged numbers cost nothing. Throws Error if a turning sky
-  //! cannot be read again.
+  //! next call. render() calls it. Costs nothing for numbers that do not change. Throws Error if
+  //! the sky has to be read again, to be rotated, and cannot be.
   void apply(double time_s);
 
   //! Replaces the show at the current time, for example after its file was edited. Loads the sky
@@ -85,13 +85,13 @@ class ShowRenderer {
   std::vector<FrameImage> render(double time_s, const ViewChoice& choice);
 
   //! Renders a window's picture for a head at a pose: one eye, or both in the stereo layout (side
-  //! by side if the layout keeps them apart). `moment` is the show time, for a camera on its path.
-  //! Automatic exposure follows the wall clock.
+  //! by side if the layout keeps them apart). `moment` contains the show time if the camera is on
+  //! the show's path. Automatic exposure adapts over wall-clock time.
   Picture render_window(const CameraPose& pose, const Projection& projection, ViewMode mode,
                         const ShowMoment& moment = {});
 
-  //! Like render_window, but does not join eyes that are placed whole beside or above each other:
-  //! returns two pictures, the left eye's first.
+  //! Like render_window(), but returns the two eyes' pictures, left first, without joining them if
+  //! the layout places them whole beside or above each other.
   std::vector<Picture> render_window_parts(const CameraPose& pose, const Projection& projection, ViewMode mode,
                                            const ShowMoment& moment = {});
 
@@ -106,7 +106,8 @@ class ShowRenderer {
   //! Returns the counters of the stream of baked stations; nothing without a stream.
   [[nodiscard]] std::optional<StreamStatistics> stream_statistics() const;
 
-  //! Renders a window's picture for one or two eyes, if may_stay_in_place().
+  //! Renders a window's picture for one or two eyes and leaves it in the backend's memory.
+  //! may_stay_in_place() must be true.
   EyesInPlace render_eyes_in_place(const CameraPose& pose, const Projection& projection, ViewMode mode,
                                    const ShowMoment& moment);
 
@@ -115,57 +116,59 @@ class ShowRenderer {
   //! eyes whole.
   [[nodiscard]] bool may_stay_in_place(ViewMode mode) const;
 
-  //! Replaces the stereo settings while the show plays, until apply() animates them. Throws Error
-  //! if they cannot be drawn, and keeps the old ones.
+  //! Replaces the stereo settings while the show plays; apply() overwrites those that are animated.
+  //! Throws Error if they cannot be drawn, and keeps the old ones.
   void set_stereo(const StereoSettings& stereo);
 
-  //! Sets the quality of the following pictures; set_show() resets budget and filter. Ignores
-  //! changes from or to the polygon filter, which reads another form of the sky.
+  //! Sets the quality of the following pictures; set_show() resets budget and filter. A filter
+  //! cannot be changed from or to the polygon filter, which reads another form of the sky; such a
+  //! change is ignored.
   void set_quality(const FrameQuality& quality);
   [[nodiscard]] FrameQuality quality() const;
 
-  //! Returns the lens of the head's picture; see render_eye.
+  //! Returns the lens with which render_eye() draws the head's picture.
   std::unique_ptr<LensSource> lens_of(const CameraPose& pose, const Projection& projection,
                                       const ShowMoment& moment = {});
 
   //! Sets exposure stops that are added to the show's.
   void set_exposure(double stops) { exposure_stops_ = stops; }
 
-  //! followed_stops returns the stops of the last picture's automatic exposure. follow_from
-  //! continues from the stops of pictures at `clock_s`, whichever renderer made them.
+  //! followed_stops() returns the stops that automatic exposure applied to the last picture.
+  //! follow_from() continues the adaptation from such stops, for pictures at the time `clock_s`;
+  //! they may come from another renderer.
   [[nodiscard]] std::optional<double> followed_stops() const;
   void follow_from(double stops, double clock_s);
 
-  //! Returns the tone of pictures, without automatic exposure.
+  //! Returns the tone settings of pictures, without automatic exposure.
   [[nodiscard]] Tone tone() const;
 
-  //! Returns the captions and images over the pictures: their language, and captions that are not
-  //! part of the show. Changes apply to the next picture.
+  //! Returns the pass that draws captions and images over the pictures. It sets their language, and
+  //! captions that are not part of the show. Changes apply to the next picture.
   [[nodiscard]] OverlayPass& overlays() { return *passes_.find<OverlayPass>(); }
 
   //! Returns the captions of a window's picture at a show time as a separate layer; see
-  //! OverlayPass::set_captions_apart. They lie on the dome or screen itself, where both eyes see
-  //! them at the same position. `projection`: one eye's, of any resolution.
+  //! OverlayPass::set_captions_apart(). Captions in this layer lie on the dome or screen itself, so
+  //! that both eyes see them at the same position. `projection`: one eye's, of any resolution.
   [[nodiscard]] LaidCaptions caption_layer(const Projection& projection, ViewMode mode, double time_s);
 
   //! Sets the observer; `velocity` is in the ZAMO frame, for ObserverMotion::velocity. Lenses
-  //! remain valid, as they serve every motion.
+  //! remain valid, because they can be used for every velocity.
   void set_observer(ObserverMotion motion, const Vector3<double>& velocity);
 
   //! Returns the reduced baseline of the last picture, if the show's baseline did not fit at the
   //! camera position.
   [[nodiscard]] const std::optional<NarrowedEyes>& narrowed_eyes() const { return narrowed_; }
 
-  //! Returns the show with the numbers last applied.
+  //! Returns the show with its animated numbers as last applied.
   [[nodiscard]] const Show& show() const { return show_; }
   [[nodiscard]] Backend backend() const { return renderer_.backend(); }
 
-  //! Returns the outlines of the show's objects at the current time, from which disparities are
-  //! computed.
+  //! Returns the outlines of the show's objects at the current time, for the measurement of
+  //! disparities.
   [[nodiscard]] std::vector<PlacedOutline> object_outlines() const;
 
-  //! Returns the show's traced objects at the current time, as they occlude what is behind them. On
-  //! a GPU, objects with more than a million triangles are left out.
+  //! Returns the meshes of the show's traced objects at the current time, for tests of what they
+  //! hide. On a GPU, objects with more than a million triangles are left out.
   [[nodiscard]] PlacedMeshes hiding_objects() const;
 
  private:
@@ -177,12 +180,14 @@ class ShowRenderer {
   void finish_eyes(std::vector<Picture>& eyes, const CameraPose& pose, const Projection& projection, ViewMode mode,
                    const ShowMoment& moment, double clock_s);
 
-  //! Stores the baseline of the current picture [M].
+  //! Stores the baseline of the current picture [M], and whether it is a reduced one.
   void note_baseline(const CameraPose& pose, double baseline);
 
-  //! Returns an odd number of head poses while the shutter is open around a show time.
+  //! Returns the head's poses while the shutter is open around a show time: an odd number, with
+  //! `middle` in the middle.
   [[nodiscard]] std::vector<CameraPose> shutter_poses(const CameraPose& middle, double time_s) const;
-  //! Throws Error if the chosen method cannot follow a heat map's rays from the camera's position.
+  //! Throws Error if the chosen integrator cannot trace the rays of a heat map from the camera's
+  //! position.
   void require_rays_from(const CameraPose& pose) const;
 
   [[nodiscard]] PictureSettings picture_settings(const CameraPose& pose, ViewMode mode, const ShowMoment& moment,
@@ -195,10 +200,10 @@ class ShowRenderer {
   ShowPasses passes_;
   EyeRenderer renderer_;
   OmniEyes omni_eyes_;
-  double baseline_ = 0.0;  //!< of the last picture's eyes [M]
+  double baseline_ = 0.0;  //!< baseline with which the last picture was rendered [M]
   std::optional<NarrowedEyes> narrowed_;
   double exposure_stops_ = 0.0;
-  double time_s_ = 0.0;                //!< time of the numbers
+  double time_s_ = 0.0;                //!< show time of the current animated numbers
   std::optional<TraceMethod> method_;  //!< ViewChoice::method of the current pictures
   std::optional<ViewRange> range_;     //!< ViewChoice::range of the current pictures
 };

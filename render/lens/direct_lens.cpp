@@ -12,8 +12,8 @@ namespace ergodome {
 
 namespace {
 
-//! Light that still circles after this many steps is closer to the critical curve than float can
-//! resolve.
+//! Maximum number of steps. Light that still circles after that many is so close to the critical
+//! curve that float cannot resolve it.
 constexpr int direct_step_limit = 200;
 
 }  // namespace

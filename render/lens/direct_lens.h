@@ -10,21 +10,22 @@
 
 namespace ergodome {
 
-//! Returns the camera station at which an eye's rays start.
+//! Returns the state of the camera from which an eye's rays are traced.
 CameraStation station_of(const EyeCamera& eye);
 
-//! Returns the batch settings that all lens sources share. The source sets the edge. `tolerance_px`
-//! is the accepted displacement of a traced pixel on the screen.
+//! Returns the part of the kernels' batch settings that all lens sources share; the source itself
+//! sets the shadow's edge. `tolerance_px`: accepted displacement of a traced pixel on the screen.
 PixelBatch pixel_batch(const EyeCamera& eye, const Projection& projection, double tolerance_px);
 
-//! Limits the steps of a batch's rays, if they are followed to the sky only, to the longest ray
-//! that still escapes: one such ray keeps the whole GPU waiting. Outside the horizon 50 steps
-//! suffice for spins up to 0.999 (at 8192 px, one pixel in 50 million takes more than 48). At
-//! higher spins light circles longer, because orbits near the horizon are less unstable.
+//! Limits the number of steps of a batch's rays, if they are traced to the sky only, to what the
+//! longest escaping ray needs, because a single longer ray delays the whole GPU. Outside the
+//! horizon 50 steps suffice for spins up to 0.999 (at 8192 px, one pixel in 50 million takes more
+//! than 48). At higher spins light circles longer, because orbits near the horizon are less
+//! unstable.
 void set_sky_steps(PixelBatch& batch, const EyeCamera& eye);
 
-//! Sets the edge from which a batch computes pixel coverage, and the directions that the edge may
-//! touch.
+//! Sets the shadow edge from which a batch computes pixel coverage, and the range of directions in
+//! which a pixel can touch that edge.
 void set_edge(PixelBatch& batch, const EdgeCurve& edge, const Projection& projection);
 
 //! The exact lens: one light ray per pixel, with its footprint and its coverage by the shadow.

@@ -12,7 +12,7 @@ namespace ergodome {
 
 namespace {
 
-//! The same limit as in the published tracer.
+//! Maximum number of steps; the same as in the published tracer.
 constexpr int followed_step_limit = 2000;
 
 }  // namespace

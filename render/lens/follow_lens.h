@@ -10,19 +10,20 @@
 
 namespace ergodome {
 
-//! Selects the rays that a heat map of steps or errors shows.
+//! Selects what the rays of a heat map of steps or errors are followed to.
 struct FollowedRays {
   TraceMethod method = TraceMethod::taylor;
-  //! Outermost first; rays that meet them are followed past the last visible one.
+  //! Visible shells, outermost first. A ray that meets them is followed until it is past the last
+  //! one.
   std::vector<WatchedShell> shells;
-  bool logarithmic = false;  //!< give steps as their base-10 logarithm
+  bool logarithmic = false;  //!< true: the number of steps is given as its base-10 logarithm
 };
 
 //! Returns the visible shells of a show, in the form that the ray tracer needs.
 std::vector<WatchedShell> watched_shells(const std::vector<ShellSettings>& shells);
 
-//! The lens for heat maps: one ray per pixel, followed by any integrator to what it hits, with its
-//! cost. Fills only coverage, error estimate and steps; runs on the CPU.
+//! The lens for heat maps of the cost of tracing: one ray per pixel, traced by any integrator until
+//! it hits something. Fills only coverage, error estimate and number of steps; runs on the CPU.
 class FollowLens : public LensSource {
  public:
   FollowLens(Backend backend, const EyeCamera& eye, const Projection& projection, double tolerance_px,

@@ -15,10 +15,11 @@ namespace ergodome {
 
 namespace {
 
-//! Both eyes, for this moment and the one before.
+//! Number of cached grids: for both eyes, at the current moment and the previous one.
 constexpr std::size_t kept_grids = 4;
-//! A bake uses up most of its budget, so an eye beside the path and a frame beside damaged stations
-//! may exceed it slightly.
+//! Factor by which errors that the bake did not measure may exceed its budget. A bake uses up most
+//! of its budget, so an eye beside the path, or a frame beside damaged stations, may exceed it
+//! slightly.
 constexpr double unmeasured_slack = 1.25;
 
 double error_of(const GridOrder& order) { return order.settings.budget_px * order.settings.pixel; }
@@ -35,8 +36,9 @@ GridOrder order_for(const LensRequest& request) {
   return order;
 }
 
-//! Returns whether a grid serves an observer's motion. Any motion would give correct results, but
-//! the grid is refined for the observer it was built for, so the motions must be similar.
+//! Returns whether a grid that was built for one observer can be used for an eye. Results are
+//! correct for any velocity, but the cells of a grid are refined for its observer, so the
+//! velocities must be similar.
 bool moves_alike(ObserverMotion motion, const Vector3<double>& velocity, const EyeCamera& eye) {
   const Vector3<double> turn = velocity - eye.velocity;
   return motion == eye.motion && dot(turn, turn) < 1e-4;
@@ -71,7 +73,8 @@ const LensChooser::Grid* LensChooser::find(const GridOrder& order, const EyeCame
 }
 
 const LensChooser::Grid* LensChooser::find_near(const GridOrder& order, const EyeCamera& eye) {
-  // The distance of one frame in a fast flight; from farther away the view would jump.
+  // Accepts a grid at a distance that a fast camera moves in one frame; a grid from farther away
+  // would make the view jump.
   const auto found = std::find_if(grids_.begin(), grids_.end(), [&](const Grid& grid) {
     const double horizon = horizon_radius(order.spacetime);
     return grid.spacetime == order.spacetime &&
@@ -135,7 +138,8 @@ std::unique_ptr<LensSource> LensChooser::live(const LensRequest& request) {
   EyeCamera eye = request.eye;
   const bool behind = !same_place({grid.r, grid.theta}, {eye.r, eye.theta});
   if (behind && eye.r > horizon_radius(eye.spacetime)) {
-    // The skies at two radii are about the same in the azimuth of infalling observers.
+    // Adapts the azimuth, because the skies at two radii are similar in the azimuth of infalling
+    // observers.
     eye.phi += ingoing_turn(eye.spacetime, eye.r) - ingoing_turn(eye.spacetime, grid.r);
   }
   eye.r = grid.r;
@@ -156,13 +160,14 @@ std::unique_ptr<LensSource> LensChooser::streamed(const LensRequest& request) {
     return nullptr;
   }
   const std::optional<StationPair> pair = stream_->at(*request.moment.time_s, request.moment.patience_s);
-  // The check of a blend whose error is unknown runs on the host.
+  // Errors that the bake did not measure are checked on the CPU, so this is possible only there.
   const bool unmeasured = beside || (pair && pair->skips);
-  // If a gap missed the budget once, do not use it again: frames must not alternate between lenses.
+  // A pair of stations that was rejected once stays rejected, so that frames do not alternate
+  // between lenses.
   if (!pair || (unmeasured && backend_ != Backend::cpu) || (pair->skips && refused_.lock() == pair->first)) {
     return nullptr;
   }
-  // The accepted error in the bake's pixels.
+  // Converts the accepted error to pixels of the bake.
   const double allowed_px = std::max(request.accuracy.budget_px * pixel / baked.pixel, baked.budget_px);
   if (static_cast<double>(pair->gap_error_px) > 1.001 * allowed_px) {
     return nullptr;

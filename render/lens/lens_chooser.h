@@ -19,16 +19,16 @@
 
 namespace ergodome {
 
-//! Accuracy of a lens, as a displacement on the screen.
+//! Accuracy of a lens: maximum displacement on the screen.
 struct LensAccuracy {
-  double budget_px = 0.25;     //!< for lenses read from a grid
-  double tolerance_px = 0.05;  //!< for traced rays
+  double budget_px = 0.25;     //!< for lenses that are interpolated in a grid
+  double tolerance_px = 0.05;  //!< for lenses that are traced
 };
 
-//! Show time of a frame, for lenses that may be streamed.
+//! Show time of a frame, for lenses that may be streamed from baked stations.
 struct ShowMoment {
   std::optional<double> time_s;  //!< empty: the camera is not on the show's path
-  //! Maximum wait for stations that are not yet read, and for live grids.
+  //! Maximum time to wait for stations that are not yet read, and for live grids.
   double patience_s = forever_s;
 
   static constexpr double forever_s = 1e6;
@@ -45,8 +45,8 @@ struct LensRequest {
   GridScheme scheme = GridScheme::conforming;
 };
 
-//! Returns whether an eye is beside the path of a show's camera, as each of two eyes is. A single
-//! eye is on the path up to rounding.
+//! Returns whether an eye is beside the path of the show's camera, as both eyes of a stereo pair
+//! are. A single eye is on the path up to rounding.
 inline bool is_beside(const EyeCamera& eye) {
   return std::abs(eye.r - eye.head_r) > 1e-12 * eye.head_r || std::abs(eye.theta - eye.head_theta) > 1e-12;
 }
@@ -54,15 +54,16 @@ inline bool is_beside(const EyeCamera& eye) {
 //! Returns whether baked stations are accurate to `error` [rad].
 bool holds_budget(const TrajectoryProvenance& baked, double error);
 
-//! Returns whether baked stations may serve an eye's frames with accuracy `error` [rad].
+//! Returns whether baked stations can be used for an eye's frames with accuracy `error` [rad].
 bool may_stream(const TrajectoryProvenance& baked, LensChoice choice, const EyeCamera& eye, double error);
 
-//! Returns the accepted error [px] where the bake measured none: for an eye beside the path, or
-//! between stations that are not neighbors. `pixel` is the angle of a pixel [rad].
+//! Returns the accepted blending error [px] where the bake did not measure it: for an eye beside
+//! the path, or between stations that are not neighbors. `pixel` is the angle of a pixel [rad].
 double allowed_unmeasured_px(const TrajectoryProvenance& baked, double budget_px, double pixel);
 
 //! Creates the lens of each frame, from a stream of baked stations if there is one. Caches the last
-//! live grids: a camera that turns, changes its motion or circles the hole's axis reuses them.
+//! live grids, which a camera that turns, changes its velocity or circles the hole's axis can use
+//! again.
 class LensChooser {
  public:
   explicit LensChooser(Backend backend, std::shared_ptr<StationStream> stream = nullptr)
@@ -71,38 +72,40 @@ class LensChooser {
   //! Replaces the stream of baked stations; nullptr stops streaming.
   void set_stream(std::shared_ptr<StationStream> stream) { stream_ = std::move(stream); }
 
-  //! Creates the lens for an eye's frame. View modes that show ray properties (steps, error, order)
-  //! always trace rays.
+  //! Creates the lens for an eye's frame. View modes that show properties of the rays (steps,
+  //! error, order) always trace rays.
   //!
-  //! LensChoice::automatic streams where the camera is on a baked path and the bake is accurate
-  //! enough. Otherwise it traces small frames, all frames on a GPU, and frames for which a grid
-  //! would leave most pixels to rays. LensChoice::streamed falls back to a live grid where the
-  //! stream has no stations: off the path, or while they are being read. If a grid would misplace
-  //! the shadow's edge by more than the budget (EdgeMiss), rays are traced, whatever the choice.
+  //! LensChoice::automatic uses the stream where the camera is on a baked path and the bake is
+  //! accurate enough. Otherwise it traces one ray per pixel for small frames, for all frames on a
+  //! GPU, and if a grid would leave most pixels to rays; it builds a live grid for other frames.
+  //! LensChoice::streamed uses a live grid where the stream has no stations: off the path, or while
+  //! they are being read. If a grid would displace the shadow's edge by more than the budget
+  //! (EdgeMiss), rays are traced, whatever the choice.
   //!
-  //! On a GPU, live grids are traced there as part of the frame. On the CPU a thread builds them.
-  //! If a grid does not arrive within the moment's patience, the frame shows the view from the
-  //! position of the last grid (LensSource::behind), and the next frame gets the new one. Two eyes
-  //! always wait, as both must see the same moment.
+  //! On a GPU, the rays of live grids are traced there as part of the frame. On the CPU a separate
+  //! thread builds live grids. If a grid is not finished within ShowMoment::patience_s, the frame
+  //! shows the view from the position of the last grid (LensSource::behind()), and the next frame
+  //! gets the new grid. A stereo pair always waits, because both eyes must show the same moment.
   //!
   //! GridScheme::quadtree uses the published quadtree grid for the eye's own position and motion,
-  //! except for direct rays.
+  //! unless direct rays are requested.
   //!
-  //! Gaps between stations that miss the budget get live grids. The stations' derivatives serve an
-  //! eye beside the path as long as traced rays confirm them; the same holds for a frame between
-  //! stations some of which could not be read. Otherwise such frames get a live grid.
+  //! Between two stations whose blend exceeds the budget, a live grid is used. For an eye beside
+  //! the path, stations with derivatives are used as long as traced rays confirm that they are
+  //! accurate. The same applies between stations that are not neighbors, because those between them
+  //! could not be read. Otherwise such frames get a live grid.
   std::unique_ptr<LensSource> choose(const LensRequest& request);
 
   //! Returns the number of grids built so far.
   [[nodiscard]] int built() const { return built_; }
 
  private:
-  //! A grid and what it was built for.
+  //! A live grid and the parameters for which it was built.
   struct Grid {
     Spacetime spacetime;
     double r;
     double theta;
-    double error;  //!< budget [rad]
+    double error;  //!< error budget [rad]
     ObserverMotion motion;
     Vector3<double> velocity;
     double traced_px;  //!< pixels of the frame that the grid leaves to rays
@@ -124,8 +127,9 @@ class LensChooser {
   EdgeMiss edge_miss_;
   std::unique_ptr<GridWorker> worker_;    //!< created on first use
   std::optional<EyeCamera> ordered_eye_;  //!< eye whose grid the worker last started
-  std::list<Grid> grids_;                 //!< the latest first
-  //! First station of a pair beside a damaged one, if their blend missed the budget.
+  std::list<Grid> grids_;                 //!< cached live grids, the latest one first
+  //! The first station of the last pair that was rejected because a station between them could not
+  //! be read and their blend exceeded the budget.
   std::weak_ptr<const StationBuffers> refused_;
   std::optional<EyeCamera> quadtree_eye_;
   std::shared_ptr<const QuadtreeLens> quadtree_;

@@ -8,11 +8,12 @@
 
 namespace ergodome {
 
-//! Where the lens of a frame comes from. `automatic` chooses the cheapest source with the requested
+//! The source of a frame's lens: baked stations (`streamed`), a grid built for the frame (`live`),
+//! or one ray per pixel (`direct`). `automatic` chooses the cheapest source with the requested
 //! accuracy.
 enum class LensChoice { automatic, streamed, live, direct };
 
-//! Interface of everything that maps the pixels of one eye's frame to the sky.
+//! A lens: maps the pixels of one eye's frame to directions on the sky.
 class LensSource {
  public:
   LensSource() = default;
@@ -24,25 +25,26 @@ class LensSource {
   //! each, in the backend's memory.
   virtual void fill(int first_row, int row_count, const LensPixels& out) const = 0;
 
-  //! Returns whether fill_both is cheaper than two calls of fill, for two eyes with equal
+  //! Returns whether fill_both() is cheaper than two calls of fill(), for two eyes with equal
   //! projections.
   [[nodiscard]] virtual bool shares_work_with(const LensSource& other) const {
     static_cast<void>(other);
     return false;
   }
 
-  //! Fills the same rows of both lenses.
+  //! Fills the channels of the same rows for this lens (`out`) and for the other eye's
+  //! (`of_other`).
   virtual void fill_both(const LensSource& other, int first_row, int row_count, const LensPixels& out,
                          const LensPixels& of_other) const {
     fill(first_row, row_count, out);
     other.fill(first_row, row_count, of_other);
   }
 
-  //! Returns the name to display: "direct", "live" or "streamed".
+  //! Returns the name of the source for display: "direct", "live" or "streamed".
   [[nodiscard]] virtual const char* name() const = 0;
 
-  //! Returns whether the lens belongs to an earlier camera position because the current one was not
-  //! ready in time.
+  //! Returns whether the lens is that of an earlier camera position, because the lens of the
+  //! current one was not ready in time.
   [[nodiscard]] virtual bool behind() const { return false; }
 };
 
@@ -50,7 +52,7 @@ class LensSource {
 //! dome_frame/live_grid in tests/bench.
 inline constexpr double least_grid_pixels = 150'000.0;
 
-//! Smallest budget [rad] down to which grids can be traced in float.
+//! Smallest error budget [rad] for which float rays are accurate enough to build a grid.
 inline constexpr double finest_float_budget = 2e-5;
 
 //! Returns whether building a grid is cheaper than one ray per pixel. On a GPU it never is.
@@ -58,14 +60,14 @@ inline bool is_worth_a_grid(Backend backend, double pixels) {
   return backend == Backend::cpu && pixels >= least_grid_pixels;
 }
 
-//! Returns whether a view mode shows properties of the rays. Such modes trace every ray, whatever
-//! lens was requested.
+//! Returns whether a view mode shows properties of the rays. In such modes every ray is traced,
+//! whatever lens was requested.
 inline bool shows_rays(ViewMode mode) {
   return mode == ViewMode::steps || mode == ViewMode::error_estimate || mode == ViewMode::image_order;
 }
 
-//! Returns whether a mode is a heat map of the cost of following rays, which includes rays to
-//! shells.
+//! Returns whether a view mode is a heat map of the cost of tracing, in which rays are followed to
+//! shells as well.
 inline bool follows_rays(ViewMode mode) { return mode == ViewMode::steps || mode == ViewMode::error_estimate; }
 
 }  // namespace ergodome

@@ -10,10 +10,10 @@ namespace ergodome {
 
 namespace {
 
-//! Both eyes.
+//! Number of cached grids: one for each eye.
 constexpr std::size_t kept_omni_grids = 2;
-//! Cells next to the shadow are split further than a single camera's; otherwise many would be left
-//! to rays.
+//! Minimum area of split cells. It is smaller than for a single camera, so that fewer pixels next
+//! to the shadow are left to rays.
 constexpr double least_cell_px = 8.0;
 
 }  // namespace

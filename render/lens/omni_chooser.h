@@ -8,23 +8,23 @@
 
 namespace ergodome {
 
-//! Creates the lenses of ODS eyes and caches the last two grids: frames of a camera that stands
-//! still or circles the axis reuse them.
+//! Creates the lenses of ODS eyes. Caches the last two grids, which frames of a camera that stands
+//! still or circles the axis use again.
 class OmniChooser {
  public:
   explicit OmniChooser(Backend backend) : backend_(backend) {}
 
-  //! Creates the lens of an eye: one ray per pixel where LensChooser does so too, on a GPU, and for
-  //! budgets too fine for float; otherwise a grid, whose cells are split for omni_budget_px. Never
-  //! streams.
+  //! Creates the lens of an eye. Traces one ray per pixel in the cases in which LensChooser does,
+  //! on a GPU, and if the budget is too small for float; otherwise builds a grid with the error
+  //! budget omni_budget_px. Never uses baked stations.
   std::unique_ptr<LensSource> choose(const std::shared_ptr<const OmniEye>& eye, const Projection& projection,
                                      ViewMode mode, LensChoice choice, const LensAccuracy& accuracy);
 
  private:
   struct Grid {
     std::shared_ptr<const OmniEye> eye;
-    double error;      //!< for which it was built [rad]
-    double traced_px;  //!< area left to traced rays [px²]
+    double error;      //!< error budget for which the grid was built [rad]
+    double traced_px;  //!< area of the screen whose pixels are left to traced rays [px²]
     std::shared_ptr<const StationBuffers> station;
   };
 
@@ -34,9 +34,10 @@ class OmniChooser {
   std::vector<Grid> grids_;
 };
 
-//! Error budget for splitting the cells of an ODS eye's grid, as far as float rays allow. With it,
-//! positions between the checks and the short pixels at the poles of a whole sky are accurate to a
-//! fifth of a pixel, except for one in a thousand. It adds a tenth to the cost of a frame.
+//! Error budget of an ODS eye's grid when its cells are split; limited by the accuracy of float
+//! rays. It is smaller than the accepted error, because positions between the check points and the
+//! narrow pixels at the poles of a full-sky picture are less accurate: with it, all but one in a
+//! thousand of them are accurate to a fifth of a pixel. It adds a tenth to the cost of a frame.
 inline constexpr double omni_budget_px = 0.025;
 
 }  // namespace ergodome

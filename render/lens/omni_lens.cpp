@@ -11,8 +11,8 @@ namespace ergodome {
 
 namespace {
 
-//! Compares numbers up to the rounding errors of a head that circles the axis, which change no
-//! frame.
+//! Returns whether two numbers are equal up to the rounding errors of a head that circles the axis,
+//! which do not change frames.
 bool omni_numbers_alike(double a, double b) { return std::abs(a - b) <= 1e-10 * (1.0 + std::abs(a)); }
 
 //! Returns the head with the view's axes as its frame.

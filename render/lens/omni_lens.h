@@ -16,18 +16,20 @@
 
 namespace ergodome {
 
-//! One eye of omnidirectional stereo (ODS), which turns with the viewing azimuth, and the shadow
-//! that it sees.
+//! One eye of omnidirectional stereo (ODS), whose position turns with the viewing azimuth, and the
+//! shadow that it sees.
 struct OmniEye {
   std::shared_ptr<const OmniCamera> cameras;
   double side;        //!< -1: left, 1: right
-  EyeCamera head;     //!< its frame is the view's axes
-  ShadowChart chart;  //!< about the shadow, in the view's axes
-  //! Shadow edge about the chart's center, at equal steps of the position angle [rad]; may be empty.
+  EyeCamera head;     //!< camera of the head; its frame is the view's axes
+  ShadowChart chart;  //!< chart centered on the shadow, in the view's axes
+  //! Shadow edge around the chart's center, at equal steps of the position angle [rad]; may be
+  //! empty.
   std::vector<float> edge;
 };
 
-//! Builds an eye and solves its shadow edge. Throws Error if the shadow is not in one piece.
+//! Builds an eye and computes its shadow edge. Throws Error if the shadow is not a single connected
+//! region.
 std::shared_ptr<const OmniEye> make_omni_eye(std::shared_ptr<const OmniCamera> cameras, double side,
                                              const EyePlace& eye_at);
 
@@ -37,12 +39,12 @@ using OmniPair = std::array<std::shared_ptr<const OmniEye>, 2>;
 //! Builds both eyes about a head. Returns nothing if their baseline is too large at this position.
 std::optional<OmniPair> make_omni_pair(Backend backend, const EyePlace& eye_at, const OmniSettings& settings);
 
-//! Like make_omni_eye, but without the edge. Cheap; for following images of stars from another
-//! moment.
+//! Like make_omni_eye(), but without the shadow edge. Cheap; used to follow star images to another
+//! moment, for trails.
 std::shared_ptr<const OmniEye> make_omni_eye_for_trails(std::shared_ptr<const OmniCamera> cameras, double side,
                                                         const EyePlace& eye_at);
 
-//! Returns whether two eyes see the same except for the head's azimuth, up to rounding.
+//! Returns whether two eyes see the same, up to rounding and the azimuth of the head.
 bool see_alike(const OmniEye& first, const OmniEye& second);
 
 //! The exact lens of an ODS eye: one ray per pixel, each from its own camera.

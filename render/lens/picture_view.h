@@ -4,8 +4,8 @@
 
 namespace ergodome {
 
-//! Describes how the rays of a frame start: at a camera or, if `turning` is given, at an eye of
-//! omnidirectional stereo (ODS), which turns with the viewing direction.
+//! Describes where the rays of a frame start: at a camera or, if `turning` is set, at an eye of
+//! omnidirectional stereo (ODS), whose position turns with the viewing direction.
 struct PictureView {
   const EyeCamera& eye;
   const OmniEye* turning;

@@ -8,8 +8,8 @@
 // Code that the project's shaders share.
 namespace ergodome {
 
-//! Vertex shader for one triangle (three vertices, no attributes) that covers the viewport. `place`
-//! runs from 0 to 1, upwards.
+//! Vertex shader for one triangle (three vertices, no attributes) that covers the viewport. Its
+//! output `place` runs from 0 to 1, upwards.
 extern const char* const whole_viewport_source;
 
 //! Beginning of a fragment shader, including its version line. Defines `vec3 toned(vec3 light)`,
@@ -31,7 +31,7 @@ unsigned linked_program(const std::vector<ShaderSource>& shaders);
 //! it rejects them.
 unsigned linked_program(const std::string& vertex_source, const std::string& fragment_source);
 
-//! Sets the tone of the program in use, which must contain tone_source.
+//! Sets the uniforms for the tone in the current program, which must contain tone_source.
 void set_tone(const Tone& tone);
 
 //! Returns whether the current context renders on the CPU: Mesa's llvmpipe or softpipe.

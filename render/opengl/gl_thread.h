@@ -29,7 +29,7 @@ class GlThread {
   bool done_ = false;
   bool ends_ = false;
   std::exception_ptr problem_;
-  std::mutex callers_;  //!< held by the calling thread; one call at a time
+  std::mutex callers_;  //!< held while a caller uses the thread, so that one call runs at a time
   std::thread thread_;
 };
 

@@ -41,8 +41,8 @@ EGLContext make_context(EGLDisplay display) {
   return context;
 }
 
-//! Returns displays in order of preference: every device that a driver lists, then Mesa without a
-//! surface.
+//! Returns the displays to try, in order of preference: every device that a driver lists, then
+//! Mesa's surfaceless platform.
 std::vector<EGLDisplay> candidate_displays() {
   std::vector<EGLDisplay> displays;
   if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device") &&

@@ -9,8 +9,8 @@
 namespace ergodome {
 
 //! An OpenGL 4.5 core context without a window or a display, through EGL: on the device platform of
-//! a GPU driver if there is one, otherwise on Mesa's surfaceless platform. Current on the thread
-//! that creates it, while it exists.
+//! a GPU driver if there is one, otherwise on Mesa's surfaceless platform. It is current on the
+//! thread that creates it, as long as it exists.
 class HeadlessContext {
  public:
   //! Throws Error if no EGL driver offers OpenGL 4.5.

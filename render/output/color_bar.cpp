@@ -35,13 +35,14 @@ void fill(Picture& picture, ViewMode mode, const ColorBarLayout& bar) {
   }
 }
 
-//! Smaller letters are unreadable.
+//! Minimum letter height; smaller letters are unreadable.
 constexpr int least_letter_px = 9;
 constexpr int largest_letter_px = 64;
 
 int color_bar_letter_px(int height_px) { return std::clamp(height_px / 64, least_letter_px, largest_letter_px); }
 
-//! What a view shows, with its unit, and a shorter form for less room.
+//! The title of a color bar: what the view shows and its unit, with a shorter form if there is less
+//! room.
 struct BarTitle {
   const char* full;
   const char* brief;
@@ -65,13 +66,13 @@ BarTitle title_of(ViewMode mode) {
   return {"", ""};
 }
 
-//! Places texts under a bar within [from, to], at least a gap apart.
+//! Places texts in a row under a bar, within [from, to] and at least a gap apart.
 class BarRow {
  public:
   BarRow(int from, int to, int letter_px) : from_(from), to_(to), letter_px_(letter_px) {}
 
-  //! Adds a text centered at `middle`, moved into the range. Returns false if it overlaps an
-  //! earlier one or does not fit.
+  //! Adds a text centered at `middle`, but moved so that it is within the range. Returns false if
+  //! it overlaps an earlier text or is too wide for the range.
   bool add(const std::string& text, int middle, int top_y) {
     const int width = image_library().text_box(text, letter_px_).width;
     const int left = std::clamp(middle - width / 2, from_, std::max(from_, to_ - width));
@@ -90,14 +91,15 @@ class BarRow {
   std::vector<BarText> texts_;
 };
 
-//! Returns the digits that distinguish the numbers of a bar: three, and more for narrow ranges.
+//! Returns the number of digits that distinguish the numbers at a bar: three, or more for narrow
+//! ranges.
 int digits_of(const HeatRange& range) {
   const double share = (range.high - range.low) / std::max(std::abs(range.low), std::abs(range.high));
   return 3 + std::clamp(static_cast<int>(-std::log10(std::max(share, 1e-9))), 0, 9);
 }
 
-//! Returns numbers at the ends of a bar and at as many positions between them as fit; none if those
-//! at the ends do not fit.
+//! Returns the numbers at the ends of a bar, and at as many positions between them as there is room
+//! for; none if there is no room for those at the ends.
 std::vector<BarText> bar_numbers(const ColorBarLayout& bar, const HeatRange& range, int from, int to) {
   const int digits = digits_of(range);
   for (const int intervals : {4, 2, 1}) {

@@ -9,7 +9,7 @@
 
 namespace ergodome {
 
-//! A text of a color bar, with the middle of its upper edge [px].
+//! A text of a color bar, and the position of the middle of its upper edge [px].
 struct BarText {
   std::string text;
   int middle_x;
@@ -20,20 +20,20 @@ struct BarText {
 struct ColorBarLayout {
   int left, top, width, height;
   int letter_px;
-  //! Numbers from the left, then the title. If there is no room, there are fewer numbers or the
-  //! title is shorter.
+  //! Labels of the scale from the left, then the title. If there is not enough room, there are
+  //! fewer labels or the title is shorter.
   std::vector<BarText> texts;
 };
 
-//! Computes the layout for a picture: in its left half, below the middle, with readable letters (at
-//! least 9 px) that do not overlap. The width is 0 if the picture is too small.
+//! Computes the layout of a color bar for a picture: in the lower left quarter, with readable
+//! letters (at least 9 px) that do not overlap. The width is 0 if the picture is too small.
 ColorBarLayout color_bar_layout(int width_px, int height_px, const HeatRange& range, ViewMode mode);
 
 //! Returns whether a picture is large enough for a color bar.
 bool has_color_bar(int width_px, int height_px);
 
-//! Returns the fraction of a picture's height, from its lower edge, that a color bar and its texts
-//! take; 0 if the picture is too small.
+//! Returns the height that a color bar and its texts take, from the picture's lower edge, as a
+//! fraction of the picture's height; 0 if the picture is too small.
 double color_bar_part(int width_px, int height_px);
 
 //! Draws the color bar of a heat map into its picture: the scale with labeled ticks and a title, at

@@ -26,7 +26,7 @@ struct FrameFormat {
   ExrCompression compression = ExrCompression::zip;  //!< EXR only
   //! Adds a fourth channel: the coverage of each pixel.
   bool alpha = false;
-  std::optional<FrameRate> rate{};  //!< stored in EXR files
+  std::optional<FrameRate> rate{};  //!< frame rate to store in EXR files
 };
 
 //! Return the names of ImageFormat and ExrCompression values, in their order.
@@ -40,7 +40,8 @@ FrameFormat frame_format(const std::string& image, const std::string& compressio
 //! Returns the file name extension of a format, without the dot.
 std::string file_ending(ImageFormat format);
 
-//! Returns the folder for an eye's own files: L or R; empty if a file belongs to no single eye.
+//! Returns the folder for the files of a single eye: L or R; empty if a file does not belong to a
+//! single eye.
 std::filesystem::path eye_folder(FramePart part);
 
 //! Returns the path of a numbered frame inside the output folder: NAME_000001.png, counted from 1.

@@ -25,7 +25,7 @@ constexpr float rec709[8] = {0.64F, 0.33F, 0.30F, 0.60F, 0.15F, 0.06F, 0.3127F, 
 //! Prefix of metadata names in files.
 const std::string fact_prefix = "ergodome:";
 
-//! Returns finite values within the range of a half float.
+//! Returns the picture's light, with values clamped to the finite range of half floats.
 std::vector<float> bounded_rgb(const Picture& picture) {
   std::vector<float> rgb;
   rgb.reserve(picture.rgba.size() / 4 * 3);
@@ -99,7 +99,8 @@ ImagePlan make_plan(const FrameFormat& format, const Picture& picture, const Fra
   return plan;
 }
 
-//! Returns the rows of a picture for a file, with the coverage if there is an alpha channel.
+//! Returns the values of a picture for a file: three per pixel, or four with the coverage if the
+//! format has an alpha channel.
 template <class Value>
 std::vector<Value> with_alpha(const std::vector<Value>& rgb, const FrameFormat& format, const Picture& picture,
                               float most) {
@@ -117,7 +118,7 @@ std::vector<Value> with_alpha(const std::vector<Value>& rgb, const FrameFormat& 
   return rgba;
 }
 
-//! Divides light by the coverage of partly covered pixels: PNG has straight alpha.
+//! Divides the light of partly covered pixels by their coverage, because PNG has straight alpha.
 Picture light_beside_alpha(Picture picture) {
   for (std::size_t at = 0; at < picture.rgba.size(); at += 4) {
     const float coverage = picture.rgba[at + 3];
@@ -149,7 +150,8 @@ bool is_complete_part(ImageInput& input, int part, int width, int height) {
          input.read_through();
 }
 
-//! Returns whether a PNG has its end marker: the reader prints messages for truncated files.
+//! Returns whether a PNG has its end marker. Avoids opening truncated files, for which the reader
+//! prints messages.
 bool may_be_whole(const std::filesystem::path& path) {
   constexpr std::string_view end("IEND\xAE\x42\x60\x82", 8);
   if (path.extension() != ".png") {
@@ -272,7 +274,7 @@ void write_png(const std::filesystem::path& path, const std::vector<std::uint8_t
     const auto output = writer_of("png");
     const ImagePlan plan[] = {{width, height, 3, ImageSample::whole_8, texts_of(metadata), {}, {}}};
     const bool written = output && output->open(partial.string(), plan) && output->write(rgb.data()) && output->close();
-    // A full disk is not reported as an error.
+    // The library does not report a full disk as an error, so the file is read again.
     if (!written || !is_whole(partial, width, height, 1)) {
       throw cannot_be_written(path, output.get());
     }

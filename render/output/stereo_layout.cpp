@@ -40,7 +40,7 @@ std::size_t place(const Picture& picture, int x, int y) {
          (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x));
 }
 
-//! Averages neighbors: `across` 2 halves the width, `down` 2 the height.
+//! Averages neighboring pixels: `across` = 2 halves the width, `down` = 2 the height.
 Picture squeezed(const Picture& picture, int across, int down) {
   Picture half = like(picture, {(picture.width + across - 1) / across, (picture.height + down - 1) / down});
   for (int y = 0; y < half.height; ++y) {
@@ -92,7 +92,7 @@ Picture interleaved(const Picture& left, const Picture& right) {
   return whole;
 }
 
-//! Weights of each eye's red, green and blue in those of an anaglyph.
+//! Contributions of an eye's red, green and blue to the red, green and blue of an anaglyph.
 struct AnaglyphMix {
   float of_left[3][3];
   float of_right[3][3];

@@ -13,12 +13,13 @@ constexpr bool keeps_eyes_apart(StereoLayout layout) {
   return layout == StereoLayout::separate || layout == StereoLayout::multiview;
 }
 
-//! Returns whether each eye's picture fills the window: in its own buffer, or in every other row.
+//! Returns whether each eye's picture fills the whole window: in its own buffer of the window, or
+//! in every other row.
 constexpr bool fills_window_by_eye(StereoLayout layout) {
   return layout == StereoLayout::quad_buffer || layout == StereoLayout::rows;
 }
 
-//! Returns whether a window gets both eyes' pictures whole, beside or above each other.
+//! Returns whether a window shows both eyes' pictures completely, beside or above each other.
 constexpr bool shows_eyes_whole(StereoLayout layout) {
   return keeps_eyes_apart(layout) || fills_window_by_eye(layout) || layout == StereoLayout::side_by_side ||
          layout == StereoLayout::top_bottom;
@@ -32,15 +33,16 @@ struct ImageSize {
   bool operator==(const ImageSize&) const = default;
 };
 
-//! Returns the size of the image that a layout combines from eyes of a size; unchanged if the
-//! layout keeps eyes apart. Halves are rounded up.
+//! Returns the size of the image that a layout combines from two eyes' pictures of size `eye`;
+//! `eye` itself if the layout keeps the eyes apart. Halves are rounded up.
 ImageSize layout_size(StereoLayout layout, ImageSize eye);
 
-//! Returns the size of a layout's picture in a window: separate eyes are beside each other, and
-//! eyes that fill the window have the size of one.
+//! Returns the size of a layout's picture in a window. Eyes that are kept apart are put side by
+//! side; eyes that fill the window have the size of one eye's picture.
 ImageSize window_picture_size(StereoLayout layout, ImageSize eye);
 
-//! How eyes share the picture in a window: one for both, or beside or above each other.
+//! Arrangement of the eyes in a window's picture: one part for both, or two parts side by side or
+//! one above the other.
 struct EyeGrid {
   int columns = 1;
   int rows = 1;

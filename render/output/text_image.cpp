@@ -45,7 +45,8 @@ struct LaidLines {
   Owned<PangoContext> context;
   Owned<PangoLayout> layout;
   TextLinesSize size;
-  //! Left edge of the lines in the layout; right-to-left lines are at its right end.
+  //! Left edge of the lines within the layout: right-to-left lines are at the right end of the
+  //! layout.
   int left_px = 0;
   int margin_px = 0;
 };
@@ -117,8 +118,8 @@ constexpr double rim_reach = 0.22;
 constexpr float rim_darkness = 0.97F;
 constexpr float rim_gain = 5.0F;
 
-//! Averages over 2 reach + 1 neighbors along lines. Lines start `line` elements apart, and their
-//! elements are `step` apart.
+//! Replaces each value by the mean of the 2 reach + 1 values around it in its line. Lines start
+//! `line` elements apart, and the values of a line are `step` elements apart.
 void blur_lines(std::vector<float>& values, int lines, long line, int count, long step, int reach) {
   std::vector<float> before(static_cast<std::size_t>(count));
   for (int i = 0; i < lines; ++i) {

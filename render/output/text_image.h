@@ -20,7 +20,7 @@ enum class TextFace { proportional, monospaced };
 //! Draws a line of text, cropped to the letters; empty if no font is installed.
 TextImage text_image(const std::string& text, int font_px);
 
-//! Size of text_lines_image() [px], computed without drawing; 0 if that is empty.
+//! Size of the result of text_lines_image() [px], computed without drawing; 0 if that is empty.
 struct TextLinesSize {
   int width = 0;
   int height = 0;
@@ -34,7 +34,7 @@ TextLinesSize text_lines_size(const std::string& text, int font_px, TextFace fac
 TextImage text_lines_image(const std::string& text, int font_px, TextFace face = TextFace::proportional,
                            int widest_px = 0);
 
-//! Returns the reach of the dark rim around letters [px] for a line height [px]: at least 2.
+//! Returns how far the dark rim around letters extends [px] for a line height [px]: at least 2.
 int text_rim_reach_px(int line_px);
 
 //! Returns the darkness of the rim around letters at each pixel, 0 to 1: dark beside the letters,

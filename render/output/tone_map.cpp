@@ -14,8 +14,8 @@ namespace {
 
 constexpr int encoding_table_size = 1 << 16;
 
-//! Returns sRGB bytes of linear light in [0, 1]; where the curve is steepest, entries differ by
-//! 0.05 of a byte.
+//! Returns a table of sRGB bytes for linear light in [0, 1]. Where the curve is steepest,
+//! successive entries differ by 0.05 of a byte.
 const std::array<std::uint8_t, encoding_table_size>& encoding_table() {
   static const auto table = [] {
     std::array<std::uint8_t, encoding_table_size> bytes{};

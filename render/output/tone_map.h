@@ -12,7 +12,7 @@
 
 namespace ergodome {
 
-//! Returns the tone of settings, without automatic exposure.
+//! Returns the tone for tone settings, without automatic exposure.
 inline Tone tone_of(const ToneSettings& settings) {
   return {settings.curve, std::exp2(static_cast<float>(settings.exposure_stops)), static_cast<float>(settings.white),
           static_cast<float>(settings.gamma)};
@@ -20,23 +20,23 @@ inline Tone tone_of(const ToneSettings& settings) {
 
 //! Returns a picture as display-referred sRGB, three bytes per pixel.
 //!
-//! Applies the picture's tone; heat maps are colors already and are only encoded.
+//! Applies the picture's tone. Heat maps already contain display colors, so they are only encoded.
 std::vector<std::uint8_t> tone_mapped(const Picture& picture);
 
-//! Returns the same with 16 bits per channel.
+//! Returns the same as tone_mapped() with 16 bits per channel.
 std::vector<std::uint16_t> tone_mapped_finely(const Picture& picture);
 
 //! Returns the picture's coverage, 0 to 1, one value per pixel.
 std::vector<float> coverage_of(const Picture& picture);
 
-//! Accumulates the logarithms of pictures' light for their geometric mean. Pictures of both eyes
-//! add up.
+//! Computes the geometric mean of the light of one or several pictures, such as those of both eyes.
 class LightMeter {
  public:
-  //! Adds the pixels that the image covers; light below 1e-5 counts as 1e-5, and NaN is ignored.
+  //! Adds the pixels of a picture that the image covers. Light below 1e-5 counts as 1e-5, and NaN
+  //! is ignored.
   void add(const Picture& picture);
 
-  //! Returns the geometric mean of the luminances; 0 without pixels.
+  //! Returns the geometric mean of the luminances of all added pixels; 0 if there are none.
   [[nodiscard]] double middle_light() const;
 
  private:
@@ -55,11 +55,11 @@ class AutoExposure {
   //! Continues from the stops of earlier pictures.
   void go_on_from(double stops);
 
-  //! Returns the stops of the last pictures.
+  //! Returns the stops that were applied to the last pictures.
   [[nodiscard]] double stops() const { return stops_; }
 
-  //! Returns the stops to add for pictures with `middle_light`, `seconds` after the previous ones.
-  //! The first call adapts at once.
+  //! Returns the stops to apply to pictures whose mean light is `middle_light`, shown `seconds`
+  //! after the previous ones. The first call adapts at once.
   double follow(double middle_light, double seconds);
 
  private:

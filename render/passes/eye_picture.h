@@ -16,7 +16,7 @@
 #include "render/passes/stars/drawing/star_trails.h"
 #include "render/picture/picture.h"
 
-// An eye's picture to be made.
+// Describes an eye's picture to be rendered.
 
 namespace ergodome {
 
@@ -31,33 +31,38 @@ struct SharedCameraEye {
   std::vector<float> edge;  //!< FlatShadow::eye_edge of the offset
 };
 
-//! How the view through the lens is turned into a picture.
+//! How an eye's picture is rendered: lens, filter of the sky's map, and what is drawn over it.
 struct PictureSettings {
   ViewMode mode = ViewMode::sky;
   SkyFilter filter = SkyFilter::ewa;
   SkyShift shift = SkyShift::none;
-  bool brightening = false;                 //!< multiply the map's light by the magnification
+  //! True: the map's light is multiplied by the magnification.
+  bool brightening = false;
   const PolygonFilter* polygons = nullptr;  //!< required by SkyFilter::polygon
-  //! For SkyShift::blackbody_fit, in the backend's memory; the sky must be fitted.
+  //! Colors for SkyShift::blackbody_fit, in the backend's memory; the sky's texels must have been
+  //! fitted by blackbodies.
   BlackbodyTable colours{};
   float exposure = 1.0F;
   //! The lens to use, instead of choosing one by `lens` and `accuracy`.
   const LensSource* given = nullptr;
-  std::optional<FollowedRays> follow;  //!< heat maps: the rays to show, instead of those to the sky
+  //! For heat maps: the rays to show, instead of rays to the sky.
+  std::optional<FollowedRays> follow;
   LensChoice lens = LensChoice::automatic;
   LensAccuracy accuracy{};
   ShowMoment moment{};
   GridScheme scheme = GridScheme::conforming;
-  //! Sees stars and near field instead of the picture's eye.
+  //! ODS eye that sees stars, disk, shells and traced objects, instead of the picture's camera.
   std::shared_ptr<const OmniEye> turning;
-  std::shared_ptr<const TurningView> turning_view;  //!< sees polygons instead of the picture's eye
-  std::optional<SharedCameraEye> shared;            //!< if the picture's eye is the head's, for one of two eyes
-  std::optional<Shutter> shutter;                   //!< if given, stars leave trails
-  double time_s = 0.0;                              //!< show time, for moving objects
-  //! Heat maps: replaces the default range; above 0 if colors are logarithmic.
+  //! ODS view in which polygon objects are drawn, instead of the picture's camera.
+  std::shared_ptr<const TurningView> turning_view;
+  std::optional<SharedCameraEye> shared;  //!< if the picture's eye is the head's, for one of two eyes
+  std::optional<Shutter> shutter;         //!< if given, stars leave trails
+  double time_s = 0.0;                    //!< show time, for moving objects
+  //! Replaces the default value range of heat maps; must be above 0 if colors are logarithmic.
   std::optional<ViewRange> range{};
-  const Show* show = nullptr;  //!< with its numbers at this time; required by `passes`
-  std::vector<Pass*> passes;   //!< drawn over the sky, in this order
+  //! The show with its animated numbers at this time; required by `passes`.
+  const Show* show = nullptr;
+  std::vector<Pass*> passes;  //!< passes that draw over the sky, in this order
 };
 
 //! Input for rendering an eye's picture.

@@ -11,7 +11,7 @@
 #include "render/picture/picture_rows.h"
 #include "render/plan/pass_kind.h"
 
-// The interface of everything that draws into an eye's picture.
+// The interface of passes: everything that draws into an eye's picture.
 
 namespace ergodome {
 
@@ -54,7 +54,8 @@ struct FinishedFrame {
   std::vector<FinishedEye> eyes;
 };
 
-//! A stage of a show's pictures. Owns the tables and buffers that it needs for all of them.
+//! A pass: draws one kind of thing into a show's pictures. Owns the tables and buffers that all
+//! these pictures need.
 class Pass {
  public:
   Pass() = default;
@@ -74,13 +75,14 @@ class Pass {
   //! Draws over the finished pictures of all eyes, or changes their tone.
   virtual void finish_frame(FinishedFrame& frame) { static_cast<void>(frame); }
 
-  //! Applies the show's numbers at another time; `change`: which of them differ.
+  //! Applies the show's numbers at another time. `change`: what the changed numbers invalidate.
   virtual void apply(const Show& show, const NumberChange& change) {
     static_cast<void>(show);
     static_cast<void>(change);
   }
 
-  //! Returns whether apply() suffices to go on with another show.
+  //! Returns whether this pass, made for the show `now`, can also draw the show `next` after
+  //! apply().
   [[nodiscard]] virtual bool serves(const Show& now, const Show& next) const {
     static_cast<void>(now);
     static_cast<void>(next);

@@ -11,7 +11,7 @@ namespace ergodome {
 namespace {
 
 constexpr double spacing_deg = 15.0;
-//! Beyond this elevation only every third line of azimuth continues to the pole.
+//! Elevation beyond which only every third line of azimuth continues to the pole.
 constexpr double crowded_deg = 75.0;
 
 constexpr Vector3<float> yellow = {1.0F, 0.75F, 0.0F};
@@ -48,7 +48,7 @@ std::vector<DomeLabel> orientation_labels() {
   for (int elevation = -75; elevation <= 75; elevation += 15) {
     for (const double quarter : {0.0, 90.0, 180.0, -90.0}) {
       if (elevation != 0) {
-        // Beside the line, on top of the circle.
+        // The label of a circle is beside the line of azimuth, just above the circle.
         labels.push_back({fmt::format("{}", elevation), quarter + 3.0 / std::cos(elevation * one_degree),
                           elevation + 2.0, 2.5, grey_label});
       }

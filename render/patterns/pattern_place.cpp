@@ -13,7 +13,8 @@ namespace {
 
 bool is_screen(const Projection& projection) { return projection.kind == ProjectionKind::pinhole; }
 
-//! Converts a pixel of a turned picture to the position where it is shown.
+//! Converts pixel coordinates of a picture that projectors rotate to those of the position where
+//! the pixel is shown.
 void shown_at(const PatternView& view, double& x_px, double& y_px) {
   const double right = x_px - 0.5 * view.width_px;
   const double down = y_px - 0.5 * view.height_px;

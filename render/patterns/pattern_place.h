@@ -6,58 +6,60 @@
 #include "kernels/projection/projection.h"
 #include "render/picture/picture.h"
 
-// The framework in which all patterns are drawn.
+// Functions with which all patterns are drawn.
 
 namespace ergodome {
 
-//! The projection for which a pattern is drawn. Projectors may show the picture turned about the
-//! dome's axis; on a tilted dome, horizontal on the dome then differs from horizontal in the
-//! picture. Positions are therefore those where pixels are shown, and azimuths count from where the
-//! picture's front is shown.
+//! The projection for which a pattern is drawn, and the rotation with which projectors show the
+//! picture. They may turn it around the dome's axis; on a tilted dome, horizontal lines of the dome
+//! are then not horizontal in the picture. Patterns use the position on the dome at which a pixel
+//! is shown, and count azimuths from the point where the front of the picture is shown.
 struct PatternView : Projection {
-  //! `turn`: rotation of the shown picture to the right [rad].
+  //! `turn`: angle by which the shown picture is rotated to the right [rad].
   PatternView(const Projection& projection, double turn = 0.0);
 
   double turn_sine;
   double turn_cosine;
 };
 
-//! A position for which a pattern computes the light.
+//! A position of a picture for which a pattern computes the light.
 struct PatternPlace {
   double x_px;
   double y_px;
-  Vector3<double> direction;  //!< in the view: x right, y up, z back
-  double azimuth_deg;         //!< to the right of the front
+  Vector3<double> direction;  //!< direction in the view: x right, y up, z back
+  double azimuth_deg;         //!< azimuth to the right of the front
   double elevation_deg;
-  //! Position on the sheet on which ramps and bars are drawn. A screen is its own sheet, 0 to 1 both
-  //! ways. Otherwise `across` is the azimuth, from the back (0) over the left, the front (0.5) and the
-  //! right, and `up` runs from the nadir (-1) over the horizon (0) to the zenith (1).
+  //! Coordinates in which ramps and bars are drawn. On a flat screen, both run from 0 to 1 across
+  //! the screen. Otherwise `across` is the azimuth, from the back (0) over the left, the front
+  //! (0.5) and the right, and `up` runs from the nadir (-1) over the horizon (0) to the zenith (1).
   double across;
   double up;
 };
 
-//! Returns the position of a pattern at pixel coordinates.
+//! Returns the position for a pattern at pixel coordinates of a picture.
 PatternPlace pattern_place(const PatternView& projection, double x_px, double y_px);
 
-//! Converts a position on the sheet, above the horizon, to azimuth and elevation on the dome [deg].
+//! Converts PatternPlace's coordinates `across` and `up`, above the horizon, to azimuth and
+//! elevation on the dome [deg].
 void dome_place(const PatternView& projection, double across, double up, double& azimuth_deg, double& elevation_deg);
 
-//! Returns the degrees that correspond to `part` of the sheet's height, in its middle.
+//! Returns the angle [deg] that corresponds to a difference of `part` in PatternPlace::up, in the
+//! middle of the picture.
 double sheet_degrees(const Projection& projection, double part);
 
-//! Returns the linear light at a position.
+//! Function that returns the linear light of a pattern at a position.
 using PatternLight = std::function<Vector3<float>(const PatternPlace&)>;
 
-//! Draws the picture of a pattern: the mean of `samples` x `samples` positions per pixel, times the
-//! pixel's coverage; black where the projection has no image. Such a picture is shown without a
-//! tone curve: 1 is the display's maximum.
+//! Draws a pattern: each pixel is the mean of `samples` x `samples` positions, times the pixel's
+//! coverage; black where the projection has no image. The picture is to be shown without a tone
+//! curve: 1 is the display's maximum.
 Picture draw_pattern(const PatternView& projection, int samples, const PatternLight& light);
 
-//! Returns how much of a pixel is covered by lines `width_px` wide, at every `spacing` of a
-//! coordinate that changes by `per_px` per pixel.
+//! Returns the fraction of a pixel that is covered by lines of width `width_px`. The lines are at
+//! multiples of `spacing` of a coordinate, which changes by `per_px` per pixel.
 double line_at(double coordinate, double spacing, double per_px, double width_px);
 
-//! Changes of elevation and azimuth per pixel [deg], in any direction.
+//! Maximum changes of elevation and azimuth from one pixel to the next, in any direction [deg].
 struct DomeSteps {
   double elevation_deg;
   double azimuth_deg;

@@ -20,21 +20,22 @@ Vector3<float> grey_of(double value) {
   return {light, light, light};
 }
 
-//! A band of the sheet, with the display values at its left and right ends.
+//! A horizontal band of a pattern (PatternPlace's coordinates), with the display values at its left
+//! and right ends.
 struct Ramp {
   double bottom;
   double top;
   double first_value;
   double last_value;
   bool smooth;
-  double ground_value;  //!< of the sheet beside its fields
+  double ground_value;  //!< display value of the background beside the fields
 };
 
 constexpr Ramp ramps[] = {{0.12, 0.28, 0.0, 256.0, false, 0.0},
                           {0.30, 0.40, 0.0, 255.0, true, 0.0},
                           {0.52, 0.64, 0.0, 16.0, false, 0.0},
                           {0.74, 0.86, 239.0, 255.0, false, 255.0}};
-//! The part of the sheet that ramps fill, symmetric about the front.
+//! Range of PatternPlace::across that ramps fill; it is symmetric about the front.
 constexpr double ramp_left = 0.1;
 constexpr double ramp_right = 0.9;
 
@@ -45,8 +46,8 @@ double value_on(const Ramp& ramp, double part) {
 
 Vector3<float> ramp_light(const PatternPlace& place) {
   for (const Ramp& ramp : ramps) {
-    // A bright ground extends beyond its fields, so that it shows whether the brightest field can
-    // be distinguished from it.
+    // A bright background extends beyond its fields, so that it shows whether the brightest field
+    // can be distinguished from it.
     const double margin = ramp.ground_value > 0.0 ? 0.03 : 0.0;
     if (place.up < ramp.bottom - margin || place.up >= ramp.top + margin) {
       continue;
@@ -58,7 +59,7 @@ Vector3<float> ramp_light(const PatternPlace& place) {
   return {0.0F, 0.0F, 0.0F};
 }
 
-//! Returns labels with the value under each field.
+//! Returns labels below the fields with their display values.
 std::vector<DomeLabel> ramp_labels(const PatternView& projection) {
   std::vector<DomeLabel> labels;
   for (const Ramp& ramp : ramps) {
@@ -92,8 +93,8 @@ Picture colour_bar_pattern(const PatternView& projection) {
   return draw_pattern(projection, 2, [&](const PatternPlace& place) {
     const double turn = place.across * times_round + 0.5 * (times_round - 1.0);
     const auto bar = static_cast<int>(8.0 * (turn - std::floor(turn)));
-    // On a screen the bars fill everything; on a dome they end where they become too narrow to
-    // distinguish.
+    // On a flat screen the bars fill the whole picture; on a dome they end where they become too
+    // narrow to distinguish.
     const double up = std::abs(place.up);
     if (up > 0.85 && times_round > 1.0) {
       return Vector3<float>{0.0F, 0.0F, 0.0F};
@@ -112,8 +113,8 @@ Vector3<float> grey(double light) {
   return {value, value, value};
 }
 
-//! Returns the light of lines every 5°, brighter every 10° and 30°. Near the poles, where meridians
-//! would merge, there are fewer.
+//! Returns the light of lines every 5°, which are brighter every 10° and 30°. Near the poles there
+//! are fewer meridians, because they would merge.
 double polar_light(const PatternView& projection, const PatternPlace& place) {
   const DomeSteps steps = dome_steps(projection, place);
   const double elevation = std::abs(place.elevation_deg);
@@ -191,7 +192,7 @@ Picture left_right_pattern(const PatternView& projection, bool left, bool right)
     dome_place(projection, across, up, azimuth_deg, elevation_deg);
     labels.push_back({text, azimuth_deg, elevation_deg, sheet_degrees(projection, height), colour});
   };
-  // Once on a screen, in all four quarters of a dome.
+  // The compass is drawn once on a flat screen, and in all four quarters of a dome.
   const bool screen = projection.kind == ProjectionKind::pinhole;
   for (int quarter = 0; quarter < (screen ? 1 : 4); ++quarter) {
     const double across = screen ? 0.5 : 0.25 * quarter;

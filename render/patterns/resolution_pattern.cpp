@@ -13,9 +13,9 @@ namespace {
 
 constexpr int wedges = 36;
 
-//! A star of wedges surrounded by fields of lines, `size_px` wide.
+//! A test patch of `size_px` x `size_px` pixels: a Siemens star, surrounded by fields of lines.
 struct Patch {
-  int x_px;  //!< of its middle
+  int x_px;  //!< position of the center of the patch
   int y_px;
 };
 
@@ -23,8 +23,8 @@ int patch_size(const PatternView& projection) {
   return std::clamp(std::min(projection.width_px, projection.height_px) / 12, 24, 384);
 }
 
-//! Returns the middles of patches, spread over the image: on a fisheye at the zenith and on rings
-//! halfway out and near the rim, otherwise in rows and columns.
+//! Returns patches spread over the image: on a fisheye at the zenith and on rings halfway out and
+//! near the rim, otherwise in rows and columns.
 std::vector<Patch> patches(const PatternView& projection) {
   const double width = projection.width_px;
   const double height = projection.height_px;
@@ -52,7 +52,7 @@ std::vector<Patch> patches(const PatternView& projection) {
   return all;
 }
 
-//! Returns the light at an offset from a patch's middle; negative outside the patch.
+//! Returns the light of a patch at an offset from the patch's center; negative outside the patch.
 float patch_light(double dx, double dy, int size_px) {
   const double half = 0.5 * size_px;
   const double radius = std::hypot(dx, dy);
@@ -62,7 +62,8 @@ float patch_light(double dx, double dy, int size_px) {
   if (std::abs(dx) >= half || std::abs(dy) >= half || radius < 0.62 * half) {
     return -1.0F;
   }
-  // The corners: vertical and horizontal lines, one pixel wide above, two below.
+  // In the corners of the patch: vertical and horizontal lines, above with a width of one pixel,
+  // below of two.
   const auto column = static_cast<long>(std::floor(dx));
   const auto row = static_cast<long>(std::floor(dy));
   const long along = dx < 0.0 ? column : row;

@@ -33,9 +33,9 @@ float mask_at(const BlendMap& mask, const WarpNode& place) {
   return mask.values[sample * static_cast<std::size_t>(mask.channels)];
 }
 
-//! Inverts a warp: returns the raster position of each part of the master, at the centers of size x
-//! size pixels. Nodes where the mask has no light, and those outside the image circle of a fisheye,
-//! are invalid.
+//! Inverts a warp: returns a mesh with the raster position for each of size x size pixels of the
+//! domemaster. Nodes where the mask has no light, and nodes outside the image circle of a fisheye
+//! lens, are invalid.
 WarpMesh raster_of_master(const ProjectorPicture& picture, int size_px) {
   WarpMesh turned = picture.warp;
   for (WarpNode& node : turned.nodes) {
@@ -50,7 +50,7 @@ WarpMesh raster_of_master(const ProjectorPicture& picture, int size_px) {
   return raster;
 }
 
-//! Returns how much of a pixel the lines of the raster cover.
+//! Returns the fraction of a pixel that the lines of the raster cover.
 double raster_line(const WarpMesh& raster, int column, int row) {
   const WarpNode& here = raster.at(column, row);
   const WarpNode& right = raster.at(std::min(column + 1, raster.columns - 1), row);

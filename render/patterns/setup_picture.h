@@ -5,7 +5,7 @@
 #include "calibration/projectors/projector_picture.h"
 #include "render/picture/picture.h"
 
-// Shows which projector lights which part of the dome.
+// Draws which projector lights which part of the dome.
 
 namespace ergodome {
 

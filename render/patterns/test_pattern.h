@@ -12,11 +12,12 @@ namespace ergodome {
 
 enum class TestPattern {
   orientation,  //!< which side is which (orientation_pattern)
-  polar_grid,   //!< circles and meridians every 5°, numbers every 30°, the compass (north in front)
+  //! Circles and meridians every 5°, numbers every 30°, compass directions (north in front).
+  polar_grid,
   checker,      //!< fields of 10° in elevation and about the same width
   grey_ramp,    //!< steps of 16 values, a smooth ramp, the darkest and the brightest 17 values
-  colour_bars,  //!< eight bars of 75 % and of 100 %, repeated four times around
-  resolution,   //!< stars of wedges, and lines one and two pixels wide, over the whole picture
+  colour_bars,  //!< eight bars of 75 % and of 100 %, repeated four times around the dome
+  resolution,   //!< Siemens stars, and lines one and two pixels wide, over the whole picture
   //! Uniform gray with lines every 10°: seams appear as bands, misalignment as double lines.
   blend_check,
   left_right,  //!< texts that name the eye that should see them

@@ -7,7 +7,7 @@
 #include "kernels/projection/projection.h"
 #include "render/backend/kept_memory.h"
 
-// The pictures that renderers make and outputs take.
+// The pictures that renderers produce and outputs show or write.
 
 namespace ergodome {
 
@@ -38,24 +38,25 @@ struct Picture {
   bool behind = false;         //!< LensSource::behind()
   long unresolved_pixels = 0;  //!< rays that did not converge; they show the mean of the sky
   std::optional<HeatRange> heat_range;
-  Tone tone;  //!< for display
+  Tone tone;  //!< tone settings with which the picture is to be displayed
 };
 
 //! A picture in the backend's memory: four floats per pixel.
 struct PictureInPlace {
   float* rgba = nullptr;
-  const char* lens = "";  //!< as in Picture
+  const char* lens = "";  //!< source of the lens: LensSource::name()
   bool behind = false;
 };
 
-//! The part of a frame that an image is.
+//! Whether an image is the whole frame or that of one eye.
 enum class FramePart { whole, left, right };
 
 //! An image to show or to write: linear light, four floats per pixel.
 struct FrameImage {
   FramePart part = FramePart::whole;
   Picture picture;
-  std::optional<CubeFace> face{};  //!< the face of a cube, if each face has a file
+  //! The face that the image shows, if each face of a cube has its own file.
+  std::optional<CubeFace> face{};
 };
 
 //! Sets a picture's alpha channel to the coverage of its image: 1 inside a dome's circle, 0
@@ -65,10 +66,12 @@ void set_image_alpha(const Projection& projection, Picture& picture);
 
 //! A picture in GPU memory: four floats per pixel.
 struct DevicePicture {
-  const float* rgba = nullptr;   //!< the picture or the left eye's
-  const float* right = nullptr;  //!< the right eye's, of the same size, if both are shown whole
-  bool above = false;            //!< the left eye is above the right one, not beside it
-  int width_px = 0;              //!< of one eye's picture
+  const float* rgba = nullptr;  //!< the only picture, or the left eye's
+  //! Picture of the right eye, of the same size, if both eyes' pictures are shown whole.
+  const float* right = nullptr;
+  //! True: the left eye's picture is above the right eye's, instead of beside it.
+  bool above = false;
+  int width_px = 0;  //!< width of one eye's picture
   int height_px = 0;
   bool heat_map = false;
   Tone tone;

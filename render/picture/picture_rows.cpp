@@ -4,11 +4,12 @@ namespace ergodome {
 
 namespace {
 
-//! Pixels per block. GPUs need many; on the CPU the lens channels (6 MiB) stay in the cache until
-//! they are shaded.
+//! Pixels per block on a GPU, which needs many to be busy. On the CPU blocks are small, so that the
+//! lens channels (6 MiB) stay in the cache until they are shaded.
 constexpr int block_pixels_on_device = 1 << 20;
 constexpr int block_pixels_on_host = 1 << 17;
-//! The channels of two eyes need twice the memory.
+//! Pixels of both eyes that are rendered at a time: half as many as otherwise, because the channels
+//! of two eyes need twice the memory.
 constexpr int strip_pixels = 1 << 15;
 
 }  // namespace

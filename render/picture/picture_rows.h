@@ -14,14 +14,15 @@ struct RowBlock {
   int count;
 };
 
-//! Returns the rows of a picture that are rendered at a time, which bounds memory at any size.
+//! Returns the number of rows of a picture that are rendered at a time. Blocks bound memory for any
+//! picture size.
 int rows_of_a_block(Backend backend, int width_px, int height_px);
 
-//! Returns the rows of a block that are rendered at a time if both eyes' skies are rendered
+//! Returns the number of rows that are rendered at a time if the skies of two eyes are rendered
 //! alternately.
 int rows_of_a_strip(int width_px);
 
-//! Calls visit(rows) for parts of a block with at most `most` rows.
+//! Divides a block into parts of at most `most` rows, and calls visit(rows) for each.
 template <class Visit>
 void visit_rows(const RowBlock& block, int most, const Visit& visit) {
   const int end = block.first + block.count;

@@ -21,13 +21,13 @@ enum class WorkMoment {
   picture  //!< for each picture
 };
 
-//! A pass, or a kernel of one. Its name is that of its work counter
+//! A pass, or a kernel that a pass runs. Its name is that of its work counter
 //! (kernels/launch/work_counter.h).
 struct PlannedPass {
   std::string name;
   WorkMoment moment;
-  long runs;        //!< in all pictures of that moment; 0: unknown
-  long elements;    //!< pixels, nodes or stars in all; 0: unknown
+  long runs;        //!< number of runs, for all eyes; 0: unknown
+  long elements;    //!< total number of pixels, nodes or stars; 0: unknown
   bool if_needed;   //!< the pass may turn out to be unnecessary
   std::string why;  //!< the show's keys that require it, with their lines
 };
@@ -47,28 +47,29 @@ struct PlannedChannel {
   std::string why;
 };
 
-//! All work for a picture of a show: nothing else is traced, stored, transferred or launched.
+//! All work for a picture of a show. Rendering traces, stores, transfers and launches nothing else.
 struct FramePlan {
   int width_px = 0;
   int height_px = 0;
-  int eyes = 1;      //!< pictures drawn through a lens
+  int eyes = 1;      //!< number of pictures that are drawn through a lens
   std::string lens;  //!< source of the lens: LensSource::name()
   std::vector<PlannedChannel> channels;
-  std::vector<PlannedPass> passes;  //!< in the order of their first run
+  std::vector<PlannedPass> passes;  //!< passes in the order of their first run
   std::vector<PlannedBuffer> buffers;
 };
 
-//! What a plan depends on besides the show.
+//! Settings and sizes that a plan depends on besides the show.
 struct FrameRequest {
   Backend backend = Backend::cpu;
   ViewMode mode = ViewMode::sky;
   LensChoice lens = LensChoice::automatic;
   std::optional<TraceMethod> method{};  //!< ViewChoice::method
   int size_px = 0;                      //!< width of one eye's picture; 0: the show's
-  int map_width_px = 0;                 //!< of the sky's image
+  int map_width_px = 0;                 //!< width of the sky map's image
   bool streamed = false;                //!< the show's trajectory has been baked
-  long overlay_bytes = 0;               //!< of overlay images (OverlayPass::image_bytes)
-  long mesh_bytes = 0;                  //!< of the objects (ObjectPass::mesh_bytes)
+  long overlay_bytes = 0;               //!< memory of overlay images (OverlayPass::image_bytes())
+  //! Memory of the objects' meshes (ObjectPass::mesh_bytes()).
+  long mesh_bytes = 0;
 };
 
 }  // namespace ergodome

@@ -12,33 +12,34 @@ class Pass;
 class PlanWriter;
 class StationStream;
 
-//! What a pass is made from.
+//! The input from which a pass is created.
 struct PassInput {
   const Show& show;
   Backend backend = Backend::cpu;
   std::shared_ptr<StationStream> stream{};  //!< the show's baked stations, if there are any
-  const Show* previous_show = nullptr;      //!< the show before, if there was one
-  const Pass* previous = nullptr;           //!< the pass of that show, whose tables may be shared
+  const Show* previous_show = nullptr;      //!< the previous show, if there was one
+  //! The previous show's pass, whose tables may be shared.
+  const Pass* previous = nullptr;
 };
 
-//! Part of a picture to which a pass belongs.
+//! The stage of a picture in which a pass draws.
 enum class PassStage {
-  distant,   //!< infinitely far away: the same for all eyes that share a lens
-  near,      //!< near the hole: seen by each eye from its own position
-  finished,  //!< changes the whole picture
+  distant,   //!< things that are infinitely far away: the same for all eyes that share a lens
+  near,      //!< things near the hole: seen by each eye from its own position
+  finished,  //!< changes to a whole picture
   frame      //!< changes the pictures of all eyes of a frame
 };
 
-//! Describes a pass: when pictures need it, what it does then, and how it is made.
+//! Describes a kind of pass: when pictures need it, which work it does, and how it is created.
 struct PassKind {
   const char* name;
   PassStage stage;
 
-  //! Returns whether a picture with the show's present numbers needs the pass.
+  //! Returns whether a picture with the show's current numbers needs the pass.
   bool (*draws)(const Show& show, ViewMode mode);
 
-  //! Adds the work, memory and channels that the pass takes for a show to a plan, with the keys
-  //! that require them. Adds nothing for a show that never needs the pass.
+  //! Adds the work, memory and channels that the pass needs for a show to a plan, each with the
+  //! show's keys that require it. Adds nothing for a show that never needs the pass.
   void (*plan)(PlanWriter& plan);
 
   //! Makes the pass, or returns nullptr if the show has nothing for it at any time. Throws Error if
@@ -46,12 +47,13 @@ struct PassKind {
   //! passes draw over it (EyeRenderer).
   std::unique_ptr<Pass> (*make)(const PassInput& input) = nullptr;
 
-  //! The pass keeps what it has prepared for one picture only, so that the rows of two eyes cannot
-  //! alternate.
+  //! True if the pass keeps what it has prepared for one picture only; then the rows of two eyes
+  //! cannot be rendered alternately.
   bool serves_one_picture = false;
 
-  //! The pass draws over whole pictures in host memory (PassDrawing::finish). Pictures that stay on
-  //! a GPU are copied for those near the hole; the others keep pictures from staying there.
+  //! True if the pass draws over whole pictures in host memory (PassDrawing::finish()). Pictures
+  //! that stay on a GPU are copied to the host and back for passes of the stage `near`; other such
+  //! passes prevent pictures from staying on the GPU.
   bool in_host_memory = false;
 };
 

@@ -100,7 +100,8 @@ void PlanWriter::buffer(const std::string& name, WorkMoment moment, long bytes, 
 }
 
 void PlanWriter::pixel_pass(const std::string& name, const std::string& reason, bool if_needed) {
-  // If the baseline is 0 at times, one picture serves both eyes then.
+  // At times when the baseline is 0, one picture is rendered for both eyes, so the number of runs
+  // is not known.
   const bool known = drawn_pictures(least_.stereo) == plan_.eyes;
   pass(name, WorkMoment::picture, known ? plan_.eyes * strips() : 0, known ? plan_.eyes * pixels() : 0, reason,
        if_needed);

@@ -10,11 +10,11 @@
 
 namespace ergodome {
 
-//! A frame plan that passes write, one after the other, and what they need to know about the show's
-//! pictures.
+//! Collects the frame plan to which all passes add their work, one after the other. Also provides
+//! what passes need to know about the show's pictures.
 class PlanWriter {
  public:
-  //! `kinds`: all passes, in their order.
+  //! `kinds`: all kinds of passes, in drawing order.
   PlanWriter(const Show& show, const FrameRequest& request, std::span<const PassKind> kinds);
 
   //! Returns the finished plan.
@@ -31,44 +31,46 @@ class PlanWriter {
   [[nodiscard]] const Projection& projection() const { return projection_; }
   [[nodiscard]] int width_px() const { return plan_.width_px; }
   [[nodiscard]] int height_px() const { return plan_.height_px; }
-  //! Returns the pixels of a picture.
+  //! Returns the number of pixels of a picture.
   [[nodiscard]] long pixels() const { return static_cast<long>(width_px()) * height_px(); }
-  //! Returns the pictures drawn through a lens, and those that are shown.
+  //! eyes() returns the number of pictures drawn through a lens, shown() the number of pictures
+  //! that are shown.
   [[nodiscard]] int eyes() const { return plan_.eyes; }
   [[nodiscard]] int shown() const { return shown_; }
   [[nodiscard]] int block_rows() const { return block_rows_; }
   [[nodiscard]] int blocks() const;
 
-  //! Returns whether the baseline is 0 at times, which makes both pictures equal to the head's.
+  //! Returns whether the baseline is 0 at times. Then both pictures are equal to the head's.
   [[nodiscard]] bool eyes_are_together_at_times() const;
-  //! Returns whether the two eyes' skies are rendered alternately, which requires that no pass
-  //! serves one picture only, at least at times.
+  //! Returns whether the skies of the two eyes are rendered alternately, at least at times. This
+  //! requires that no pass needs PassKind::serves_one_picture.
   [[nodiscard]] bool makes_eyes_in_turn() const;
-  //! Returns whether the sky turns and is therefore read again for each picture.
+  //! Returns whether an animation rotates the sky, which is then resampled for each picture.
   [[nodiscard]] bool sky_turns() const;
 
-  //! Returns a key with its location in the show file and the location where it, or a number of
-  //! that part of the show, is animated.
+  //! Returns a text with the key and its line in the show file, and with the line of the animation
+  //! of the key or of a number in its table.
   [[nodiscard]] std::string why(const std::string& key) const;
-  //! Returns the reason for what only the requested view mode needs.
+  //! Returns a text that gives the requested view mode as the reason for work.
   [[nodiscard]] std::string why_view() const;
 
-  //! Names the source of the lens.
+  //! Sets the name of the lens's source.
   void set_lens(const char* name) { plan_.lens = name; }
   void channel(const char* name, int floats, const std::string& reason);
   void pass(const std::string& name, WorkMoment moment, long runs, long elements, const std::string& reason,
             bool if_needed = false);
   void buffer(const std::string& name, WorkMoment moment, long bytes, const std::string& reason);
-  //! Adds a pass over all pixels of all eyes, block by block.
+  //! Adds a pass that is run over all pixels of all eyes, block by block.
   void pixel_pass(const std::string& name, const std::string& reason, bool if_needed = false);
   //! Adds a pass over the finished pictures that are shown.
   void picture_pass(const std::string& name, const std::string& reason, bool if_needed = false);
 
  private:
   [[nodiscard]] std::string why_animated(const std::string& key) const;
-  //! Returns the parts of blocks in which the sky is made; 0: unknown.
+  //! Returns the number of blocks, or of parts of blocks if eyes alternate, in which the sky is
+  //! rendered; 0: unknown.
   [[nodiscard]] int strips() const;
-  //! Returns whether a picture of a show needs a pass that serves one picture only.
+  //! Returns whether a picture of a show needs a pass with PassKind::serves_one_picture.
   [[nodiscard]] bool needs_one_picture(const Show& show) const;
 
   const Show most_;

@@ -36,11 +36,11 @@ void CaptionTexture::set(const LaidCaptions& captions) {
   glGenerateTextureMipmap(texture_);
   glTextureParameteri(texture_, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   glTextureParameteri(texture_, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  // Transparent outside its rows.
+  // Makes the texture transparent outside the rows of the captions.
   glTextureParameteri(texture_, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glTextureParameteri(texture_, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
   uploaded_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-  // Other contexts wait for the fence, so it must reach the GPU.
+  // Submits the fence to the GPU, because other contexts wait for it.
   glFlush();
 }
 

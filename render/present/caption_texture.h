@@ -6,8 +6,8 @@
 
 namespace ergodome {
 
-//! Captions as a texture: display light times coverage. Contexts that share objects with its
-//! context may use it, too.
+//! Captions as an OpenGL texture: display light times coverage. All contexts that share objects
+//! with the context that created it can use it.
 class CaptionTexture {
  public:
   CaptionTexture() = default;
@@ -23,9 +23,10 @@ class CaptionTexture {
   bool use(unsigned unit) const;
 
   [[nodiscard]] bool empty() const { return texture_ == 0; }
-  //! Returns the rows of the picture above the captions, as a fraction of its height.
+  //! Returns the position of the first row with captions, as a fraction of the picture's height
+  //! from the top.
   [[nodiscard]] float first_row_part() const;
-  //! Returns the rows of the captions, as a fraction of the picture's height.
+  //! Returns the height of the rows with captions, as a fraction of the picture's height.
   [[nodiscard]] float row_part() const;
   [[nodiscard]] float opacity() const { return opacity_; }
 
@@ -35,7 +36,7 @@ class CaptionTexture {
   std::shared_ptr<const CaptionLayer> layer_;
   float opacity_ = 1.0F;
   unsigned texture_ = 0;
-  void* uploaded_ = nullptr;  //!< a GLsync, signaled when the texture is complete
+  void* uploaded_ = nullptr;  //!< a GLsync that is signaled when the texture is completely uploaded
 };
 
 }  // namespace ergodome

@@ -6,8 +6,8 @@
 
 namespace ergodome {
 
-//! A texture that CUDA writes to, so that pictures get from the kernels to the screen without
-//! leaving the GPU.
+//! An OpenGL texture that CUDA writes to, so that pictures reach the screen without leaving the
+//! GPU.
 class CudaTextureLink {
  public:
   //! `texture` must be RGBA32F. Throws Error if CUDA cannot access the context's GPU or is not
@@ -33,11 +33,11 @@ class CudaTextureLink {
   [[maybe_unused]] void* resource_ = nullptr;
 };
 
-//! An OpenGL buffer that CUDA writes to, so that projector images get from the kernels to a texture
-//! without leaving the GPU.
+//! An OpenGL buffer that CUDA writes to, so that projector images reach a texture without leaving
+//! the GPU.
 class CudaBufferLink {
  public:
-  //! Throws Error as CudaTextureLink does.
+  //! Throws Error if CUDA cannot access the context's GPU or is not available.
   explicit CudaBufferLink(unsigned buffer);
   ~CudaBufferLink();
   CudaBufferLink(const CudaBufferLink&) = delete;

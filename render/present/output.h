@@ -25,22 +25,26 @@ struct OutputEye {
   Projection projection;                //!< frustum or other projection, and the picture's size
 };
 
-//! The pictures that an output needs next.
+//! What an output needs for its next frame.
 struct OutputWish {
-  //! At most two eyes, the left one first. Empty: the eyes of the show's stereo settings, in the
-  //! show's projection, as large as the player can render in time.
+  //! Eyes whose views the output defines, at most two, the left one first. Empty: the player
+  //! renders the eyes of the show's stereo settings, in the show's projection, as large as it can
+  //! render in time.
   std::vector<OutputEye> eyes;
   //! Show time of the frame [s]. Absent: the player's, when the frame is seen.
   std::optional<double> show_time_s;
   //! Stops of the frame before, from which automatic exposure continues. Absent: those of the last
   //! frame that was rendered.
   std::optional<double> stops_before;
-  //! Time from now until the frame is seen [s]. A playing show is rendered for that time.
+  //! Time from now until the frame is displayed [s]. If the show plays, it is rendered for that
+  //! time.
   double display_delay_s = 0.0;
-  //! Size of the window that captions are laid over. Absent: they are laid over the projectors'
-  //! images if these are finer than the picture, otherwise drawn in the picture.
+  //! Size of the window over which captions are composited. Absent: captions are composited over
+  //! the projectors' images if these are finer than the picture; otherwise they are drawn in the
+  //! picture.
   std::optional<ImageSize> window;
-  //! Width of a domemaster as fine as the projectors [px]; 0: no projectors.
+  //! Width of a domemaster whose pixels are as small as the projectors' pixels [px]; 0: no
+  //! projectors.
   int projectors_px = 0;
 };
 
@@ -50,15 +54,17 @@ enum class EyesInWindow { as_one, in_buffers, in_rows };
 
 //! A finished frame.
 struct OutputFrame {
-  Picture picture;                   //!< or the left eye's
-  std::optional<Picture> right_eye;  //!< if both eyes are shown at full size
-  bool eyes_above = false;           //!< the left eye is above the right one, not beside it
-  //! How a window shows the eyes. If not as_one, they are side by side up to that point.
+  Picture picture;  //!< the only picture, or the left eye's
+  //! Picture of the right eye, if both eyes' pictures are shown whole.
+  std::optional<Picture> right_eye;
+  //! True: the left eye's picture is above the right eye's, instead of beside it.
+  bool eyes_above = false;
+  //! How a window shows the eyes. If this is not as_one, `picture` contains both eyes side by side.
   EyesInWindow eyes = EyesInWindow::as_one;
-  EyeGrid eye_grid;  //!< how the eyes divide the shown picture
-  //! Of each eye, at the window's resolution; may be empty.
+  EyeGrid eye_grid;  //!< arrangement of the eyes in the shown picture
+  //! Captions over each eye's picture, at the window's resolution; may be empty.
   LaidCaptions captions;
-  //! Replaces the pictures' pixels, until the next request.
+  //! The pictures in GPU memory, which replace the pixels above; valid until the next wish().
   std::optional<DevicePicture> on_device;
 };
 
@@ -80,9 +86,9 @@ class Output {
 //! override what only windows have.
 class DisplayOutput : public Output {
  public:
-  //! Sets the factor on the light of frames, 0 to 1. It does not affect text.
+  //! Sets the factor on the light of the frames, 0 to 1. Text is not dimmed.
   virtual void set_light(double light) = 0;
-  //! Shows the last frame. Returns when another one may be shown.
+  //! Shows the last frame. Returns when the next one can be shown.
   virtual void show() = 0;
 
   //! Returns whether the output was closed, by its user or by close().
@@ -91,20 +97,22 @@ class DisplayOutput : public Output {
 
   //! Returns whether each eye can have a separate buffer (EyesInWindow::in_buffers).
   [[nodiscard]] virtual bool has_eye_buffers() const { return false; }
-  //! Returns whether the audience sees a dome, not a window: the picture is the head's, its eyes
-  //! cannot be changed, and help is a caption in it.
+  //! Returns whether the audience sees a dome instead of the window. The picture then shows the
+  //! head's view, the player does not change the eyes, and help is drawn as a caption in the
+  //! picture.
   [[nodiscard]] virtual bool is_dome() const { return false; }
 
-  //! Returns the input since the last call, after waiting some milliseconds for it.
+  //! Returns the input events since the last call; waits some milliseconds for them.
   [[nodiscard]] virtual std::vector<WindowEvent> events() { return {}; }
-  //! Returns the size of the area that the mouse moves in [px]; 0 x 0 if there is none.
+  //! Returns the size of the area in which the mouse moves [px]; 0 x 0 if there is none.
   [[nodiscard]] virtual ImageSize size() const { return {0, 0}; }
   virtual void toggle_full_screen() {}
   virtual void set_title(const std::string& /*title*/) {}
-  //! Sets the text over the picture at a location; empty: none. PanelPlace::middle is for help, a
-  //! list with cells separated by tabs; while it is shown, other text and captions are hidden.
+  //! Sets the text that is shown over the picture at a position; empty: none. PanelPlace::middle is
+  //! for help: a list whose cells are separated by tabs. While it is shown, other texts and
+  //! captions are hidden.
   virtual void set_text(PanelPlace /*place*/, const std::string& /*text*/) {}
-  //! Writes what is shown to a PNG file.
+  //! Writes what is currently shown to a PNG file.
   virtual void save_screenshot(const std::string& /*file*/) {}
 };
 

@@ -62,10 +62,10 @@ layout(location = 4) uniform float dimmed;
 layout(location = 3) uniform vec2 part;  // part of the picture: begin, width
 layout(location = 5) uniform int rows;   // framebuffer rows that alternate between this part and the next; 0: none
 void main() {
-  // Counts rows from the top of the framebuffer, whichever part of it the picture fills.
+  // Counts rows from the top of the whole framebuffer, whichever part of it the picture fills.
   bool next = rows > 0 && (rows - 1 - int(gl_FragCoord.y)) % 2 == 1;
   float begin = part.x + (next ? part.y : 0.0);
-  // Reads nothing of the other eye at the edge between them.
+  // Prevents the filter from reading the other eye's pixels at the edge between the halves.
   float half_texel = 0.5 / float(textureSize(picture, 0).x);
   float across = clamp(begin + part.y * place.x, begin + half_texel, begin + part.y - half_texel);
   // The picture's first row is its top.
@@ -74,7 +74,7 @@ void main() {
 }
 )";
 
-//! Returns the fraction of a picture's width that a part of it has.
+//! Returns the width of a part of a picture, as a fraction of the picture's width.
 double share_of(PicturePart part) { return part == PicturePart::whole ? 1.0 : 0.5; }
 
 }  // namespace
@@ -213,7 +213,8 @@ void Presenter::draw_captions(const PictureArea& shown, const EyeGrid& eyes) {
   glEnable(GL_SCISSOR_TEST);
   const int width = shown.width / eyes.columns;
   const int height = shown.height / eyes.rows;
-  // The rows of an eye that have captions, plus one on each side for the filter.
+  // Clips to the rows of an eye's picture that have captions, plus one row above and below for the
+  // filter.
   const double bottom_part = 1.0 - rows_above - rows_part;
   const int from = static_cast<int>(std::floor(bottom_part * height)) - 1;
   const int rows = static_cast<int>(std::ceil(rows_part * height)) + 3;

@@ -17,14 +17,15 @@ struct PresentedPicture {
   unsigned texture = 0;  //!< 0: none yet
   int width = 0;
   int height = 0;
-  bool heat_map = false;  //!< the values are colors and get no tone
+  bool heat_map = false;  //!< true: values are display colors, to which no tone is applied
   Tone tone;
   float light = 1.0F;  //!< factor on the display's light
-  long version = 0;    //!< changes with each picture and each change of the light
+  long version = 0;    //!< number that changes with each picture and each change of the light
 };
 
-//! The part of a picture to draw. Halves belong to eyes side by side. With `halves_by_rows` each
-//! half fills the framebuffer, whose rows alternate between them; the top row is the left half's.
+//! The part of a picture to draw. `left_half` and `right_half` are eyes in a picture that has them
+//! side by side. With `halves_by_rows`, both halves fill the whole framebuffer in alternate rows;
+//! the top row is the left half's.
 enum class PicturePart { whole, left_half, right_half, halves_by_rows };
 
 //! A part of a framebuffer [px], from its bottom left corner.
@@ -36,32 +37,33 @@ struct PictureArea {
 };
 
 //! Shows pictures in the current OpenGL context: uploads linear light, tone-maps and encodes it on
-//! the GPU, and fits it into the window with black bars. The shader computes the same as
+//! the GPU, and fits it into the window with black bars. The shader computes the same values as
 //! render/output/tone_map.h.
 class Presenter {
  public:
-  //! Binds to the current OpenGL 4.5 core context. Throws Error if the driver rejects the shader.
+  //! Uses the OpenGL 4.5 core context that is current. Throws Error if the driver rejects the
+  //! shader.
   Presenter();
   ~Presenter();
   Presenter(const Presenter&) = delete;
   Presenter& operator=(const Presenter&) = delete;
 
-  //! Uploads a picture from host memory; it stays until the next one.
+  //! Uploads a picture from host memory. It is shown until the next one is uploaded.
   void upload(const Picture& picture);
 
-  //! Uploads two eyes' pictures of one size into one picture: beside each other, or the left one
-  //! above the right.
+  //! Uploads two eyes' pictures of the same size as one picture: side by side, or the left one
+  //! above the right one.
   void upload_eyes(const Picture& left, const Picture& right, bool above);
 
-  //! Takes a picture, or two eyes' pictures, from CUDA memory without a copy through the host.
+  //! Copies a picture, or two eyes' pictures, from CUDA memory without a copy through the host.
   void upload_from_device(const DevicePicture& picture);
 
   //! Sets the factor on the display's light, 0 to 1.
   void set_light(float light);
 
-  //! Sets the captions over each eye of pictures that are drawn whole, and over the halves of
-  //! others; without a layer it removes them. Captions have the layer's resolution, whatever the
-  //! picture's.
+  //! Sets the captions that are drawn over each eye, as arranged by `eyes` in pictures that are
+  //! drawn whole, and over each half of other pictures. Without a layer, removes them. Captions
+  //! have the layer's resolution, whatever the picture's.
   void lay_over(const LaidCaptions& captions, const EyeGrid& eyes);
 
   //! Returns the last picture. The presenter owns the texture, which is valid until the next

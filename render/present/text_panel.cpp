@@ -43,7 +43,7 @@ struct PanelCorner {
   double bottom;
 };
 
-//! Returns the panel's corner within the area; sizes are in pixels of text.
+//! Returns the position of the panel's lower left corner in the area; sizes are in pixels of text.
 PanelCorner corner_of(PanelPlace place, std::pair<double, double> area, std::pair<double, double> panel,
                       double raised) {
   const auto [width, height] = area;
@@ -117,7 +117,7 @@ void TextPanel::draw(const PanelArea& area, PanelPlace place, double raised) {
   const auto px = [](double value) { return static_cast<int>(std::lround(value)); };
   glViewport(area.left + px(at.left * area.across), area.bottom + px(at.bottom * area.along),
              px(state_->width * area.across), px(state_->height * area.along));
-  // Clip text that is larger than its eye's part of the window.
+  // Clips text that is larger than the part of the window for one eye.
   glEnable(GL_SCISSOR_TEST);
   glScissor(area.left, area.bottom, area.width, area.height);
   glEnable(GL_BLEND);

@@ -9,16 +9,16 @@
 
 namespace ergodome {
 
-//! Where a panel is in its framebuffer. On a dome the corner is free. `bottom_middle` may be
-//! raised, for example above the legend of a heat map.
+//! The position of a panel in its framebuffer. At `top_left` a panel covers nothing of a dome's
+//! circular picture. `bottom_middle` may be raised, for example above the legend of a heat map.
 enum class PanelPlace { top_middle, top_left, middle, bottom_middle };
 
 //! The background of letters and their dark rim: the picture itself, or a dark panel.
 enum class PanelGround { none, dark };
 
-//! The part of a framebuffer in which a panel is placed [px], from its bottom left corner. Pixels
-//! of text are `across` wide and `along` high, which is less than 1 for eyes that are squeezed into
-//! halves of a picture.
+//! The part of a framebuffer in which a panel is placed [px], from its bottom left corner. A pixel
+//! of text is `across` framebuffer pixels wide and `along` high; these are less than 1 for eyes
+//! that are squeezed into halves of a picture.
 struct PanelArea {
   int left = 0;
   int bottom = 0;

@@ -16,8 +16,8 @@ struct Window::State {
   std::vector<WindowEvent> events;
   WindowBuffers buffers = WindowBuffers::plain;
   bool without_cursor = false;
-  std::optional<std::pair<double, double>> pointer;  //!< last position
-  //! Position and size to restore after full screen.
+  std::optional<std::pair<double, double>> pointer;  //!< last position of the pointer
+  //! Position and size of the window to restore when full screen ends.
   int windowed[4] = {0, 0, 1024, 1024};
 };
 
@@ -48,7 +48,7 @@ Window::Window(int width, int height, const std::string& title, bool full_screen
   glfwWindowHint(GLFW_STEREO, buffers == WindowBuffers::stereo ? GLFW_TRUE : GLFW_FALSE);
   state_->window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
   if (state_->window == nullptr && buffers == WindowBuffers::stereo) {
-    // GLFW treats it as a hard constraint.
+    // GLFW fails to open a window if a requested stereo buffer is not available.
     glfwWindowHint(GLFW_STEREO, GLFW_FALSE);
     state_->window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
   }

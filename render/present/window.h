@@ -10,11 +10,11 @@
 
 namespace ergodome {
 
-//! An input event of a window.
+//! An input event of a window: a key, a mouse button, a motion of the pointer, or scrolling.
 struct WindowEvent {
   enum class Kind { key_down, key_up, button_down, button_up, pointer, scroll };
   Kind kind;
-  int key = 0;      //!< GLFW's number of the key or mouse button
+  int key = 0;      //!< GLFW's code of the key or mouse button
   double dx = 0.0;  //!< pointer: pixels to the right; scroll: steps
   double dy = 0.0;  //!< pointer: pixels downwards; scroll: steps upwards
 };
@@ -40,13 +40,13 @@ class Window {
   //! Waits up to `seconds` for events and returns all that arrived.
   std::vector<WindowEvent> events(double seconds);
 
-  //! Returns the kind of buffers that the window has.
+  //! Returns which kind of buffers the window has.
   [[nodiscard]] WindowBuffers buffers() const;
 
   //! Selects the buffer of an eye for drawing; `both` in a plain window.
   void draw_into(WindowEye eye);
 
-  //! Shows what was drawn, synchronized with the display.
+  //! Shows what was drawn; waits for the display's refresh.
   void swap();
 
   void toggle_full_screen();
@@ -57,7 +57,7 @@ class Window {
   //! Keeps the window above other windows and raises it.
   void keep_in_front();
 
-  //! Hides the window; its context stays.
+  //! Hides the window; its OpenGL context stays valid.
   void hide();
 
   //! Hides the cursor permanently.
@@ -72,16 +72,18 @@ class Window {
   //! Returns the window's rectangle, including the frame of the window manager.
   [[nodiscard]] DesktopRectangle rectangle() const;
 
-  //! Moves the top left corner of the window's frame. Does not move a full-screen window.
+  //! Moves the top left corner of the window's frame to that of `place`. Does not move a
+  //! full-screen window.
   void move_to(const DesktopRectangle& place);
 
-  //! Makes its context current, after another window's.
+  //! Makes the window's OpenGL context current again, for example after another window's was.
   void make_current();
 
-  //! Makes swap() return without waiting for the display: another window waits.
+  //! Makes swap() return without waiting for the display, for windows shown together with another
+  //! one that waits.
   void swap_at_once();
 
-  //! Returns GLFW's window, for windows that share its context.
+  //! Returns the GLFWwindow, so that other windows can share its context.
   [[nodiscard]] void* handle() const;
 
   //! Returns the size of the framebuffer in pixels; 0 x 0 while minimized.

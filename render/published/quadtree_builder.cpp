@@ -13,8 +13,8 @@ namespace {
 
 constexpr int quadtree_step_limit = 100'000;
 
-//! Returns the squared length of a cell's diagonal in (θ, φ); practically infinite if an end is in
-//! the shadow.
+//! Returns the squared length of a cell's diagonal in (θ, φ). It is practically infinite if one end
+//! of the diagonal is in the shadow.
 double squared_diagonal(const SkyAngles& a, const SkyAngles& b) {
   if (in_shadow(a) || in_shadow(b)) {
     return 1e9;
@@ -153,8 +153,8 @@ class QuadtreeBuilder {
     lens_.slots_[slot].sky = sky;
   }
 
-  //! Gives vertices on a larger cell's side the value that the side has there (VE, end of section
-  //! 4.3.2), from large cells to small ones.
+  //! Sets vertices inside the side of a larger cell to the values interpolated along that side (VE,
+  //! end of section 4.3.2), starting with the largest cells.
   void repair() {
     const QuadtreeGrid grid = lens_.view();
     for (const QuadtreeCell& cell : leaves_) {
@@ -246,7 +246,8 @@ struct EdgePoint {
   double column;
 };
 
-//! Returns the edge in rows and columns, without a jump where the columns wrap around.
+//! Returns points on the shadow's edge in rows and columns of the grid, without a jump where the
+//! columns wrap around.
 std::vector<EdgePoint> edge_points_of(const CameraStation& camera, int level) {
   const ShadowChart chart = make_shadow_chart(camera);
   const double columns = 2 << level;

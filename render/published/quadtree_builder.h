@@ -5,21 +5,23 @@
 #include "kernels/published/quadtree_look_up.h"
 #include "kernels/spacetime/trace/trace_rays.h"
 
-// Builds the quadtree grid published by VE.
+// Builds the quadtree grid that Verbraeck & Eisemann (2021) published.
 
 namespace ergodome {
 
-//! The published parameters of VE's grid.
+//! The parameters of Verbraeck & Eisemann's (VE's) grid, with their published values.
 struct QuadtreeSettings {
   int coarsest_level = 6;
   int finest_level = 10;
-  //! Limit for a cell's diagonals on the celestial sphere. VE write "0.015 radians", but only the
-  //! squared length in (θ, φ), seam included, gives their count of 47,848 rays (a = 0.999, r = 5,
-  //! geodesic observer, half the sky) and their cumulative errors.
+  //! Limit for the diagonals of a cell on the celestial sphere: the squared length in (θ, φ). VE
+  //! write "0.015 radians", but only the squared length, with cells across the seam of φ included,
+  //! gives the number of rays that they report, 47,848 (a = 0.999, r = 5, geodesic observer, half
+  //! the sky), and their cumulative errors.
   double largest_diagonal_squared = 0.015;
   TraceMethod method = TraceMethod::taylor;
   double tolerance = 1e-9;
-  bool repair = true;  //!< repair T-vertices
+  //! True: vertices in the middle of a larger cell's side (T-vertices) are repaired.
+  bool repair = true;
 };
 
 //! Returns whether the upper half of a camera's grid suffices: the camera is on the equator and
@@ -36,7 +38,7 @@ class QuadtreeLens {
   //! Returns the grid as kernels on the host read it; it points into this object.
   [[nodiscard]] QuadtreeGrid view() const;
 
-  //! Returns the number of vertices, each of which took one ray.
+  //! Returns the number of vertices; one ray was traced for each.
   [[nodiscard]] int vertex_count() const { return vertex_count_; }
 
  private:
@@ -51,7 +53,7 @@ class QuadtreeLens {
   bool mirrored_;
 };
 
-//! The position of the shadow in a camera's grid, from the exact critical curve.
+//! The position of the shadow in a camera's view, computed from the exact critical curve.
 class QuadtreeShadowTable {
  public:
   QuadtreeShadowTable(const CameraStation& camera, int level);
@@ -65,7 +67,7 @@ class QuadtreeShadowTable {
   std::vector<float> radius_;
 };
 
-//! Returns a single grid in the form that look-ups need.
+//! Returns a single grid in the form that look-ups read.
 QuadtreeLookUp look_up_of(const QuadtreeGrid& grid, QuadtreeInterpolation how);
 
 }  // namespace ergodome

@@ -18,13 +18,13 @@ bool is_shown(const Projection& image, double x, double y) {
   return x >= 0.0 && x <= image.width_px && y >= 0.0 && y <= image.height_px && image_coverage(image, x, y) > 0.0;
 }
 
-//! Returns whether the viewer's left and right point in a different image direction in each part of
-//! the image.
+//! Returns whether the direction of the viewer's right in the image differs between parts of the
+//! image, so that horizontal disparities are not along rows.
 bool turns_its_rows(const Projection& image) {
   return image.kind == ProjectionKind::dome_fisheye || image.kind == ProjectionKind::cube;
 }
 
-//! Returns the pixels per radian of horizontal separation in an image at a direction [px/rad].
+//! Returns the scale of an image for horizontal separations at a view direction [px/rad].
 double pixels_per_turn(const Projection& image, const Vector3<double>& view) {
   constexpr double small = 1e-4;
   const double level = std::hypot(view.x, view.z);
@@ -40,15 +40,15 @@ double pixels_per_turn(const Projection& image, const Vector3<double>& view) {
     double beside_x = 0.0;
     double beside_y = 0.0;
     if (pixel_from_direction(image, normalized(view + side * across), beside_x, beside_y)) {
-      // Use the shorter distance, which does not cross a seam.
+      // Uses the shorter of the two distances, because the other one may cross a seam of the image.
       least = std::min(least, std::hypot(beside_x - x, beside_y - y) / small);
     }
   }
   return std::isfinite(least) ? least : 0.0;
 }
 
-//! Returns the minimum and maximum over all things and over the samples of a sheet, without the
-//! sheet's outliers.
+//! Returns the minimum and maximum of a number over all things and over the samples of a surface
+//! (`sheet`), without the surface's outliers.
 template <class Shift>
 std::pair<double, double> bounds_of(const std::vector<Shift>& things, const std::vector<Shift>& sheet,
                                     double Shift::*number) {
@@ -91,11 +91,12 @@ std::optional<DisparityMeter::Shift> DisparityMeter::shift_of(const Vector3<doub
       !(is_shown(images_[0], x[0], y[0]) || is_shown(images_[1], x[1], y[1]))) {
     return std::nullopt;
   }
-  // Measure where a viewer sees them: in an image without convergence.
+  // Measures the directions in which a viewer sees them in an image without convergence.
   const Vector3<double> from = direction_from_pixel(screen_, x[0], y[0]);
   const Vector3<double> to = direction_from_pixel(screen_, x[1], y[1]);
   const double turn = std::atan2(to.x, -to.z) - std::atan2(from.x, -from.z);
-  // Azimuths converge towards the zenith.
+  // Azimuths converge towards the zenith, so differences of azimuth are reduced by the cosine of
+  // the elevation.
   const double level = 0.5 * (std::hypot(from.x, from.z) + std::hypot(to.x, to.z));
   const double turned = level * std::remainder(turn, 360.0 * one_degree);
   double pixels = screen_.left < 0.0 ? x[1] - x[0] : x[0] - x[1];

@@ -9,23 +9,24 @@
 
 namespace ergodome {
 
-//! Collects the disparities of what both eyes see.
+//! Collects the disparities of directions and things that both eyes see.
 class DisparityMeter {
  public:
   DisparityMeter(const StereoEye& left, const StereoEye& right, const Projection& projection)
       : images_{left.image(projection), right.image(projection)}, screen_(projection) {}
 
-  //! Adds a thing by its directions in both eyes' images. Ignores it unless both images show it.
+  //! Adds a thing that the left eye sees in direction `left` and the right eye in direction
+  //! `right`. Ignores it unless both images show it.
   void add(const Vector3<double>& left, const Vector3<double>& right);
 
-  //! Adds one of many sample directions of a surface that is stretched without bound in some parts,
-  //! as the sky is beside its caustics. The outermost outlying_share of all samples on either side
-  //! is ignored.
+  //! Adds one of many sampled directions on a surface, such as the sky, whose disparity is
+  //! unbounded in places (beside caustics). The extreme samples on either side, a fraction
+  //! outlying_share of all, are ignored.
   void add_of_sheet(const Vector3<double>& left, const Vector3<double>& right);
 
   static constexpr double outlying_share = 0.05;
 
-  //! Returns whether an image without convergence shows a direction.
+  //! Returns whether the eye's image, without convergence, contains a direction.
   [[nodiscard]] bool shows(const Vector3<double>& view) const;
 
   //! Returns the disparity range; nothing if nothing was added.

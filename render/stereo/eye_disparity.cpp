@@ -20,11 +20,12 @@ using EdgeDual = Dual<double>;
 constexpr int order = 14;
 constexpr int most_rounds = 12;
 constexpr double found = 1e-7;
-//! A larger shift belongs to another image of the star [rad].
+//! Maximum angle between the images of a star in the two eyes [rad]. A larger angle means that they
+//! are different lensed images.
 constexpr double farthest = 0.5;
 
-//! Computes the point of the sky in a direction, with its derivatives along two directions of the
-//! view. Returns false in the shadow.
+//! Computes the sky direction that an eye sees in a view direction, with its derivatives along two
+//! directions of the view. Returns false in the shadow.
 bool look(const StereoEye& from, const Vector3<EdgeDual>& seen, Vector3<EdgeDual>& sky) {
   const Vector3<double> middle = {seen.x.value, seen.y.value, seen.z.value};
   const EyeCamera eye = from.camera(middle);
@@ -50,8 +51,8 @@ bool look(const StereoEye& from, const Vector3<EdgeDual>& seen, Vector3<EdgeDual
 
 Vector3<double> values(const Vector3<EdgeDual>& v) { return {v.x.value, v.y.value, v.z.value}; }
 
-//! Finds the direction in which an eye sees a point of the sky, near the guess in `view`. Returns
-//! false if there is none.
+//! Finds the view direction in which an eye sees a point of the sky, near the initial guess in
+//! `view`. Returns false if there is none.
 bool find_direction(const StereoEye& eye, const Vector3<double>& star, Vector3<double>& view) {
   const Vector3<double> first = view;
   for (int round = 0; round < most_rounds; ++round) {
@@ -114,8 +115,8 @@ void edge_sides(const StereoEye& eye, Vector3<double> (&sides)[2]) {
   }
 }
 
-//! Adds the sky in many directions, each followed from the left eye's ray to where the right eye
-//! sees the same star.
+//! Adds the disparities of the sky in many directions: each is followed from the left eye's ray to
+//! the direction in which the right eye sees the same star.
 void add_sky(const StereoEye& left, const StereoEye& right, std::span<const SeenDirection> directions,
              DisparityMeter& meter) {
   std::vector<std::optional<Vector3<double>>> others(directions.size());

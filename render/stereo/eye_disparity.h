@@ -13,30 +13,32 @@
 
 namespace ergodome {
 
-//! Range of disparities: how far to the right of the left eye's image the right eye sees things.
-//! Negative values are nearer than the convergence distance, in front of the screen.
+//! Range of the disparities of a frame: the angle by which a thing is farther to the right in the
+//! right eye's image than in the left eye's. Negative values are nearer than the convergence
+//! distance, in front of the screen.
 struct Disparity {
   double least_px = 0.0;
   double greatest_px = 0.0;
-  //! For a viewer in the middle of the dome, or at the position where the screen spans the view's
-  //! angles.
+  //! Minimum of the disparity, for a viewer in the middle of the dome, or at the position from
+  //! which a flat screen spans the view's angles.
   double least_arcmin = 0.0;
   double greatest_arcmin = 0.0;
 
-  //! Returns the disparity range that a viewer has to fuse at once [degrees].
+  //! Returns the width of the range, which a viewer has to fuse at once [degrees].
   [[nodiscard]] double range_deg() const { return (greatest_arcmin - least_arcmin) / 60.0; }
 };
 
-//! Measures the disparities of a frame with rays in double (benchmark stereo_disparity):
-//! - the sky, unless it is black, in many directions across the image in which no disk, shell or
-//! object hides it. Each is followed from the left eye's ray to where the right eye sees the same
-//! star; outliers are ignored (DisparityMeter::outlying_share). In the model `flat` the sky has
-//! only the disparity of convergence.
-//! - the left and right edge of the shadow, in the model `physical`, where the picture shows it.
-//! - disk, shells and objects, see add_near_things.
+//! Measures the disparities of a frame with rays in double precision (benchmark stereo_disparity)
+//! of:
+//! - the sky, unless it is black: in many directions across the image in which no disk, shell or
+//!   object hides it. Each is followed from the left eye's ray to the direction in which the right
+//!   eye sees the same point of the sky; outliers are ignored (DisparityMeter::outlying_share). In
+//!   the model `flat` the sky has only the disparity of convergence.
+//! - the left and right edge of the shadow, in the model `physical`, if the picture shows it.
+//! - disk, shells and objects, see add_near_things().
 //!
-//! `objects`: outlines of the show's objects (ShowRenderer::object_outlines); `hiding`: objects
-//! that hide sky, disk and shells behind them (hiding_objects). Returns nothing for a single eye,
+//! `objects`: outlines of the show's objects (ShowRenderer::object_outlines()); `hiding`: objects
+//! that hide sky, disk and shells behind them (hiding_objects()). Returns nothing for a single eye,
 //! or if both eyes see no common direction.
 std::optional<Disparity> frame_disparity(const Show& show, const CameraPose& pose, const Projection& projection,
                                          std::span<const PlacedOutline> objects, const PlacedMeshes& hiding);

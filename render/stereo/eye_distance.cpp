@@ -11,29 +11,30 @@ namespace ergodome {
 
 namespace {
 
-//! As a fraction of r. Far from the hole, polynomials of degree 10 serve eyes up to 2 × 0.39 r
-//! apart.
+//! Maximum baseline as a fraction of r. Far from the hole, polynomials of degree 10 are accurate
+//! enough for eyes up to 2 × 0.39 r apart.
 constexpr double share_of_r = 0.72;
 
-//! Returns omni_room() of a head whose light is not counted in the azimuth of infalling observers,
-//! with all its eyes.
+//! Returns omni_room() of a head if none of its eyes is near the horizon, where light is described
+//! in the azimuth of infalling observers.
 double room_outside(Spacetime spacetime, double r, double outwards) {
   return std::min((r - horizon_radius(spacetime)) / outwards, share_of_r * r / std::max(outwards, 1.0));
 }
 
-//! Returns the change of r per proper length of 1 M outwards, see eye_event().
+//! Returns the change of r along a proper length of 1 M in the outward direction, see eye_event().
 double outwards_scale(Spacetime spacetime, double r, double theta, bool in_rain) {
   const KerrFunctions f = kerr_functions(spacetime, r, theta);
   return in_rain ? std::sqrt(f.area) / f.sigma : std::sqrt(std::max(f.delta, 0.0) / f.sigma);
 }
 
-//! Returns whether both eyes can be drawn with a baseline [M].
+//! Returns whether the cameras of both eyes can be fitted for a baseline [M].
 bool omni_eyes_fit(const Show& show, const CameraPose& pose, double baseline) {
   const EyePlace eye_at = [&](const Vector3<double>& offset) { return eye_camera(show, pose, offset); };
   return make_omni_pair(Backend::cpu, eye_at, omni_settings(show.stereo, baseline, omni_least_exact)).has_value();
 }
 
-//! Returns the largest drawable baseline up to `most`, accurate to a thousandth of it.
+//! Returns the largest baseline up to `most` for which the cameras can be fitted, accurate to a
+//! thousandth of `most`.
 double greatest_omni_baseline(const Show& show, const CameraPose& pose, double most) {
   if (omni_eyes_fit(show, pose, most)) {
     return most;
@@ -47,7 +48,7 @@ double greatest_omni_baseline(const Show& show, const CameraPose& pose, double m
   return fits;
 }
 
-//! Returns the largest baseline up to `most` for the show's model.
+//! Returns the largest baseline up to `most` that is possible with the show's stereo model.
 double greatest_up_to(const Show& show, const CameraPose& pose, double most) {
   switch (show.stereo.model) {
     case StereoModel::flat:

@@ -5,22 +5,24 @@
 
 namespace ergodome {
 
-//! Returns the maximum baseline [M] of the model `omni` at a pose, from the position alone: at most
-//! the head's distance from the horizon and 0.72 r. For infalling heads within 1.2 horizon radii,
-//! at most the value at that height and the remaining depth. Smooth enough that nothing jumps along
+//! Returns an upper limit of the baseline [M] for the model `omni`, from the head's position alone:
+//! the head's distance from the horizon, but at most 0.72 r. For infalling heads within 1.2 horizon
+//! radii, the distance from the horizon is replaced by the limit at 1.2 horizon radii and by the
+//! remaining distance to the minimum radius. It is smooth enough that the image does not jump along
 //! a camera path.
 //!
 //! The polynomials of ODS eyes (OmniCamera) converge where the cameras are regular: up to the
-//! horizon and to about r. If the head is much faster than infalling observers, or at rest next to
-//! the ergosphere, less may fit; greatest_baseline() checks that.
+//! horizon and to about r. If the head moves much faster than infalling observers, or is at rest
+//! next to the ergosphere, the possible baseline may be smaller; greatest_baseline() takes that
+//! into account.
 double omni_room(Spacetime spacetime, const CameraPose& pose);
 
 //! Returns the maximum baseline [M] of a show's stereo model at a pose. `physical`: infinity, as
 //! eyes are kept outside the hole. `flat`: the affine distance of the horizon. `omni`: omni_room(),
-//! or less if the eyes cannot be drawn. Throws Error if eye_camera() does.
+//! or less if the ODS cameras cannot be fitted. Throws Error if eye_camera() does.
 double greatest_baseline(const Show& show, const CameraPose& pose);
 
-//! Returns the show's baseline at a pose [M]: stereo.baseline, limited to greatest_baseline().
+//! Returns the baseline used at a pose [M]: the show's, limited to greatest_baseline().
 double fitting_baseline(const Show& show, const CameraPose& pose);
 
 }  // namespace ergodome

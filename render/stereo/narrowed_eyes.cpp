@@ -16,7 +16,7 @@ namespace ergodome {
 namespace {
 
 //! Returns the reduced baseline at a show time. Returns nothing if the show's baseline fits, or if
-//! the camera itself cannot be there, which is reported elsewhere.
+//! the camera itself cannot be at its position, which is reported elsewhere.
 std::optional<NarrowedEyes> narrowed_at(const Show& show, double time_s) {
   const Show now = show_at(show, time_s);
   const CameraPose pose = camera_pose(now, time_s);
@@ -46,7 +46,8 @@ std::vector<double> times_of_eyes(const Show& show) {
   return times;
 }
 
-//! Returns when between two times the baseline begins to be reduced [s].
+//! Returns the time between `before_s` and `after_s` at which the reduction of the baseline begins
+//! [s].
 double beginning_s(const Show& show, double before_s, double after_s) {
   constexpr double exact_s = 0.01;
   while (after_s - before_s > exact_s) {

@@ -6,7 +6,7 @@
 #include "content/camera/camera_path.h"
 #include "content/show/show.h"
 
-// Finds where the baseline of stereo has to be reduced.
+// Finds where a show's baseline has to be reduced.
 
 namespace ergodome {
 
@@ -14,7 +14,7 @@ namespace ergodome {
 //! (render/stereo/eye_distance.h).
 struct NarrowedEyes {
   StereoModel model = StereoModel::physical;
-  double r = 0.0;         //!< of the head [M]
+  double r = 0.0;         //!< radius of the head [M]
   double asked = 0.0;     //!< baseline of the show [M]
   double baseline = 0.0;  //!< reduced baseline [M]
 };
@@ -31,11 +31,11 @@ struct NarrowedPath {
 //! baseline fits everywhere, for a single eye, and for the model `physical`.
 std::optional<NarrowedPath> narrowed_path(const Show& show);
 
-//! Returns a sentence for the user about a picture at a show time, with the line of the baseline if
-//! the show has one.
+//! Returns a warning about the picture at a show time, with the line of the baseline's key if the
+//! show file has it.
 std::string note_of(const Show& show, double time_s, const NarrowedEyes& eyes);
 
-//! Returns a sentence about the whole path.
+//! Returns a warning about the reduced baseline on the whole camera path.
 std::string note_of(const Show& show, const NarrowedPath& path);
 
 }  // namespace ergodome

@@ -14,8 +14,8 @@ namespace ergodome {
 
 namespace {
 
-//! Adds things to the meter as both eyes see them: eyes at their own positions, or beside a head
-//! whose lens they share.
+//! Adds things to a disparity meter as both eyes see them. The eyes have cameras at their own
+//! positions or, in the model `flat`, are beside a head whose lens they use.
 class NearThings {
  public:
   NearThings(const Show& show, const CameraPose& pose, DisparityMeter& meter)
@@ -36,7 +36,8 @@ class NearThings {
     }
   }
 
-  //! Adds an object. `by_distance`: points of it, ordered by distance from the head; at least one.
+  //! Adds an object. `by_distance`: some of its points, at least one, ordered by distance from the
+  //! head.
   void add(const PlacedOutline& object, const std::vector<Vector3<double>>& by_distance) {
     for (const Vector3<double>& place : ends_shown(by_distance)) {
       const SeenThing thing = {place, &object};
@@ -63,9 +64,10 @@ class NearThings {
     }
   }
 
-  //! Selects from points in the order of their distance: the first and the last that the picture
-  //! would show if light traveled straight, and the outermost on all sides, because images stretch
-  //! things towards their rims. If the picture shows none, selects the first and the last.
+  //! Selects some of the points `places`, which are ordered by distance: the first and the last of
+  //! those that the picture would show if light traveled straight, and the outermost ones on all
+  //! sides, because lensed images are stretched towards their edges. If the picture would show
+  //! none, selects the first and the last point.
   [[nodiscard]] std::vector<Vector3<double>> ends_shown(const std::vector<Vector3<double>>& places) const {
     struct Shown {
       Vector3<double> place;
@@ -94,16 +96,16 @@ class NearThings {
   DisparityMeter& meter_;
 };
 
-//! An object and points of it.
+//! An object and some of its points, ordered by distance.
 struct RankedObject {
   const PlacedOutline* object;
-  //! The nearest point of each triangle, the nearest of all first.
+  //! The nearest point of each of the object's triangles, ordered by distance from the head.
   std::vector<Vector3<double>> places;
-  double square;  //!< squared distance of the nearest one
+  double square;  //!< squared distance of the nearest point
 };
 
-//! Orders an object's points by distance, with the object about where it is seen: it may move while
-//! its light travels.
+//! Orders an object's points by distance. The object is taken approximately where it is seen,
+//! because it may move while its light travels.
 RankedObject ranked(const PlacedOutline& object, const Vector3<double>& from) {
   const auto square = [](const Vector3<double>& v) { return dot(v, v); };
   const Vector3<double>& middle = object.placement.position;
@@ -120,7 +122,8 @@ RankedObject ranked(const PlacedOutline& object, const Vector3<double>& from) {
   return it;
 }
 
-//! Returns the nearest objects that have any points; the others are behind them.
+//! Returns the nearest objects that have any points. Objects that are farther away are not
+//! measured.
 std::vector<RankedObject> nearest_objects(std::span<const PlacedOutline> objects, const Vector3<double>& from) {
   constexpr std::size_t most = 16;
   std::vector<RankedObject> nearest;
@@ -135,7 +138,8 @@ std::vector<RankedObject> nearest_objects(std::span<const PlacedOutline> objects
   return nearest;
 }
 
-//! Finds what a head sees in a direction.
+//! Finds the points of disk and shells that a head sees in a direction, and stores them in
+//! `direction`.
 void look(const Show& show, const EyeCamera& head, const PlacedMeshes& hiding, SeenDirection& direction) {
   direction.sights = near_sights(show, head, direction.view);
   if (hiding.meshes.empty()) {

@@ -43,9 +43,9 @@ void visit_many(const Projection& projection, Visit&& visit) {
   }
 }
 
-//! Which disparities to measure in a direction. Disk and shells are found in all directions, as
-//! they hide the sky. The sky needs many directions, because it is stretched without bound beside
-//! its caustics.
+//! What is measured in a direction: disparities of the sky, or of disk and shells. Sky needs many
+//! directions, because it is stretched without bound beside its caustics. Disk and shells are found
+//! in all directions, because they hide the sky.
 enum class LookedFor : std::uint8_t { sky, disk_and_shells };
 
 //! A direction across an image, in the view's axes, and the points of disk and shells that the head
@@ -53,13 +53,13 @@ enum class LookedFor : std::uint8_t { sky, disk_and_shells };
 struct SeenDirection {
   Vector3<double> view;
   LookedFor looked_for;
-  std::vector<NearSight> sights;  //!< see near_sights; without those that objects hide
+  std::vector<NearSight> sights;  //!< points from near_sights(), without those that objects hide
   bool ends_at_object = false;
 
   [[nodiscard]] bool shows_sky() const { return !ends_at_object && (sights.empty() || !sights.back().opaque); }
 };
 
-//! Returns whether nothing of a sky is visible.
+//! Returns whether a show's sky has neither a visible map nor stars.
 bool is_black(const SkySettings& sky);
 
 //! Returns the directions in which a frame's disparities are measured, none of them for a black
@@ -67,12 +67,13 @@ bool is_black(const SkySettings& sky);
 std::vector<SeenDirection> seen_directions(const Show& show, const CameraPose& pose, const Projection& projection,
                                            const PlacedMeshes& hiding);
 
-//! Adds the disparities of disk, shells and objects where the picture shows them: points of disk
-//! and shells in some directions, up to the first opaque one, and of the sixteen nearest objects
-//! the nearest, the farthest and the outermost points that nothing hides. Light must come to both
-//! eyes on the short way round, with both ends more than 2 M from the hole's middle. In the model
-//! `flat` things are where flat space has them; disk and shells then count at any position, also by
-//! light on the long way round.
+//! Adds the disparities of disk, shells and objects where the picture shows them. Of disk and
+//! shells, uses the points in some directions, up to the first opaque one. Of the sixteen nearest
+//! objects, uses the nearest, the farthest and the outermost points that nothing hides.
+//!
+//! Light must reach both eyes on the short way round the hole, and eye and point must be more than
+//! 2 M from the hole's center. In the model `flat`, things are seen where flat space around the
+//! head has them; disk and shells then count at any position, also by light on the long way round.
 void add_near_things(const Show& show, const CameraPose& pose, std::span<const SeenDirection> directions,
                      std::span<const PlacedOutline> objects, DisparityMeter& meter);
 

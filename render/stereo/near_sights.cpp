@@ -18,15 +18,16 @@ namespace {
 
 constexpr double ray_tolerance = 1e-7;
 constexpr int most_steps = 2000;
-//! Rays are not followed closer to the horizon than this fraction of its radius.
+//! Minimum distance from the horizon to which rays are traced, as a fraction of the horizon's
+//! radius.
 constexpr double horizon_margin = 1e-6;
 
 template <NearParts Parts>
 using StepWith = PathStep<near_order, Parts, double>;
 using Step = StepWith<NearParts::azimuth_and_distance>;
 
-//! Follows light backwards from a direction of a head's view while it may come between the radii,
-//! until visit(step) returns true.
+//! Traces light backwards from a direction of a head's view, as long as it may be between two
+//! radii, or until visit(step) returns true.
 template <NearParts Parts, class Visit>
 void follow_until(const EyeCamera& head, const Vector3<double>& view, const RadialBounds& bounds, Visit&& visit) {
   const CameraStation camera = station_of(head);
@@ -40,7 +41,8 @@ void follow_until(const EyeCamera& head, const Vector3<double>& view, const Radi
                                  [&](int, const StepWith<Parts>& step) { return visit(step); });
 }
 
-//! Follows light to its end and calls visit(step).
+//! Traces light backwards until it ends or leaves the range of radii, and calls visit(step) for
+//! each step.
 template <class Visit>
 void follow(const EyeCamera& head, const Vector3<double>& view, const RadialBounds& bounds, Visit&& visit) {
   follow_until<NearParts::azimuth_and_distance>(head, view, bounds, [&](const Step& step) {
@@ -61,8 +63,8 @@ void find_crossings(std::span<const double> times, Function&& function, Found&& 
   }
 }
 
-//! Returns times between which r is monotonic: outside the horizon light has at most one turning
-//! point.
+//! Returns the times of a step between which r is monotonic. Outside the horizon, a light path has
+//! at most one turning point.
 std::vector<double> radial_legs(const Step& step) {
   const auto rate = [&](double h) { return series_rate(step.series.u, h); };
   const double side = rate(0.0) < 0.0 ? 1.0 : -1.0;
@@ -72,20 +74,20 @@ std::vector<double> radial_legs(const Step& step) {
   return {0.0, find_root(0.0, step.length, [&](double h) { return side * rate(h); }), step.length};
 }
 
-//! Finds where light reaches a radius.
+//! Finds the times at which light reaches the radius `r`.
 template <class Found>
 void find_radius(const Step& step, std::span<const double> legs, double r, Found&& found) {
   find_crossings(
       legs, [&](double h) { return series_value(step.series.u, h) - 1.0 / r; }, found);
 }
 
-//! Collects where a ray meets one thing, between two radii.
+//! Collects the points where a ray meets one disk or shell, between two radii.
 class Meetings {
  public:
   Meetings(double least_r, double greatest_r, double opacity)
       : least_r_(least_r), greatest_r_(greatest_r), opaque_(opacity > 0.9) {}
 
-  //! Adds a meeting, except at the start of the ray.
+  //! Adds a meeting point, unless it is at the start of the ray.
   void add(const Step& step, double h, std::vector<NearSight>& sights) {
     const Vector3<double> place = step.point(h);
     const double r = std::sqrt(dot(place, place));
@@ -118,8 +120,8 @@ std::vector<NearSight> near_sights(const Show& show, const EyeCamera& head, cons
   if (show.disk && show.disk->opacity > 0.0) {
     const double inner = inner_edge(*show.disk, spacetime_of(show));
     disk.emplace(inner, show.disk->outer, show.disk->opacity);
-    // Crossings of the plane outside the disk count, too: after one, light comes the long way
-    // round.
+    // Also counts crossings of the equatorial plane outside the disk: after one, light comes by the
+    // long way round the hole.
     reach(inner, std::max(show.disk->outer, 1.01 * head.r));
   }
   std::vector<std::pair<double, Meetings>> shells;
@@ -181,7 +183,8 @@ std::optional<double> distance_of_place(const EyeCamera& head, const Vector3<dou
     };
     const std::vector<double> legs = radial_legs(step);
     find_radius(step, legs, r, look_at);
-    // Light with its turning point there may not reach the radius itself.
+    // Light that turns back at this radius may just fail to reach it, so the turning point is
+    // examined, too.
     if (legs.size() > 2) {
       look_at(legs[1]);
     }

@@ -7,24 +7,24 @@
 #include "render/eyes/eye_camera.h"
 #include "render/passes/objects/placed_meshes.h"
 
-// Finds the points of disk, shells and objects in a direction.
+// Finds the points of disk, shells and objects that a head sees in a direction.
 
 namespace ergodome {
 
-//! A point that a head sees in some direction, on the path of the light.
+//! A point that a head sees in some direction: one that the light passes on its way to the head.
 struct NearSight {
   Vector3<double> place;  //!< pseudo-Cartesian [M]
-  double distance;        //!< affine, from the head [M]
-  bool first;             //!< first meeting of that light path with the same thing
-  bool opaque;            //!< the thing is almost opaque
+  double distance;        //!< affine distance from the head [M]
+  bool first;             //!< true at the first crossing of this disk or shell by the light path
+  bool opaque;            //!< true if the disk or shell is almost opaque at this point
 };
 
 //! Returns the points of a show's disk and shells that a head sees in a direction of its view,
-//! nearest first, up to the first opaque one. Uses double rays.
+//! nearest first, up to the first opaque one. Traces rays in double precision.
 std::vector<NearSight> near_sights(const Show& show, const EyeCamera& head, const Vector3<double>& view);
 
-//! Returns the affine distance [M] from a head to the first of some meshes that it sees in a
-//! direction of its view; infinite if it sees none. Uses double rays.
+//! Returns the affine distance [M] from a head to the nearest point of some meshes in a direction
+//! of its view; infinite if it sees none. Traces rays in double precision.
 double distance_of_objects(const PlacedMeshes& meshes, const EyeCamera& head, const Vector3<double>& view);
 
 //! Returns the affine distance [M] from a head to a point that it sees in a direction of its view;

@@ -38,8 +38,8 @@ Projection StereoEye::image(const Projection& projection) const {
 }
 
 std::optional<Vector3<double>> StereoEye::sees(const SeenThing& thing) const {
-  // An ODS eye's position depends on the direction, but the direction depends only weakly on the
-  // position.
+  // Iterates, because an ODS eye's position depends on the view direction, which depends (only
+  // weakly) on the position.
   const int rounds = eye_cameras(show_.stereo.model) == EyeCameras::per_direction ? 6 : 1;
   constexpr double near_enough = 1e-5;
   Vector3<double> view = {0.0, 0.0, -1.0};
@@ -49,7 +49,8 @@ std::optional<Vector3<double>> StereoEye::sees(const SeenThing& thing) const {
     if (!seen) {
       return std::nullopt;
     }
-    // The picture shows at v what comes from v - turn, and turn is perpendicular to v.
+    // The picture shows at direction v what comes from the direction v - turn; `turn` is
+    // perpendicular to v.
     const Vector3<double> turn = convergence_turn(view);
     const Vector3<double> next = normalized(std::sqrt(1.0 + dot(turn, turn)) * seen->view + turn);
     off = rounds > 1 ? std::sqrt(dot(next - view, next - view)) : 0.0;
@@ -65,11 +66,12 @@ std::optional<Vector3<double>> StereoEye::sees(const SeenThing& thing) const {
 
 namespace {
 
-//! Minimum radius [M] of both ends of a light path: closer to the hole no closed form exists to
-//! start from.
+//! Minimum radius [M] of both ends of a light path. Closer to the hole there is no closed form that
+//! could provide the initial direction.
 constexpr double least_r = 2.0;
 
-//! Returns a camera's position; on the axis its azimuth is kept.
+//! Returns a camera's position. If the camera is on the spin axis, moves the position slightly off
+//! it, so that the azimuth stays defined.
 Vector3<double> place_beside_axis(EyeCamera eye) {
   constexpr double least_angle = 1e-12;
   eye.theta = std::max(eye.theta, least_angle);
@@ -89,7 +91,8 @@ Vector3<double> seen_in_view(const EyeCamera& eye, const Vector3<double>& direct
 std::optional<SeenPlace> seen_by_camera(const EyeCamera& eye, const SeenThing& thing) {
   const Vector3<double> at = place_beside_axis(eye);
   const LocalFrame frame = local_frame(eye.spacetime, at);
-  // Iterates the light travel time. Things are slower than light, so each round reduces the error.
+  // Iterates, because the light travel time depends on the position at emission. Things are slower
+  // than light, so each round reduces the error.
   const int rounds = thing.moves() ? 8 : 1;
   Vector3<double> place = thing.place;
   RayCorrection correction = {};

@@ -10,20 +10,22 @@
 
 namespace ergodome {
 
-//! One eye of a frame: a camera for each direction of its view. Eyes of the model `flat` use the
-//! head's camera. The show and the pose must outlive it.
+//! One eye of a frame, which may have another camera for each direction of its view. Eyes of the
+//! model `flat` use the head's camera. The show and the pose must outlive it.
 class StereoEye {
  public:
   //! `side`: -1 for the left eye, 1 for the right one.
   StereoEye(const Show& show, const CameraPose& pose, double side)
       : show_(show), pose_(pose), offset_(0.5 * side * show.stereo.baseline) {}
 
-  //! Returns the eye's position when it looks in a direction, in the view's axes [M].
+  //! Returns the eye's position relative to the head when it looks in direction `view`, in the
+  //! view's axes [M].
   [[nodiscard]] Vector3<double> place(const Vector3<double>& view) const;
 
   [[nodiscard]] EyeCamera camera(const Vector3<double>& view) const { return eye_camera(show_, pose_, place(view)); }
 
-  //! Returns the shift of a direction in an image with built-in convergence, as the model omni has.
+  //! Returns the shift of a direction in an image that already includes convergence, as in the
+  //! model omni.
   [[nodiscard]] Vector3<double> convergence_turn(const Vector3<double>& view) const;
 
   //! Returns the projection of the eye's image.
@@ -42,8 +44,9 @@ class StereoEye {
 
 //! A thing as seen by light on the short way round the hole.
 struct SeenPlace {
-  Vector3<double> view;   //!< unit vector to where the eye sees the thing, in the view's axes
-  Vector3<double> place;  //!< where the light left the thing, pseudo-Cartesian [M]
+  //! Unit vector toward the apparent position of the thing, in the view's axes.
+  Vector3<double> view;
+  Vector3<double> place;  //!< point where the light left the thing, pseudo-Cartesian [M]
 };
 
 //! Returns the direction in which an eye sees a thing, and the point where the light left it.

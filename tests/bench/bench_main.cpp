@@ -3,7 +3,7 @@
 #include "render/backend/kept_memory.h"
 #include "tests/bench/cuda_bench.h"
 
-//! Runs benchmarks with the memory settings of the program.
+//! Runs benchmarks with the same allocator settings as the program, which keeps freed memory.
 int main(int argc, char** argv) {
   ergodome::keep_freed_memory();
   benchmark::Initialize(&argc, argv);

@@ -15,18 +15,19 @@
 #include "render/frame/show_renderer.h"
 #include "tests/bench/published_sky.h"
 
-// Whole frames on a GPU, as a window shows them: the picture stays on the device. Registers no
+// Times of whole frames that a window would show: the GPU renders them and keeps them. Registers no
 // benchmarks without a GPU.
 namespace {
 
 using namespace ergodome;
 
-//! The camera's motion from frame to frame: it stands still; turns by two degrees, which moves
-//! stars to other pixels; goes around the hole by a tiny angle, which requires a new star search;
-//! or moves to a new position.
+//! How the camera moves from frame to frame. `stands`: not at all. `turns`: turns by two degrees,
+//! so that the same stars appear at other pixels. `goes_round`: moves around the hole by a tiny
+//! angle, which requires a new star search. `moves`: moves to another radius, which requires a new
+//! lens.
 enum class CameraWay { stands, turns, goes_round, moves };
 
-//! The lens and the camera's motion in a benchmark.
+//! The source of the lens and the motion of the camera in a benchmark.
 struct FrameWay {
   LensChoice lens;
   CameraWay camera;
@@ -36,9 +37,9 @@ Show built_in(const char* name) {
   return read_show(built_in_content_folder() / "shows" / (std::string(name) + ".toml"));
 }
 
-//! Lists the CPU work that takes more than 0.05 ms per picture. The CPU waits for an in-order
-//! device where it reads results, so device times are not listed, and the star search overlaps
-//! them.
+//! Lists the kinds of work that take the CPU more than 0.05 ms per picture. The GPU works
+//! asynchronously and in order, and the CPU waits for it only where it reads results; therefore
+//! times of GPU work are not listed. The star search runs at the same time as GPU work.
 std::string times_of(const std::map<std::string, WorkCount>& work, long pictures) {
   std::string words;
   for (const auto& [name, count] : work) {
@@ -70,7 +71,7 @@ void cuda_frame(benchmark::State& state, const Show& show, const FrameWay& way) 
   state.SetLabel(std::string(lens) + times_of(work_between(before, work_done()), state.iterations()));
 }
 
-//! Renders frames on the GPU and copies them back to the CPU.
+//! Measures frames that the GPU renders and copies back to the CPU.
 void cuda_picture(benchmark::State& state, const Show& show) {
   const int size = static_cast<int>(state.range(0));
   ShowRenderer renderer(show, Backend::cuda, LensChoice::automatic);
@@ -89,7 +90,7 @@ Show dome(const std::string& sky, const std::string& effects = {}) {
       "bench.toml");
 }
 
-//! Returns the dome show with both eyes, side by side.
+//! Returns the dome show in stereo, with both eyes side by side.
 Show two_eyes() {
   Show show = dome("");
   show.stereo.layout = StereoLayout::side_by_side;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Registration of benchmarks that need a GPU.
+// Registration of benchmarks that need a GPU. They are in other files, compiled as CUDA.
 namespace ergodome {
 
 //! Registers the benchmarks of frames on a GPU, if there is one.
@@ -9,7 +9,7 @@ void add_cuda_benchmarks();
 //! Registers the benchmarks of objects by traced rays, if there is a GPU.
 void add_cuda_object_benchmarks();
 
-//! Registers the benchmarks of projectors that show frames rendered by CUDA, if there is a GPU.
+//! Registers the benchmarks of projectors that show frames rendered by the GPU, if there is a GPU.
 void add_cuda_projector_benchmarks();
 
 }  // namespace ergodome

@@ -11,19 +11,19 @@
 #include "render/passes/disk/disk_layers.h"
 #include "render/passes/near_field/near_field.h"
 
-// A disk drawn over pixels, memory to memory, without a sky. Its light comes from a ray for each
-// pixel that may see it (rays), from an existing grid (kept), from a grid that each picture builds
-// (live), or from baked layers that each picture blends (streamed).
+// Times of drawing a disk without a sky into memory. The disk's light comes from a ray for each
+// pixel that may see the disk (rays), from an existing grid (kept_grid), from a grid that is built
+// for each picture (live_grid), or from baked layers that are blended for each picture (streamed).
 namespace {
 
 using namespace ergodome;
 
 enum class DiskLens { rays, kept_grid, live_grid, streamed };
 
-//! What the scene has in addition to the plain disk.
+//! What the scene contains in addition to the plain disk.
 enum class Beside { nothing, clouds, ball };
 
-//! Returns a show with the disk and the view of the built-in show.
+//! Returns a show with the same disk and view as the built-in show of a disk.
 Show disk_show(Beside beside) {
   return parse_show(std::string("[hole]\nspin = 0.999\n[camera]\nobserver = \"zamo\"\n[[camera.key]]\nr = 60\n"
                                 "theta_deg = 83\n[sky]\nmap = \"milky_way\"\n[effects]\nredshift = true\n"
@@ -36,7 +36,8 @@ Show disk_show(Beside beside) {
                     "bench.toml");
 }
 
-//! Returns the baked disk layers of two stations, as far apart as in the bake of the built-in show.
+//! Returns the blend of the baked disk layers at two camera positions, r = 60 and 57 M. Their
+//! distance is typical for the trajectory file of the built-in show.
 std::shared_ptr<const JoinedDisk> baked_pair(const Show& show, const DiskLook& disk, double pixel) {
   const auto station = [&](double r) {
     CameraPose pose = camera_pose(show, 0.0);

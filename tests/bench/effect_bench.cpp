@@ -11,10 +11,9 @@
 #include "render/lens/direct_lens.h"
 #include "render/passes/stars/star_pass.h"
 
-// Measures the cost of effects that a scene does not use: frames of the full renderer relative to
-// frames written out by hand from only the passes that are needed, which have no support for
-// effects. Both are timed in turn; the median ratio should be 1.00 within noise. Also measures the
-// cost of each effect in scenes that use it.
+// Compares the full renderer with minimal frames, which run only the passes that a scene needs and
+// have no code for effects. Both are timed in turn. In scenes without effects, the median ratio of
+// their times should be 1.00 within noise; in other scenes, it is the cost of the effect.
 namespace {
 
 using namespace ergodome;
@@ -34,7 +33,7 @@ double seconds_of(const std::function<void()>& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-//! Only the passes that a scene without effects needs.
+//! A minimal renderer: runs only the passes that a scene without effects needs.
 class MinimalFrame {
  public:
   explicit MinimalFrame(const Show& show)
@@ -75,7 +74,7 @@ class MinimalFrame {
     if (stars_) {
       stars_->draw(stars_->find(eye, projection_, {}), projection_, 0, size_px, picture.data());
     }
-    // Counts failed rays, as every picture does.
+    // Counts failed rays, because the full renderer does this for every picture, too.
     benchmark::DoNotOptimize(
         std::count_if(pixels.error_estimate, pixels.error_estimate + shade.count, [](float e) { return e < 0.0F; }));
     benchmark::DoNotOptimize(picture.data());
@@ -90,8 +89,8 @@ class MinimalFrame {
   std::unique_ptr<StarPass> stars_;
 };
 
-//! Measures frames of a scene with `added` appended to its text, relative to the minimal frames of
-//! the scene.
+//! Measures frames of a scene with `added` appended to its TOML text. Reports their time relative
+//! to the minimal frames of the scene without `added`.
 void effect_cost(benchmark::State& state, const char* scene, const char* added) {
   const Show plain = parse_show(scene, "scene.toml");
   const Show show = parse_show(std::string(scene) + added, "scene.toml");
@@ -121,7 +120,7 @@ void timed(benchmark::internal::Benchmark* benchmark) {
   benchmark->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(41);
 }
 
-// Absent: not named in the scene, or named with zero strength.
+// Benchmarks named `absent` name an effect that has no influence: it is off or has zero strength.
 BENCHMARK_CAPTURE(effect_cost, sky_no_effect, sky_scene, "")->Apply(timed);
 BENCHMARK_CAPTURE(effect_cost, sky_redshift_absent, sky_scene, "[effects]\nredshift = false\n")->Apply(timed);
 BENCHMARK_CAPTURE(effect_cost, sky_bloom_absent, sky_scene, "[effects]\nbloom = { strength = 0 }\n")->Apply(timed);

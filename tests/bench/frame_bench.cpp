@@ -6,9 +6,9 @@
 #include "render/lens/grid/edge_table.h"
 #include "render/lens/grid/grid_builder.h"
 
-// Whole frames, memory to memory: the lens with its footprints, the shadow's soft edge and the
-// filtered sky. The lens is traced (one ray per pixel), read from an existing grid (kept), or read
-// from a grid that each frame builds (live).
+// Times of rendering whole frames into memory: the lens with its footprints, the soft edge of the
+// shadow and the filtered sky. The lens is traced (one ray per pixel), read from an existing grid
+// (kept), or read from a grid that is built for each frame (live).
 namespace {
 
 using namespace ergodome;
@@ -49,7 +49,8 @@ BENCHMARK_CAPTURE(dome_frame, image_order, ViewMode::image_order, LensChoice::di
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
-//! Renders the same frame with other settings of the sky filter; its lens is read from a kept grid.
+//! Measures frames with other settings of the sky filter; `more` contains lines of the [sky] table.
+//! The lens is read from an existing grid.
 void sky_look(benchmark::State& state, const char* more) {
   ShowRenderer renderer(dome_show(more), Backend::cpu, LensChoice::live);
   const Projection projection = make_projection(renderer.show().view, 1024, 0.0);
@@ -71,8 +72,8 @@ BENCHMARK_CAPTURE(sky_look, ewa_blackbody_fit, "shift = \"blackbody_fit\"\n[effe
     ->Apply(in_milliseconds);
 BENCHMARK_CAPTURE(sky_look, ewa_brightening, "brightening = true\n")->Apply(in_milliseconds);
 
-//! Builds a grid for the camera of the frames. The budget is in hundredths of a pixel of a 4096²
-//! dome; rays are traced in float or, if `fine`, in double.
+//! Builds a lens grid for the camera of these benchmarks. The argument is the error budget, in
+//! hundredths of a pixel of a 4096² dome. Rays are traced in float or, if `fine`, in double.
 void grid_build(benchmark::State& state, bool fine) {
   GridSettings settings;
   settings.budget_px = 0.01 * static_cast<double>(state.range(0));

@@ -6,10 +6,12 @@
 
 #include "kernels/core/angles.h"
 
-// Writes a mesh of any size, for measuring what large meshes cost:
-//   ergodome_make_mesh TRIANGLES FILE.obj|FILE.glb
-// The mesh is a closed ball of radius 1 with bumps and without normals, so the reader has to
-// compute them.
+// Writes a mesh of any size, to measure the cost of large meshes:
+//
+// ergodome_make_mesh TRIANGLES FILE.obj|FILE.glb
+//
+// The mesh is a closed ball of radius 1 with bumps. It has no normals, so the reader has to compute
+// them.
 
 namespace {
 
@@ -20,8 +22,8 @@ struct Ball {
 
   [[nodiscard]] std::uint32_t vertex_count() const { return segments * (rings - 1) + 2; }
 
-  //! Computes corner `at`; the order is the north pole, the rings from north to south, the south
-  //! pole.
+  //! Writes the position of corner `at` to `p`. Corner 0 is the north pole; then follow the rings
+  //! from north to south, and the south pole.
   void place(std::uint32_t at, float (&p)[3]) const {
     const bool pole = at == 0 || at + 1 == vertex_count();
     const std::uint32_t ring = at == 0 ? 0 : at + 1 == vertex_count() ? rings : (at - 1) / segments + 1;

@@ -11,10 +11,10 @@
 #include "render/passes/objects/traced_objects.h"
 #include "tests/bench/cuda_bench.h"
 
-// The sequences of table 3 in Müller, Schulz & Weiskopf, from the built-in shows of their scenes: a
-// triangle (300 frames), a sphere (360) and a disk (180), each at three widths, without sky and
-// without writing image files. Each iteration draws the next of several frames spread evenly over
-// the sequence; the result is the time of one frame.
+// The image sequences of table 3 in Müller, Schulz & Weiskopf, from built-in shows of the same
+// scenes: a triangle (300 frames), a sphere (360) and a disk (180), each at three widths. There is
+// no sky, and no image files are written. Each iteration draws another one of 12 frames, which are
+// spread evenly over the sequence; the result is the time per frame.
 namespace {
 
 using namespace ergodome;
@@ -55,7 +55,7 @@ void object_frame(benchmark::State& state, const std::string& name, int frames) 
   state.counters["triangles"] = static_cast<double>(pass.triangle_count());
 }
 
-//! Runs a benchmark at a width, twice that, and four times.
+//! Runs a benchmark at the widths Least, 2 Least and 4 Least [px].
 template <int Least>
 void from_width(benchmark::internal::Benchmark* frames) {
   frames->Arg(Least)->Arg(2 * Least)->Arg(4 * Least)->Iterations(12)->Unit(benchmark::kMillisecond)->UseRealTime();

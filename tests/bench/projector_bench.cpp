@@ -19,16 +19,16 @@
 #include "render/present/projectors/software_projectors.h"
 #include "tests/bench/cuda_bench.h"
 
-// The cost that a projector adds to a frame. The CPU renders the master; then OpenGL (on the GPU or
-// by Mesa's software renderer) and the CPU each warp and blend it. With CUDA, everything runs on
-// the device.
+// The cost of a projector per frame. First the CPU renders the domemaster; then it is warped and
+// blended twice, by OpenGL (on the GPU or by Mesa's software renderer) and by the CPU. In the
+// benchmarks for CUDA, all of this runs on the GPU.
 namespace {
 
 using namespace ergodome;
 using Clock = std::chrono::steady_clock;
 
-//! Returns a 2560 x 1600 projector that fills a fifth of the dome, its blend and warp computed from
-//! its pose.
+//! Returns the picture of a 2560 x 1600 projector that lights a fifth of the dome. Blend mask and
+//! warp are computed from its lens and pose.
 ProjectorPicture wide_projector() {
   DomeSetup setup;
   setup.radius_m = 8.0;
@@ -44,7 +44,8 @@ ProjectorPicture wide_projector() {
   return projector_pictures(setup).front();
 }
 
-//! Returns the renderer of a dome 5 M from a fast-spinning hole, with a kept lens.
+//! Returns the renderer of a dome show at 5 M from a fast-spinning hole. The lens grid is built
+//! once, because the camera does not move.
 ShowRenderer master_renderer(Backend backend) {
   return {parse_show("[hole]\nspin = 0.999\n[camera]\n[[camera.key]]\nr = 5\npitch_deg = -25\n"
                      "[view]\nprojection = \"dome\"\ntilt_deg = 30\n[sky]\nmap = \"milky_way\"\n",
@@ -65,7 +66,8 @@ double seconds(const auto& action) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-//! Measures an action in CPU time of all threads, so that other programs do not count.
+//! Returns the CPU time of an action, summed over all threads of this process, so that other
+//! programs have little influence [s].
 double processor_seconds(const auto& action) {
   const auto now = [] {
     std::timespec time{};
@@ -77,10 +79,14 @@ double processor_seconds(const auto& action) {
   return now() - start;
 }
 
-//! Reports means over the run. Master: its rendering. OpenGL: upload, tone and averages (once for
-//! all projectors), and the projector's drawing. CPU: tone and averages of the part that the
-//! projector shows, and its drawing. Shares: tone, averages and drawing relative to the rendering;
-//! the CPU shares are computed frame by frame in CPU time, with minimum and maximum.
+//! Measures a projector, and reports mean times over the run.
+//!
+//! render_ms: rendering of the domemaster. gl_upload_ms, gl_tone_ms: upload, tone curve and
+//! averages in OpenGL, once for all projectors. gl_warp_ms: drawing of the projector. cpu_tone_ms:
+//! tone curve and averages of the part of the domemaster that the projector shows. cpu_warp_ms:
+//! drawing of the projector. gl_share, cpu_share: tone curve, averages and drawing, relative to
+//! rendering; the CPU shares are ratios of CPU times frame by frame, with their minimum and
+//! maximum.
 void projector(benchmark::State& state) {
   std::unique_ptr<HeadlessContext> context;
   try {
@@ -140,8 +146,8 @@ void projector(benchmark::State& state) {
 
 BENCHMARK(projector)->Arg(1024)->Arg(2048)->Arg(4096)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-//! Masters that CUDA renders in sequence and keeps on the device, with a camera that goes around
-//! the hole by a tiny angle each time.
+//! Renders a sequence of domemasters by CUDA and keeps them on the GPU. The camera moves around the
+//! hole by a tiny angle from each to the next.
 class DeviceMasters {
  public:
   explicit DeviceMasters(int size_px)
@@ -149,7 +155,7 @@ class DeviceMasters {
         projection_(make_projection(renderer_.show().view, size_px, 0.0)),
         pose_(camera_pose(renderer_.show(), 0.0)) {}
 
-  //! Renders the next master and returns the time [s].
+  //! Renders the next domemaster; returns the time that this takes [s].
   double next() {
     pose_.phi += 1e-9;
     return seconds([&] {
@@ -171,7 +177,7 @@ class DeviceMasters {
 
 constexpr int frames_beside = 20;
 
-//! Measures the same with OpenGL: transfer of the master, tone and averages, and drawing.
+//! Measures the projector with OpenGL: upload of the domemaster, tone curve and averages, drawing.
 void draw_by_opengl(DeviceMasters& masters, benchmark::State& state) {
   const OffscreenFrame raster(2560, 1600);
   Presenter presenter;
@@ -179,8 +185,8 @@ void draw_by_opengl(DeviceMasters& masters, benchmark::State& state) {
   ProjectorDrawing drawing(wide_projector());
   raster.bind();
   double sums[4] = {};
-  // Starts with three frames that do not count, because the driver defers some of its work to the
-  // first calls.
+  // The first three frames do not count, because the driver defers some of its work to the first
+  // calls.
   for (int i = -3; i < frames_beside; ++i) {
     double parts[4] = {masters.next()};
     const MasterPicture master = masters.picture();
@@ -208,9 +214,10 @@ void draw_by_opengl(DeviceMasters& masters, benchmark::State& state) {
   state.counters["gl_share"] = (sums[2] + sums[3]) / sums[0];
 }
 
-//! Reports means over the run: the master's rendering, and the tone, averages and drawing of the
-//! projector on the same device, with a single synchronization; then tone and averages measured
-//! separately. Shares: tone, averages and drawing relative to the rendering, frame by frame.
+//! Measures a projector on the GPU that renders the domemaster, and reports mean times over the
+//! run: rendering; tone curve, averages and drawing of the projector by CUDA, with a single
+//! synchronization; then tone curve and averages alone. Shares are the times of tone curve,
+//! averages and drawing relative to rendering, frame by frame.
 void cuda_projector(benchmark::State& state) {
   DeviceMasters masters(static_cast<int>(state.range(0)));
   SoftwareProjectors projectors({wide_projector()}, Backend::cuda);

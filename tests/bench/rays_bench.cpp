@@ -9,10 +9,11 @@
 #include "kernels/launch/parallel_for.h"
 #include "kernels/spacetime/trace/trace_rays.h"
 
-// The time that accuracy costs: all-sky rays of a camera at a = 0.999, r = 5 M, by method,
-// precision and tolerance, on all CPU threads. Counters: nanoseconds per ray (wall clock), million
-// rays per second, the measured error of the sky direction against the finest Taylor series (median
-// and 99th percentile over the rays that escape), and the number of rays that did not converge.
+// The time of rays at different accuracies. A camera at r = 5 M and a = 0.999 traces rays in all
+// directions, by method, precision and tolerance, on all CPU threads. Counters: nanoseconds per ray
+// (wall-clock time); million rays per second; error of the sky direction against the most accurate
+// Taylor series (median and 99th percentile of the rays that escape); number of rays that did not
+// converge.
 namespace {
 
 using namespace ergodome;
@@ -30,8 +31,8 @@ struct Rays {
   }
 };
 
-//! Returns rays in rows of equal area around the outward direction, with neighbors adjacent as in
-//! pictures.
+//! Returns rays over the whole sphere, in rows of equal area around the outward direction.
+//! Neighbors in the array have similar directions, as in pictures.
 template <class S>
 Rays<S> all_sky() {
   Rays<S> rays(std::size_t{2} * rows * rows);
@@ -41,7 +42,7 @@ Rays<S> all_sky() {
       const double z = 1.0 - 2.0 * (y + 0.5) / rows;
       const double across = std::sqrt(1.0 - z * z);
       const double angle = 3.14159265358979 * (x + 0.5) / rows;
-      // Unit vectors in the precision of the trace: rounding a direction to float counts as an
+      // Directions are rounded to the precision of the trace, so that this rounding counts as an
       // error of the method.
       const double v[3] = {across * std::cos(angle), across * std::sin(angle), z};
       for (std::size_t k = 0; k < 3; ++k) {

@@ -7,9 +7,9 @@
 #include "kernels/projection/make_projection.h"
 #include "render/passes/stars/star_pass.h"
 
-// Finding and drawing the lensed images of stars on a 1024² dome, down to a given magnitude. The
-// grid and the star search, needed for each new camera position, are measured separately from the
-// work that each picture needs.
+// Times of finding and drawing the lensed images of stars on a 1024² dome, down to a given
+// magnitude. The work for each new camera position (building the grid and searching it for stars)
+// is measured separately from the work for each picture.
 namespace {
 
 using namespace ergodome;
@@ -39,8 +39,9 @@ StarSettings settings_to(double faintest_mag, long thousandths_of_px = 250) {
   return settings;
 }
 
-//! Measures the work per camera position, for a number of stars and a show's lens budget [1e-3 px].
-//! Reuses the memory of the previous position, as for a moving camera.
+//! Measures the work for a new camera position. The arguments are the number of stars and the lens
+//! budget of the show [1e-3 px]. Reuses the memory of the previous position, as in a show with a
+//! moving camera.
 void star_place(benchmark::State& state) {
   const BlackbodyColours colours(Backend::cpu);
   const StarField field = field_of(state.range(0), colours);
@@ -54,7 +55,8 @@ void star_place(benchmark::State& state) {
   }
 }
 
-//! Measures pictures of a given width with these stars.
+//! Measures the work for a picture: finding and drawing star images in patches that exist. The
+//! arguments are the number of stars, the width of the picture and the lens budget [1e-3 px].
 void star_picture(benchmark::State& state) {
   const BlackbodyColours colours(Backend::cpu);
   const StarField field = field_of(state.range(0), colours);
@@ -75,7 +77,7 @@ void star_picture(benchmark::State& state) {
   state.SetLabel(std::to_string(thread_count()) + " threads");
 }
 
-//! Draws the same stars by the published method: gathering the stars that each pixel covers on the
+//! Finds the same stars by the published method: each pixel gathers the stars that it covers on the
 //! sky.
 void star_gathered_picture(benchmark::State& state) {
   const BlackbodyColours colours(Backend::cpu);
@@ -90,13 +92,14 @@ void star_gathered_picture(benchmark::State& state) {
   state.counters["images"] = static_cast<double>(images);
 }
 
-//! How a camera changes from picture to picture.
+//! How the camera changes from picture to picture. `goes_round_in_sizes`: it goes around the hole
+//! while the width of the picture changes.
 enum class Way { turns, goes_round, goes_round_in_sizes };
 
-//! Draws the stars of consecutive window pictures. The camera turns on the spot by two degrees per
-//! picture, goes around the hole, or does that while the picture's width is adapted to the
-//! available time. Lensed images are reused from pixels of about the same size, or searched for
-//! each picture.
+//! Draws the stars of consecutive pictures of a window. `way`: the camera turns by two degrees per
+//! picture, or goes around the hole, without or with changes of the picture's width (as when the
+//! player adapts it to the available time). `match`: whether star images that were found for pixels
+//! of about the same size are reused, or only those for exactly this size.
 void star_pictures(benchmark::State& state, Way way, PixelMatch match) {
   Show show;
   show.sky.stars = state.range(0) > 10'000 ? "all_stars" : "bright_stars";
@@ -124,7 +127,7 @@ void star_pictures(benchmark::State& state, Way way, PixelMatch match) {
   }
 }
 
-//! Runs a benchmark with the bright stars and with all stars.
+//! Runs a benchmark with 8,874 bright stars and with all 118,216 stars.
 void of_both_catalogues(benchmark::internal::Benchmark* benchmark) {
   benchmark->Arg(8874)->Arg(118'216)->Unit(benchmark::kMillisecond)->UseRealTime();
 }

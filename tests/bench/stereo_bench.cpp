@@ -12,7 +12,7 @@
 #include "render/frame/show_renderer.h"
 #include "render/stereo/eye_disparity.h"
 
-// Frames of both eyes compared with frames of one eye, memory to memory.
+// Times of frames with both eyes compared with frames of one eye, rendered into memory.
 namespace {
 
 using namespace ergodome;
@@ -45,12 +45,14 @@ void stereo_frames(benchmark::State& state, const char* stereo, CameraStep step)
   state.SetLabel(std::string(name_of(active_instruction_set())) + ", " + std::to_string(thread_count()) + " threads");
 }
 
-//! Measures a camera that comes steadily closer, so that no grid can be reused.
+//! Measures frames of a camera that comes closer from frame to frame, so that no grid can be
+//! reused.
 void stereo_frame(benchmark::State& state, const char* stereo) {
   stereo_frames(state, stereo, [](CameraPose& pose) { pose.r -= 1e-6; });
 }
 
-//! Measures a camera that goes around the hole and keeps facing it, so that its grids are reused.
+//! Measures frames of a camera that goes around the hole and keeps facing it, so that its grids are
+//! reused.
 void stereo_round(benchmark::State& state, const char* stereo) {
   stereo_frames(state, stereo, [](CameraPose& pose) { pose.phi += 0.0031; });
 }
@@ -98,8 +100,8 @@ BENCHMARK_CAPTURE(stereo_disk, mono_clouds, "", clouds)->Apply(disk_pair_width);
 BENCHMARK_CAPTURE(stereo_disk, physical_clouds, physical_eyes, clouds)->Apply(disk_pair_width);
 BENCHMARK_CAPTURE(stereo_disk, flat_clouds, flat_eyes, clouds)->Apply(disk_pair_width);
 
-//! Renders both eyes of a ball behind a spinning hole by traced rays; the argument is the baseline
-//! in hundredths of M.
+//! Renders both eyes of a show with a ball behind a spinning hole, drawn by traced rays. The
+//! argument is the baseline in hundredths of M.
 void stereo_objects(benchmark::State& state, const char* model) {
   const Show show = parse_show(
       "[hole]\nspin = 0.9\n[[camera.key]]\nr = 24\ntheta_deg = 75\n[sky]\nmap = \"black\"\n[[objects]]\nmethod = "
@@ -126,7 +128,7 @@ void object_baselines(benchmark::internal::Benchmark* benchmark) {
 BENCHMARK_CAPTURE(stereo_objects, physical, "physical")->Apply(object_baselines);
 BENCHMARK_CAPTURE(stereo_objects, flat, "flat")->Apply(object_baselines);
 
-//! Measures the computation of the disparity of an eye pair.
+//! Measures how long the program takes to compute the disparity of an eye pair.
 void stereo_disparity(benchmark::State& state, const char* things, const char* model) {
   Show show = parse_show(
       std::string("[hole]\nspin = 0.9\n[camera]\n[[camera.key]]\nr = 24\ntheta_deg = 75\n[sky]\nmap = \"black\"\n"
@@ -167,8 +169,9 @@ double middle(std::vector<double> values) {
 
 double clock_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-//! Renders frames of each stereo model in turn. Reports the median time of one eye's frame, and the
-//! median, minimum and maximum of the ratios per round, in CPU time and in wall-clock time.
+//! Renders frames without stereo ("mono") and in each stereo model, in turn. Reports the median
+//! time of a mono frame. For each ratio, such as that of the model `flat` to mono, reports the
+//! median, minimum and maximum over the rounds, in CPU time and in wall-clock time.
 void stereo_in_turn(benchmark::State& state) {
   const int size = static_cast<int>(state.range(0));
   constexpr const char* models[] = {"", physical_eyes, flat_eyes, omni_eyes};

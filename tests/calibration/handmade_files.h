@@ -6,10 +6,11 @@
 #include <utility>
 #include <vector>
 
-// Files assembled from their specifications, without the libraries that the readers use.
+// Builds files directly from their specifications, without the libraries that the readers use.
 namespace ergodome::test {
 
-//! Computes the CRC-32 of ZIP (APPNOTE 4.4.7) and PNG (annex D): polynomial edb88320, reflected.
+//! Computes the CRC-32 that ZIP (APPNOTE 4.4.7) and PNG (annex D) define: polynomial edb88320,
+//! reflected.
 inline std::uint32_t crc32(const std::string& bytes) {
   std::uint32_t crc = 0xffffffffU;
   for (const char byte : bytes) {
@@ -34,7 +35,8 @@ inline std::string big(std::uint32_t value, int bytes) {
   return {text.rbegin(), text.rend()};
 }
 
-//! One stored member of a zip archive; its stated size may be wrong.
+//! A member of a zip archive, stored without compression unless `method` says otherwise. The size
+//! and checksum in its header may be wrong.
 struct ZipMember {
   std::string name;
   std::string bytes;
@@ -50,8 +52,8 @@ struct ZipMember {
         stated_crc(crc32(bytes)) {}
 };
 
-//! Builds a zip archive (PKWARE APPNOTE 4.3): local headers with their data, the central directory,
-//! and its end record.
+//! Builds a zip archive (PKWARE APPNOTE 4.3): local headers, each with its data; then the central
+//! directory and its end record.
 inline std::string zip_by_hand(const std::vector<ZipMember>& members) {
   std::string archive;
   std::string directory;
@@ -75,8 +77,8 @@ inline std::string png_chunk(const std::string& type, const std::string& data) {
   return big(static_cast<std::uint32_t>(data.size()), 4) + type + data + big(crc32(type + data), 4);
 }
 
-//! Builds a PNG in gray (1 channel) or color (3) with 8 or 16 bits, its rows unfiltered in one
-//! stored deflate block.
+//! Builds a PNG in gray (1 channel) or color (3 channels) with 8 or 16 bits. Its rows are not
+//! filtered, and are stored in a single uncompressed deflate block.
 inline std::string png_by_hand(std::uint32_t width, std::uint32_t height, int channels, int bits,
                                const std::vector<std::uint32_t>& samples) {
   std::string rows;
@@ -99,7 +101,8 @@ inline std::string png_by_hand(std::uint32_t width, std::uint32_t height, int ch
   return "\x89PNG\r\n\x1a\n" + png_chunk("IHDR", header) + png_chunk("IDAT", data) + png_chunk("IEND", "");
 }
 
-//! Builds a portable float map, least significant byte first, rows in the order given.
+//! Builds a portable float map with the least significant byte first. Rows are in the order of
+//! `samples`.
 inline std::string pfm_by_hand(int width, int height, const std::vector<float>& samples) {
   std::string bytes = "PF\n" + std::to_string(width) + " " + std::to_string(height) + "\n-1.000000\n";
   for (const float sample : samples) {

@@ -4,7 +4,8 @@
 
 #include "render/passes/overlay/caption_image.h"
 
-// The first byte chooses the width at which lines are broken; the rest is the text.
+// The first byte chooses the width at which the lines of a caption are broken; the rest is its
+// text.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) {
     return 0;

@@ -6,8 +6,8 @@
 #include "content/sky/environment_image.h"
 #include "kernels/core/error.h"
 
-// The first byte chooses the format; the rest is the file. Images wider than 256 px are averaged
-// down to that width, so that an input takes little memory.
+// The first byte chooses the image format; the rest is the image file. Images wider than 256 px are
+// reduced to that width, so that an input needs little memory.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) {
     return 0;

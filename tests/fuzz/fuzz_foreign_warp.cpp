@@ -8,8 +8,9 @@
 #include "calibration/warps/warp_conversion.h"
 #include "kernels/core/error.h"
 
-// The format of a file is detected from its content, or chosen by its first byte. Any file is
-// either a warp that can be drawn and written, or throws an Error.
+// The format of a warp file is detected from its content; if this fails, the first byte of the
+// input chooses it. Any file either contains a warp that can be drawn and written, or throws an
+// Error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using ergodome::WarpFormat;
   constexpr WarpFormat formats[] = {WarpFormat::domeprojection, WarpFormat::obj,    WarpFormat::sciss,

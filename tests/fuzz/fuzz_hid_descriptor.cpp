@@ -7,9 +7,9 @@
 #include "app/pads/pad_response.h"
 #include "kernels/core/error.h"
 
-// Two bytes give the length of the descriptor; then follow the descriptor and reports, each
-// preceded by its length. Any descriptor is either parsed, and any report then decodes to numbers
-// in range, or throws an Error.
+// The input contains the length of an HID descriptor in two bytes, the descriptor, and reports,
+// each preceded by its length. A descriptor may throw an Error. If it does not, any report must
+// decode to numbers within their range.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size < 2) {
     return 0;

@@ -6,7 +6,7 @@
 #include "app/pads/hid/hid_fixture.h"
 #include "kernels/core/error.h"
 
-// Any text is either a fixture that can be played, or throws an Error.
+// Any text is either the recording of a pad that can be played, or throws an Error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     double now_s = 0.0;

@@ -16,7 +16,7 @@ ergodome::PlayerStatus show_with_chapters() {
 
 }  // namespace
 
-// Any accepted command has a finite number.
+// Any accepted JSON command has finite numbers.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const ergodome::PlayerStatus status = show_with_chapters();
   const std::string_view text(reinterpret_cast<const char*>(data), size);

@@ -8,7 +8,7 @@
 
 namespace {
 
-//! Traps unless all indices of the parts that are drawn lie within the mesh.
+//! Ends the fuzzer with an error if the mesh's parts refer to indices or vertices outside the mesh.
 void check(const ergodome::TriangleMesh& mesh) {
   std::size_t next = 0;
   for (const ergodome::MeshPart& part : mesh.parts) {
@@ -29,8 +29,8 @@ void check(const ergodome::TriangleMesh& mesh) {
 
 }  // namespace
 
-// The first byte chooses the format; the rest is the file. Any file is either a mesh that can be
-// drawn, or throws an Error.
+// The first byte chooses the format; the rest is the mesh file. Any file either contains a mesh
+// that can be drawn, or throws an Error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) {
     return 0;

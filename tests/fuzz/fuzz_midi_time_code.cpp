@@ -5,8 +5,9 @@
 
 #include "app/playback/midi_time_code.h"
 
-// For any bytes from a MIDI cable, positions stay within a day (plus the two frames that are
-// extrapolated after the last code), and the filter turns them into times that a clock can follow.
+// The input is any data from a MIDI cable. Time codes stay within a day (plus the two frames by
+// which the last code is extrapolated), and the filter converts them to times that a clock can
+// follow.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace ergodome;
   MidiTimeCodeReader reader;

@@ -14,8 +14,8 @@ namespace {
 using ergodome::Mpcdi;
 using ergodome::RowOrder;
 
-//! Returns a small map or mask for any name that a description refers to, so that the code behind
-//! the lookup is reached.
+//! Returns a small warp or mask for any file name in a description, so that the code after the
+//! lookup of files is reached.
 std::string small_file(const std::string& name, std::size_t) {
   using namespace std::string_literals;
   if (name.ends_with(".png")) {
@@ -32,7 +32,7 @@ Mpcdi parsed(std::uint8_t kind, std::span<const std::byte> input) {
                                            small_file, RowOrder::bottom_up);
 }
 
-//! Anything that was parsed has a meaning, or throws an Error.
+//! Uses everything that was parsed. Any part either can be used or throws an Error.
 void look_at(const Mpcdi& mpcdi) {
   for (const ergodome::MpcdiBuffer& buffer : mpcdi.buffers) {
     for (const ergodome::MpcdiRegion& region : buffer.regions) {
@@ -49,8 +49,8 @@ void look_at(const Mpcdi& mpcdi) {
 
 }  // namespace
 
-// The first byte chooses between an archive and a bare description. Accepted input is written and
-// read again.
+// The first byte decides whether the rest is an MPCDI archive or only its XML description. Accepted
+// input is written and read again.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) {
     return 0;

@@ -13,7 +13,7 @@ ergodome::PlayerStatus show_with_chapters() {
   return status;
 }
 
-//! Traps if a number is not a valid show time.
+//! Ends the fuzzer with an error if a number is not a valid show time.
 void expect_finite(double number) {
   if (!(number >= -ergodome::greatest_show_time_s && number <= ergodome::greatest_show_time_s)) {
     __builtin_trap();
@@ -22,8 +22,8 @@ void expect_finite(double number) {
 
 }  // namespace
 
-// A packet passes through liblo and the handler, including the reply and scheduled messages; all
-// numbers that reach the player are finite.
+// The input is an OSC packet. liblo and the handler process it, including replies and messages that
+// are due later. All numbers that reach the player must be finite.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   ergodome::CommandQueue commands;
   ergodome::StatusBoard board;

@@ -7,9 +7,9 @@
 #include "app/pads/decoders/pad_decoder.h"
 #include "app/pads/pad_response.h"
 
-// The first byte chooses a pad and its bus; the rest are reports, each preceded by its length (0:
-// the length follows in two bytes, for reports of 256 bytes and more). No report makes a decoder
-// read beyond its end or moves an axis out of range.
+// The first byte chooses a pad and its bus. The rest contains reports, each preceded by its length
+// in one byte; 0 means that the length follows in two bytes. A report must not make a decoder read
+// beyond the end of the report or set an axis outside its range.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   struct Kind {
     std::uint16_t vendor;

@@ -6,7 +6,7 @@
 #include "calibration/warps/warp_conversion.h"
 #include "kernels/core/error.h"
 
-// The first byte chooses the order of rows and the direction of v; the rest is the file.
+// The first byte chooses the order of the rows and the direction of v; the rest is a PFM file.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) {
     return 0;

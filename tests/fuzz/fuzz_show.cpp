@@ -11,8 +11,8 @@
 
 namespace {
 
-//! Evaluates everything in a show that depends on time; then writes the show as text and reads it
-//! back.
+//! Evaluates all parts of a show that depend on time, then writes the show as text and reads that
+//! text.
 void use(const ergodome::Show& show) {
   for (const double time_s : {0.0, 0.5 * show.duration_s, 1e9}) {
     const ergodome::CameraPose pose = ergodome::camera_pose(show, time_s);

@@ -12,8 +12,8 @@
 
 namespace {
 
-//! Returns the path of a show file that is saved repeatedly, in memory if the system has a folder
-//! for that.
+//! Returns the path of a show file that is saved again and again; on a file system in memory, if
+//! there is one.
 const std::filesystem::path& show_file() {
   static const std::filesystem::path file = [] {
     const std::filesystem::path memory = "/dev/shm";
@@ -26,8 +26,8 @@ const std::filesystem::path& show_file() {
 
 }  // namespace
 
-// Any text that is saved over a running show becomes either its next version or a reported problem,
-// through the player's reader.
+// While a show runs, any text may be saved to its file. The player's reader must either return the
+// next version of the show or report a problem.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::ofstream(show_file(), std::ios::binary)
       .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));

@@ -5,7 +5,8 @@
 #include "content/show/reading/show_reader.h"
 #include "kernels/core/error.h"
 
-// Any two settings either change a show or throw an Error.
+// The input contains one or two settings, as of the option --set. They either change a show or
+// throw an Error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);
   const std::size_t end = text.find('\n');

@@ -17,8 +17,8 @@ using Input = std::span<const std::byte>;
 
 std::uint64_t checksum(Input bytes) { return XXH3_64bits(bytes.data(), bytes.size()); }
 
-//! Builds a file in the project's format with correct checksums, so that the code behind them is
-//! reached: a count, then the packed part.
+//! Builds a file in the project's star format from a count and the packed stars. Its checksums are
+//! correct, so that the code that runs after their verification is reached.
 ergodome::Bytes star_file(Input input) {
   ergodome::ByteReader from(input, "fuzz");
   const auto count = from.number<std::uint32_t>();
@@ -51,7 +51,7 @@ void read(std::uint8_t kind, Input input) {
 
 }  // namespace
 
-//! The first byte chooses the reader.
+//! The first byte chooses the reader; the rest is the file.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) {
     return 0;

@@ -17,7 +17,7 @@ namespace {
 using ergodome::Bytes;
 using Input = std::span<const std::byte>;
 
-//! Any accepted station can be read in every direction.
+//! Reads a lens grid in many directions, which must be possible for any accepted grid.
 void read_all_over(const ergodome::LensStation& station) {
   const ergodome::LensGrid grid = ergodome::grid_view(station);
   const float widest = station.mirrored ? 0.5F : 1.0F;
@@ -35,7 +35,7 @@ void read_all_over(const ergodome::LensStation& station) {
   ergodome::flagged_leaves(station);
 }
 
-//! Any accepted disk layer can be read in every direction.
+//! Reads a disk grid in many directions, which must be possible for any accepted grid.
 void read_all_over(const ergodome::DiskStation& disk) {
   const ergodome::DiskGrid grid = ergodome::disk_grid_view(disk);
   for (int i = 0; i < 64; ++i) {
@@ -86,8 +86,8 @@ void try_file(Input input) {
 
 }  // namespace
 
-// The first byte chooses a layer of the format, so that checksums do not shield the code behind
-// them.
+// The first byte chooses which layer of the file format the input is for, so that the code that
+// runs after the verification of checksums is reached, too.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size < 2) {
     return 0;

@@ -5,7 +5,8 @@
 
 #include "app/remote/web/web_guard.h"
 
-// No request head opens the page without the token, and every request gets a complete response.
+// The input is the head of an HTTP request. Without the token, no request may open the page, and
+// every request must get a complete response.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const ergodome::WebGuard guard("0123456789abcdef");
   const std::string_view head(reinterpret_cast<const char*>(data), size);

@@ -8,13 +8,13 @@ namespace ergodome::gpu_check {
 
 namespace {
 
-// A power of two. The edge between its points is a cubic whose slope jumps at the points, and nodes
-// must lie on the same side of each point on all machines.
+// A power of two: the positions of nodes are then exact, and lie on the same side of each point of
+// the edge on CPU and GPU. The edge is a cubic between its points, and its slope jumps at them.
 constexpr int columns = 128;
 constexpr int rows = 64;
 
-//! A grid of equal cells without hierarchy: enough to compare every kernel that traces and reads
-//! grids.
+//! A lens grid of equal cells without hierarchy, which is sufficient to compare all kernels that
+//! trace or read grids.
 struct UniformGrid {
   Twin<float> edge{1024};
   Twin<float> gamma_turns{columns * (rows + 1)};
@@ -41,7 +41,7 @@ struct UniformGrid {
       const int row = cell / columns;
       const int column = cell % columns;
       const int next = (column + 1) % columns;
-      // Every seventh cell is left to rays.
+      // Marks every seventh cell as inaccurate, so that its pixels are traced.
       tree.host[static_cast<std::size_t>(cell)] = -1 - (2 * cell + (cell % 7 == 0 ? 1 : 0));
       const int corners[4] = {row * columns + column, row * columns + next, (row + 1) * columns + column,
                               (row + 1) * columns + next};
@@ -81,8 +81,9 @@ bool check_nodes(UniformGrid& grid) {
                                       grid.s.device(), grid.nodes.device()};
   const double device_ms = run_on_device_ms("trace_nodes", TraceNodes<float>{on_device}, count);
   const double host_ms = run_on_host_ms(TraceNodes<float>{on_host}, count);
-  // Derivatives along s are large near the edge, where float rounding of the position matters: each
-  // machine has its own error, about as large as that of the other.
+  // Derivatives along s are large near the edge of the shadow and depend on the rounding of
+  // positions to float. CPU and GPU have different errors of the same size, so both are compared
+  // with double.
   Twin<float> exact(grid.nodes.host.size());
   const NodeBatch<double> in_double = {{converted_station<double>(grid.rain), grid.chart, {1e-12, 400, true}},
                                        count,

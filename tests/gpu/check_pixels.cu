@@ -11,8 +11,8 @@ namespace ergodome::gpu_check {
 
 namespace {
 
-//! Returns a cube map with a smooth pattern. Its borders are not filled from neighboring faces;
-//! that does not matter for comparing two machines.
+//! Returns a cube map with a smooth pattern. Unlike in the program, the borders of its faces do not
+//! contain texels of adjacent faces; this does not matter when CPU and GPU are compared.
 CubeMap patterned_cube(Twin<float>& texels, int face_size) {
   CubeMap map{};
   map.face_size = face_size;
@@ -28,15 +28,15 @@ CubeMap patterned_cube(Twin<float>& texels, int face_size) {
   return map;
 }
 
-//! Settings with which a check samples the sky.
+//! Settings of the sky filter for a check.
 struct SkyLook {
   SkyFilter filter = SkyFilter::ewa;
   SkyShift shift = SkyShift::none;
   bool brightening = false;
 };
 
-//! Fills a table of blackbody colors with a smooth curve, which serves as well as Planck's law for
-//! comparing two machines.
+//! Fills a table of blackbody colors with a smooth curve instead of Planck's law. This does not
+//! matter when CPU and GPU are compared.
 BlackbodyTable smooth_colours(Twin<float>& entries) {
   const int count = static_cast<int>(entries.host.size() / 4);
   for (int i = 0; i < count; ++i) {

@@ -8,8 +8,8 @@ namespace {
 
 constexpr int values_a_pixel = 5;
 
-//! Computes the direction, the solid angle in units of the middle pixel, and the coverage of each
-//! pixel.
+//! Computes for each pixel its direction, its solid angle relative to that of the middle pixel, and
+//! its coverage.
 struct LookThroughPixels {
   ProjectionOf<float> projection;
   float inverse_square;
@@ -25,8 +25,8 @@ struct LookThroughPixels {
     to[1] = view.y;
     to[2] = view.z;
     to[4] = image_coverage(projection, x_px, y_px);
-    // At the rim of a lens that sees the whole sky, directions turn faster than float resolves;
-    // outside the rim they are meaningless.
+    // Near the rim of a lens that sees the whole sky, directions change faster across pixels than
+    // float resolves; outside the rim, they are meaningless.
     to[3] = to[4] < 1.0F ? 0.0F : inverse_square * pixel_solid_angle(projection, x_px, y_px);
   }
 };

@@ -7,7 +7,7 @@ namespace ergodome::gpu_check {
 
 namespace {
 
-//! Fills directions all over the sky, spaced by the golden angle.
+//! Fills `n` with directions all over the sky, which are spaced by the golden angle.
 template <class S>
 void fill_directions(Twin<S> (&n)[3], int count) {
   for (int i = 0; i < count; ++i) {
@@ -44,8 +44,8 @@ bool check_method(const char* name, double tolerance, int count) {
   on_device.status = status.device();
   const double device_ms = run_on_device_ms(name, TraceRays<Tracer, S>{on_device}, count);
   const double host_ms = run_on_host_ms(TraceRays<Tracer, S>{batch}, count);
-  // One ray in a hundred may wind near the edge, where rounding errors grow. The statuses may
-  // differ for at most one ray in 10,000.
+  // Sky directions may differ for one ray in a hundred, because near the edge of the shadow light
+  // winds around the hole and amplifies rounding errors. Statuses may differ for one ray in 10,000.
   const double allowed = sizeof(S) == 4 ? 1e-4 : 10.0 * tolerance;
   const bool same_sky = report(std::string("trace_rays ") + name + (sizeof(S) == 4 ? " float" : " double"), count,
                                device_ms, host_ms, compare(sky[0].download(), sky[0].host, 0.99, allowed));

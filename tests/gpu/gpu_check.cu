@@ -1,5 +1,5 @@
-// Compares kernels on GPU and CPU and times both. Exit status: 0 passed or no GPU, 1 a difference
-// or a CUDA error.
+// Runs kernels on GPU and CPU, compares the results and measures the times. Exit status: 0 if they
+// agree or there is no GPU, 1 if they differ or CUDA reports an error.
 
 #include <cstdio>
 #include <exception>
@@ -21,7 +21,7 @@ void print_device(int device) {
 
 int main() {
   int devices = 0;
-  // Any error means that there is no usable GPU, and then the count is undefined.
+  // Any error means that there is no usable GPU; `devices` is undefined then.
   if (cudaGetDeviceCount(&devices) != cudaSuccess || devices < 1) {
     std::puts("GPU check skipped: no usable GPU");
     return 0;

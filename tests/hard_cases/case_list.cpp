@@ -1,9 +1,9 @@
 #include "kernels/core/angles.h"
 #include "tests/hard_cases/ray_sets.h"
 
-// The list of hard cases. Allowed errors by column: rays in double [rad on the sky], rays in float
-// [rad on the screen], live grid, streamed stations and published quadtree [px of a 4096² dome];
-// see Allowed.
+// The list of hard cases. The columns of allowed errors are those of struct Allowed: rays in double
+// [rad on the sky]; rays in float [rad on the screen]; live grid, streamed stations and published
+// quadtree [px of a 4096² dome].
 namespace ergodome::test {
 
 namespace {
@@ -12,26 +12,27 @@ using enum ObserverMotion;
 
 constexpr double r_plus = 1.435889894354067;  // horizon of a = 0.9
 
-//! Ten times the requested tolerance; a few float roundings; for 99 of 100 rays, the budget of 0.1
-//! px plus a fifth for random sampling; half as much again between stations.
+//! The usual limits. Rays in double: ten times the requested tolerance. Rays in float: a few
+//! roundings. Live grid, for 99 of 100 rays: the budget of 0.1 px and a fifth more for random
+//! sampling. Streamed stations: half as much again as the budget.
 constexpr Allowed usual = {1e-11, 2e-6, 0.12, 0.15, 0.2};
 const char* const as_anywhere = "nothing is harder here than elsewhere";
 
-//! This close to the edge the quadtree consists of holes, and float only resolves whether a ray is
-//! dark.
+//! Limits for rays very close to the edge of the shadow: float only resolves whether such a ray is
+//! dark, and the quadtree has holes there.
 constexpr Allowed at_edge = {1e-11, side_alone, 0.12, 0.15, unbounded};
 const char* const float_side =
     "float rounds the direction by 6e-8 rad, a part of the distance that the winding sky magnifies; the quadtree "
     "has holes where cells straddle the edge";
 
-//! Closer than float resolves directions.
+//! Limits for rays whose distance from the edge of the shadow float does not resolve.
 constexpr Allowed beyond_float = {1e-11, unbounded, 0.12, 0.15, unbounded};
 const char* const no_float =
     "nearer than float tells directions: rays in float may say that they do not converge, or take the other side; "
     "grids keep the edge from double";
 
-//! Inside the horizon, down to the smallest radius of cameras. Streamed stations and polar angles
-//! are tested only outside the horizon.
+//! Limits for cameras inside the horizon, down to the smallest radius of cameras. Streamed stations
+//! and the quadtree are tested only outside the horizon.
 constexpr Allowed within = {1e-10, 5e-5, 0.12, not_asked, not_asked};
 constexpr Allowed deep_within = {2e-8, 2e-4, 0.12, not_asked, not_asked};
 const char* const more_caustics =

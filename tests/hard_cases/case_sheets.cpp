@@ -26,7 +26,7 @@ constexpr int gap_px = 6;
 constexpr int words_px = 236;
 constexpr int head_px = 30;
 constexpr int rows_a_sheet = 10;
-//! The range of the color scale, as the logarithm of pixels of a 4096² dome.
+//! The range of the color scale for errors: the decimal logarithm of pixels of a 4096² dome.
 constexpr double least_log = -7.0;
 constexpr double most_log = 1.0;
 
@@ -63,7 +63,7 @@ class Sheet {
     }
   }
 
-  //! Writes black text in the middle of a rectangle.
+  //! Writes black text centered in a rectangle.
   void write(const std::string& words, int left, int top, int width, int height) {
     CaptionType type;
     type.line_px = 17;
@@ -74,7 +74,8 @@ class Sheet {
     const int from_y = top + (height - image.height) / 2;
     for (int y = 0; y < image.height; ++y) {
       for (int x = 0; x < image.width; ++x) {
-        // The soft rim of the text is meant for bright skies; here it would blur the text.
+        // A caption has a soft dark rim, for bright skies. Here only the letters are used, because
+        // the rim would blur the text.
         const double cover = image.texels[4UL * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
                                                  static_cast<std::size_t>(x)) +
                                           3] /
@@ -94,12 +95,12 @@ class Sheet {
   std::vector<std::uint8_t> rgb_;
 };
 
-//! Returns a window around the hard part of a case: the whole hole, its edge, or the direction of
-//! the case's first ray.
+//! Returns directions in a window around the part of the camera's sky that makes a case hard: the
+//! whole hole, its edge, or the direction of the case's first ray.
 Directions window_of(const HardCase& hard, const CameraStation& camera) {
   const ShadowChart chart = make_shadow_chart(camera);
   if (hard.rays == whole_sky) {
-    // If the shadow fills the view, the window shows its edge.
+    // If the shadow fills the whole window, the window is moved to its edge.
     constexpr double across = 2.4;
     constexpr double gamma = 0.7;
     const double edge = edge_polar_angle(camera, chart, gamma);
@@ -132,7 +133,8 @@ Colour colour_of(const ExactRay& exact, const SeenSky& seen, std::size_t i) {
   }
   const Vector3<double> sky = {seen.sky[0][i], seen.sky[1][i], seen.sky[2][i]};
   const double miss_px = std::max(displacement(exact, sky - exact.sky) / dome_pixel, 1e-30);
-  // Rounds to half powers of ten: steps are easier to read than a gradient and compress better.
+  // Rounds errors to half powers of ten: steps of color are easier to read than a gradient, and
+  // compress better.
   const double step = std::round(2.0 * std::log10(miss_px)) / 2.0;
   const Vector3<float> heat = heat_color(static_cast<float>((step - least_log) / (most_log - least_log)));
   const auto level = [](float value) { return static_cast<std::uint8_t>(std::lround(255.0F * value)); };

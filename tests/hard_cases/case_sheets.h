@@ -4,9 +4,9 @@
 
 namespace ergodome::test {
 
-//! Writes pictures of all hard cases, several to a sheet: FOLDER/hard-cases-1.png and so on. Each
-//! row is a case: a window of the camera's sky where it is hard, and four panels with the errors of
-//! the methods against rays in closed form.
+//! Writes contact sheets of all hard cases to FOLDER/hard-cases-1.png and so on. Each row shows a
+//! case: a window of the camera's sky around the hard part, and four panels with the errors of the
+//! methods, as compared with rays in closed form.
 void write_case_sheets(const std::filesystem::path& folder);
 
 }  // namespace ergodome::test

@@ -14,12 +14,12 @@
 #include "tests/support/sanitized.h"
 #include "tests/support/tiny_sky.h"
 
-// No kernel returns NaN or infinity: the check finds a planted value, and finds none in the
-// built-in shows.
+// Checks that no kernel returns NaN or infinity. First, the check must find a NaN that a test
+// plants; then it must find none in the built-in shows.
 namespace ergodome::test {
 namespace {
 
-//! Enables the check of all kernel outputs for its lifetime.
+//! While it exists, the outputs of all kernels are checked for NaN and infinity.
 class NumbersChecked : public testing::Test {
  protected:
   NumbersChecked() : before_(numbers_are_checked()) { set_numbers_checked(true); }
@@ -31,7 +31,7 @@ class NumbersChecked : public testing::Test {
   bool before_;
 };
 
-//! A hundred rays, one of which has no valid direction.
+//! A hundred rays. A test sets one component of the direction of ray 17, for instance to NaN.
 struct PlantedRays {
   std::vector<double> n[3], g;
 
@@ -77,7 +77,7 @@ TEST_F(NumbersChecked, NothingIsLookedAtWhenItIsSwitchedOff) {
   EXPECT_NO_THROW(launch(Backend::cpu, rays.batch()));
 }
 
-//! Returns a built-in show with a sky of a few pixels.
+//! Returns a built-in show, with a sky map of a few pixels.
 Show small_show(const std::string& name) {
   Show show = read_show(built_in_content_folder() / "shows" / (name + ".toml"));
   show.sky.map = tiny_sky();
@@ -121,7 +121,7 @@ INSTANTIATE_TEST_SUITE_P(Of, BuiltInShows,
                            return name;
                          });
 
-//! Cameras that see the whole sky from hard positions.
+//! Renders the whole sky for cameras at positions that are numerically difficult.
 TEST_F(NumbersChecked, HardPlacesLetNothingLeaveAKernelThatIsNoNumber) {
   for (const char* camera :
        {"spin = 1\n[camera]\n[[camera.key]]\nr = 1.001\n",

@@ -6,7 +6,8 @@
 
 #include "kernels/spacetime/kerr/camera_station.h"
 
-// The cases that are hard for lenses and rays, and the errors that each method may make there.
+// Cameras and rays that are numerically difficult ("hard cases"), and the errors that each method
+// may have there.
 namespace ergodome::test {
 
 //! The position and the motion of a camera.
@@ -24,34 +25,45 @@ inline CameraStation station_at(const Place& place) {
 
 using Directions = std::vector<Vector3<double>>;
 
-//! The maximum errors of a case. A method with the limit `unbounded` must still return unit vectors
-//! or no sky, and never NaN; it may report that it did not converge.
+//! The maximum errors of each method in a case. If a limit is `unbounded`, the error does not
+//! matter, but the method must still return unit vectors or no sky, and never NaN; it may report
+//! that it did not converge.
 struct Allowed {
-  double sky;          //!< rays in double: error of the sky direction beyond the effect of input rounding [rad]
-  double float_ray;    //!< rays in float: maximum displacement on the observer's screen [rad]
-  double grid_px;      //!< live grid: 99th percentile of the displacement, in pixels of a 4096² dome
-  double streamed_px;  //!< halfway between two streamed stations: the same measure
-  double quadtree_px;  //!< published grid: 75th percentile of the displacement
+  //! Rays in double: error of the sky direction, in excess of what the rounding of the direction
+  //! causes [rad].
+  double sky;
+  double float_ray;  //!< rays in float: maximum displacement on the observer's screen [rad]
+  //! Live grid: 99th percentile of the displacement on the screen, in pixels of a 4096² dome.
+  double grid_px;
+  //! Blend halfway between two streamed stations: 99th percentile of the displacement on the
+  //! screen, in pixels of a 4096² dome.
+  double streamed_px;
+  //! Published quadtree grid: 75th percentile of the displacement on the screen, in pixels of a
+  //! 4096² dome.
+  double quadtree_px;
 };
 
 inline constexpr double unbounded = 1e300;
-inline constexpr double side_alone = 1e200;  //!< checks only whether the ray is dark
-inline constexpr double not_asked = -1.0;    //!< skipped: costs more than it shows
+//! A limit with which only this is checked: whether a ray is dark.
+inline constexpr double side_alone = 1e200;
+//! A limit that skips the method in this case, because the test would take long and show little.
+inline constexpr double not_asked = -1.0;
 
-//! One hard case: a camera, the rays that are hard there, and the maximum error of each method.
+//! A hard case: a camera, the rays that are numerically difficult for it, and the limits of each
+//! method.
 struct HardCase {
   const char* name;
   Place place;
   Directions (*rays)(const CameraStation& camera);
   Allowed allowed;
-  const char* why;  //!< the reason for these limits
+  const char* why;  //!< the reason for the limits, for test messages
 };
 
 const std::vector<HardCase>& hard_cases();
 
 inline std::string name_of(const HardCase& hard) { return hard.name; }
 
-//! Names the case in test messages.
+//! Writes the name of the case in test messages.
 inline std::ostream& operator<<(std::ostream& out, const HardCase& hard) { return out << hard.name; }
 
 }  // namespace ergodome::test

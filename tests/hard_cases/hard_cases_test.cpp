@@ -3,16 +3,16 @@
 #include "tests/hard_cases/miss.h"
 #include "tests/support/sanitized.h"
 
-// Runs every case of the list (case_list.cpp) through every way of tracing a ray and every source
+// Checks every case of the list (case_list.cpp) with every method of tracing a ray and every source
 // of a lens.
 namespace ergodome::test {
 namespace {
 
 enum class Family { double_ray, float_ray, live_grid, streamed, quadtree };
 
-//! A way to compute what a ray sees. `coarser`: factor on the allowed error, for methods whose own
-//! tolerance is coarser; applies to the error on the sky for rays in double, on the screen for
-//! those in float.
+//! A way to compute what a ray sees. `coarser`: factor on the allowed error, for methods with a
+//! coarser tolerance. It applies to the error on the sky for rays in double, and on the screen for
+//! rays in float.
 struct Method {
   const char* name;
   Family family;
@@ -43,17 +43,17 @@ const Method methods[] = {
 
 void expect_double_rays(const Misses& misses, const HardCase& hard, double coarser) {
   EXPECT_LE(misses.sky, coarser * hard.allowed.sky);
-  // Runge-Kutta pairs may run out of steps next to the edge, where their error estimates lose all
-  // digits; the Taylor series may not.
+  // The Taylor series must resolve every ray. The other methods (with `coarser` > 1) may run out of
+  // steps next to the edge of the shadow, where their error estimates lose all digits.
   EXPECT_LE(coarser > 1.0 ? 0 : misses.unresolved, 0);
 }
 
-//! Under sanitizers, grids are built ten times coarser, and rays are so few that the 99th
-//! percentile is the maximum.
+//! Under sanitizers, grids are built with a budget that is ten times as large. There are so few
+//! rays that the 99th percentile is the maximum, so limits are much larger.
 constexpr double grid_scale = sanitized ? 2000.0 : 1.0;
 constexpr double few_rays = sanitized ? 100.0 : 1.0;
 
-//! Returns the limit of a case for a family of methods.
+//! Returns the limit of a case for the methods of a family.
 double limit_of(const Allowed& allowed, Family family) {
   switch (family) {
     case Family::double_ray:

@@ -10,21 +10,22 @@
 #include "tests/hard_cases/ray_walk.h"
 #include "tests/support/sanitized.h"
 
-// Checks the first integrals of random rays, all the way from the camera to the sky: a million rays
-// per run in total.
+// Checks the first integrals (constants of motion) of random rays, all the way from the camera to
+// the sky. A run checks a million rays in total.
 namespace ergodome::test {
 namespace {
 
 constexpr int cameras = sanitized ? 40 : 1000;
 constexpr int rays_a_camera = sanitized ? 20 : 500;
 
-//! The result of a sweep.
+//! The result of checking many random rays.
 struct Found {
   long walked = 0;
-  long lost = 0;        //!< rays that did not reach an end
-  std::string lost_at;  //!< description of the last lost ray around a hole that is not extremal
-  double worst = 0.0;   //!< largest error of a first integral
-  std::string at;       //!< description of the ray with that error
+  long lost = 0;  //!< number of rays that reached neither the sky nor the hole
+  //! Description of the last lost ray, except around nearly extremal holes.
+  std::string lost_at;
+  double worst = 0.0;  //!< largest error of a first integral
+  std::string at;      //!< description of the ray with that error
 };
 
 std::string words_with(const Place& place, const Vector3<double>& n) {
@@ -34,13 +35,14 @@ std::string words_with(const Place& place, const Vector3<double>& n) {
   return words.str();
 }
 
-//! Returns whether light may wind along the horizon too often to count. All rays that random sweeps
-//! have lost so far were within 1e-7 of the extremal spin.
+//! Returns whether the hole is so close to extremal that light may wind along its horizon too often
+//! to count. All rays that random tests have lost so far were within 1e-7 of the extremal spin.
 bool is_extremal(const Place& place) { return 1.0 - std::abs(place.spin) < 1e-6; }
 
-//! Returns whether rounding decides on which side of the shadow's edge a ray lies: the value whose
-//! sign decides this is within a few roundings of numbers near 1. A random sweep lost a ray that
-//! the horizon's own barrier turns back at 3 roundings, around a hole with 1 - |a| = 1.4e-6.
+//! Returns whether rounding decides on which side of the shadow's edge a ray is: the sign of
+//! darkness() decides, and its magnitude is only a few roundings of numbers near 1. Reason for the
+//! factor 16: a random test lost a ray at 3 roundings, around a hole with 1 - |a| = 1.4e-6, which
+//! turned back at the potential barrier next to the horizon.
 template <class S>
 bool is_on_edge(const CameraStationOf<S>& camera, const RayStart<S>& start) {
   return std::abs(darkness(camera.spin, camera.horizon_r, start)) < S(16) * std::numeric_limits<S>::epsilon();
@@ -61,7 +63,7 @@ void walk_all(const Place& place, const Directions& rays, S tolerance, Found& fo
     if (!walked.reached && !is_extremal(place) && !is_on_edge(camera, start)) {
       found.lost_at = words_with(place, n);
     }
-    // Written so that NaN counts as the largest error.
+    // The comparison is negated so that NaN counts as the largest error.
     if (!(walked.misses.worst() <= found.worst)) {
       found.worst = walked.misses.worst();
       std::ostringstream at;
@@ -79,8 +81,8 @@ Found sweep(Seed seed, S tolerance, double least_height, double nearest) {
   std::mutex lock;
   parallel_for(cameras, 4, [&](int begin, int end) {
     for (int camera = begin; camera < end; ++camera) {
-      // Each camera has its own random stream, so that the number of threads does not change the
-      // results.
+      // Each camera has its own random numbers, so that the results do not depend on the number of
+      // threads.
       std::mt19937_64 random(number_of(seed) + 1000003ULL * static_cast<std::uint64_t>(camera));
       const Place place = random_place(random, least_height);
       Found found;
@@ -98,8 +100,8 @@ Found sweep(Seed seed, S tolerance, double least_height, double nearest) {
   return all;
 }
 
-//! Returns how many rays may be lost along extremal horizons. A sanitized run walks a few hundred
-//! rays, and may well lose one of them.
+//! Returns how many rays may be lost along extremal horizons. The constant is for runs under
+//! sanitizers, which have only a few hundred rays and may well lose one of them.
 long most_lost(long walked) { return walked / 10'000 + 3; }
 
 class Invariants : public testing::TestWithParam<Seed> {};

@@ -13,7 +13,7 @@ namespace ergodome::test {
 
 namespace {
 
-//! Directions and results in the layout of the kernels.
+//! Directions and results of rays, in the array layout of the kernels.
 template <class S>
 struct Arrays {
   std::vector<S> n[3], sky[3], status;
@@ -53,7 +53,7 @@ struct Arrays {
   }
 };
 
-//! More steps than any method needs, except at an extremal horizon.
+//! Maximum number of steps. No method needs as many, except next to an extremal horizon.
 constexpr int step_limit = 20'000;
 
 Aberration observer_of(const Place& p) { return aberration_to_rain(Spacetime{p.spin}, p.r, p.theta, p.motion, p.beta); }
@@ -104,8 +104,8 @@ SeenSky by_live_grid(const Place& place, const Directions& rays, Nodes nodes) {
 }
 
 SeenSky by_streamed_stations(const Place& place, const Directions& rays) {
-  // The distance between stations that a bake would choose there: a fraction of the height above
-  // the horizon.
+  // Typical distance between baked stations at this position: a fraction of the height above the
+  // horizon.
   const double apart = 0.01 * (place.r - horizon_radius(Spacetime{place.spin}));
   Place inner = place;
   Place outer = place;

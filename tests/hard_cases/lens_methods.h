@@ -4,34 +4,35 @@
 #include "kernels/spacetime/trace/trace_rays.h"
 #include "tests/hard_cases/hard_case.h"
 
-// All ways to compute what the rays of a case see, with a common result type.
+// All methods to compute what the rays of a case see. The results have a common type.
 namespace ergodome::test {
 
-//! Sky directions and statuses of the rays of a case, by the methods under test.
+//! What the rays of a case see, by one method: sky directions and statuses.
 struct SeenSky {
   std::vector<double> sky[3];
   std::vector<double> status;
 };
 
-//! Traces each ray, in double or in float; float rays start from the same directions, rounded.
+//! Traces each ray in double, or in float. The directions are the same, except that they are
+//! rounded to float.
 SeenSky by_rays(const Place& place, const Directions& rays, TraceMethod method, double tolerance);
 SeenSky by_float_rays(const Place& place, const Directions& rays, TraceMethod method, double tolerance);
 
 //! The precision in which the nodes of a grid are traced.
 enum class Nodes { in_double, in_float };
 
-//! Looks the rays up in a lens.
+//! Interpolates the rays in a lens.
 SeenSky by_lens(const LensBlend& lens, const Place& place, const Directions& rays);
 
-//! Looks the rays up in a grid that is built at the position, with a budget of 0.1 px of a 4096²
-//! dome.
+//! Interpolates the rays in a lens grid that is built for the camera's position, with a budget of
+//! 0.1 px of a 4096² dome.
 SeenSky by_live_grid(const Place& place, const Directions& rays, Nodes nodes);
 
-//! Looks the rays up between two stations on both sides of the position, each packed and unpacked
-//! as in a trajectory file.
+//! Interpolates the rays between lens grids at a smaller and at a larger radius than the camera's.
+//! Both are encoded and decoded as in a trajectory file.
 SeenSky by_streamed_stations(const Place& place, const Directions& rays);
 
-//! Looks the rays up in the published quadtree grid (splines).
+//! Interpolates the rays in the published quadtree grid, by its splines.
 SeenSky by_quadtree(const Place& place, const Directions& rays);
 
 //! Angle of a pixel of a 4096² dome [rad].

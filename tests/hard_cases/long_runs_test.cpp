@@ -15,19 +15,19 @@
 #include "tests/hard_cases/random_places.h"
 #include "tests/support/sanitized.h"
 
-// Cameras that move for a long time, or through singularities: nothing on the screen jumps from one
-// frame to the next at 60 frames per second. Measured on the lens: the sky positions of fixed view
-// directions. A parabola through the three previous frames predicts smooth motion; the remaining
-// difference, converted to a displacement on the screen, is a jump.
+// Checks that no frame jumps, at 60 frames per second, for cameras that move for a long time or
+// pass through coordinate singularities. A test observes the sky positions of fixed view
+// directions. A parabola through the three previous frames predicts smooth motion. The difference
+// from this prediction, converted to a displacement on the screen, is the jump.
 namespace ergodome::test {
 namespace {
 
 constexpr double frame_s = 1.0 / 60.0;
 
-//! The largest jump that a show's picture may make: the lens budget of shows.
+//! The largest allowed jump [px of a 4096² dome]: the default lens budget of shows.
 constexpr double budget_px = 0.25;
 
-//! Returns directions of the view, over the whole sphere.
+//! Returns random view directions over the whole sphere.
 Directions view_directions() {
   std::mt19937_64 random(3);
   Directions all(sanitized ? 20 : 150);
@@ -48,7 +48,7 @@ CameraStation station_of_eye(const EyeCamera& eye) {
   return make_camera_station(eye.spacetime, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity);
 }
 
-//! Returns the lens of a frame at the directions of the view.
+//! Returns the exact lens of a frame in the view directions.
 std::vector<ExactRay> lens_of(const EyeCamera& eye) {
   Directions rays;
   for (const Vector3<double>& v : view_directions()) {
@@ -57,7 +57,7 @@ std::vector<ExactRay> lens_of(const EyeCamera& eye) {
   return exact_rays(station_of_eye(eye), rays);
 }
 
-//! Returns the area of sky that a small area of the screen sees, relative to that area.
+//! Returns the ratio of an area on the sky to the small area of the screen that shows it.
 double area(const ExactRay& ray) {
   const Vector3<double> normal = cross(ray.along[0], ray.along[1]);
   return std::sqrt(dot(normal, normal));
@@ -77,7 +77,8 @@ double largest_leap_px(const std::function<EyeCamera(double time_s)>& eye_at, do
     }
     for (std::size_t i = 0; i < last[2].size(); ++i) {
       const bool seen = last[0][i].bright && last[1][i].bright && last[2][i].bright && last[3][i].bright;
-      // Where the sky winds within a pixel, and on a caustic, differences do not approximate rates.
+      // Skips directions where the sky winds around the hole within a pixel, and directions on a
+      // caustic: there, differences between frames do not approximate rates of change.
       if (seen && last[2][i].stretch < 10.0 && area(last[2][i]) > 0.1) {
         const Vector3<double> leap = last[3][i].sky - 3.0 * last[2][i].sky + 3.0 * last[1][i].sky - last[0][i].sky;
         largest = std::max(largest, displacement(last[2][i], leap) / dome_pixel);
@@ -94,7 +95,7 @@ EyeCamera eye_of(const Show& show, double time_s, double to_the_right = 0.0) {
   return eye_camera(now, camera_pose(now, time_s), to_the_right);
 }
 
-//! A circular orbit with a period of 20 s, for a million periods.
+//! A show with a circular orbit that has a period of 20 s and lasts for a million periods.
 const char* const endless_orbit = R"(
 duration_s = 20_000_000
 [hole]
@@ -136,7 +137,8 @@ TEST(LongRun, TheMillionthPeriodIsAsSmoothAsTheFirst) {
 
 TEST(LongRun, ABaselineGrowsFromNoneToTwiceTheDistance) {
   const Show show = show_of("[hole]\nspin = 0.9\n[camera]\n[[camera.key]]\nr = 6\ntheta_deg = 70\n");
-  // Each eye moves by half the baseline in ten seconds, with a slow start and end.
+  // The baseline grows from 0 to 12 M in ten seconds, so each eye moves by 6 M; it starts and ends
+  // slowly.
   for (const double side : {-1.0, 1.0}) {
     const auto eye = [&](double time_s) {
       const double part = 0.5 - 0.5 * std::cos(pi * time_s / 10.0);
@@ -146,7 +148,8 @@ TEST(LongRun, ABaselineGrowsFromNoneToTwiceTheDistance) {
   }
 }
 
-//! Returns a show that changes the spin from one value to another in four seconds.
+//! Returns a show in which the spin changes from one value to another within four seconds. `keys`
+//! are its animation keys.
 Show spin_show(const std::string& keys) {
   return show_of(
       "duration_s = 4\n[camera]\n[[camera.key]]\nr = 6\ntheta_deg = 80\n[[animate]]\nnumber = \"hole.spin\"\nkey = " +
@@ -167,8 +170,8 @@ TEST(LongRun, SpinComesToOneAndGoesBack) {
   }
 }
 
-//! Returns a camera on the sphere r = 6 that passes over the north pole, or `beside` radians past
-//! it, at 0.05 rad/s, with axes that keep their directions.
+//! Returns a camera on the sphere r = 6 that moves over the north pole at 0.05 rad/s, or passes it
+//! at a distance of `beside` radians. The axes of the view keep their directions.
 EyeCamera over_the_axis(double time_s, double beside) {
   const double x = 0.05 * time_s;
   EyeCamera eye{
@@ -183,13 +186,13 @@ EyeCamera over_the_axis(double time_s, double beside) {
 
 TEST(LongRun, APathLeadsThroughTheAxis) {
   for (const double beside : {0.0, 1e-12, 1e-9, 1e-3}) {
-    // Frame 20 is on the axis itself.
+    // In frame 20, the camera is exactly on the axis.
     EXPECT_LT(largest_leap_px([&](double t) { return over_the_axis(t - 20 * frame_s, beside); }, 0.0, 40), budget_px)
         << beside;
   }
 }
 
-//! Returns a camera that moves along θ through the equator, where grids switch from whole ones to
+//! Returns a camera that moves along θ through the equator. There grids change from whole grids to
 //! mirrored halves and back.
 EyeCamera through_the_equator(double time_s) {
   EyeCamera eye{Spacetime{0.999}, 5.0, 0.5 * pi + 0.05 * time_s, 0.0, ObserverMotion::zamo, {}, {}, 5.0, 0.5 * pi};
@@ -203,7 +206,7 @@ TEST(LongRun, APathLeadsThroughTheEquator) {
 }
 
 TEST(LongRun, LiveGridsLeapByNoMoreThanTheirBudgetWhereTheyTurnIntoMirroredOnes) {
-  // Each frame builds its own grid, so the grid's error jumps from frame to frame.
+  // Each frame builds a new grid, so the error of the grid changes abruptly from frame to frame.
   std::vector<double> leaps;
   std::vector<Vector3<double>> last;
   for (int frame = -3; frame <= 3; ++frame) {

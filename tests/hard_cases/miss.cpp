@@ -12,15 +12,15 @@ namespace ergodome::test {
 
 namespace {
 
-//! The lens near a direction.
+//! The exact lens near a direction.
 struct LensThere {
   bool bright;
   Vector3<double> sky;
   Vector3<double> along[2];  //!< derivatives along two axes of the camera's sky
 };
 
-//! Computes the lens by a Taylor series of order 20; the closed form confirms its values in every
-//! case where it can be evaluated.
+//! Computes the lens by a Taylor series of order 20. Wherever the closed form can be evaluated, it
+//! confirms these values.
 LensThere lens_at(const CameraStation& camera, const Vector3<double>& n) {
   using D = Dual<double>;
   LensThere there{};

@@ -4,38 +4,45 @@
 
 #include "tests/hard_cases/lens_methods.h"
 
-// Exact rays, and the errors of a method against them.
+// Exact rays, and the errors of a method as compared with them.
 namespace ergodome::test {
 
 inline double length(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
 
-//! The exact result of a ray, by elliptic functions, and its derivatives, by a Taylor series of
-//! order 20.
+//! What a ray sees exactly. The sky direction is computed by elliptic functions, its derivatives by
+//! a Taylor series of order 20.
 struct ExactRay {
   bool bright;
   Vector3<double> sky;
   Vector3<double> along[2];  //!< derivatives of the sky along two axes of the camera's sky
-  double stretch;            //!< size of the derivatives: amplifies an error of the direction on the sky
+  //! Sum of the lengths of both derivatives. By up to this factor, an error of the observed
+  //! direction is amplified on the sky.
+  double stretch;
 };
 
 std::vector<ExactRay> exact_rays(const CameraStation& camera, const Directions& rays);
 
-//! Returns the displacement on the camera's sky [rad] that produces a small error of the sky
-//! direction.
+//! Converts a small error of the sky direction, `miss`, to the displacement on the camera's sky
+//! that would cause it [rad].
 double displacement(const ExactRay& exact, const Vector3<double>& miss);
 
-//! Where the sky is stretched more than this, it goes around the hole within 1e-4 rad of the
-//! screen, a tenth of a pixel. Any sky direction is then close to its correct position, so
-//! displacements mean nothing.
+//! Where the lens stretches the sky by more than this factor, the sky goes around the hole within
+//! 1e-4 rad of the screen, a tenth of a pixel. There any sky direction is close to its correct
+//! position, so displacements mean nothing.
 inline constexpr double winding_stretch = 1e4;
 
-//! The errors of a method.
+//! The errors of a method for the rays of a case.
 struct Misses {
-  int wrong = 0;               //!< rays that are bright where they should be dark, or the reverse
-  int unresolved = 0;          //!< rays that were reported as not converged
-  int improper = 0;            //!< neither a unit vector nor zero, or NaN
-  double sky = 0.0;            //!< maximum error on the sky beyond the effect of a direction error of 1e-13 rad [rad]
-  std::vector<double> screen;  //!< displacements on the observer's screen where the sky does not wind, sorted [rad]
+  int wrong = 0;       //!< rays that are bright where they should be dark, or the reverse
+  int unresolved = 0;  //!< rays that were reported as not converged
+  //! Rays whose sky direction is neither a unit vector nor zero.
+  int improper = 0;
+  //! Maximum error of the sky direction, in excess of what an error of the observed direction of
+  //! 1e-13 rad would cause [rad].
+  double sky = 0.0;
+  //! Displacements on the observer's screen, sorted [rad]; without those where the sky winds around
+  //! the hole.
+  std::vector<double> screen;
 
   [[nodiscard]] double screen_at(double share) const;
 };

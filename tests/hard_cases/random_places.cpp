@@ -92,7 +92,8 @@ Directions random_rays(std::mt19937_64& random, const CameraStation& camera, int
       all.push_back(
           beside(detail::principal_direction(camera, side), magnitude(random, -12.0, -1.0), uniform(random, 0.0, 7.0)));
     } else if (kind == 5) {
-      // In the plane of e_r and e_θ, a ZAMO sees light without angular momentum.
+      // A zero-angular-momentum observer sees light without angular momentum in the plane of e_r
+      // and e_θ.
       const double angle = uniform(random, 0.0, 2.0 * pi);
       all.push_back(
           beside({std::cos(angle), std::sin(angle), 0.0}, magnitude(random, -12.0, -1.0), uniform(random, 0.0, 7.0)));

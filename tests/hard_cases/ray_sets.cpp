@@ -31,8 +31,8 @@ Vector3<double> sky_of(const CameraStation& camera, const Vector3<double>& n) {
   return trace_closed_form(camera.spin, start).sky;
 }
 
-//! Adds directions whose light comes from zeros of a function of the sky, found by bisection along
-//! great circles of the camera's sky.
+//! Adds observed directions for which a function of the sky direction is zero, to the precision of
+//! bisection. Searches along great circles of the camera's sky.
 template <class Function>
 void add_zeros(Directions& all, const CameraStation& camera, const Function& function, int circles) {
   constexpr int steps = 90;
@@ -106,7 +106,8 @@ Directions about_principal_rays(const CameraStation& camera) {
 }
 
 Directions without_angular_momentum(const CameraStation& camera) {
-  // L is affine in n, so its zeros on the sphere are a circle.
+  // L depends linearly on n, apart from a constant, so the directions with L = 0 form a circle on
+  // the sphere.
   const Vector3<double> normal = camera.axial_momentum.along;
   const double size = std::sqrt(dot(normal, normal));
   Directions all;
@@ -123,8 +124,8 @@ Directions without_angular_momentum(const CameraStation& camera) {
 }
 
 Directions towards_sky_poles(const CameraStation& camera) {
-  // Both components across the axis must vanish. Nested bisection is not needed: zeros of x along
-  // circles near the pole come close.
+  // At a pole of the sky, x and y both vanish. Zeros of x alone, along circles that pass close to
+  // the pole, are close enough to it.
   Directions all;
   add_zeros(
       all, camera, [](const Vector3<double>& sky) { return std::abs(sky.z) > 0.9 ? sky.x : 0.0; }, sanitized ? 3 : 24);
@@ -144,7 +145,7 @@ Directions dome_zenith_and_rim(const CameraStation& /*camera*/) {
   Directions all;
   const auto add = [&](double x_px, double y_px) {
     const Vector3<double> v = direction_from_pixel(dome, x_px, y_px);
-    // A view that faces the hole: right is e_φ, up -e_θ, back e_r.
+    // Converts from the axes of a view that faces the hole: right is e_φ, up is -e_θ, back is e_r.
     all.push_back(normalized(Vector3<double>{v.z, -v.y, v.x}));
   };
   constexpr double middle = 0.5 * size_px;

@@ -4,13 +4,15 @@
 
 #include "tests/hard_cases/hard_case.h"
 
-// Directions in a camera's sky: over all of it, and near its hard features.
+// Sets of directions in a camera's sky: all over the sky, and where tracing is numerically
+// difficult.
 namespace ergodome::test {
 
 //! Returns directions spread evenly over the whole sky, the same for each camera.
 Directions whole_sky(const CameraStation& camera);
 
-//! Returns directions at this distance [rad] outside and inside the shadow's edge, all around it.
+//! Returns directions at the given distance [rad] from the edge of the shadow, on both sides, all
+//! around it.
 Directions beside_edge(const CameraStation& camera, double distance);
 
 template <int Exponent>
@@ -22,30 +24,30 @@ Directions beside_edge_1e(const CameraStation& camera) {
   return beside_edge(camera, distance);
 }
 
-//! Returns the two principal null directions, and directions 1e-12 ... 1e-3 rad from them.
+//! Returns the two principal null directions, and directions within 1e-12 ... 1e-3 rad of them.
 Directions about_principal_rays(const CameraStation& camera);
 
-//! Returns light without angular momentum, which crosses the axis, and light 1e-12 ... 1e-3 rad
-//! from it.
+//! Returns directions of light without angular momentum, which crosses the axis, and directions
+//! within 1e-12 ... 1e-3 rad of them.
 Directions without_angular_momentum(const CameraStation& camera);
 
-//! Returns light that comes from a pole of the sky, or from φ = ±π, as exactly as double resolves,
-//! and light from nearby.
+//! Returns directions of light that comes from a pole of the sky (or from the meridian φ = ±π), as
+//! exactly as double resolves, and directions near them.
 Directions towards_sky_poles(const CameraStation& camera);
 Directions towards_sky_seam(const CameraStation& camera);
 
-//! Returns zenith, rim and edge of the image circle of a dome that faces the hole, tilted by 30
-//! degrees.
+//! Returns directions of a dome picture that faces the hole and is tilted by 30 degrees: the
+//! zenith, the rim, and the edge of the image circle.
 Directions dome_zenith_and_rim(const CameraStation& camera);
 
-//! Returns the camera's axes.
+//! Returns the directions of the camera's axes.
 Directions along_axes(const CameraStation& camera);
 
 //! Returns a random direction, uniform over the sphere.
 Vector3<double> any_direction(std::mt19937_64& random);
 
-//! Returns a direction at an angle [rad] from n, on the side given by the position angle `side`
-//! [rad].
+//! Returns the direction at the given angle [rad] from n. The position angle `side` [rad] selects
+//! which of them.
 Vector3<double> beside(const Vector3<double>& n, double angle, double side);
 
 }  // namespace ergodome::test

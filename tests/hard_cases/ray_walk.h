@@ -6,21 +6,28 @@
 #include "kernels/spacetime/geodesic/radial_potential.h"
 #include "kernels/spacetime/geodesic/taylor.h"
 
-// Follows a ray step by step, as trace_taylor does, and checks its first integrals on the way.
+// Follows a ray step by step, as trace_taylor does, and checks its first integrals (constants of
+// motion) at each step.
 namespace ergodome::test {
 
-//! The relative errors of a ray's first integrals at a point, each divided by its largest term.
+//! Errors of a ray's first integrals at a point, relative to the largest term of each equation. u =
+//! 1/r, m is the unit vector of the polar position, and a prime is a derivative in Mino time.
 struct IntegralMisses {
-  double radial = 0.0;   //!< u'² = U(u)
-  double polar = 0.0;    //!< |m'|² = C + a² m_z²
-  double unit = 0.0;     //!< |m|² = 1
-  double axial = 0.0;    //!< (m x m')_z, which is -L
-  double tangent = 0.0;  //!< m · m' = 0
+  //! Radial equation: u'² = U(u).
+  double radial = 0.0;
+  //! Polar equation, with Carter's constant C = Q + L²: |m'|² = C + a² m_z².
+  double polar = 0.0;
+  //! The vector m remains a unit vector: |m|² = 1.
+  double unit = 0.0;
+  //! Axial angular momentum: (m x m')_z = -L.
+  double axial = 0.0;
+  //! The vector m' remains tangential: m · m' = 0.
+  double tangent = 0.0;
 
   [[nodiscard]] double worst() const { return std::max({radial, polar, unit, axial, tangent}); }
 
   void take(const IntegralMisses& other) {
-    // Written so that NaN is kept.
+    // The comparison is such that the result is NaN if an argument is NaN.
     const auto larger = [](double a, double b) { return b <= a ? a : b; };
     radial = larger(radial, other.radial);
     polar = larger(polar, other.polar);
@@ -30,7 +37,8 @@ struct IntegralMisses {
   }
 };
 
-//! Computes the errors of a ray; `s` has rates in Mino time. All terms are computed in double.
+//! Computes the errors at a point of a ray; `s` contains derivatives in Mino time. All terms are
+//! computed in double.
 template <class S>
 IntegralMisses integral_misses(double spin, const RayStart<S>& exact, const RayState<S>& s) {
   const double a2 = spin * spin;
@@ -53,7 +61,7 @@ IntegralMisses integral_misses(double spin, const RayStart<S>& exact, const RayS
           std::abs(turning - at_start) / speed, std::abs(dot(m, rate)) / speed};
 }
 
-//! The end of a walk, and the largest errors on the way.
+//! The result of following a ray: where it ends, and its largest errors on the way.
 template <class S>
 struct Walk {
   Vector3<S> sky;
@@ -62,8 +70,8 @@ struct Walk {
   IntegralMisses misses;
 };
 
-//! Follows a ray from the camera to the sky as trace_taylor does, and checks the middle and the end
-//! of every step.
+//! Follows a ray from the camera to the sky as trace_taylor does. Checks the first integrals in the
+//! middle and at the end of every step.
 template <int Order, class S>
 Walk<S> walk(S spin, const RayStart<S>& start, S tolerance, int step_limit) {
   const S polar_speed = safe_sqrt(std::max(start.polar_constant, S(0))) + S(1);

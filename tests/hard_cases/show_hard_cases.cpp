@@ -13,7 +13,7 @@
 #include "tests/hard_cases/ray_sets.h"
 #include "tests/hard_cases/sky_window.h"
 
-// Creates the pictures and the tables of content/docs/explanation/hard-cases.md: show_hard_cases
+// Creates the pictures and tables of content/docs/explanation/hard-cases.md. Usage: show_hard_cases
 // FOLDER.
 namespace ergodome::test {
 namespace {
@@ -24,8 +24,8 @@ using Panel = std::vector<std::array<unsigned char, 3>>;
 
 std::size_t pixel_at(int x, int y) { return static_cast<std::size_t>(y) * panel_px + static_cast<std::size_t>(x); }
 
-//! Returns the color of a sky direction: squares of 15 degrees in four colors by octant; black for
-//! the shadow, magenta where a method gave up.
+//! Returns the color of a sky direction: a pattern of squares of 15 degrees, in a color for each
+//! octant of the sky. The shadow is black; rays that a method did not resolve are magenta.
 std::array<unsigned char, 3> colour_of(const SeenSky& seen, std::size_t i) {
   if (seen.status[i] == 1.0) {
     return {0, 0, 0};
@@ -50,7 +50,7 @@ Panel panel_of(const SeenSky& seen) {
   return panel;
 }
 
-//! Writes two panels next to each other.
+//! Writes two panels next to each other as an image file.
 void write_pair(const std::filesystem::path& file, const Panel& left, const Panel& right) {
   constexpr int gap = 8;
   constexpr int width = 2 * panel_px + gap;
@@ -105,8 +105,9 @@ void show_poles(const std::filesystem::path& folder) {
              panel_of(by_live_grid(place, rays, Nodes::in_double)));
 }
 
-//! Shows the textbook's impact parameters of the photon orbits (Bardeen 1973), α = -ξ and β² = η
-//! for a distant camera in the equatorial plane; they divide by the spin.
+//! Compares the edge of the shadow by textbook formulas with our edge, for a tiny spin. The
+//! textbook's impact parameters of photon orbits (Bardeen 1973), α = -ξ and β² = η for a distant
+//! camera in the equatorial plane, divide by the spin and lose their digits.
 void show_textbook(const std::filesystem::path& folder) {
   constexpr double spin = 1e-6;
   Panel naive(panel_px * panel_px, {250, 250, 250});
@@ -145,8 +146,9 @@ void show_textbook(const std::filesystem::path& folder) {
   write_pair(folder / "hard-textbook.png", naive, own);
 }
 
-//! Prints a row of the table: the share of float rays that see light where it is dark or the
-//! reverse, the share that gave up, and the error of the others on the screen.
+//! Prints a row of the table about rays in float: the fraction that is bright instead of dark or
+//! dark instead of bright, the fraction that was not resolved, and the error of the others on the
+//! screen.
 void tell_float(const std::string& what, const Place& place, const Directions& rays) {
   const Misses misses =
       misses_of(exact_rays(station_at(place), rays), by_float_rays(place, rays, TraceMethod::taylor, 1e-6));
@@ -184,8 +186,8 @@ void tell_where_float_is_enough() {
   }
 }
 
-//! Prints the results of naive methods for a case (the published tracer's polar angles, the
-//! published grid) next to ours. Errors are 99th percentiles.
+//! Prints the errors of naive methods for a case, next to ours. The naive methods are the published
+//! ray tracer, which uses polar angles, and the published grid. Errors are 99th percentiles.
 void tell_case(const HardCase& hard) {
   const Directions rays = hard.rays(station_at(hard.place));
   const std::vector<ExactRay> exact = exact_rays(station_at(hard.place), rays);

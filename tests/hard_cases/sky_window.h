@@ -7,8 +7,8 @@
 
 namespace ergodome::test {
 
-//! Returns the directions of a square window of the camera's sky around `middle`, `across` wide
-//! [rad], row by row, `side_px` of them per row.
+//! Returns directions in a square window of the camera's sky, row by row. The window is centered at
+//! `middle`, is `across` wide [rad] and has `side_px` directions per row.
 inline Directions square_window(const Vector3<double>& middle, double across, int side_px) {
   const Vector3<double> up =
       std::abs(middle.y) < 0.9 ? Vector3<double>{0.0, -1.0, 0.0} : Vector3<double>{1.0, 0.0, 0.0};

@@ -11,16 +11,18 @@
 #include "tests/hard_cases/random_places.h"
 #include "tests/support/sanitized.h"
 
-// Properties that must hold for any camera and any ray, checked on random ones: symmetries and
-// limits of Kerr spacetime, the closed form, and a thousand grids.
+// Checks properties that must hold for any camera and any ray, with random cameras and rays:
+// symmetries and limits of Kerr spacetime, agreement with the closed form, and the errors of a
+// thousand grids.
 namespace ergodome::test {
 namespace {
 
 Vector3<double> sky_of(const SeenSky& seen, std::size_t i) { return {seen.sky[0][i], seen.sky[1][i], seen.sky[2][i]}; }
 
-//! The error that double cannot avoid: 1e-13 rad of the direction divided by the distance from the
-//! edge, and the rounding of 1 / Δ in the frame dragging of a camera next to the horizon. Along an
-//! extremal horizon both are larger, or unbounded: 1.
+//! The error of the sky direction that rounding in double causes: 1e-13 rad of the observed
+//! direction, amplified by the inverse of its distance from the shadow's edge; and, for a camera
+//! next to the horizon, the rounding of 1 / Δ in the frame dragging. Along an extremal horizon,
+//! these are larger, or unbounded (which is represented by 1).
 class Rounding {
  public:
   explicit Rounding(const Place& place)
@@ -54,8 +56,8 @@ constexpr int sweep_rays = sanitized ? 20 : 300;
 
 SeenSky traced(const Place& place, const Directions& rays) { return by_rays(place, rays, TraceMethod::taylor, 1e-12); }
 
-//! Traces rays and their mirror images under a symmetry, and compares the skies under the same
-//! symmetry. Rays that wind too often to count may be lost on either side.
+//! Checks a symmetry of spacetime: traces rays and their mirror images, and expects that the sky
+//! directions are mirror images, too. Ignores rays that were not resolved, in either spacetime.
 void expect_symmetric(std::mt19937_64& random, double room, Place (*place_of)(const Place&),
                       Vector3<double> (*ray_of)(const Vector3<double>&),
                       Vector3<double> (*sky_as)(const Vector3<double>&)) {
@@ -113,17 +115,17 @@ TEST_P(Sweeps, SkyIsMirroredWithTheSpin) {
       });
 }
 
-//! Compares the series with the closed form on rays of a camera; returns how many could be
-//! compared.
+//! Expects that Taylor series and closed form agree for the rays of a camera. Returns how many rays
+//! could be compared.
 long expect_two_ways_agree(const Place& place, const Directions& rays, double room) {
   const SeenSky series = traced(place, rays);
   const SeenSky exact = by_rays(place, rays, TraceMethod::closed_form, 1e-12);
   const Rounding rounding(place);
   long compared = 0;
   for (std::size_t k = 0; k < rays.size(); ++k) {
-    // Near principal rays (every eighth ray here) the closed form's two turning points in θ
-    // coincide, and it loses half of its digits. Near the axis its accuracy depends on the distance
-    // from it, and other rays may be principal there, too.
+    // Near principal null directions (every eighth ray here), two turning points of θ coincide in
+    // the closed form, which then loses half of its digits. Near the axis, its accuracy depends on
+    // the distance from the axis, and any ray may be close to a principal null direction.
     const bool beside_axis = std::sin(place.theta) < 1e-6;
     const double meeting = k % 8 == 4 || beside_axis ? 1e-7 / std::sin(place.theta) : 0.0;
     const double allowed = room * (20.0 * rounding.of(rays[k]) + 1e-8 + meeting);
@@ -195,7 +197,8 @@ TEST_P(Sweeps, TinySpinsDifferFromNoneByAsMuch) {
     const Rounding rounding(place);
     for (std::size_t k = 0; k < rays.size(); ++k) {
       if (none.status[k] == 0.0 && some.status[k] == 0.0) {
-        // The bending of light changes as the shadow's edge moves: in proportion to the spin.
+        // A small spin moves the edge of the shadow in proportion to the spin, and with it the
+        // bending of light.
         const double allowed = room_of(GetParam()) * 10.0 * tiny * rounding.of(rays[k]) / 1e-12;
         ASSERT_LT(length(sky_of(none, k) - sky_of(some, k)), allowed) << words_of(place) << " ray " << k;
       }
@@ -228,9 +231,9 @@ TEST_P(Sweeps, FarAwayLightIsBentByTwoMOverItsDistance) {
   }
 }
 
-//! Half of the grids have nodes in double, half in float; for a 512² dome, at two budgets. One ray
-//! in a hundred over the sky may miss by more than the budget; here a quarter of the rays are next
-//! to the shadow's edge, where errors are largest, so two may.
+//! Checks grids for a 512² dome at two budgets. In half of them, nodes are computed in double, in
+//! the others in float. Usually one ray in a hundred may exceed the budget. Here two may, because a
+//! quarter of the rays are next to the edge of the shadow, where errors are largest.
 TEST_P(Sweeps, GridsKeepTheirBudgetAndTheShadow) {
   constexpr int grids = sanitized ? 8 : 510;
   constexpr int rays_a_grid = 40;

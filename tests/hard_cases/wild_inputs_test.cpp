@@ -10,8 +10,8 @@
 #include "tests/hard_cases/lens_methods.h"
 #include "tests/hard_cases/ray_sets.h"
 
-// NaN and infinity in every input of a ray and of a show are refused or yield no sky, never a wrong
-// but plausible sky.
+// Sets each input of a ray and of a show to NaN and to infinity. Such input must be refused or
+// yield no sky, never a wrong but plausible sky.
 namespace ergodome::test {
 namespace {
 
@@ -26,7 +26,7 @@ void expect_no_sky_that_is_no_number(const SeenSky& seen) {
   }
 }
 
-//! Returns a camera with one of its numbers replaced.
+//! Returns a camera in which the number with the index `which` is replaced.
 Place wild_place(int which, double value) {
   Place place = {0.9, 8.0, 1.0, ObserverMotion::velocity, {0.1, 0.1, 0.1}};
   double* const numbers[] = {&place.spin, &place.r, &place.theta, &place.beta.x, &place.beta.y, &place.beta.z};
@@ -73,7 +73,7 @@ TEST(WildInputs, OfADirectionSpoilThatRayAlone) {
   }
 }
 
-//! Returns a show with one additional line.
+//! Returns a show with an additional line in the given section.
 std::string show_with(const std::string& section, const std::string& line) {
   const char* const base[][2] = {{"", "duration_s = 4\n"},
                                  {"hole", "[hole]\n"},

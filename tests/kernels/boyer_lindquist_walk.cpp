@@ -11,8 +11,8 @@ namespace {
 enum Part : std::size_t { radius, polar, radial_rate, polar_rate, azimuth, coordinate_time, part_count };
 using State = std::array<double, part_count>;
 
-//! The geodesic equations in Mino time that runs backwards: Carter's, differentiated once more
-//! where they contain square roots.
+//! The geodesic equations backwards in time, with Mino time as the parameter. These are Carter's
+//! equations; those with square roots are differentiated once more, to second order.
 class Walk {
  public:
   Walk(double spin, const NearRay<double>& ray) : a_(spin), ray_(ray), horizon_r_(1.0 + std::sqrt(1.0 - spin * spin)) {}
@@ -43,12 +43,13 @@ class Walk {
     return next;
   }
 
-  //! Returns a small fraction of the time in which anything changes.
+  //! Returns a step in Mino time that is small relative to the time in which any coordinate
+  //! changes.
   [[nodiscard]] double step(const State& s) const {
     const double r = s[radius];
     const double speed = std::abs(s[radial_rate]);
     const double turn = std::sqrt(std::abs(ray_.polar_constant)) + std::abs(ray_.energy) * r;
-    // φ and t are singular at the roots of Δ.
+    // φ and t are singular where Δ = 0, so steps get shorter near the horizon.
     const double gap = (r - horizon_r_) * std::min(1.0, r / 4.0);
     // Shortens steps near the axis for a ray that misses it.
     const double sine = std::abs(std::sin(s[polar]));

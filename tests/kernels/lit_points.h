@@ -7,20 +7,20 @@
 #include "kernels/core/angles.h"
 #include "kernels/core/vector3.h"
 
-// Pairs of points and lamps around a hole, for tests of light.
+// Pairs of a point and a lamp around a hole, for tests of the light of lamps.
 namespace ergodome::test {
 
-//! Converts spherical coordinates to a point in pseudo-Cartesian coordinates.
+//! Converts spherical coordinates of a point to pseudo-Cartesian ones.
 inline Vector3<double> point_at(double r, double theta, double phi) {
   return {r * std::sin(theta) * std::cos(phi), r * std::sin(theta) * std::sin(phi), r * std::cos(theta)};
 }
 
-//! A point and a lamp.
+//! A point on a surface, and a lamp.
 struct LitPoint {
   Vector3<double> point, lamp;
 };
 
-//! Returns forty pairs of points and lamps all around a hole.
+//! Returns forty pairs of a point and a lamp, at random positions around a hole.
 inline std::vector<LitPoint> lit_points() {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> share(0.0, 1.0);

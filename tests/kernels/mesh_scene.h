@@ -9,12 +9,12 @@
 #include "kernels/objects/mesh_rays.h"
 #include "kernels/spacetime/kerr/camera_station.h"
 
-// Small meshes with trees, for tests that trace rays to triangles.
+// Small meshes with bounding-volume trees, for tests that trace rays to triangles.
 namespace ergodome::test {
 
 inline constexpr MeshLimits finest = {1e-15, 4000};
 
-//! A mesh with its tree and its position in the scene.
+//! A mesh with its bounding-volume tree, placed in a scene.
 struct Placed {
   TriangleBoxes boxes;
   PlacedMesh mesh;

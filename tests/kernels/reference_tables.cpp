@@ -45,7 +45,7 @@ void fill_camera(Item& item, const Row& row) {
   item.n = (1.0 / length(n)) * n;
 }
 
-//! Reads the columns that all tables of rays share.
+//! Reads the columns that all tables of rays contain.
 ReferenceRay ray_of(const Row& row) {
   ReferenceRay ray{};
   fill_camera(ray, row);

@@ -7,7 +7,8 @@
 #include "kernels/spacetime/kerr/camera_station.h"
 #include "kernels/spacetime/kerr/ray.h"
 
-// Reads the reference tables of rays, edges and disk crossings in tests/data.
+// Reads the reference tables in tests/data: rays, points of the shadow's edge, and crossings of the
+// disk.
 namespace ergodome::test {
 
 //! A row of tests/data/rays.csv.
@@ -21,7 +22,7 @@ struct ReferenceRay {
   LightEnd status;
   Vector3<double> sky;
   double g, mino_time;
-  double edge_distance;  //!< -1 if not computed
+  double edge_distance;  //!< angle from the edge of the shadow [rad]; -1 if not computed
   double magnification;  //!< 0 if not computed
 };
 
@@ -46,7 +47,8 @@ struct ReferenceCrossing {
 };
 
 const std::vector<ReferenceRay>& reference_rays();
-//! Returns the rows of tests/data/within_horizon.csv, which has only the sky and g.
+//! Returns the rows of tests/data/within_horizon.csv. Of the results, it contains only the sky
+//! direction and g.
 const std::vector<ReferenceRay>& reference_rays_within();
 const std::vector<ReferenceEdgePoint>& reference_edge();
 const std::vector<ReferenceCrossing>& reference_crossings();
@@ -54,8 +56,8 @@ const std::vector<ReferenceCrossing>& reference_crossings();
 //! stable orbit.
 const std::vector<ReferenceCrossing>& reference_crossings_within();
 
-//! Returns the error of a sky direction near the edge that the rounding of double-precision input
-//! allows [rad].
+//! Returns the largest error of the sky direction [rad] that a ray may have because its input is
+//! rounded to double; the error grows near the edge of the shadow.
 double allowed_sky_error(const ReferenceRay& ray);
 
 double length(const Vector3<double>& v);

@@ -4,17 +4,18 @@
 
 #include "calibration/projectors/projector_picture.h"
 
-// Projectors that use every feature of a projector picture.
+// Pictures of projectors that use every feature of a projector picture.
 namespace ergodome::test {
 
-//! Returns light that varies smoothly over the master, brighter than white in one corner.
+//! Returns the test light at a position (u, v) of the master. It varies smoothly, and is brighter
+//! than white in one corner.
 inline Vector3<float> soft_colours(double u, double v) {
   return {static_cast<float>(0.4 + 0.3 * std::sin(5.0 * u)), static_cast<float>(0.5 + 0.4 * std::cos(6.0 * v)),
           static_cast<float>(0.1 + 2.0 * u * v)};
 }
 
-//! Returns a curved warp over most of a small raster, with intensities, a hole, colored masks and
-//! all other features.
+//! Returns the picture of a projector with a curved warp over most of its small raster, with
+//! intensities, a hole, colored masks and all other features.
 inline ProjectorPicture curved_picture() {
   ProjectorPicture picture;
   picture.name = "curved";
@@ -42,7 +43,7 @@ inline ProjectorPicture curved_picture() {
   return picture;
 }
 
-//! Returns the curved projector in gray: a pixel has one factor.
+//! Returns the curved projector with gray masks, which have a single factor per pixel.
 inline ProjectorPicture grey_picture() {
   ProjectorPicture picture = curved_picture();
   picture.width_px = 93;  // not a multiple of the number of pixels drawn at a time
@@ -51,7 +52,8 @@ inline ProjectorPicture grey_picture() {
   return picture;
 }
 
-//! Returns the gray projector without masks, with moved corners and the opposite curvature.
+//! Returns the gray projector without masks, with moved corners and the opposite curvature of the
+//! warp.
 inline ProjectorPicture plain_picture() {
   ProjectorPicture picture = grey_picture();
   picture.blend = {};

@@ -5,7 +5,7 @@
 // Shows with a disk, for tests.
 namespace ergodome::test {
 
-//! Returns a show with a hole, a disk and redshift, and without a camera.
+//! Returns a show with a hole, a disk and redshift. Its camera has no keys.
 inline Show show_with(double spin, const DiskSettings& disk) {
   Show show;
   show.spin = spin;
@@ -14,7 +14,7 @@ inline Show show_with(double spin, const DiskSettings& disk) {
   return show;
 }
 
-//! Returns a disk of uniform light between two radii [M].
+//! Returns a disk with uniform light between two radii [M].
 inline DiskSettings uniform_disk(double inner, double outer) {
   DiskSettings disk;
   disk.inner = inner;

@@ -5,17 +5,17 @@
 #include "kernels/spacetime/geodesic/closed_form.h"
 #include "tests/render/passes/stars/star_cameras.h"
 
-// The sky in closed form, as a reference for images and lenses.
+// The sky by the closed form, as a reference for star images and lenses.
 namespace ergodome::test {
 
-//! Returns the sky direction of an observed direction, by the closed form.
+//! Returns the sky direction that a camera sees in the direction n, by the closed form.
 inline Vector3<double> exact_sky(const CameraStation& camera, const Vector3<double>& n) {
   return turned_to_camera(camera, trace_closed_form(camera.spin, start_ray(camera, unit_of(n))).sky);
 }
 
-//! The distance of an image from its position in the closed form, and its exact magnification.
+//! The error of a star image's position, and its exact magnification, both by the closed form.
 struct ImageError {
-  double miss;  //!< [rad]
+  double miss;  //!< Angle between the image and its exact position [rad].
   double magnification;
 };
 

@@ -8,7 +8,7 @@
 #include "tests/render/passes/stars/star_cameras.h"
 #include "tests/render/ray_mesh.h"
 
-// Measures how fast the exact lens changes around positions on the screen.
+// Measures how strongly the exact lens varies around positions on the screen.
 namespace ergodome::test {
 
 //! A position on the screen.
@@ -17,7 +17,7 @@ struct PlaceOnScreen {
   double y_px;
 };
 
-//! Converts a direction of the view to the observer's frame.
+//! Converts a direction of the view to the axes of the observer's frame.
 inline Vector3<double> in_frame(const EyeCamera& eye, const Vector3<double>& view) {
   const auto along = [&](int axis) {
     const auto& row = eye.frame_from_view[axis];
@@ -36,19 +36,21 @@ inline PlaceOnScreen on_screen(const EyeCamera& eye, const Projection& projectio
   return place;
 }
 
-//! The exact lens around positions on the screen.
+//! The exact lens of an eye, for measurements around positions on the screen.
 class LensAbout {
  public:
-  //! Positions closer to the shadow's edge than `least_edge_px` count as changing infinitely.
+  //! changes() returns infinity for positions that are closer to the edge of the shadow than
+  //! `least_edge_px`.
   LensAbout(const EyeCamera& eye, const Projection& projection, double least_edge_px)
       : eye_(eye), projection_(projection), shadow_(camera_of(eye)), least_edge_px_(least_edge_px) {}
 
-  //! Returns the change of the magnification across a pixel around each position, relative to its
-  //! minimum; infinite where the parity changes, and near the shadow's edge.
+  //! Returns the variation of the magnification across a pixel around each position: maximum minus
+  //! minimum, divided by the minimum. Infinite where the parity changes, and near the edge of the
+  //! shadow.
   [[nodiscard]] std::vector<double> changes(const std::vector<PlaceOnScreen>& asked) const {
     constexpr double step = 0.05;
-    // The corners of the pixel around the position; at each one a ray, one to its right and one
-    // below it.
+    // Traces three rays at each corner of the pixel around a position: at the corner, to its right
+    // and below it.
     constexpr std::size_t rays = 12;
     const std::size_t count = rays * asked.size();
     std::vector<double> values(6 * count);
@@ -95,7 +97,7 @@ class LensAbout {
       if (dot(sky, sky) < 0.5 || shadow_.of(n) < least_edge_px_ * pixel_angle(projection_)) {
         return INFINITY;
       }
-      // Signed areas on the sky and on the screen.
+      // Ratio of the signed areas on the sky and on the screen.
       const double rate = dot(sky, cross(at(3, ray + 1) - sky, at(3, ray + 2) - sky)) /
                           dot(n, cross(at(0, ray + 1) - n, at(0, ray + 2) - n));
       least = std::min(least, rate);

@@ -7,11 +7,12 @@
 #include "render/lens/omni_lens.h"
 #include "tests/render/exact_sky.h"
 
-// The geometry of omnidirectional stereo by its definition, as a reference.
+// The geometry of omnidirectional stereo directly from its definition, as a reference for tests.
 namespace ergodome::test {
 
-//! Returns the position of an eye by the definition of omnidirectional stereo: to the right of the
-//! viewing direction, fading with the cosine of the elevation between 60 and 90 degrees.
+//! Returns the position of an eye by the definition of omnidirectional stereo. The eye is to the
+//! right of the view direction by `offset`. This distance decreases to 0 between elevations of 60
+//! and 90 degrees.
 inline Vector3<double> omni_place(const Vector3<double>& view, double offset) {
   const double azimuth = std::atan2(view.x, -view.z);
   const double level = std::hypot(view.x, view.z) / std::cos(pi / 3.0);
@@ -19,11 +20,12 @@ inline Vector3<double> omni_place(const Vector3<double>& view, double offset) {
   return {offset * part * std::cos(azimuth), 0.0, offset * part * std::sin(azimuth)};
 }
 
-//! A ray in one direction of the view, from a camera that is set up at the eye's position for this
-//! direction only.
+//! A ray in one direction of the view, from a camera that exists only for this direction, at the
+//! position that omnidirectional stereo defines for it.
 struct OwnRay {
   CameraStation camera;
-  Vector3<double> n;  //!< unit vector of the ray, in the frame of `camera`
+  //! Direction of the ray, in the frame of `camera`; a unit vector.
+  Vector3<double> n;
 };
 
 inline OwnRay own_ray(const EyePlace& eye_at, const Vector3<double>& view, double offset, double convergence) {

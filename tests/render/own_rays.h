@@ -8,7 +8,8 @@
 
 #include "tests/render/omni_eyes.h"
 
-// A reference for omnidirectional stereo: pictures by single rays of each direction's own camera.
+// A reference for omnidirectional stereo. Each direction of a picture has its own camera, at the
+// position that the model defines for it; here each camera traces a single ray.
 namespace ergodome::test {
 
 //! A position in a picture.
@@ -17,8 +18,8 @@ struct StarSpot {
   double y_px;
 };
 
-//! The picture of an omnidirectional stereo eye, computed only from single rays of each direction's
-//! own camera.
+//! The picture of an omnidirectional stereo eye, computed by a separate camera and a single ray for
+//! each direction.
 class OwnRays {
  public:
   OwnRays(const EyePlace& eye_at, double offset, double convergence, const Projection& projection)
@@ -28,13 +29,14 @@ class OwnRays {
     return own_ray(eye_at_, direction_from_pixel(projection_, spot.x_px, spot.y_px), offset_, convergence_);
   }
 
-  //! Returns the sky at a position of the picture; nothing in the shadow.
+  //! Returns the sky direction at a position of the picture; nothing in the shadow.
   [[nodiscard]] std::optional<Vector3<double>> sky(const StarSpot& spot) const {
     const OwnRay own = ray(spot);
     return direction_is_bright(own.camera, own.n) ? std::optional(exact_sky(own.camera, own.n)) : std::nullopt;
   }
 
-  //! The local map from the picture to the sky at a position, per pixel.
+  //! The linear approximation of the map from the picture to the sky at a position: sky direction,
+  //! and its changes per pixel.
   struct Map {
     Vector3<double> sky;
     Vector3<double> along_x;
@@ -59,7 +61,7 @@ class OwnRays {
     return Map{*middle, (0.5 / h) * (*right - *left), (0.5 / h) * (*below - *above)};
   }
 
-  //! Returns the step in the picture towards a star [px], by the map at a position.
+  //! Returns the step in the picture [px] that leads to a star according to the linear map.
   static StarSpot way_to(const Map& map, const Vector3<double>& star) {
     const Vector3<double> missing = star - map.sky;
     const double a = dot(map.along_x, map.along_x);
@@ -71,8 +73,8 @@ class OwnRays {
     return {(c * p - b * q) / square, (a * q - b * p) / square};
   }
 
-  //! Finds a star's lensed image by Newton's method from a position nearby; returns nothing if the
-  //! method diverges.
+  //! Finds a star's lensed image by Newton's method, which starts at `spot`. Returns nothing if the
+  //! method does not converge.
   [[nodiscard]] std::optional<StarSpot> image(StarSpot spot, const Vector3<double>& star) const {
     for (int round = 0; round < 12; ++round) {
       const auto here = map(spot);
@@ -97,15 +99,15 @@ class OwnRays {
   const Projection& projection_;
 };
 
-//! Returns the minimum movement of the sky for a step of one pixel in the picture [rad]: the
-//! smaller singular value.
+//! Returns the smallest change of the sky direction for a step of one pixel in any direction of the
+//! picture [rad]: the smaller singular value of the map.
 inline double least_move_of(const OwnRays::Map& map) {
   const double sum = dot(map.along_x, map.along_x) + dot(map.along_y, map.along_y);
   const double d = map.determinant();
   return d / std::sqrt(0.5 * (sum + std::sqrt(std::max(sum * sum - 4.0 * d * d, 0.0))));
 }
 
-//! A mesh over a picture, with vertices at the corners of the pixels.
+//! The sky directions at all corners of pixels; each pixel consists of two triangles.
 class PixelMesh {
  public:
   PixelMesh(const OwnRays& rays, const Projection& projection)
@@ -117,7 +119,7 @@ class PixelMesh {
     }
   }
 
-  //! Returns the centers of the pixels of which one half contains a star.
+  //! Returns the centers of the pixels in which one of both triangles contains a star.
   [[nodiscard]] std::vector<StarSpot> pixels_with(const Vector3<double>& star) const {
     std::vector<StarSpot> found;
     for (int y = 0; y < height_; ++y) {
@@ -138,7 +140,8 @@ class PixelMesh {
       const int column = x + half[i] % 2;
       const auto& corner = corners_[static_cast<std::size_t>(row) * (static_cast<std::size_t>(width_) + 1) +
                                     static_cast<std::size_t>(column)];
-      // Triangles wider than half a radian do not determine what they contain.
+      // For triangles that extend over more than half a radian of the sky, it is unclear what is
+      // inside.
       if (!corner || dot(*corner, star) < 0.88) {
         return false;
       }

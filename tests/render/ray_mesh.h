@@ -7,17 +7,17 @@
 #include "kernels/spacetime/shadow/critical_curve.h"
 #include "tests/render/passes/stars/star_cameras.h"
 
-// A reference search for the lensed images of stars, in a mesh of traced rays.
+// A slow reference search for the lensed images of stars. It uses a mesh of traced rays.
 namespace ergodome::test {
 
-//! An image found by the reference search.
+//! A star image that the reference search has found.
 struct FoundImage {
   double magnification;
   double from_edge;  //!< angle from the shadow's edge [rad]
 };
 
-//! Computes distances from the edge of a camera's shadow, with the chart in the observer's own
-//! frame.
+//! Computes distances from the edge of a camera's shadow. The chart is in the frame of the
+//! observer, unlike that of grids.
 class ShadowDistance {
  public:
   explicit ShadowDistance(const CameraStation& camera) : camera_(camera), chart_(make_shadow_chart(camera)) {}
@@ -37,8 +37,8 @@ class ShadowDistance {
   ShadowChart chart_;
 };
 
-//! A mesh of triangles over directions of a camera's sky, from a minimum distance of the shadow's
-//! edge on, with the sky that rays see there.
+//! A mesh of triangles over the camera's sky outside the shadow, with the traced sky directions at
+//! its vertices. It starts at a minimum distance from the edge of the shadow.
 class RayMesh {
  public:
   RayMesh(const EyeCamera& eye, double least_distance, int columns, int rows) : columns_(columns), rows_(rows) {
@@ -65,7 +65,7 @@ class RayMesh {
     trace(camera, values);
   }
 
-  //! Returns the images of a star: the triangles that contain it.
+  //! Returns the images of a star: one for each triangle whose sky directions surround it.
   [[nodiscard]] std::vector<FoundImage> images(const Vector3<double>& star) const {
     std::vector<FoundImage> found;
     for (int column = 0; column < columns_; ++column) {

@@ -1,8 +1,9 @@
-// Simulates months of an exhibit in minutes: visitors come and go, pads are unplugged, a show file
-// breaks, a baked station is damaged. Time is simulated; pictures are small and rendered by the
-// CPU. Exits with status 1 if resources grow, the exhibit hangs or a problem reaches the screen.
+// Simulates months of an exhibit within minutes: visitors come and go, pads are unplugged, a show
+// file becomes invalid, a station of a trajectory file is damaged. Time is simulated; pictures are
+// small and rendered by the CPU. Exits with status 1 if the use of resources grows, the exhibit
+// hangs or an error message reaches the screen.
 //
-//   ergodome_soak [FRAMES]   default: 200000
+// ergodome_soak [FRAMES]   (default: 200000)
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -57,7 +58,7 @@ constexpr int settled_frame = 20'000;  //!< resources must not grow after this f
 constexpr double most_growth = 1.01;
 constexpr int picture_px = 24;
 
-//! The resources that the process holds.
+//! System resources that the process uses.
 struct Held {
   double resident_mib = 0.0;
   long handles = 0;
@@ -76,8 +77,8 @@ Held held_now() {
           entries_of("/proc/self/task")};
 }
 
-//! Returns a pad that is plugged in for 500 frames, then absent for 500, and whose sticks never
-//! rest.
+//! Returns a simulated pad. It is plugged in for 500 frames, then unplugged for 500 frames, and so
+//! on. Its sticks never rest.
 HidFixture restless_pad() {
   FixtureDevice pad;
   pad.info.path = "soak";
@@ -123,7 +124,7 @@ class Soak {
     pads_.poll();
     const PadSnapshot pads = pads_.snapshot();
     PlayerInput input = inputs_.gather({}, pads, 1e-3);
-    // Alternates between times without visitors and times with them.
+    // For 750 frames there is no visitor, then for 750 frames there is one, and so on.
     const bool visited = (number / 750) % 2 == 1;
     if (exhibit_.advance(seconds(), visited && inputs_.touched(), false)) {
       begin();
@@ -175,7 +176,8 @@ class Soak {
         "visitor.toml");
   }
 
-  //! Bakes the attract show, and damages a station of it.
+  //! Bakes the attract show and damages a station of the trajectory file. Returns a stream of this
+  //! file.
   std::shared_ptr<StationStream> damaged_stream() {
     const std::filesystem::path file = folder_ / "attract.trajectory";
     const Show show = read_show(file_);

@@ -8,7 +8,7 @@
 #include "content/trajectory/trajectory_journal.h"
 #include "render/bake/trajectory_baker.h"
 
-// Shows and their bakes, for tests of trajectory files.
+// Shows and their trajectory files, for tests.
 namespace ergodome::test {
 
 //! Returns a show whose camera goes from r = 9 to 7 in ten seconds in front of the grid sky, for
@@ -21,8 +21,8 @@ inline Show approaching_show() {
       "show.toml");
 }
 
-//! Returns a similar show with a disk outside the innermost stable orbit, seen from outside the
-//! disk.
+//! Returns a similar show with a disk that starts at the innermost stable orbit. The camera is
+//! outside the disk.
 inline Show show_with_disk(bool clouds = false) {
   Show show = parse_show(
       "duration_s = 10\n[hole]\nspin = 0.9\n[camera]\n[[camera.key]]\nt_s = 0\nr = 30\ntheta_deg = 70\n"

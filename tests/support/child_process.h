@@ -10,17 +10,17 @@
 
 namespace ergodome::test {
 
-//! A program that runs in parallel with the test; its process group is killed by the destructor.
+//! A program that runs while the test continues. The destructor kills its process group.
 class ChildProcess {
  public:
-  //! Starts the program, found in PATH; a pipe carries its output back.
+  //! Starts a program, which is found in PATH. Its output is read through a pipe.
   explicit ChildProcess(const std::vector<std::string>& command);
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  //! Returns the output once `text` has appeared in it, the program has ended or the time has run
-  //! out.
+  //! Waits until `text` has appeared in the output, the program has ended or the time has run out.
+  //! Returns the output up to then.
   std::string output_until(const std::string& text, std::chrono::milliseconds most);
 
  private:

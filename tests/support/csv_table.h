@@ -12,7 +12,7 @@
 // Reads simple CSV files for tests.
 namespace ergodome::test {
 
-//! Cells of a row, by column name.
+//! The cells of a row, by the names of their columns.
 using CsvRow = std::map<std::string, std::string>;
 
 //! Reads the rows of a CSV file without quotes, whose first line names the columns; missing cells

@@ -10,7 +10,7 @@
 
 #include "app/playback/transport.h"
 
-// A stand-in for the player, for tests of its remote controls.
+// A fake player, for tests of its remote controls.
 namespace ergodome::test {
 
 //! Returns the status of a player that plays a show of two minutes with three chapters and two
@@ -35,7 +35,7 @@ inline PlayerStatus example_status() {
   return status;
 }
 
-//! Applies a command to a status as a player would.
+//! Changes a status in the way in which the player would execute a command.
 inline void obey(const TransportCommand& command, PlayerStatus& status) {
   using Kind = TransportCommand::Kind;
   switch (command.kind) {
@@ -90,8 +90,8 @@ inline void obey(const TransportCommand& command, PlayerStatus& status) {
   }
 }
 
-//! A stand-in for the player: a thread that takes commands, advances the time and posts its status
-//! sixty times a second.
+//! A fake player: a thread that executes commands, advances the time, and posts its status sixty
+//! times a second.
 class FakePlayer {
  public:
   FakePlayer() : status_(example_status()) {
@@ -105,7 +105,7 @@ class FakePlayer {
   FakePlayer(const FakePlayer&) = delete;
   FakePlayer& operator=(const FakePlayer&) = delete;
 
-  //! Changes the status that the player posts.
+  //! Changes the status that the fake player posts.
   void change(const std::function<void(PlayerStatus&)>& change) {
     const std::lock_guard lock(mutex_);
     change(status_);
@@ -149,7 +149,7 @@ class FakePlayer {
   std::thread thread_;
 };
 
-//! Polls a condition; returns whether it became true before the time ran out.
+//! Checks a condition repeatedly. Returns whether it became true before the time ran out.
 inline bool becomes_true(const std::function<bool()>& condition,
                          std::chrono::milliseconds while_long = std::chrono::seconds(10)) {
   const auto deadline = std::chrono::steady_clock::now() + while_long;

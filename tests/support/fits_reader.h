@@ -55,7 +55,7 @@ class FitsReader {
     return data == 1 && all == 1;
   }
 
-  //! Returns the pixels of the current image, the lowest row first.
+  //! Returns the pixels of the current image, row by row from the bottom.
   std::vector<double> pixels() {
     std::array<long, 2> axes{};
     int type = 0;
@@ -65,7 +65,7 @@ class FitsReader {
       throw std::runtime_error("pixels are no doubles");
     }
     std::vector<double> values(static_cast<std::size_t>(axes[0] * axes[1]));
-    // CFITSIO keeps NaN if no value for undefined pixels is given.
+    // If no replacement for undefined pixels is given, CFITSIO returns them as NaN.
     check(fits_read_img(file_, TDOUBLE, 1, static_cast<LONGLONG>(values.size()), nullptr, values.data(), nullptr,
                         &status_));
     return values;

@@ -10,7 +10,7 @@
 
 namespace ergodome::test {
 
-//! A test with a temporary folder, which is deleted when the test ends.
+//! A test with a temporary folder, which is deleted at the end of the test.
 class FolderTest : public testing::Test {
  protected:
   void SetUp() override {

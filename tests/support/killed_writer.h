@@ -11,10 +11,10 @@
 
 namespace ergodome::test {
 
-//! Calls `write` repeatedly in a child process that is killed (kill -9) at a random moment, then
-//! `check`; twenty times. `write` gets a number that counts up from 0 in each process. At the end
-//! it calls `write` once without a kill, because on a slow machine no earlier call may have
-//! finished.
+//! Tests that killing a process while it writes does no harm. Twenty times, starts a child process
+//! that calls `write` again and again, kills it (kill -9) after a few milliseconds, and calls
+//! `check`. The argument of `write` counts up from 0 in each process. Finally calls `write` in this
+//! process, because on a slow machine no earlier call may have finished.
 inline void kill_while_writing(const std::function<void(int)>& write, const std::function<void()>& check) {
   for (int round = 0; round < 20; ++round) {
     const pid_t child = ::fork();

@@ -12,8 +12,8 @@
 #include "kernels/spacetime/shadow/shadow_chart.h"
 #include "tests/support/sanitized.h"
 
-// Measures how far a lens deviates from traced rays, on the screen and over random directions, by
-// other means than the lens builders use.
+// Measures errors of a lens on the screen, by comparison with traced rays in random directions.
+// Does not use the code with which lens builders measure errors.
 namespace ergodome::test {
 
 struct Rays {
@@ -40,7 +40,7 @@ inline Rays random_rays(std::size_t count, unsigned seed) {
   return rays;
 }
 
-//! Looks up the rays of a camera in a lens.
+//! Computes the sky directions of a camera's rays from a lens.
 inline void read_through(const LensBlend& lens, const CameraStation& camera, const Aberration& observer, Rays& rays) {
   LookUpRaysBatch<double> batch{};
   batch.rays.camera = camera;
@@ -57,8 +57,8 @@ inline void read_through(const LensBlend& lens, const CameraStation& camera, con
   launch(Backend::cpu, batch);
 }
 
-//! Returns the displacement on the observer's screen [rad] that turns the exact sky direction of
-//! `n` into `seen`, from the exact Jacobian.
+//! Returns the displacement on the observer's screen [rad] that corresponds to the error of a sky
+//! direction: `seen` instead of the exact direction for `n`. Uses the exact Jacobian.
 inline double displacement(const CameraStation& camera, const Vector3<double>& n, const Vector3<double>& seen) {
   using D = Dual<double>;
   const Vector3<double> aside = std::abs(n.x) < 0.7 ? Vector3<double>{1.0, 0.0, 0.0} : Vector3<double>{0.0, 1.0, 0.0};
@@ -79,7 +79,7 @@ inline double displacement(const CameraStation& camera, const Vector3<double>& n
 }
 
 struct Errors {
-  std::vector<double> px;  //!< sorted
+  std::vector<double> px;  //!< errors, in ascending order
   double traced = 0.0;     //!< fraction of the rays that the lens left to tracing
 
   [[nodiscard]] double at(double share) const {
@@ -87,8 +87,9 @@ struct Errors {
   }
 };
 
-//! Returns the errors on the screen [in pixels of angle `pixel`] over random directions that see
-//! the sky, including those in the cut-off and those that were traced.
+//! Returns the errors on the screen, in pixels of angle `pixel`, for random directions that see the
+//! sky. They include directions so close to the shadow that the grid cuts them off, and directions
+//! that the lens leaves to tracing.
 inline Errors screen_errors(const LensBlend& lens, const CameraStation& camera, const Aberration& observer,
                             double pixel, std::size_t count) {
   count /= sanitized ? 50 : 1;

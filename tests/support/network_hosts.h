@@ -12,7 +12,7 @@
 #include <string>
 #include <thread>
 
-// Simulates hosts on a network by means of network namespaces.
+// Simulates several hosts on a network, by network namespaces of Linux.
 namespace ergodome::test {
 
 //! Moves this thread, and the threads that it starts later, into a network namespace that has only
@@ -25,9 +25,9 @@ inline bool enter_own_network() {
   return ::unshare(CLONE_NEWNET) == 0 && std::system("ip link set lo up 2>/dev/null") == 0;
 }
 
-//! Another host on the network of the test: a thread in its own network namespace, joined to that
-//! of the test by a virtual cable. The test has the address 10.213.N.1 on that cable, the host
-//! 10.213.N.2.
+//! Another host on the network of the test: a thread in its own network namespace. A virtual cable
+//! connects it with the namespace of the test. On this cable, the test has the address 10.213.N.1
+//! and the host 10.213.N.2.
 class NetworkHost {
  public:
   explicit NetworkHost(int number) : number_(number) {}

@@ -8,8 +8,8 @@
 // Builds bicubic patches from maps of the unit square.
 namespace ergodome::test {
 
-//! Computes the control points of a cubic that takes the values `at` at the parameters 0, 1/3, 2/3
-//! and 1.
+//! Computes the control points of a cubic Bézier curve that has the values `at` at the parameters
+//! 0, 1/3, 2/3 and 1.
 inline void control_from_thirds(const double (&at)[4], double (&points)[4]) {
   points[0] = at[0];
   points[1] = (-5.0 * at[0] + 18.0 * at[1] - 9.0 * at[2] + 2.0 * at[3]) / 6.0;
@@ -17,7 +17,8 @@ inline void control_from_thirds(const double (&at)[4], double (&points)[4]) {
   points[3] = at[3];
 }
 
-//! Returns a bicubic patch over [0, 1]² that interpolates 16 points of a map to the plane z = 1.
+//! Returns a bicubic patch over [0, 1]² that interpolates 16 points of a map. The map's points are
+//! in the plane z = 1.
 template <class Map>
 BezierPatch patch_of(const Map& map) {
   BezierPatch patch{};

@@ -9,7 +9,7 @@
 #include "kernels/core/angles.h"
 #include "kernels/projection/make_projection.h"
 
-// Projections of every kind for tests, and sample positions in their images.
+// Projections of every kind for tests, and positions in their pictures.
 namespace ergodome::test {
 
 struct NamedProjection {
@@ -27,8 +27,8 @@ inline Projection lens_of(LensLaw law, double field_of_view_deg, int size_px = 1
   return make_dome_projection(size_px, view);
 }
 
-//! Returns a measured lens: close to equidistant, slightly compressed towards its rim; 90° lies
-//! about at the radius of the image circle.
+//! Returns a fisheye lens as measured in a dome: nearly equidistant, slightly compressed towards
+//! its rim. At 90°, its radius is about that of the image circle.
 inline DomeView measured_lens() {
   DomeView view;
   view.law = LensLaw::polynomial;
@@ -77,7 +77,8 @@ struct ImagePlace {
   double y_px;
 };
 
-//! Returns whether a position, not just the pixel that contains it, is inside the image.
+//! Returns whether a position itself is inside the projection's image. This may differ from the
+//! pixel that contains the position.
 inline bool is_in_image(const Projection& p, const ImagePlace& place) {
   if (p.kind == ProjectionKind::dome_fisheye) {
     return image_coverage(p, place.x_px, place.y_px) >= 0.5;
@@ -86,12 +87,14 @@ inline bool is_in_image(const Projection& p, const ImagePlace& place) {
          image_coverage(p, place.x_px, place.y_px) > 0.0;
 }
 
-//! Returns a lattice of positions, the middle, and positions `inside` pixels from the corners, the
-//! sides and, for a fisheye, the rim; omits those outside the image.
+//! Returns positions in a picture: a lattice, the middle, and positions that are `inside` pixels
+//! away from the corners, the sides and, for a fisheye, the rim. Omits positions outside the
+//! projection's image.
 inline std::vector<ImagePlace> image_places(const Projection& p, double inside) {
   const double right = p.width_px - inside;
   const double bottom = p.height_px - inside;
-  // The middle of a cube's picture lies on the edge between two faces.
+  // The middle of a cube picture would be exactly on the edge between two faces, so the position is
+  // shifted.
   const double x = 0.5 * p.width_px + (p.kind == ProjectionKind::cube ? 0.7 : 0.0);
   const double y = 0.5 * p.height_px;
   std::vector<ImagePlace> found = {{x, y},           {inside, inside},  {right, inside},

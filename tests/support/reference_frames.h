@@ -12,21 +12,21 @@
 
 #include "render/output/image_writer.h"
 
-// Reference frames in tests/data/frames, each checked by a person. With ERGODOME_RENEW_REFERENCES=1
-// in the environment, tests overwrite them instead of comparing: check each by eye before you
-// commit it.
+// Reference frames are in tests/data/frames, and each was checked by a person. If the environment
+// variable ERGODOME_RENEW_REFERENCES is 1, tests overwrite them instead of comparing with them.
+// Check each by eye before you commit it.
 namespace ergodome::test {
 
-//! An 8-bit RGB frame, the top row first.
+//! A frame as displayed, in 8-bit RGB, row by row from the top.
 struct SeenFrame {
   int width;
   int height;
   std::vector<std::uint8_t> rgb;
 };
 
-//! Compares a frame with its reference, tolerating differences that the eye does not see. Drivers
-//! and fonts round differently at edges and letters, so a pixel may differ by a tenth of the full
-//! range; but fewer than one in fifty may, and the mean difference must stay below 1/200.
+//! Compares a frame with its reference. Tolerates invisible differences, because drivers and fonts
+//! round differently at edges and letters: fewer than one pixel in fifty may differ by more than a
+//! tenth of the full range, and the mean difference must be less than 1/200.
 inline void expect_like_reference(const std::filesystem::path& path, const SeenFrame& frame) {
   const char* const renew = std::getenv("ERGODOME_RENEW_REFERENCES");
   if (renew != nullptr && std::string(renew) == "1") {

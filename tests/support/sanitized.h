@@ -2,8 +2,8 @@
 
 namespace ergodome::test {
 
-//! True in builds with sanitizers: tests that measure take fewer samples there, because other
-//! builds assert the numbers.
+//! True in builds with sanitizers. Tests that measure something take fewer samples in such builds,
+//! because other builds check the numbers.
 #if defined(ERGODOME_SANITIZED)
 inline constexpr bool sanitized = true;
 #else

@@ -11,11 +11,11 @@
 #include "calibration/projectors/dome_blend.h"
 #include "kernels/core/angles.h"
 
-// A simulated dome with its projectors.
+// A simulated dome with projectors, for tests.
 namespace ergodome::test {
 
-//! Returns the setup of a 7 m dome with projectors around its center that point outwards, and one
-//! that points upwards if `cap`.
+//! Returns the setup of a dome with a radius of 7 m and `count` projectors near its center, which
+//! point outwards in all directions; if `cap`, another one points upwards.
 inline DomeSetup ring_of(int count, double half_width_deg, double up_deg, double pitch_deg, bool cap, int raster_px) {
   DomeSetup setup;
   setup.radius_m = 7.0;
@@ -77,8 +77,8 @@ inline DomeSetup calibrated_in(const std::filesystem::path& folder, DomeSetup se
   return setup;
 }
 
-//! Returns point `i` [m] of `count` points spread evenly over the hemisphere of a setup, except for
-//! the last half degree at its rim.
+//! Returns point `i` [m] of `count` points that are spread evenly over the dome, except for half a
+//! degree at its rim.
 inline Vector3<double> dome_point(const DomeSetup& setup, int i, int count) {
   const double up = 1.0 - (1.0 - std::sin(0.5 * pi / 180.0)) * (i + 0.5) / count;
   const double azimuth = 2.39996322972865332 * i;

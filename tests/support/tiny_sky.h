@@ -8,8 +8,8 @@
 
 namespace ergodome::test {
 
-//! A sky map of a few pixels, deleted when the program ends. Loading the built-in maps takes longer
-//! than the tests themselves.
+//! A file with a sky map of a few pixels, which is deleted when the program ends. Loading the
+//! built-in maps would take longer than the tests.
 class TinySky {
  public:
   TinySky() : file_(std::filesystem::temp_directory_path() / ("ergodome-sky-" + std::to_string(::getpid()) + ".ppm")) {

@@ -13,14 +13,14 @@ namespace {
 
 using nlohmann::json;
 
-//! Key of an element reference in WebDriver's JSON.
+//! Name of the JSON key with which WebDriver refers to elements of a page.
 const char* const element_key = "element-6066-11e4-a52e-4f735466cecf";
 
 json capabilities() {
   json arguments = {"--headless=new",         "--disable-gpu",     "--disable-dev-shm-usage",
                     "--window-size=1280,900", "--hide-scrollbars", "--no-first-run"};
   if (::geteuid() == 0) {
-    // Chromium's sandbox does not work for root, which is the user in containers.
+    // In containers, the user is root, for whom Chromium's sandbox does not work.
     arguments.push_back("--no-sandbox");
   }
   return {
@@ -82,7 +82,7 @@ WebDriver::~WebDriver() {
       ask("DELETE", "/session/" + session_);
     }
   } catch (const std::exception&) {
-    // Ignores errors here: the process group is killed next.
+    // Ignores errors, because the process group is killed next.
   }
 }
 

@@ -21,15 +21,15 @@ class WebDriver {
   WebDriver& operator=(const WebDriver&) = delete;
 
   void open(const std::string& url);
-  //! Runs a script and returns its result; `arguments` is an array.
+  //! Runs a JavaScript function body in the page and returns its result; `arguments` is an array.
   nlohmann::json run(const std::string& script, const nlohmann::json& arguments = nlohmann::json::array());
   //! Returns the visible text of the first element that matches a CSS selector.
   std::string text(const std::string& selector);
   void click(const std::string& selector);
   //! Types into the element that has the focus.
   void press(const std::string& key);
-  //! Presses the pointer on a range input at a fraction of its width, moves it to another and, if
-  //! `release`, releases it.
+  //! Presses the pointer on a range input at the fraction `from` of its width, and moves it to
+  //! `to`. Releases it if `release`.
   void drag(const std::string& selector, double from, double to, bool release = true);
   void release();
   //! Sets the size of the viewport, for instance to that of a tablet.

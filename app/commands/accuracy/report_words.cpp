@@ -69,7 +69,7 @@ struct NamedError {
 constexpr NamedError pixel_errors[] = {
     {1.0, "one pixel"}, {0.25, "a quarter pixel"}, {0.1, "a tenth of a pixel"}, {0.01, "a hundredth of a pixel"}};
 
-//! Axes with at most so many choices get one sentence per choice.
+//! Axes with at most this many choices get one sentence per choice.
 constexpr std::size_t few_choices = 5;
 //! The same limit for axes without a method that others are compared with.
 constexpr std::size_t few_without_base = 9;

@@ -43,7 +43,7 @@ struct CalibrateOptions {
   BlendSettings blend;
   bool live = false;
   bool size_given = false;
-  LiveOptions shown;  //!< for --live
+  LiveOptions shown;  //!< options of the live calibration (--live)
 };
 
 //! Converts a file name relative to the old setup's folder into one relative to the new setup's

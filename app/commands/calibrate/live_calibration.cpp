@@ -204,7 +204,7 @@ Renewal LiveCalibration::adjust(const Way& way) {
       return Renewal::master;
     case Adjustable::rotation:
       setup_.rotation_deg = turned(tidy(setup_.rotation_deg + more, step()));
-      // In a tilted dome, the patterns stay level.
+      // Patterns stay level in a tilted dome, so a new tilt requires a new domemaster.
       return Renewal::master;
     case Adjustable::viewer:
       return adjust_viewer(way, step());

@@ -115,7 +115,7 @@ std::filesystem::path write_projector_folder(const std::filesystem::path& folder
     put_scale_into_lift(black_level, projector.black_level_lift);
     projector.black_level_mask = write_mask(black_level, picture, name + "_black.png");
   }
-  // The meshes already contain the rotation.
+  // The meshes already contain the rotation, so the new setup has none.
   setup.rotation_deg = 0.0;
   setup.folder = folder;
   write_dome_setup(folder / file_name, setup);
@@ -126,7 +126,7 @@ DomeSetup save_calibration(const std::filesystem::path& file, const DomeSetup& s
                            const std::vector<GridOffsets>& offsets, const std::vector<bool>& anew) {
   DomeSetup saved = setup;
   for (ProjectorSetup& projector : saved.projectors) {
-    // Messages then refer to the new file.
+    // Later messages about this projector then name the new file.
     projector.read_from = file.string();
   }
   require_writable(file);

@@ -132,7 +132,7 @@ std::string title_of(const nlohmann::json& titles) {
 
 void print_facts(const nlohmann::json& facts) {
   for (const auto& [name, value] : facts.items()) {
-    // These are printed separately.
+    // Parts of the summary that are printed separately.
     constexpr std::array apart = {"keys",  "fall",          "grid", "timeline", "idle",
                                   "notes", "narrowed_eyes", "maps", "meshes",   "stars"};
     if (std::ranges::find(apart, name) == apart.end()) {

@@ -11,7 +11,7 @@ namespace ergodome {
 //! must have a fall.
 nlohmann::json facts_of_fall(const Show& show);
 
-//! Prints that summary.
+//! Prints the summary that facts_of_fall() returns.
 void print_fall(const nlohmann::json& facts);
 
 }  // namespace ergodome

@@ -104,7 +104,7 @@ bool is_dome_setup(const std::string& file) {
     const toml::table table = parse_toml(read_whole_file(file, std::size_t{4} << 20U, ""), file, 4, "dome setup");
     return table.contains("projector") || table.contains("dome");
   } catch (const std::exception&) {
-    // The show reader reports what is wrong.
+    // A malformed file is handled as a show, so that the show reader reports what is wrong.
     return false;
   }
 }

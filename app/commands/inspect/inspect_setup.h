@@ -17,7 +17,7 @@ nlohmann::json inspect_setup(const std::string& file, const std::string& picture
 inline constexpr const char* outside_note =
     " is outside the dome's sphere: only light that enters below the rim reaches the dome";
 
-//! Prints that summary.
+//! Prints the summary that inspect_setup() returns.
 void print_setup(const nlohmann::json& facts);
 
 }  // namespace ergodome

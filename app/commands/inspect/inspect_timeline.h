@@ -13,14 +13,15 @@ namespace ergodome {
 //! `unusable` has the reasons why files cannot be used, by their keys.
 nlohmann::json facts_of_timeline(const Show& show, const std::map<std::string, std::string>& unusable);
 
-//! The number of files in such a summary that are missing or cannot be used, and of all.
+//! Of the files in a summary of facts_of_timeline(): `faulty`, the number of files that are missing
+//! or cannot be used, and `all`, the number of all files.
 struct FaultyFiles {
   int faulty = 0;
   int all = 0;
 };
 FaultyFiles faulty_files(const nlohmann::json& facts);
 
-//! Prints that summary; nothing if the show has none.
+//! Prints the summary that facts_of_timeline() returns; nothing if it is empty.
 void print_timeline(const nlohmann::json& facts);
 
 }  // namespace ergodome

@@ -95,7 +95,8 @@ void print_trajectory(const nlohmann::json& facts) {
     const auto error = [&](const char* name) {
       return last ? std::string() : fmt::format("{:.3f}", s[name].get<double>());
     };
-    // Above the budget, a lens grid is built live instead.
+    // If blending the disk between two stations exceeds the budget, the disk's grid is built live
+    // instead.
     const bool live = s["disk_gap_error_px"].get<double>() > facts["budget_px"].get<double>();
     print_out(
         "{:>10.3f} {:>12.6g} {:>12.4f} {:>8} {:>10} {:>14}{}\n", s["t_s"].get<double>(), s["r"].get<double>(),

@@ -14,7 +14,7 @@ namespace ergodome {
 
 //! A summary of a mesh file, in the file's units.
 struct MeshFacts {
-  std::string file;  //!< as named in the show
+  std::string file;  //!< file name as given in the show
   long triangles = 0;
   long dropped_triangles = 0;
   Vector3<double> extent;  //!< size along the mesh's axes

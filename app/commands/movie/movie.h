@@ -13,7 +13,7 @@ struct Movie {
   std::filesystem::path file;  //!< .mp4, .mov or .mkv, which determines the codec
   double frame_rate_hz = 30.0;
   std::vector<std::filesystem::path> pictures;  //!< PNG or TIFF, in order
-  const MovieSound* sound = nullptr;            //!< of the same length as the film; nullptr: silent
+  const MovieSound* sound = nullptr;            //!< sound of the same length as the film; nullptr: silent
   //! Both the frames and the film have an alpha channel.
   bool alpha = false;
 };

@@ -34,8 +34,8 @@ struct ConnectOptions {
 
 //! Output values of a ray.
 struct Answer {
-  double xi = 0.0;           //!< [rad]
-  double travel_time = 0.0;  //!< [M]
+  double xi = 0.0;           //!< angle ξ at the observer, as in ConnectingRay [rad]
+  double travel_time = 0.0;  //!< coordinate time of the ray [M]
 };
 
 std::vector<Answer> connect_in_closed_form(const std::vector<PairRow>& rows) {

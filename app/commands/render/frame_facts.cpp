@@ -76,7 +76,7 @@ FrameMetadata frame_facts(const Show& show, const FrameFile& file) {
   facts.emplace_back("face", file.face ? cube_face_name(*file.face) : "none");
   facts.emplace_back("stereo", stereo_layout_names[static_cast<std::size_t>(show.stereo.layout)]);
   facts.emplace_back("version", ERGODOME_VERSION);
-  // Heat maps have their own color scale.
+  // Heat maps have their own color scale, to which the show's tone does not apply.
   if (file.mode == ViewMode::sky) {
     add_tone(show.tone, facts);
   }

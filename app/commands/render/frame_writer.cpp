@@ -148,7 +148,7 @@ std::string FrameWriter::early_room_note(int first, int last) const {
 std::string FrameWriter::room_note_for(int next, int last, const std::string& what, double frame_bytes) const {
   std::error_code problem;
   const std::filesystem::space_info space = std::filesystem::space(options_.out, problem);
-  // Existing frames are overwritten.
+  // Existing frames are overwritten, so only missing frames need additional space.
   const double needed = problem ? 0.0 : frame_bytes * static_cast<double>(files_.missing(next, last));
   return room_note(options_.out, what, static_cast<std::uintmax_t>(std::min(needed, 1e18)), space.available);
 }

@@ -53,7 +53,8 @@ class FrameWriter {
   [[nodiscard]] std::unique_ptr<MovieSound> sound_of(int first, int last) const;
   [[nodiscard]] std::string cost_note(int next, int last);
   [[nodiscard]] std::string new_room_note(int next, int last);
-  //! Warns if the missing frames of `next` to `last`, each of this size, do not fit on the disk.
+  //! Returns a warning if the missing frames of `next` to `last`, each of this size, do not fit on
+  //! the disk; otherwise an empty text.
   [[nodiscard]] std::string room_note_for(int next, int last, const std::string& what, double frame_bytes) const;
 
   const RenderOptions& options_;
@@ -65,9 +66,9 @@ class FrameWriter {
   bool told_narrowed_ = false;  //!< whether the note on a reduced baseline was printed
   int resumed_ = 0;
   int renewed_ = 0;
-  RunFrameCost frame_cost_;           //!< of the last frame written
+  RunFrameCost frame_cost_;           //!< cost of the last frame written
   bool told_cost_ = false;            //!< whether the estimate was printed
-  std::uintmax_t largest_bytes_ = 0;  //!< of the largest frame so far
+  std::uintmax_t largest_bytes_ = 0;  //!< size of the largest frame so far
   int looked_at_room_after_ = 0;      //!< value of written_ at the last check of disk space
   bool told_room_ = false;            //!< whether the warning about disk space was printed
 };

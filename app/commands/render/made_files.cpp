@@ -40,7 +40,7 @@ int MadeFiles::remove_files() {
 }
 
 void MadeFiles::remove_folders() {
-  // Inner folders were created last.
+  // Removes inner folders first, which were created last.
   std::for_each(folders_.rbegin(), folders_.rend(), [](const fs::path& folder) {
     std::error_code not_empty;
     fs::remove(folder, not_empty);

@@ -24,7 +24,7 @@ struct RenderOptions : ShowOverrides {
   bool alpha = false;
   double frame_rate_hz = 0.0;
   std::string movie;
-  bool delete_frames = false;  //!< after the film was checked
+  bool delete_frames = false;  //!< deletes the frames after the film was checked
   std::string view = "sky";
   std::string view_range;  //!< range of a heat map's colors, "MIN:MAX"; empty: the default
   std::string channels;    //!< channels to write instead of light, separated by commas; empty: none

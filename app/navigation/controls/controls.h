@@ -16,9 +16,9 @@ namespace ergodome {
 
 //! Mouse input since the last frame.
 struct MouseState {
-  double right_px = 0.0;  //!< dragged, with a button held
+  double right_px = 0.0;  //!< distance dragged to the right with a button held
   double down_px = 0.0;
-  double wheel_steps = 0.0;   //!< up
+  double wheel_steps = 0.0;   //!< steps of the wheel; positive: up
   std::set<int> buttons;      //!< held buttons, from 0
   double radians_per_px = 0;  //!< angle of view per pixel of the window
 };

@@ -25,7 +25,7 @@ std::string taken_from(std::string& keys) {
   return keys.empty() ? taken : taken + ",";
 }
 
-//! Subjects of the help, in order.
+//! Subjects by which the help groups its lines, in order.
 enum class HelpGroup { flight, camera, picture, show, stereo, program };
 
 struct GroupName {

@@ -31,7 +31,7 @@ struct NamedKey {
 struct NamedPart {
   const char* name;
   const char* label;
-  const char* german = nullptr;  //!< null: the same
+  const char* german = nullptr;  //!< German label; null: the same as the English one
 };
 
 constexpr NamedKey special_keys[] = {

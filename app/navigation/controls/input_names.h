@@ -14,7 +14,7 @@ struct Input {
   //! GLFW key code; mouse button from 0; mouse axis 0 or 1; wheel step up or down; index in
   //! PadButton or PadAxis.
   int code = 0;
-  unsigned modifiers = 0;  //!< of a key
+  unsigned modifiers = 0;  //!< modifier flags of a key
 
   auto operator<=>(const Input&) const = default;
 };

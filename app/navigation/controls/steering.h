@@ -8,9 +8,9 @@ struct Steering {
   double right = 0.0;
   double up = 0.0;
   double forward = 0.0;
-  double yaw = 0.0;     //!< to the right
-  double pitch = 0.0;   //!< up
-  double roll = 0.0;    //!< clockwise
+  double yaw = 0.0;     //!< turn to the right
+  double pitch = 0.0;   //!< turn up
+  double roll = 0.0;    //!< turn clockwise
   double zoom = 0.0;    //!< positive: smaller field of view
   double faster = 0.0;  //!< 0 to 1: up to the maximum comfortable speed
 

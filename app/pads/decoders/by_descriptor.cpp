@@ -100,7 +100,8 @@ class ByDescriptor : public PadDecoder {
   }
 
  private:
-  //! Returns whether the range of the axis changed.
+  //! If the value is that of a trigger, uses it to find the trigger's rest position. Returns
+  //! whether the range of the axis changed.
   bool find_rest(const Read& read, const RawPad& pad) {
     const auto trigger = read.as == Read::As::axis ? triggers_.find(read.index) : triggers_.end();
     return trigger != triggers_.end() && trigger->second.take(pad.values[read.index], layout_.axes[read.index]);
@@ -225,7 +226,7 @@ class ByDescriptor : public PadDecoder {
   bool is_puck_ = false;
   std::map<std::uint8_t, std::uint32_t> report_bits_;
   std::vector<Read> reads_;
-  std::map<std::size_t, TriggerRest> triggers_;  //!< by raw axis
+  std::map<std::size_t, TriggerRest> triggers_;  //!< rest positions of triggers, by index of the raw axis
   RawLayout layout_;
 };
 

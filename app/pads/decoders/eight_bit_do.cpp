@@ -8,7 +8,7 @@ namespace ergodome {
 namespace {
 
 constexpr std::size_t old_length = 9;
-constexpr std::size_t least_new_length = 15;  //!< up to the battery
+constexpr std::size_t least_new_length = 15;  //!< minimum length of a report: up to the battery level
 constexpr std::size_t most_new_length = 64;
 
 //! Reads reports in 8BitDo's layouts; all others are read by the descriptor.
@@ -46,7 +46,8 @@ class EightBitDo : public PadDecoder {
     press_bits(pad, byte, {{0x04, PadButton::paddle_2}, {0x20, PadButton::paddle_1}});
   }
 
-  //! Order: face, triggers as switches and middle, hat, sticks.
+  //! Reads a report of the old layout. Order: face buttons, triggers as switches and middle
+  //! buttons, hat, sticks.
   PadReport take_old(ReportBytes report, RawPad& pad) const {
     clear(pad);
     press_face(pad, report[0]);
@@ -59,7 +60,8 @@ class EightBitDo : public PadDecoder {
     return PadReport::state;
   }
 
-  //! Order: hat, sticks, right and left trigger, face, middle, two more paddles.
+  //! Reads a report of the new layout. Order: hat, sticks, right and left trigger, face buttons,
+  //! middle buttons, two more paddles.
   PadReport take_new(ReportBytes report, RawPad& pad) const {
     clear(pad);
     press_hat(pad, report[1]);

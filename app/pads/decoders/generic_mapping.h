@@ -8,12 +8,13 @@
 
 namespace ergodome {
 
-//! Returns whether an application is a joystick (1:4), a game pad (1:5) or a multi-axis controller
-//! (1:8).
+//! Returns whether a HID application collection is a joystick (usage 1:4), a game pad (1:5) or a
+//! multi-axis controller (1:8).
 bool has_pad(const HidLayout& hid);
 bool is_pad_usage(const HidUsage& usage);
 
-//! Returns whether an application is a multi-axis controller (1:8), such as a 3D mouse.
+//! Returns whether a HID application collection is a multi-axis controller (usage 1:8), such as a
+//! 3D mouse.
 bool is_puck(const HidLayout& hid);
 
 //! Returns the name of an axis: "x" to "rz", "slider", "dial", "wheel", "throttle", "brake", ...;
@@ -24,9 +25,9 @@ const char* generic_axis_name(const HidUsage& usage);
 //! Microsoft's controllers on the consumer page.
 std::optional<PadButton> generic_button(const HidUsage& usage);
 
-//! Maps raw axes by these names and their ranges: two sticks and the triggers of a game pad; x, y
-//! and twist of a flight stick, without its throttle, which rests anywhere; the six axes of a 3D
-//! mouse.
+//! Maps raw axes by their names (generic_axis_name()) and ranges: two sticks and the triggers of a
+//! game pad; x, y and twist of a flight stick, without its throttle, which rests anywhere; the six
+//! axes of a 3D mouse.
 void map_generic_axes(const HidLayout& hid, std::vector<RawAxis>& axes);
 
 //! Returns the meaning of HID buttons 1, 2, ...: the order of Android and Linux for game pads with

@@ -14,7 +14,7 @@ namespace ergodome {
 //! Result of decoding a report.
 enum class PadReport {
   state,    //!< the controller's state
-  other,    //!< known, but not a state: a battery level, an answer
+  other,    //!< a known report without a state, such as a battery level or the answer to a request
   absent,   //!< a receiver reports that it has no controller
   changed,  //!< the layout changed
   refused   //!< unknown id, wrong length or wrong checksum

@@ -111,7 +111,7 @@ inline std::vector<RawAxis> stick_axes(std::int32_t least, std::int32_t centre, 
           {"right_y", least, centre, greatest, PadAxis::right_y, true}};
 }
 
-//! Returns the same axes followed by two triggers, from 0 to `full`.
+//! Returns the axes of stick_axes(), followed by two triggers, from 0 to `full`.
 inline std::vector<RawAxis> stick_and_trigger_axes(std::int32_t least, std::int32_t centre, std::int32_t greatest,
                                                    std::int32_t full) {
   std::vector<RawAxis> axes = stick_axes(least, centre, greatest);
@@ -127,7 +127,7 @@ inline void take_bytes(RawPad& pad, std::size_t first, ReportBytes report, std::
   }
 }
 
-//! Copies 16-bit words in the same way.
+//! Copies `count` 16-bit words of a report to raw axes, like take_bytes().
 inline void take_words(RawPad& pad, std::size_t first, ReportBytes report, std::size_t at, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     pad.values[first + i] = u16_at(report, at + 2 * i);

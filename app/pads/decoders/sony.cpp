@@ -42,8 +42,8 @@ class SonyPad : public PadDecoder {
     return crc32_after(0xA1, report.first(end)) == stored;
   }
 
-  //! Order, starting with the left stick's x: sticks, hat and face, shoulders, PS and touch,
-  //! triggers.
+  //! Reads the state. Order of the bytes, starting with x of the left stick: sticks, hat and face
+  //! buttons, shoulder buttons, PS button and touch pad, triggers.
   static PadReport take(ReportBytes data, RawPad& pad) {
     pad.buttons.reset();
     take_bytes(pad, 0, data, 0, 4);
@@ -140,7 +140,8 @@ class DualSense : public SonyPad {
  private:
   static constexpr std::size_t full_length = 78;
 
-  //! Order: sticks, triggers, a counter, hat and face, shoulders, others.
+  //! Reads a full report. Order of its bytes: sticks, triggers, a counter, hat and face buttons,
+  //! shoulder buttons, other buttons.
   static PadReport take_full(ReportBytes data, RawPad& pad) {
     pad.buttons.reset();
     take_bytes(pad, 0, data, 0, 6);

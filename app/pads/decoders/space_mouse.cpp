@@ -43,7 +43,7 @@ class SpaceMouse : public PadDecoder {
       case 0x03:
         return take_buttons(report, pad);
       case 0x17:
-        // Battery.
+        // This report has the battery level.
         return report.size() >= 2 && report.size() <= 8 ? PadReport::other : PadReport::refused;
       default:
         return PadReport::refused;

@@ -6,7 +6,8 @@ namespace ergodome {
 namespace {
 
 constexpr std::size_t switch_simple_length = 12;
-constexpr std::size_t least_full_length = 12;  //!< up to the sticks; motion data follows
+//! Minimum length of a full report: up to the sticks; motion data follows.
+constexpr std::size_t least_full_length = 12;
 //! USB pads its reports to this length; Bluetooth sends 49.
 constexpr std::size_t most_full_length = 64;
 constexpr std::uint32_t factory_sticks = 0x603D;

@@ -27,7 +27,8 @@ struct HidDeviceInfo {
   std::string name;
   std::string serial;  //!< empty if there is none
   HidBus bus = HidBus::other;
-  std::vector<HidUsage> usages;  //!< of its collections; empty if the system does not report them
+  //! Usages of the device's collections; empty if the system does not report them.
+  std::vector<HidUsage> usages;
 };
 
 //! An open device.

@@ -156,7 +156,7 @@ class Parser {
           return;  // global items, and local items that are not used
         }
     }
-    // Local items apply until the next main item.
+    // Local items apply to one main item, so they are cleared after it.
     usages_.clear();
     range_first_ = 0;
   }
@@ -326,7 +326,8 @@ class Parser {
     if (field.least >= 0 && field.greatest < field.least) {
       field.greatest = globals_.greatest_bits;
     } else if (field.least == -1 && field.greatest == 0) {
-      // All bits set, and 0: the whole range, swapped.
+      // A minimum with all bits set and a maximum of 0 mean the whole unsigned range, with its
+      // limits swapped.
       field.least = globals_.least_bits;
     }
     if (field.greatest < field.least) {

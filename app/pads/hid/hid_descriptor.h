@@ -13,12 +13,13 @@ namespace ergodome {
 struct HidField {
   std::uint8_t report_id = 0;    //!< 0: the device has no ids
   std::uint32_t bit_offset = 0;  //!< from the report's first bit, after the id
-  std::uint8_t bits = 0;         //!< 1 to 32
+  std::uint8_t bits = 0;         //!< number of bits, 1 to 32
   HidUsage usage;                //!< for an array: the usage of value `least`
-  std::int64_t least = 0;        //!< logical; the field is null outside the range
+  //! Logical minimum; a value outside [least, greatest] means that the field has no value.
+  std::int64_t least = 0;
   std::int64_t greatest = 0;
   bool is_array = false;     //!< its value selects a usage: that of `least`, or a later one
-  bool is_relative = false;  //!< its value is a change since the last report
+  bool is_relative = false;  //!< the value is a change since the last report
 };
 
 //! The input part of a report descriptor (USB Device Class Definition for HID 1.11, chapter 6.2.2).

@@ -13,7 +13,7 @@ namespace ergodome {
 struct HidEvent {
   double t_s = 0.0;
   enum class Kind { report, disconnect, connect, error, deny, allow } kind = Kind::report;
-  std::vector<std::uint8_t> bytes;  //!< for `report`
+  std::vector<std::uint8_t> bytes;  //!< bytes of the report, for `report`
   std::string path;                 //!< for `connect`: the new path of the device; empty: unchanged
   std::string expect;               //!< for tests: the expected state of the controller
 };
@@ -31,7 +31,7 @@ struct FixtureDevice {
 
 //! Recorded or synthetic reports of devices, with their times.
 struct HidFixture {
-  std::string source;  //!< origin of its bytes
+  std::string source;  //!< where the bytes of the fixture come from
   std::vector<FixtureDevice> devices;
 };
 

@@ -83,7 +83,7 @@ class FixtureReader {
     const double every_s = table.number("every_ms", 1.0, 0.0, longest_ms) / 1000.0;
     set_kind(table, event);
     table.refuse_unknown_keys();
-    // Repeating a large report uses much memory.
+    // Repeating a large report uses much memory, so the expanded size is limited.
     expanded_bytes_ += (sizeof(HidEvent) + event.bytes.size() + event.expect.size()) * static_cast<std::size_t>(count);
     if (expanded_bytes_ > (std::size_t{64} << 20U) || device.timeline.size() + count > most_events) {
       throw table.error_at("count", "produces too many events",

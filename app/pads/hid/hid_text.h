@@ -9,7 +9,7 @@ namespace ergodome {
 //! surrounding blanks and invalid characters; returns "" for a null pointer.
 std::string text_of(const wchar_t* text);
 
-//! Does the same for text that is already UTF-8, from a fixture.
+//! Cleans text that is already UTF-8, from a fixture, in the same way as text_of().
 std::string without_controls(std::string_view text);
 
 }  // namespace ergodome

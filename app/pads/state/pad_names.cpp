@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, pad_button_count> button_names = {
     "select",     "start",   "guide", "left_stick", "right_stick",   "dpad_up",        "dpad_down",    "dpad_left",
     "dpad_right", "capture", "touch", "paddle_1",   "paddle_2",      "paddle_3",       "paddle_4"};
 
-// The names used in app/pads/decoders.
+// Names of raw axes that the decoders in app/pads/decoders use.
 constexpr std::array<std::string_view, 13> known_raw_axes = {"left_x",
                                                              "left_y",
                                                              "right_x",

@@ -25,7 +25,7 @@ std::vector<std::string> pad_button_names();
 //! "simple_left_x"), of a 3D mouse ("pitch"), or its HID usage ("rz", or "slider_2" if there are
 //! several).
 bool is_raw_axis_name(std::string_view name);
-//! Returns those names, without the numbered ones.
+//! Returns all names of raw axes, without the numbered ones ("slider_2").
 std::vector<std::string> raw_axis_names();
 
 //! Returns whether an axis goes from 0 to 1 and rests at 0.

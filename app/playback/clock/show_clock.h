@@ -35,7 +35,7 @@ ShowTime time_of_frame(std::int64_t frame, FrameRate rate);
 struct ShowInstant {
   MonotonicTime now{};     //!< when the clock was read
   ShowTime time{};         //!< show time
-  std::int64_t frame = 0;  //!< of the show, from 0
+  std::int64_t frame = 0;  //!< frame of the show, from 0
   std::int64_t pass = 0;   //!< number of loop restarts since the last jump
   double speed = 0.0;      //!< show seconds per second; 0: paused
   bool playing = false;
@@ -82,7 +82,7 @@ class ShowClock {
   [[nodiscard]] MonotonicTime now() const { return source_(); }
 
  private:
-  //! Time in 2^-32 ns.
+  //! Fixed-point time in units of 2^-32 ns.
   __extension__ using Fixed = __int128;
 
   [[nodiscard]] static Fixed fixed(ShowTime time) { return Fixed{time.count()} * (Fixed{1} << 32U); }
@@ -99,7 +99,7 @@ class ShowClock {
   FrameRate rate_;
   bool playing_ = false;
   bool loop_ = true;
-  std::int64_t speed_ = std::int64_t{1} << 32U;  //!< in 2^-32
+  std::int64_t speed_ = std::int64_t{1} << 32U;  //!< speed in units of 2^-32
   MonotonicTime anchored_at_{};
   Fixed position_ = 0;     //!< position at anchored_at_, within the show
   std::int64_t pass_ = 0;  //!< pass at anchored_at_

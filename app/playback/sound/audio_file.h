@@ -35,7 +35,7 @@ class Mp3File {
   int channels_ = 0;
   int rate_hz_ = 0;
   std::int64_t frames_ = 0;
-  std::int64_t next_frame_ = 0;  //!< next frame of the library; -1: unknown
+  std::int64_t next_frame_ = 0;  //!< next frame that the library will read; -1: unknown
 };
 
 //! Returns why a sound file cannot be played to its end; empty if it can. A truncated file is
@@ -83,7 +83,7 @@ class AudioFile {
   int channels_ = 0;
   int rate_hz_ = 0;
   std::int64_t frames_ = 0;
-  std::int64_t next_frame_ = -1;  //!< next frame of the library; -1: unknown
+  std::int64_t next_frame_ = -1;  //!< next frame that libsndfile will read; -1: unknown
 };
 
 }  // namespace ergodome

@@ -23,7 +23,7 @@ struct AudioCue {
 struct Soundtrack {
   std::vector<AudioTrack> tracks;
   std::filesystem::path folder;  //!< base folder of the files' relative paths
-  double duration_s = 0.0;       //!< of the show; 0: endless
+  double duration_s = 0.0;       //!< duration of the show; 0: endless
 };
 
 //! Returns the volume factor of a track at a time of the show from its gain and fades; 0 if it does

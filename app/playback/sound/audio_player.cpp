@@ -67,7 +67,7 @@ std::string AudioPlayer::state() const {
 }
 
 void AudioPlayer::say(std::string problem) {
-  // The messages may never be read.
+  // The number of messages is limited, because they may never be read.
   constexpr std::size_t most = 100;
   const std::lock_guard lock(mutex_);
   problem_ = problem;
@@ -107,7 +107,7 @@ void AudioPlayer::find_output() {
     if (!std::exchange(said_silent_, true)) {
       say(no_device);
     } else {
-      // Already logged; it is also this show's problem.
+      // The problem was already logged, but must also be in the status of this show.
       const std::lock_guard lock(mutex_);
       problem_ = no_device;
     }

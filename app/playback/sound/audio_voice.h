@@ -42,8 +42,8 @@ class AudioVoice {
     double place_s = 0.0;  //!< position in the file; negative: starts that much later
     double speed = 1.0;    //!< 0.5 to 2
     double gain = 1.0;
-    MonotonicTime at{};   //!< when this is valid
-    bool jumped = false;  //!< the position was set
+    MonotonicTime at{};   //!< time at which the requested position is valid
+    bool jumped = false;  //!< the show's time jumped, so the position is not continuous
   };
 
   AudioVoice(std::unique_ptr<AudioFile> file, bool loop, TimeSource source);
@@ -78,7 +78,7 @@ class AudioVoice {
   TimeSource source_;
   unsigned int voice_ = 0;
   std::array<unsigned int, buffer_count> buffers_{};
-  std::vector<float> samples_;  //!< of one buffer
+  std::vector<float> samples_;  //!< samples of one buffer
   int format_ = 0;
   int buffer_frames_ = 0;
   bool playing_ = false;
@@ -87,7 +87,7 @@ class AudioVoice {
   std::int64_t queue_end_ = 0;
   RecentMean ahead_s_;
   bool settled_ = false;  //!< was measured to be in sync after its start
-  double lead_s_ = 0.0;   //!< by how much starts were late, in addition to the reported latency
+  double lead_s_ = 0.0;   //!< time by which starts were late, in addition to the reported latency
   MonotonicTime started_{};
   long restarts_ = 0;
 };

@@ -11,8 +11,8 @@ namespace ergodome {
 //! The projectors of a dome.
 struct ProjectorOptions {
   DomeSetup setup;
-  std::vector<ProjectorPicture> pictures;  //!< of each projector of the setup
-  int master_px = 0;                       //!< enough_master_px() of the pictures
+  std::vector<ProjectorPicture> pictures;  //!< picture of each projector of the setup
+  int master_px = 0;                       //!< width of the domemaster: enough_master_px() of the pictures
   bool hide_control = false;               //!< shows only the projectors' windows
 };
 
@@ -32,7 +32,7 @@ class DomeOutput : public WindowOutput {
   void save_screenshot(const std::string& file) override;
 
  private:
-  std::vector<std::string> names_;  //!< of the projectors, for files
+  std::vector<std::string> names_;  //!< names of the projectors, for file names
   int master_px_;
   ProjectorWindows projectors_;
 };

@@ -48,16 +48,16 @@ class WindowOutput : public DisplayOutput {
   void draw_window(const ImageSize& size);
   //! Returns the areas of a window that text is drawn in: the whole window, or one area per eye.
   [[nodiscard]] std::vector<PanelArea> eye_areas(const ImageSize& size) const;
-  //! Returns the size of such an area in pixels of text.
+  //! Returns the size of one of the areas of eye_areas(), in pixels of text.
   [[nodiscard]] TextSize room_for_text() const;
   [[nodiscard]] bool help_shown() const;
   const FittedText& fitted_help(const std::string& list, const TextSize& window, int usual_px);
 
   Window window_;
   Presenter presenter_;
-  std::optional<ImageSize> last_size_;        //!< before the window was minimized, if it is
-  EyesInWindow eyes_ = EyesInWindow::as_one;  //!< of the last picture
-  EyeGrid grid_;                              //!< of the last picture's eyes
+  std::optional<ImageSize> last_size_;        //!< size before the window was minimized, if it is minimized
+  EyesInWindow eyes_ = EyesInWindow::as_one;  //!< arrangement of the eyes in the last picture
+  EyeGrid grid_;                              //!< arrangement of the last picture's eyes in a grid
   LaidCaptions captions_;
   double legend_part_ = 0.0;  //!< fraction of the last picture's height that its legend takes
   struct Text {

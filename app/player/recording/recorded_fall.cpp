@@ -43,7 +43,7 @@ bool may_begin_at(Spacetime spacetime, const CameraPose& falls) {
 }
 
 struct FallBeginning {
-  CameraPose pose;  //!< in the rain frame
+  CameraPose pose;  //!< pose with a velocity in the rain frame
   double own_time;  //!< proper time relative to the first moment, at most 0 [M]
 };
 

@@ -15,11 +15,11 @@ struct FallMoment {
   double own_time = 0.0;  //!< proper time of the camera, from any origin [M]
 };
 
-//! A fall in the form of [camera.fall] and its clock.
+//! A fall as the table [camera.fall] of a show stores it, with its clock.
 struct RecordedFall {
   CameraKey start;  //!< where the keys release the camera; its angles are not set
   FallSettings settings;
-  //! Camera.fall.clock: matches the proper times at all moments to 1e-8 M.
+  //! Keys of camera.fall.clock: they match the proper times at all moments to 1e-8 M.
   std::vector<NumberKey> clock;
 };
 

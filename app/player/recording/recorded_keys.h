@@ -7,12 +7,12 @@
 
 namespace ergodome {
 
-//! Tolerance of a recorded path relative to the flight.
+//! Maximum deviation of a recorded path from the flight.
 struct RecordTolerance {
-  double turn_rad = 1e-3;  //!< of the view, and of the position as seen from the hole
-  double radius = 1e-3;    //!< relative
-  //! Tolerance of the observer's proper velocity: it shifts the view by less than twice that angle
-  //! [rad].
+  double turn_rad = 1e-3;  //!< maximum angle of the view, and of the position as seen from the hole
+  double radius = 1e-3;    //!< maximum relative deviation of the radius
+  //! Tolerance of the observer's proper velocity: a change of this size shifts directions in the
+  //! view by less than twice this number [rad].
   double velocity = 5e-4;
 };
 
@@ -22,9 +22,9 @@ struct PathMark {
   CameraPose pose;
 };
 
-//! Returns the keys of few marks, chosen greedily, with which the path is within the tolerance of all
-//! marks, sorted by time. The first, the last and the mark with index `always` are included. `path` has all other
-//! settings of the camera.
+//! Returns the keys of few marks, chosen greedily, with which the path is within the tolerance of
+//! all marks. `marks` are sorted by time. The first mark, the last one and that with index `always`
+//! are included. `path` has all other settings of the camera.
 std::vector<CameraKey> fewest_keys(const std::vector<PathMark>& marks, std::size_t always, Show path,
                                    const RecordTolerance& tolerance);
 

@@ -180,8 +180,8 @@ PictureAnswer render_for_output(const PictureRequest& request) {
   const PlayerFrame& frame = request.frame;
   set_up(renderer, request);
   const Projection projection = make_projection(renderer.show().view, request.size_px, frame.field_of_view_deg);
-  // After a seek, a picture is shown soon, streamed or not; a grid that takes longer is for the
-  // next picture.
+  // A picture waits for its lens for at most patience_s, so that it appears soon after a seek. A
+  // grid that takes longer is used by the next picture.
   const ShowMoment moment = {frame.path_time_s, request.patience_s};
   PictureAnswer answer;
   if (request.light_asked_s) {

@@ -25,7 +25,8 @@ struct PictureRequest {
   int size_px = 0;    //!< width of one eye's image
   OutputWish output;  //!< where the picture will be shown
   bool disparity_asked = false;
-  //! Replaces the show's; its budget is in pixels of a picture `whole_px` wide.
+  //! Quality settings that replace the show's. Their error budget is in pixels of a picture that is
+  //! `whole_px` wide.
   std::optional<FrameQuality> quality;
   int whole_px = 0;
   //! How long the picture waits for its lens before it uses an older one.
@@ -36,9 +37,9 @@ struct PictureRequest {
   std::optional<double> light_asked_s;
 };
 
-//! The lit part of a view.
+//! The part of a view's pixels that is brighter than black.
 struct ViewLight {
-  double asked_s = 0.0;   //!< PictureRequest::light_asked_s
+  double asked_s = 0.0;   //!< PictureRequest::light_asked_s of the request that this answers
   double lit_part = 0.0;  //!< fraction of the image's pixels, without captions
 };
 
@@ -46,19 +47,19 @@ struct ViewLight {
 struct PictureAnswer : OutputFrame {
   double time_ms = 0.0;
   int size_px = 0;
-  std::optional<Disparity> disparity;  //!< if requested, for two eyes
-  //! If requested (app/player/renderers/picture_error.h).
+  std::optional<Disparity> disparity;  //!< disparity of the two eyes, if requested
+  //! Errors of some pixels, if requested (app/player/renderers/picture_error.h).
   std::optional<std::vector<double>> errors_px;
-  std::optional<ViewLight> light;        //!< if requested
-  std::optional<NarrowedEyes> narrowed;  //!< if the requested baseline had to be reduced
+  std::optional<ViewLight> light;        //!< lit part of the view, if requested
+  std::optional<NarrowedEyes> narrowed;  //!< present if the requested baseline had to be reduced
   double measuring_ms = 0.0;             //!< time of the measurements; not part of time_ms
   //! Why there is no picture; the last good one stays on the screen.
   std::string problem;
 };
 
-//! Renders the picture that an output needs: its own eyes, or the request's stereo layout. Eyes that
-//! the layout stores separately, or that each fill the window, are side by side. Throws Error if
-//! rendering fails.
+//! Renders the picture that an output needs: its own eyes, or the request's stereo layout. Eyes
+//! that the layout stores separately, or that each fill the window, are side by side. Throws Error
+//! if rendering fails.
 PictureAnswer render_for_output(const PictureRequest& request);
 
 //! Renders on a separate thread, so that the window stays responsive. Only the latest request

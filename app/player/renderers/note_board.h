@@ -31,7 +31,7 @@ class NoteBoard {
     standing_[show] = std::move(reading);
   }
 
-  //! Replaces the notes of a show with these.
+  //! Replaces the notes of a show with `notes`.
   void post(const std::string& show, const std::vector<std::string>& notes) {
     auto reading = std::make_shared<std::set<std::string>>();
     for (const std::string& note : notes) {
@@ -58,7 +58,7 @@ class NoteBoard {
   }
 
   std::mutex mutex_;
-  std::map<std::string, Reading> standing_;  //!< by the name of the show
+  std::map<std::string, Reading> standing_;  //!< notes of the latest readings, by the name of the show
   std::vector<std::string> waiting_;
 };
 

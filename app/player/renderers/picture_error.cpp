@@ -8,7 +8,8 @@ namespace ergodome {
 
 namespace {
 
-//! Few enough not to delay a frame.
+//! Number of rows in which errors are measured, and of pixels in each row: few enough not to delay
+//! a frame.
 constexpr int error_rows = 8;
 constexpr int error_columns = 16;
 

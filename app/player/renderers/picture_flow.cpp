@@ -12,8 +12,9 @@ namespace {
 constexpr double moving_budget_ms = 70.0;
 constexpr int smallest_px = 192;
 
-//! A picture that takes this much longer than expected from the last one has hung. The first one
-//! also prepares data for later ones.
+//! A picture has hung if it takes at least `least_hang_s`, and more than `hang_factor` times as
+//! long as expected from the last one. The first picture, which also prepares data for later ones,
+//! may take `first_hang_s`.
 constexpr double least_hang_s = 1.5;
 constexpr double first_hang_s = 60.0;
 constexpr double hang_factor = 10.0;

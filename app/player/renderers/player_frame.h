@@ -19,7 +19,7 @@ struct PlayerFrame {
   double field_of_view_deg = 0.0;
   std::optional<double> path_time_s;  //!< position on the show's path; absent off the path
   StereoSettings stereo;
-  double exposure_stops = 0.0;  //!< in addition to the show's
+  double exposure_stops = 0.0;  //!< exposure stops in addition to the show's
   std::string language;
   bool captions = true;
   double light = 1.0;  //!< factor on the display's light

@@ -16,7 +16,7 @@ class RendererLoader {
  public:
   using Make = std::function<std::shared_ptr<ShowRenderer>(const Show&)>;
 
-  //! The show to load: one that runs, or another version of it.
+  //! A show to load: one that is about to run or, if `version`, a new version of the running one.
   struct Order {
     Show show;
     bool version = false;

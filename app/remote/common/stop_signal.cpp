@@ -31,7 +31,7 @@ StopSignal::StopSignal() : event_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
 
 void StopSignal::raise() {
   const std::uint64_t one = 1;
-  // A saturated counter also wakes the waiting threads.
+  // If this fails because the counter is at its maximum, the waiting threads wake up as well.
   [[maybe_unused]] const ssize_t written = ::write(event_.get(), &one, sizeof one);
 }
 

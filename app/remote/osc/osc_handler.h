@@ -35,7 +35,8 @@ struct OscDatagram {
   std::vector<char> bytes;
 };
 
-//! Executes OSC messages (see reference/osc.md). Has no socket and no clock.
+//! Executes OSC messages (see reference/osc.md). Uses no socket and reads no clock: callers pass
+//! packets and times.
 //!
 //! Limits the number of scheduled commands, of subscribers and of answers per second.
 class OscHandler {
@@ -44,7 +45,7 @@ class OscHandler {
   static constexpr double longest_wait_s = 60.0;
   static constexpr std::chrono::milliseconds feedback_interval{100};
 
-  //! `listed` receive feedback without subscribing.
+  //! The addresses in `listed` receive feedback without subscribing.
   OscHandler(CommandQueue& commands, const StatusBoard& board, OscListeners listeners,
              std::vector<NetAddress> listed = {})
       : commands_(commands), board_(board), listeners_(std::move(listeners)), subscribers_(std::move(listed)) {}

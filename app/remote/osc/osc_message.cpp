@@ -225,7 +225,8 @@ OscTime osc_now() {
 }
 
 double osc_difference_s(OscTime a, OscTime b) {
-  // The unsigned difference wraps like the era of 2036.
+  // The difference is computed in unsigned integers, so it is also right across the overflow of OSC
+  // time in 2036.
   return static_cast<double>(static_cast<std::int64_t>(a - b)) / 4294967296.0;
 }
 

@@ -29,7 +29,7 @@ struct OscMessage {
   bool operator==(const OscMessage&) const = default;
 };
 
-//! Limits of packets.
+//! Maximum size of a packet [bytes], and maximum number of its messages.
 inline constexpr std::size_t largest_osc_packet = 8192;
 inline constexpr std::size_t most_osc_messages = 64;  //!< per packet
 inline constexpr int deepest_osc_bundle = 4;

@@ -24,7 +24,7 @@ class OscSubscribers {
   static constexpr std::chrono::seconds subscription{30};
   static constexpr std::chrono::seconds nonce_lifetime{60};
 
-  //! `listed` receive feedback as long as the player runs.
+  //! The addresses in `listed` receive feedback as long as the player runs.
   explicit OscSubscribers(std::vector<NetAddress> listed = {});
 
   //! Returns whether answers to a host may be longer than its messages.

@@ -36,7 +36,7 @@ class WebLobby {
   //! closes the others when due.
   std::vector<std::unique_ptr<HttpStream>> admit(Instant now);
 
-  //! Adds the sockets that admit() waits for.
+  //! Adds the sockets whose input admit() reads, so that the caller can wait for them.
   void add_sockets(std::vector<pollfd>& sockets) const;
   //! Returns when admit() is due at the latest, or `otherwise` if that is sooner.
   [[nodiscard]] Instant next_deadline(Instant otherwise) const;
@@ -46,7 +46,7 @@ class WebLobby {
     std::unique_ptr<HttpStream> stream;
     std::string host;
     Instant until;
-    bool refused = false;  //!< its answer is due at `until`
+    bool refused = false;  //!< the request is refused, and the answer is due at `until`
   };
   enum class Step { wait, admit, close };
 

@@ -19,7 +19,8 @@ namespace ergodome {
 //! caller supplies connections.
 class WebPages : private httplib::Server {
  public:
-  static constexpr int most_event_streams = 12;  //!< from this machine, and as many from others
+  //! Limit for clients on this machine, and the same again for all others.
+  static constexpr int most_event_streams = 12;
   static constexpr std::chrono::milliseconds event_interval{100};
 
   //! `guard` and `stop` must outlive this.

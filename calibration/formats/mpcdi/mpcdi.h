@@ -63,7 +63,7 @@ struct MpcdiFisheye {
 struct MpcdiGeometry {
   FloatMap map;
   std::string interpolation = "linear";
-  std::string unit = "unknown";  //!< of 3D data: mm, cm, dm, m, in, ft, yd or unknown
+  std::string unit = "unknown";  //!< unit of 3D data: mm, cm, dm, m, in, ft, yd or unknown
   MpcdiOrigin origin = MpcdiOrigin::unknown;
 };
 
@@ -76,7 +76,7 @@ struct MpcdiMask {
 //! One projector.
 struct MpcdiRegion {
   std::string id;
-  double x = 0.0;  //!< in its buffer, 0 to 1 from the left; y likewise from the top
+  double x = 0.0;  //!< left edge in the buffer, 0 to 1; y likewise from the top
   double y = 0.0;
   double width = 1.0;
   double height = 1.0;
@@ -86,11 +86,13 @@ struct MpcdiRegion {
   std::optional<Frustum> frustum;
   std::optional<MpcdiFrame> frame;
   std::optional<MpcdiFisheye> fisheye;
-  std::optional<double> decode_gamma;  //!< from the source to linear light; absent if not stated
-  std::optional<double>
-      encode_gamma;  //!< from linear light to the projector's input; absent if the file does not state it
+  //! Gamma from the source to linear light; absent if the file does not state it.
+  std::optional<double> decode_gamma;
+  //! Gamma from linear light to the projector's input; absent if the file does not state it.
+  std::optional<double> encode_gamma;
   std::optional<MpcdiGeometry> geometry;
-  std::string unit = "unknown";        //!< of the frame's position; may be stated without a warp
+  //! Unit of the frame's position; may be stated without a warp.
+  std::string unit = "unknown";
   std::optional<MpcdiMask> alpha;      //!< remaining fraction of the projector's light in overlaps
   std::optional<MpcdiMask> beta;       //!< black-level lift
   std::optional<FloatMap> distortion;  //!< profile sl: the lens's own 2D warp
@@ -121,8 +123,8 @@ inline constexpr std::array<std::string_view, 4> mpcdi_profile_words = {"2d", "3
 inline constexpr std::array<std::string_view, 4> mpcdi_origin_words = {"unknown", "centerOfMass", "idealEyePoint",
                                                                        "floorCenter"};
 
-//! One of the nine components of a coordinateFrame's axes or the three of its position, with its
-//! tag.
+//! One number of an XML <coordinateFrame>, with its tag: one of nine components of the axes or of
+//! three components of the position.
 struct MpcdiFrameNumber {
   std::string_view tag;
   Vector3<double> MpcdiFrame::*vector;

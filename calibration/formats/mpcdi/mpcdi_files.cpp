@@ -42,8 +42,8 @@ bool same_letters(std::string_view a, std::string_view b) {
   return std::ranges::equal(a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
-//! Returns the name of a file in messages: the element that names it, then the file's name, whose
-//! extension gives the format.
+//! Returns the name of a file for messages: the position of the element that names it, then the
+//! file's name, whose extension determines the format.
 std::string name_of(const XmlElement& element, const std::string& path) { return element.place() + ": " + path; }
 
 MpcdiOrigin origin_of(const std::string& word) {

@@ -32,7 +32,8 @@ std::string trimmed(std::string_view text) {
   return std::string(text.substr(begin, text.find_last_not_of(blanks) - begin + 1));
 }
 
-//! Finds nodes that are refused: document types, and elements that are nested too deeply.
+//! Finds nodes for which a file is refused: document types, and elements that are nested too
+//! deeply.
 struct Inspector : pugi::xml_tree_walker {
   pugi::xml_node too_deep;
   pugi::xml_node document_type;

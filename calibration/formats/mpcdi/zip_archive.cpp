@@ -13,8 +13,8 @@ namespace ergodome {
 namespace {
 
 constexpr zip_int64_t most_entries = 4096;
-//! Smooth warps are compressed about twentyfold, empty masks a few hundredfold; small members may
-//! exceed the ratio.
+//! Maximum compression ratio of members. Smooth warps are compressed about twentyfold, empty masks
+//! a few hundredfold; small members may exceed the ratio.
 constexpr std::size_t largest_ratio = 500;
 constexpr std::size_t small_member = std::size_t{1} << 20U;
 
@@ -141,8 +141,8 @@ std::string ZipArchive::read(const std::string& member, std::size_t most_bytes) 
 
 namespace {
 
-//! Adds the members and closes the archive, whose bytes are then in its source. Returns false if
-//! libzip fails.
+//! Adds the members to the archive and closes it. The archive's source then contains its bytes.
+//! Returns false if libzip fails.
 bool fill(zip_t* archive, const std::vector<std::pair<std::string, std::string>>& members) {
   for (const auto& [name, bytes] : members) {
     zip_source_t* const source = zip_source_buffer(archive, bytes.data(), bytes.size(), 0);

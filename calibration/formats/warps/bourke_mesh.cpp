@@ -14,11 +14,11 @@ namespace ergodome {
 
 namespace {
 
-//! Sufficient for every node of the largest mesh.
+//! Maximum size of a file: sufficient for every node of the largest mesh.
 constexpr std::size_t most_mesh_bytes = std::size_t{2} << 30U;
-//! Far outside any raster or image.
+//! Maximum coordinate: far outside any raster or image.
 constexpr double largest_mesh_coordinate = 1e4;
-//! "0 0 0 0 0", the shortest line of a node.
+//! Size of "0 0 0 0 0", the shortest line of a node.
 constexpr std::size_t least_node_bytes = 9;
 
 std::string shown_word(std::string_view word) { return std::string(word.substr(0, 40)); }

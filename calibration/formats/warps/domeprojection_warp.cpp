@@ -109,8 +109,8 @@ class DomeprojectionParser {
   WarpMesh grid() const {
     check_mesh_size(columns_, rows_, file_);
     const std::size_t places = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
-    // Missing nodes are parts that the projector does not show; meshes with very few nodes are
-    // refused.
+    // Nodes may be missing for parts that the projector does not show, but meshes in which almost
+    // all are missing are refused.
     constexpr std::size_t most_places_a_node = 16;
     if (places / most_places_a_node > nodes_.size()) {
       throw Error(file_, fmt::format("has {} nodes for {} columns and {} rows", nodes_.size(), columns_, rows_),

@@ -203,8 +203,8 @@ class EasyblendParser {
     return view;
   }
 
-  //! Rotates a vector around x by the pitch (up), then around y by the yaw (to the left), then
-  //! around z by the roll (counterclockwise).
+  //! Rotates a vector around the x axis by the pitch (up), then around y by the yaw (to the left),
+  //! then around z by the roll (counterclockwise).
   [[nodiscard]] Vector3<double> turned(Vector3<double> v) const {
     const auto turn = [this](const char* key, double& a, double& b) {
       const double angle = one_degree * number(key);

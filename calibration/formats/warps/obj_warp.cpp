@@ -60,7 +60,7 @@ class ObjWarpParser {
     } else if (word == "f") {
       read_face(rest);
     }
-    // A warp does not use normals, groups or materials.
+    // Skips normals, groups and materials, which a warp does not use.
   }
 
   void require_room(std::size_t count) const {
@@ -84,7 +84,8 @@ class ObjWarpParser {
     require_room(positions_.size());
   }
 
-  //! Removes an index from the front of a face's corner and returns it; returns 0 if there is none.
+  //! Removes one index from the front of a face's corner ("v/vt/vn") and returns it; returns 0 if
+  //! there is none.
   long long taken_index(std::string_view& corner, std::size_t count) const {
     long long index = 0;
     const auto [end, problem] = std::from_chars(corner.data(), corner.data() + corner.size(), index);
@@ -92,7 +93,7 @@ class ObjWarpParser {
       return 0;
     }
     corner.remove_prefix(static_cast<std::size_t>(end - corner.data()));
-    // Negative indices count back from the latest line.
+    // Negative indices count back from the last element read so far.
     index = index < 0 ? static_cast<long long>(count) + index + 1 : index;
     if (index < 1 || index > static_cast<long long>(count)) {
       throw text_.error(fmt::format("refers to number {}, but the lines before it define {}", index, count),
@@ -119,8 +120,9 @@ class ObjWarpParser {
     return node_of(static_cast<std::size_t>(position - 1), static_cast<std::size_t>(texture - 1));
   }
 
-  //! Returns the node of a position with a texture coordinate. For a position's first texture
-  //! coordinate, the node has the position's index, so that grids are recognized.
+  //! Returns the node with a position and a texture coordinate. For the first texture coordinate of
+  //! a position, the node's index is that of the position, so that complete grids can be
+  //! recognized.
   std::uint32_t node_of(std::size_t position, std::size_t texture) {
     nodes_.resize(std::max(nodes_.size(), positions_.size()));
     first_texture_.resize(positions_.size(), none);

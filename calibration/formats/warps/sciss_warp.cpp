@@ -15,7 +15,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "numbers are stored as a little-endian machine has them");
 
-//! Values for the kind of indices in files of version 2.
+//! Values of the field for the kind of indices in files of version 2.
 constexpr std::uint32_t list_of_triangles = 4;
 constexpr std::uint32_t strip_of_triangles = 5;
 

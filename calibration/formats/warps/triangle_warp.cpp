@@ -13,17 +13,17 @@ namespace ergodome {
 
 namespace {
 
-//! The corners of a grid cell that a triangle has: bits 0 and 1 in the first row, 2 and 3 in the
-//! second.
+//! A triangle as a part of a grid cell. Its bits state which corners of the cell it has: bits 0 and
+//! 1 in the first row, 2 and 3 in the second.
 struct CellPart {
-  std::size_t cell;  //!< index of its first node
+  std::size_t cell;  //!< index of the cell's first node
   unsigned corners;
 };
 
 std::optional<CellPart> part_of_cell(const WarpTriangle& triangle, std::size_t columns) {
   const std::size_t first = *std::ranges::min_element(triangle);
-  // The triangle's smallest node is the cell's first, or its second if the triangle lacks the
-  // first.
+  // The triangle's smallest node index is that of the cell's first node, or of its second if the
+  // triangle does not have the first.
   for (const std::size_t back : {std::size_t{0}, std::size_t{1}}) {
     if (first < back || (first - back) % columns + 1 == columns) {
       continue;
@@ -42,7 +42,8 @@ std::optional<CellPart> part_of_cell(const WarpTriangle& triangle, std::size_t c
   return std::nullopt;
 }
 
-//! Returns true if two triangles of three corners each fill a cell: they share a diagonal.
+//! Returns true if two triangles, given by their corner bits, together fill a cell: they share a
+//! diagonal.
 bool fills_cell(unsigned a, unsigned b) { return (a | b) == 15U && ((a & b) == 9U || (a & b) == 6U); }
 
 //! Returns true if the triangles are the two halves of every cell of a grid with `columns` columns
@@ -111,7 +112,7 @@ WarpMesh separate_cells(const std::vector<WarpNode>& nodes, const std::vector<Wa
   return mesh;
 }
 
-//! Distances on the raster from the first column to the last, summed over all rows.
+//! Distances on the raster from the first column to the last column, summed over all rows.
 struct Extent {
   double x = 0.0;
   double y = 0.0;

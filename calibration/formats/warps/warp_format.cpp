@@ -18,7 +18,7 @@ struct WarpFormatFacts {
   std::initializer_list<std::string_view> endings;
 };
 
-//! In the order of WarpFormat.
+//! Properties of the formats, in the order of WarpFormat.
 const WarpFormatFacts format_facts[] = {
     {"bourke", "a mesh in Paul Bourke's format", {".data"}},
     {"pfm", "a portable float map", {".pfm"}},

@@ -84,8 +84,8 @@ constexpr FixedKind fixed_kinds[] = {{"box2f", 16},
                                      {"v3f", 12},
                                      {"v3i", 12}};
 
-//! Reads a list of channels, which ends with an empty name. Returns true if it ends where its size
-//! says.
+//! Reads a list of channels, which ends with an empty name. Returns true if the list ends exactly
+//! after `size` bytes.
 bool is_channel_list_whole(const NextBytes& next, std::uint64_t size) {
   constexpr std::uint64_t channel_bytes = 16;
   while (size > 0) {
@@ -150,8 +150,8 @@ bool is_channel(std::string_view name, std::string_view letter, std::string_view
   return last == letter || last == word;
 }
 
-//! Returns the layer whose first channel is channels[first]; without channels if that is not a
-//! color.
+//! Returns the layer whose first channel is channels[first]. If that is not a color, the result has
+//! no channels.
 ExrLayer layer_at(const std::vector<std::string>& channels, std::size_t first) {
   const std::string layer_name = layer_of(channels[first]);
   const auto is = [&](std::size_t at, std::string_view letter, std::string_view word) {

@@ -27,7 +27,7 @@ struct ExrLayer {
   int part = 0;
   int first_channel = 0;
   int channels = 0;
-  int alpha = -1;  //!< counted from the first channel
+  int alpha = -1;  //!< index of the alpha channel relative to `first_channel`; -1: none
 };
 
 //! Returns the layers of a file that can be shown, in the file's order, of a stereo file only those

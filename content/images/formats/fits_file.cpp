@@ -10,7 +10,8 @@ namespace ergodome {
 
 namespace {
 
-//! A FITS file in memory, because CFITSIO cannot write into an existing file on the disk.
+//! A FITS file in memory. It is used because CFITSIO cannot write into an existing file on the
+//! disk.
 class FitsMemory {
  public:
   explicit FitsMemory(int& status) { fits_create_memfile(&file_, &bytes_, &size_, growth, std::realloc, &status); }

@@ -18,12 +18,12 @@ struct JpegSegment {
   std::string_view data;
 };
 
-//! Returns true for markers without a length after them: start, end, restarts, and 0, which follows
-//! a data byte of 255.
+//! Returns true for markers that no length follows: start, end, restarts, and 0, which follows a
+//! data byte of 255.
 bool stands_alone(unsigned marker) { return marker <= 0x01 || (marker >= 0xD0 && marker <= 0xD9); }
 
-//! Returns the segment at or after `at`, and moves `at` behind it. Its marker is `no_marker` at the
-//! end of the bytes.
+//! Returns the first segment at or after position `at`, and moves `at` behind it. The marker is
+//! `no_marker` if no segment follows.
 JpegSegment next_segment(std::string_view bytes, std::size_t& at) {
   const auto byte = [&](std::size_t place) { return static_cast<unsigned>(static_cast<unsigned char>(bytes[place])); };
   while ((at = bytes.find('\xFF', at)) < bytes.size() && at + 1 < bytes.size()) {

@@ -12,7 +12,7 @@ struct PanoramaCrop {
   int full_height = 0;
   int left = 0;
   int top = 0;
-  int width = 0;  //!< of the image when it was cropped; it may have been scaled later
+  int width = 0;  //!< width of the image when it was cropped; it may have been scaled later
   int height = 0;
   std::string problem;  //!< what is not supported; empty if everything is
 };

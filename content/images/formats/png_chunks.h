@@ -18,7 +18,7 @@ inline constexpr std::string_view png_signature("\x89PNG\r\n\x1A\n", 8);
 //! Returns the first four bytes as a big-endian number.
 std::uint32_t big_endian_word(std::string_view bytes);
 
-//! How far a PNG is checked.
+//! How far a PNG is checked: up to its first pixel data, or completely.
 enum class PngExtent { to_pixels, to_end };
 
 //! Returns what is wrong with the chunks of a PNG, whose bytes `next` yields from the first on: it

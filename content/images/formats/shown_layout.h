@@ -11,8 +11,9 @@ struct ShownLayout {
   int data_height = 0;
   int window_width = 0;
   int window_height = 0;
-  int orientation =
-      1;  //!< of the window, as in TIFF and Exif: 1 is upright, 3 upside down, 6 to be turned right by 90°
+  //! Orientation of the window, as in TIFF and Exif: 1 is upright, 3 upside down, 6 must be rotated
+  //! right by 90°.
+  int orientation = 1;
 
   //! Returns true if the file's pixels are those of the shown image, row by row.
   [[nodiscard]] bool is_plain() const;

@@ -78,8 +78,8 @@ void take_code_points(const CodePoints& points, ColorMetadata& metadata) {
   }
 }
 
-//! Sets the transfer function from an exponent. An exponent close to 2.2 becomes the sRGB curve, as
-//! in libpng, because many programs write it for sRGB.
+//! Sets the transfer function from an exponent. An exponent close to 2.2 is taken as the sRGB
+//! curve, as in libpng, because many programs write 2.2 for sRGB.
 void take_gamma(double exponent, ColorMetadata& metadata) {
   constexpr double srgb_exponent = 2.2;
   constexpr double significant = 0.05;

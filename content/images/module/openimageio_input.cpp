@@ -45,8 +45,8 @@ constexpr std::size_t longest_head = std::size_t{1} << 16U;
 
 class Input final : public ImageInput {
  public:
-  //! Opens a file or its bytes; is_open() returns true if that succeeded. Reads `replaced` instead
-  //! of the file's bytes unless it is empty.
+  //! Opens a file, or the image in `asked.bytes`; is_open() returns true if that succeeded. If
+  //! `replaced` is not empty, reads these bytes instead.
   Input(const std::string& name, const ImageLibrary::Wishes& asked, std::string replaced)
       : replaced_(std::move(replaced)),
         bytes_(name, asked.bytes),
@@ -264,14 +264,15 @@ class Input final : public ImageInput {
   std::string replaced_;
   ImageBytes bytes_;
   ImageLibrary::Wishes asked_;
-  std::optional<std::string> torn_;  //!< what is wrong with a PNG, empty if nothing; absent before the check
+  //! What is wrong with a PNG; empty text: nothing; nullopt: not yet checked.
+  std::optional<std::string> torn_;
   OIIO::Filesystem::IOMemReader memory_;
   std::unique_ptr<OIIO::ImageInput> input_;
   std::string problem_;
   ImageShape shape_;
   ShownLayout layout_;
   StoredRows rows_;
-  std::vector<float> shown_;  //!< all pixels of an image that must be turned
+  std::vector<float> shown_;  //!< all pixels of an image that must be rotated or mirrored
   int shown_channels_ = 0;    //!< channels in shown_; 0 if it is empty
   int part_ = 0;
   ExrLayer layer_;
@@ -281,8 +282,9 @@ class Input final : public ImageInput {
   bool divides_by_alpha_ = false;
 };
 
-//! Returns the problem if an image claims more pixels than `file_bytes` bytes can hold, else an
-//! empty text. The best-packing formats store some 10,000 pixels of plain black in a byte.
+//! Returns an error if an image claims more pixels than a file of `file_bytes` bytes can hold,
+//! otherwise an empty text. The formats with the best compression store some 10,000 black pixels in
+//! a byte.
 std::string problem_of_size(int width, int height, std::uintmax_t file_bytes) {
   constexpr double most_pixels_a_byte = 100'000.0;
   const double pixels = static_cast<double>(width) * height;
@@ -292,8 +294,8 @@ std::string problem_of_size(int width, int height, std::uintmax_t file_bytes) {
   return fmt::format("it claims {} x {} pixels in {} bytes", width, height, file_bytes);
 }
 
-//! Returns a Radiance file in CIE XYZ relabeled as RGB. Both formats store three channels in the
-//! same way, but OpenImageIO opens only RGB.
+//! Returns a Radiance file in CIE XYZ with a header that declares RGB. Both formats store three
+//! channels in the same way, but OpenImageIO opens only RGB.
 std::string as_rgbe(std::string bytes) {
   constexpr std::string_view xyz = "\nFORMAT=32-bit_rle_xyze";
   const std::size_t at = bytes.find(xyz);

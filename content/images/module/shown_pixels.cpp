@@ -39,9 +39,9 @@ bool read_numbers_in_place(OIIO::ImageInput& input, const StoredPixels& stored, 
   return true;
 }
 
-//! Returns the part of a TIFF's orientation that OpenImageIO has not applied. It reads YCbCr,
-//! CIELAB and JPEG-compressed gray through libtiff's RGBA interface, which mirrors, but does not
-//! exchange rows and columns.
+//! Returns the part of a TIFF's orientation that OpenImageIO has not applied itself. OpenImageIO
+//! reads YCbCr, CIELAB and JPEG-compressed gray through libtiff's RGBA interface, which applies
+//! mirroring, but does not exchange rows and columns.
 int left_of_tiff_orientation(const OIIO::ImageSpec& spec, int orientation) {
   const int photometric = spec.get_int_attribute("tiff:PhotometricInterpretation", 2);
   const bool grey_jpeg = photometric <= 1 && spec.get_string_attribute("compression") == "jpeg";
@@ -61,7 +61,7 @@ ShownLayout shown_layout(const OIIO::ImageInput& input) {
   ShownLayout layout;
   layout.data_width = layout.window_width = spec.width;
   layout.data_height = layout.window_height = spec.height;
-  // In other formats this is the position of an image on a page, sometimes in inches.
+  // In other formats, these attributes are the position of an image on a page, sometimes in inches.
   if (std::string_view(input.format_name()) == "openexr") {
     layout.data_left = static_cast<long>(spec.x) - spec.full_x;
     layout.data_top = static_cast<long>(spec.y) - spec.full_y;

@@ -34,7 +34,7 @@ class StoredRows {
   std::vector<float> band_;
   int band_begin_ = 0;
   int band_end_ = 0;
-  StoredPixels kept_;  //!< channels of the kept band
+  StoredPixels kept_;  //!< the channels that the kept band of tiles contains
 };
 
 }  // namespace ergodome

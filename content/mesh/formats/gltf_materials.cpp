@@ -102,7 +102,8 @@ Look look_of(const tinygltf::Material& material) {
   const bool glows = std::ranges::max(glow) > 0.0;
   const bool black = std::ranges::max(look.color) <= 0.0;
   if (glows && black) {
-    // Surfaces of a show emit light, so a black surface that glows is drawn in its glow.
+    // In a show, the color of a surface is that of the light that it emits. A black surface that
+    // emits light is therefore drawn in the color of that light.
     look.color = glow;
     look.brightest = brightest_glow;
     look.texture = {material.emissiveTexture.index, material.emissiveTexture.texCoord,

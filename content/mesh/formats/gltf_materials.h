@@ -11,7 +11,7 @@ namespace ergodome {
 //! Mapping of a material's image to a surface.
 struct GltfTexturePlace {
   bool textured = false;
-  int set = 0;  //!< index of the texture coordinates
+  int set = 0;  //!< index of the set of texture coordinates that the image uses
   //! Coefficients of u' and v' from (u, v, 1): rows of the matrix of KHR_texture_transform.
   std::array<double, 3> u = {1.0, 0.0, 0.0};
   std::array<double, 3> v = {0.0, 1.0, 0.0};

@@ -66,7 +66,7 @@ std::vector<Triangle> triangles_of(const GltfFile& file, int mode, const std::ve
   return triangles;
 }
 
-//! A primitive's vertices before their transform.
+//! The vertices of a primitive before its transform is applied.
 struct Shape {
   GltfNumbers positions;
   GltfNumbers normals;
@@ -149,7 +149,7 @@ class Placer {
     return vertex;
   }
 
-  //! Returns true if the transform turns triangles inside out.
+  //! Returns true if the transform reverses the orientation of triangles (mirroring).
   [[nodiscard]] bool mirrors() const {
     return placement_.joints.empty() && glm::determinant(glm::dmat3(placement_.world)) < 0.0;
   }
@@ -167,8 +167,8 @@ class Placer {
   const GltfTexturePlace& texture_;
 };
 
-//! Gives the corners of a triangle its face normal, as glTF requires for meshes without normals
-//! (3.7.2.1).
+//! Sets the normals of a triangle's corners to the face normal, as glTF requires for meshes without
+//! normals (3.7.2.1).
 void make_flat(std::array<SurfaceVertex, 3>& corners) {
   const auto at = [&](std::size_t i) { return vector_of(corners.at(i).position); };
   const glm::dvec3 normal = glm::cross(at(1) - at(0), at(2) - at(0));

@@ -11,8 +11,8 @@ namespace ergodome {
 //! The transform of a primitive: one matrix, or those of the joints of a skin.
 struct GltfPlacement {
   glm::dmat4 world;
-  std::vector<glm::dmat4> joints;      //!< of a skin; empty without one
-  const std::vector<double>* weights;  //!< of the morph targets
+  std::vector<glm::dmat4> joints;      //!< matrices of the joints of a skin; empty without a skin
+  const std::vector<double>* weights;  //!< weights of the morph targets
 };
 
 //! Adds the triangles of a primitive to a mesh. Ignores points and lines.

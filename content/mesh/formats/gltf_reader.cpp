@@ -118,7 +118,7 @@ tinygltf::FsCallbacks callbacks_of(FilesBeside& files) {
   return callbacks;
 }
 
-//! Keeps the bytes of an embedded image encoded.
+//! Callback of the loader for embedded images: keeps the bytes in the encoding of the file.
 bool keep_coded(tinygltf::Image* image, const int /*index*/, std::string* /*error*/, std::string* /*warning*/,
                 int /*width*/, int /*height*/, const unsigned char* bytes, int size, void* /*data*/) {
   image->image.assign(bytes, bytes + std::max(size, 0));

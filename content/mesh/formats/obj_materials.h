@@ -11,7 +11,7 @@ namespace ergodome {
 
 //! An image that a material names, and its mapping to the surface: u * scale + offset.
 struct ObjTexture {
-  std::string name;  //!< as written in the file; empty if there is none
+  std::string name;  //!< image name as written in the file; empty if there is none
   std::array<double, 2> scale = {1.0, 1.0};
   std::array<double, 2> offset = {0.0, 0.0};
   bool clamp = false;

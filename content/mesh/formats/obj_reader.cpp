@@ -23,9 +23,9 @@ namespace ergodome {
 namespace {
 
 constexpr const char* face_remedy = "export the mesh again";
-//! A material library has only some lines per material.
+//! Maximum size of a material library, which has only some lines per material.
 constexpr std::size_t largest_library_bytes = std::size_t{64} << 20U;
-//! Maximum work of triangulation: sum over the faces of their squared numbers of corners.
+//! Maximum work of triangulation: the sum over all faces of the squared number of corners.
 constexpr double most_cutting_work = 1e9;
 constexpr int no_material = -1;
 
@@ -46,7 +46,8 @@ struct Face {
 
 struct Vertex {
   Vector3<double> position;
-  std::array<float, 3> color;  //!< as in the file, later linear light
+  //! Color of the vertex as in the file, later converted to linear light.
+  std::array<float, 3> color;
   bool has_color;
 };
 
@@ -198,7 +199,7 @@ std::int64_t ObjReader::take_index(std::string_view& word, std::size_t count) co
   if (!take_number(digits, number) || number != std::floor(number) || number == 0.0 || std::abs(number) > 1e9) {
     throw error("has a face whose vertex index is not a whole number", face_remedy);
   }
-  // Negative indices count back from the latest vertex.
+  // Negative indices count back from the last vertex read so far.
   const auto index = static_cast<std::int64_t>(number);
   constexpr std::int64_t before_the_first = -2;
   return index > 0 ? index - 1
@@ -310,7 +311,7 @@ void ObjReader::sum_normals() {
   }
 }
 
-//! Returns the normal of a corner; zero if neither the file nor the faces define one.
+//! Returns the normal of a corner. Returns zero if neither the file nor the faces define one;
 //! repair_normals() later replaces zeros.
 Vector3<double> ObjReader::normal_of(const Face& face, const Corner& corner) const {
   if (corner.normal >= 0) {
@@ -401,8 +402,8 @@ const ObjMaterial* ObjReader::material_of(int number) const {
   return found == materials_.end() ? nullptr : &found->second;
 }
 
-//! Returns the part of a material. A black material that glows is drawn in its glow, as surfaces of
-//! a show emit light.
+//! Returns the MeshPart for a material. If a material has black diffuse color but emits light, the
+//! part has the color of the emitted light, because surfaces of a show emit light.
 MeshPart ObjReader::part_of(int number) {
   MeshPart part;
   const ObjMaterial* const material = material_of(number);

@@ -55,8 +55,8 @@ bool is_inside(const Point& p, const Point& a, const Point& b, const Point& c) {
 
 bool is_same(const Point& a, const Point& b) { return a.x == b.x && a.y == b.y; }
 
-//! Returns true if corner left[at] can be cut off: it is convex, and no other corner lies in its
-//! triangle.
+//! Returns true if the corner left[at] is an ear, which can be cut off: the corner is convex, and
+//! no other corner lies in the triangle that it forms with its neighbors.
 bool is_ear(const std::vector<Point>& points, const std::vector<std::uint32_t>& left, std::size_t at) {
   const std::size_t before = (at + left.size() - 1) % left.size();
   const std::size_t after = (at + 1) % left.size();
@@ -83,7 +83,7 @@ std::vector<Triangle> ears_of(const std::vector<Point>& points) {
   std::size_t at = 0;
   std::size_t tried = 0;
   while (left.size() > 3) {
-    // A face without an ear intersects itself or has no area; then any corner is cut.
+    // A face in which no ear is found intersects itself or has no area; then cuts off any corner.
     if (tried < left.size() && !is_ear(points, left, at)) {
       at = (at + 1) % left.size();
       ++tried;

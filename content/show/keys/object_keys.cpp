@@ -140,7 +140,8 @@ constexpr auto check_mesh = [](const TomlTable& table, ObjectSettings& object) {
   }
 };
 
-//! Light travel time needs ray tracing, and a motion in the time of the hole.
+//! Checks a retarded object: light travel time requires ray tracing, and a motion in the hole's
+//! time.
 constexpr auto check_retarded = [](const TomlTable& table, const ObjectSettings& object) {
   if (!object.retarded) {
     return;
@@ -154,7 +155,7 @@ constexpr auto check_retarded = [](const TomlTable& table, const ObjectSettings&
   }
 };
 
-//! Rays find every image.
+//! Checks that `images` is not set for traced objects, because rays find every image.
 constexpr auto check_images = [](const TomlTable& table, const ObjectSettings& object) {
   if (object.method == ObjectMethod::trace && table.has("images")) {
     throw table.error_at("images", "is used only with method = \"polygon\"; method = \"trace\" finds all images",

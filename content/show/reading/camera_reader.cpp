@@ -210,7 +210,8 @@ void check_end_of_fall(const TomlTable& fall, const Show& show) {
   }
 }
 
-//! Returns where the way to a key outside a fall begins: the previous key, or the end of the fall.
+//! Returns the beginning of the path segment to a key outside a fall: the previous key, or the end
+//! of the fall.
 const CameraKey& key_before(const Show& show, std::size_t i) {
   const CameraKey& before = show.camera.keys[i - 1];
   const std::vector<CameraKey>& after_fall = show.camera.after_fall;
@@ -220,8 +221,8 @@ const CameraKey& key_before(const Show& show, std::size_t i) {
              : before;
 }
 
-//! Throws Error if the observer would be faster than light between two keys, during a hold, or at a
-//! key of the spin. Skips falls, which are always slower.
+//! Throws Error if the observer would be faster than light between two keys, while a key is held,
+//! or at a key of the animated spin. Skips falls, whose velocity is always below that of light.
 void check_ways(const std::vector<const toml::table*>& tables, const std::string& file, const Show& show) {
   // Static observers are slower than light outside 2 M, orbiting ones outside 4 M, for any spin.
   constexpr double safe_r = 4.0;
@@ -236,7 +237,8 @@ void check_ways(const std::vector<const toml::table*>& tables, const std::string
     return TomlTable(*tables[key], file, fmt::format("camera.key[{}]", key));
   };
   const std::vector<CameraKey>& keys = show.camera.keys;
-  // The keys of a long path are close together, and reading it must not take long.
+  // Checks fewer positions per segment if there are many keys: these are close together, and
+  // reading a long path must not take long.
   const int places = keys.size() > 1000 ? 8 : 64;
   for (std::size_t i = 1; i < keys.size(); ++i) {
     if (show.camera.fall && falls_at(*show.camera.fall, keys[i].time_s)) {

@@ -13,8 +13,8 @@ namespace ergodome {
 //! horizon, and keys or path segments on which the observer would be faster than light.
 void read_camera(const toml::table* table, const std::string& file, Show& show);
 
-//! Throws Error if an animated spin would put the camera inside the horizon, checked at the keys of
-//! both and between them.
+//! Throws Error if an animated spin would put the camera inside the horizon. Checks this at the
+//! keys of the spin and of the camera, and between them.
 void check_spin_on_path(const std::string& file, const Show& show);
 
 }  // namespace ergodome

@@ -50,7 +50,8 @@ void check_end(const TomlTable& table, const Show& show) {
   }
 }
 
-//! Throws Error unless time stops outside the outer horizon, or between the horizons.
+//! Throws Error unless the camera's clock stops outside the outer horizon, or between the two
+//! horizons.
 void check_rest(const TomlTable& table, const Show& show, double begin_r) {
   const FallSettings& fall = *show.camera.fall;
   const double horizon = horizon_radius(spacetime_of(show));

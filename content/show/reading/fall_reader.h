@@ -12,8 +12,8 @@ namespace ergodome {
 //! values.
 void read_fall(const toml::table* camera, const std::string& file, Show& show);
 
-//! Gives a key during a fall, which only defines the orientation, the position of the previous key.
-//! Throws Error if its table has a position.
+//! Sets the position of a key during a fall to that of the previous key, because such keys only
+//! define the orientation. Throws Error if its table has a position.
 void take_place_of_fall(const TomlTable& table, const CameraKey& before, CameraKey& key);
 
 //! Computes the fall of a camera whose keys, and all other numbers of the show, have been read.

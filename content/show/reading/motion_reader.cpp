@@ -10,7 +10,7 @@ namespace ergodome {
 
 namespace {
 
-//! Words for the values of ObserverMotion that have one.
+//! Words in show files for the values of ObserverMotion; the others have no word.
 constexpr std::array motion_names = {"zamo", "static", "geodesic", "retrograde", "rain"};
 
 }  // namespace

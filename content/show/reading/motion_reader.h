@@ -11,7 +11,8 @@ namespace ergodome {
 //! The motion of an observer in a show file: a name, or a velocity in the ZAMO frame.
 struct WrittenMotion {
   ObserverMotion motion = ObserverMotion::zamo;
-  Vector3<double> velocity = {0.0, 0.0, 0.0};  //!< for ObserverMotion::velocity
+  //! Velocity in the ZAMO frame, for ObserverMotion::velocity.
+  Vector3<double> velocity = {0.0, 0.0, 0.0};
 };
 
 //! Reads "rain", or { beta = 0.4, toward = [0, 0, 1] }; returns `otherwise` if the key is absent.

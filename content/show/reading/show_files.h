@@ -10,15 +10,16 @@ namespace ergodome {
 //! A file that a show names for rendering.
 struct NamedFile {
   std::string key;      //!< "shells[1].texture"
-  std::string name;     //!< relative to the show's folder, as written
-  std::string layer{};  //!< of an image; empty if the show does not select one
+  std::string name;     //!< name as written in the show, relative to the show's folder
+  std::string layer{};  //!< selected layer of an image; empty if the show does not select one
 };
 
 //! Returns the files of sky, stars, spikes, shells and objects that a show names, in this order,
 //! without built-in ones.
 std::vector<NamedFile> files_of_pictures(const Show& show);
 
-//! Returns these files, then those of overlays and sound: all that a show names.
+//! Returns all files that a show names: those of files_of_pictures(), then those of overlays and
+//! sound.
 std::vector<NamedFile> files_of_show(const Show& show);
 
 //! Returns true if a file that a show names exists.

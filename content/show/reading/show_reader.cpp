@@ -28,7 +28,8 @@ void read_dependent_parts(TomlTable& root, const std::string& file, Show& show) 
     }
   }
   read_fall(root.table("camera"), file, show);
-  // Animations need the limits of these numbers, and the camera the animated spin.
+  // Animations need the limits of the numbers read above, and reading the camera needs the animated
+  // spin.
   read_animations(root, file, show);
   read_camera(root.table("camera"), file, show);
   check_spin_on_path(file, show);

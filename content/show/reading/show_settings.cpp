@@ -19,10 +19,10 @@ namespace {
 constexpr std::size_t longest_setting = std::size_t{1} << 20U;
 constexpr std::size_t most_path_parts = 16;
 
-//! One setting, split into its parts.
+//! One setting from the command line, split into the parts of its path and its value.
 struct Setting {
-  std::string place;               //!< "--set hole.spin"
-  std::vector<std::string> parts;  //!< of the path: "hole", "spin"
+  std::string place;               //!< name of the setting in messages: "--set hole.spin"
+  std::vector<std::string> parts;  //!< the parts of the path: "hole", "spin"
   std::string value;
 };
 
@@ -116,7 +116,7 @@ toml::table table_of_value(const Setting& setting) {
   throw Error(setting.place, "has a value that is not valid UTF-8", "write it in UTF-8");
 }
 
-//! Returns the first `count` parts of the path, as messages write them.
+//! Returns the first `count` parts of the path, in the form that messages use.
 std::string path_up_to(const Setting& setting, std::size_t count) {
   return fmt::format("{}", fmt::join(setting.parts.begin(), setting.parts.begin() + static_cast<long>(count), "."));
 }

@@ -11,17 +11,17 @@ namespace ergodome {
 //! A block of rows of one eye's image in the stereo model `flat`, with disk and shells to draw over
 //! it.
 struct FlatEyeBatch {
-  //! As seen by the head's camera, which is not omnidirectional. The time of objects is minus their
-  //! nearness.
+  //! The scene as the head's camera sees it; it must not use omnidirectional stereo. The `time` of
+  //! its objects is minus their nearness (1/distance from the eye).
   NearFieldBatch near_field;
-  Vector3<float> eye;         //!< from head to eye, in the observer's frame [M]; not 0
+  Vector3<float> eye;         //!< vector from head to eye, in the observer's frame [M]; not 0
   float most_w;               //!< objects nearer to the eye than 1 / most_w are not drawn [1/M]
-  LayerLimits<float> limits;  //!< of the disk's layers
+  LayerLimits<float> limits;  //!< limits for tracing the disk's layers
   FlatHorizon horizon;
 };
 
-//! A block whose disk is read from a grid of the head's camera, with its nearness, and without
-//! shells. Pixels that show objects are skipped.
+//! A block whose disk is read from a grid of the head's camera; the grid must contain `nearness`.
+//! Its scene has no shells, and pixels that show objects are skipped.
 struct FlatEyeLookUpBatch {
   FlatEyeBatch eye;
   DiskGrid grid;
@@ -36,7 +36,8 @@ constexpr const char* flat_eyes_name(DiskDrawing disk, bool shells) {
   return names[disk == DiskDrawing::none ? 0 : 1][shells ? 1 : 0];
 }
 
-//! Returns the counter's name for drawing the disk for such eyes from a grid.
+//! Returns the counter's name for drawing the disk from a grid, for eyes of the stereo model
+//! `flat`.
 constexpr const char* flat_look_up_name(DiskDrawing disk) {
   return disk == DiskDrawing::pattern ? "look_up_flat_eyes, pattern" : "look_up_flat_eyes";
 }

@@ -7,7 +7,7 @@
 namespace ergodome::inline ERGO_TARGET {
 
 //! Draws disk and shells, with objects between them, as one eye of the stereo model `flat` sees
-//! them. An index is a register of pixels. Edges and supersampling are as in DrawNearField.
+//! them. Each index draws one register of pixels. Edges and supersampling are as in DrawNearField.
 template <class T, bool HasDisk, bool HasShells>
 struct DrawFlatEyes {
   using S = ScalarOf<T>;

@@ -28,7 +28,7 @@ ERGO_HD Vector3<double> seen_by_eye(const Vector3<double>& n, double distance, c
 //! Returns the direction in which the head sees an object that the eye sees in direction `m`: the
 //! inverse. `distance` is the object's distance from the head [M] and must exceed the eye's.
 ERGO_HD Vector3<double> seen_by_head(const Vector3<double>& m, double distance, const Vector3<double>& eye) {
-  // | e + s m | = d
+  // The distance s along the line of sight solves |e + s m| = d.
   const Vector3<double> e = (1.0 / distance) * eye;
   const double along = dot(e, m);
   const double way = ::sqrt(along * along + 1.0 - dot(e, e)) - along;
@@ -96,7 +96,7 @@ struct EyeLine {
 //! the position may be extrapolated over it by their derivatives.
 template <class T>
 struct MetSheet {
-  EyePoint<T> point;  //!< at w
+  EyePoint<T> point;  //!< point of the line at w
   T w;
   T step;
   T step_along_x;  //!< change of w + step along the image's rows and columns
@@ -171,7 +171,8 @@ ERGO_HD MetSheet<T> meet_sheet(const EyeLine<T>& line, const T& first, const She
     met.step = next - met.w;
     met.step_along_x = -(miss.along_x * inverse);
     met.step_along_y = -(miss.along_y * inverse);
-    // If the bounds close on a jump, or on the nearest allowed point, no sheet is met.
+    // If the bounds of w converge to a jump of the sheet's distance, or to the maximum w, the line
+    // does not meet the sheet.
     const auto before_all = before & (met.w >= T(search.most_w));
     const auto exact = (absolute(met.step) < T(search.precision)) & (absolute(miss.value) < T(S(4) * search.precision));
     met.met = lanes & exact & (!before_all);

@@ -25,7 +25,8 @@ struct EyeReference {
   Vector3<double> across;  //!< unit vectors perpendicular to n, along which the ray has derivatives
   Vector3<double> down;
 
-  //! Returns the head's direction at a nearness. `length`: its length before normalization.
+  //! Returns the direction in which the head sees the point of the line at nearness w. `length`
+  //! receives its length before normalization.
   ERGO_HD Vector3<double> toward(double w, double& length) const {
     const Vector3<double> v = m + w * eye;
     length = ::sqrt(dot(v, v));
@@ -78,13 +79,14 @@ class EyeStep {
  public:
   using D = Dual<double>;
 
-  //! `reach`: maximum angle between the directions and the ray [rad].
+  //! `reach`: maximum angle between the reference ray and the directions that it represents [rad].
   ERGO_HD EyeStep(const PathStep<Order, Parts, D>& step, const EyeReference& reference, double reach)
       : step_(step), reference_(reference), reach_(reach) {
     first_ = step.series.distance[0];
     last_ = with_neighbours(step.series.distance, step.length);
     beside_ = reach * ::fmax(change_of(first_), change_of(last_));
-    // If that would be a large fraction of the distance, the ray represents its neighbors.
+    // If the distance of the eye's line may differ from the ray's by a large fraction, the ray
+    // itself is used for all neighbors.
     parts_ = !(beside_ < 0.1 * last_.value);
     beside_ = parts_ ? 0.0 : beside_;
   }
@@ -92,8 +94,8 @@ class EyeStep {
   //! Returns whether all of the step is farther from the head than `farthest` [M].
   [[nodiscard]] ERGO_HD bool begins_beyond(double farthest) const { return !(first_.value - beside_ < farthest); }
 
-  //! Restricts the step to what may be within a span of distances from the head. Returns false if
-  //! nothing is.
+  //! Restricts the step to the part that may be within a span of distances from the head. Returns
+  //! false if there is none.
   ERGO_HD bool keep(const DistanceSpan& span) {
     if (length_ > 0.0 && span.nearest == kept_.nearest && span.farthest == kept_.farthest) {
       return true;
@@ -128,8 +130,8 @@ class EyeStep {
     const PathPiece piece = {0.0, length_, begin_ == 0.0 ? plain_vector(first_point) : point(begin_),
                              point(begin_ + 0.5 * length_),
                              end == step_.length ? plain_vector(last_point) : point(end)};
-    // Steps are longer than pieces and less similar to parabolas, so their reach is doubled. Where
-    // the ray represents its neighbors, these are at its position.
+    // Steps are longer than pieces and less similar to parabolas, so their reach is doubled. If the
+    // ray itself is used for its neighbors, they are at its position.
     const double beside = bends_ ? 0.0 : width_ * reach_;
     const double reach = 2.0 * piece.stray() + ::fabs(piece.unevenness()) * piece.chord() + beside;
     for (int i = 0; i < scene.count; ++i) {
@@ -191,7 +193,7 @@ class EyeStep {
   //! Position of the eye's line at a time of the ray.
   struct Place {
     double across, down;  //!< offset from the ray [rad]
-    double distance;      //!< from the head [M]
+    double distance;      //!< distance from the head [M]
   };
 
   //! c[0] + c[1] t + c[2] t², through three values at equal steps.
@@ -273,7 +275,7 @@ class EyeStep {
   [[nodiscard]] ERGO_HD bool bends(const Vector3<D>& p, const D& distance) const {
     constexpr double widest = 0.5;
     constexpr double most_uneven = 0.3;
-    // Also true for NaN.
+    // Also true if a value is NaN.
     return !(width_of(p) * reach_ <= widest * length_of(plain_vector(p))) ||
            !(change_of(distance) * length_of(reference_.eye) <= most_uneven * distance.value * distance.value);
   }
@@ -308,7 +310,7 @@ class EyeStep {
     }
   }
 
-  //! Computes the series of a number along the eye's curve, about its beginning.
+  //! Computes the series of a quantity along the eye's curve, about its beginning.
   template <int Count>
   ERGO_HD static void fold_series(const D (&from)[Count], const Parabola& across, const Parabola& down,
                                   double (&to)[Count]) {

@@ -6,8 +6,8 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! The disk as a register of an eye's lines of sight meets it, sheet by sheet, from one of their
-//! sources.
+//! Finds where a register of an eye's lines of sight meets the disk, sheet by sheet. `Sheets` is
+//! the source of the sheets: rays or a grid (kernels/eyes/flat/sheets.h).
 template <class T, class Sheets>
 class FlatDisk {
  public:
@@ -24,7 +24,7 @@ class FlatDisk {
   ERGO_HD Mask meet(const Mask& lanes) {
     const EyePoint<T> start = line_.at(T(S(0)));
     sheets_.look(start.n, crossing_orders, lanes);
-    // Lanes that the source leaves to rays may see every order.
+    // Where the source leaves lanes to rays, every order may be visible.
     const Mask unknown = sheets_.left(lanes);
     for (int order = 0; order < crossing_orders; ++order) {
       const D q = sheets_.nearness(order);
@@ -35,7 +35,8 @@ class FlatDisk {
     return meet_near_guesses(lanes);
   }
 
-  //! Does the same, starting from the sheets that another source has found.
+  //! Does the same as meet(), but the first guesses are the nearnesses that the other source has
+  //! found.
   template <class OtherSheets>
   ERGO_HD Mask meet_near(const FlatDisk<T, OtherSheets>& other, const Mask& lanes) {
     return meet_near(other.guess_, lanes);
@@ -47,7 +48,8 @@ class FlatDisk {
     return meet_near_guesses(lanes);
   }
 
-  //! Returns the nearness of an order's sheet; negative if its image is not visible anywhere near.
+  //! Returns the nearness (1/distance) at which each line meets an order's sheet; negative if no
+  //! image of that order can be visible near the line.
   [[nodiscard]] ERGO_HD const T& guess(int order) const { return guess_[order]; }
 
   //! Returns the nearness of an order's image in lane `i`; negative if it is not visible.
@@ -81,7 +83,7 @@ class FlatDisk {
     }
   }
 
-  //! Returns whether images may contain detail finer than a line.
+  //! Returns whether images may contain detail finer than the width that each line covers.
   [[nodiscard]] ERGO_HD bool is_fine(int i) const {
     bool fine = false;
     for (int order = 0; order < crossing_orders; ++order) {
@@ -94,14 +96,14 @@ class FlatDisk {
   template <class, class>
   friend class FlatDisk;
 
-  //! Returns the lanes whose line may meet the disk, from the view of the head in direction m and
-  //! its change on the way to the sheet.
+  //! Returns the lanes whose line may meet the disk. The head's u in direction m, plus or minus its
+  //! estimated change on the way to the sheet, is compared with the disk's edges.
   ERGO_HD Mask may_show(const EyePoint<T>& start, const T& nearness, const D& u) const {
     const DiskLook& disk = batch_.near_field.disk;
     const T way = nearness * absolute(start.by_nearness(u));
     const T width = absolute(u.along_x) + absolute(u.along_y);
     const T margin = S(2) * (way + width) + T(S(0.2) / disk.inner_r);
-    // Sheets this near may be anywhere when the line reaches them.
+    // If a sheet is this near, the change of u on the way cannot be estimated.
     const auto near = nearness * sqrt(dot(line_.eye, line_.eye)) > T(S(0.1));
     return near | ((u.value < T(S(1) / disk.inner_r) + margin) & (u.value > T(S(1) / disk.outer_r) - margin));
   }
@@ -139,7 +141,8 @@ class FlatDisk {
     return left;
   }
 
-  //! Removes images that the horizon hides in the eye's crescent.
+  //! Removes images behind the horizon: the eye's shadow differs from the head's by a crescent, in
+  //! which the head's rays still see the disk.
   ERGO_HD void hide(int order, const Mask& lanes) {
     for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
       if (mask_lane(lanes, i) && nearness(order, i) > S(0) &&
@@ -149,7 +152,7 @@ class FlatDisk {
     }
   }
 
-  //! Returns the lanes that see the disk at all.
+  //! Returns the lanes in which the disk covers at least part of the line's width.
   [[nodiscard]] ERGO_HD Mask sees_disk(int order) const {
     const DiskLook& disk = batch_.near_field.disk;
     T covered(S(0));

@@ -24,7 +24,7 @@ struct FlatEyePixels {
   const FlatEyeBatch& batch;
   const Derived& derived;
 
-  //! The pixels of an index.
+  //! The register of pixels that one index draws.
   struct Place {
     int first;
     T x_px;
@@ -58,7 +58,8 @@ struct FlatEyePixels {
     lay(at, seen);
   }
 
-  //! Draws in two steps, like DrawNearField.
+  //! First of two steps, as in DrawNearField: draws what is seen at the pixels' centers. If a pixel
+  //! contains finer detail, draws nothing and returns true.
   ERGO_HD bool draw_middle(int index) const {
     const Place at(batch, index);
     Mask fine = drawn(at);

@@ -13,7 +13,8 @@ namespace ergodome::inline ERGO_TARGET {
 
 namespace detail {
 
-//! A visitor of trace_shells() that keeps the crossing of one shell on one side.
+//! A visitor of trace_shells() that stores where light crosses one shell, on its way in or on its
+//! way out.
 template <class T>
 class SheetOfShell {
  public:
@@ -38,23 +39,24 @@ class SheetOfShell {
 
   [[nodiscard]] ERGO_HD Mask done() const { return found_ > T(S(0)); }
 
-  //! Returns the lanes whose light neither crosses the shell on this side nor turns.
+  //! Returns the lanes whose light neither crosses the shell in this sense (in or out) nor turns.
   [[nodiscard]] ERGO_HD Mask fallen() const { return (!(found_ > T(S(0)))) & !(turned_ > T(S(0))); }
 
-  //! Takes the lanes outside the mask from another visitor.
+  //! Copies the results of the lanes outside the mask from another visitor.
   ERGO_HD void keep_others(const Mask& own, const SheetOfShell& other) {
     keep(!own, other.place_);
     found_ = select(own, found_, other.found_);
     turned_ = select(own, turned_, other.turned_);
   }
 
-  //! Returns the lanes that meet the shell on this side.
+  //! Returns the lanes whose light crosses the shell in this sense (in or out).
   [[nodiscard]] ERGO_HD Mask found() const { return found_ > T(S(0)); }
 
   [[nodiscard]] ERGO_HD const NearPlace<D>& place() const { return place_; }
 
-  //! Returns q of the sheet. Light that neither crosses the shell nor turns moves away from it: the
-  //! inward sheet is then nearer than everything, and the outward sheet infinitely far.
+  //! Returns q = 1 / affine distance of the sheet. Light that neither crosses the shell nor turns
+  //! moves away from it: the inward sheet is then nearer than everything, and the outward sheet
+  //! infinitely far.
   [[nodiscard]] ERGO_HD D nearness(S most_w) const {
     const Mask there = (found_ > T(S(0))) | (turned_ > T(S(0)));
     const D none(T(inwards_ ? S(2) * most_w : S(0)));
@@ -145,7 +147,8 @@ class FlatShells {
     return compose(shell, met, sheet, seen);
   }
 
-  //! Takes the last result in the lanes of the mask, and the one before in the others.
+  //! Selects the result of the last search in the lanes of the mask, and that of the search before
+  //! in the others.
   ERGO_HD static void keep_sheet(const Mask& last, const detail::SheetOfShell<T>& before, MetSheet<T>& met,
                                  detail::SheetOfShell<T>& sheet, const MetSheet<T>& again) {
     sheet.keep_others(last, before);
@@ -163,7 +166,8 @@ class FlatShells {
     const NearRay<D> ray = start_near_ray(scene.pixels.camera, met.direction());
     ShellSight<T, Before> sight(scene.pixels.camera, scene.shells, ray, pixel_, before_, seen_);
     sight.cross(shell, seen & !sight.done(), place);
-    // Lanes without a shell turn before it: the shell's edge may be in the pixel.
+    // In lanes that do not meet the shell, light turns before it. The edge of the shell's image may
+    // then be in the pixel.
     sight.turn(met.met & !sheet.found(), place);
     return sight.fine();
   }

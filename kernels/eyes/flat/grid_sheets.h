@@ -15,7 +15,8 @@ class GridSheets {
 
   ERGO_HD explicit GridSheets(const FlatEyeLookUpBatch& batch) : batch_(batch), lanes_(0.0F), left_(0.0F) {}
 
-  //! Evaluates the sheets in direction n; where the grid leaves the disk to rays, none is shown.
+  //! Evaluates the sheets in direction n; where the grid's leaf is flagged, the lane is left to
+  //! rays and no sheet is shown.
   ERGO_HD void look(const Vector3<D>& n, int, const Mask& lanes) {
     const DiskPlace<T> place = disk_place(batch_.grid.cells.chart.edge, rain_direction(batch_.aberration, n, energy_));
     lanes_ = select(lanes, T(1.0F), T(0.0F));
@@ -115,7 +116,7 @@ class GridSheets {
   T left_;
   D energy_;
   D nearness_[crossing_orders];
-  D u_[WithPattern ? 1 : crossing_orders];  //!< for a plain disk
+  D u_[WithPattern ? 1 : crossing_orders];  //!< only used if the disk has no pattern
   DiskLanePlace places_[RealTraits<T>::lane_count];
   unsigned orders_[RealTraits<T>::lane_count];
   Leaf leaves_[RealTraits<T>::lane_count];

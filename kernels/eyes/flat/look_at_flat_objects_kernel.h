@@ -17,8 +17,9 @@ struct ObjectRaysOfHead {
 
   const FlatObjectPixelBatch& batch;
 
-  //! Cuts a pixel by the ray of the farthest part of its line, from which light that has gone round
-  //! the hole comes.
+  //! Cuts a pixel into slices along the shadow's edge. The edge is located by the head's ray of the
+  //! farthest part of the pixel's line of sight, where light that has gone round the hole comes
+  //! from.
   [[nodiscard]] ERGO_HD PixelSlices slice(int at) const {
     const FlatReach& reach = batch.reach[at];
     const double part_w = static_cast<double>(reach.most_w - reach.least_w) / parts_of(reach);
@@ -28,7 +29,8 @@ struct ObjectRaysOfHead {
   }
 
   ERGO_HD void find(int first, const Vector3<T>* m, int count, SampleHits<T>* met) const {
-    // Rays that several lines share are too far from some of them for images thinner than a pixel.
+    // A ray that several lines share is too far from some of them to resolve images thinner than a
+    // pixel, so each slice gets its own rays.
     const int together = batch.pixels.pattern == PixelPattern::slices ? 1 : count;
     for (int k = 0; k < count; k += together) {
       look_along_lines(first, m + k, together, met + k);
@@ -79,8 +81,8 @@ struct ObjectRaysOfHead {
     return static_cast<double>(reach.most_w - reach.least_w) * length_of(batch.sight.eye);
   }
 
-  //! Returns the length of line that one ray represents [rad]. Lines of slices have at most
-  //! parts_of_slices parts.
+  //! Returns the length of a line of sight that one of the head's rays represents, as the head sees
+  //! it [rad]. Lines of slices have at most parts_of_slices parts.
   [[nodiscard]] ERGO_HD double part_of(const FlatReach& reach) const {
     const double part = batch.sight.pixel * part_px(static_cast<double>(reach.width));
     return batch.pixels.pattern == PixelPattern::slices ? ::fmax(part, way_of(reach) / (parts_of_slices - 0.5)) : part;
@@ -158,8 +160,8 @@ struct ObjectRaysOfHead {
     lines.meet(line);
   }
 
-  //! Sets energy and momentum of the head's ray to a hit. Discards a hit behind what the eye sees
-  //! of the horizon.
+  //! Stores the energy and the axial angular momentum of the head's ray to a hit. Discards a hit
+  //! behind what the eye sees of the horizon.
   ERGO_HD void end(const Vector3<double>& direction, int i, SampleHits<T>& met) const {
     MeshHit& hit = met.hits[i];
     const double w = -hit.time;
@@ -176,8 +178,8 @@ struct ObjectRaysOfHead {
   }
 };
 
-//! Computes the light of pixels in which such an eye may see objects; index i stands for the pixels
-//! i * lanes, i * lanes + 1, ...
+//! Computes the light of pixels in which an eye of the stereo model `flat` may see objects; index i
+//! stands for the pixels i * lanes, i * lanes + 1, ...
 template <class T, NearParts Parts>
 struct LookAtFlatObjects {
   FlatObjectPixelBatch batch;

@@ -7,8 +7,8 @@
 // Draws the disk for one eye of the stereo model `flat` from a grid.
 namespace ergodome::inline ERGO_TARGET {
 
-//! Samples of a register's pixels that a grid leaves to rays. All are collected first, then
-//! traced in full registers; the last one may be partly filled.
+//! Samples of a register's pixels that a grid leaves to rays. All are collected first, then traced
+//! together in full registers; only the last register may be partly filled.
 template <class T>
 struct LeftSamples {
   static constexpr int most = RealTraits<T>::lane_count * near_samples * near_samples;
@@ -40,7 +40,8 @@ struct LookUpFlatEyes {
 
   ERGO_HD void operator()(int index) const { Pixels{batch.eye, *this}.draw(index); }
 
-  //! Collects the lanes that are left to rays, which are few at a time but many over all samples.
+  //! Sums all samples of the given lanes. In each sample, few lanes are left to rays, but over all
+  //! samples there are many. So they are collected and traced together.
   ERGO_HD void average(const Pixels& pixels, const typename Pixels::Place& place, const Mask& lanes,
                        SeenLanes<T>& sum) const {
     LeftSamples<T> left;
@@ -80,8 +81,8 @@ struct LookUpFlatEyes {
     const T& y_px;
   };
 
-  //! Does the same, but collects the lanes that the grid leaves to rays. Until they are traced they
-  //! count as seeing nothing, and as opaque.
+  //! Does the same as the look_near() above, but collects the lanes that the grid leaves to rays.
+  //! Until they are traced, they count as opaque and black.
   ERGO_HD Mask look_near(const EyeLine<T>& line, const SheetSearch<float>& search, float pixel, const Mask& wanted,
                          const Objects&, SeenLanes<T>& seen, Waiting& waiting) const {
     GridSheets<T, WithPattern> sheets(batch);

@@ -62,18 +62,19 @@ struct MarkFlatTiles {
     TileMark mark = TileMark::nothing;
     double least_w = 1e30;
     double most_w = 0.0;
-    double width = 0.0;  //!< of a pixel, over r
+    double width = 0.0;  //!< width of a pixel, over r
   };
 
   ERGO_HD const FlatReach& along(int at) const {
     return batch.along[at < batch.tiles.count ? at : batch.tiles.count - 1];
   }
 
-  //! Width of a pixel in undecided images, near a critical curve: unlimited.
+  //! Width of a pixel (over r) where the search remains undecided, near a critical curve:
+  //! unlimited.
   static constexpr double widest = 1e30;
-  //! Width of a pixel beside the shadow's edge. It could be unlimited, too, but this value leads to
-  //! two or three rays across a pixel; with the unlimited one, pictures of objects took 1.4 to 1.7
-  //! times as long. Images thinner than a pixel are noisy here.
+  //! Width of a pixel (over r) beside the shadow's edge. It could be unlimited, too, but this value
+  //! leads to two or three rays across a pixel; with the unlimited one, pictures of objects took
+  //! 1.4 to 1.7 times as long. Images thinner than a pixel are noisy here.
   static constexpr double width_by_edge = 1.6;
 
   ERGO_HD static void see_all(Seen& seen) {
@@ -86,7 +87,7 @@ struct MarkFlatTiles {
     seen.most_w = ::fmax(seen.most_w, most_w);
   }
 
-  //! Marks a part whose rays separate at the hole.
+  //! Marks a part of the line of sight beside the shadow's edge, where rays separate at the hole.
   ERGO_HD void see_by_edge(Seen& seen, double middle_w) const {
     const double least_w = middle_w - 0.5 * seen.step_w;
     if (least_w < batch.sight.most_hole_w) {
@@ -112,7 +113,8 @@ struct MarkFlatTiles {
     const T sweep = 0.5 * step_w * (absolute(point.along_x) + absolute(point.along_y));
     const T half_px = 0.5 * batch.tiles.side_px + sweep;
     const auto start = [&camera](const Vector3<T>& at) { return start_near_ray(camera, at); };
-    // Beyond the tile itself, a line only moves along its sweep.
+    // The edge is sought within the tile, plus the distance by which the line sweeps in each
+    // direction.
     const auto half_along = [&](const T& along) {
       return maximum(0.5 * batch.tiles.side_px + 0.5 * step_w * absolute(along), T(least_edge_px));
     };
@@ -135,7 +137,7 @@ struct MarkFlatTiles {
     }
   }
 
-  //! Keeps objects whose nearness differs by at most `reach_w` from that of the part's middle, `w`.
+  //! Marks objects whose nearness differs by at most `reach_w` from that of the part's middle, `w`.
   ERGO_HD void look_through(const PathStep<mark_order, Parts, Dual<double>>& step, double half_px, double w,
                             double reach_w, Seen& seen) const {
     visit_tile_pieces(batch.tiles.objects.scene, step, {half_px, batch.tiles.turn_per_px, NeighbourTimes::same},
@@ -145,7 +147,7 @@ struct MarkFlatTiles {
                         const double beside = footprint_slack * half_px * (::fabs(to.along_x) + ::fabs(to.along_y));
                         const double nearest = seen.reference.nearness(from.value - beside);
                         const double farthest = seen.reference.nearness(to.value + beside);
-                        // NaN counts as near.
+                        // Also true for NaN, which counts as near.
                         if (!(nearest < w - reach_w) && !(farthest > w + reach_w)) {
                           see(seen, mark_of(radius, pixel), ::fmax(farthest, w - reach_w),
                               ::fmin(nearest, w + reach_w));

@@ -5,15 +5,15 @@
 namespace ergodome::inline ERGO_TARGET {
 
 //! The lines of sight of a pixel's samples, for an eye of the stereo model `flat`, and the head's
-//! rays that represent them. As the head sees them, the lines are strips side by side that all go
-//! the same way. The exception is an eye that looks along its displacement from the head: there the
-//! lines are short, and diverge. The rays lie in rows along that displacement; each represents the
-//! parts of all lines that pass near it.
+//! rays that represent them. As the head sees them, the lines are strips side by side that all run
+//! in the same direction. The exception is an eye that looks along its displacement from the head:
+//! there the lines are short, and diverge. The rays lie in rows along that displacement; each
+//! represents the parts of all lines that pass near it.
 class PixelLines {
  public:
   static constexpr int most = 16;
-  //! Height of a row, as a fraction of a part: its corners are then hardly farther from the ray
-  //! than its ends.
+  //! Height of a row, as a fraction of a part: with this, the corners of a part are hardly farther
+  //! from the ray than its ends.
   static constexpr double row_part = 0.7;
   //! Distance of the corners from the ray, over half a part: √(1 + row_part²).
   static constexpr double corner_reach = 1.22;
@@ -77,7 +77,7 @@ class PixelLines {
   struct Line {
     Vector3<double> m;
     double ahead, along;
-    double from_s, to_s;  //!< at the greatest and the least nearness
+    double from_s, to_s;  //!< s at the maximum and at the minimum nearness
     double from_t, to_t;
   };
 
@@ -105,7 +105,7 @@ class PixelLines {
 
   ERGO_HD void turn_reference(const Vector3<double>& toward) { reference_ = eye_reference(toward, eye_, 0.0); }
 
-  //! Lays rays over all positions that the lines sweep over.
+  //! Distributes rays over all positions that the lines sweep over.
   ERGO_HD void lay_rays(double part) {
     eye_ahead_ = dot(eye_, middle_);
     const Vector3<double> aside = eye_ - eye_ahead_ * middle_;
@@ -185,7 +185,7 @@ class PixelLines {
     return true;
   }
 
-  //! Sets the range of a line within a column. Returns false if it is not there.
+  //! Sets the range of a line within a column. Returns false if the line does not pass the column.
   ERGO_HD bool set_span(int k, double s, double half) {
     const Line& line = lines_[k];
     const double one = nearness_at(line, s - half);

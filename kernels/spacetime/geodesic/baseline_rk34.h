@@ -66,7 +66,7 @@ struct BaselineTrial {
   T estimate;
 };
 
-//! Takes one step of the published pair.
+//! Takes one step by the published tracer's pair of Runge-Kutta formulas.
 template <class T>
 ERGO_HD BaselineTrial<T> try_baseline_step(ScalarOf<T> spin, const RayStart<T>& start, const AngularState<T>& y,
                                            const T& h) {

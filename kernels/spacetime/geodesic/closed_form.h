@@ -8,8 +8,8 @@ namespace ergodome::inline ERGO_TARGET {
 //! Computes the end of a ray that is known to come from the sky, by elliptic integrals and
 //! functions. Always in double, one ray at a time.
 //!
-//! The error estimate is rounding, amplified near the critical curve and where the horizons of the
-//! hole are close to each other.
+//! The error estimate is that of rounding, which is amplified near the critical curve and where the
+//! horizons of the hole are close to each other.
 ERGO_HD RayEnd<double> trace_closed_form(double spin, const RayStart<double>& start) {
   const RadialMotion radial = radial_motion(spin, start);
   const Vector3<double> m = polar_position(spin, start, radial.time);

@@ -64,7 +64,7 @@ ERGO_HD RealOf<T> local_tolerance(ScalarOf<T> spin, const RayStart<T>& start, co
   using Real = RealOf<T>;
   using S = ScalarOf<T>;
   const S tolerance = static_cast<S>(settings.tolerance);
-  // A tolerance below rounding gains nothing.
+  // The tolerance is kept above rounding errors, below which smaller values gain nothing.
   const Real least(S(0.25) * std::numeric_limits<S>::epsilon());
   if (settings.on_screen) {
     return maximum(Real(tolerance), least);

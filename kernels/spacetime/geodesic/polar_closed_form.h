@@ -42,8 +42,8 @@ ERGO_HD double third_kind(const PolarForm& p, double s, double c) {
 //! η as a number of half turns and a remainder in [-π/2, π/2].
 struct HalfTurns {
   double count;
-  double sine;    //!< of the remainder
-  double cosine;  //!< of the remainder, >= 0
+  double sine;    //!< sine of the remainder
+  double cosine;  //!< cosine of the remainder, >= 0
 };
 
 ERGO_HD HalfTurns half_turns(double eta) {

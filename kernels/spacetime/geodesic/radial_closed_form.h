@@ -127,7 +127,7 @@ namespace detail {
 struct HorizonPair {
   double outer;
   double inner;
-  double spin2;  //!< their product [M²]
+  double spin2;  //!< product of both radii [M²]
   double weight;
 };
 
@@ -160,7 +160,8 @@ ERGO_HD HorizonPairs horizon_pairs(double spin, double largest_u) {
     }
     return pairs;
   }
-  // For rays at or inside the horizon of an extremal hole, the two horizons are kept apart.
+  // For rays at or inside the horizon of an extremal hole, the gap between the horizons is kept
+  // above a minimum.
   const double held = ::fmax(half_gap, 3e-6);
   const bool apart = held > half_gap;
   const double outer = 1.0 + held;
@@ -194,7 +195,7 @@ ERGO_HD Drag drag_to(double spin, double l, const HorizonPairs& pairs, const Rad
     const double at_outer = spin * (2.0 * p.outer - spin * l) / (p.outer * gap) * integrals.pole[0];
     const double at_inner = -(2.0 * spin - share * l * p.outer) / gap * integrals.pole[1];
     drag.angle += p.weight * (at_outer + at_inner - l * share * integrals.time);
-    // About ten operations in each.
+    // Rounding error of about ten operations in each term.
     drag.error += 2e-15 * ::fabs(p.weight) * (::fabs(at_outer) + ::fabs(at_inner));
   }
   return drag;
@@ -202,8 +203,8 @@ ERGO_HD Drag drag_to(double spin, double l, const HorizonPairs& pairs, const Rad
 
 //! Estimates the errors of a drag up to u other than the rounding of its parts [rad]. The camera's
 //! position is rounded, which matters beside a horizon. The ray's constants are rounded, which the
-//! drag amplifies by the third power of 1 / (1 - u) where the horizons are close. Horizons may be
-//! kept apart.
+//! drag amplifies by the third power of 1 / (1 - u) where the horizons are close. Horizons that are
+//! closer than a minimum gap are moved apart, which changes the drag slightly.
 ERGO_HD double drag_error_at(double spin, const HorizonPairs& pairs, double u) {
   if (spin == 0.0) {
     return 0.0;

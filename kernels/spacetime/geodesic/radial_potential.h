@@ -15,8 +15,8 @@ namespace ergodome::inline ERGO_TARGET {
 template <class T>
 struct RadialBarrier {
   T u;  //!< where U is lowest between infinity and horizon [1/M]; 0 without a minimum
-  //! X - √(K Δ) at that u, divided by r². Negative if light turns back; 1 if U has no minimum
-  //! outside the horizon.
+  //! (X - √(K Δ)) / r² at that u, with X = r² + a² - a L. Negative if light turns back; 1 if U has
+  //! no minimum outside the horizon.
   T clearance;
 };
 

@@ -22,13 +22,14 @@ struct TaylorCoefficients {
   T drag_u2;                  //!< a² L / s, backwards
   RealOf<T> spin2;            //!< a² / s²
   ScalarOf<T> outer_horizon;  //!< r_+
-  //! As in RayStart. For lanes whose light moves only inwards, the members below have the second
-  //! value, with X + √R in place of Δ (drag_rate() in runge_kutta.h).
+  //! As in RayStart. For lanes whose light moves only inwards, the members below have other values,
+  //! which put X + √R in place of Δ (drag_rate() in runge_kutta.h).
   bool ingoing;
-  RealOf<T> lapse_u;     //!< -2, or 0
-  T lapse_u2;            //!< a², or a² - a L
-  RealOf<T> lapse_rate;  //!< 0, or -s
-  RealOf<T> drag_lapse;  //!< 0, or a / s; then drag_u is 0 and drag_u2 is -a K / s
+  RealOf<T> lapse_u;     //!< -2; 0 for light that moves only inwards
+  T lapse_u2;            //!< a²; a² - a L for light that moves only inwards
+  RealOf<T> lapse_rate;  //!< 0; -s for light that moves only inwards
+  //! 0; a / s for light that moves only inwards (drag_u is then 0 and drag_u2 is -a K / s).
+  RealOf<T> drag_lapse;
 };
 
 //! Computes the constants of a ray. `inverse_scale` is 1 / s.
@@ -324,7 +325,7 @@ ERGO_HD RayEnd<T> trace_taylor(ScalarOf<T> spin, const RayStart<T>& start, const
     active = active & (u_at_end > Real(S(0)));
   }
   const Vector3<T> sky = sky_direction(state);
-  // Rejects NaN.
+  // Lanes whose sky direction is NaN count as not reached.
   reached = active_at_start & (!active) & (value_of(dot(sky, sky)) < Real(S(2)));
   return {sky, time * inverse_scale, T(error)};
 }

@@ -31,7 +31,7 @@ ERGO_HD HorizonWinding<S> horizon_winding(S spin, bool within = false) {
   return {spin, S(1) + half, S(2) * half, within ? S(-1) : S(1)};
 }
 
-//! Return the factors of W in time and azimuth.
+//! Return the factors by which W enters the time (winding_delay) and the azimuth (winding_turn).
 template <class S>
 ERGO_HD S winding_delay(const HorizonWinding<S>& w) {
   return S(2) * (w.sense * w.horizon_r);
@@ -78,7 +78,7 @@ template <class T>
 ERGO_HD T winding(const HorizonWinding<ScalarOf<T>>& w, const T& u) {
   using S = ScalarOf<T>;
   const T q = u / detail::outer_part(w, u);
-  // Beyond infinity W does not matter, but the logarithm's argument has to stay positive.
+  // Beyond infinity (u < 0) W does not matter, but the logarithm's argument has to stay positive.
   const T part = w.gap * q;
   const T argument = S(1) + part;
   const T least(RealOf<T>(S(1e-3)));

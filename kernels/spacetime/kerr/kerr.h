@@ -51,7 +51,7 @@ struct KerrFunctions {
   double delta;                 //!< Δ [M²]
   double area;                  //!< A [M⁴]
   double frame_dragging;        //!< ω = 2 a r / A, angular velocity of the ZAMO [1/M]
-  double rain_speed;            //!< of free fall from rest at infinity, in the ZAMO frame
+  double rain_speed;            //!< speed of free fall from rest at infinity, in the ZAMO frame
   double circumference_factor;  //!< √(A / Σ) [M]: proper radius of the circle of latitude / sinθ
 };
 

@@ -13,16 +13,17 @@ namespace ergodome::inline ERGO_TARGET {
 struct ConnectionPlane {
   Vector3<double> outward;  //!< e_1: from the hole to the observer
   Vector3<double> across;   //!< e_2: towards the point
-  double r_observer;        //!< [M]
-  double r;                 //!< of the point [M]
-  double phi;               //!< of the point, 0 to π [rad]
+  double r_observer;        //!< radius of the observer [M]
+  double r;                 //!< radius of the point [M]
+  double phi;               //!< angle between observer and point about the hole, 0 to π [rad]
 };
 
 //! How a static observer sees a point.
 struct ApparentPlace {
-  Vector3<double> direction;           //!< at the observer, towards the apparent position
-  double travel_time;                  //!< the depth [M]
-  Vector3<double> emission_direction;  //!< where light leaves a static emitter at the point
+  Vector3<double> direction;  //!< direction from the observer to the apparent position
+  double travel_time;         //!< the depth [M]
+  //! Direction in which light leaves a static emitter at the point.
+  Vector3<double> emission_direction;
 };
 
 //! Returns the plane of an observer and a point, neither at r = 0; eq. 15. If they are in line with

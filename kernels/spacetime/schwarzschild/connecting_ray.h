@@ -30,7 +30,7 @@ namespace detail {
 
 //! The two points, in the quantities that the orbits need.
 struct Endpoints {
-  double r_far, r_near;  //!< [M]
+  double r_far, r_near;  //!< radii of both points; far: the larger one [M]
   double u_far, u_near;  //!< 1/r
   double v_far, v_near;  //!< u - 1/3
   double gap;            //!< u_near - u_far
@@ -59,8 +59,9 @@ ERGO_HD Endpoints make_endpoints(double r_observer, double r) {
 ERGO_HD double lapse(double r) { return ::sqrt((r - 2.0) / r); }
 
 //! Orbits that turn beyond two points on the same side of the photon sphere, with one parameter z
-//! that grows with the azimuth. Below 0 the points are on one leg. At 0 the orbit turns at the
-//! point that is nearer to the photon sphere, the pivot. Above 0 the turn is between the points.
+//! that grows with the azimuth. For z < 0 the points are on one leg. For z = 0 the orbit turns at
+//! the point that is nearer to the photon sphere, the pivot. For z > 0 the turn is between the
+//! points.
 struct TurningFamily {
   double u_pivot;             //!< u of the pivot
   double from_photon_sphere;  //!< |u - 1/3| of the pivot
@@ -91,7 +92,8 @@ struct TurningMismatch {
   ERGO_HD double operator()(double z) const { return family.swept(z) - angle; }
 };
 
-//! Mismatch as a function of y = ln(g - 1/6), with which the azimuth decreases.
+//! Logarithm of wanted over actual azimuth of an orbit that never turns, as a function of y = ln(g
+//! - 1/6) (for g see null_orbit.h). The azimuth decreases with y.
 struct PlungingMismatch {
   Endpoints ends;
   double angle;
@@ -234,7 +236,7 @@ ERGO_HD_CALLED ConnectingRay connecting_ray(double r_observer, double r, double 
   const bool outside = ends.r_near > 3.0;
   const double r_pivot = outside ? ends.r_near : ends.r_far;
   if (ends.gap == 0.0 && r == 3.0) {
-    // Light circles on the photon sphere.
+    // Both points are on the photon sphere, on which the light moves along a circle.
     const double b = ::sqrt(27.0);
     return detail::ray_of(ends, 1.0 / b, 0.0, 0.0, false, 0.0, {b * angle, 9.0 / b * angle});
   }

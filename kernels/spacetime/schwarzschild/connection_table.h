@@ -21,13 +21,14 @@ namespace ergodome {
 
 //! Nodes of a table. The ends of the axes are nodes.
 struct ConnectionGrid {
-  double u_low, u_high;                    //!< [1/M]
-  double u_observer_low, u_observer_high;  //!< [1/M]; equal for one observer
-  int rows;                                //!< nodes in u, 4 or more
-  int columns;                             //!< steps in φ from 0 to its end, 4 or more
-  int layers;                              //!< observers: 1, or 4 or more
-  int fan_rows;                            //!< values of u at which rays are solved
-  int orders;                              //!< number of half turns that φ covers
+  double u_low, u_high;  //!< range of u = 1/r of the points [1/M]
+  //! Range of 1/r of the observers [1/M]; both equal for one observer.
+  double u_observer_low, u_observer_high;
+  int rows;      //!< nodes in u, 4 or more
+  int columns;   //!< number of steps in φ from 0 to its maximum, 4 or more
+  int layers;    //!< number of observers' radii: 1, or 4 or more
+  int fan_rows;  //!< values of u at which rays are solved
+  int orders;    //!< number of half turns that φ covers
 };
 
 struct ConnectionNode {
@@ -35,7 +36,7 @@ struct ConnectionNode {
   float distance;
 };
 
-//! A node before rounding.
+//! Values of a node in double, before rounding to float.
 struct ConnectionPlace {
   double x, y, z;
   double distance;
@@ -51,8 +52,8 @@ struct ConnectionPlace {
 //! A table under construction.
 struct ConnectionBatch {
   ConnectionGrid grid;
-  ConnectionPlace* fan;     //!< [layer][fan row][fan column]
-  ConnectionPlace* spread;  //!< [layer][row][fan column]
+  ConnectionPlace* fan;     //!< solved rays, indexed [layer][fan row][fan column]
+  ConnectionPlace* spread;  //!< fan interpolated to all rows, indexed [layer][row][fan column]
   ConnectionNode* nodes;    //!< [layer][row][column], columns + 1 of them
 };
 
@@ -62,8 +63,8 @@ struct ConnectionView {
   const ConnectionNode* nodes;
 };
 
-//! Spacing of a fan's rays in φ: ten-point interpolation then errs by less than the rounding of
-//! float.
+//! Number of rays of a fan from φ = 0 to π, and number of rays that an interpolation uses. The
+//! interpolation error is then below the rounding of float.
 inline constexpr int fan_steps_to_pi = 20;
 inline constexpr int fan_stencil = 10;
 

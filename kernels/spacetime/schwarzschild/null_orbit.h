@@ -24,9 +24,9 @@ namespace ergodome::inline ERGO_TARGET {
 //! The part of an orbit between two points: its azimuth, its coordinate time beyond |Δr*|, and its
 //! affine distance beyond |Δr|.
 struct OrbitLeg {
-  double angle;    //!< [rad]
+  double angle;    //!< azimuth swept [rad]
   double delay;    //!< [M]
-  double stretch;  //!< [M]
+  double stretch;  //!< affine distance beyond |Δr| [M]
 };
 
 //! An orbit that turns, b >= √27.
@@ -37,7 +37,7 @@ struct TurningOrbit {
   //! in.
   double side;
   double lowest;  //!< g: P(-g) = 0
-  double width;   //!< from the turn to the third root
+  double width;   //!< distance in u from the turn to the third root
 };
 
 //! An orbit that never turns, b <= √27. The complex pair of roots is 1/3 + middle ± i spread.
@@ -164,8 +164,9 @@ ERGO_HD double swept_angle(const TurningOrbit& orbit, double distance) {
                                                   at_turn * orbit.width, (distance + orbit.width) * at_turn);
 }
 
-//! Computes azimuth, delay and stretch of that leg. Gauss's rule is applied in a variable that
-//! makes the integrands smooth at the turn and near the critical orbit.
+//! Computes azimuth, delay and stretch (see OrbitLeg) from the turn to `distance` from it. Gauss's
+//! rule is applied in a variable that makes the integrands smooth at the turn and near the critical
+//! orbit.
 ERGO_HD_CALLED OrbitLeg leg_from_turn(const TurningOrbit& orbit, double distance) {
   const double end = ::asinh(::sqrt(distance / orbit.width));
   const detail::TurningDelay integrand{orbit, ::sqrt(orbit.inverse_b_squared)};

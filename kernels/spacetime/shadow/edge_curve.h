@@ -33,7 +33,7 @@ ERGO_HD void edge_at(const EdgeCurve& edge, float gamma, float& alpha, float& sl
   const auto wrapped = [count](int i) { return i < 0 ? i + count : (i >= count ? i - count : i); };
   // A NaN angle has no index; t makes α NaN then.
   const float known = ::fabsf(whole) < 1e7F ? whole : 0.0F;
-  // Without integer division, which would take longer than everything else.
+  // Avoids an integer division, which would take longer than the rest of this function.
   const int turns = static_cast<int>(known / static_cast<float>(count));
   const int i = wrapped(static_cast<int>(known) - turns * count);
   const float p0 = edge.polar_angle[wrapped(i - 1)];

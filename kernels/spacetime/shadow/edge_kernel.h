@@ -16,7 +16,7 @@ struct EdgeBatch {
 
 inline namespace ERGO_TARGET {
 
-//! Solves one point of the edge, in double.
+//! Computes one point of the shadow's edge, in double.
 struct SolveEdge {
   EdgeBatch batch;
 

@@ -5,13 +5,14 @@
 
 namespace ergodome {
 
-//! The horizon as an eye of the stereo model `flat` sees it: its nearness along the eye's lines of
-//! sight, over position angles in the shadow's chart and over depths inwards from the edge,
-//! ln(α_edge / (α_edge - α)), in equal steps.
+//! The horizon as an eye of the stereo model `flat` sees it: its nearness (1/distance) along the
+//! eye's lines of sight. The table is over position angles about the shadow's center and over
+//! depths ln(α_edge / (α_edge - α)) inside the edge, both in equal steps; α is the angle from the
+//! shadow's center.
 struct FlatHorizon {
-  EdgeCurve edge;         //!< of the eye's shadow, in the observer's frame
+  EdgeCurve edge;         //!< edge of the eye's shadow, in the observer's frame
   float cosine_largest;   //!< cosine of the largest polar angle of the edge
-  const float* nearness;  //!< [1/M]; `spokes` rows of `depths`
+  const float* nearness;  //!< [1/M]; `spokes` rows of `depths` values
   int spokes;
   int depths;
   float depth_step;

@@ -8,14 +8,15 @@ namespace ergodome::inline ERGO_TARGET {
 
 //! The fraction of a pixel that the sky lights, and the point in the pixel to trace.
 struct PixelCoverage {
-  float lit;      //!< 0 dark, 1 bright
-  float shift_x;  //!< from the center of the pixel to that of its lit part [px]
+  float lit;      //!< fraction that the sky lights: 0 dark, 1 bright
+  float shift_x;  //!< offset of the lit part's center from the pixel's center [px]
   float shift_y;
 };
 
 namespace detail {
-//! Computes the coverage for a shadow of less than one or two pixels: it takes its area from the
-//! pixels around its center, spread like a cone of radius 1 px.
+//! Computes the coverage for a shadow smaller than one or two pixels. The shadow's area is
+//! subtracted from the lit fractions of the pixels around its center, with weights that form a cone
+//! of radius 1 px.
 ERGO_HD PixelCoverage cover_by_speck(const EdgeCurve& edge, float alpha, float pixel_angle) {
   const float half_turn = 3.14159265F;
   const float radius_px = 0.5F * (edge.smallest + edge.largest) / pixel_angle;

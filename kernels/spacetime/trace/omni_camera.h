@@ -36,13 +36,14 @@ struct OmniCameraOf {
   S fade_begin;     //!< cosine of the elevation at which the offset is 0
   S fade_scale;     //!< 1 / (cosine at which the offset is full - fade_begin)
   S inverse_reach;  //!< 1 / radius within which the polynomials are valid [1/M]
-  int degree;       //!< of the polynomials
-  //! omni_numbers polynomials of omni_terms(degree) coefficients: 1, p, q, p², p q, q², ...
+  int degree;       //!< degree of the polynomials
+  //! omni_numbers polynomials, each with omni_terms(degree) coefficients, of the terms 1, p, q, p²,
+  //! p q, q², ... p and q are the eye's position to the right and to the back, times inverse_reach.
   const S* coefficients;
   //! The head is falling through the horizon, or is near it: azimuths of m are in ingoing Kerr
   //! coordinates, which are continuous for eyes on both sides of the horizon.
   bool ingoing = false;
-  S turn = S(0);  //!< of the head, as in CameraStation
+  S turn = S(0);  //!< `turn` of the head's CameraStation
   S lag = S(0);
 };
 
@@ -125,7 +126,8 @@ ERGO_HD OmniSight<T> omni_sight(const OmniCameraOf<ScalarOf<T>>& camera, const V
   T right;
   T back;
   omni_offset(camera, view, right, back);
-  // Converges on a sphere about the head, where both eyes see the same point.
+  // The directions of both eyes converge on a sphere about the head: there, both see the same
+  // point.
   Vector3<T> n = {view.x - camera.inverse_convergence * right, view.y, view.z - camera.inverse_convergence * back};
   const T inverse_length = S(1) / sqrt(dot(n, n));
   n = {n.x * inverse_length, n.y * inverse_length, n.z * inverse_length};
@@ -136,7 +138,8 @@ ERGO_HD OmniSight<T> omni_sight(const OmniCameraOf<ScalarOf<T>>& camera, const V
   term[0] = T(S(1));
   int count = 1;
   for (int degree = 1; degree <= camera.degree; ++degree) {
-    // The terms of this degree: p times all terms of one degree less, and q times the last.
+    // The terms of this degree are p times each term of the degree below, and q times the last of
+    // those.
     const int before = count - degree;
     for (int i = 0; i < degree; ++i) {
       term[count + i] = p * term[before + i];
@@ -183,7 +186,7 @@ ERGO_HD RayStart<T> start_omni_ray(const OmniCameraOf<ScalarOf<T>>& camera, cons
   return ray;
 }
 
-//! Returns the same ray, under the name that kernels use for single cameras.
+//! Returns the same ray as start_omni_ray(), under the name that kernels call for any camera.
 template <class T>
 ERGO_HD RayStart<T> start_ray(const OmniCameraOf<ScalarOf<T>>& camera, const Vector3<T>& view) {
   return start_omni_ray(camera, view);

@@ -8,7 +8,8 @@
 #include "kernels/spacetime/shadow/pixel_coverage.h"
 #include "kernels/spacetime/trace/trace_pixels.h"
 
-// Shared by all kernels that fill LensPixels, whether light is traced or read from a grid.
+// Functions shared by all kernels that fill LensPixels, whether light is traced or read from a
+// grid.
 namespace ergodome::inline ERGO_TARGET {
 
 //! Returns the number of pixels in a block.

@@ -14,9 +14,7 @@ namespace ergodome {
 struct PixelBatch {
   CameraStationOf<float> camera;
   ProjectionOf<float> projection;
-  float
-      frame_from_view[3]
-                     [3];  //!< columns: the view's x (right), y (up), z (back) in the observer's frame (e_r, e_θ, e_φ)
+  float frame_from_view[3][3];  //!< columns: the view's x (right), y (up), z (back), in e_r, e_θ, e_φ
   EdgeCurve edge;
   //! Only pixels whose cosine to the chart's center is in this range may touch the edge.
   float edge_cosine_lowest;

@@ -33,7 +33,7 @@ struct CorrectedLeaves {
 struct LeafDisplacement {
   float along_gamma;
   float along_s;
-  float spread;  //!< its divergence
+  float spread;  //!< divergence of the displacement
 };
 
 inline namespace ERGO_TARGET {
@@ -113,7 +113,7 @@ ERGO_HD bool correct_image(const CorrectedLeaves& grid, int leaf, const Vector3<
   const LeafDisplacement by = leaf_displacement(grid, leaf, u, v);
   u += by.along_gamma;
   v += by.along_s;
-  // Also false for NaN.
+  // The condition is also false, and the correction refused, if a position is NaN.
   if (!(::fabsf(u - start[0]) + ::fabsf(v - start[1]) < longest_way)) {
     return false;
   }

@@ -21,7 +21,7 @@ enum class ImageOrder {
 //! Collects images star by star. An image on a border may have been found from both sides, and is
 //! kept once. Arrays lie in the backend's memory.
 struct ImageJoinBatch {
-  const SeenImage* found[2];  //!< in two arrays; entries with a star of -1 are unused
+  const SeenImage* found[2];  //!< images found, in two arrays; entries with a star of -1 are unused
   int found_count[2];
   int star_count;
   double pixel;  //!< angle of a pixel [rad]
@@ -30,7 +30,8 @@ struct ImageJoinBatch {
   std::int32_t* counts;
   const std::int32_t* first;  //!< index of each star's first number; has star_count + 1 elements
   std::int32_t* numbers;
-  StarImage* images;  //!< as many as numbers, star by star; duplicates have a star of -1
+  //! Images kept, star by star, as many as numbers; duplicates have a star of -1.
+  StarImage* images;
   ImageJoinStep step = ImageJoinStep::count;
 };
 

@@ -24,7 +24,7 @@ struct PartSolver {
     const Mask all = T(0.0F) < T(1.0F);
     PatchRoot<T> root =
         newton_on_patch(part.patch, all, {T(0.5F), T(0.5F)}, folded ? any_step : farthest_regular, rounds_regular);
-    // Folded parts also accept roots outside of them.
+    // If parts may be folded, roots outside of a part are accepted as well.
     root.found = root.found & within_patch(root.at, folded ? 1.0F : beyond_patch);
     if (folded) {
       return across_fold(root);

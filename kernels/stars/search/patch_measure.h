@@ -11,7 +11,7 @@ namespace ergodome {
 //! How a patch changes solid angles and light, from samples all over it.
 struct PatchMeasures {
   float lowest_sky;   //!< minimum signed area of the sky per area of the chart [1/turn]
-  float highest_sky;  //!< and its maximum
+  float highest_sky;  //!< maximum signed area of the sky per area of the chart [1/turn]
   //! Maximum solid angle of the rain frame's camera per area of the chart [sr/turn].
   float greatest_camera;
   float greatest_ratio;   //!< maximum ratio of the camera's solid angle to the sky's

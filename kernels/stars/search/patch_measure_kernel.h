@@ -42,7 +42,7 @@ struct MeasurePatch {
   static constexpr int middle_sample = samples / 2;
   static constexpr float infinite = 3e38F;
 
-  //! The extremes so far.
+  //! Minima and maxima over the samples so far.
   struct Sums {
     T lowest_sky, highest_sky;
     T camera;

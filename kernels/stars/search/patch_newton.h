@@ -28,7 +28,7 @@ inline constexpr float farthest_regular = 0.51F * (1.3F + most_regular_change);
 //! Maximum number of Newton steps in regular patches, and in bent ones, which have a fallback.
 inline constexpr int rounds_regular = 16;
 inline constexpr int rounds_bent = 8;
-//! A limit that no first step reaches.
+//! Value for the limit of the first step that means no limit.
 inline constexpr float any_step = 1e6F;
 //! Images are also accepted this far outside a patch, as a fraction of it, so that none is lost on
 //! a border between two patches.
@@ -56,7 +56,7 @@ ERGO_HD PatchRoot<T> newton_on_patch(const SeenPatch<T>& patch, const MaskOf<T>&
     const T du = (f.p * f.q_v - f.p_v * f.q) * inverse;
     const T dv = (f.p_u * f.q - f.p * f.q_u) * inverse;
     const T length = maximum(absolute(du), absolute(dv));
-    // Also false for NaN.
+    // Also ends lanes whose step is NaN.
     active = active & (length < T(round == 0 ? farthest : any_step));
     // A length of zero may have a minus sign, and 0.5 / -0 is -∞.
     const T part = minimum(T(1.0F), T(0.5F) / maximum(length, T(1e-30F)));

@@ -195,7 +195,7 @@ struct SolveSeenPart {
   }
 };
 
-//! Lists the roots of a part for its pair.
+//! Appends the roots of a part to the list of its pair.
 template <bool Folded>
 struct ListRoots {
   PatchSearchBatch batch;

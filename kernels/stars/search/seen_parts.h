@@ -11,7 +11,7 @@ namespace ergodome {
 //! the pair that it belongs to. Each channel is an array over all parts.
 enum PartChannel : int {
   part_p = 0,   //!< 16 control points, row after row along v: p = x - a z
-  part_q = 16,  //!< and q = y - b z; both are 0 at the star
+  part_q = 16,  //!< 16 control points: q = y - b z; p and q are 0 at the star
   part_u = 32,  //!< where the part begins in the patch
   part_v = 33,
   part_size_u = 34,  //!< size as a fraction of the patch
@@ -52,7 +52,7 @@ enum PartList : int {
 struct HalvePartsBatch {
   SeenParts parts;
   int first;  //!< first part to be halved
-  int last;   //!< one past the last
+  int last;   //!< one past the last part to be halved
   int depth;
   //! By PartList. Each list needs room for two halves per part, plus part_padding.
   SeenParts* lists[part_lists];

@@ -36,10 +36,10 @@ struct StarLevel {
 
 //! A field of stars as the search reads it (render/passes/stars/star_field.h).
 struct SearchedField {
-  StarLevel levels[most_star_levels];  //!< all stars first, then ever fewer
+  StarLevel levels[most_star_levels];  //!< level 0 has all stars; each further level has fewer
   int level_count;
   const FieldStar* stars;
-  const ShiftGain* gains;      //!< one per row of shifts
+  const ShiftGain* gains;      //!< table of gains; PatchLight::shift_row selects a row
   const float* greatest_gain;  //!< maximum gain of the stars in the field, for each row
 };
 

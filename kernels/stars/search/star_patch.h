@@ -11,8 +11,8 @@ namespace ergodome {
 //! Orthonormal axes of the sky, aligned with a patch.
 struct PatchFrame {
   Vector3<double> first;   //!< along the patch's long side
-  Vector3<double> second;  //!< along its narrow side
-  Vector3<double> axis;    //!< to its middle
+  Vector3<double> second;  //!< along the patch's narrow side
+  Vector3<double> axis;    //!< direction to the patch's middle
 };
 
 //! Range of heights and azimuths of a part of the sky.
@@ -31,13 +31,13 @@ struct SkyPart {
 
 //! A rotation by φ about z.
 struct SkyTurn {
-  float turns;  //!< in [0, 1)
+  float turns;  //!< angle φ [turns], in [0, 1)
   double sine;
   double cosine;
 };
 
-//! Brightness threshold for stars: the illuminance, multiplied by the gain bound of the star's
-//! class in row `shift_row` of ShiftGains, must be at least `illuminance` [lx]. `illuminance` is
+//! Brightness threshold for stars: a star is above it if its illuminance, multiplied by the bound
+//! of its class in row `shift_row` of ShiftGains, is at least `illuminance` [lx]. `illuminance` is
 //! not negative.
 struct StarFloor {
   float illuminance;
@@ -53,10 +53,11 @@ struct PatchLight {
 
 //! A part of a lens grid over which the lens is simple enough to be inverted.
 struct StarPatch {
-  BezierPatch sky;  //!< in its own frame
+  BezierPatch sky;  //!< direction on the sky as a function of (u, v), in the patch's own frame
   PatchFrame frame;
-  SkyPart part;       //!< encloses all of it on the sky
-  float gamma_turns;  //!< its rectangle in the chart
+  SkyPart part;  //!< part of the sky that encloses the patch
+  //! Lower end of its rectangle in the chart, with `s`; its size is (width_turns, height).
+  float gamma_turns;
   float s;
   float width_turns;
   float height;
@@ -64,7 +65,8 @@ struct StarPatch {
   int leaf;        //!< leaf of the grid that it is part of
   float brighter;  //!< factor by which an image in it may be brighter than the grid indicates
   bool exact;      //!< images in it need no rays after their correction, unless it is folded
-  //! Distance by which it may miss the sky where that matters, next to critical curves [rad].
+  //! Distance by which the patch may deviate from the true sky next to critical curves, where that
+  //! matters [rad].
   float error;
   int halvings;  //!< maximum number of halvings in its search, if it is not regular
   PatchLight light;
@@ -72,7 +74,8 @@ struct StarPatch {
   float seen_radius;    //!< half angle of a cone about that direction that encloses it [rad]
   //! Maximum solid angle of the rain frame's camera per unit of its (u, v) [sr].
   float most_camera;
-  //! Maximum in the rain frame; if folded, exceeded only on 1e-8 sr of the sky.
+  //! Maximum magnification of images in the rain frame. In a folded patch, it is exceeded only for
+  //! stars on 1e-8 sr of the sky.
   float magnification;
 };
 

@@ -8,44 +8,46 @@
 
 namespace ergodome {
 
-//! Compares the filters of the sky's map with the light integrated exactly over parts of pixels.
+//! Measures the filters of the sky's map. The reference integrates the map's light exactly over
+//! parts of pixels.
 AccuracyAxis measure_map(const Show& show, const AccuracySettings& settings, const AccuracyProgress& progress);
 
-//! Measures the ways to find images of stars: by inverting the lens, and by gathering what each
-//! pixel covers (VE). Returns nothing for a show without stars.
+//! Measures the ways to find lensed images of stars: by inverting the lens, and by gathering the
+//! stars that each pixel covers (Verbraeck & Eisemann 2021). Returns nothing for a show without
+//! stars.
 //!
-//! Errors are distances of images from their exact positions (exact_images), with the errors of
-//! their magnifications. Lost are images that one method finds, confirmed as exact, and the other
-//! does not.
+//! Errors are distances of images from their exact positions (exact_images()), and errors of their
+//! magnifications. An image counts as lost by a method if only the other method finds it and
+//! exact_images() confirms it.
 std::optional<AccuracyAxis> measure_stars(const Show& show, const std::vector<AccuracyMoment>& moments,
                                           const AccuracySettings& settings, const AccuracyProgress& progress);
 
 //! Returns whether a show's camera path can be baked and needs stations: see measure_stations.
 bool has_stations(const Show& show);
 
-//! Measures how far apart stations on a show's camera path may be if pictures between them are
-//! blended, with and without the stations' derivatives. Returns nothing for shows that are not
-//! baked: the camera's r and θ are constant, the spin changes, or the grid scheme is quadtree.
+//! Measures how far apart stations on a show's camera path may be if the lens is blended between
+//! them, with and without the stations' derivatives. Returns nothing for shows that are not baked:
+//! the camera's r and θ are constant, the spin changes, or the grid scheme is quadtree.
 //!
 //! Times and bytes are those of the stations for one second of the show. Errors are measured
 //! halfway between two stations, where they are largest.
 std::optional<AccuracyAxis> measure_stations(const Show& show, const std::vector<AccuracyMoment>& moments,
                                              const AccuracySettings& settings, const AccuracyProgress& progress);
 
-//! Measures the stereo models: the cost of a pair of eyes, and the displacement of things from
-//! where the left one of two real eyes, each with its own camera, would see them. Returns nothing
-//! for a show with a single eye.
+//! Measures the stereo models: the cost of a pair of eyes, and the error of the left eye's image.
+//! The reference is a pair of real eyes, each with its own camera. Returns nothing for a show with
+//! a single eye.
 //!
 //! Times are those of both eyes' lenses, including the shadow's mask of the model `flat`, without
 //! shading.
 std::optional<AccuracyAxis> measure_stereo(const Show& show, PixelNeed need, const std::vector<AccuracyMoment>& moments,
                                            const AccuracySettings& settings, const AccuracyProgress& progress);
 
-//! Measures disk, shells and objects alone: with rays, and objects also with the published polygons
-//! if these can draw them. The show must have some.
+//! Measures methods that draw disk, shells and objects, without the sky: rays, and for objects also
+//! the published polygons if these can draw them. The show must have a disk, shells or objects.
 AccuracyAxis measure_near(const Show& show, const AccuracySettings& settings, const AccuracyProgress& progress);
 
-//! Measures whole frames of the show with each source of the lens.
+//! Measures whole frames of the show with each lens source (LensSource).
 AccuracyAxis measure_frames(const Show& show, const AccuracySettings& settings, const AccuracyProgress& progress);
 
 }  // namespace ergodome

@@ -11,10 +11,11 @@ namespace ergodome {
 
 namespace {
 
-//! Maximum width of pictures: references take many samples per pixel.
+//! Maximum width of compared pictures. It is small because reference pictures take many samples per
+//! pixel.
 constexpr int most_map_px = 512;
 
-//! Returns a show with only its map.
+//! Returns a copy of a show that has only its sky map.
 Show map_alone(Show show) {
   show.sky.stars.clear();
   show.disk.reset();
@@ -108,7 +109,7 @@ AccuracyAxis measure_frames(const Show& show, const AccuracySettings& settings, 
 
 namespace {
 
-//! Returns a show with only disk, shells and objects, in front of a black sky.
+//! Returns a copy of a show that has only disk, shells and objects, in front of a black sky.
 Show near_things_alone(Show show) {
   show.sky.map = "grid";
   show.sky.map_layout = {};

@@ -22,7 +22,7 @@ bool is_whole(const Picture& picture, std::int64_t pixel) {
   return picture.rgba[static_cast<std::size_t>(4 * pixel) + 3] >= 0.9999F;
 }
 
-//! Returns the mean luminance of the fully covered pixels that shine.
+//! Returns the mean luminance of those fully covered pixels that are not dark.
 double mean_of(const Picture& picture, const std::vector<std::int64_t>& pixels) {
   double sum = 0.0;
   double count = 0.0;
@@ -34,8 +34,8 @@ double mean_of(const Picture& picture, const std::vector<std::int64_t>& pixels) 
   return count > 0.0 && sum > 0.0 ? sum / count : 1.0;
 }
 
-//! Returns the signed difference of each pixel's luminance, relative to the mean; NaN for pixels
-//! that are not compared or dark in both pictures.
+//! Returns the difference between each pixel's luminance and the exact one, relative to the mean of
+//! the exact picture. NaN for pixels that are not compared, or dark in both pictures.
 std::vector<double> differences(const Picture& picture, const Picture& exact, const std::vector<std::int64_t>& pixels) {
   const double scale = 1.0 / mean_of(exact, pixels);
   std::vector<double> values;

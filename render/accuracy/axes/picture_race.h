@@ -5,7 +5,7 @@
 #include "render/accuracy/lenses/lens_race.h"
 #include "render/frame/show_renderer.h"
 
-// Measures whole pictures.
+// Measures methods by the whole pictures that they draw.
 
 namespace ergodome {
 
@@ -18,14 +18,14 @@ struct PictureChoice {
   LensChoice lens = LensChoice::automatic;
 };
 
-//! Renders the reference picture, with the size of the moment's projection. May render at another
-//! size and average.
+//! Renders the reference picture of a moment at a camera pose, with the size of the moment's
+//! projection. May render at a larger size and average pixels.
 using ReferencePicture = std::function<Picture(const AccuracyMoment& moment, const CameraPose& pose)>;
 
 //! Measures ways to draw pictures: the difference of each compared pixel's luminance from the
-//! reference, relative to the mean of the reference's shining pixels; its change from frame to
-//! frame; times of frames with an existing lens, taken in turn; and the cost of each pass in the
-//! last frame.
+//! reference, relative to the mean of the reference's lit pixels; the change of that difference
+//! from frame to frame; times of frames whose lens is already prepared, drawn by all ways in turn;
+//! and the cost of each pass in the last frame.
 //!
 //! Pixels that are partly covered by the shadow or by the rim of the image are not compared.
 std::vector<Measurement> measure_pictures(const std::vector<PictureChoice>& choices, const ReferencePicture& reference,
@@ -42,8 +42,8 @@ inline bool draws_slowly(const Show& show) { return !show.objects.empty(); }
 //! Returns the settings with the picture width limited to `most_px`.
 AccuracySettings no_wider(AccuracySettings settings, const Show& show, int most_px);
 
-//! Returns the settings reduced for shows that draw slowly: one moment, two rounds, small pictures.
-//! A lit object of 1024² pixels takes half a minute with rays.
+//! Returns settings for a measurement; for shows that draw slowly they are reduced to one moment,
+//! two rounds and small pictures. A lit object of 1024² pixels takes half a minute with rays.
 AccuracySettings paced(const AccuracySettings& settings, const Show& show);
 
 }  // namespace ergodome

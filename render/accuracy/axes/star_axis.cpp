@@ -17,11 +17,13 @@ namespace ergodome {
 namespace {
 
 constexpr std::size_t method_count = 2;
-//! Images farther than this from any exact one match none [px].
+//! Maximum distance at which an image is matched with an exact one [px].
 constexpr double match_px = 2.0;
-//! Next to caustics magnifications are limited by the stars' disks, and do not measure the method.
+//! Maximum magnification of compared images. Next to caustics magnifications are limited by the
+//! size of the stars' disks, so that they do not show the accuracy of the method.
 constexpr double most_magnification = 1e3;
-//! Images brighter than the requested limit by this factor must be found by both methods.
+//! An image is clearly bright if it is brighter than the search limit by this factor. Both methods
+//! must find it.
 constexpr double clearly_bright = 1.1;
 
 struct Found {
@@ -40,7 +42,7 @@ double luminance(const Vector3<float>& light) {
   return static_cast<double>(0.2126729F * light.x + 0.7151522F * light.y + 0.0721750F * light.z);
 }
 
-//! Returns whether a direction is in the picture, a few pixels from its rim.
+//! Returns whether a direction is inside the picture, at least a few pixels from its edge.
 bool is_inside(const EyeCamera& eye, const Projection& projection, const Vector3<double>& n) {
   const auto along = [&](int axis) {
     return n.x * eye.frame_from_view[0][axis] + n.y * eye.frame_from_view[1][axis] + n.z * eye.frame_from_view[2][axis];
@@ -63,7 +65,7 @@ bool is_inside(const EyeCamera& eye, const Projection& projection, const Vector3
   return true;
 }
 
-//! Both methods' images at a moment, and their times.
+//! Searches for the star images of a moment with both methods, and measures the times.
 class StarRace {
  public:
   StarRace(const Show& show, const AccuracyMoment& moment)
@@ -80,7 +82,7 @@ class StarRace {
     settings_.view = view_cone(moment.eye, moment.projection, 0.05);
   }
 
-  //! Prepares a new camera position.
+  //! Prepares the search for a new camera position.
   void prepare() {
     station_ = build_star_station(moment_.eye, settings_);
     patches_.emplace(star_patches(field_, colours_.view(), moment_.eye, station_, settings_));
@@ -149,7 +151,7 @@ struct Tally {
   std::size_t known = 0;
 };
 
-//! Exact images that are known at a moment, each once.
+//! The directions of all exact images known at a moment, by star; each image once.
 using ExactByStar = std::multimap<int, Vector3<double>>;
 
 void add_exact(ExactByStar& known, int star, const Vector3<double>& n, double pixel) {
@@ -188,7 +190,7 @@ void count_lost(const ExactByStar& known, const std::vector<Found>& found, doubl
   }
 }
 
-//! Runs both methods round by round and adds their times.
+//! Runs both methods in turn, round by round, and adds their times to `results`.
 void time(StarRace& race, const AccuracySettings& settings, const AccuracyProgress& progress,
           std::array<Measurement, method_count>& results) {
   for (std::size_t round = 0; round < static_cast<std::size_t>(settings.rounds); ++round) {

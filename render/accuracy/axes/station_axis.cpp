@@ -23,7 +23,7 @@ struct Leg {
   double end_s = 0.0;
 };
 
-//! Returns all such parts on which the camera moves.
+//! Returns the legs of a show's camera path, without those on which the camera stands still.
 std::vector<Leg> legs_of(const Show& show) {
   const std::vector<double> ends_s = path_ends_s(show);
   std::vector<Leg> legs;
@@ -49,7 +49,8 @@ std::optional<Leg> leg_at(const Show& show, double time_s) {
 
 using StationPointer = std::shared_ptr<const StationBuffers>;
 
-//! Two stations around a moment, blended again for each frame, as a stream does.
+//! Measures the lens that is blended from two stations around a moment; blends them again for each
+//! frame, as the renderer does with streamed stations.
 class StationPixels : public PixelLens {
  public:
   StationPixels(LensScene& scene, double spacing_s, bool derivatives) : scene_(scene), pixels_(scene.pixels()) {
@@ -107,7 +108,8 @@ LensChoiceToMeasure station_choice(double spacing_s, bool derivatives) {
           [=](LensScene& scene) { return std::make_unique<StationPixels>(scene, spacing_s, derivatives); }};
 }
 
-//! Converts the results for two stations to those per second of the show.
+//! Converts the sizes and times of two stations at a distance of `spacing_s` to those of all
+//! stations for one second of the show.
 void count_a_second(Measurement& choice, double spacing_s) {
   choice.passes_ms["blending two stations and reading every pixel"] = spread_of(choice.frame_ms).median;
   for (std::size_t i = 0; i < choice.frame_ms.size(); ++i) {

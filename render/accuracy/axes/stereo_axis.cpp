@@ -20,9 +20,11 @@ namespace ergodome {
 
 namespace {
 
-constexpr double sides[] = {0.5, -0.5};  //!< the right eye, and the left one, which is compared
+//! Distance from the head in baselines: the right eye first, then the left one, whose result is
+//! compared.
+constexpr double sides[] = {0.5, -0.5};
 
-//! Returns the projection of both eyes before convergence shifts their pictures.
+//! Returns the projection of both eyes without the shift of their pictures for convergence.
 Projection head_projection(const LensScene& scene) {
   return make_projection(scene.moment().show.view, scene.projection().width_px, 0.0);
 }
@@ -32,8 +34,8 @@ Projection own_projection(const LensScene& scene, double side) {
   return converged_projection(head_projection(scene), side * stereo.baseline, stereo.convergence);
 }
 
-//! The lenses of a pair's pictures, the left eye's last: they share memory, which then holds the
-//! left eye's result.
+//! Measures the lenses of both eyes. Both write to the same memory, the left eye's last, so that
+//! the left eye's result is compared.
 class PairPixels : public PixelLens {
  public:
   PairPixels(LensScene& scene, std::vector<std::unique_ptr<LensSource>> sources)
@@ -55,8 +57,8 @@ class PairPixels : public PixelLens {
   std::vector<std::unique_ptr<LensSource>> sources_;
 };
 
-//! Eyes of the stereo model `flat`: both read the lens of the head's camera, masked with the shadow
-//! as each eye sees it.
+//! Measures the eyes of the stereo model `flat`: both read the lens of the head's camera, and each
+//! is masked with the shadow that it sees.
 class FlatPixels : public PairPixels {
  public:
   FlatPixels(LensScene& scene, std::vector<std::unique_ptr<LensSource>> sources)
@@ -90,10 +92,10 @@ class FlatPixels : public PairPixels {
   EyeCamera head_;
   double baseline_;
   std::vector<Projection> projections_;
-  Picture light_;  //!< light that remains outside the shadow
+  Picture light_;  //!< picture whose pixels become dark where the eye sees the shadow
 };
 
-//! Source and accuracy of a lens.
+//! A way to compute a lens: its source and accuracy.
 struct LensWay {
   LensChoice choice;
   LensAccuracy accuracy;
@@ -158,7 +160,7 @@ std::vector<LensChoiceToMeasure> stereo_choices(bool quick) {
   return choices;
 }
 
-//! Returns the moment for the left eye.
+//! Returns the moment with the left eye instead of the head.
 AccuracyMoment left_eye_of(AccuracyMoment moment) {
   const StereoSettings& stereo = moment.show.stereo;
   const double offset = -0.5 * stereo.baseline;

@@ -13,31 +13,32 @@ namespace ergodome {
 
 namespace {
 
-//! Frames slower than this [ms] are drawn only twice: once to warm up, which counts as a run, and
-//! in the second round. Their flicker is not measured.
+//! Frames slower than this [ms] are drawn only twice: once to warm up, which is used as the first
+//! round, and once in the second round. Their change from frame to frame is not measured.
 constexpr double slow_ms = 1500.0;
 constexpr double slow_for_a_quick_look_ms = 400.0;
 constexpr std::size_t slow_round = 1;
-//! Frames shorter than this can be delayed by any other program: the fastest of some successive
-//! tries counts as one run [ms].
+//! Frames faster than this [ms] are easily delayed by any other program. One run of them is the
+//! fastest of several successive tries.
 constexpr double short_ms = 50.0;
 constexpr int short_tries = 3;
 
-//! Results of a choice so far, over all moments.
+//! Results of one method so far, over all moments.
 struct Entry {
   std::vector<double> errors;
   std::vector<double> flickers;
   std::size_t lost = 0;
-  double warm_up_ms = 0.0;  //!< at the current moment
-  bool slow = false;        //!< at the current moment
-  //! By moment, and within each by round.
+  double warm_up_ms = 0.0;  //!< time of the warm-up frame, at the current moment
+  bool slow = false;        //!< true if frames are slower than `slow_ms`, at the current moment
+  //! Times of preparation and frames, by moment, and for each moment by round.
   std::vector<std::vector<double>> prepare_ms;
   std::vector<std::vector<double>> frame_ms;
-  //! Displacement in the view's axes, by pixel, at the current moment.
+  //! Errors of all compared pixels at the current moment, as displacements in the view's axes.
   std::vector<Vector3<double>> misses;
 };
 
-//! Returns the means over the moments, by round; only for rounds that all moments have.
+//! Returns, for each round, the mean of the times over the moments. Omits rounds that some moments
+//! lack.
 std::vector<double> means_of(const std::vector<std::vector<double>>& moments) {
   std::vector<double> means = moments.empty() ? std::vector<double>() : moments.front();
   for (std::size_t i = 1; i < moments.size(); ++i) {
@@ -54,7 +55,8 @@ std::vector<double> means_of(const std::vector<std::vector<double>>& moments) {
 
 double length(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
 
-//! Returns the displacements of all pixels that count, zero elsewhere.
+//! Returns the displacements at all compared pixels for which PixelReference::counts() is true;
+//! zero for the others.
 std::vector<Vector3<double>> misses_of(const PixelLens& lens, const PixelReference& reference,
                                        const PixelLattice& lattice) {
   std::vector<Vector3<double>> misses(reference.size());
@@ -64,7 +66,8 @@ std::vector<Vector3<double>> misses_of(const PixelLens& lens, const PixelReferen
   return misses;
 }
 
-//! Reads errors after a draw. Ignores pixels that are dark in both the reference and the method.
+//! Compares a method's last draw with the reference and adds the errors to `entry` and `map`.
+//! Ignores pixels that are dark in both.
 void read_errors(const PixelLens& lens, const PixelReference& reference, const PixelLattice& lattice, Entry& entry,
                  ErrorMap& map) {
   entry.misses = misses_of(lens, reference, lattice);
@@ -99,7 +102,7 @@ class LensRace {
     }
   }
 
-  //! Measures errors and times at a moment.
+  //! Measures errors and times of all methods at a moment.
   void run(const AccuracyMoment& moment) {
     go_on(progress_, "reference rays");
     lattice_ = pixel_lattice(moment.projection, settings_.lattice, settings_.seed);
@@ -234,8 +237,9 @@ namespace {
 constexpr double tolerances_px[] = {0.05, 0.005};
 constexpr double budgets_px[] = {1.0, 0.25, 0.1, 0.05, 0.025};
 
-//! Returns the finest levels of the published grid. Its authors go to 10, which is too coarse for a
-//! tenth of a pixel in a large picture.
+//! Returns the finest levels to measure for the published quadtree grid (Verbraeck & Eisemann
+//! 2021). Its authors use up to 10, which is too coarse for errors of a tenth of a pixel in a large
+//! picture.
 std::vector<int> levels(bool quick) {
   return quick ? std::vector<int>{8, 9, 10, 11} : std::vector<int>{9, 10, 11, 12, 13};
 }

@@ -10,20 +10,21 @@
 
 namespace ergodome {
 
-//! Receives a sentence about each step of the measurement; returning false stops it with an Error.
+//! Receives a sentence about each step of the measurement. If it returns false, the measurement
+//! stops with an Error.
 using AccuracyProgress = std::function<bool(const std::string& doing)>;
 
-//! Reports a step. Throws Error if the measurement must stop.
+//! Passes a sentence about a step to `progress`. Throws Error if the measurement must stop.
 void go_on(const AccuracyProgress& progress, const std::string& doing);
 
-//! Measures methods that find where pixels' light comes from: errors on the screen against
-//! PixelReference at one pixel of each cell of a lattice, their change from frame to frame, and
-//! times.
+//! Measures methods that find where pixels' light comes from: their errors on the screen relative
+//! to PixelReference, the change of these errors from frame to frame, and their times. Errors are
+//! measured at one pixel of each cell of a lattice.
 //!
-//! Each method first draws once to warm up, and its errors are read. Then all are prepared and
-//! drawn in turn, round by round, so that other load on the machine affects all of them; for short
-//! frames the fastest of three in a row is one run. Times of several moments are averaged by round;
-//! errors of all moments form one set.
+//! Each method first draws one frame to warm up, and its errors are read. Then all methods are
+//! prepared and draw in turn, round by round, so that other load on the machine affects all of
+//! them. For short frames, one run is the fastest of three successive tries. Times are averaged
+//! over the moments, round by round; errors of all moments form one set.
 std::vector<Measurement> measure_lenses(const std::vector<LensChoiceToMeasure>& choices, PixelNeed need,
                                         const std::vector<AccuracyMoment>& moments, const AccuracySettings& settings,
                                         const AccuracyProgress& progress);
@@ -32,7 +33,8 @@ std::vector<Measurement> measure_lenses(const std::vector<LensChoiceToMeasure>& 
 //! precisions, grids, budgets and interpolations, including published ones.
 std::vector<LensChoiceToMeasure> sky_choices(bool quick);
 
-//! Returns the methods that a renderer has for pictures whose filter needs footprints.
+//! Returns the renderer's methods for pictures whose filter needs the pixels' footprints on the
+//! sky.
 std::vector<LensChoiceToMeasure> footprint_choices(bool quick);
 
 }  // namespace ergodome

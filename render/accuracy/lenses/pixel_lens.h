@@ -10,26 +10,27 @@
 #include "render/accuracy/scene.h"
 #include "render/lens/lens_source.h"
 
-// The methods to measure, with a common interface.
+// Common interface of the methods that are measured.
 
 namespace ergodome {
 
-//! Directions of the pixels inside a picture, and where their light comes from; for methods that
-//! trace single rays.
+//! The rays of the pixels inside a picture: their view directions, and the sky directions where
+//! their light comes from. For methods that trace single rays.
 template <class S>
 struct RayPicture {
   std::vector<std::int64_t> pixels;  //!< in ascending order
   std::vector<S> n[3], sky[3], status;
 };
 
-//! What is computed for a pixel: where its light comes from, or also its footprint on the sky.
+//! What a method computes for each pixel: only the sky direction of its light, or also its
+//! footprint on the sky.
 enum class PixelNeed { sky, footprint };
 
-//! The moment itself, or the frame after it.
+//! Selects the measured moment itself, or the frame after it.
 enum class FrameOfMoment { now, next };
 
-//! An eye, its picture, and memory for the results of methods. Methods share the memory: results
-//! stay until the next draw.
+//! An eye, its projection, and memory for the results of methods. All methods share this memory, so
+//! results are valid until the next draw.
 class LensScene {
  public:
   LensScene(const AccuracyMoment& moment, FrameOfMoment frame, PixelNeed need);
@@ -42,7 +43,7 @@ class LensScene {
   }
   [[nodiscard]] const Projection& projection() const { return moment_.projection; }
 
-  //! Returns the rays; allocates them at the first call.
+  //! Returns the rays of all pixels; allocates them at the first call.
   template <class S>
   RayPicture<S>& rays();
 
@@ -60,6 +61,7 @@ class LensScene {
 };
 
 //! A method that finds where the light of a picture's pixels comes from, prepared for one eye.
+//! Methods are measured by calling draw() and comparing sky() with a reference.
 class PixelLens {
  public:
   PixelLens() = default;
@@ -70,7 +72,7 @@ class PixelLens {
   //! Computes all pixels: the work of one frame.
   virtual void draw() = 0;
 
-  //! Returns what a pixel saw in the last draw(): nothing if the pixel is dark.
+  //! Returns the sky direction that a pixel saw in the last draw(); nothing if the pixel is dark.
   [[nodiscard]] virtual std::optional<Vector3<double>> sky(std::int64_t pixel) const = 0;
 
   //! Returns the memory of the prepared data [bytes].
@@ -81,8 +83,8 @@ class PixelLens {
   [[nodiscard]] virtual std::optional<std::size_t> disk_bytes() const { return std::nullopt; }
 };
 
-//! A method with settings and its description in the report. `make` prepares it; its time is the
-//! cost of a new camera position.
+//! A method to measure, with the texts that describe it in the report. `make` prepares it for an
+//! eye; the time of `make` is the cost of a new camera position.
 struct LensChoiceToMeasure {
   std::string method;
   std::string setting;
@@ -91,22 +93,25 @@ struct LensChoiceToMeasure {
   std::function<std::unique_ptr<PixelLens>(LensScene&)> make;
 };
 
-//! Returns the choice of one ray per pixel, with an integrator and in float if `narrow`.
+//! Returns the method that traces one ray per pixel with an integrator, in float if `narrow`,
+//! otherwise in double.
 LensChoiceToMeasure ray_choice(TraceMethod method, bool narrow, double tolerance);
 
-//! Returns the choice of the renderer's direct rays: one ray per pixel in float, with antialiased
-//! shadow edge, to an error on the screen [px].
+//! Returns the method of the renderer without a grid: one ray per pixel in float, with an
+//! antialiased shadow edge. `tolerance_px`: accepted error on the screen [px].
 LensChoiceToMeasure direct_choice(double tolerance_px);
 
-//! Returns the choice of the conforming grid for the position, in float where the renderer would
-//! use float.
+//! Returns the method that builds the conforming grid for the camera position, in float where the
+//! renderer would use float.
 LensChoiceToMeasure grid_choice(double budget_px);
 
-//! Returns the choice of VE's grid (2021), read once per pixel.
+//! Returns the method that reads the quadtree grid of Verbraeck & Eisemann (2021) once per pixel,
+//! with splines if `spline`.
 LensChoiceToMeasure quadtree_choice(int finest_level, bool spline);
 
-//! Returns the same with splines, as the renderer reads it: five times per pixel, with a footprint
-//! from the midpoints of the pixel's sides.
+//! Returns the method that reads the quadtree grid of Verbraeck & Eisemann (2021) with splines as
+//! the renderer does: five times per pixel, with a footprint from the midpoints of the pixel's
+//! sides.
 LensChoiceToMeasure quadtree_pixel_choice(int finest_level);
 
 }  // namespace ergodome

@@ -11,7 +11,7 @@ namespace ergodome {
 namespace {
 
 constexpr int ray_step_limit = 2000;
-//! Ten times the published tracer's limit.
+//! Maximum number of steps for the published tracer: ten times its own limit.
 constexpr int baseline_step_limit = 20'000;
 
 template <class S>
@@ -41,7 +41,7 @@ RayBatch<S> batch_of(LensScene& scene) {
   return batch;
 }
 
-//! One ray per pixel, with any integrator.
+//! Measures the method that traces one ray per pixel, with any integrator.
 template <class S>
 class RayLens : public PixelLens {
  public:
@@ -58,7 +58,8 @@ class RayLens : public PixelLens {
   RayBatch<S> batch_;
 };
 
-//! VE's grid for the eye's position and motion, read once per pixel.
+//! Measures the quadtree grid of Verbraeck & Eisemann (2021), built for the eye's position and
+//! motion and read once per pixel.
 class QuadtreePixels : public PixelLens {
  public:
   QuadtreePixels(LensScene& scene, int finest_level, QuadtreeInterpolation how)

@@ -14,7 +14,7 @@ namespace {
 using ImageDual = Dual<double>;
 
 constexpr int most_steps = 12;
-//! As a direction on the sky [rad].
+//! Accepted angle on the sky between a ray and the star [rad].
 constexpr double reached = 1e-11;
 
 Vector3<double> unit(const Vector3<double>& v) { return (1.0 / std::sqrt(dot(v, v))) * v; }
@@ -24,7 +24,7 @@ double angle_between(const Vector3<double>& a, const Vector3<double>& b) {
   return std::atan2(std::sqrt(dot(across, across)), dot(a, b));
 }
 
-//! Rotates a star's direction to that for a camera at azimuth 0.
+//! Rotates a star's direction around the spin axis into the axes of a camera at azimuth 0.
 Vector3<double> turned_back(const CameraStation& camera, const Vector3<double>& v) {
   return {camera.cosine_phi * v.x + camera.sine_phi * v.y, camera.cosine_phi * v.y - camera.sine_phi * v.x, v.z};
 }
@@ -40,8 +40,8 @@ Tangents tangents_of(const Vector3<double>& n) {
   return {first, cross(n, first)};
 }
 
-//! Computes the change of the sky direction for a change of the view direction along the tangents.
-//! Returns false without light from the sky.
+//! Computes the derivatives of the sky direction along the two tangents of the view direction n.
+//! Returns false if no light comes from the sky there.
 bool slopes(const CameraStation& camera, const Vector3<double>& n, const Tangents& t, Vector3<double>& along_first,
             Vector3<double>& along_second) {
   const Vector3<ImageDual> direction = {ImageDual(n.x, t.first.x, t.second.x), ImageDual(n.y, t.first.y, t.second.y),

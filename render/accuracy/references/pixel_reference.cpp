@@ -32,7 +32,7 @@ Vector3<double> value_part(const Vector3<RayDual>& v) { return {v.x.value, v.y.v
 Vector3<double> x_part(const Vector3<RayDual>& v) { return {v.x.along_x, v.y.along_x, v.z.along_x}; }
 Vector3<double> y_part(const Vector3<RayDual>& v) { return {v.x.along_y, v.y.along_y, v.z.along_y}; }
 
-//! Arrays of rays, by component.
+//! Components of the vectors of many rays: one array per component.
 using Components = std::array<std::vector<double>, 3>;
 
 }  // namespace

@@ -14,14 +14,15 @@ namespace ergodome {
 //! screen.
 class PixelReference {
  public:
-  //! `pixels`: row times width plus column. `pixel`: the angle that is the unit of errors [rad].
+  //! `pixels`: pixel indices, row times width plus column. `pixel`: the angle that is the unit of
+  //! errors [rad].
   PixelReference(const EyeCamera& eye, const Projection& projection, const std::vector<std::int64_t>& pixels,
                  double pixel);
 
   [[nodiscard]] std::size_t size() const { return points_.size(); }
 
-  //! Returns whether a pixel is compared: it is entirely in the picture, and more than its size
-  //! from the shadow's edge.
+  //! Returns whether a pixel is compared: it is entirely inside the picture, and farther from the
+  //! shadow's edge than its own size.
   [[nodiscard]] bool counts(std::size_t i) const { return points_[i].counts; }
 
   //! Returns whether a pixel sees the sky.
@@ -30,24 +31,26 @@ class PixelReference {
   //! Returns the exact direction on the sky; zero if there is none.
   [[nodiscard]] const Vector3<double>& sky(std::size_t i) const { return points_[i].sky; }
 
-  //! Returns the displacement on the screen, in the view's axes [px], that turns the exact sky into
-  //! `seen`: δn = J⁻¹ Δsky.
+  //! Returns the error of a method at a pixel, in the view's axes [px]: the displacement on the
+  //! screen after which the exact lens would show `seen`, δn = J⁻¹ Δsky. Here Δsky is the error of
+  //! the sky direction, and J the derivative of the sky direction with respect to the view
+  //! direction n.
   //!
-  //! `seen` is empty if a method shows no sky. The error is then the distance to the shadow's edge,
-  //! and so is that of a sky inside the shadow; both displacements point along the view's x. It is
-  //! zero if neither sees the sky.
+  //! `seen` is empty if the method shows no sky. If only one of method and reference sees the sky,
+  //! the error is the distance to the shadow's edge, along the view's x. If neither does, it is
+  //! zero.
   [[nodiscard]] Vector3<double> miss(std::size_t i, const std::optional<Vector3<double>>& seen) const;
 
  private:
   struct Point {
     bool counts = false;
     bool lit = false;
-    double edge_px = 0.0;  //!< distance from the shadow's edge
+    double edge_px = 0.0;  //!< distance of the pixel from the shadow's edge
     Vector3<double> sky{};
-    //! Derivatives of the view's direction per pixel to the right and down.
+    //! Changes of the view direction from pixel to pixel: `view_x` to the right, `view_y` down.
     Vector3<double> view_x{};
     Vector3<double> view_y{};
-    Vector3<double> sky_x{};  //!< the same for the sky's direction
+    Vector3<double> sky_x{};  //!< changes of the sky direction from pixel to pixel, likewise
     Vector3<double> sky_y{};
   };
 

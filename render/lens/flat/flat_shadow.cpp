@@ -18,10 +18,12 @@ namespace ergodome {
 
 namespace {
 
-//! As a fraction of the distance to the horizon: an eye farther off has the horizon beside it.
+//! Maximum distance of an eye from the head, as a fraction of the distance to the horizon. For an
+//! eye farther away, the horizon is beside it.
 constexpr double farthest_eye = 0.5;
 
-//! Solves every fourth point of the edge: the crescent's width varies more slowly than the edge.
+//! Only every fourth point of an eye's edge is computed exactly; the others are interpolated,
+//! because the width of the crescent varies more slowly than the edge.
 constexpr int solved_step = 4;
 
 //! Evaluates the Catmull-Rom cubic through four neighboring values.
@@ -32,7 +34,7 @@ double cubic(double p0, double p1, double p2, double p3, double t) {
   return p1 + t * (b + t * (c + t * d));
 }
 
-//! Returns a direction from its polar coordinates about the chart's middle, in the chart's axes.
+//! Returns a direction, in the chart's axes, from its polar coordinates around the chart's center.
 Vector3<double> chart_point(double alpha, double gamma) {
   return {std::cos(alpha), std::sin(alpha) * std::cos(gamma), std::sin(alpha) * std::sin(gamma)};
 }
@@ -59,7 +61,8 @@ FlatShadow::FlatShadow(const EyeCamera& head) {
         const double alpha = -edge * std::expm1(-depth_step * i);
         const Vector3<double> n = chart_direction<double>(chart, std::cos(alpha), std::sin(alpha), gamma);
         const double distance = affine_distance(camera, n, camera.horizon_r);
-        // The edge is known only to rounding: extrapolate where the ray misses the horizon.
+        // The edge is known only up to rounding errors. If a ray beside it misses the horizon, its
+        // distance is extrapolated.
         row[i] = std::isfinite(distance) || i < 2 ? distance : 2.0 * row[i - 1] - row[i - 2];
       }
     }
@@ -92,9 +95,9 @@ double FlatShadow::edge_at(double gamma) const {
 }
 
 double FlatShadow::farthest_out(const Vector3<double>& eye, double gamma) const {
-  // Where an eye sees the horizon point that the head sees at a depth and the eye at position angle
-  // `gamma`. The head's position angle follows by iteration, which converges faster the nearer the
-  // eye is.
+  // Computes where an eye sees the point of the horizon that the head sees at a depth, and that the
+  // eye sees at position angle `gamma`. The head's position angle for that point is found by
+  // iteration, which converges faster if the eye is closer to the head.
   const auto seen_at = [&](double depth) {
     double own = gamma;
     double alpha = 0.0;
@@ -116,7 +119,7 @@ double FlatShadow::farthest_out(const Vector3<double>& eye, double gamma) const 
       best = i;
     }
   }
-  // Golden-section search around the best sample.
+  // Golden-section search around the largest sample.
   constexpr double golden = 0.61803398874989484820;
   double low = deepest * (best - 1) / samples;
   double high = deepest * std::min(best + 1, samples) / samples;
@@ -140,8 +143,8 @@ double FlatShadow::head_nearness(const Vector3<double>& n) const {
 
 double FlatShadow::nearness_along(const Vector3<double>& m, const Vector3<double>& eye) const {
   const double most_w = 1.0 / ((1.0 - farthest_eye) * nearest_);
-  // How far beyond the horizon the line is at a nearness. The first point that the eye meets is the
-  // nearest one.
+  // Returns how far the line of sight is beyond the horizon at a nearness. The first point of the
+  // horizon on the line is the visible one.
   const auto beyond = [&](double w) {
     const Vector3<double> v = m + w * eye;
     const double length = std::sqrt(dot(v, v));
@@ -205,7 +208,8 @@ std::vector<float> FlatShadow::eye_edge(double offset) const {
   parallel_for(solved, 4, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       const double gamma = full_turn * i / solved;
-      // The horizon extends on the side opposite to the eye's displacement.
+      // The eye's shadow extends beyond the head's only on the side opposite to the eye's
+      // displacement.
       if (eye.y * std::cos(gamma) + eye.z * std::sin(gamma) < 0.2 * std::abs(offset)) {
         farther[static_cast<std::size_t>(i)] = std::max(farthest_out(eye, gamma) - edge_at(gamma), 0.0);
       }

@@ -9,21 +9,22 @@
 
 namespace ergodome {
 
-//! Represents the shadow in the head's flat tangent space, for the stereo model `flat`: in each
-//! dark direction the horizon lies at the affine distance at which the ray reaches it
+//! The shadow in the head's flat tangent space, for the stereo model `flat`: in each dark
+//! direction, the horizon is placed at the affine distance at which the ray reaches it
 //! (kernels/geodesic/affine_distance.h).
 //!
-//! Towards the shadow's edge, rays circle longer before they fall in, and the distance grows
-//! without bound, as the logarithm of the angle from the edge. So the edge itself has no parallax,
-//! like the sky beside it. The dark interior shifts, and on one side it extends beyond the head's
-//! edge: an eye's shadow is the head's shadow plus a crescent.
+//! Towards the shadow's edge, rays circle longer before they fall in, and the affine distance grows
+//! without bound, as the logarithm of the angle from the edge. Therefore the edge has no parallax,
+//! like the sky beside it. The interior of the shadow has one, and on one side it extends beyond
+//! the edge that the head sees: an eye's shadow is the head's shadow plus a crescent.
 class FlatShadow {
  public:
   //! Traces the affine distances in the head's dark directions.
   explicit FlatShadow(const EyeCamera& head);
 
-  //! Numbers of traced position angles (`spokes`) and of depths at each. Towards the edge, equal
-  //! steps of depth add equal distances.
+  //! Numbers of position angles (`spokes`) and of depths along each at which rays are traced. The
+  //! depth is the negative logarithm of the fraction of the way from the edge to the chart's
+  //! center, so equal steps of depth increase the affine distance by equal amounts near the edge.
   static constexpr int spokes = 48;
   static constexpr int depths = 49;
   static constexpr double deepest = 16.0;
@@ -38,9 +39,9 @@ class FlatShadow {
   //! Returns the maximum baseline [M]: the distance of the nearest part of the horizon.
   [[nodiscard]] double greatest_baseline() const;
 
-  //! Computes the edge that an eye sees, in the same chart at the same position angles. The eye is
-  //! `offset` to the right of the head [M]. Throws Error if the eye is too far from the head for
-  //! the horizon to lie well in front of it.
+  //! Computes the shadow edge that an eye sees, in the chart of the head's edge and at the same
+  //! position angles. The eye is `offset` to the right of the head [M]. Throws Error if the eye is
+  //! so far from the head that the horizon is not well in front of it.
   [[nodiscard]] std::vector<float> eye_edge(double offset) const;
 
   //! Computes FlatHorizon::nearness (`spokes` times `depths` values) of the eye at `offset` [M],
@@ -65,9 +66,9 @@ class FlatShadow {
 
   ShadowChart frame_chart_{};
   ShadowChart view_chart_{};
-  Vector3<double> right_{};  //!< the view's right in the chart's axes
+  Vector3<double> right_{};  //!< direction to the right in the view, in the chart's axes
   std::vector<float> edge_;
-  EdgeCurve curve_{};  //!< of edge_; its polar_angle is set on use
+  EdgeCurve curve_{};  //!< curve of edge_; its pointer polar_angle is set by head_curve()
   std::vector<double> distances_;
   double nearest_ = 0.0;
 };

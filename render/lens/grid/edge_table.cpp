@@ -20,8 +20,8 @@ Vector3<double> edge_axis(const Vector3<float>& v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
 
-//! Returns whether an observer moves so slowly relative to the rain frame that no part of a table
-//! is magnified much.
+//! Returns whether an observer moves so slowly relative to the rain frame that no part of the edge
+//! table is much magnified.
 bool sees_all_alike(const Aberration& to_rain) {
   // A table is accurate to 1e-7, and a boost magnifies this by its Doppler factor at most.
   constexpr double slow = 16.0;

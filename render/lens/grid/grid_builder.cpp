@@ -19,7 +19,8 @@ namespace {
 constexpr int root_columns = 16;
 constexpr int root_rows = 8;
 constexpr int deepest_a_side = 10;
-//! Errors are sampled; the maximum between the samples is about a quarter larger.
+//! Cells must have errors below this fraction of the budget. Errors are only sampled, and the
+//! maximum between the samples is about a quarter larger.
 constexpr double safety = 0.8;
 constexpr int grid_step_limit = 400;
 
@@ -28,8 +29,8 @@ float worst_of(const float* checks) {
   return std::max({inner_share * checks[0], checks[1], checks[2], checks[3], checks[4], inner_share * checks[5]});
 }
 
-//! Returns the distance from the shadow's edge, in the rain frame, below which all directions show
-//! the same sky: half the budget.
+//! Returns the angle from the shadow's edge, in the rain frame, below which the lens may show the
+//! same sky for all directions, because the displacement is at most half the budget there.
 double cut_off(const GridSettings& settings, const EdgeCurve& edge) {
   double largest_scale = 0.0;
   for (int i = 0; i < edge.count; i += edge.count / 32) {
@@ -52,9 +53,9 @@ double range_for(const GridSettings& settings, const EdgeCurve& edge) {
   return std::log((pi - static_cast<double>(edge.smallest)) / cut_off(settings, edge));
 }
 
-//! Builds a station level by level, so that the rays of a level are traced as one batch. S is the
-//! precision of the rays; `rays_at` returns their camera at the station's position and at those
-//! beside it.
+//! Builds a station level by level, so that all rays of a level are traced as one batch. S is the
+//! precision of the rays. `rays_at` returns the camera for rays at a position: that of the station,
+//! or one beside it.
 template <class S, class Camera>
 class GridBuilder {
  public:
@@ -109,7 +110,7 @@ class GridBuilder {
     grid_.statistics().traced_checks += static_cast<long>(checks_.error_px.size());
   }
 
-  //! Turns cells that are good, or cannot be improved, into leaves and splits the others.
+  //! Turns cells that are accurate enough or cannot be improved into leaves, and splits the others.
   std::vector<OpenCell> decide(const std::vector<OpenCell>& open) {
     const auto limit = static_cast<float>(safety * settings_.budget_px);
     const bool full = tracer_.node_count() >= settings_.most_nodes;

@@ -7,12 +7,12 @@
 
 namespace ergodome {
 
-//! A lens read from grids. The eye may turn, move at any velocity and have any azimuth at the
-//! grids' position.
+//! A lens that is interpolated in grids of a camera position. The eye must be at that position, but
+//! may turn, have any velocity and any azimuth.
 class GridLens : public LensSource {
  public:
-  //! `name` is the source of the grids and must outlive the lens. For `behind` see
-  //! LensSource::behind().
+  //! `name`: the source of the grids (LensSource::name()); must outlive the lens. `behind`: result
+  //! of LensSource::behind().
   GridLens(Backend backend, const char* name, StationBlend stations, const EyeCamera& eye, const Projection& projection,
            double tolerance_px, bool behind = false);
 

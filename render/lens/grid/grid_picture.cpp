@@ -14,8 +14,8 @@ namespace {
 
 using CellDual = Dual<float>;
 
-//! Returns the direction of a pixel of the picture, with its derivatives per pixel: α is the
-//! distance from the middle.
+//! Returns the direction of a pixel of the picture, with derivatives per pixel. Its angle α from
+//! the shadow's center is proportional to the pixel's distance from the middle of the picture.
 Vector3<CellDual> direction_at(const EdgeCurve& edge, int x, int y, int size_px) {
   const float scale = 2.0F * static_cast<float>(pi) / static_cast<float>(size_px);
   const CellDual along_first((static_cast<float>(x) + 0.5F) * scale - static_cast<float>(pi), scale, 0.0F);
@@ -32,8 +32,8 @@ Vector3<CellDual> direction_at(const EdgeCurve& edge, int x, int y, int size_px)
           component(edge.centre.z, edge.first.z, edge.second.z)};
 }
 
-//! Returns the coverage of a pixel by the lines at 0 and 1, for a coordinate in [0, 1] that changes
-//! by `per_pixel`.
+//! Returns the fraction of a pixel that is covered by lines at 0 and 1 of a coordinate in [0, 1],
+//! which changes by `per_pixel` per pixel.
 float line(float coordinate, float per_pixel) {
   const float distance_px = std::min(coordinate, 1.0F - coordinate) / std::max(per_pixel, 1e-9F);
   // Fades out lines that are only a few pixels apart, which would cover everything.
@@ -63,7 +63,7 @@ Vector3<float> colour_at(const LensStation& station, const LensGrid& grid, const
 std::vector<GridLevel> grid_levels(const LensStation& station) {
   std::map<int, GridLevel> levels;
   const std::vector<bool> flagged = flagged_leaves(station);
-  // Tree entries still to visit, with their depth below the root.
+  // Entries of the tree that are still to be visited, with their depth below the root.
   std::vector<std::pair<int, int>> open;
   open.reserve(static_cast<std::size_t>(station.columns) * static_cast<std::size_t>(station.rows));
   for (int root = 0; root < station.columns * station.rows; ++root) {

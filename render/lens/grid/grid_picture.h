@@ -9,14 +9,14 @@
 
 namespace ergodome {
 
-//! Numbers of leaves whose cell was halved equally often.
+//! Number of leaves of a grid whose cells result from the same number of halvings.
 struct GridLevel {
-  int halvings = 0;  //!< along γ and s together
+  int halvings = 0;  //!< number of halvings along γ and s together
   int leaves = 0;
   int flagged = 0;
 };
 
-//! Counts the leaves of a grid level by level, from the coarsest level that has any.
+//! Counts the leaves of a grid by number of halvings, from the smallest number that occurs.
 std::vector<GridLevel> grid_levels(const LensStation& station);
 
 //! Draws the cells of a grid over the camera's whole sky in the rain frame, with the shadow's

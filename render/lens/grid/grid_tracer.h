@@ -10,12 +10,12 @@
 
 namespace ergodome {
 
-//! Ratio of a cubic's error in the middle to its error at the inner checks: (u (1 - u))² at 1/2,
-//! divided by that at `inner_check`.
+//! Ratio of a cubic's interpolation error at the middle of a side (u = 1/2) to its error at the
+//! inner check points (u = `inner_check`). The error is proportional to (u (1 - u))².
 inline constexpr float inner_share =
     0.0625F / (inner_check * inner_check * (1.0F - inner_check) * (1.0F - inner_check));
 
-//! Results of checking cells, checks_a_cell values per cell; see CheckBatch.
+//! Results of the checks of cells, checks_a_cell values per cell; see CheckBatch.
 struct CellChecks {
   std::vector<float> error_px;
   std::vector<float> area_px;
@@ -23,11 +23,11 @@ struct CellChecks {
   std::vector<float> s_parts;
 };
 
-//! Traces the rays of a growing grid on the CPU or a GPU. The grid's nodes stay in the memory that
-//! the kernels read.
+//! Traces the rays of a lens grid while it is built, on the CPU or a GPU. The grid's nodes stay in
+//! the memory that the kernels read.
 //!
-//! Serves one grid at a time and reuses its memory for the next. Rays in double and rays of ODS eyes
-//! (OmniCameraOf) are traced on the CPU only.
+//! Works on one grid at a time and reuses its memory for the next. Rays in double and rays of ODS
+//! eyes (OmniCameraOf) are traced on the CPU only.
 template <class S, class Camera = CameraStationOf<S>>
 class GridTracer {
   using Grid = GridCamera<S, Camera>;
@@ -39,18 +39,18 @@ class GridTracer {
   //! `pixel`: angle of a pixel on the observer's screen [rad].
   void begin(const Grid& camera, const AberrationOf<S>& observer, double pixel);
 
-  //! Traces nodes at (γ [turns], s) and appends them.
+  //! Traces rays at chart positions (γ [turns], s) and appends the results to the grid's nodes.
   void add_nodes(const std::vector<float>& gamma_turns, const std::vector<float>& s);
 
   [[nodiscard]] int node_count() const { return node_count_; }
 
-  //! Returns all nodes so far, floats_a_node values each.
+  //! Returns all nodes traced so far, floats_a_node values each.
   [[nodiscard]] std::vector<float> nodes() const;
 
-  //! Checks cells whose corners are among the nodes so far.
+  //! Checks cells whose corners are among the nodes traced so far.
   void check(const std::vector<GridCell>& cells, CellChecks& found);
 
-  //! Returns the nodes at (γ, s) of another camera. Does not change the grid.
+  //! Returns nodes traced at chart positions (γ, s) for another camera. Does not change the grid.
   std::vector<float> nodes_of(const Grid& camera, const std::vector<float>& gamma_turns, const std::vector<float>& s);
 
  private:

@@ -24,7 +24,7 @@ GridWorker::~GridWorker() {
 
 std::optional<GridDelivery> GridWorker::build(const GridOrder& order, double patience_s) {
   std::unique_lock lock(mutex_);
-  // Do not restart an order that is already being built.
+  // If the same grid is already being built, waits for that instead of requesting it again.
   long mine = begun_;
   if (!(in_hand_ && same(*in_hand_, order))) {
     order_ = order;

@@ -13,7 +13,7 @@
 
 namespace ergodome {
 
-//! An order for a grid.
+//! A request to build a grid.
 struct GridOrder {
   Spacetime spacetime;
   LensPlace place{};
@@ -27,8 +27,8 @@ struct GridDelivery {
   GridStatistics statistics;
 };
 
-//! Builds grids on its own thread, for callers that cannot wait for each one. A later order
-//! replaces one that has not been started.
+//! Builds grids on its own thread, for callers that cannot wait for each grid. A new request
+//! replaces an earlier one that has not been started.
 class GridWorker {
  public:
   GridWorker();
@@ -36,8 +36,9 @@ class GridWorker {
   GridWorker(const GridWorker&) = delete;
   GridWorker& operator=(const GridWorker&) = delete;
 
-  //! Orders a grid and waits up to `patience_s`. Returns the grid finished since the last call, if
-  //! any: this one or an earlier one. Rethrows exceptions from building a grid.
+  //! Requests a grid and waits up to `patience_s` for it. Returns the grid that was finished since
+  //! the last call, if any; it may belong to an earlier request. Rethrows exceptions from building
+  //! a grid.
   std::optional<GridDelivery> build(const GridOrder& order, double patience_s);
 
  private:
@@ -50,9 +51,9 @@ class GridWorker {
   std::optional<GridDelivery> delivery_;
   std::exception_ptr problem_;
   std::optional<GridOrder> in_hand_;
-  long orders_ = 0;     //!< number of the latest order
-  long begun_ = 0;      //!< number of the order that the thread last started
-  long delivered_ = 0;  //!< number of the order last delivered
+  long orders_ = 0;     //!< number of the latest request
+  long begun_ = 0;      //!< number of the request that the thread last started
+  long delivered_ = 0;  //!< number of the request whose grid was last returned
   std::jthread thread_;
 };
 

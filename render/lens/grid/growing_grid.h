@@ -21,7 +21,8 @@ struct GridStatistics {
   double flagged_px = 0.0;  //!< area of the flagged leaves on the screen [px²]
 };
 
-//! A cell that is not yet a leaf: its box in finest cells, its slot in the tree, its corner nodes.
+//! A cell that may still be split: its box in units of finest cells, its index in the tree, its
+//! corner nodes.
 struct OpenCell {
   CellBox box;
   int slot;
@@ -34,19 +35,20 @@ struct ChartPlaces {
   std::vector<float> s;
 };
 
-//! The tree of a grid's cells while it grows level by level: the nodes of each cell, the leaves,
-//! and the split cells. The user of this class decides which cells are good and what nodes hold.
+//! The cell tree of a grid while it grows level by level: the nodes of each cell, the leaves, and
+//! the split cells. The user of this class decides which cells are split and what values nodes
+//! have.
 class GrowingGrid {
  public:
-  //! Grows in `station`, whose tree and leaves must be empty. If the station is mirrored, builds
-  //! half of the columns.
+  //! Builds the tree in `station`, whose tree and leaves must be empty. If the station is mirrored,
+  //! builds half of the columns.
   GrowingGrid(LensStation& station, int columns, int rows) : station_(station), columns_(columns), rows_(rows) {}
 
   //! Returns the cells of the first level.
   std::vector<OpenCell> root_cells();
 
-  //! Finds or creates the corner nodes of new cells. Returns the positions of the created ones,
-  //! which are numbered from `first`.
+  //! Finds or creates the corner nodes of new cells. Returns the chart positions of the created
+  //! nodes, which get consecutive numbers from `first`.
   ChartPlaces place_corners(std::vector<OpenCell>& open, int first);
 
   //! Returns the cells in the form that the checks need.
@@ -75,7 +77,7 @@ class GrowingGrid {
   }
 
   LensStation& station_;
-  int columns_;  //!< of the whole sky
+  int columns_;  //!< number of columns for the whole sky
   int rows_;
   NodeByPlace node_by_place_;
   std::vector<CellBox> boxes_;

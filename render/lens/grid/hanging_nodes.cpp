@@ -7,18 +7,19 @@ namespace ergodome {
 
 namespace {
 
-//! A node inside a leaf's side: the side's end nodes, its relative position along the side, and the
-//! side's axis (0: γ, 1: s).
+//! A node inside the side of a larger leaf: the nodes at the ends of the side, the node's relative
+//! position between them, and the axis of the side (0: γ, 1: s).
 struct HangingNode {
   int node;
   int ends[2];
   float t;
   float length;
   int axis;
-  int refinement;  //!< finer than the ends, which are corrected first
+  //! Number of halvings after which the node exists; nodes with fewer are corrected first.
+  int refinement;
 };
 
-//! Returns how many halvings of a root cell a coordinate needs.
+//! Returns the number of halvings of a root cell after which a coordinate is on a cell border.
 int level(int place) {
   const auto bits = static_cast<std::uint32_t>(place % finest_a_root);
   return bits == 0 ? 0 : std::countr_zero(static_cast<std::uint32_t>(finest_a_root)) - std::countr_zero(bits);
@@ -79,8 +80,9 @@ void mend(std::vector<float>& nodes, const HangingNode& hanging) {
   float basis[4];
   float slope[4];
   hermite_basis(hanging.t, basis, slope);
-  // Along γ, (value, along γ) and (along s, mixed) are pairs of value and derivative; along s,
-  // (value, along s) and (along γ, mixed).
+  // Pairs of a value and its derivative along the side: along γ, (value, derivative along γ) and
+  // (derivative along s, mixed derivative); along s, (value, derivative along s) and (derivative
+  // along γ, mixed derivative).
   const int rate = hanging.axis == 0 ? 4 : 8;
   const int other = hanging.axis == 0 ? 8 : 4;
   for (const int from : {0, other}) {

@@ -10,8 +10,8 @@
 
 namespace ergodome {
 
-//! Finest cells along a side of a root cell. Coordinates in a grid are whole numbers of finest
-//! cells.
+//! Number of finest cells along a side of a root cell. Coordinates in a grid are whole numbers of
+//! finest cells.
 inline constexpr int finest_a_root = 1 << 12;
 
 //! A cell's position and extent in finest cells.
@@ -22,8 +22,8 @@ struct CellBox {
   int height;
 };
 
-//! A node's position in finest cells. The node that closes the circle in γ is the one that opens
-//! it.
+//! A node's position in units of finest cells. In γ, the last position of the full circle is
+//! identical with the first.
 struct NodePlace {
   int gamma;
   int s;
@@ -41,8 +41,8 @@ NodePlace node_place(const LensStation& station, int gamma, int s);
 //! Returns the position of a cell's corner: (γ0, s0), (γ1, s0), (γ0, s1) or (γ1, s1).
 NodePlace corner_place(const LensStation& station, const CellBox& box, int corner);
 
-//! Gives nodes inside a larger leaf's side the values that the side has there, so that neighbors of
-//! different size agree in value and all first derivatives. Does the same for the nodes'
+//! Sets nodes inside the side of a larger leaf to the values interpolated along that side, so that
+//! leaves of different size agree in value and all first derivatives. Does the same for the nodes'
 //! derivatives along r and θ. `boxes`: the boxes of the leaves.
 void mend_hanging_nodes(LensStation& station, const NodeByPlace& nodes, const std::vector<CellBox>& boxes);
 

@@ -15,13 +15,14 @@ namespace ergodome {
 namespace {
 
 constexpr int reference_step_limit = 400;
-//! Enough samples to resolve a thousandth of the sky.
+//! Desired number of samples: enough to resolve a thousandth of the sky.
 constexpr double wished_samples = 10'000.0;
-//! Dividing boxes to at most this share and placing one sample in each quarter gives at least twice
-//! as many samples.
+//! Boxes are divided until none has more than this fraction of the total area. One sample in each
+//! quarter of a box then gives at least twice as many samples.
 constexpr double wished_parts = 6'000.0;
 
-//! Returns the value below which a share of the weight lies.
+//! Returns the weighted quantile of the values: that below which the fraction `share` of the weight
+//! lies.
 double quantile(const std::vector<double>& values, const std::vector<double>& weights,
                 const std::vector<std::size_t>& order, double share) {
   const double whole = std::accumulate(weights.begin(), weights.end(), 0.0);
@@ -35,8 +36,8 @@ double quantile(const std::vector<double>& values, const std::vector<double>& we
   return order.empty() ? 0.0 : values[order.back()];
 }
 
-//! Returns the area on an observer's screen per turn and per unit of s at a point of a chart [px²],
-//! as in CheckBlend.
+//! Returns the area on an observer's screen per area of the chart, in γ [turns] times s, at a point
+//! [px²], as in CheckBlend.
 double screen_density(const LensChart& chart, const LensView& view, double gamma_turns, double s) {
   const ChartStretch<double> stretch = chart_stretch(chart, gamma_turns, s);
   const Vector3<MixedDual<double>> n = chart_direction_at(chart, gamma_turns, stretch.alpha);
@@ -49,7 +50,7 @@ class ScreenSampler {
  public:
   ScreenSampler(const LensChart& chart, const LensView& view) : chart_(chart), view_(view) {}
 
-  //! Estimates the area of a box from side² points in it [px²].
+  //! Estimates the area of a box on the screen from side² points in it [px²].
   [[nodiscard]] double area_of(const LeafBox& box, int side) const {
     double sum = 0.0;
     for (int row = 0; row < side; ++row) {
@@ -151,7 +152,7 @@ ChartSamples lattice_samples(int columns, int rows) {
 }
 
 ScreenError bounds_of(const std::vector<double>& error_px, const std::vector<double>& area_px, double share) {
-  // The samples do not resolve a smaller share.
+  // Minimum fraction of the sky for a screen: the samples do not resolve a smaller one.
   constexpr double least_share = 0.1;
   std::vector<std::size_t> order(error_px.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

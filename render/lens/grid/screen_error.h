@@ -16,32 +16,33 @@ struct LensView {
   LensPlace place;
   Aberration observer;  //!< from aberration_to_rain()
   double pixel;         //!< angle of a pixel on the observer's screen [rad]
-  double share = 1.0;   //!< share of the sky that the screen shows
+  double share = 1.0;   //!< fraction of all directions that the screen shows
 };
 
-//! Sample points in the conforming chart; each represents a part of it.
+//! Sample points in the conforming chart; each represents an area of the chart.
 struct ChartSamples {
   std::vector<double> gamma_turns;
   std::vector<double> s;
-  std::vector<double> extent;  //!< turns times s
+  //! Area of the chart that each point represents, in γ [turns] times s.
+  std::vector<double> extent;
 };
 
-//! Returns sample points in each of a station's leaves, ten thousand or more in all. Their density
-//! follows the leaves, whatever the observer. Points of a mirrored station represent both halves of
-//! the sky.
+//! Returns sample points in each leaf of a station, ten thousand or more in all. They are denser
+//! where leaves are smaller, whatever the observer. Points of a mirrored station represent both
+//! halves of the sky.
 ChartSamples leaf_samples(const LensStation& station);
 
-//! Returns sample points that are dense enough in each leaf of `station` that none represents much
-//! of an observer's sky, ten thousand or more in all. `chart` is that of the observer's position.
-//! Fast observers see a few leaves magnified over the whole screen, where one point per leaf would
-//! not resolve the error of one percent of the sky.
+//! Returns sample points, ten thousand or more in all, that are so dense in each leaf of `station`
+//! that none represents a large part of an observer's sky. `chart` is that of the observer's
+//! position. Fast observers see a few leaves magnified over the whole screen, where one point per
+//! leaf would not resolve the error of one percent of the sky.
 ChartSamples screen_samples(const LensStation& station, const LensChart& chart, const LensView& view);
 
-//! Returns a lattice over the whole chart, for a quick check of any lens.
+//! Returns a lattice of sample points over the whole chart, for a quick check of any lens.
 ChartSamples lattice_samples(int columns, int rows);
 
-//! Quantiles of a lens's error [px], by solid angle of the observer's sky: 99 % for the worst
-//! direction that a screen can point in, and 99.9 % of the whole sky.
+//! Quantiles of a lens's error [px], by solid angle of the observer's sky: the 99 % quantile on the
+//! screen for its worst orientation, and the 99.9 % quantile of the whole sky.
 struct ScreenError {
   double p99_px;
   double p999_px;
@@ -51,8 +52,8 @@ struct ScreenError {
 //! the screen [px²]. A `share` below a tenth of the sky counts as a tenth.
 ScreenError bounds_of(const std::vector<double>& error_px, const std::vector<double>& area_px, double share = 1.0);
 
-//! Compares a lens, whose arrays are on the host, with rays traced in double at the sample points.
-//! Parts that the lens leaves to rays count as exact.
+//! Compares a lens, whose arrays are in host memory, with rays traced in double precision at the
+//! sample points. Pixels that the lens leaves to direct rays count as exact.
 ScreenError measure_screen_error(const LensBlend& lens, const LensView& view, const ChartSamples& samples);
 
 }  // namespace ergodome

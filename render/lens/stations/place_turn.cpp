@@ -9,12 +9,12 @@ namespace ergodome {
 
 namespace {
 
-//! Minimum radial scale [M]: near an extremal hole's horizon, and inside it, the distance to r = 1
-//! is too small a scale.
+//! Minimum of the radial scale [M]. It applies near an extremal hole's horizon and inside it, where
+//! the distance to r = 1 is too small a scale.
 constexpr double least_measure = 0.1;
 
-//! Returns the angle [rad] from a camera's azimuth to that of ingoing Kerr coordinates, which
-//! cameras inside the horizon already use.
+//! Returns the difference [rad] between the azimuth of ingoing Kerr coordinates and a camera's
+//! azimuth. It is 0 inside the horizon, where cameras already use ingoing coordinates.
 double outer_turn(Spacetime spacetime, double r) {
   return r > horizon_radius(spacetime) ? ingoing_turn(spacetime, r) : 0.0;
 }
@@ -42,7 +42,7 @@ double radial_measure(Spacetime spacetime, double r) {
 }
 
 double place_weight(const LensPlace& first, const LensPlace& second, const LensPlace& place) {
-  // A radian counts as much as the distance to r = 1.
+  // In this metric, a radian of θ is as long as a change of r by the distance to r = 1.
   const double scale = 1.0 / std::max(0.5 * (first.r + second.r) - 1.0, least_measure);
   const LensPlace whole = {scale * (second.r - first.r), second.theta - first.theta};
   const double square = whole.r * whole.r + whole.theta * whole.theta;

@@ -10,7 +10,7 @@ namespace ergodome {
 
 namespace {
 
-//! Computes place_turn from a station, in the form that kernels need.
+//! Computes place_turn() from a station to a position, in the form that kernels need.
 void set_turn(const LensStation& station, const LensPlace& place, float (&turn)[3][3]) {
   const glm::dmat3 whole = place_turn(station.spacetime, {station.r, station.theta}, place);
   for (int i = 0; i < 3; ++i) {

@@ -17,8 +17,8 @@ class StationBuffers {
  public:
   StationBuffers(Backend backend, LensStation station);
 
-  //! Returns the station with its position and chart. Its large arrays are empty, except for the
-  //! nodes of a station with derivatives.
+  //! Returns the station with its position and chart, but with empty arrays, except for the nodes
+  //! of a station with derivatives.
   [[nodiscard]] const LensStation& station() const { return station_; }
 
   [[nodiscard]] bool has_derivatives() const { return !station_.nodes_along_r.empty(); }
@@ -26,7 +26,7 @@ class StationBuffers {
   //! Returns the memory used [bytes].
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
 
-  //! Returns the memory [bytes] that a station of a trajectory will use.
+  //! Returns the memory [bytes] that a station of a trajectory will use as StationBuffers.
   static std::size_t expected_bytes(const StationEntry& entry, bool derivatives);
 
   //! Returns the grid; it points into this object.
@@ -41,22 +41,24 @@ class StationBuffers {
   Buffer<float> nodes_;
 };
 
-//! The lens at a station, beside one, or at a position between two.
+//! The lens at a station, beside it, or at a position between two stations.
 //!
 //! Charts have the shadow's edge as a coordinate line: at equal (γ, s) all stations see the same
-//! part of the winding sky, and linear blending moves the shadow and its surroundings along with
-//! the camera. The rotation caused by the camera's move is removed first, see place_turn. Stations
-//! with derivatives are blended by a cubic and also serve positions beside the line between them to
-//! first order: the eyes of a head on the path.
+//! part of the sky, however often light winds around the hole, so that linear blending moves the
+//! shadow and its surroundings along with the camera. The rotation of the sky between the camera
+//! positions is removed first, see place_turn(). Stations with derivatives are blended by a cubic.
+//! To first order they also give the lens beside the line between them, for the two eyes of a head
+//! on the path.
 class StationBlend {
  public:
-  //! Uses the lens of a station at its own position.
+  //! Uses the lens of a station for its own position.
   explicit StationBlend(std::shared_ptr<const StationBuffers> station);
 
-  //! Uses a station with derivatives at a position beside it.
+  //! Uses a station with derivatives for a position beside it.
   StationBlend(Backend backend, std::shared_ptr<const StationBuffers> station, const LensPlace& place);
 
-  //! Blends two stations at a position between them or, with derivatives, also beside their line.
+  //! Blends two stations for a position between them or, if they have derivatives, also for one
+  //! beside the line between them.
   StationBlend(Backend backend, std::shared_ptr<const StationBuffers> first,
                std::shared_ptr<const StationBuffers> second, const LensPlace& place);
 
@@ -73,7 +75,7 @@ class StationBlend {
   float turn_[2][3][3] = {};
   LensChart chart_{};
   std::optional<EdgeTable> edge_;
-  Buffer<float> nodes_[2];  //!< nodes after the derivatives have been applied
+  Buffer<float> nodes_[2];  //!< nodes extrapolated from each station with its derivatives
 };
 
 }  // namespace ergodome

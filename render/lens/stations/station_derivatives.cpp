@@ -12,9 +12,10 @@ namespace {
 
 constexpr double step = 0.01;
 
-//! Offsets of a node's vectors: sky, its derivative along γ, along s, and the mixed one.
+//! Index in a node of the first component of each vector: the sky direction, its derivatives along
+//! γ and along s, and its mixed derivative.
 constexpr std::size_t vectors[] = {0, 4, 8, 12};
-//! Offset of the padding element that marks whether a node has a sky.
+//! Index in a node of the padding float that states whether the node sees the sky.
 constexpr std::size_t sky_known = 3;
 
 glm::dvec3 vector_at(const std::vector<float>& nodes, std::size_t at) {
@@ -27,8 +28,8 @@ void set_vector(std::vector<float>& nodes, std::size_t at, const glm::dvec3& v) 
   nodes[at + 2] = static_cast<float>(v.z);
 }
 
-//! Returns the nodes' derivative between two positions `distance` apart; 0 where one of the three
-//! cameras has no sky.
+//! Returns the derivative of the nodes from their values at two positions `distance` apart. It is 0
+//! for nodes that do not see the sky from all three positions: these two and the station's.
 std::vector<float> difference(const LensStation& station, const NodeTracer& trace, const LensPlace& from,
                               const LensPlace& to, double distance) {
   const LensPlace here = {station.r, station.theta};

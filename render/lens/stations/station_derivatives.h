@@ -11,8 +11,8 @@
 
 namespace ergodome {
 
-//! Traces the station's nodes, at their (γ, s), for a camera at another position with its own
-//! chart.
+//! Function that traces the station's nodes, at their (γ, s), for a camera at another position with
+//! its own chart.
 using NodeTracer = std::function<std::vector<float>(const LensPlace& place, const LensChart& chart)>;
 
 //! Fills nodes_along_r and nodes_along_theta.
@@ -22,8 +22,8 @@ using NodeTracer = std::function<std::vector<float>(const LensPlace& place, cons
 //! length.
 void add_derivatives(LensStation& station, const NodeTracer& trace);
 
-//! Returns the nodes of a camera at `offset` from a station with derivatives, to first order,
-//! rotated by `turn`.
+//! Returns the nodes for a camera at `offset` from a station with derivatives, extrapolated to
+//! first order and rotated by `turn`.
 std::vector<float> moved_nodes(const LensStation& station, const LensPlace& offset, const glm::dmat3& turn);
 
 }  // namespace ergodome

@@ -11,13 +11,13 @@ namespace ergodome {
 
 namespace {
 
-//! One of this many kept stations lies behind the head.
+//! Of this many stations in memory, one is behind the play head and the others are ahead of it.
 constexpr std::size_t ahead_of_one_behind = 4;
-//! How long before their use stations are read, at the speed of the head.
+//! Time before their use at which stations are read, at the current speed of the play head.
 constexpr double look_ahead_s = 5.0;
-//! Number of stations around the head that are read however far apart they are.
+//! Number of stations around the play head that are always read, however far apart they are.
 constexpr std::size_t least_around = 6;
-//! Show seconds per second; anything faster is a jump.
+//! Maximum speed of the play head [show seconds per second]; a faster change is treated as a jump.
 constexpr double fastest = 64.0;
 
 }  // namespace
@@ -63,7 +63,7 @@ std::optional<StationStream::Bracket> StationStream::around(double time_s) const
   const auto at_one_place = [&](std::size_t a, std::size_t b) {
     return all[a].r == all[b].r && all[a].theta == all[b].theta;
   };
-  // Where the camera stands still either station serves; at a station's time, that station does.
+  // Uses one station where the camera stands still, and at the exact time of a station.
   const bool first_serves = all[first].time_s == time_s || at_one_place(first, second);
   if (first_serves && bad_.contains(second) && !bad_.contains(first)) {
     return Bracket{first, first, false};
@@ -126,7 +126,7 @@ std::vector<std::size_t> StationStream::wanted() const {
   std::size_t ahead = head_;
   std::size_t behind = head_;
   const auto step = [&](std::size_t& from, bool back) {
-    // Wrap around: shows loop.
+    // Continues at the other end, because shows loop.
     from = back ? (from + all.size() - 1) % all.size() : (from + 1) % all.size();
     return from;
   };
@@ -253,7 +253,7 @@ std::optional<StationPair> StationStream::at(double time_s, double patience_s) {
   move_head(time_s);
   wake_.notify_all();
   std::optional<StationPair> pair;
-  // Returns false while it is worth waiting.
+  // Returns true if the stations are available or waiting for them is useless.
   const auto look = [&] {
     const auto bracket = around(time_s);
     pair = bracket ? held_pair(*bracket) : std::nullopt;

@@ -14,35 +14,36 @@
 #include "content/trajectory/trajectory_reader.h"
 #include "render/lens/stations/station_blend.h"
 
-// Streams baked stations ahead of the play head.
+// Reads baked stations into memory before the play head reaches them.
 
 namespace ergodome {
 
-//! The stations around a moment of a show. `second` is empty where the camera stands still and at
-//! the ends.
+//! The stations before and after a moment of a show. `second` is empty where the camera stands
+//! still and at the ends of the path.
 struct StationPair {
   std::shared_ptr<const StationBuffers> first;
   std::shared_ptr<const StationBuffers> second;
-  //! Disk layers of both, in host memory; empty on a GPU and if the bake has none.
+  //! Disk layers of both stations, in host memory; empty on a GPU and if the bake has none.
   std::shared_ptr<const DiskStation> first_disk;
   std::shared_ptr<const DiskStation> second_disk;
   //! Error of blending the disks [px] (StationEntry::disk_gap_error_px); infinite if a station
   //! between them could not be read.
   float disk_gap_error_px = 0.0F;
-  //! Error of blending the lenses in the bake [px] (StationEntry::gap_error_px); 0 at a station.
+  //! Error of blending the lenses, as measured by the bake [px] (StationEntry::gap_error_px); 0 at
+  //! a station.
   float gap_error_px = 0.0F;
-  //! Set if a nearer station could not be read, which makes the blending error unknown.
+  //! True if a nearer station could not be read; the blending error is then unknown.
   bool skips = false;
 };
 
 //! Counts what a stream has done so far.
 struct StreamStatistics {
-  long asked = 0;       //!< requested moments
-  long waits = 0;       //!< requests whose stations were not in memory
-  long missed = 0;      //!< waits that timed out
+  long asked = 0;       //!< calls of StationStream::at()
+  long waits = 0;       //!< calls for which the stations were not yet in memory
+  long missed = 0;      //!< calls that waited in vain: no station arrived in time
   long read = 0;        //!< stations read
   long bad = 0;         //!< stations that could not be read
-  long lost_disks = 0;  //!< disks that could not be read although their stations could
+  long lost_disks = 0;  //!< disk layers that could not be read although their stations could
   std::size_t bytes_held = 0;
   std::size_t most_bytes_held = 0;
 };
@@ -57,7 +58,7 @@ class StationStream {
 
   static constexpr std::size_t default_memory_bytes = std::size_t{256} << 20U;
 
-  //! Starts to read. Keeps at least the stations that a moment and its neighbor need, even if these
+  //! Starts reading. Keeps at least the two stations around the play head in memory, even if these
   //! exceed `memory_bytes`.
   StationStream(Backend backend, TrajectoryReader trajectory, std::size_t memory_bytes, Report report);
   ~StationStream();
@@ -70,7 +71,7 @@ class StationStream {
   //! cannot be read. Returns nothing if no station arrives within `patience_s` or none can be read.
   std::optional<StationPair> at(double time_s, double patience_s);
 
-  //! Like `at`, but uses only stations in memory and does not move the play head.
+  //! Like at(), but uses only stations that are in memory and does not move the play head.
   [[nodiscard]] std::optional<StationPair> at_hand(double time_s) const;
 
   [[nodiscard]] StreamStatistics statistics() const;
@@ -84,11 +85,12 @@ class StationStream {
     bool lost_disk = false;  //!< the station has a disk that cannot be read
   };
 
-  //! Readable stations around a moment. Both are the same if one suffices or only one is readable.
+  //! Indices of the readable stations around a moment. Both are the same if one suffices or only
+  //! one is readable.
   struct Bracket {
     std::size_t first = 0;
     std::size_t second = 0;
-    bool skips = false;  //!< nearer stations could not be read
+    bool skips = false;  //!< true if nearer stations could not be read
   };
 
   void work(const std::stop_token& stop);
@@ -114,7 +116,7 @@ class StationStream {
   std::set<std::size_t> bad_;
   std::size_t head_ = 0;
   double head_s_ = 0.0;
-  double speed_ = 0.0;  //!< of the head, in show seconds per second
+  double speed_ = 0.0;  //!< speed of the play head, in show seconds per second
   std::chrono::steady_clock::time_point moved_ = std::chrono::steady_clock::now();
   StreamStatistics statistics_;
   std::jthread thread_;

@@ -12,16 +12,22 @@ namespace ergodome {
 
 //! Settings for building a disk grid.
 struct DiskGridSettings {
-  double inner_r = 6.0;  //!< edges of the disk [M]
+  double inner_r = 6.0;  //!< inner edge of the disk [M]
   double outer_r = 20.0;
-  bool pattern = false;        //!< include azimuth and time
-  double pixel = 1e-3;         //!< angle of a pixel on the screen [rad]
-  double budget_px = 0.25;     //!< maximum displacement on the screen [px]
-  Aberration observer{};       //!< of the screen's observer: from aberration_to_rain()
-  double least_area_px = 3.0;  //!< smaller cells are not split: tracing their pixels costs less than more nodes
-  int most_nodes = 1 << 16;    //!< with this many nodes, cells that are still inaccurate are left to rays
-  bool derivatives = false;    //!< include the derivatives of nodes along r and θ
-  bool nearness = false;       //!< include 1 over the affine distance, for the stereo model `flat`
+  //! True: the grid also stores azimuth and time, which the cloud pattern needs.
+  bool pattern = false;
+  double pixel = 1e-3;      //!< angle of a pixel on the screen [rad]
+  double budget_px = 0.25;  //!< maximum displacement on the screen [px]
+  Aberration observer{};    //!< observer whose screen is meant, from aberration_to_rain()
+  //! Cells with a smaller area are not split: tracing their pixels costs less than tracing more
+  //! nodes.
+  double least_area_px = 3.0;
+  //! Maximum number of nodes; when it is reached, cells that are still inaccurate are left to rays.
+  int most_nodes = 1 << 16;
+  //! True: the grid also stores the derivatives of nodes along r and θ.
+  bool derivatives = false;
+  //! True: the grid also stores 1 / affine distance, for the stereo model `flat`.
+  bool nearness = false;
 };
 
 //! Camera of a disk grid at Boyer-Lindquist (r, θ) [M, rad], with its chart. `camera` points into
@@ -32,18 +38,19 @@ struct DiskChartCamera {
   DiskChartCamera& operator=(const DiskChartCamera&) = delete;
 
   CameraStation rain;
-  bool mirrored;                   //!< on the equator: the sky at -γ mirrors that at γ
-  std::vector<float> polar_angle;  //!< of the shadow's edge
+  //! True if the camera is on the equator: the sky at -γ then mirrors that at γ.
+  bool mirrored;
+  std::vector<float> polar_angle;  //!< polar angles of the shadow's edge
   EdgeCurve edge;
   DiskGridCamera camera;
 };
 
-//! Returns the part of the plane that a grid covers, and the smallest changes per pixel by which
-//! its errors are measured: a tenth of those of a disk that spans its apparent width evenly, seen
-//! from r.
+//! Returns the part of the equatorial plane that a grid covers, and the smallest changes per pixel,
+//! of 1/r and of azimuth, that are assumed when errors are converted to pixels: a tenth of the
+//! changes for a disk that fills its apparent width evenly, seen from r.
 DiskSpanOnScreen disk_span_on_screen(const DiskGridSettings& settings, double r);
 
-//! Returns the limits up to which rays of a disk grid are followed. The tolerance is not set.
+//! Returns limits for tracing the rays of a disk grid. The tolerance is not set.
 LayerLimits<double> layer_limits(Spacetime spacetime, double inner_r, double outer_r);
 
 }  // namespace ergodome

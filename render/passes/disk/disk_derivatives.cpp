@@ -13,7 +13,8 @@ namespace ergodome {
 namespace {
 
 constexpr double longest_disk_step = 0.01;
-//! With smaller steps, differences of floats are dominated by rounding [rad].
+//! Minimum step of the differences [rad]; with smaller steps, they are dominated by rounding errors
+//! of float.
 constexpr double shortest_disk_step = 1e-4;
 
 //! Positions of a grid's nodes in its chart.

@@ -12,8 +12,8 @@ namespace ergodome {
 //! within 2e-4 rad.
 void add_disk_derivatives(DiskStation& station, const DiskGridSettings& settings);
 
-//! Adds `part` times a set of nodes to `sum`, moved to first order to a camera at `offset` from a
-//! station with derivatives. Nodes of a station without derivatives are added unchanged.
+//! Adds `part` times a set of nodes to `sum`. If the station has derivatives, the nodes are first
+//! extrapolated to first order to a camera at `offset` from the station.
 void add_moved_nodes(const DiskStation& station, const LensPlace& offset, int set, float part, std::vector<float>& sum);
 
 }  // namespace ergodome

@@ -16,22 +16,25 @@ namespace {
 constexpr int disk_columns = 16;
 constexpr int disk_rows = 16;
 constexpr int deepest_disk_side = 10;
-//! Errors are sampled; the maximum between the samples is about a quarter larger.
+//! Cells must have errors below this fraction of the budget. Errors are only sampled, and the
+//! maximum between the samples is about a quarter larger.
 constexpr double disk_safety = 0.8;
-//! Error of a cubic in its middle over that at the inner checks.
+//! Ratio of a cubic's interpolation error at the middle of a side to its error at the inner check
+//! points.
 constexpr float inner_disk_share = 0.0625F / (inner_check * inner_check * (1.0F - inner_check) * (1.0F - inner_check));
-//! Maximum width of cells in the phase of the swing through the plane [rad].
+//! Maximum range within a cell of the rays' phase of oscillation through the plane (PlanePhase)
+//! [rad].
 constexpr float widest_phase = 0.6F;
 
 //! Result of checking a cell.
 struct DiskVerdict {
-  unsigned orders = 0;    //!< bits of the orders that may be seen in it
-  float error_px = 0.0F;  //!< largest
+  unsigned orders = 0;    //!< bit set of the orders of crossing that may be visible in the cell
+  float error_px = 0.0F;  //!< largest error at the check points
   float across_gamma = 0.0F;
   float across_s = 0.0F;
   float area_px = 0.0F;
-  bool unseen = false;  //!< an image may be seen that the checks miss
-  bool steep = false;   //!< the phase varies too much
+  bool unseen = false;  //!< true if the cell may contain an image that the checks miss
+  bool steep = false;   //!< true if the phase varies too much across the cell
 };
 
 //! Builds a station level by level, so that all rays of a level are traced in one batch.
@@ -74,8 +77,8 @@ class DiskGridBuilder {
     grid_.statistics().traced_checks += static_cast<long>(checks_a_cell * open.size());
   }
 
-  //! Returns whether the disk's image of an order may be seen in a cell: the sampled range of 1/r,
-  //! extended by a pixel and a fraction of the range, overlaps the disk.
+  //! Returns whether a cell may show the disk's image of an order of crossing: the range of 1/r at
+  //! its samples, extended by a pixel and by a fraction of the range, overlaps the disk.
   [[nodiscard]] bool may_show(const OpenCell& cell, std::size_t number, int order) const {
     const float* const u = tracer_.u(order) + checks_a_cell * number;
     const float* const width = tracer_.width(order) + checks_a_cell * number;
@@ -90,15 +93,15 @@ class DiskGridBuilder {
            high + margin > static_cast<float>(1.0 / settings_.outer_r);
   }
 
-  //! Returns whether a check inside a cell lies within the bounds in which the grid must be
-  //! accurate. Checks on the sides say little about the inside.
+  //! Returns whether a check point inside a cell is within the bounds of the disk in which the grid
+  //! must be accurate. If none is, checks on the sides say little about the inside.
   [[nodiscard]] bool is_checked(std::size_t number, int order) const {
     const float* const u = tracer_.u(order) + checks_a_cell * number;
     const auto within = [&](float at) { return at > bounds_.low && at < bounds_.high; };
     return within(u[0]) || within(u[checks_a_cell - 1]);
   }
 
-  //! Selects the split along the side on which 1/r changes more.
+  //! Chooses the axis along which a cell is split: that of the side along which 1/r changes more.
   void split_by_corners(const OpenCell& cell, DiskVerdict& verdict) const {
     verdict.across_gamma = 0.0F;
     verdict.across_s = 0.0F;
@@ -129,8 +132,8 @@ class DiskGridBuilder {
         verdict.unseen = verdict.unseen || !is_checked(number, order);
       }
     }
-    // If the checks at the midpoints of the sides do not show which sides are too long, the corners
-    // decide.
+    // If the checks at the midpoints of the sides do not show along which axis to split, compares
+    // the corners.
     if (verdict.unseen || std::max(verdict.across_gamma, verdict.across_s) < 0.5F * verdict.error_px) {
       split_by_corners(cell, verdict);
     }
@@ -138,7 +141,7 @@ class DiskGridBuilder {
     return verdict;
   }
 
-  //! Detects a case that checks may miss: rays that start on both sides of the plane.
+  //! Detects cells whose rays start on both sides of the plane; their checks may miss images.
   void judge_phase(const OpenCell& cell, DiskVerdict& verdict) const {
     const auto at = [&](std::size_t corner) { return phases_[static_cast<std::size_t>(cell.corners[corner])]; };
     const auto apart = [&](std::size_t a, std::size_t b) { return std::abs(at(a).phase - at(b).phase); };

@@ -5,9 +5,10 @@
 
 namespace ergodome {
 
-//! Measures the error of a disk grid (in host memory) on the screen at a camera position, against
-//! traced rays at samples in the disk chart. Returns bounds for quantiles of the solid angle that
-//! shows the disk [px]. `settings` describe the screen and the disk.
+//! Measures the error of a disk grid (in host memory) on the screen at a camera position, by
+//! comparison with traced rays at sample points in the disk chart. Returns bounds for quantiles
+//! over the solid angle in which the disk is seen [px]. `settings` describe the screen and the
+//! disk.
 ScreenError measure_disk_error(const DiskGrid& grid, Spacetime spacetime, const LensPlace& place,
                                const DiskGridSettings& settings, const ChartSamples& samples);
 

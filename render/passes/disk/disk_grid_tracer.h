@@ -17,22 +17,22 @@ class DiskGridTracer {
   void begin(const DiskGridCamera& camera, const AberrationOf<float>& observer, double pixel,
              const DiskSpanOnScreen& span, bool nearness = false);
 
-  //! Traces nodes at (γ [turns], s) and appends them.
+  //! Traces rays at chart positions (γ [turns], s) and appends the results to the grid's nodes.
   void add_nodes(const std::vector<float>& gamma_turns, const std::vector<float>& s);
 
   [[nodiscard]] int node_count() const { return node_count_; }
   [[nodiscard]] int sets() const { return camera_.pattern ? layer_orders : 1; }
 
-  //! Returns a set of the nodes so far, floats_a_node each.
+  //! Returns one set of the nodes traced so far (DiskStation::NodeSets), floats_a_node values each.
   [[nodiscard]] std::vector<float> nodes(int set) const { return copied(nodes_[set]); }
 
-  //! Returns the nearness of the nodes so far; empty if it is not computed.
+  //! Returns DiskGrid::nearness of the nodes traced so far; empty if it is not computed.
   [[nodiscard]] std::vector<float> nearness() const { return has_nearness_ ? copied(nearness_) : std::vector<float>(); }
 
-  //! Returns 1/r of an order at a node.
+  //! Returns 1/r at the crossing of an order, at a node.
   [[nodiscard]] float u_at(int order, int node) const;
 
-  //! Traces the checks of cells between the nodes so far.
+  //! Traces the check rays of cells whose corners are among the nodes traced so far.
   void check(const std::vector<GridCell>& cells);
 
   //! Results of the last check(), checks_a_cell values per cell; see DiskCheckBatch.

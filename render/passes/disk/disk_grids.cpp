@@ -10,7 +10,7 @@ namespace ergodome {
 
 namespace {
 
-//! Two eyes, each at the current and the previous position.
+//! Number of cached grids: for two eyes, each at the current and the previous position.
 constexpr std::size_t kept_disk_grids = 4;
 constexpr const char* disk_grid_buffer = "disk grid";
 
@@ -66,8 +66,8 @@ DiskGridSettings disk_grid_settings(const EyeCamera& eye, const DiskLook& disk, 
 
 bool DiskGrids::serves(const Grid& grid, const DiskGridRequest& request) {
   const EyeCamera& eye = request.eye;
-  // A grid works for any motion, but is refined for the observer that it was built for, so the
-  // motion may differ only slightly.
+  // A grid is correct for any velocity, but its cells are refined for the observer for which it was
+  // built, so the velocity may differ only slightly.
   const Vector3<double> turn = grid.velocity - eye.velocity;
   return grid.spacetime == eye.spacetime && same_place({grid.r, grid.theta}, {eye.r, eye.theta}) &&
          serves_disk(grid.inner_r, grid.outer_r, grid.pattern, request.disk) &&

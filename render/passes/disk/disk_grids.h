@@ -30,19 +30,19 @@ class DiskGridBuffers {
   Buffer<unsigned char> orders_;
 };
 
-//! Requirements of a picture for a disk grid.
+//! What a picture requires of its disk grid.
 struct DiskGridRequest {
   const EyeCamera& eye;
   const DiskLook& disk;
   double pixel;           //!< angle of a pixel on the screen [rad]
   double budget_px;       //!< maximum displacement on the screen [px]
   double pixels;          //!< number of pixels of the picture
-  bool asked;             //!< use a grid even for small pictures
-  bool nearness = false;  //!< include DiskGrid::nearness
+  bool asked;             //!< true: a grid is used even for small pictures
+  bool nearness = false;  //!< true: the grid has DiskGrid::nearness
 };
 
 //! Builds and caches disk grids for pictures. A camera that rotates or moves around the spin axis
-//! reuses its grid, as does one whose motion changes slightly.
+//! uses its grid again, and so does one whose velocity changes slightly.
 class DiskGrids {
  public:
   //! Returns the grid for a picture, owned by this object. Returns nothing if rays are cheaper: for
@@ -61,11 +61,11 @@ class DiskGrids {
     double inner_r;
     double outer_r;
     bool pattern;
-    double error;  //!< pixel budget times pixel angle [rad]
+    double error;  //!< error budget of the grid [rad]
     ObserverMotion motion;
     Vector3<double> velocity;
     bool nearness;
-    double traced_px;  //!< number of pixels that it leaves to rays
+    double traced_px;  //!< number of the picture's pixels that the grid leaves to rays
     DiskGridBuffers buffers;
   };
 
@@ -87,8 +87,9 @@ inline bool is_worth_a_disk_grid(Backend backend, double pixels) {
   return backend == Backend::cpu && pixels >= least_disk_grid_pixels;
 }
 
-//! Returns whether a disk without shells may be read from a grid, if that pays off. It may not if
-//! direct rays are requested, nor with the published grid, which has no disk.
+//! Returns whether a show's disk may be read from a grid, if that is cheaper; for shows without
+//! shells. It may not if direct rays are requested, nor with the published quadtree grid, which has
+//! no disk.
 inline bool may_read_disk_grid(Backend backend, LensChoice lens, GridScheme scheme) {
   return backend == Backend::cpu && lens != LensChoice::direct && scheme == GridScheme::conforming;
 }
@@ -97,11 +98,12 @@ inline bool may_read_disk_grid(Backend backend, LensChoice lens, GridScheme sche
 //! stable orbit depends on the direction of emission, which grids do not store.
 bool can_have_disk_grid(const DiskLook& disk);
 
-//! Returns whether a grid for a disk with these edges [M], with or without azimuth and time, can be
-//! used for a disk as currently shown.
+//! Returns whether a grid can be used for a disk as it is currently shown. The grid was built for a
+//! disk with these edges [M], with azimuth and time if `pattern`.
 bool serves_disk(double inner_r, double outer_r, bool pattern, const DiskLook& disk);
 
-//! Returns the settings of a grid for an eye's picture of a disk. The budgets keep their defaults.
+//! Returns the settings of a grid for an eye's picture of a disk. The error budgets keep their
+//! defaults.
 DiskGridSettings disk_grid_settings(const EyeCamera& eye, const DiskLook& disk, double pixel);
 
 }  // namespace ergodome

@@ -13,7 +13,8 @@ constexpr const char* moved_disk_buffer = "disk grid at a position between stati
 
 LensPlace disk_place_of(const DiskStation& station) { return {station.cells.r, station.cells.theta}; }
 
-//! Returns the mix of two stations at a position: cubic if they have derivatives, otherwise linear.
+//! Returns how two stations are blended at a position: by a cubic if they have derivatives,
+//! otherwise linearly.
 CubicMix mix_of(const JoinedDisk& stations, const LensPlace& place) {
   const LensPlace first = disk_place_of(stations.first);
   const LensPlace second = disk_place_of(stations.second);

@@ -11,14 +11,15 @@
 
 namespace ergodome {
 
-//! Layers of a disk at a position at, beside or between stations, in host memory; compare
-//! StationBlend for lenses. Layers are scalars, so nothing needs to be rotated.
+//! Disk layers at the position of a station, beside it, or between two stations, in host memory;
+//! StationBlend does the same for lenses. The values of layers are scalars, so nothing needs to be
+//! rotated.
 class DiskLayers {
  public:
-  //! Uses a single station; if it has derivatives, also for positions beside it.
+  //! Uses a single station; if that has derivatives, the position may be beside it.
   DiskLayers(std::shared_ptr<const DiskStation> station, const LensPlace& place);
 
-  //! Blends two stations; if they have derivatives, also for positions beside the line between
+  //! Blends two stations; if they have derivatives, the position may be beside the line between
   //! them.
   DiskLayers(std::shared_ptr<const JoinedDisk> stations, const LensPlace& place);
 
@@ -29,9 +30,12 @@ class DiskLayers {
   void set_edge(const LensPlace& place);
   void keep(int set, const std::vector<float>& nodes);
 
-  std::shared_ptr<const DiskStation> cells_;  //!< station with the cells, and the nodes unless moved
-  std::optional<EdgeTable> edge_;             //!< set unless the edge is that station's
-  Buffer<float> nodes_[layer_orders];         //!< set unless the nodes are that station's
+  //! Station that provides the cells, and also the nodes if `nodes_` is empty.
+  std::shared_ptr<const DiskStation> cells_;
+  //! Interpolated shadow edge; empty if the edge of `cells_` is used.
+  std::optional<EdgeTable> edge_;
+  //! Interpolated nodes; empty if the nodes of `cells_` are used.
+  Buffer<float> nodes_[layer_orders];
 };
 
 }  // namespace ergodome

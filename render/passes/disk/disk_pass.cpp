@@ -11,8 +11,8 @@ namespace ergodome {
 
 namespace {
 
-//! Upper bound of the radius with the largest Page-Thorne flux, in units of the radius of the
-//! innermost stable orbit.
+//! Upper bound of the radius at which the Page-Thorne flux is largest, in units of the radius of
+//! the innermost stable orbit.
 constexpr double farthest_peak = 4.0;
 
 //! Returns the largest flux of a disk around a hole of this spin, by golden-section search; the

@@ -11,7 +11,7 @@
 
 namespace ergodome {
 
-//! The disk of a show in the form that kernels read.
+//! The disk of a show, in the form that kernels read.
 class DiskPass {
  public:
   //! The show must have a disk.
@@ -20,8 +20,8 @@ class DiskPass {
   //! Applies the hole and the disk of a show. Recomputes only what has changed.
   void set_numbers(const Show& show);
 
-  //! Returns whether the disk is visible. An animation may move one edge past the other or make it
-  //! transparent.
+  //! Returns whether the disk is visible. An animation may move one edge beyond the other or make
+  //! the disk transparent.
   [[nodiscard]] bool is_visible() const;
 
   //! Returns the disk for kernels at a show time; `clock_lead` [M] is that of CameraPose.
@@ -37,7 +37,7 @@ class DiskPass {
   Spacetime spacetime_;
   std::optional<DiskSettings> disk_;
   HoleClock clock_{Spacetime{}, nullptr, 0.0};
-  std::shared_ptr<const FreeFall> orbit_;  //!< orbit for which `clock_` was made
+  std::shared_ptr<const FreeFall> orbit_;  //!< orbit of the fall for which `clock_` was created
   BlackbodyColours colours_;
   Buffer<float> profile_;
   DiskLook look_{};
@@ -48,11 +48,11 @@ class DiskPass {
 double inner_edge(const DiskSettings& disk, Spacetime spacetime);
 
 //! Returns the temperature of a disk at radius r [K] in the rest frame of its matter; 0 where it
-//! does not shine.
+//! emits no light.
 double disk_temperature(const DiskSettings& disk, Spacetime spacetime, double r);
 
-//! Returns the state of the cloud pattern at the hole's time [M] (HoleClock) at the camera. Light
-//! shows it earlier, by its travel time; see PatternTime.
+//! Returns the state of the cloud pattern's clock for a camera at the hole's time [M] (HoleClock).
+//! Each ray shows the pattern earlier, by the light's travel time; see PatternTime.
 PatternTime pattern_time(const DiskSettings& disk, Spacetime spacetime, double hole_time);
 
 }  // namespace ergodome

@@ -11,13 +11,13 @@ namespace ergodome {
 
 namespace {
 
-//! A cell of a station's tree during a descent.
+//! A cell of a station's tree that is reached during a descent.
 struct TreeCursor {
   int slot;
   CellBox box;
 
-  //! Descends while `cell` lies within one child. Returns the axis along which the tree splits
-  //! there, or -1 if `cell` lies within a leaf.
+  //! Descends in the tree as long as `cell` is inside one child. Returns the axis along which the
+  //! tree then splits `cell`, or -1 if `cell` is inside a leaf.
   int go_to(const CellBox& cell, const std::vector<int>& tree) {
     for (int entry = tree[static_cast<std::size_t>(slot)]; entry >= 0; entry = tree[static_cast<std::size_t>(slot)]) {
       const int axis = entry & 1;
@@ -40,8 +40,8 @@ struct TreeCursor {
   }
 };
 
-//! A leaf of a station's tree. Only untrusted files contain cells smaller than the integer
-//! coordinates; their first leaf then represents all of them.
+//! A leaf of a station's tree. Only untrusted files can have cells that are smaller than the
+//! integer coordinates resolve. Of those, the first leaf is used instead of all of them.
 struct StationLeaf {
   std::size_t number;
   bool flagged;
@@ -69,7 +69,7 @@ class PatchNode {
     hermite_basis(u, basis_u, slope_u);
     hermite_basis(v, basis_v, slope_v);
     for (int i = 0; i < 4; ++i) {
-      // Slopes of nodes are per turn, those of the basis per cell.
+      // The derivatives of nodes are per turn, those of the basis functions per cell.
       const float node_u = i % 2 == 0 ? 1.0F : width_turns;
       const float node_v = i % 2 == 0 ? 1.0F : height;
       along_u_[0][i] = node_u * basis_u[i];
@@ -96,7 +96,7 @@ class PatchNode {
   }
 
  private:
-  float along_u_[2][4];  //!< basis along γ and its derivative
+  float along_u_[2][4];  //!< values of the basis functions along γ, and their derivatives
   float along_v_[2][4];
 };
 
@@ -104,7 +104,7 @@ class PatchNode {
 //! files.
 constexpr std::size_t most_joined_entries = std::size_t{1} << 19U;
 
-//! Joins two stations.
+//! Builds the joined layers of two stations.
 class Joiner {
  public:
   Joiner(const DiskStation& first, const DiskStation& second) : stations_{&first, &second} {
@@ -139,7 +139,8 @@ class Joiner {
   }
 
  private:
-  //! A cell to be processed: its slot in the joined tree, and its positions in the stations' trees.
+  //! A cell to be processed: its index in the joined tree, and the corresponding positions in both
+  //! stations' trees.
   struct Open {
     CellBox box;
     int slot;
@@ -198,7 +199,7 @@ class Joiner {
     joined_.first.orders.push_back(static_cast<unsigned char>(orders));
   }
 
-  //! Makes room for a node with unknown values.
+  //! Appends a node whose values are not yet known.
   void add_node() {
     for (std::size_t i = 0; i < 2; ++i) {
       DiskStation& to = i == 0 ? joined_.first : joined_.second;
@@ -213,9 +214,9 @@ class Joiner {
     }
   }
 
-  //! Reads both stations at a corner of a cell. Where leaves of different sizes meet, they disagree
-  //! at the middle of the larger one's side: values of the smaller leaf are preferred, and a node
-  //! of the station above all.
+  //! Interpolates both stations at a corner of a cell. In the middle of a larger leaf's side,
+  //! leaves of different sizes may give different values: those of the smaller leaf are preferred,
+  //! and values of a node of the station are preferred to all others.
   void read_node(const Open& cell, int corner, const std::array<StationLeaf, 2>& within, std::size_t node) {
     const int gamma = cell.box.gamma + (corner & 1) * cell.box.width;
     const int s = cell.box.s + (corner >> 1) * cell.box.height;
@@ -256,8 +257,9 @@ class Joiner {
   std::array<const DiskStation*, 2> stations_;
   JoinedDisk joined_;
   NodeByPlace node_by_place_;
-  std::array<std::vector<long>, 2>
-      sources_;  //!< per node: area of the leaf that it was read from, 0 if it is a node of the station
+  //! For each node, the area of the leaf in which it was interpolated; 0 if it is a node of the
+  //! station.
+  std::array<std::vector<long>, 2> sources_;
 };
 
 bool can_join(const DiskStation& first, const DiskStation& second) {

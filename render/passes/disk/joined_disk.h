@@ -6,12 +6,13 @@
 
 namespace ergodome {
 
-//! The layers of two stations on common cells, each as small as the finer of both. Layers between
-//! the stations are then sums of nodes, and pictures read one grid. Dividing a cell does not change
-//! its cubic patch.
+//! The disk layers of two stations, converted to the same cells: each cell is as small as the
+//! smaller one of the two stations. Layers between the stations are then weighted sums of nodes,
+//! and pictures read a single grid. Dividing a cell does not change its interpolating cubic.
 struct JoinedDisk {
-  DiskStation first;   //!< with the cells, and the orders seen in either station
-  DiskStation second;  //!< without cells; position and nodes only
+  //! Includes the common cells, with the orders of crossing that are visible from either station.
+  DiskStation first;
+  DiskStation second;  //!< only position and nodes, without cells
 };
 
 //! Joins the layers of two stations. A cell has the orders of both stations, and is left to rays if

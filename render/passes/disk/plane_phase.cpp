@@ -11,10 +11,11 @@ namespace ergodome {
 
 namespace {
 
-//! Distance of the camera from the plane above which the band is as wide as typical cells [rad].
+//! Maximum angle of the camera from the plane at which phases are used [rad]. At larger angles, the
+//! band of phases is as wide as typical cells.
 constexpr double widest_band = 0.3;
-//! Distance below which the camera is in the plane within the rounding of its rays (see
-//! start_near_ray) [rad].
+//! Minimum angle at which phases are used [rad]. At smaller angles, the camera is in the plane up
+//! to the rounding errors of its rays (see start_near_ray()).
 constexpr double narrowest_band = 4.0 * static_cast<double>(std::numeric_limits<float>::epsilon());
 
 }  // namespace

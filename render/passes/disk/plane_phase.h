@@ -7,15 +7,18 @@ namespace ergodome {
 
 //! Initial state of a light ray traced backwards from a camera.
 struct StartPhase {
-  float phase;  //!< of its swing through the equatorial plane, from 0 (straight towards it) to π (straight away) [rad]
-  bool reaches;  //!< it may originate within the disk's outer edge
+  //! Phase of the ray's oscillation through the equatorial plane, from 0 (moving straight towards
+  //! it) to π (straight away) [rad].
+  float phase;
+  bool reaches;  //!< true if the light may come from within the disk's outer edge
 };
 
-//! Phase of the swing through the equatorial plane with which rays start, as a function of the
+//! Phase with which rays start their oscillation through the equatorial plane, as a function of the
 //! position in the chart of a disk grid.
 //!
 //! Near the equatorial plane, m_z = z_0 cos ωλ + (z_0'/ω) sin ωλ, which crosses the plane at ωλ = π
-//! - phase. For a camera close to the plane, all phases lie in a narrow band of its sky, where it
+//! - phase; here λ is the ray's parameter, and z_0 and z_0' are m_z and its derivative at the
+//! camera. For a camera close to the plane, all phases lie in a narrow band of its sky, where it
 //! sees the disk edge-on.
 class PlanePhase {
  public:
@@ -28,7 +31,8 @@ class PlanePhase {
   const CameraStation& rain_;
   const EdgeCurve& edge_;
   double outer_r_;
-  bool matters_;  //!< the camera is close to the plane, but not in it
+  //! True if the camera is so close to the plane that phases are needed, but not in it.
+  bool matters_;
 };
 
 }  // namespace ergodome

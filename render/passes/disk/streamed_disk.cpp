@@ -9,7 +9,8 @@ namespace ergodome {
 
 namespace {
 
-//! Returns whether the layers of a pair of stations fit a disk and blend accurately enough.
+//! Returns whether the disk layers of two stations can be used for a disk: they have its edges and
+//! pattern, and blending them is accurate enough.
 bool serve(const StationPair& pair, double budget_px, const DiskLook& disk) {
   const auto serves = [&](const std::shared_ptr<const DiskStation>& station) {
     return station && serves_disk(station->inner_r, station->outer_r, station->pattern, disk);
@@ -18,8 +19,8 @@ bool serve(const StationPair& pair, double budget_px, const DiskLook& disk) {
          (!pair.second || serves(pair.second_disk));
 }
 
-//! Returns whether a station is at the head's position. A single station may be the substitute for
-//! one that could not be read.
+//! Returns whether a station is at the head's position. If there is only one station, it may
+//! replace another one that could not be read.
 bool is_at(const DiskStation& station, const EyeCamera& eye) {
   return std::abs(station.cells.r - eye.head_r) <= 1e-9 * eye.head_r &&
          std::abs(station.cells.theta - eye.head_theta) <= 1e-9;

@@ -9,23 +9,25 @@
 
 namespace ergodome {
 
-//! Provides disk layers for pictures that are streamed from baked stations.
+//! Provides disk layers for pictures whose lens is streamed from baked stations.
 class StreamedDisk {
  public:
   explicit StreamedDisk(std::shared_ptr<StationStream> stream) : stream_(std::move(stream)) {}
 
-  //! Returns the layers at a picture's position and show time, valid until the next call. Returns
-  //! nothing if the stations that provided the lens (LensChooser::choose) have no layers for this
-  //! disk, if blending them exceeds the bake's budget, or off the show's path.
+  //! Returns the disk layers at a picture's position and show time, valid until the next call.
+  //! Returns nothing if the stations that provided the picture's lens (LensChooser::choose()) have
+  //! no layers for this disk, if the error of blending them exceeds the bake's budget, or if the
+  //! camera is not on the show's path.
   std::optional<DiskGrid> layers_for(const DiskGridRequest& request, LensChoice choice, std::optional<double> time_s);
 
  private:
   void blend(const StationPair& pair, const LensPlace& place);
 
   std::shared_ptr<StationStream> stream_;
-  std::shared_ptr<const DiskStation> first_;  //!< stations of `joined_`
+  std::shared_ptr<const DiskStation> first_;  //!< the two stations that `joined_` was made from
   std::shared_ptr<const DiskStation> second_;
-  std::shared_ptr<const JoinedDisk> joined_;  //!< null if they cannot be joined
+  //! Null if the layers of the two stations cannot be joined.
+  std::shared_ptr<const JoinedDisk> joined_;
   std::optional<DiskLayers> layers_;
 };
 

@@ -13,21 +13,21 @@ namespace ergodome {
 namespace {
 
 constexpr int band_rows = 16;
-//! Number of pixels beyond the ends of a row that the widest filter reads.
+//! Number of pixels that the widest filter reads beyond the ends of a row.
 constexpr int margin = 3;
 
-//! Downsampling filter of Jimenez with 13 taps, each the mean of 2 x 2 pixels. The inner box and
-//! the four outer boxes have half of the weight each; both parts are separable. Together they give
-//! every pixel the same weight and do not shift it.
+//! Downsampling filter of Jimenez, with 13 taps, each the mean of 2 x 2 pixels: the sum of an inner
+//! box and of four outer boxes, each with half of the weight. Both sums are separable. The filter
+//! gives every pixel the same total weight and does not shift the picture.
 constexpr std::array<float, 6> inner_taps = {0.0F, 0.25F, 0.25F, 0.25F, 0.25F, 0.0F};
 constexpr std::array<float, 6> outer_taps = {0.125F, 0.125F, 0.25F, 0.25F, 0.125F, 0.125F};
 
-//! Weights along one axis for upsampling by bilinear reads with a 3 x 3 tent, for the first of the
-//! two pixels in a coarse one. The weights for the second are reversed.
+//! Weights along one axis for upsampling with a 3 x 3 tent filter of bilinear reads, for the first
+//! of the two fine pixels in each coarse one. The weights for the second one are reversed.
 constexpr std::array<float, 4> tent_taps = {0.0625F, 0.3125F, 0.4375F, 0.1875F};
 constexpr std::array<float, 4> reversed_tent_taps = {0.1875F, 0.4375F, 0.3125F, 0.0625F};
 
-//! Rows of four floats per pixel.
+//! A picture of one level of the chain: rows of four floats per pixel.
 struct Level {
   int width;
   int height;
@@ -47,8 +47,8 @@ int mirrored(int i, int count) {
 
 std::size_t folded_size(int width) { return 4 * static_cast<std::size_t>(width + 2 * margin); }
 
-//! Computes a weighted sum of rows, starting at `first`, and mirrors it at both ends. Non-finite
-//! values count as 0.
+//! Computes the weighted sum of several rows, the first of which is `first`, and extends it at both
+//! ends by mirroring. Non-finite values count as 0.
 void fold_rows(const Level& from, int first, std::span<const float> taps, float* folded) {
   const int count = 4 * from.width;
   float* inside = folded + 4 * margin;
@@ -66,7 +66,8 @@ void fold_rows(const Level& from, int first, std::span<const float> taps, float*
   }
 }
 
-//! Returns a weighted sum of pixels of a folded row, starting at `first`.
+//! Returns the weighted sum of successive pixels of a row from fold_rows(), the first of which is
+//! `first`.
 template <std::size_t Count>
 float fold_pixels(const float* folded, int first, int channel, const std::array<float, Count>& taps) {
   const float* at = folded + 4 * (first + margin) + channel;
@@ -89,7 +90,7 @@ void for_rows(int rows, std::size_t scratch_size, const Body& body) {
   });
 }
 
-//! Downsamples to `to`, which has half the size, rounded up.
+//! Downsamples `from` to `to`, whose size is half of that, rounded up.
 void halve(const Level& from, const Level& to) {
   const std::size_t size = folded_size(from.width);
   for_rows(to.height, 2 * size, [&](int y, float* scratch) {
@@ -125,13 +126,14 @@ void mix_doubled(const Level& from, const Level& to, float keep, float gain) {
 }
 
 //! Returns the variance along an axis of the light of a point after `level` downsamplings and as
-//! many upsamplings [px²]: 7/4 per downsampling and 11/4 per upsampling, in pixels of the finer
-//! level.
+//! many upsamplings [px²]. Each downsampling adds 7/4 and each upsampling 11/4, in pixels of its
+//! finer level.
 double level_variance(int level) { return 1.5 * (std::pow(4.0, level) - 1.0); }
 
 //! Returns the fractions of the scattered light that pass through levels 1, 2, ... All but the last
-//! are equal; the last is chosen to obtain the requested variance. They add up to 1, or to less for
-//! a variance below that of level 1: the rest stays in its pixel.
+//! are equal. The last one is such that the total has the requested variance. The fractions add up
+//! to 1, or to less if the variance is below that of level 1: the rest of the light stays in its
+//! pixel.
 std::vector<double> level_parts(double variance, int most_levels) {
   if (variance < level_variance(1)) {
     return {variance / level_variance(1)};
@@ -156,7 +158,7 @@ std::vector<double> level_parts(double variance, int most_levels) {
   return parts;
 }
 
-//! Returns the number of halvings until one pixel is left.
+//! Returns the number of times that a picture can be halved until one pixel is left.
 int halvings(int width, int height) {
   int count = 0;
   for (int size = std::max(width, height); size > 1; size = (size + 1) / 2) {

@@ -12,8 +12,8 @@ namespace ergodome {
 
 namespace {
 
-//! Returns the width of the surroundings of a picture that scatter light into it [px], at most
-//! `widest`.
+//! Returns the width of the margin around a picture from which light is scattered into the picture
+//! [px], at most `widest`.
 int margin_px(const BloomSettings& settings, int widest) {
   return static_cast<int>(std::ceil(std::clamp(3.0 * settings.radius_px, 0.0, static_cast<double>(widest))));
 }

@@ -20,13 +20,13 @@ constexpr int widest_px = 1025;
 constexpr double shortest_nm = 400.0;
 constexpr double longest_nm = 700.0;
 
-//! A wavelength [nm] and its contribution to the channels of white light.
+//! A wavelength [nm] and its contribution to red, green and blue of white light.
 struct SpectralLine {
   double wavelength_nm;
   Vector3<double> rgb;
 };
 
-//! Returns the lines of an equal-energy spectrum.
+//! Returns `count` wavelengths of an equal-energy spectrum.
 std::vector<SpectralLine> white_spectrum(int count) {
   std::vector<SpectralLine> lines;
   for (int i = 0; i < count; ++i) {
@@ -114,8 +114,8 @@ Image read_image(const std::string& name) {
   return image;
 }
 
-//! Calls body(pixel, part) for the one or two pixels that a unit interval starting at `start`
-//! covers.
+//! Calls body(pixel, part) for the one or two pixels that the interval from `start` to `start` + 1
+//! covers, with the covered part.
 template <class Body>
 void for_covered(double start, const Body& body) {
   const double first = std::floor(start);
@@ -129,9 +129,9 @@ void for_covered(double start, const Body& body) {
 
 DiffractionPattern diffraction_pattern(const ApertureSettings& settings) {
   const FarField field(settings);
-  // The rings of adjacent spectral lines drift apart with increasing order. This many lines keep
-  // the difference below half a ring up to the sides of the square, so that the rings of the
-  // spectrum blend there.
+  // The rings of neighboring wavelengths move apart with increasing order. With this number of
+  // wavelengths they differ by less than half a ring up to the sides of the square, so that the
+  // rings merge there.
   const int lines = std::clamp(static_cast<int>(settings.size_px / (3.0 * settings.scale)), 24, 128);
   const std::vector<SpectralLine> spectrum = white_spectrum(lines);
   const auto size = static_cast<std::size_t>(settings.size_px);

@@ -17,7 +17,8 @@ inline bool shows_spikes(const Show& show, ViewMode mode) {
   return mode == ViewMode::sky && !show.sky.stars.empty() && diffraction && diffraction->strength > 0.0;
 }
 
-//! Diffraction pattern of a point of light behind an aperture. Its center is that of the square.
+//! Diffraction pattern of a point of light behind an aperture. The center of the pattern is the
+//! center of its square.
 struct DiffractionPattern {
   int size_px = 0;         //!< width and height; odd
   std::vector<float> rgb;  //!< three floats per pixel, linear sRGB, top row first; each channel adds up to 1
@@ -56,7 +57,7 @@ struct PixelBlock {
 void add_diffraction(const DiffractionPattern& pattern, double x_px, double y_px, const Vector3<float>& light,
                      const PixelBlock& block);
 
-//! Does the same for entire rows of a picture.
+//! Adds the pattern to entire rows of a picture.
 inline void add_diffraction(const DiffractionPattern& pattern, double x_px, double y_px, const Vector3<float>& light,
                             int width, int height, float* rgba) {
   add_diffraction(pattern, x_px, y_px, light, {width, height, 0, width, rgba});

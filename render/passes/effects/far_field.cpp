@@ -17,10 +17,10 @@ namespace {
 
 constexpr int widest_aperture_px = 1025;
 constexpr double reference_nm = 550.0;
-//! Radius of the first dark ring of a round aperture, in wavelengths over its diameter: the first
-//! zero of J1 over pi.
+//! Radius of the first dark ring of a round aperture, in units of wavelength / diameter: the first
+//! zero of the Bessel function J1, divided by pi.
 constexpr double first_ring = 1.2196698912665045;
-//! The same in pixels, for the reference wavelength and a scale of 1.
+//! Radius of the first dark ring in pixels, for the reference wavelength and a scale of 1.
 constexpr double first_ring_px = 2.0;
 //! Width of a vane as a fraction of the aperture's radius.
 constexpr double vane_width = 0.03;
@@ -42,11 +42,12 @@ void check(const ApertureSettings& settings) {
           "choose 0.25 to 8");
 }
 
-//! Returns the coverage of a cell whose center lies `depth` cells inside a straight edge.
+//! Returns the fraction of a cell that is inside a straight edge, if the cell's center is `depth`
+//! cells inside.
 double inside_edge(double depth) { return std::clamp(depth + 0.5, 0.0, 1.0); }
 
-//! Returns the fraction of a cell at (x, y) that transmits light [cells from the axis, y upwards];
-//! `radius` is that of the aperture.
+//! Returns the fraction of a cell that transmits light. (x, y): position of the cell from the axis
+//! [cells], y upwards. `radius`: radius of the aperture [cells].
 double transmission(const ApertureSettings& settings, double radius, double x, double y) {
   const double distance = std::hypot(x, y);
   double depth = radius - distance;
@@ -78,8 +79,9 @@ int power_of_two(double least) {
 
 FarField::FarField(const ApertureSettings& settings) {
   check(settings);
-  // The mask has 4 cells per period of the light at the sides of the square, so that its steps are
-  // not visible. The cells of the transform are smaller than the rings and the pixels.
+  // The mask has at least 4 cells per period of the light at the sides of the square, so that the
+  // steps of the mask are not visible. The cells of the transform are smaller than rings and
+  // pixels.
   diameter_ = std::clamp(power_of_two(1.7 * settings.size_px / settings.scale), 64, 1024);
   cells_ = std::min(diameter_ * std::max(4, power_of_two(4.0 * settings.scale)), 4096);
   cells_per_px_ = first_ring * cells_ / diameter_ / (first_ring_px * settings.scale);

@@ -5,13 +5,13 @@
 
 namespace ergodome {
 
-//! An aperture and the size of its pattern.
+//! The shape of an aperture, and the size of its diffraction pattern.
 struct ApertureSettings {
-  //! Sides of the polygon, with a horizontal one at the top; 0: round. An even number makes as many
-  //! spikes, an odd number twice as many.
+  //! Number of sides of the polygonal aperture, with a horizontal side at the top; 0: round. An
+  //! even number of sides makes as many spikes, an odd number twice as many.
   int blades = 6;
-  //! Arms that hold a secondary mirror, the first one upwards; each makes a line of light
-  //! perpendicular to it.
+  //! Number of arms that hold a secondary mirror, the first one upwards; each makes a line of light
+  //! perpendicular to itself.
   int vanes = 0;
   double obstruction = 0.0;  //!< radius of the secondary mirror as a fraction of the aperture's; 0 to 0.9
   int size_px = 129;         //!< width of the pattern; odd, 3 to 1025
@@ -26,8 +26,8 @@ class FarField {
   //! Throws Error for settings out of range.
   explicit FarField(const ApertureSettings& settings);
 
-  //! Returns the fraction of the light of a wavelength to the left of x_px and above y_px, measured
-  //! from the center with y downwards.
+  //! Returns the fraction of the light of a wavelength that falls to the left of x_px and above
+  //! y_px. Coordinates are measured from the center of the pattern, y downwards.
   [[nodiscard]] double light_before(double x_px, double y_px, double wavelength_nm) const;
 
  private:
@@ -36,14 +36,14 @@ class FarField {
   }
   //! Draws the aperture's transmission into a corner of cells_ x cells_ zeros.
   void draw_mask(const ApertureSettings& settings, float* cells) const;
-  //! Sums the light of amplitudes (real, imaginary; frequency 0 first), starting at the lowest
-  //! frequency, and normalizes the total to 1.
+  //! Computes the summed-area table from the Fourier transform's amplitudes (real, imaginary;
+  //! frequency 0 first), and normalizes the total light to 1.
   void integrate(const float* amplitudes);
 
   int diameter_;                //!< diameter of the aperture [cells]
-  int cells_;                   //!< side of the transform
-  double cells_per_px_;         //!< at the reference wavelength
-  std::vector<double> before_;  //!< (cells_ + 1)² corners
+  int cells_;                   //!< number of cells per side of the Fourier transform
+  double cells_per_px_;         //!< cells of the transform per pixel, at the reference wavelength
+  std::vector<double> before_;  //!< summed-area table: light before each of (cells_ + 1)² corners
 };
 
 }  // namespace ergodome

@@ -5,7 +5,7 @@
 
 namespace ergodome {
 
-//! Returns whether light may be spread beyond the image.
+//! Returns whether effects may spread light beyond the edge of the image.
 inline bool spreads_beyond_image(const Show& show, ViewMode mode) {
   return needs_bloom(show, mode) || shows_spikes(show, mode);
 }
@@ -13,7 +13,7 @@ inline bool spreads_beyond_image(const Show& show, ViewMode mode) {
 void plan_image_edge(PlanWriter& plan);
 std::unique_ptr<Pass> make_image_edge_pass(const PassInput& input);
 
-//! Blackens pixels outside the image: halos and spikes extend beyond its edge.
+//! Blackens pixels outside the image, because halos and spikes extend beyond its edge.
 inline constexpr PassKind image_edge_kind = {"image_edge", PassStage::finished, spreads_beyond_image, plan_image_edge,
                                              make_image_edge_pass};
 

@@ -10,14 +10,15 @@ inline bool needs_vignette(const Show& show, ViewMode mode) {
          (projection == ViewProjection::dome || projection == ViewProjection::pinhole);
 }
 
-//! Returns the part of the light that remains at a distance from the picture's center, in half
-//! widths along x and half heights along y: all up to 0.5, 1 - `strength` from 1 on.
+//! Returns the fraction of the light that remains at a distance from the picture's center; the
+//! distance is in half widths along x and half heights along y. The fraction is 1 up to a distance
+//! of 0.5, and 1 - `strength` from a distance of 1 on.
 double vignette_light(double strength, double distance);
 
 void plan_vignette(PlanWriter& plan);
 std::unique_ptr<Pass> make_vignette_pass(const PassInput& input);
 
-//! Darkens finished pictures toward their edge, so that it does not distract in a headset.
+//! Darkens finished pictures toward their edge, so that the edge does not distract in a headset.
 inline constexpr PassKind vignette_kind = {"vignette",
                                            PassStage::finished,
                                            needs_vignette,

@@ -20,7 +20,8 @@ Vector3<float> part(const Vector3<PixelDual>& v, float PixelDual::*which) {
   return {v.x.*which, v.y.*which, v.z.*which};
 }
 
-//! Returns the fraction of a pixel's light that remains.
+//! Returns the fraction of a pixel's light that remains: what the eye's shadow does not cover,
+//! relative to what the head's does not.
 float light_left(const ProjectionOf<float>& projection, float x_px, float y_px, const EdgeCurve& head,
                  const EdgeCurve& eye) {
   const Vector3<PixelDual> view =
@@ -36,7 +37,7 @@ float light_left(const ProjectionOf<float>& projection, float x_px, float y_px, 
 //! Side of the squares that are tested as a whole [px].
 constexpr int tile_px = 16;
 
-//! Angles from the middle of the shadow between which pixels may see its edges.
+//! Range of angles from the shadow's center within which pixels may contain one of the two edges.
 struct EdgeRing {
   double inner;
   double outer;
@@ -75,7 +76,8 @@ void mask_shadow(Picture& picture, const Projection& projection, const EdgeCurve
   const double pixel = largest_pixel_angle(projection);
   const EdgeRing ring = {static_cast<double>(head.smallest) - 2.0 * pixel,
                          static_cast<double>(std::max(head.largest, eye.largest)) + 2.0 * pixel};
-  // Adjacent faces of a cube face different directions.
+  // Cube faces are tested pixel by pixel, because a square may extend across faces with different
+  // directions.
   const int side_px = projection.kind == ProjectionKind::cube ? 1 : tile_px;
   const double radius = side_px * pixel;
   parallel_for((picture.height + side_px - 1) / side_px, std::max(8 / side_px, 1), [&](int begin, int end) {

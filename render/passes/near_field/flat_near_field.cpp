@@ -11,17 +11,17 @@ namespace ergodome {
 
 namespace {
 
-//! Things closer than the eye's distance from the head, divided by this, are not drawn.
+//! Things closer than the distance of the eye from the head divided by this are not drawn.
 constexpr double nearest_part = 0.9;
-//! Light comes closer to the hole by at most this times the affine distance and its energy at
+//! Light approaches the hole in r by at most this times the affine distance times its energy at
 //! infinity.
 constexpr double fastest_approach = 2.0;
 
-//! Adjacent rays stay adjacent outside of this radius [M]: circular photon orbits have radii of at
-//! most 4 M.
+//! Radius outside of which neighboring rays stay neighbors [M]: circular photon orbits have radii
+//! of at most 4 M.
 constexpr double parting_r = 6.0;
 
-//! Returns the largest energy at infinity of light that the observer sees with energy 1.
+//! Returns the maximum energy at infinity of light that the observer sees with energy 1.
 double greatest_energy(const CameraStation& station) {
   return station.energy.constant + std::sqrt(dot(station.energy.along, station.energy.along));
 }

@@ -11,10 +11,9 @@ namespace ergodome {
 //! (kernels/flat_eyes/eye_line.h).
 class FlatNearField {
  public:
-  //! `head` and `shadow`: the head to which the eyes belong, and its shadow. If
-  //! NearField::disk_grid is set and no object is seen, the disk is read from it; that grid must be
-  //! the head's and include nearness.
-  //! `rows` is a buffer reused between pictures, for rows drawn on a GPU.
+  //! `head` and `shadow`: the head to which the eyes belong, and its shadow. The disk is read from
+  //! NearField::disk_grid if that is set and no object is visible; that grid must be the head's and
+  //! include nearness. `rows` is a buffer reused between pictures, for rows drawn on a GPU.
   FlatNearField(Backend backend, const NearField& near_field, const EyeCamera& head, const FlatShadow& shadow,
                 Buffer<float>& rows);
 
@@ -22,18 +21,19 @@ class FlatNearField {
   //! returned `edge`.
   void set_eye(double offset, const std::vector<float>& edge);
 
-  //! Draws over rows of that eye's picture in host memory: four floats per pixel. `view` is that of
-  //! the head, with the projection of the eye.
+  //! Draws the near field over rows of the selected eye's picture in host memory: four floats per
+  //! pixel. `view` is that of the head, with the projection of the eye.
   void draw(const PictureView& view, const RowBlock& rows, float* rgba);
 
  private:
   [[nodiscard]] FlatEyeBatch batch_for(const PictureView& view) const;
   [[nodiscard]] double farthest_r() const;
-  //! Returns the nearness up to which things within a radius are sought [1/M].
+  //! Returns the maximum nearness (1 / affine distance) up to which things within a radius are
+  //! searched for [1/M].
   [[nodiscard]] double most_nearness(double farthest_r) const;
   //! Returns the objects as seen by the current eye.
   [[nodiscard]] ObjectLayer look_at_objects(const PictureView& view, const RowBlock& rows) const;
-  //! Does the same as draw, for rows in the backend's memory.
+  //! Does the same as draw(), for rows in the backend's memory.
   void draw_over(const PictureView& view, const RowBlock& rows, float* rgba);
 
   Backend backend_;

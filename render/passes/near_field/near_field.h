@@ -10,12 +10,12 @@
 
 namespace ergodome {
 
-//! Disk, shells and objects near the hole, each nullptr if missing.
+//! The things near the hole that pictures show; a pointer is nullptr if the show lacks that thing.
 struct NearField {
   const DiskPass* disk = nullptr;
   const ShellPass* shells = nullptr;
   TracedObjects* objects = nullptr;
-  //! Disk grid at the camera's position, from which the disk is read where no object is seen. Not
+  //! Disk grid at the camera's position. The disk is read from it in pixels without objects. Not
   //! set if there are shells.
   std::optional<DiskGrid> disk_grid{};
 

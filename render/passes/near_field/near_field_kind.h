@@ -4,7 +4,7 @@
 
 namespace ergodome {
 
-//! The things near the hole that pictures show.
+//! Which things near the hole a show's pictures show.
 struct NearFieldNeeds {
   bool disk;
   bool disk_pattern;

@@ -12,7 +12,7 @@ namespace ergodome {
 
 namespace {
 
-//! Returns a show with its shells as heat maps draw them: thin lines over the map.
+//! Returns a copy of a show whose shells are drawn as heat maps show them: thin lines over the map.
 Show lines_alone(Show show) {
   for (ShellSettings& shell : show.shells) {
     shell.line_opacity = is_visible(shell) ? 0.5 : 0.0;
@@ -40,14 +40,14 @@ bool may_read_grid(Backend backend, const NearField& parts, const PictureSetting
 
 }  // namespace
 
-//! The near field of one picture.
+//! Draws the near field of one picture.
 class NearFieldPass::Drawing : public PassDrawing {
  public:
   Drawing(NearFieldPass& pass, const EyePicture& picture)
       : pass_(pass), picture_(picture), parts_(pass.parts_for(picture)) {}
 
   void draw(const RowBlock& rows, float* rgba) override {
-    // Looked for once the lens is chosen, as both read the same stations.
+    // The disk grid is chosen after the lens, because both may use the same stations.
     if (!std::exchange(has_grid_, true)) {
       find_grid();
     }
@@ -58,7 +58,8 @@ class NearFieldPass::Drawing : public PassDrawing {
   }
 
  private:
-  //! Reads the disk from a grid, if there is one or it is worth building.
+  //! Selects a grid from which the disk is read, if there is one or if building one is cheaper than
+  //! rays.
   void find_grid() {
     const PictureSettings& settings = picture_.settings;
     if (settings.given != nullptr || settings.turning != nullptr || !may_read_grid(pass_.backend_, parts_, settings)) {
@@ -169,7 +170,8 @@ void NearFieldPass::apply(const Show& show, const NumberChange& /*change*/) {
 }
 
 bool NearFieldPass::serves(const Show& /*now*/, const Show& /*next*/) const {
-  // Meshes are read again, as their files may have changed; the rest is shared.
+  // A changed show always gets a new pass, which reads the meshes again, because their files may
+  // have changed. It shares everything else with the previous pass.
   return false;
 }
 

@@ -14,11 +14,12 @@
 
 namespace ergodome {
 
-//! Draws disk, shells and traced objects of a show, which a ray meets one after the other.
+//! Draws disk, shells and traced objects of a show in one pass, because a ray may meet them in any
+//! order.
 class NearFieldPass : public Pass {
  public:
-  //! Loads the shells' textures and the objects' meshes, or shares them with the pass of the show
-  //! before. Throws Error if something cannot be read.
+  //! Loads the shells' textures and the objects' meshes, or takes them from the pass of the
+  //! previous show. Throws Error if something cannot be read.
   explicit NearFieldPass(const PassInput& input);
 
   [[nodiscard]] const PassKind& kind() const override { return near_field_kind; }
@@ -37,7 +38,7 @@ class NearFieldPass : public Pass {
   //! Grids of the disk, which stay valid when the show changes.
   struct Grids {
     DiskGrids eyes;
-    DiskGrids heads;  //!< of heads whose eyes share a lens
+    DiskGrids heads;  //!< grids for heads of the stereo model `flat`, whose eyes share a lens
   };
 
   //! The near field of two eyes that share a camera.
@@ -56,9 +57,9 @@ class NearFieldPass : public Pass {
   NearField parts_for_shared_camera(const EyePicture& picture);
 
   Backend backend_;
-  std::shared_ptr<DiskPass> disk_;          //!< if the show has a disk
-  std::shared_ptr<ShellPass> shells_;       //!< if the show has shells
-  std::unique_ptr<TracedObjects> objects_;  //!< if the show has traced objects
+  std::shared_ptr<DiskPass> disk_;          //!< set if the show has a disk
+  std::shared_ptr<ShellPass> shells_;       //!< set if the show has shells
+  std::unique_ptr<TracedObjects> objects_;  //!< set if the show has traced objects
   std::shared_ptr<Grids> grids_;
   StreamedDisk streamed_disk_;
   Buffer<float> flat_rows_;                      //!< rows in GPU memory of pictures of eyes that share a camera

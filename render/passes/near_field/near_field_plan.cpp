@@ -29,7 +29,8 @@ NearFieldNeeds near_field_needs(const Show& show, ViewMode mode) {
 
 namespace {
 
-//! Plans what is near the hole, for rays and grids, for one eye and two.
+//! Adds the work for disk, shells and traced objects to the plan: with rays or grids, for one eye
+//! and for two.
 class NearFieldPlan {
  public:
   explicit NearFieldPlan(PlanWriter& writer)
@@ -40,7 +41,7 @@ class NearFieldPlan {
 
   //! Plans disk and shells. Their tables are built for all view modes.
   void plan_disk_and_shells();
-  //! Plans one ray per tile, and several per pixel of tiles that may see objects.
+  //! Adds one ray per tile, and several rays per pixel for tiles that may see objects.
   void plan_traced_objects(const std::string& objects);
 
  private:
@@ -49,11 +50,11 @@ class NearFieldPlan {
   [[nodiscard]] bool has_disk_always() const;
   void plan_disk_grid(const std::string& reason, bool if_needed);
   void plan_streamed_disk(const std::string& reason);
-  //! Plans a disk without shells: from baked layers or from grids, if these are worth building,
-  //! except for pixels that show traced objects.
+  //! Adds the drawing of a disk without shells: from baked layers, or from a grid if that is
+  //! cheaper than rays; with rays for pixels that show traced objects.
   void plan_disk_without_shells(DiskDrawing drawing, const std::string& reason, bool if_needed);
-  //! Plans one ray for each pixel that may see disk, shells or objects, whatever the sky's lens.
-  //! `shells`: with shells or without.
+  //! Adds one ray for each pixel that may see disk, shells or objects, whatever the lens of the sky
+  //! is. `shells`: whether shells are visible.
   void plan_near_rays(bool shells);
   //! Adds a pass over all pixels of both eyes, which share a camera.
   void flat_pass(const std::string& name, const std::string& reason, bool if_needed);
@@ -62,8 +63,8 @@ class NearFieldPlan {
 
   PlanWriter& plan_;
   bool shared_camera_;     //!< two eyes share a camera
-  NearFieldNeeds needs_;   //!< at any time
-  NearFieldNeeds always_;  //!< at all times
+  NearFieldNeeds needs_;   //!< what is needed at some time of the show
+  NearFieldNeeds always_;  //!< what is needed at all times of the show
 };
 
 bool NearFieldPlan::disk_edges_move() const {
@@ -84,8 +85,8 @@ void NearFieldPlan::plan_disk_grid(const std::string& reason, bool if_needed) {
 void NearFieldPlan::plan_streamed_disk(const std::string& reason) {
   plan_.buffer("disk grid at a position between stations", WorkMoment::picture, 0, reason);
   if (plan_.eyes() > 1) {
-    // As for the lens, stations serve an eye beside the camera's path as long as traced rays
-    // confirm them.
+    // For an eye beside the camera's path, baked stations are used as long as traced rays confirm
+    // them, as for the lens.
     plan_.pass("check_disk_grid", WorkMoment::picture, 0, 0, reason + ", " + plan_.why("stereo.model"), true);
   }
 }
@@ -108,8 +109,8 @@ void NearFieldPlan::plan_disk_without_shells(DiskDrawing drawing, const std::str
   if (may_make) {
     plan_disk_grid(with_budget, if_needed || streamed || plan_.most().disk->plunging);
   }
-  // Matter that falls from the last stable orbit has no grid. For other disks the grid leaves most
-  // pixels to rays at some positions.
+  // Grids may be unusable: plunging matter inside the last stable orbit has no grid, and at some
+  // positions a grid leaves most pixels to rays.
   const bool certain = asked && !plan_.most().disk->plunging;
   plan_.pixel_pass(disk_look_up_name(drawing), with_budget, if_needed || !certain);
   if (needs_.traced_objects) {
@@ -155,8 +156,8 @@ void NearFieldPlan::plan_flat_disk(bool if_needed) {
   const auto pixels = static_cast<double>(plan_.pixels());
   const bool may_make = may_read_disk_grid(plan_.request().backend, plan_.request().lens, plan_.most().grid_scheme) &&
                         (asked || is_worth_a_disk_grid(plan_.request().backend, pixels));
-  // As for other disks: some have no grid, and for others the grid leaves most pixels to rays at
-  // some positions.
+  // As for other disks: some disks have no grid, and at some positions a grid leaves most pixels to
+  // rays.
   const bool certain = asked && !plan_.most().disk->plunging;
   const bool pattern_changes = needs_.disk_pattern != always_.disk_pattern;
   const std::string reason = plan_.why(needs_.disk_pattern ? "disk.pattern" : "disk");
@@ -255,7 +256,8 @@ void NearFieldPlan::plan_disk_and_shells() {
       return;
     }
   }
-  // If one part is missing at times, the other is drawn alone then.
+  // At times when disk or shells are missing, the others are drawn alone, by another variant of the
+  // kernel.
   for (const bool shells : {true, false}) {
     if (shells ? needs_.shells : !always_.shells) {
       plan_near_rays(shells);

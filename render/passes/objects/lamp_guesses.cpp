@@ -12,8 +12,8 @@ namespace {
 
 double square_of(const Vector3<double>& v) { return dot(v, v); }
 
-//! Returns the middle of an object that appears small from the hole. Returns nothing for larger
-//! ones, because light that passes the hole may reach their parts along different rays.
+//! Returns the center of an object that appears small from the hole. Returns nothing for larger
+//! objects, because light past the hole may reach parts of such an object along different rays.
 std::optional<Vector3<double>> middle_of(const std::vector<Vector3<double>>& corners) {
   constexpr double small = 0.25;
   if (corners.empty()) {

@@ -8,9 +8,10 @@
 
 namespace ergodome {
 
-//! Computes how spin changes a lamp's rays to the middle of each object; there is one outline per
-//! object. Rays to the rest of an object are found much faster from there. The result is 0 without
-//! spin, for unlit objects, and for objects that appear wide from the hole.
+//! Computes, for each object's center, how the hole's spin changes the lamp's ray to it. The search
+//! for rays to the rest of the object is much faster when it starts from this correction. The
+//! result is 0 without spin, for unlit objects, and for objects that appear wide from the hole.
+//! There must be one outline per object.
 std::vector<LampCorrections> lamp_guesses(Spacetime spacetime, const LampPlace& lamp,
                                           const std::vector<ObjectSettings>& objects,
                                           const std::vector<PlacedOutline>& outlines);

@@ -17,7 +17,8 @@ namespace ergodome {
 
 namespace {
 
-//! Returns show times at which the position of an object, or the size of the horizon, may differ.
+//! Returns the show times to check: those at which the position of an object or the radius of the
+//! horizon may differ.
 std::vector<double> times_to_look_at(const Show& show, const ObjectSettings& object) {
   constexpr std::size_t most_looks = 1024;
   std::vector<double> keys_s = {0.0};
@@ -47,7 +48,7 @@ std::vector<ObjectInHorizon> objects_in_horizon(const Show& show, const ObjectMe
   std::vector<ObjectInHorizon> all;
   for (std::size_t i = 0; i < show.objects.size(); ++i) {
     const ObjectSettings& object = show.objects[i];
-    // Orbits stay outside.
+    // Skips objects on orbits, which are always outside the horizon.
     if (object.method != ObjectMethod::trace || object.orbit) {
       continue;
     }

@@ -10,8 +10,8 @@ inline bool needs_polygons(const Show& show, ViewMode mode) {
   return mode == ViewMode::sky && has_objects(show, ObjectMethod::polygon);
 }
 
-//! Adds the reading of the objects' meshes to the plan. It is done for all view modes, because a
-//! window can switch between them.
+//! Adds the work of reading the objects' meshes to the plan. Meshes are read for all view modes,
+//! because a window can switch between modes.
 void plan_mesh_loading(PlanWriter& plan, const std::string& reason);
 
 //! Adds the work for objects that are drawn as polygons to the plan.

@@ -27,10 +27,12 @@ class ObjectPass : public Pass {
     return false;  // meshes are read again, as their files may have changed
   }
 
-  //! Draws over a picture in host memory: four floats per pixel. Throws Error if an object is too
-  //! close to the hole at that show time, or if the eye is inside the photon sphere.
-  //! `turning`: for an omnidirectional stereo eye, whose head is then `eye`; otherwise nullptr.
-  //! `beside`: distance of an eye of the model `flat` to the right of that head [M], otherwise 0.
+  //! Draws the objects over a picture in host memory: four floats per pixel. Throws Error if an
+  //! object is too close to the hole at that show time, or if the eye is inside the photon sphere.
+  //!
+  //! `turning`: parameters of an omnidirectional stereo eye, for which `eye` is the head; otherwise
+  //! nullptr. `beside`: for an eye of the model `flat`, its distance to the right of the head `eye`
+  //! [M]; otherwise 0.
   void draw(const EyeCamera& eye, const Projection& projection, double time_s, float* rgba,
             const TurningView* turning = nullptr, double beside = 0.0);
 
@@ -42,13 +44,13 @@ class ObjectPass : public Pass {
   //! Returns the number of triangles of all objects.
   [[nodiscard]] long triangle_count() const;
 
-  //! Returns the size of the meshes of a show's objects [bytes], counting shared meshes once. Reads
-  //! them; throws Error like the constructor.
+  //! Returns the size of the meshes of a show's objects [bytes]; meshes that several objects share
+  //! count once. Reads the meshes; throws Error like the constructor.
   static long mesh_bytes(const Show& show);
 
  private:
-  //! Places all objects and returns their range of radii. Throws Error if it is outside of what can
-  //! be drawn.
+  //! Places all objects at a show time and returns their range of radii. Throws Error if it is
+  //! outside the range that can be drawn.
   RadialRange place_objects(double time_s);
 
   std::string show_name_;
@@ -58,9 +60,9 @@ class ObjectPass : public Pass {
   std::vector<double> mesh_radii_;
   std::vector<MeshOutline> outlines_;  //!< one per object
   std::vector<PlacedObject> placed_;
-  std::vector<RadialRange> ranges_;  //!< of each object, as placed
+  std::vector<RadialRange> ranges_;  //!< range of radii of each object at its current placement
   GlThread gl_;
-  std::unique_ptr<ObjectDrawing> drawing_;  //!< created and destroyed on that thread
+  std::unique_ptr<ObjectDrawing> drawing_;  //!< created and destroyed on the OpenGL thread
 };
 
 }  // namespace ergodome

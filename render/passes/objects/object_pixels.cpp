@@ -15,20 +15,22 @@ namespace ergodome {
 
 namespace {
 
-//! Relative difference in brightness between pixels that requires finer samples.
+//! Relative difference in brightness between neighboring pixels above which they get more samples.
 constexpr float visible_step = 0.2F;
-//! Square roots of the numbers of slices in a pixel that contains or touches the shadow's edge:
-//! initially, and where its own or its neighbors' slices hit anything. Sixteen slices leave gaps in
-//! images of the third order, sixty-four leave beads.
+//! Square roots of the number of slices in a pixel that contains or touches the shadow's edge:
+//! first for all such pixels, then for those whose own or neighboring slices hit anything. With
+//! sixteen slices, images of the third order have gaps; with sixty-four they look like beads.
 constexpr int first_edge_slices = 6;
 constexpr int edge_slices = 12;
-//! The same for other pixels with thin images.
+//! Square roots of the number of slices in other pixels with thin images: first for all, then for
+//! those that need more.
 constexpr int first_thin_slices = 4;
 constexpr int thin_slices = 8;
-//! The same for pixels whose images are only stretched, after four rays.
+//! Square root of the number of slices in pixels whose images are only stretched; used after four
+//! rays.
 constexpr int stretched_slices = 6;
 
-//! Returns the size of a pixel relative to the smallest radius of the shadow.
+//! Returns the size of a pixel as a fraction of the smallest radius of the shadow.
 double part_of_shadow(const ObjectScene& objects) {
   constexpr int sides = 4;
   const ShadowChart chart = make_shadow_chart(objects.camera);
@@ -195,15 +197,15 @@ namespace {
 constexpr int object_tile_px = 4;
 constexpr int large_tile_px = 16;
 constexpr int small_tile_px = 2;
-//! Minimum tile size for the width of rays along a line of sight of a flat eye: narrower rays cost
-//! more than they save later.
+//! Minimum side [px] of tiles that are examined with rays as wide as the tile along a line of sight
+//! of an eye of the model `flat`. Narrower rays cost more than they save later.
 constexpr int least_part_px = 4;
 
 //! Returns whether the image covers any part of a pixel.
 bool is_shown(const Projection& projection, int x, int y) { return image_coverage(projection, x + 0.5, y + 0.5) > 0.0; }
 
-//! Returns whether the parts of a tile with this mark are marked individually, because their pixels
-//! may need many rays.
+//! Returns whether a tile with this mark is divided and its parts are marked separately, because
+//! their pixels may need many rays.
 bool is_in_parts(TileMark mark, int side_px) {
   const bool by_pixels = mark == TileMark::edge || mark == TileMark::thin;
   return side_px > small_tile_px ? by_pixels || mark == TileMark::fine : by_pixels && side_px > 1;
@@ -221,8 +223,8 @@ void visit_tile(const Projection& projection, int side_px, int left, int top, in
   }
 }
 
-//! Detects tiles that extend across sheets of a picture. The ray through a tile's middle does not
-//! represent parts beyond the edge of a cube face.
+//! Finds tiles that extend across sheets of a picture (PictureSheet). For such a tile, the ray
+//! through its center does not represent the part beyond the edge of a cube face.
 class Seams {
  public:
   explicit Seams(const Projection& projection) : sheets_(picture_sheets(projection)) {}
@@ -299,8 +301,8 @@ ObjectPixels::Tiles ObjectPixels::parts_of(const Tiles& tiles, int side_px, int 
 }
 
 void ObjectPixels::mark_flat_pixels(Wanted& wanted) {
-  // A line of sight takes many rays: large tiles narrow the range along it in which smaller tiles
-  // search.
+  // A flat eye's line of sight takes many rays. Large tiles are examined first, to reduce the range
+  // along it in which smaller tiles search.
   Tiles tiles = {shown_tiles(0, width_, top_, bottom_, large_tile_px), {}};
   tiles.reach.assign(tiles.places.size() / 2, {0.0F, static_cast<float>(flat_->most_w), 0.0F});
   tiles = parts_of(tiles, large_tile_px, object_tile_px);
@@ -358,7 +360,7 @@ ObjectPixels::Tiles ObjectPixels::add_seen(Tiles& tiles, int side_px, Wanted& wa
 
 void ObjectPixels::mark_pixels(Wanted& wanted) const {
   std::vector<std::int32_t> tiles = shown_tiles(0, width_, top_, bottom_, object_tile_px);
-  // Where pixels would need many rays, smaller tiles narrow down which of them do.
+  // Where pixels would need many rays, smaller tiles determine which pixels really do.
   for (const int side_px : {object_tile_px, small_tile_px, 1}) {
     tiles = mark_tiles(std::move(tiles), side_px, wanted);
   }

@@ -9,8 +9,8 @@
 
 namespace ergodome {
 
-//! Traces the objects in a block of rows of a picture. Includes one more row on each side, because
-//! pixels whose neighbors differ get finer samples.
+//! Traces the objects in a block of rows of a picture. Also traces one more row above and below the
+//! block, because a pixel whose neighbors differ from it gets more samples.
 class ObjectPixels {
  public:
   //! `first_row` and `row_count`: the block without the additional rows, within the image.
@@ -18,10 +18,10 @@ class ObjectPixels {
   ObjectPixels(Backend backend, const ObjectScene& objects, int first_row, int row_count,
                const std::optional<FlatEyeSight>& flat = {});
 
-  //! Traces the pixels with the kernels.
+  //! Traces all pixels of the block with the kernels.
   void look();
 
-  //! Returns the light, and the time, of the block's rows in host memory; see ObjectLayer.
+  //! Returns the light and the time of the block's pixels, in host memory; see ObjectLayer.
   [[nodiscard]] const std::vector<float>& rgba() const { return rgba_; }
   [[nodiscard]] const std::vector<float>& time() const { return time_; }
 
@@ -31,64 +31,71 @@ class ObjectPixels {
     std::int32_t content = pixel_of_nothing;
   };
 
-  //! A list of tiles.
+  //! A list of square tiles of the picture.
   struct Tiles {
-    std::vector<std::int32_t> places;  //!< x and y of the first pixel of each
-    std::vector<FlatReach> reach;      //!< flat eyes only: range in which objects are sought, or seen
+    std::vector<std::int32_t> places;  //!< x and y of each tile's first pixel
+    //! For eyes of the model `flat`: range of nearness in which each tile's objects are searched
+    //! for, or were found.
+    std::vector<FlatReach> reach;
   };
 
-  //! Returns the tiles of a rectangle that are in the image.
+  //! Returns the tiles that divide a rectangle of the picture, without those outside the image.
   [[nodiscard]] std::vector<std::int32_t> shown_tiles(int left, int right, int top, int bottom, int side_px) const;
 
-  //! Determines what tiles see. For flat eyes, narrows each tile's reach to the range in which it
-  //! sees objects.
+  //! Determines which objects the pixels of each tile may see (TileMark). For eyes of the model
+  //! `flat`, reduces each tile's reach to the range in which it sees objects.
   void look_through(Tiles& tiles, int side_px, std::vector<TileMark>& marks) const;
 
-  //! Pixels to be traced (x and y of each), by the sampling that they need.
+  //! Pixels to be traced (x and y of each), sorted by how they are sampled.
   struct Wanted {
-    std::vector<std::int32_t> coarse;     //!< four rays at first
-    std::vector<std::int32_t> stretched;  //!< the same; outlines by slices
-    std::vector<std::int32_t> fine;       //!< sixteen rays
-    std::vector<std::int32_t> thin;       //!< sixteen slices at first
-    std::vector<std::int32_t> edge;       //!< more slices; many where anything is seen
+    std::vector<std::int32_t> coarse;     //!< pixels that are first sampled with four rays
+    std::vector<std::int32_t> stretched;  //!< first sampled with four rays; outlines with slices
+    std::vector<std::int32_t> fine;       //!< sampled with sixteen rays
+    std::vector<std::int32_t> thin;       //!< first sampled with sixteen slices
+    //! Sampled with more slices, and with many if one of them hits anything.
+    std::vector<std::int32_t> edge;
 
-    //! Returns the list for tiles or pixels with a mark other than `nothing`.
+    //! Returns the list to which tiles or pixels with a mark belong. The mark must not be
+    //! `nothing`.
     [[nodiscard]] std::vector<std::int32_t>& of(TileMark mark);
   };
 
-  //! Divides those tiles of a flat eye that may see objects into smaller ones.
+  //! Divides tiles for an eye of the model `flat` into smaller tiles. Omits tiles that cannot see
+  //! objects.
   [[nodiscard]] Tiles parts_of(const Tiles& tiles, int side_px, int part_px) const;
 
   //! Collects the pixels that may see objects.
   void mark_pixels(Wanted& wanted) const;
   void mark_flat_pixels(Wanted& wanted);
 
-  //! Marks tiles and collects the pixels of those that may see objects. Returns the parts of the
-  //! tiles that must be marked at a finer level.
+  //! Determines the marks of tiles, and adds the pixels of tiles that may see objects to `wanted`.
+  //! Returns the smaller tiles into which tiles are divided whose parts have to be marked
+  //! separately.
   [[nodiscard]] std::vector<std::int32_t> mark_tiles(std::vector<std::int32_t> places, int side_px,
                                                      Wanted& wanted) const;
 
-  //! Marks tiles of a flat eye, and collects the pixels of those that see anything together with
-  //! their reach. Returns the tiles whose pixels must be marked individually.
+  //! Determines the marks of tiles for an eye of the model `flat`, and adds the pixels of tiles
+  //! that see anything to `wanted`, with their reach. Returns the tiles whose pixels have to be
+  //! marked individually.
   Tiles add_seen(Tiles& tiles, int side_px, Wanted& wanted);
 
-  //! Returns the range in which each pixel may see objects.
+  //! Returns for each pixel the range of nearness in which it may see objects.
   [[nodiscard]] std::vector<FlatReach> reach_of(const std::vector<std::int32_t>& pixels) const;
 
   //! Traces pixels and stores the result.
   void look_at(const std::vector<std::int32_t>& pixels, PixelPattern pattern, int samples);
 
-  //! Returns those pixels within the block that satisfy a condition.
+  //! Returns those pixels of the list that are within the block and satisfy a condition.
   template <class Is>
   [[nodiscard]] std::vector<std::int32_t> pixels_of_block(const std::vector<std::int32_t>& looked_at,
                                                           const Is& is) const;
 
-  //! Returns the pixels within the block whose slices, or whose neighbors' slices, hit images that
-  //! may be thinner than a slice.
+  //! Returns those pixels of the list within the block that need finer slices: their own slices, or
+  //! those of a neighbor, hit an image that may be thinner than a slice.
   [[nodiscard]] std::vector<std::int32_t> pixels_of_thin_images(const std::vector<std::int32_t>& looked_at) const;
   [[nodiscard]] bool is_by_thin_image(int x, int y) const;
 
-  //! Returns the pixels within the block that need more samples.
+  //! Returns those pixels of the list within the block that need more samples.
   [[nodiscard]] std::vector<std::int32_t> uneven_pixels(const std::vector<std::int32_t>& looked_at) const;
 
   [[nodiscard]] bool is_uneven(int x, int y) const;
@@ -102,10 +109,10 @@ class ObjectPixels {
   int width_;
   std::optional<FlatEyeSight> flat_;
   int first_row_, row_count_;
-  int top_, bottom_;    //!< including the additional rows
+  int top_, bottom_;    //!< first and last row, including the additional rows
   double turn_per_px_;  //!< see ObjectTileBatch
   std::vector<Seen> seen_;
-  std::vector<FlatReach> reach_;  //!< reach of a flat eye's pixels
+  std::vector<FlatReach> reach_;  //!< reach of each pixel, for an eye of the model `flat`
   std::vector<float> rgba_;
   std::vector<float> time_;
 };

@@ -25,7 +25,8 @@ void plan_polygons(PlanWriter& plan) {
   const std::string tables = lit ? objects + ", " + plan.why("light") : objects;
   plan.pass("make_connection_table", WorkMoment::place, 0, 0, tables);
   plan.buffer("connecting rays", WorkMoment::place, 0, tables);
-  // Eyes that share a lens have one picture, but see objects from their own positions.
+  // Eyes that share the head's lens have one picture of the sky, but each sees objects from its own
+  // position.
   const bool shared = share_camera(plan.most().stereo);
   const long eyes = shared ? plan.shown() : plan.eyes();
   const bool known = !shared || !plan.eyes_are_together_at_times();

@@ -34,8 +34,8 @@ PlacedMeshes place_meshes(const std::vector<ObjectSettings>& objects, std::span<
                        objects[i].retarded && at.rate != 0.0};
     std::copy(&at.rows[0][0], &at.rows[0][0] + 9, &mesh.rows[0][0]);
     placed.meshes.push_back(mesh);
-    // A moving object keeps its distance from the hole, but the center of its bounding sphere need
-    // not.
+    // A retarded object is seen at several positions on its orbit. The object's origin keeps its
+    // distance from the hole, but the center of its bounding sphere need not.
     const Vector3<double> middle = mesh.retarded ? at.position : ball_middle(mesh, at.position);
     const double beside = mesh.retarded ? std::sqrt(dot(mesh.tree.middle, mesh.tree.middle)) : 0.0;
     const double distance = std::sqrt(dot(middle, middle));

@@ -10,7 +10,8 @@ namespace ergodome {
 
 namespace {
 
-//! With a GPU backend, larger meshes are not kept in host memory.
+//! Maximum number of triangles of meshes whose trees are also kept in host memory, if the backend
+//! is a GPU.
 constexpr std::size_t most_kept_triangles = 1'000'000;
 
 }  // namespace

@@ -21,12 +21,12 @@ class SurfaceStore {
   //! Returns the objects that are partly invisible because they extend into the horizon.
   [[nodiscard]] const std::vector<ObjectInHorizon>& in_horizon() const { return in_horizon_; }
 
-  //! Returns the trees, and the surfaces, one per object.
+  //! Returns the triangle trees and the surfaces, both with one entry per object.
   [[nodiscard]] const std::vector<TriangleTree>& trees() const { return trees_; }
   [[nodiscard]] const std::vector<Surface>& surfaces() const { return surfaces_; }
 
-  //! Returns the trees in host memory. If the backend is not the CPU, meshes with more than a
-  //! million triangles have no nodes here.
+  //! Returns the triangle trees in host memory. If the backend is not the CPU, trees of meshes with
+  //! more than a million triangles have no nodes here.
   [[nodiscard]] const std::vector<TriangleTree>& host_trees() const { return host_trees_; }
 
   [[nodiscard]] const std::vector<MeshOutline>& outlines() const { return outlines_; }
@@ -34,7 +34,7 @@ class SurfaceStore {
   [[nodiscard]] long triangle_count() const { return triangle_count_; }
 
  private:
-  //! Memory of one mesh.
+  //! The arrays of one mesh.
   struct Stored {
     Buffer<TreeNode> nodes;
     Buffer<float> corners;

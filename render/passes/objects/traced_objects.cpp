@@ -11,7 +11,7 @@ namespace ergodome {
 namespace {
 
 constexpr int picture_step_limit = 4000;
-//! Local error of a path, as a fraction of the tolerance of a pixel.
+//! Local error of an object ray's path, as a fraction of the tolerance of a pixel.
 constexpr double part_of_tolerance = 0.01;
 
 SurfaceLook look_of(const ObjectSettings& object, const Surface& surface) {
@@ -107,8 +107,8 @@ ObjectScene TracedObjects::scene_for(const PictureView& view) {
 }
 
 void TracedObjects::guess_lamp_rays(Spacetime spacetime, double time_s) {
-  // All blocks of rows and all eyes of a picture share the guesses. Without spin, they are zero at
-  // all times.
+  // All blocks of rows and all eyes of a picture share the starting values for lamp rays. Without
+  // spin, these are always zero.
   const std::pair now(spacetime, spacetime.spin != 0.0 ? time_s : 0.0);
   if (!(lamp_.strength > 0.0) || guessed_for_ == now) {
     return;

@@ -17,12 +17,12 @@
 
 namespace ergodome {
 
-//! A show's objects as exact rays see them, around a hole of any spin: all image orders, shadows,
-//! frequency shift, light travel time.
+//! Draws a show's objects by exact rays around a hole of any spin: with all image orders, shadows,
+//! frequency shift and light travel time.
 //!
-//! Tiles of the picture that cannot see an object cost one ray. Pixels that can cost four rays,
-//! sixteen where outlines, textures or shadows run through them or their neighbors, and up to 144
-//! next to the shadow's edge, where images are thin.
+//! A tile of the picture that cannot see an object takes one ray. A pixel that can see one takes
+//! four rays; sixteen if outlines, textures or shadows run through it or its neighbors; and up to
+//! 144 next to the shadow's edge, where images are thin.
 class TracedObjects {
  public:
   //! Loads the meshes; the show must have objects. Throws Error if a mesh or an image cannot be
@@ -33,13 +33,13 @@ class TracedObjects {
   //! the next call.
   ObjectLayer look(const PictureView& view, const RowBlock& rows) { return look_at_rows(view, rows, {}); }
 
-  //! Does the same for an eye of the stereo model `flat`; `view` is that of its head. The layer's
-  //! time is minus the nearness.
+  //! Does the same for an eye of the stereo model `flat`; `view` is that of the eye's head. The
+  //! layer's `time` then holds the negative nearness of what is seen.
   ObjectLayer look(const PictureView& view, const RowBlock& rows, const FlatEyeSight& sight) {
     return look_at_rows(view, rows, sight);
   }
 
-  //! Returns a bound of the radius that objects reach at a show time [M].
+  //! Returns an upper bound of the radius of all objects at a show time [M].
   [[nodiscard]] double farthest_r(double time_s) const;
 
   //! Returns the objects' outlines at a show time.
@@ -47,8 +47,8 @@ class TracedObjects {
     return place_outlines(objects_, surfaces_.outlines(), time_s);
   }
 
-  //! Returns the objects at a show time as occluders, in host memory. Large meshes that are only in
-  //! GPU memory are missing.
+  //! Returns the meshes of the objects at a show time, in host memory, to test what they hide.
+  //! Omits large meshes that are only in GPU memory.
   [[nodiscard]] PlacedMeshes hiding(double time_s) const;
 
   //! Returns the objects that are partly invisible because they extend into the horizon.
@@ -59,9 +59,10 @@ class TracedObjects {
 
  private:
   ObjectLayer look_at_rows(const PictureView& view, const RowBlock& rows, const std::optional<FlatEyeSight>& sight);
-  //! Returns the objects of a picture for the kernels.
+  //! Returns the objects of a picture in the form that kernels read.
   ObjectScene scene_for(const PictureView& view);
-  //! Updates the guesses for lamp rays in the backend's memory for a picture.
+  //! Updates the starting values for the search of lamp rays (lamp_guesses()) in the backend's
+  //! memory.
   void guess_lamp_rays(Spacetime spacetime, double time_s);
 
   Backend backend_;
@@ -73,7 +74,7 @@ class TracedObjects {
   Buffer<PlacedMesh> placed_;
   std::optional<std::pair<Spacetime, double>> guessed_for_;  //!< and time
   Buffer<LampCorrections> guesses_;
-  Buffer<double> cameras_;  //!< of an omnidirectional stereo eye
+  Buffer<double> cameras_;  //!< camera polynomials of an omnidirectional stereo eye
   Buffer<float> rgba_;
   Buffer<float> time_;
 };

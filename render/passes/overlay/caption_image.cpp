@@ -69,7 +69,7 @@ struct Lines {
 
 Lines lay_out(const std::string& text, const CaptionType& type) {
   Lines lines;
-  // Fonts of this thread, which Pango caches.
+  // Pango caches the fonts of a thread, so each thread uses its own default font map.
   lines.context.reset(pango_font_map_create_context(pango_cairo_font_map_get_default()));
   const Held<cairo_font_options_t> options(cairo_font_options_create());
   cairo_font_options_set_antialias(options.get(), CAIRO_ANTIALIAS_GRAY);
@@ -102,7 +102,8 @@ Letters draw_letters(PangoLayout* layout, int margin_px) {
   if (ink.width <= 0 || ink.height <= 0) {
     return {};
   }
-  // Centered on the middle of the lines, and wide enough for glyphs that extend beyond them.
+  // The image is centered on the middle of the lines, and wide enough for glyphs that extend beyond
+  // the lines.
   const int beside = std::max({0, box.x - ink.x, ink.x + ink.width - box.x - box.width});
   const int above = std::max({0, box.y - ink.y, ink.y + ink.height - box.y - box.height});
   Letters letters{box.width + 2 * (beside + margin_px), box.height + 2 * (above + margin_px)};
@@ -133,8 +134,8 @@ bool has_font(const std::string& text) {
   return pango_layout_get_unknown_glyphs_count(lay_out(text, any).layout.get()) == 0;
 }
 
-//! Returns how strong the dark rim is for letters of a color: a full rim would make dark letters
-//! unreadable.
+//! Returns the strength of the dark rim around letters of a color. It is lower for dark letters,
+//! which a full rim would make unreadable.
 float rim_strength(const std::array<double, 3>& color) {
   constexpr double bright = 0.2;
   return static_cast<float>(std::clamp(*std::ranges::max_element(color) / bright, 0.0, 1.0));
@@ -145,7 +146,7 @@ float rim_strength(const std::array<double, 3>& color) {
 std::string letters_without_font(const std::string& text) {
   const std::string clean = clean_text(text);
   std::string missing;
-  // Most texts have all glyphs; only others are checked letter by letter.
+  // Checks texts letter by letter only if a glyph is missing, which is rare.
   if (clean.empty() || has_font(clean)) {
     return missing;
   }

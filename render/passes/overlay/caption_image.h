@@ -7,7 +7,7 @@
 
 namespace ergodome {
 
-//! Typesetting of a caption.
+//! Size and color of a caption's letters.
 struct CaptionType {
   int line_px = 64;                               //!< height of a line [px]
   double width_px = 0.0;                          //!< width at which lines break [px]
@@ -21,7 +21,7 @@ struct CaptionImage {
   bool too_large = false;  //!< exceeds longest_overlay_px, so there is no image
 };
 
-//! Sets a text with Pango: centered lines in any script for which a font is installed, including
+//! Draws a text with Pango: centered lines in any script for which a font is installed, including
 //! right to left. Invalid UTF-8 becomes U+FFFD; control characters except line breaks and tabs are
 //! removed. Truncates texts after most_caption_bytes.
 CaptionImage set_caption(const std::string& text, const CaptionType& type);

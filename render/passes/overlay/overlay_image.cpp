@@ -43,8 +43,8 @@ OverlayImage empty_image(int width, int height) {
   return image;
 }
 
-//! Texels of the finer level that a coarser texel covers along a side, with their weights: up to
-//! three if the finer size is odd.
+//! The texels of the next finer level that a texel covers along one side, and their weights. There
+//! are up to three if the finer size is odd.
 struct Covered {
   int first;
   int count;

@@ -4,7 +4,7 @@
 
 namespace ergodome {
 
-//! Returns whether a show has images or words over its pictures.
+//! Returns whether a show's pictures have images or texts over them.
 inline bool has_overlays(const Show& show, ViewMode mode) {
   const Timeline& timeline = show.timeline;
   return mode == ViewMode::sky && (!timeline.overlays.empty() || !timeline.captions.empty() || show.readout);
@@ -17,7 +17,7 @@ void plan_overlays(PlanWriter& plan);
 //! Returns a pass for every show, because captions can also come from outside the show.
 std::unique_ptr<Pass> make_overlay_pass(const PassInput& input);
 
-//! Captions and images over pictures.
+//! The pass that draws captions and images over pictures.
 inline constexpr PassKind overlay_kind = {"overlays", PassStage::frame, has_overlays, plan_overlays, make_overlay_pass};
 
 }  // namespace ergodome

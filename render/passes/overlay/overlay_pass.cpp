@@ -21,13 +21,14 @@ namespace ergodome {
 
 namespace {
 
-//! Range of the line height for typesetting, in powers of two [px].
+//! Range of the line heights in which letters are drawn, which are powers of two [px].
 constexpr int smallest_line_px = 16;
 constexpr int largest_line_px = 256;
-//! Limits for all images of a show, and for all cached texts.
+//! Memory limits: for all images of a show, and for all cached texts.
 constexpr long most_image_bytes = 4L << 30;
 constexpr std::size_t most_caption_texels = 32UL << 20;
-//! A flat image this wide already looks stretched; its width diverges at 180 degrees.
+//! Maximum width of a flat image [deg]. Such an image already looks stretched; the width of its
+//! plane would diverge at 180 degrees.
 constexpr double widest_image_deg = 150.0;
 
 //! Returns the key of the i-th overlay's image in a show.
@@ -49,7 +50,8 @@ void check_overlay(const Overlay& overlay, const std::filesystem::path& path, in
   }
 }
 
-//! Returns the sheet of a caption: bent on domes and spheres, flat on a flat screen.
+//! Returns the surface on which a caption is drawn: bent on domes and spheres, plane on a flat
+//! screen.
 OverlaySheet caption_sheet(const Projection& projection, const DomePlace& place, double across, double upright) {
   return projection.kind == ProjectionKind::pinhole ? flat_sheet(place, 2.0 * std::atan(0.5 * across), across / upright)
                                                     : bent_sheet(place, across, upright);

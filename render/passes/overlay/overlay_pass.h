@@ -24,14 +24,15 @@ struct OverlayTarget {
   Backend backend = Backend::cpu;  //!< memory of `rgba`
   float* rgba = nullptr;           //!< light and coverage of the whole picture
   Tone tone;
-  bool display_colours = false;  //!< for heat maps, to which no tone is applied
+  bool display_colours = false;  //!< true for heat maps, to which no tone is applied
 };
 
 //! Draws captions and images over finished pictures, in their display colors regardless of exposure
-//! and tone. In order: the show's images, its captions, extra captions.
+//! and tone. The order is: the show's images, the show's captions, captions that are not part of
+//! the show.
 //!
-//! Reads images once; sets a text when it is first visible, and again when pictures need a higher
-//! resolution. Does nothing if no overlay is visible. Not thread-safe.
+//! Reads each image once. Draws the letters of a caption when it is first visible, and again when
+//! pictures need a higher resolution. Does nothing if no overlay is visible. Not thread-safe.
 class OverlayPass : public Pass {
  public:
   //! Reads the images of a show. Throws Error with the show's line if one is missing, too large,
@@ -53,28 +54,28 @@ class OverlayPass : public Pass {
   //! Sets whether the show's captions are drawn. Its images are always drawn.
   void set_captions(bool shown) { captions_shown_ = shown; }
 
-  //! Replaces the captions that do not come from the show, such as a greeting or help. Their
-  //! presence is ignored: they stay visible with this opacity until replaced.
+  //! Replaces the captions that are not part of the show, such as a greeting or help.
+  //! Caption::presence is ignored: they stay visible with this opacity until replaced.
   void set_extra(std::vector<Caption> captions, double opacity = 1.0);
 
-  //! Sets the show's readout for the next picture, or hides it. It is visible only if the show's
-  //! captions are.
+  //! Sets the readout that the next picture shows; nullopt hides it. It is visible only if the
+  //! show's captions are.
   void set_readout(std::optional<Caption> readout) { readout_ = std::move(readout); }
 
   //! Sets whether captions are omitted from pictures, for callers that composite caption_layer()
   //! over them.
   void set_captions_apart(bool apart) { captions_apart_ = apart; }
 
-  //! Returns whether there may be anything to draw. `time_s`: show time; none: only captions that
-  //! do not come from the show.
+  //! Returns whether there may be anything to draw. `time_s`: show time; nullopt: only captions
+  //! that are not part of the show are drawn.
   [[nodiscard]] bool draws_at(std::optional<double> time_s) const;
 
   //! Draws the overlays that are visible at a time. `projection`: overlay_projection() of the
   //! picture.
   void draw(const OverlayTarget& target, const Projection& projection, std::optional<double> time_s);
 
-  //! Returns the captions at a time on a transparent layer; null if there is nothing to see.
-  //! Returns the previous layer again if it is unchanged.
+  //! Returns the captions at a time on a transparent layer; the layer is null if no caption is
+  //! visible. Returns the same layer as the last call if the captions have not changed.
   LaidCaptions caption_layer(const Projection& projection, std::optional<double> time_s);
 
   //! Returns the memory that a show's images take [bytes], reading only their sizes. Throws Error
@@ -82,32 +83,32 @@ class OverlayPass : public Pass {
   static long image_bytes(const Show& show);
 
  private:
-  //! An image for kernels. The copy in GPU memory is made when it is first drawn there.
+  //! An image in the memory of kernels. It is copied to GPU memory when it is first drawn there.
   struct Texture {
-    OverlayImage layout;  //!< without its texels
+    OverlayImage layout;  //!< size and mip levels of the image, without its texels
     Buffer<std::uint16_t> host;
     Buffer<std::uint16_t> device;
   };
 
-  //! Rows of a picture's tiles, [first, end); empty if these are equal.
+  //! A range of rows of a picture's tiles, [first, end); empty if both are equal.
   struct TileRows {
     int first = 0;
     int end = 0;
   };
 
-  //! A text that has been set.
+  //! A text whose letters have been drawn to an image.
   struct SetCaption {
     std::string text;
     double letter_deg;
     double width;  //!< width at which its lines break [rad]
     std::array<double, 3> color;
-    int line_px;      //!< height of its lines
-    int wished_px;    //!< requested height of its lines
-    Texture texture;  //!< width 0: nothing to see
+    int line_px;      //!< height of a line in the image [px]
+    int wished_px;    //!< height of a line that was requested; `line_px` may be smaller [px]
+    Texture texture;  //!< the image; width 0 if it shows nothing
     long last_drawn;
   };
 
-  //! A caption of the last layer, in its language.
+  //! A caption of the last layer, with its text in the layer's language.
   struct LayerCaption {
     std::string text;
     DomePlace place;
@@ -119,7 +120,7 @@ class OverlayPass : public Pass {
     bool operator==(const LayerCaption&) const = default;
   };
 
-  //! Returns the captions that are visible at a time, with their opacity.
+  //! Returns the captions that are visible at a time, each with its opacity.
   [[nodiscard]] std::vector<std::pair<const Caption*, double>> seen_captions(std::optional<double> time_s) const;
   std::shared_ptr<const CaptionLayer> draw_layer(const Projection& projection,
                                                  const std::vector<std::pair<const Caption*, double>>& captions);
@@ -128,11 +129,12 @@ class OverlayPass : public Pass {
   void draw_image(const OverlayTarget& target, const Projection& projection, const Overlay& overlay, double opacity);
   TileRows draw_caption(const OverlayTarget& target, const Projection& projection, const Caption& caption,
                         double opacity);
-  //! Draws a sheet and returns the rows of tiles on which it may have drawn.
+  //! Draws one overlay and returns the rows of tiles on which it may have drawn. `sheet`: position
+  //! of the overlay (OverlaySheet).
   TileRows draw_sheet(const OverlayTarget& target, const Projection& projection, Texture& texture, OverlaySheet sheet,
                       double opacity);
 
-  //! Returns the text of a caption, set at a sufficient resolution for a picture.
+  //! Returns the image of a caption's text, with a resolution that is sufficient for a picture.
   SetCaption& set_for(const Caption& caption, const std::string& text, double width, double angle_of_px);
   void forget_old_captions();
   const PictureTiles& tiles_of(const Projection& projection);
@@ -145,15 +147,15 @@ class OverlayPass : public Pass {
   std::string language_;
   bool captions_shown_ = true;
   bool captions_apart_ = false;
-  std::map<std::string, Texture> images_;  //!< by their names in the show
+  std::map<std::string, Texture> images_;  //!< the show's images, by their names in the show
   std::vector<SetCaption> set_;
-  std::vector<PictureTiles> tiles_;  //!< of the pictures of all eyes
+  std::vector<PictureTiles> tiles_;  //!< tiles of the pictures, one set for each projection used
   Buffer<std::int32_t> tile_numbers_;
-  long drawn_ = 0;  //!< number of pictures
+  long drawn_ = 0;  //!< number of pictures drawn so far
   std::vector<LayerCaption> in_layer_;
-  std::optional<PictureTiles> layer_tiles_;  //!< for the projection of the last layer
+  std::optional<PictureTiles> layer_tiles_;  //!< tiles of the projection of the last layer
   std::shared_ptr<const CaptionLayer> layer_;
-  std::vector<float> canvas_;  //!< canvas from which layers are cut; cleared after each layer
+  std::vector<float> canvas_;  //!< buffer in which layers are drawn; cleared after each layer
 };
 
 }  // namespace ergodome

@@ -9,7 +9,7 @@ namespace ergodome {
 
 namespace {
 
-//! Up to this elevation, captions follow circles of constant elevation.
+//! Maximum elevation at which captions follow circles of constant elevation.
 constexpr double steepest_bend = 60.0 * one_degree;
 //! On a flat screen, overlays farther from the front than this are omitted, because they are meant
 //! for other directions.
@@ -35,8 +35,8 @@ PlaceAxes axes_of(const DomePlace& place) {
   return {middle, std::cos(roll) * right - std::sin(roll) * up, std::sin(roll) * right + std::cos(roll) * up};
 }
 
-//! Returns how strongly a caption is bent: the latitude [rad], in the sheet's own coordinates, of
-//! the circle that its middle line follows. At 0 it is a great circle.
+//! Returns how strongly a caption is bent: the latitude [rad], in the coordinates of its surface,
+//! of the circle that the caption's middle line follows. At latitude 0 that is a great circle.
 double bend_of(const DomePlace& place) {
   const double e = one_degree * std::clamp(place.elevation_deg, -90.0, 90.0);
   const double size = std::abs(e);
@@ -83,8 +83,8 @@ PlacedOverlay placed_overlay(const Projection& projection, const DomePlace& plac
   const double roll = one_degree * place.roll_deg;
   const double across = std::abs(std::cos(roll)) * width + std::abs(std::sin(roll)) * height;
   const double upright = std::abs(std::sin(roll)) * width + std::abs(std::cos(roll)) * height;
-  // Handles one axis of the screen at a time: its two ends as angles, with the overlay's center
-  // clamped between them.
+  // Moves the overlay inside the screen along one axis. The ends of the screen are given as angles,
+  // and the overlay's center is clamped between them.
   const auto moved_in = [&](double low, double high, double size, double at_deg) {
     const double from = std::atan(low) + 0.5 * size;
     const double to = std::atan(high) - 0.5 * size;

@@ -8,8 +8,8 @@
 
 namespace ergodome {
 
-//! Returns the opacity of an overlay at a show time, 0 to 1. It fades smoothly (3x² - 2x³) within
-//! its time range.
+//! Returns the opacity of an overlay at a show time, 0 to 1. During fading, it follows 3x² - 2x³,
+//! where x is the fraction of the fade's duration.
 inline double presence_at(const Presence& presence, double time_s) {
   if (!(time_s >= presence.from_s && time_s < presence.to_s)) {
     return 0.0;
@@ -21,9 +21,11 @@ inline double presence_at(const Presence& presence, double time_s) {
   return part(time_s - presence.from_s, presence.fade_in_s) * part(presence.to_s - time_s, presence.fade_out_s);
 }
 
-//! Returns the projection for overlays, which are fixed to the dome or screen: that of a dome has
-//! neither tilt nor viewer position, so that overlays do not move with them.
-//! `projection`: that of the head. `offset`: of the eye to the right of the head [M].
+//! Returns the projection in which overlays are drawn. Overlays are fixed to the dome or screen:
+//! the result for a dome has neither tilt nor viewer position, so that overlays do not move with
+//! these.
+//!
+//! `projection`: that of the head. `offset`: distance of the eye to the right of the head [M].
 //! `convergence`: convergence distance of the stereo [M], 0 for infinity. `distance`: apparent
 //! depth of the overlay in the picture [M]; 0: on the dome or screen, at the same position for both
 //! eyes; std::numeric_limits::infinity(): behind everything.
@@ -33,35 +35,39 @@ Projection overlay_projection(const Projection& projection, double offset = 0.0,
 //! Position and size of an overlay in a picture.
 struct PlacedOverlay {
   DomePlace place;
-  double scale = 1.0;  //!< relative to its size
+  double scale = 1.0;  //!< factor on the overlay's size
   bool shown = true;
 };
 
-//! Returns where an overlay of a given size [rad] appears in a picture. On domes, cylinders, cubes
-//! and full spheres, that is its position. A flat screen shows part of the dome: overlays that
-//! extend beyond it are moved inside, and shrunk if they are larger than the screen. Overlays more
-//! than 60° from the front are omitted.
+//! Returns where an overlay appears in a picture; `width` and `height` are its size [rad]. On
+//! domes, cylinders, cubes and full spheres, it appears at its own position. A flat screen shows
+//! only a part of the dome: overlays that extend beyond the screen are moved inside, and shrunk if
+//! they are larger than the screen. Overlays more than 60° from the front are omitted on a flat
+//! screen.
 PlacedOverlay placed_overlay(const Projection& projection, const DomePlace& place, double width, double height);
 
-//! Returns a caption's sheet of a given size along its middle [rad]. It is bent along the circle of
-//! its elevation up to 60°; above, the bend decreases to zero at the zenith.
+//! Returns the surface on which a caption of a given size [rad], measured along its middle, is
+//! drawn. It is bent along the circle of its elevation up to 60°; above, the bend decreases to zero
+//! at the zenith.
 OverlaySheet bent_sheet(const DomePlace& place, double width, double height);
 
-//! Returns the maximum width of a bent sheet [rad], slightly less than a full circle.
+//! Returns the maximum width of a caption's surface from bent_sheet() [rad], slightly less than a
+//! full circle.
 double widest_bent_sheet(const DomePlace& place);
 
-//! Returns an image's sheet on a plane. `width`: its angle, below π [rad]. `aspect`: width over
-//! height.
+//! Returns the plane surface on which an image is drawn. `width`: angle of the image, below π
+//! [rad]. `aspect`: width over height.
 OverlaySheet flat_sheet(const DomePlace& place, double width, double aspect);
 
-//! Returns a domemaster's sheet. `field_of_view`: full angle [rad].
+//! Returns the surface on which a domemaster overlay is drawn. `field_of_view`: full angle [rad].
 OverlaySheet fisheye_sheet(double field_of_view);
 
-//! Sets the sheet's bound: a cone that contains it with a margin of `margin` [rad].
+//! Sets OverlaySheet::bound_axis and bound_cosine: a cone that contains the overlay with a margin
+//! of `margin` [rad].
 void bound_sheet(OverlaySheet& sheet, double margin);
 
-//! Returns the direction of a point of a bent or flat sheet (s, t: 0 to 1 from the left and the
-//! top).
+//! Returns the direction of a point of a bent or flat overlay. (s, t) run from 0 to 1, from the
+//! left and from the top.
 Vector3<double> direction_on_sheet(const OverlaySheet& sheet, double s, double t);
 
 }  // namespace ergodome

@@ -9,10 +9,10 @@ namespace ergodome {
 
 namespace {
 
-//! A tile with a wider cone is assumed to see all directions: it extends across a seam or lies in a
-//! coarse picture.
+//! Maximum half angle of a tile's cone. A tile with a wider cone extends across a seam or is in a
+//! coarse picture, and is assumed to contain all directions.
 constexpr double widest_cone = 1.0;
-//! Accounts for directions between the sampled ones.
+//! Factor on the half angle of a cone, for directions between the sampled ones.
 constexpr double cone_slack = 1.2;
 constexpr float everywhere = 4.0F;
 
@@ -38,8 +38,8 @@ PictureTiles::PictureTiles(const Projection& projection)
 }
 
 PictureTiles::Cone PictureTiles::cone_of(int column, int row) const {
-  // From the centers of its first pixels to those of its last. Cube faces are larger than a tile,
-  // so each face that a tile overlaps contains one of its corners.
+  // Samples from the centers of the tile's first pixels to those of its last. Cube faces are larger
+  // than a tile, so each face that a tile overlaps contains one of the tile's corners.
   const double left = column * overlay_tile_px + 0.5;
   const double top = row * overlay_tile_px + 0.5;
   const double right = std::min(left + overlay_tile_px, static_cast<double>(projection_.width_px)) - 0.5;

@@ -7,16 +7,17 @@
 
 namespace ergodome {
 
-//! The square tiles of overlay_tile_px into which a picture is divided, each with a cone that
-//! contains its directions. They find the pixels of an overlay without testing all of them.
+//! The square tiles of side overlay_tile_px into which a picture is divided, each with a cone that
+//! contains the tile's directions. Used to find the pixels of an overlay without testing all of
+//! them.
 class PictureTiles {
  public:
   explicit PictureTiles(const Projection& projection);
 
-  //! Returns whether the tiles were made for this projection.
+  //! Returns whether the tiles were computed for this projection.
   [[nodiscard]] bool are_of(const Projection& projection) const;
 
-  //! Returns the indices of the tiles that may overlap a sheet's bound.
+  //! Returns the indices of the tiles that may overlap an overlay's bounding cone.
   [[nodiscard]] std::vector<std::int32_t> within(const OverlaySheet& sheet) const;
 
   [[nodiscard]] int columns() const { return columns_; }
@@ -24,7 +25,8 @@ class PictureTiles {
  private:
   struct Cone {
     Vector3<float> axis;
-    float half_angle;  //!< [rad]; above π: all directions
+    //! Half angle of the cone [rad]; above π: the tile may contain all directions.
+    float half_angle;
   };
 
   Cone cone_of(int column, int row) const;

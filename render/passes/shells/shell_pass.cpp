@@ -17,8 +17,8 @@ namespace ergodome {
 
 namespace {
 
-//! Returns the rotation that maps an image like that of a globe: φ = 0 is in its middle and grows
-//! to the right, seen from outside; its top is θ = 0.
+//! Returns the rotation that maps an image onto a shell like a map onto a globe: φ = 0 is in the
+//! middle of the image and φ increases to the right as seen from outside; θ = 0 is at the top.
 glm::dmat3 shell_from_map() {
   const glm::dvec3 middle = direction_from_map(0.5, 0.5);
   const glm::dvec3 quarter = direction_from_map(0.75, 0.5);

@@ -17,8 +17,8 @@ class ShellPass {
   //! The show must have shells. Throws Error if a texture cannot be read.
   ShellPass(const Show& show, Backend backend);
 
-  //! Applies the numbers of a show whose shells have the same textures. Returns early if nothing
-  //! has changed.
+  //! Applies the numbers of a show whose shells have the same textures as those of the first show.
+  //! Does nothing if no number has changed.
   void set_numbers(const Show& show);
 
   //! Returns the visible shells, outermost first.
@@ -30,20 +30,21 @@ class ShellPass {
   //! Returns the repaired texels of each shell's texture.
   [[nodiscard]] const std::vector<RepairedTexels>& repaired() const { return repaired_; }
 
-  //! Memory of a shell without its texture.
+  //! Memory of a shell without its texture [bytes].
   static constexpr long shell_bytes = static_cast<long>(sizeof(float) + sizeof(ShellLook));
 
  private:
   std::vector<ShellSettings> shells_;
   std::vector<RepairedTexels> repaired_;
   bool shifted_ = false;
-  std::vector<std::unique_ptr<SkyCube>> textures_;  //!< one per shell; null without a texture
+  std::vector<std::unique_ptr<SkyCube>> textures_;  //!< texture of each shell; null if it has none
   Buffer<float> u_;
   Buffer<ShellLook> looks_;
   int count_ = 0;
 };
 
-//! Returns whether a pass made for one show can take the numbers of another.
+//! Returns whether two shows have the same shell textures, so that a pass made for one can draw the
+//! other.
 bool same_shell_textures(const Show& a, const Show& b);
 
 }  // namespace ergodome

@@ -8,28 +8,28 @@
 
 namespace ergodome {
 
-//! A position on a meridian of a map: the sine of its declination, and the row of texels that
-//! contains it.
+//! A position on a meridian of a map: the sine of its declination, and the index of the texel row
+//! that contains it.
 struct ColumnPlace {
   double sine;
   int row;
 };
 
-//! Cumulative sums of an equirectangular map down its columns, rows weighted by solid angle. The
-//! light between two positions of a column is a difference of two sums, however far apart they are
-//! (Verbraeck & Eisemann 2021, section 4.2).
+//! Cumulative sums of an equirectangular map down its columns, with rows weighted by solid angle.
+//! The light between two positions of a column is the difference of two sums, however far apart
+//! they are (Verbraeck & Eisemann 2021, section 4.2).
 //!
-//! Sums are double: each of the last rows before the lower pole contributes only about 1e-6 of the
-//! sum, which float would lose (test ColumnSums.InFloatTheLowerPoleWouldBeLost). Takes 24 bytes per
-//! texel, or 32 with temperatures.
+//! Sums are double, because each of the last rows before the lower pole contributes only about 1e-6
+//! of the sum, which would be lost in float (test ColumnSums.InFloatTheLowerPoleWouldBeLost). They
+//! take 24 bytes per texel, or 32 with temperatures.
 class ColumnSums {
  public:
-  //! `fit`, if given, adds the fourth component of cube map texels (kernels/sky/cube_map.h);
-  //! otherwise that component is 0.
+  //! If `fit` is not null, also sums the fourth component of cube map texels
+  //! (kernels/sky/cube_map.h); otherwise that component is 0.
   ColumnSums(const EnvironmentImage& image, const TemperatureFit* fit);
 
-  //! Returns the size of the sums for an image of a given width [bytes]; `fitted`: with
-  //! temperatures.
+  //! Returns the memory of the sums for an image of a given width [bytes]. `fitted`: with the
+  //! fourth component.
   static long bytes_for(int map_width, bool fitted);
 
   [[nodiscard]] int width() const { return width_; }
@@ -37,9 +37,10 @@ class ColumnSums {
 
   [[nodiscard]] ColumnPlace place_of(double sine) const;
 
-  //! Adds the light above a line through a column to `sum`, exactly for texels of constant light.
-  //! The line is straight in longitude and sine of the declination (an equal-area map). `part` is
-  //! its width in columns, negative if it runs backwards. A whole column of light 1 gives 2.
+  //! Adds the light above a line through a column to `sum`; exact if light is constant within each
+  //! texel. The line is straight in longitude and sine of the declination (an equal-area map).
+  //! `part` is the width of the line in columns, negative if the line runs backwards. A whole
+  //! column of light 1 gives 2.
   void add_above(int column, const ColumnPlace& from, const ColumnPlace& to, double part, glm::dvec4& sum) const;
 
   //! Returns the sum over all columns.
@@ -57,9 +58,11 @@ class ColumnSums {
 
   int width_;
   int height_;
-  int parts_;                  //!< components of light: three or four
-  std::vector<double> sines_;  //!< at the upper ends of rows, and at the lower pole
-  std::vector<double> sums_;   //!< of all rows above; index order: column, row, component
+  int parts_;  //!< number of components of the light: three or four
+  //! Sine of the declination at the upper end of each row, and at the lower pole.
+  std::vector<double> sines_;
+  //! For each row, the sum of all rows above it; index order: column, row, component.
+  std::vector<double> sums_;
   glm::dvec4 whole_{0.0};
 };
 

@@ -40,7 +40,8 @@ constexpr std::array<float, 9> arc_tangent_factors() {
   return factors;
 }
 
-//! Returns `std::atan2` without branches and signed zeros, within 3e-7; 0 for two zeros.
+//! Returns the same as `std::atan2`, without branches, within 3e-7. Ignores the sign of zeros; 0
+//! for two zeros.
 inline float angle_of(float y, float x) {
   constexpr auto factors = arc_tangent_factors();
   const float across = std::abs(x);

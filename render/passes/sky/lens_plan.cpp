@@ -10,7 +10,7 @@ namespace ergodome {
 
 namespace {
 
-//! Returns the name of a kernel's variant for the channels.
+//! Returns the name of the variant of a kernel that computes the given channels.
 std::string variant(const LensChannels& channels, const char* kernel) {
   return channels.footprint ? fmt::format("{}, footprints", kernel) : kernel;
 }
@@ -21,7 +21,7 @@ void plan_direct(PlanWriter& plan, const LensChannels& channels, const std::stri
   plan.buffer("shadow edge", WorkMoment::picture, plan.eyes() * edge_points * static_cast<long>(sizeof(float)), reason);
 }
 
-//! Adds the rays that a heat map follows, with one method or to shells, to the plan.
+//! Adds the rays of heat maps that are traced with one integrator, or to shells, to the plan.
 void plan_followed(PlanWriter& plan, const ShellsFollowed& shells) {
   const bool always = plan.request().method || shells.always;
   const std::string reason = shells.at_most ? plan.why_view() + ", " + plan.why("shells") : plan.why_view();
@@ -33,7 +33,7 @@ void plan_followed(PlanWriter& plan, const ShellsFollowed& shells) {
   }
 }
 
-//! Adds the lenses that OmniChooser would choose to the plan.
+//! Adds the lenses that OmniChooser may choose to the plan.
 void plan_omni(PlanWriter& plan, const LensChannels& channels) {
   const std::string model = plan.why("stereo.model");
   const bool asked = plan.request().lens == LensChoice::live || plan.request().lens == LensChoice::streamed;
@@ -50,7 +50,7 @@ void plan_omni(PlanWriter& plan, const LensChannels& channels) {
   plan.buffer("lens grid", WorkMoment::place, 0, model);
   plan.pixel_pass(variant(channels, "look_up_omni_pixels"), model, !asked);
   if (!asked) {
-    // Used where a grid would leave most pixels to rays or would need double precision.
+    // Rays are used if a grid would leave most pixels to rays or would need double precision.
     plan.pixel_pass(variant(channels, "trace_omni_pixels"), model, true);
     plan.buffer("shadow edge", WorkMoment::picture, 0, model);
   }
@@ -92,17 +92,17 @@ void plan_lens(PlanWriter& plan, const LensChannels& channels, const ShellsFollo
   plan.pixel_pass(variant(channels, "look_up_pixels"), quality, !asked);
   const bool converge = plan.least().stereo.convergence > 0.0 && plan.least().stereo.baseline > 0.0;
   if (plan.makes_eyes_in_turn() && !converge) {
-    // If both eyes have grids, the grids are read together.
+    // If both eyes have grids, these are read together.
     plan.buffer("second lens channels", WorkMoment::start, 0, plan.why("stereo.layout"));
   }
   if (!asked) {
-    // Used where a grid would leave most pixels to rays.
+    // Rays are used if a grid would leave most pixels to rays.
     plan.pixel_pass(variant(channels, "trace_pixels"), quality, true);
   }
   if (streamed) {
     plan.buffer("lens grid at a position between stations", WorkMoment::picture, 0, quality);
     if (plan.eyes() > 1) {
-      // Stations serve an eye beside the camera's path as long as traced rays confirm them.
+      // For an eye beside the camera's path, stations are used as long as traced rays confirm them.
       plan.pass("check_blend", WorkMoment::picture, 0, 0, quality + ", " + plan.why("stereo.model"), true);
     }
   }

@@ -7,16 +7,16 @@
 
 namespace ergodome {
 
-//! When rays are followed to visible shells.
+//! Whether a picture's rays are followed to visible shells.
 struct ShellsFollowed {
-  bool at_most;  //!< at some time
+  bool at_most;  //!< true if they are at some time of the show
   bool always;
 };
 
-//! Adds the lenses of a picture to the plan, in the order in which LensChooser tries them.
+//! Adds the possible lenses of a picture to the plan, in the order in which LensChooser tries them.
 void plan_lens(PlanWriter& plan, const LensChannels& channels, const ShellsFollowed& shells);
 
-//! Adds a grid that is traced at each new position to the plan.
+//! Adds the building of a lens grid, at each new position of the camera, to the plan.
 void plan_grid(PlanWriter& plan, const std::string& reason, bool if_needed);
 
 }  // namespace ergodome

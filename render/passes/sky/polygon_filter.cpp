@@ -15,22 +15,24 @@ namespace ergodome {
 
 namespace {
 
-//! Angle between a pixel's center and its furthest corner above which the pixel gets the mean of
-//! the whole sky [rad].
+//! Maximum angle between a pixel's center and its farthest corner [rad]. Pixels with a larger one
+//! get the mean of the whole sky.
 constexpr double widest_corner = 1.25;
-//! Minimum width of outlines [texels]: rounding would dominate narrower ones, at caustics.
+//! Minimum width of outlines [texels]. Rounding errors would dominate narrower ones, which occur at
+//! caustics.
 constexpr double least_width = 0.01;
 //! Accepted error of a side, as a fraction of the outline's width.
 constexpr double part_off = 0.01;
 constexpr int most_splits = 12;
 
-//! Moves a direction along a tangent by an angle equal to the tangent's length.
+//! Moves a direction on the sphere along a tangent, by an angle equal to the tangent's length.
 glm::dvec3 moved(const glm::dvec3& direction, const glm::dvec3& tangent) {
   const double angle = glm::length(tangent);
   return angle > 0.0 ? std::cos(angle) * direction + (std::sin(angle) / angle) * tangent : direction;
 }
 
-//! Widens a parallelogram on the sphere so that it has an area.
+//! Widens a parallelogram on the sphere, given by two tangents at `direction`, so that its area is
+//! not zero. `least`: minimum width [rad].
 void widen(const glm::dvec3& direction, double least, glm::dvec3& first, glm::dvec3& second) {
   glm::dvec3& longer = glm::dot(first, first) >= glm::dot(second, second) ? first : second;
   glm::dvec3& shorter = &longer == &first ? second : first;
@@ -91,7 +93,7 @@ void PolygonFilter::add_side(const glm::dvec3& from, const glm::dvec3& to, Sum& 
   const double turn = std::remainder(column_of(to) - at.column, static_cast<double>(width));
   const Place end = {to, at.column + turn, sums_.place_of(to.z)};
   const glm::dvec3 way = to - from;
-  // Crossings of the side, whose chord is straight, with the meridians between columns.
+  // Finds the crossings of the side, along its straight chord, with the meridians between columns.
   const int step = turn >= 0.0 ? 1 : -1;
   int meridian = static_cast<int>(step > 0 ? std::floor(at.column) + 1.0 : std::ceil(at.column) - 1.0);
   const auto column = [&] { return static_cast<int>(wrapped(step > 0 ? meridian - 1 : meridian, width)); };
@@ -125,7 +127,8 @@ glm::dvec4 PolygonFilter::light(const glm::dvec3& direction, const glm::dvec3& a
   for (std::size_t i = 0; i < 4; ++i) {
     add_side(corners[i], corners[(i + 1) % 4], sum);
   }
-  // For an outline around the lower pole, the sum is the light outside of it.
+  // For an outline around the lower pole, the sum is the light outside the outline, which is
+  // subtracted from that of the sky.
   if (std::abs(sum.turn) > 0.5 * sums_.width() && middle.z < 0.0) {
     const double sign = sum.turn > 0.0 ? 1.0 : -1.0;
     sum.light = sums_.whole() - sign * sum.light;

@@ -25,11 +25,11 @@ namespace ergodome {
 //! than a hemisphere, which near the shadow cover the sky many times, get the mean of the sky.
 class PolygonFilter {
  public:
-  //! `sky_from_map`: rotation from the map's axes to the hole's. `fit`: as for ColumnSums.
+  //! `sky_from_map`: rotation from the map's axes to the hole's sky axes. `fit`: as for ColumnSums.
   PolygonFilter(const EnvironmentImage& image, const glm::dmat3& sky_from_map, const TemperatureFit* fit);
 
-  //! Returns the mean light over a pixel with a direction (unit vector) and its derivatives per
-  //! pixel to the right and down.
+  //! Returns the mean light over the area of the sky that a pixel covers. `direction`: unit vector
+  //! at the pixel's center. `along_x`, `along_y`: its derivatives per pixel to the right and down.
   [[nodiscard]] glm::dvec4 light(const glm::dvec3& direction, const glm::dvec3& along_x,
                                  const glm::dvec3& along_y) const;
 
@@ -41,12 +41,15 @@ class PolygonFilter {
   void filter(const LensPixels& lens, int count, float* rgba) const;
 
  private:
-  //! Sums over the sides of an outline. Areas are in columns times sine of the declination.
+  //! The light above the sides of an outline, summed side by side. Areas are in columns times sine
+  //! of the declination.
   struct Sum {
     glm::dvec4 light{0.0};
     double area = 0.0;
-    double tolerance = 0.0;  //!< angular error accepted for a side, times 8 [rad]
-    double turn = 0.0;       //!< net columns advanced along the outline; a full turn if it encircles a pole
+    double tolerance = 0.0;  //!< eight times the accepted angular error of a side [rad]
+    //! Number of columns by which the outline advances in total; a full turn if it encircles a
+    //! pole.
+    double turn = 0.0;
   };
 
   //! A position on an outline; `column` continues across the seam.
@@ -64,7 +67,9 @@ class PolygonFilter {
 
   ColumnSums sums_;
   glm::dmat3 map_from_sky_;
-  std::vector<glm::dvec2> normals_;  //!< of the meridians at the left edges of columns, in the equatorial plane
+  //! Normals of the meridian planes at the left edges of columns; the normals are in the equatorial
+  //! plane.
+  std::vector<glm::dvec2> normals_;
 };
 
 }  // namespace ergodome

@@ -6,8 +6,8 @@ namespace ergodome {
 
 namespace {
 
-//! Returns the temperature fit for maps that are shifted by temperature. It uses a table on the
-//! CPU, which cannot read the GPU's.
+//! Returns the temperature fit, if a setting shifts the map's light by temperature. It uses a table
+//! in host memory, because the CPU cannot read that of a GPU.
 std::optional<TemperatureFit> fit_for(SkyShift shift) {
   std::optional<TemperatureFit> fit;
   if (shift == SkyShift::blackbody_fit) {

@@ -27,8 +27,9 @@ glm::dvec3 texel_direction(int face, int size, double x, double y) {
   return glm::normalize(glm::dvec3(d.x, d.y, d.z));
 }
 
-//! Returns `per_texel` sample points per texel on the side of a face, evenly spaced in warped
-//! coordinates. The warp is inverted numerically, once for all rows.
+//! Returns the coordinates of sample points along the side of a cube face, `per_texel` for each
+//! texel, evenly spaced in the warped coordinates of texels. Inverts the warp numerically, once for
+//! all rows.
 std::vector<double> side_points(int size, int per_texel) {
   std::vector<double> points(static_cast<std::size_t>(size) * static_cast<std::size_t>(per_texel));
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -37,8 +38,8 @@ std::vector<double> side_points(int size, int per_texel) {
   return points;
 }
 
-//! Relative solid angles of a face's texels: the area element of the cube's surface times the
-//! slopes of the warp.
+//! Relative solid angles of the texels of a face: the solid angle per area of the cube's surface,
+//! times the derivatives of the warp.
 class TexelWeights {
  public:
   explicit TexelWeights(int size) : middle_(side_points(size, 1)), width_(middle_.size()) {
@@ -146,7 +147,7 @@ class Pyramid {
     set(level, face, x, y, glm::vec4(sum / all));
   }
 
-  //! Samples bilinearly within one face; needs no borders.
+  //! Samples a level bilinearly within one face; does not need borders.
   glm::vec4 seen_from(int level, const glm::dvec3& d) {
     const int n = size(level);
     const CubePlace<float> place =

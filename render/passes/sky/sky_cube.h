@@ -17,14 +17,14 @@ namespace ergodome {
 class SkyCube {
  public:
   //! Resamples an equirectangular image, rotated to the hole's sky axes, to about as many texels as
-  //! the image has.
-  //! `fit`, if given, stores the temperature of each texel's color (kernels/sky/cube_map.h), for
-  //! SkyShift::blackbody_fit. `name` labels the memory in the work counters.
+  //! the image has. If `fit` is not null, each texel also stores the temperature of its color
+  //! (kernels/sky/cube_map.h), for SkyShift::blackbody_fit. `name`: name of the memory in the work
+  //! counters.
   SkyCube(Backend backend, const EnvironmentImage& image, const glm::dmat3& sky_from_map,
           const TemperatureFit* fit = nullptr, const char* name = "sky map");
 
-  //! Samples a function of the direction (unit vector), for tests and procedural skies. `face_size`
-  //! is a power of two.
+  //! Samples a function that returns the light of a direction (unit vector), for tests and
+  //! procedural skies. `face_size` is a power of two.
   SkyCube(Backend backend, int face_size, const std::function<glm::vec3(const glm::dvec3&)>& light,
           const TemperatureFit* fit = nullptr);
 

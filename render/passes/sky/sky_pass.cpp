@@ -120,7 +120,7 @@ SkyDrawing::SkyDrawing(SkyPass& pass, const EyePicture& picture, const SkyCube& 
 }
 
 void SkyDrawing::draw(const RowBlock& rows, float* rgba) {
-  // Another picture may have used the same memory meanwhile.
+  // Sets the channels again, because another picture may have used the same memory meanwhile.
   shade_.lens = pass_.channels(sky_pixels(picture_, most_rows_), picture_.settings);
   lens_->fill(rows.first, rows.count, shade_.lens);
   shade(rows, rgba);

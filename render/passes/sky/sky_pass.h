@@ -12,8 +12,8 @@
 
 namespace ergodome {
 
-//! Draws the sky, or a heat map of the lens, with which every picture starts. Owns the lens
-//! channels and keeps lenses for the next picture.
+//! Draws the first layer of every picture: the sky, or a heat map of the lens. Owns the lens
+//! channels, and caches lenses for the next picture.
 class SkyPass {
  public:
   SkyPass(Backend backend, std::shared_ptr<StationStream> stream)
@@ -22,27 +22,28 @@ class SkyPass {
   //! Replaces the stream of baked stations; nullptr stops streaming.
   void set_stream(std::shared_ptr<StationStream> stream) { lenses_.set_stream(std::move(stream)); }
 
-  //! Returns the lens of a picture, using cached grids of earlier pictures.
+  //! Returns the lens of a picture, using grids cached from earlier pictures.
   std::unique_ptr<LensSource> lens_for(const EyeCamera& eye, const Projection& projection,
                                        const PictureSettings& settings);
 
-  //! Returns the floats allocated for lens channels.
+  //! Returns the number of floats allocated for lens channels.
   [[nodiscard]] std::size_t lens_floats() const { return lens_.size(); }
 
  private:
   friend class SkyDrawing;
 
-  //! Returns the channels that a picture needs and no others. `second`: in addition to another
-  //! eye's.
+  //! Returns pointers to the channels that a picture needs; the others are null. `second`: in the
+  //! buffer of the second eye.
   LensPixels channels(std::size_t pixels, const PictureSettings& settings, bool second = false);
 
   Backend backend_;
   LensChooser lenses_;
   Buffer<float> lens_;
-  Buffer<float> second_lens_;  //!< of the other eye, if both are read together
+  //! Channels of the second eye, if the lenses of both eyes are read together.
+  Buffer<float> second_lens_;
 };
 
-//! The sky of one picture.
+//! Draws the sky of one picture.
 class SkyDrawing {
  public:
   //! Chooses the lens of the picture, and makes room for the channels of `most_rows` rows. The
@@ -57,14 +58,14 @@ class SkyDrawing {
   static void draw_both(SkyDrawing& first, SkyDrawing& second, const RowBlock& rows, float* rgba,
                         float* rgba_of_second);
 
-  //! Returns the rays of the rows last drawn that did not converge.
+  //! Returns the number of rays of the last drawn rows that did not converge.
   [[nodiscard]] long count_unresolved() const;
 
  private:
   //! Shades rows whose lens channels are filled.
   void shade(const RowBlock& rows, float* rgba);
-  //! Filters the map over the pixels' outlines, on the CPU: copies channels from the GPU and the
-  //! light back.
+  //! Filters the map over the outlines of pixels, on the CPU. For a GPU backend, copies the
+  //! channels to the host, and the resulting light back.
   void filter_polygons(const PolygonFilter& polygons) const;
 
   SkyPass& pass_;
@@ -75,7 +76,7 @@ class SkyDrawing {
   const LensSource* lens_;
 };
 
-//! Returns the range of a heat map's color bar with these settings.
+//! Returns the value range of a heat map's color bar for a picture's settings.
 HeatRange heat_range(const PictureSettings& settings);
 
 }  // namespace ergodome

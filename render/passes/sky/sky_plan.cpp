@@ -28,7 +28,7 @@ void plan_channels(PlanWriter& plan, const LensChannels& channels, const SkyShad
   constexpr long float_bytes = sizeof(float);
   plan.buffer("lens channels", WorkMoment::start, channels.floats() * block * float_bytes, "the channels above");
   if (!plan.on_cpu()) {
-    // On the CPU the light is written directly into the finished picture.
+    // On the CPU, light is written directly into the finished picture, which is counted here.
     plan.buffer("picture", WorkMoment::start, 4 * block * float_bytes, plan.why("view.size_px"));
   }
   plan.buffer("finished picture", WorkMoment::picture, plan.eyes() * 4 * plan.pixels() * float_bytes,
@@ -49,7 +49,7 @@ void plan_map(PlanWriter& plan, const SkyShading& shading) {
     sky_buffer("column sums", ColumnSums::bytes_for(width, fitted), plan.why("sky.filter"));
   }
   if (fitted) {
-    // One table to fit temperatures, one for the kernels.
+    // There are two tables: one to fit temperatures, one for the kernels.
     sky_buffer("blackbody table", 2 * BlackbodyColours::bytes, plan.why("sky.shift"));
   }
 }

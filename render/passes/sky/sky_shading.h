@@ -3,19 +3,20 @@
 #include "content/show/show.h"
 #include "kernels/image/shade_pixels.h"
 
-// How the sky map is shaded, and the channels of the lens that this takes.
+// How the sky map is shaded, and which lens channels are needed for it.
 
 namespace ergodome {
 
-//! Channels of LensPixels that a picture needs.
+//! Which channels of LensPixels a picture needs.
 struct LensChannels {
-  bool sky = false;        //!< three floats
-  bool footprint = false;  //!< six floats
+  bool sky = false;        //!< sky direction: three floats
+  bool footprint = false;  //!< footprint of the pixel on the sky: six floats
   bool frequency_ratio = false;
   bool steps = false;
   bool half_orbits = false;
 
-  //! Returns the floats per pixel, including coverage and error estimate, which every picture has.
+  //! Returns the number of floats per pixel, including coverage and error estimate, which every
+  //! picture has.
   [[nodiscard]] int floats() const {
     return 2 + (sky ? 3 : 0) + (footprint ? 6 : 0) + (frequency_ratio ? 1 : 0) + (steps ? 1 : 0) +
            (half_orbits ? 1 : 0);

@@ -46,7 +46,7 @@ float TemperatureFit::log_temperature(const glm::vec3& rgb) const {
   const Vector3<double> xyz = tristimulus_of(
       Vector3<double>{static_cast<double>(rgb.x), static_cast<double>(rgb.y), static_cast<double>(rgb.z)});
   const Chromaticity colour = chromaticity(xyz.x, xyz.y, xyz.z);
-  // Returns how far the color lies on the hotter side of an isotherm.
+  // Returns the distance of the color from an isotherm; positive on the hotter side.
   const auto hotter_by = [&](std::size_t i) {
     const Isotherm& line = isotherms_[i];
     return (colour.u - line.u) * line.along_u + (colour.v - line.v) * line.along_v;

@@ -20,7 +20,7 @@ class TemperatureFit {
   static constexpr double coldest_k = 1500.0;
   static constexpr double hottest_k = 40'000.0;
 
-  //! `colours` is in host memory and is not kept.
+  //! `colours` must be in host memory; it is only used during the call.
   explicit TemperatureFit(const BlackbodyTable& colours);
 
   //! Returns ln T [K] of a color in linear sRGB, independent of its brightness; for black, that of
@@ -32,7 +32,8 @@ class TemperatureFit {
   [[nodiscard]] float weighted_log_temperature(const glm::vec3& rgb) const;
 
  private:
-  //! A point of the Planckian locus and its unit tangent, towards hotter temperatures.
+  //! A point of the Planckian locus, and the unit tangent there, which points towards hotter
+  //! temperatures.
   struct Isotherm {
     double u;
     double v;
@@ -40,7 +41,7 @@ class TemperatureFit {
     double along_v;
   };
 
-  float first_;  //!< ln T of the first isotherm
+  float first_;  //!< ln T of the coldest blackbody in the table
   float step_;
   std::vector<Isotherm> isotherms_;
 };

@@ -12,14 +12,13 @@ namespace ergodome {
 
 namespace {
 
-//! Returns the luminance of a blackbody seen with a frequency ratio, divided by its unshifted
-//! luminance.
+//! Returns the factor by which a frequency ratio changes the luminance of a blackbody.
 float gain_of_shift(const BlackbodyTable& colours, float log_temperature, float frequency_ratio) {
   return std::exp(read_blackbody(colours, log_temperature + std::log(frequency_ratio)).x -
                   read_blackbody(colours, log_temperature).x);
 }
 
-//! Returns the energy seen by the middle camera of an ODS eye.
+//! Returns the energies that the camera at the center of an ODS eye's positions sees.
 DirectionForm<double> middle_energy(const OmniEye& eye) {
   const OmniCameraOf<double> cameras = eye.cameras->exact(eye.side);
   const double* c = cameras.coefficients + omni_energy * omni_terms(cameras.degree);
@@ -27,8 +26,9 @@ DirectionForm<double> middle_energy(const OmniEye& eye) {
   return {c[0], {c[next], c[2 * next], c[3 * next]}};
 }
 
-//! Returns a bound of how much the energies seen by the other cameras of an ODS eye differ from
-//! that of the middle camera. The monomials of the camera position are at most 1.
+//! Returns a bound of the difference between the energies seen by the other cameras of an ODS eye
+//! and that at the center. Each monomial of the camera position is at most 1, so the bound is a sum
+//! of coefficients.
 float energy_spread(const OmniEye& eye) {
   const OmniCameraOf<double> cameras = eye.cameras->exact(eye.side);
   const int terms = omni_terms(cameras.degree);
@@ -37,7 +37,7 @@ float energy_spread(const OmniEye& eye) {
   for (int i = 0; i < 4 * terms; ++i) {
     spread += i % terms > 0 ? std::abs(c[i]) : 0.0;
   }
-  // Converging eyes also turn the directions.
+  // Convergence also rotates the view directions of the cameras.
   const Vector3<double> along = middle_energy(eye).along;
   return static_cast<float>(spread +
                             std::abs(cameras.offset) * cameras.inverse_convergence * std::sqrt(dot(along, along)));
@@ -88,7 +88,7 @@ ObservedPlaces ImageObserver::observe(std::span<const RoughImage> images) const 
                          places.area.data(),
                          places.frequency_ratio.data()});
   if (cameras_) {
-    // Each camera of an ODS eye has its own energies, in the chart's frame.
+    // Each camera of an ODS eye sees its own energies; they are in the chart's frame.
     const OmniCameraOf<double> cameras = cameras_->cameras->exact(cameras_->side);
     for (std::size_t i = 0; i < images.size(); ++i) {
       const Vector3<double> direction = {static_cast<double>(places.direction[0][i]),
@@ -104,9 +104,9 @@ float ImageObserver::shift_gain(const FieldStar& star, float frequency_ratio) co
   return redshift_ ? gain_of_shift(colours_, star.log_temperature, frequency_ratio) : 1.0F;
 }
 
-//! Adds margins for what lies between the sampled positions.
+//! Enlarges the bounds by margins, because values between the sampled positions may be larger.
 PatchLight ImageObserver::light_in(float brightening, float frequency_ratio) const {
-  // Cameras beside the middle one may see less energy, by up to this bound.
+  // Cameras beside the central one may see an energy that is smaller by up to this bound.
   const float least = std::max(1.0F - energy_spread_ * frequency_ratio, 0.1F);
   return {1.05F * brightening,
           redshift_ ? ShiftGains::row_of(1.01F * frequency_ratio / least) : ShiftGains::unshifted_row()};

@@ -25,13 +25,14 @@ struct ObservedPlaces {
   std::vector<float> frequency_ratio;
 };
 
-//! Observer data for the search for lensed images of stars.
+//! Computes what an observer sees of lensed star images; used by the search for images.
 class ImageObserver final : public ImageLight {
  public:
   //! `station`: lens grid at the eye's position.
   ImageObserver(const StarEye& eye, const LensStation& station, const BlackbodyTable& colours, bool redshift);
 
-  //! Returns whether a single camera sees the whole sky; energy() is then exact for all directions.
+  //! Returns whether all directions belong to a single camera; energy() is then exact for all of
+  //! them.
   [[nodiscard]] bool is_one_camera() const { return cameras_ == nullptr; }
 
   //! Computes what the observer sees at the positions of the images.
@@ -40,7 +41,7 @@ class ImageObserver final : public ImageLight {
   //! Returns the approximate angle between the shadow's edge and the chart coordinate `s` [rad].
   [[nodiscard]] double edge_distance(float s) const;
 
-  //! Returns the lens chart in which the eye's images are sought.
+  //! Returns the lens chart in which the eye's star images are searched for.
   [[nodiscard]] StarChartOf<double> chart() const { return {chart_, aberration_}; }
 
   //! Returns the factor by which the frequency shift changes a star's brightness; 1 without
@@ -57,7 +58,8 @@ class ImageObserver final : public ImageLight {
   BlackbodyTable colours_;
   bool redshift_;
   LensChart chart_;
-  //! Set for an omnidirectional stereo eye. Its chart uses the eye's frame, without aberration.
+  //! The omnidirectional stereo eye, or null for a single camera. The chart of an ODS eye uses the
+  //! eye's own frame, without aberration.
   std::shared_ptr<const OmniEye> cameras_;
   DirectionForm<double> energy_;  //!< energy at infinity as a function of the direction in the chart
   float energy_spread_;  //!< bound of the difference between `energy_` and the energies of an ODS eye's cameras

@@ -12,20 +12,21 @@ namespace ergodome {
 //! view.
 bool serves(const StarSettings& found, const StarSettings& asked);
 
-//! Angle by which the search extends beyond the view of a turning camera [rad]. It adds a fifth to
-//! the solid angle of a dome and seven tenths to that of a 60-degree window. A camera that turns by
-//! two degrees per frame then searches only in every seventh frame.
+//! Angle by which the search extends beyond the view of a turning camera [rad]. It increases the
+//! solid angle of a dome by a fifth, and that of a 60-degree window by seven tenths. A camera that
+//! turns by two degrees per frame then needs a search only in every seventh frame.
 inline constexpr double turning_margin = 0.25;
 
-//! Cache of the star images for the eyes of the last frames. Images are stored in the observer's
-//! frame, so they stay valid while the camera rotates in place or while only other things move.
-//! `Images`: std::vector<StarImage> or PlacedImages.
+//! Caches the star images of the eyes of the last frames. Images are stored in the observer's
+//! frame, so they stay valid if the camera only rotates, or if only other things move. `Images`:
+//! std::vector<StarImage> or PlacedImages.
 template <class Images>
 class KeptStarImages {
  public:
-  //! Returns the images in `settings.view`, and possibly more. On a cache miss it calls
-  //! `seek(settings)`. For a camera that has turned, it enlarges the view by `turning_margin`, so
-  //! that later turns hit the cache. The reference is valid until the next call.
+  //! Returns the star images in `settings.view`, and possibly more. If none are cached, it calls
+  //! `seek(settings)`. For a camera that has turned, it first enlarges the view by
+  //! `turning_margin`, so that the cache can be used after further turns. The reference is valid
+  //! until the next call.
   template <class Seek>
   const Images& images(const StarEye& eye, const StarSettings& settings, const Seek& seek) {
     const auto found = std::ranges::find_if(

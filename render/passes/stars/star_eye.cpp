@@ -6,8 +6,8 @@ namespace ergodome {
 
 namespace {
 
-//! Returns whether two cameras agree except for their velocity, which may drift by rounding, and
-//! their azimuth.
+//! Returns whether two cameras have equal positions and axes, up to rounding. Their velocities may
+//! differ by rounding, and their azimuths by any angle.
 bool stand_alike(const EyeCamera& a, const EyeCamera& b) {
   return a.spacetime == b.spacetime && same_place({a.r, a.theta}, {b.r, b.theta}) && a.motion == b.motion;
 }

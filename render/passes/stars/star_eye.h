@@ -7,8 +7,8 @@
 
 namespace ergodome {
 
-//! Eye for which stars are sought: a single camera, or an omnidirectional stereo (ODS) eye, which
-//! has a separate camera for each viewing direction.
+//! An eye whose star images are searched for: a single camera, or an omnidirectional stereo (ODS)
+//! eye, which has a separate camera for each viewing direction.
 struct StarEye {
   StarEye(const EyeCamera& single) : camera(single) {}  // NOLINT(google-explicit-constructor): a camera is an eye
   explicit StarEye(std::shared_ptr<const OmniEye> turning) : camera(turning->head), omni(std::move(turning)) {}
@@ -20,11 +20,11 @@ struct StarEye {
 //! Maximum number of eyes per picture.
 inline constexpr std::size_t most_eyes = 2;
 
-//! Returns whether one lens grid serves both eyes. Rotating a camera, or moving it around the spin
-//! axis, does not invalidate its grid.
+//! Returns whether one lens grid can be used for both eyes. A grid stays valid if a camera rotates
+//! or moves around the spin axis.
 bool served_alike(const StarEye& first, const StarEye& second);
 
-//! Returns whether two eyes have identical star images in the observer's frame. Their viewing
+//! Returns whether two eyes have the same star images in the observer's frame. Their viewing
 //! directions may differ.
 bool sees_alike(const StarEye& first, const StarEye& second);
 

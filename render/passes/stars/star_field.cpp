@@ -10,13 +10,15 @@ namespace ergodome {
 
 namespace {
 
-//! Each level holds the brightest stars of the level before; their number drops by this factor.
+//! Each level contains the brightest stars of the previous level; the number of stars is reduced by
+//! this factor.
 constexpr std::size_t level_ratio = 4;
 constexpr std::size_t fewest_stars = 64;
 //! Approximate mean number of stars per cell.
 constexpr double stars_a_cell = 1.0;
 constexpr int most_bands = 2048;
-//! Steps of ln illuminance for counting stars, and the smallest illuminance that has its own step.
+//! Number of steps of ln illuminance in which stars are counted, and the smallest illuminance with
+//! a step of its own.
 constexpr int counted_steps = 512;
 constexpr float counted_step = 0.05F;
 constexpr float log_least_counted = -60.0F;

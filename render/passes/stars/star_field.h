@@ -24,7 +24,7 @@ class StarField {
   //! Returns the bounds of the brightness gain by frequency shifts.
   [[nodiscard]] const ShiftGains& gains() const { return gains_; }
 
-  //! Returns the number of stars above the threshold, or a few more.
+  //! Returns the number of stars above the threshold, which may be slightly too large.
   [[nodiscard]] int count_from(const StarFloor& floor) const;
 
   //! Returns the field for kernels. put(vector) returns the address at which kernels read the
@@ -56,13 +56,13 @@ class StarField {
     std::vector<int> first;
     std::vector<float> direction[3];  //!< component arrays for kernels
     std::vector<float> illuminance;
-    std::vector<int> number;           //!< in `stars_`
-    std::vector<std::uint8_t> colour;  //!< class
+    std::vector<int> number;           //!< index of each star in `stars_`
+    std::vector<std::uint8_t> colour;  //!< class of color of each star
     float left_out = 0.0F;             //!< illuminance of the brightest star that is not in this level [lx]
   };
 
-  //! Number of stars of a class with at least each of a series of logarithmically spaced
-  //! illuminances.
+  //! For one class of star color: the number of stars that are at least as bright as each of a
+  //! series of logarithmically spaced illuminances.
   using ClassCounts = std::vector<int>;
 
   void count_classes();
@@ -70,10 +70,13 @@ class StarField {
   [[nodiscard]] Level level_of(const std::vector<int>& numbers) const;
 
   ShiftGains gains_;
-  std::vector<float> greatest_gain_;  //!< per row, largest gain of the classes that occur
-  std::vector<FieldStar> stars_;      //!< brightest first
-  std::vector<Level> levels_;         //!< all stars first; each further level has fewer
-  float log_dimmest_ = 0.0F;          //!< first illuminance step of `counts_`
+  //! For each row of ShiftGains, the largest gain of the classes that occur.
+  std::vector<float> greatest_gain_;
+  std::vector<FieldStar> stars_;  //!< brightest first
+  //! The first level contains all stars; each further level contains fewer.
+  std::vector<Level> levels_;
+  //! Logarithm of the first illuminance for which `counts_` has an entry.
+  float log_dimmest_ = 0.0F;
   std::array<ClassCounts, star_classes> counts_;
 };
 

@@ -4,11 +4,11 @@
 
 namespace ergodome {
 
-//! What the stars of a picture need.
+//! What work the stars of a picture need.
 struct StarNeeds {
   bool stars;
-  bool gather;  //!< pixels gather their stars
-  bool trails;  //!< only while the camera is on its path
+  bool gather;  //!< true if pixels gather their stars (StarMethod::gather)
+  bool trails;  //!< true if stars leave trails; only while the camera is on its path
   bool spikes;
 };
 

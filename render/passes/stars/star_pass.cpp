@@ -21,7 +21,7 @@ namespace {
 //! Margin of the search beyond the view, for images that move from their grid position to their
 //! exact position [rad].
 constexpr double view_margin = 0.05;
-//! Returns the illuminance of a magnitude [lx].
+//! Returns the illuminance of a star of a magnitude [lx].
 float illuminance_of(double magnitude) {
   return static_cast<float>(illuminance_of_magnitude_0 * std::pow(10.0, -0.4 * magnitude));
 }
@@ -44,7 +44,8 @@ StarSettings star_settings(const Show& show) {
 }
 
 SplatSettings splat_settings(const Show& show, const std::optional<DiffractionPattern>& spikes) {
-  // A spread too small for any pixel to show is treated as zero; its cutoff would be undefined.
+  // A standard deviation so small that no pixel shows it is treated as zero, because the cutoff
+  // would be undefined.
   constexpr double least_sigma_px = 0.01;
   const PointSpreadSettings psf =
       show.effects.psf.sigma_px >= least_sigma_px ? show.effects.psf : PointSpreadSettings{0.0, 0.0};
@@ -122,7 +123,7 @@ class StarPass::Drawing : public PassDrawing {
     return pass_.find_points(eye, picture_.projection, settings.shutter, match);
   }
 
-  //! Copies the points to the memory in which the picture is made.
+  //! Copies the points to the memory in which the picture is rendered.
   void place() {
     const SplatSettings splat = pass_.splat_for(picture_.projection);
     if (points_.in_place.count > 0) {
@@ -193,7 +194,7 @@ StarPass::StarPass(const Show& show, Backend backend, const StarCatalogue& catal
   splat_ = splat_settings(show, spikes_);
 }
 
-//! Uploads the field for the search on a GPU, if there is one.
+//! Uploads the star field for the search on a GPU, if the backend is one.
 void StarPass::search_field() {
   if (backend_ != Backend::cpu && !all_gathered_ && !field_.stars().empty()) {
     search_.emplace(backend_, field_, colours_.view());
@@ -238,7 +239,8 @@ const StarPass::Turned& StarPass::patches_for(const StarEye& eye, const StarSett
   });
   if (found != turned_.end()) {
     if (found->faintest != asked.faintest) {
-      // If an allocation throws, the entry stays removed; it is inserted again only when complete.
+      // Removes the entry from the list while it changes, and inserts it again when it is complete.
+      // If an allocation throws, the entry stays removed.
       Turned changed = std::move(*found);
       turned_.erase(found);
       changed.faintest = asked.faintest;
@@ -253,7 +255,7 @@ const StarPass::Turned& StarPass::patches_for(const StarEye& eye, const StarSett
   }
   std::unique_ptr<PlacedPatches> on_device;
   if (turned_.size() == most_eyes) {
-    // The evicted entry hands on its memory.
+    // Uses the memory of the entry that is removed from the cache.
     room_.patches = std::move(turned_.back().patches).given_up();
     on_device = std::move(turned_.back().on_device);
     turned_.pop_back();
@@ -293,8 +295,9 @@ std::vector<StarImage> StarPass::gathered_images(const StarEye& eye, const Proje
 }
 
 bool StarPass::gathers(const StarEye& eye, double pixel) {
-  // Rays make images exact only if the grid is about right; with larger errors images are missing
-  // or lie inside the shadow.
+  // Maximum error of the shadow's edge for which star images are found with a grid [px]. Rays make
+  // images exact only if the grid is about right; with larger errors images are missing or inside
+  // the shadow.
   constexpr double most_miss_px = 0.5;
   return all_gathered_ || (!eye.omni && edge_miss_.of(eye.camera) > most_miss_px * pixel);
 }
@@ -319,7 +322,7 @@ StarSettings StarPass::settings_for(const StarEye& eye, const Projection& projec
   StarSettings settings = settings_;
   settings.pixel = pixel_angle(projection);
   settings.about = match == PixelMatch::about;
-  // With trails, images may enter the view from anywhere.
+  // With trails, images from anywhere may enter the view.
   if (!leaves_trails) {
     const SplatSettings splat = scaled_to(splat_, projection);
     const double reach_px = std::max(splat.reach_px(), splat.spike_reach_px);

@@ -39,8 +39,8 @@ struct FoundPoints {
 };
 
 //! Draws the stars of a show. Caches the last inverted lens grids: a camera that rotates or moves
-//! around the spin axis needs no new grid. For a camera that only rotates, the images of the last
-//! picture are reused too.
+//! around the spin axis needs no new grid. If the camera only rotates, the images of the last
+//! picture are used again, too.
 class StarPass : public Pass {
  public:
   //! Loads the catalog. Throws Error if it cannot be read. On a GPU backend, images are also sought
@@ -59,13 +59,13 @@ class StarPass : public Pass {
   //! Returns the rows of the catalog file that were skipped.
   [[nodiscard]] const std::vector<RowsLeftOut>& left_out() const { return left_out_; }
 
-  //! Applies the animatable numbers of a show that differs from the first in these only
-  //! (content/animatable_number.h), but not in the rotation of the sky.
+  //! Applies the animatable numbers of a show (content/animatable_number.h) except for the rotation
+  //! of the sky. The show must differ from the first one in these numbers only.
   void set_numbers(const Show& show);
 
-  //! Rotates the stars as given by a show that differs from the first in numbers only. Lens grids
-  //! and patches are kept: patches depend on the stars' light only. The first call loads the
-  //! catalog, which is then kept in memory.
+  //! Rotates the stars as `show` requires, which must differ from the first show in numbers only.
+  //! Keeps lens grids and patches, because patches depend only on the brightness of the stars. The
+  //! first call loads the catalog, which is then kept in memory.
   void turn_sky(const Show& show);
 
   //! Finds the star images of an eye, and their trails if there is a shutter. The images are exact,
@@ -73,13 +73,13 @@ class StarPass : public Pass {
   std::vector<StarPoint> find(const StarEye& eye, const Projection& projection, const std::optional<Shutter>& shutter,
                               PixelMatch match = PixelMatch::exact);
 
-  //! Finds the same images, but leaves them in the memory of the GPU if they are sought there and
+  //! Finds the same images as find(), but leaves them in GPU memory if they are found there and
   //! have no trails. Results in GPU memory are valid until the next call.
   FoundPoints find_points(const StarEye& eye, const Projection& projection, const std::optional<Shutter>& shutter,
                           PixelMatch match);
 
-  //! Returns how points are drawn for a projection, and the pattern of spikes (nullptr if the show
-  //! has none).
+  //! Returns how points are drawn for a projection. spikes() returns the pattern of spikes, nullptr
+  //! if the show has none.
   [[nodiscard]] SplatSettings splat_for(const Projection& projection) const { return scaled_to(splat_, projection); }
   [[nodiscard]] const DiffractionPattern* spikes() const { return spikes_ ? &*spikes_ : nullptr; }
 
@@ -96,8 +96,8 @@ class StarPass : public Pass {
   [[nodiscard]] StarSettings settings_for(const StarEye& eye, const Projection& projection, bool leaves_trails,
                                           PixelMatch match) const;
 
-  //! Returns whether stars are gathered by pixels: if the show requests it, or if the lens grid
-  //! misplaces the shadow's edge and thus the images beside it.
+  //! Returns whether each pixel gathers its stars: because the show requests it, or because the
+  //! lens grid displaces the shadow's edge and thus the images beside it.
   [[nodiscard]] bool gathers(const StarEye& eye, double pixel);
 
   std::vector<StarImage> sought_images(const StarEye& eye, const StarSettings& settings);
@@ -109,7 +109,7 @@ class StarPass : public Pass {
 
   void make_pattern(const Show& show);
 
-  //! An inverted lens grid.
+  //! An inverted lens grid with the parameters for which it was computed.
   struct Turned {
     StarEye eye;
     double pixel;
@@ -128,26 +128,27 @@ class StarPass : public Pass {
 
   Backend backend_;
   BlackbodyColours colours_;
-  std::optional<StarCatalogue> catalogue_;  //!< loaded once the sky has rotated
+  std::optional<StarCatalogue> catalogue_;  //!< the catalog; loaded when the sky is first rotated
   std::vector<RowsLeftOut> left_out_;
   StarField field_;
   EdgeMiss edge_miss_;
-  bool all_gathered_;                  //!< the show selects the gather method
+  bool all_gathered_;                  //!< true if the show selects StarMethod::gather
   std::optional<StarTree> tree_;       //!< present if pixels gather stars
-  std::optional<PatchSearch> search_;  //!< only on a GPU backend
+  std::optional<PatchSearch> search_;  //!< GPU search; set only on a GPU backend
   StarSettings settings_;
-  PointOrder order_;  //!< of the points found
+  PointOrder order_;  //!< order of the points that find() returns
   SplatSettings splat_;
   std::optional<DiffractionPattern> spikes_;    //!< present if the show has spikes at any time
   std::optional<DiffractionSettings> pattern_;  //!< settings from which `spikes_` was computed
   GridTracer<float> tracer_;
-  std::vector<Turned> turned_;  //!< of the last eyes, most recent first
+  std::vector<Turned> turned_;  //!< inverted grids of the last eyes, most recent first
   PatchRoom room_;
   KeptStarImages<std::vector<StarImage>> images_;
   KeptStarImages<PlacedImages> images_in_place_;
-  std::optional<ImageJoiner> joiner_;  //!< only on a GPU backend
+  //! Merges images that a GPU found; set only on a GPU backend.
+  std::optional<ImageJoiner> joiner_;
   std::optional<PointPlacer> placer_;
-  TiledStars tiled_;  //!< on a GPU backend, of one picture
+  TiledStars tiled_;  //!< points of one picture; only on a GPU backend
 };
 
 }  // namespace ergodome

@@ -17,7 +17,7 @@ StarNeeds star_needs(const Show& show, ViewMode mode) {
 
 namespace {
 
-//! Plans loading for all view modes, as a window can switch between them.
+//! Adds the loading of the catalog, for all view modes, because a window can switch between modes.
 void plan_star_loading(PlanWriter& plan) {
   const bool turns = plan.sky_turns();
   const std::string stars = plan.why("sky.stars") + (turns ? ", " + plan.why("sky.spin_axis") : "");
@@ -32,7 +32,7 @@ void plan_star_loading(PlanWriter& plan) {
   }
 }
 
-//! Plans a gathering for each flat part of a picture.
+//! Adds the gathering of stars for each sheet of a picture (PictureSheet).
 void plan_gathering(PlanWriter& plan) {
   long gathers = 0;
   long pixels = 0;
@@ -67,7 +67,7 @@ void plan_star_drawing(PlanWriter& plan, const StarNeeds& needs) {
     }
   }
   if (!plan.on_cpu()) {
-    // Stars are searched for and drawn in the memory of the picture.
+    // Stars are searched for and drawn in the memory in which the picture is rendered.
     if (!needs.gather) {
       plan.buffer("star search", WorkMoment::start, 0, stars);
       plan.buffer("star images", WorkMoment::picture, 0, stars);

@@ -17,7 +17,7 @@ struct DisplayLight::State {
   GLuint texture = 0;
   int width = 0;
   int height = 0;
-  GLsync made = nullptr;  //!< signaled when the texture is complete
+  GLsync made = nullptr;  //!< a fence that is signaled when the texture is complete
 };
 
 namespace {
@@ -28,13 +28,14 @@ layout(binding = 0) uniform sampler2D picture;
 layout(location = 0) uniform bool heat_map;
 layout(location = 3) uniform float dimmed;
 void main() {
-  // Pixel by pixel, and upside down like the picture.
+  // Reads pixel by pixel; rows are in the same order as in the picture, top row first.
   vec3 seen = max(texelFetch(picture, ivec2(gl_FragCoord.xy), 0).rgb, vec3(0.0));
   light = vec4(dimmed * clamp(heat_map ? seen : toned(seen), 0.0, 1.0), 1.0);
 }
 )";
 
-//! The coarsest mipmap level: no realistic warp needs averages over more pixels than this (2^n).
+//! Coarsest mipmap level; a texel of level n averages 2^n x 2^n pixels. No realistic warp needs
+//! more.
 constexpr int coarsest_level = 5;
 
 }  // namespace
@@ -68,8 +69,8 @@ void DisplayLight::resize(int width, int height) {
   glTextureParameteri(state_->texture, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glTextureParameteri(state_->texture, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   if (epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic") && !draws_in_software()) {
-    // Near a dome's rim, pixels of a projector are several times longer than wide. In software this
-    // takes three times as long.
+    // Maximum anisotropy of the filter. Near a dome's rim, pixels of a projector are several times
+    // longer than wide. In software, anisotropic filtering takes three times as long.
     constexpr float longest = 4.0F;
     glTextureParameterf(state_->texture, GL_TEXTURE_MAX_ANISOTROPY_EXT, longest);
   }

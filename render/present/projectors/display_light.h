@@ -6,9 +6,9 @@
 
 namespace ergodome {
 
-//! A domemaster as light for projectors. It is tone-mapped once for all of them, and has mipmaps so
-//! that parts that are drawn small do not flicker. Tone comes before averaging: one very bright
-//! star fills its own pixels only.
+//! A domemaster converted to display light for projectors. It is tone-mapped once for all
+//! projectors, and has mipmaps so that it does not flicker where it is drawn smaller. Tone mapping
+//! comes before averaging, so that one very bright star does not outshine the pixels around it.
 class DisplayLight {
  public:
   //! The presenter's context must be current, as for all members except use(). Throws Error if the

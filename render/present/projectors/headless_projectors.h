@@ -11,14 +11,14 @@
 
 namespace ergodome {
 
-//! The drawing method for projector images without a window. `automatic`: OpenGL on a GPU,
-//! otherwise the CPU. `opengl`, `processor`: always that one. `cuda`: CUDA if available, otherwise
-//! like `automatic`.
+//! How projector images are drawn without a window. `automatic`: with OpenGL if a GPU supports it,
+//! otherwise on the CPU. `opengl` and `processor` (the CPU): always in that way. `cuda`: with CUDA
+//! if available, otherwise like `automatic`.
 enum class ProjectorDrawer { automatic, opengl, processor, cuda };
 
 //! Draws a dome's projector images without a window or a display: with OpenGL through EGL on a GPU,
-//! otherwise on the CPU. Pictures made by CUDA are drawn by CUDA, as such GPUs may have few units
-//! for OpenGL.
+//! otherwise on the CPU. Pictures that CUDA rendered are drawn with CUDA, because such GPUs may
+//! have few units for OpenGL.
 class HeadlessProjectors {
  public:
   //! Throws Error if OpenGL is requested and no driver offers version 4.5 without a display, or if
@@ -29,21 +29,23 @@ class HeadlessProjectors {
   HeadlessProjectors(const HeadlessProjectors&) = delete;
   HeadlessProjectors& operator=(const HeadlessProjectors&) = delete;
 
-  //! Sets the domemaster, in linear light; it stays until the next one.
+  //! Sets the domemaster, in linear light, which is used until the next call.
   void show(const Picture& master);
 
-  //! Returns a projector's image of the master: RGB bytes of its resolution, top row first.
+  //! Returns the image that a projector shows of the domemaster: RGB bytes of the projector's
+  //! resolution, top row first.
   std::vector<std::uint8_t> frame(std::size_t projector);
 
  private:
   struct OpenGl;
   void open_without_cuda(const std::vector<ProjectorPicture>& pictures, ProjectorDrawer drawer);
-  //! Draws a master with CUDA. Returns false if CUDA fails; it is then not used again.
+  //! Draws a domemaster with CUDA. Returns false if CUDA fails; it is then not used again.
   bool show_by_cuda(const Picture& master);
 
   std::unique_ptr<SoftwareProjectors> cuda_;
   std::unique_ptr<OpenGl> opengl_;
-  std::unique_ptr<SoftwareProjectors> software_;  //!< one of the three
+  //! Exactly one of this and the two preceding members is in use.
+  std::unique_ptr<SoftwareProjectors> software_;
 };
 
 }  // namespace ergodome

@@ -71,8 +71,8 @@ MasterLight::MasterLight(const LightTiles& tiles, Backend backend) : backend_(ba
   for (int i = 0; i < tiles.level_count(); ++i) {
     const std::size_t texels = static_cast<std::size_t>(tiles.width(i)) * static_cast<std::size_t>(tiles.height(i));
     const Buffer<float>& memory = memory_.emplace_back(backend, 4 * (texels + 1), "master light");
-    // Pixels read unwanted texels with weight 0, from a coarser level or beside lit parts: these
-    // must not be NaN.
+    // Clears the memory: pixels also read texels that are not needed, with weight 0, from a coarser
+    // level or beside lit parts. These must not be NaN.
     clear(backend, memory, memory.size());
     levels_.level[i] = {memory.data(), tiles.width(i), tiles.height(i)};
     tiles_.emplace_back(backend, tiles.tiles(i), "master light's tiles");

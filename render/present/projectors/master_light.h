@@ -11,33 +11,33 @@
 
 namespace ergodome {
 
-//! The parts of a master's light that are wanted, by level.
+//! The tiles of a domemaster, on each mip level, in which display light is needed.
 class LightTiles {
  public:
-  //! Starts empty, for a master of this size.
+  //! Creates an empty set for a domemaster of this size.
   LightTiles(int width, int height);
 
   [[nodiscard]] int level_count() const { return static_cast<int>(levels_.size()); }
   [[nodiscard]] int width(int level) const { return levels_[static_cast<std::size_t>(level)].width; }
   [[nodiscard]] int height(int level) const { return levels_[static_cast<std::size_t>(level)].height; }
 
-  //! Marks texels of a level as wanted, both ends included; ignores texels outside the level.
+  //! Marks texels of a level as needed, both ends included; ignores texels outside the level.
   void want(int level, int left, int right, int top, int bottom);
 
-  //! Adds the wanted parts of another set of the same size.
+  //! Adds the needed tiles of another set, for a domemaster of the same size.
   void join(const LightTiles& other);
 
-  //! Adds everything that the wanted parts are averaged from.
+  //! Adds all tiles of finer levels from which the needed tiles are averaged.
   void complete();
 
-  //! Returns the wanted tiles of a level.
+  //! Returns the needed tiles of a level.
   [[nodiscard]] std::vector<std::int32_t> tiles(int level) const;
 
  private:
   struct Level {
     int width;
     int height;
-    std::vector<std::uint8_t> wanted;  //!< by tile
+    std::vector<std::uint8_t> wanted;  //!< for each tile, whether it is needed
   };
   std::vector<Level> levels_;
 };
@@ -47,24 +47,24 @@ struct MasterPicture {
   const float* rgba = nullptr;
   int width = 0;
   int height = 0;
-  bool heat_map = false;  //!< the values are colors and get no tone
+  bool heat_map = false;  //!< true: values are display colors, to which no tone is applied
   Tone tone;
 };
 
 //! Returns a view of a picture in host memory, valid while the picture exists.
 MasterPicture master_picture(const Picture& picture);
 
-//! Computes a domemaster's light for projectors with kernels, as DisplayLight does with OpenGL, but
-//! only where it is wanted.
+//! Computes a domemaster's display light for projectors with kernels, as DisplayLight does with
+//! OpenGL, but only in the tiles in which it is needed.
 class MasterLight {
  public:
   MasterLight() = default;
 
-  //! Allocates memory of a backend. `tiles` must be complete.
+  //! Allocates memory of a backend. LightTiles::complete() must have been called for `tiles`.
   MasterLight(const LightTiles& tiles, Backend backend);
 
-  //! Computes the light of a picture in the same backend's memory, with the size that the tiles
-  //! were made for. Does not wait for a GPU.
+  //! Computes the light of a picture in the same backend's memory. The picture must have the size
+  //! for which the tiles were created. Does not wait for a GPU.
   void update(const MasterPicture& picture);
 
   [[nodiscard]] const LightLevels& levels() const { return levels_; }

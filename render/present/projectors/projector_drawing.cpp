@@ -12,8 +12,8 @@ namespace ergodome {
 
 struct ProjectorDrawing::State {
   GLuint program = 0;
-  GLuint captions_program = 0;  //!< 0 until it is needed
-  std::string masks;            //!< shader definitions of the masks that exist
+  GLuint captions_program = 0;  //!< program that draws captions; 0 until it is needed
+  std::string masks;            //!< definitions of HAS_BLEND and HAS_BLACK_LEVEL for the shader
   GLuint vertex_array = 0;
   GLuint vertices = 0;
   GLuint indices = 0;
@@ -27,7 +27,7 @@ struct ProjectorDrawing::State {
 
 namespace {
 
-//! With HAS_CAPTIONS, only rows with captions are drawn.
+//! With HAS_CAPTIONS, only the rows that contain captions are drawn.
 constexpr const char* vertex_source = R"(
 layout(location = 0) in vec2 place;   // on the raster, y down
 layout(location = 1) in vec2 source;  // in the master, its top at 0
@@ -52,8 +52,8 @@ void main() {
 }
 )";
 
-//! HAS_BLEND and HAS_BLACK_LEVEL are defined for the masks that exist. With HAS_CAPTIONS only
-//! pixels that captions cover are drawn.
+//! HAS_BLEND and HAS_BLACK_LEVEL are defined if the projector has these masks. With HAS_CAPTIONS,
+//! only pixels that captions cover are drawn.
 constexpr const char* projector_source = R"(
 in vec2 source_place;
 in vec2 mask_place;
@@ -80,7 +80,7 @@ void main() {
   }
   light = light * (1.0 - caption.a) + dimmed * caption.rgb;
 #endif
-  // Does not extend the rim of the master beyond it.
+  // The rim of the domemaster must not be repeated beyond it.
   light *= float(all(greaterThanEqual(source_place, vec2(0.0))) && all(lessThanEqual(source_place, vec2(1.0))));
   // tests/render/present/projectors/projector_light.h computes the same.
   vec3 blended = light * intensity;
@@ -208,7 +208,7 @@ void ProjectorDrawing::draw_captions(const CaptionTexture& captions, float dimme
   glUniform1f(5, dimmed);
   glEnable(GL_CLIP_DISTANCE0);
   glEnable(GL_CLIP_DISTANCE1);
-  // Skip the backdrop, which shows no part of the master.
+  // Skips the triangles of the backdrop, which show no part of the domemaster.
   draw_mesh(state_->captions_program, backdrop_indices);
   glDisable(GL_CLIP_DISTANCE0);
   glDisable(GL_CLIP_DISTANCE1);

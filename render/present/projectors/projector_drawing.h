@@ -18,23 +18,24 @@ class ProjectorDrawing {
   ProjectorDrawing(const ProjectorDrawing&) = delete;
   ProjectorDrawing& operator=(const ProjectorDrawing&) = delete;
 
-  //! Replaces the warp and the grid of offsets that move its corners.
+  //! Replaces the warp, and the grid of offsets that moves the warp's nodes.
   void set_warp(const WarpMesh& warp, const GridOffsets& grid);
 
-  //! Takes lift, gain and gamma from a picture; the masks stay.
+  //! Sets lift, gain and gamma to those of a picture; does not change the masks.
   void set_colour(const ProjectorPicture& picture);
 
-  //! Draws into the bound framebuffer of the given size. Parts outside the warp are black, lifted
-  //! like the rest.
+  //! Draws into the bound framebuffer of the given size. Parts of the raster outside the warp get
+  //! black plus the black-level lift.
   void draw(const DisplayLight& light, int framebuffer_width, int framebuffer_height);
 
-  //! Draws captions over the picture, at their own resolution. Pixels without captions stay
-  //! unchanged. `dimmed`: factor on the captions' light. `light`: that of the picture below them.
+  //! Draws captions over the picture, at their own resolution. Pixels without captions are not
+  //! changed. `dimmed`: factor on the captions' light. `light`: light of the picture below the
+  //! captions.
   void draw_captions(const CaptionTexture& captions, float dimmed, const DisplayLight& light, int framebuffer_width,
                      int framebuffer_height);
 
  private:
-  //! Draws the mesh, starting at an index.
+  //! Draws the triangles of the mesh, from an index on.
   void draw_mesh(unsigned program, int first_index);
 
   struct State;

@@ -59,7 +59,7 @@ namespace {
 constexpr double steps_per_px = 256.0;
 constexpr double farthest_rasters = 15.0;
 
-//! An edge of a triangle; value() is positive inside.
+//! An edge of a triangle; value() is positive inside the triangle.
 struct Edge {
   double x;
   double y;
@@ -67,7 +67,8 @@ struct Edge {
   double down;
 
   [[nodiscard]] double value(double at_x, double at_y) const { return across * (at_y - y) - down * (at_x - x); }
-  //! Returns whether the edge includes a pixel; pixels on it belong to upper and left edges.
+  //! Returns whether a pixel with this value() is inside the edge. Pixels exactly on an edge belong
+  //! to the triangle if it is an upper or left edge.
   [[nodiscard]] bool holds(double value) const {
     return value > 0.0 || (value == 0.0 && (down < 0.0 || (down == 0.0 && across > 0.0)));
   }

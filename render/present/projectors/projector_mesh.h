@@ -9,36 +9,37 @@
 
 namespace ergodome {
 
-//! A corner of the triangles in a projector's raster.
+//! A corner of the triangles that are drawn on a projector's raster.
 struct MeshVertex {
-  float place[2];   //!< on the raster, 0 to 1, y down
-  float source[2];  //!< in the master, its top at 0
-  float mask[2];    //!< in the masks
-  float factor;     //!< on the master's light
+  float place[2];   //!< position on the raster, 0 to 1, y down
+  float source[2];  //!< position in the domemaster; 0 at its top
+  float mask[2];    //!< position in the masks
+  float factor;     //!< factor on the domemaster's light
 };
 
-//! Indices of the two triangles that cover the whole raster below the others, without light from
-//! the master.
+//! Number of indices of the two triangles that cover the whole raster below all others. They show
+//! no light of the domemaster.
 inline constexpr int backdrop_indices = 6;
 
-//! Triangles with linear interpolation; where they overlap the last one is drawn.
+//! Triangles with linear interpolation. Where triangles overlap, the last one is visible.
 struct ProjectorMesh {
   std::vector<MeshVertex> vertices;
   std::vector<std::uint32_t> indices;  //!< three per triangle
 };
 
-//! Builds the mesh: first the whole raster without light, so that parts outside the warp are
-//! lifted, then the warp's cells, moved by the grid, as two triangles each, cut like those of
-//! resampled_warp. Omits cells with an invalid corner.
+//! Builds the triangles: first the whole raster without light, so that parts outside the warp get
+//! the black-level lift; then two triangles for each cell of the warp, divided along the same
+//! diagonal as in resampled_warp(), with nodes moved by the grid. Omits cells with an invalid
+//! corner.
 ProjectorMesh projector_mesh(const WarpMesh& warp, const GridOffsets& grid);
 
 //! Values of a projector's mesh at the center of a pixel.
 struct MeshSample {
-  float source[2] = {};  //!< in the master, 0 to 1
-  float mask[2] = {};    //!< in the masks
+  float source[2] = {};  //!< position in the domemaster, 0 to 1
+  float mask[2] = {};    //!< position in the masks
   float factor = 0.0F;
-  float along_x[2] = {};  //!< change of `source` from pixel to pixel along a row
-  float along_y[2] = {};  //!< change of `source` down a column
+  float along_x[2] = {};  //!< change of `source` from one pixel to the next to the right
+  float along_y[2] = {};  //!< change of `source` from one pixel to the next below
 };
 
 //! Samples a mesh at the centers of a raster's pixels, as OpenGL does: corners lie on a lattice of
@@ -46,7 +47,7 @@ struct MeshSample {
 //! away are moved to that distance.
 class MeshRaster {
  public:
-  //! Rows that are sampled at a time.
+  //! Number of rows that are sampled at a time.
   static constexpr int band_rows = 32;
 
   MeshRaster(ProjectorMesh mesh, int width_px, int height_px);
@@ -67,7 +68,8 @@ class MeshRaster {
   ProjectorMesh mesh_;
   int width_px_;
   int height_px_;
-  std::vector<std::vector<std::uint32_t>> bands_;  //!< triangles that may touch each band, in order
+  //! For each band, the triangles that may touch it, in order.
+  std::vector<std::vector<std::uint32_t>> bands_;
 };
 
 }  // namespace ergodome

@@ -17,8 +17,8 @@ void require_outputs(const DomeSetup& setup, const std::vector<DesktopMonitor>& 
 //! Returns the desktop rectangles of a setup's projectors. Their monitors must be connected.
 std::vector<DesktopRectangle> output_rectangles(const DomeSetup& setup, const std::vector<DesktopMonitor>& monitors);
 
-//! Returns a position for a window that projectors would cover; nothing if none covers it or there
-//! is no room.
+//! Returns a position for a window that projectors would cover at its current position. Returns
+//! nothing if none covers it, or if there is no room elsewhere.
 std::optional<DesktopRectangle> place_beside_projectors(const DesktopRectangle& window, const DomeSetup& setup,
                                                         const std::vector<DesktopMonitor>& monitors);
 

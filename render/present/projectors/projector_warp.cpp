@@ -15,7 +15,8 @@ namespace {
 
 constexpr float most = 65535.0F;
 
-//! Returns a number whose square is `part` (0 to 1) of the square of `most`.
+//! Returns an integer whose square, relative to the square of the maximum integer, is `part` (0 to
+//! 1).
 std::uint16_t root_of(float part) {
   return static_cast<std::uint16_t>(std::lround(most * std::sqrt(std::clamp(part, 0.0F, 1.0F))));
 }
@@ -59,7 +60,7 @@ Buffer<T> zeros(std::size_t count) {
   return made;
 }
 
-//! Moves a buffer from host memory to a GPU.
+//! Moves a buffer from host memory to the backend's memory, if that is a GPU.
 template <class T>
 void move_there(Backend backend, Buffer<T>& buffer) {
   Buffer<T> there(backend, buffer.size(), "projector's warp");
@@ -71,7 +72,7 @@ float channel_of(const Vector3<double>& v, int channel) {
   return static_cast<float>(channel == 0 ? v.x : channel == 1 ? v.y : v.z);
 }
 
-//! Evenly spaced numbers from the minimum to the maximum of a group's values.
+//! Quantization of a group's values: evenly spaced numbers from their minimum to their maximum.
 struct Lattice {
   float first = 0.0F;
   float step = 0.0F;
@@ -88,7 +89,7 @@ struct Lattice {
 
 }  // namespace
 
-//! Fills a warp band by band; several bands may be filled in parallel.
+//! Computes a warp, one band of rows at a time; several bands may be computed in parallel.
 class ProjectorWarp::Builder {
  public:
   Builder(ProjectorWarp& warp, const ProjectorPicture& picture, float most_factor)
@@ -110,7 +111,8 @@ class ProjectorWarp::Builder {
   }
 
  private:
-  //! Returns the level, in steps, whose texels have the size of the pixel.
+  //! Returns the mip level, in steps of a fraction of a level, at which texels have the size of the
+  //! projector's pixel.
   [[nodiscard]] std::uint8_t level_of(const MeshSample& sample) const {
     const auto width = static_cast<float>(warp_.tiles_.width(0));
     const auto height = static_cast<float>(warp_.tiles_.height(0));
@@ -145,7 +147,7 @@ class ProjectorWarp::Builder {
     std::size_t count = 0;
     for (std::size_t i = 0; i < samples.size(); ++i) {
       MeshSample sample = samples[i];
-      // Do not extend the master's rim beyond it.
+      // The rim of the domemaster must not be repeated beyond it.
       if (!(sample.source[0] >= 0.0F && sample.source[0] <= 1.0F && sample.source[1] >= 0.0F &&
             sample.source[1] <= 1.0F)) {
         sample.factor = 0.0F;
@@ -180,7 +182,7 @@ class ProjectorWarp::Builder {
     want(to, tiles);
   }
 
-  //! Marks the texels that a group's pixels read as wanted.
+  //! Marks all texels that a group's pixels read as needed.
   static void want(const WarpGroup& group, LightTiles& tiles) {
     for (int level = 0; level < tiles.level_count(); ++level) {
       const bool finer = level > 0 && ((group.blended >> static_cast<unsigned>(level - 1)) & 1U) != 0;

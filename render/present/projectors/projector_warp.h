@@ -8,9 +8,9 @@
 
 namespace ergodome {
 
-//! Draws a projector's view of domemasters of one size with kernels. Everything that does not
+//! Draws a projector's image of domemasters of one size with kernels. Everything that does not
 //! change from frame to frame is computed beforehand on the CPU for each pixel and stored in the
-//! backend's memory. Produces the same picture as ProjectorDrawing.
+//! backend's memory. Draws the same image as ProjectorDrawing.
 class ProjectorWarp {
  public:
   ProjectorWarp(const ProjectorPicture& picture, int master_width, int master_height, Backend backend);
@@ -18,7 +18,7 @@ class ProjectorWarp {
   //! Returns the parts of the master that the projector shows.
   [[nodiscard]] const LightTiles& tiles() const { return tiles_; }
 
-  //! Returns the input of warp_pixels() that fills a raster with the projector's values. `light`
+  //! Returns the input with which warp_pixels() fills a raster with the projector's values. `light`
   //! and the raster `rgb` are in the backend's memory; `shown` is a factor on the light.
   [[nodiscard]] WarpBatch batch(const LightLevels& light, float shown, std::uint8_t* rgb) const;
 

@@ -36,7 +36,7 @@ GLFWwindow* whole_screen(const ProjectorSetup& projector, const std::string& tit
                projector.width_px, projector.height_px, mode->width, mode->height);
   }
   glfwWindowHint(GLFW_REFRESH_RATE, mode->refreshRate);
-  // A click outside must not minimize the picture on the dome.
+  // Prevents a click outside the window from minimizing the picture on the dome.
   glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);
   return glfwCreateWindow(mode->width, mode->height, title.c_str(), monitor, shared);
 }

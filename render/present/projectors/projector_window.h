@@ -13,7 +13,7 @@
 
 namespace ergodome {
 
-//! When a window shows what was drawn: with the display's next refresh, or at once.
+//! Whether swapping buffers waits for the display's next refresh (`in_step`) or not.
 enum class SwapTiming { in_step, at_once };
 
 //! The window of one projector: a whole monitor, or a frameless window of the projector's
@@ -27,12 +27,13 @@ class ProjectorWindow {
   ProjectorWindow(const ProjectorWindow&) = delete;
   ProjectorWindow& operator=(const ProjectorWindow&) = delete;
 
-  //! Makes its context current.
+  //! Makes the window's OpenGL context current.
   void make_current();
   void swap();
   [[nodiscard]] bool closed() const;
 
-  //! Returns the input events since the last call; Window::events collects them.
+  //! Returns the input events of this window since the last call. Window::events() of any window
+  //! collects them.
   std::vector<WindowEvent> events();
 
   //! Returns the size of the framebuffer in pixels.

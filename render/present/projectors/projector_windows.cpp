@@ -26,14 +26,14 @@ struct Screen {
   std::unique_ptr<ProjectorWindow> window;
   std::unique_ptr<ProjectorDrawing> drawing;
   std::unique_ptr<TextPanel> panel;
-  std::unique_ptr<Presenter> raster;    //!< shown instead of the drawing, if set
-  std::unique_ptr<RasterTexture> sent;  //!< the raster that kernels drew instead of OpenGL, if any
-  //! The warp was changed since the windows were opened. Kernels need a second of CPU time to
-  //! prepare a warp.
+  std::unique_ptr<Presenter> raster;    //!< shows a raster instead of the projector's image, if set
+  std::unique_ptr<RasterTexture> sent;  //!< the image that kernels drew, if OpenGL does not draw it
+  //! True if the warp was changed since the windows were opened. It is then drawn by OpenGL,
+  //! because kernels need a second of CPU time to prepare a warp.
   bool changed = false;
 };
 
-//! Copies a master from the GPU to host memory. With software OpenGL this is a plain copy.
+//! Copies a domemaster from the GPU to host memory. With software OpenGL, this is an ordinary copy.
 Picture brought_back(const PresentedPicture& shown) {
   Picture picture;
   picture.width = shown.width;
@@ -63,16 +63,19 @@ struct ProjectorWindows::State {
   std::unique_ptr<DisplayLight> light;
   std::vector<Screen> screens;
   std::vector<ProjectorPicture> pictures;
-  std::unique_ptr<SoftwareProjectors> software;  //!< if OpenGL has no GPU
-  std::unique_ptr<SoftwareProjectors> cuda;      //!< once CUDA has provided a picture
-  bool in_cuda = false;                          //!< the shown picture has its light in CUDA
+  std::unique_ptr<SoftwareProjectors> software;  //!< draws on the CPU; set if OpenGL has no GPU
+  //! Draws with CUDA; set when CUDA has rendered a picture.
+  std::unique_ptr<SoftwareProjectors> cuda;
+  //! True if the light of the current picture was computed by CUDA.
+  bool in_cuda = false;
   bool cuda_fails = false;
-  int of_another_size = 0;  //!< number of successive pictures of a size for which CUDA has no warps
+  //! Number of successive pictures whose size is not that of CUDA's warps.
+  int of_another_size = 0;
   bool control_shown = true;
-  long version = -1;        //!< of the drawn master
-  long light_version = -1;  //!< of the master whose light was computed
+  long version = -1;        //!< version of the last domemaster that was drawn
+  long light_version = -1;  //!< version of the last domemaster whose display light was computed
   float dimmed = 1.0F;      //!< factor on the display's light
-  //! To draw over the master.
+  //! Captions that are drawn over the domemaster.
   std::unique_ptr<CaptionTexture> captions = std::make_unique<CaptionTexture>();
 };
 
@@ -151,8 +154,8 @@ void ProjectorWindows::take(const DevicePicture* picture) {
     if (!state_->cuda) {
       state_->cuda = std::make_unique<SoftwareProjectors>(state_->pictures, Backend::cuda);
     }
-    // Warps for another size take a second of CPU time: OpenGL draws until such pictures have come
-    // for a while.
+    // Number of pictures of another size after which CUDA computes warps for that size, which takes
+    // a second of CPU time. Until then, OpenGL draws.
     constexpr int patience = 120;
     if (state_->cuda->has_other_warps(picture->width_px, picture->height_px) && ++state_->of_another_size < patience) {
       return;
@@ -278,8 +281,8 @@ void ProjectorWindows::show(const PresentedPicture& master) {
   for (std::size_t i = 0; i < state_->screens.size(); ++i) {
     draw(i);
   }
-  // The first swap waits for its display; the others follow at once, as synchronized displays share
-  // its timing.
+  // Only the first window's swap waits for its display. The others swap at once, because
+  // synchronized displays have the same timing.
   for (const Screen& screen : state_->screens) {
     screen.window->make_current();
     screen.window->swap();

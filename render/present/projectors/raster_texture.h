@@ -7,8 +7,8 @@
 
 namespace ergodome {
 
-//! An image of bytes in the encoding of the display, in the OpenGL context that is current when it
-//! is created and used.
+//! An image of RGB bytes, encoded for the display, as an OpenGL texture. The same context must be
+//! current when it is created and used.
 class RasterTexture {
  public:
   RasterTexture(int width_px, int height_px);
@@ -16,7 +16,7 @@ class RasterTexture {
   RasterTexture(const RasterTexture&) = delete;
   RasterTexture& operator=(const RasterTexture&) = delete;
 
-  //! Uploads RGB bytes of its size, top row first.
+  //! Uploads an image: RGB bytes, top row first, of the texture's size.
   void upload(const std::uint8_t* rgb);
 
   //! Uploads from CUDA memory without a copy through the host. Throws Error if CUDA cannot access
@@ -31,7 +31,7 @@ class RasterTexture {
   int height_px_;
   unsigned texture_ = 0;
   unsigned framebuffer_ = 0;
-  //! Buffer that CUDA writes to, as it cannot access textures with three bytes per pixel.
+  //! Buffer that CUDA writes to, because CUDA cannot access textures with three bytes per pixel.
   unsigned pixels_ = 0;
   std::unique_ptr<CudaBufferLink> link_;
 };

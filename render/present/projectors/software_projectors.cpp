@@ -31,7 +31,7 @@ void SoftwareProjectors::prepare(int width, int height) {
 void SoftwareProjectors::show(const Picture& master) {
   MasterPicture there = master_picture(master);
   if (backend_ == Backend::cuda) {
-    // The GPU may still be reading the last one.
+    // Waits because the GPU may still be reading the last domemaster.
     wait_for_device(backend_);
     reserve(backend_, master.rgba.size(), "projectors' master", master_);
     master_.write(master.rgba.data(), master.rgba.size());

@@ -5,7 +5,7 @@
 namespace ergodome {
 namespace {
 
-//! A clock that the test sets.
+//! A simulated clock: tests set its time, `now_s`.
 struct ToldClock {
   double now_s = 100.0;
   [[nodiscard]] SecondsSource source() {

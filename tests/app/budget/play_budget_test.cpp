@@ -61,7 +61,8 @@ TEST(PlayBudget, MakesTheLensFinerWherePicturesAreBeyondTheError) {
   EXPECT_EQ(budget.rung().quality.budget_px, 0.1);
   budget.note_errors({0.3});
   EXPECT_NEAR(budget.rung().quality.budget_px, 0.07, 1e-12);
-  // Within the error, the lens stays as it is; far within the error, it becomes coarser again.
+  // Errors of 0.2 px are within the budget of 0.25 px, so the lens stays as it is. Errors of 0.05
+  // px are so far within it that the lens becomes coarser again.
   budget.note_errors(std::vector<double>(500, 0.2));
   EXPECT_NEAR(budget.rung().quality.budget_px, 0.07, 1e-12);
   budget.note_errors(std::vector<double>(1000, 0.05));

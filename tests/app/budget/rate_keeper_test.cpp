@@ -22,9 +22,9 @@ std::vector<double> even_ladder(double first_ms, int rungs) {
   return times_ms;
 }
 
-//! Simulates a machine that plays a show: its slowdown relative to the predicted times, by frame
-//! number. As in the player, the window polls for finished pictures every `poll_ms`. All times are
-//! simulated.
+//! A simulated machine that plays a show. For each frame number, a test sets the factor by which
+//! the machine is slower than predicted. As in the player, the window polls for finished pictures
+//! every `poll_ms`. All times are simulated.
 class SimulatedShow {
  public:
   //! `foretold_ms`: the predicted times of the ladder, which the keeper receives.
@@ -35,7 +35,7 @@ class SimulatedShow {
   RateRecord record{frame_ms};
   std::function<double(long)> slowness = [](long) { return 1.0; };
   double poll_ms = 4.0;
-  std::vector<std::size_t> rungs;  //!< rung of each frame
+  std::vector<std::size_t> rungs;  //!< chosen rung of the ladder, for each frame
 
   void play(long frames) {
     double last_ms = -1.0;
@@ -120,7 +120,7 @@ TEST(RateKeeper, HoldsTheRateOnANoisyMachine) {
   show.slowness = [&](long) { return std::exp(spread(random)); };
   show.play(6000);
   EXPECT_NEAR(show.record.rate_hz(), 30.0, 0.05 * 30.0);
-  // At most once in a quarter of a minute.
+  // 5,400 frames at 30 Hz are 180 s; the keeper changes the rung at most once in 15 s of them.
   EXPECT_LT(show.changes_after(600), 5400 / (15 * 30));
 }
 
@@ -137,11 +137,11 @@ TEST(RateKeeper, FollowsAMachineThatGetsSlowerAndQuickerAgain) {
 }
 
 TEST(RateKeeper, DoesNotSwingBetweenRungsThatWereForetoldWrongly) {
-  // The rungs above the 20 ms rung are predicted to take about as long, but take more than twice
-  // that.
+  // The times of the two slowest rungs, 100 ms and 50 ms, are predicted as 22 ms and 21 ms.
   SimulatedShow show({100.0, 50.0, 20.0, 19.0}, {22.0, 21.0, 20.0, 19.0}, 2);
   show.play(9000);
-  // Five minutes: attempts after 1, 2, 4, 8, 16, 32, 60, 60 ... seconds, down and up.
+  // 9,000 frames at 30 Hz are five minutes. The keeper tries a slower rung after 1, 2, 4, 8, 16,
+  // 32, 60, 60, ... seconds; each attempt is two changes of the rung.
   EXPECT_LE(show.keeper.changes(), 2 * 12);
   EXPECT_NEAR(show.record.rate_hz(), 30.0, 0.05 * 30.0);
 }
@@ -174,7 +174,8 @@ TEST(FramePace, MakesUpForFramesThatAreLittleLate) {
   EXPECT_FALSE(pace.is_due(0.04));
   pace.begin(0.09);
   pace.begin(0.17);
-  // Due according to the schedule that started at 0.05.
+  // The first three frames began at 0, 0.09 and 0.17 s. The pace now counts periods of 0.1 s from
+  // 0.05 s, so the next frame is due at 0.25 s.
   EXPECT_FALSE(pace.is_due(0.24));
   EXPECT_TRUE(pace.is_due(0.26));
 }

@@ -7,8 +7,8 @@
 namespace ergodome {
 namespace {
 
-//! Returns settings as a measurement produces them: lenses from coarse to fine, direct rays next to
-//! the finest, and a plain sky filter.
+//! Returns settings in the order of a measurement: lenses from coarse to fine, then direct rays,
+//! then the finest lens with the point filter for the sky map.
 std::vector<MeasuredSetting> measured_settings() {
   std::vector<MeasuredSetting> settings;
   for (const double lens_px : {2.0, 1.0, 0.5, 0.25}) {
@@ -58,7 +58,8 @@ TEST(SettingsLadder, KeepsASizeThatIsFixed) {
 TEST(SettingsLadder, WithoutAnErrorBeginsWithTheFinestLensThatTakesLonger) {
   const std::vector<Rung> ladder = settings_ladder(measured_settings(), {std::nullopt, 30.0}, limits_of(192));
   EXPECT_EQ(ladder.front().quality.budget_px, 0.25);
-  // Within the time limit for a lens, coarser lenses gain nothing, but smaller pictures do.
+  // At 30 Hz, a lens may take so long that a coarser one would not make frames faster; the next
+  // rung therefore has a smaller picture.
   EXPECT_LT(ladder[1].size_px, 1024);
 }
 

@@ -34,7 +34,7 @@ MeasurementOrder order_for(const Budget& budget, LensChoice lens) {
   order.budget = budget;
   order.size_px = test::sanitized ? 256 : 400;
   order.lens = lens;
-  // Enough time for any machine: the result of a test must not depend on its speed.
+  // The time limit is so large that the result does not depend on the speed of the machine.
   order.limit_s = 1e6;
   return order;
 }
@@ -65,7 +65,7 @@ TEST(SettingsMeasurement, KnowsWhatTheOnePictureTookThatThereWasTimeFor) {
   MeasurementOrder order = order_for({std::nullopt, 25.0}, LensChoice::direct);
   order.size_px = 1280;
   order.limit_s = 2.0;
-  // Every reading of the clock advances it by a tenth of a second.
+  // A simulated clock that advances by a tenth of a second with every reading.
   double now_s = 0.0;
   order.now = [&now_s] { return now_s += 0.1; };
   const SettingsMeasurement measured = measure_settings(renderer, show, order);
@@ -135,7 +135,8 @@ TEST(SettingsMeasurement, NeedsNoNewLensWhereTheCameraStaysAtItsPlace) {
 
 TEST(SettingsMeasurement, EndsInTimeByAnyClock) {
   const Show show = falling_show();
-  // Clocks that advance at every reading, to simulate slow machines.
+  // Clocks that advance with every reading, by the given number of seconds, simulate machines that
+  // are more or less slow.
   for (const double look_s : {0.001, 0.01, 0.05, 0.2}) {
     ShowRenderer renderer(show, Backend::cpu);
     MeasurementOrder order = order_for({0.2, 30.0}, LensChoice::automatic);
@@ -143,13 +144,14 @@ TEST(SettingsMeasurement, EndsInTimeByAnyClock) {
     double now_s = 0.0;
     order.now = [&] { return now_s += look_s; };
     const SettingsMeasurement measured = measure_settings(renderer, show, order);
-    // One reading detects that the time is over, another one measures the duration.
+    // After the time limit, the clock is read at most twice: once to notice that the time is over,
+    // and once for the duration of the measurement.
     EXPECT_LE(measured.took_s, 2.0 + 2.0 * look_s) << look_s;
     EXPECT_FALSE(measured.settings.empty()) << look_s;
   }
 }
 
-//! A built-in show.
+//! The parameter is the name of a built-in show.
 class BudgetOfShow : public testing::TestWithParam<const char*> {};
 
 TEST_P(BudgetOfShow, HoldsAtRandomMoments) {
@@ -175,8 +177,8 @@ INSTANTIATE_TEST_SUITE_P(BuiltIn, BudgetOfShow, testing::Values("once-around", "
                          });
 
 TEST(SettingsMeasurement, SaysWhereNoLensIsWithinAnError) {
-  // Within a few pixels of the shadow's edge the images of the sky repeat: more than float can
-  // resolve.
+  // The camera of this show sees pixels near the edge of the shadow, which contain many repeated
+  // images of the sky; float cannot resolve them.
   Show show = read_show(built_in_content_folder() / "shows" / "prograde-edge.toml");
   show.sky.map = test::small_dome().sky.map;
   ShowRenderer renderer(show, Backend::cpu);

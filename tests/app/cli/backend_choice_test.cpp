@@ -16,7 +16,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-//! Checks what the program reports about its environment variables; restores them at the end.
+//! Checks what the program reports about its environment variables; restores them after each test.
 class Environment : public testing::Test {
  protected:
   ~Environment() override {

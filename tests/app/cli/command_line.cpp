@@ -14,14 +14,15 @@ namespace ergodome::test {
 
 namespace {
 
-//! Keeps the program loaded and ready for command lines as long as the tests run.
+//! Runs the server `ergodome_ready` until the end of the tests. It keeps the program loaded, so
+//! that each command line of a test starts quickly.
 class ReadyProgram {
  public:
   ReadyProgram() : process_({ERGODOME_READY_PROGRAM, name_}) {
     EXPECT_NE(process_.output_until("ready", std::chrono::minutes(1)).find("ready"), std::string::npos);
   }
 
-  //! Returns the command with which a shell calls the program.
+  //! Returns the start of a shell command line that runs the program through this server.
   [[nodiscard]] std::string called() const { return "ERGODOME_READY=" + name_ + " '" ERGODOME_CALL_PROGRAM "' "; }
 
  private:
@@ -55,7 +56,8 @@ int CommandLine::run_with_driver(const std::string& arguments) {
 bool CommandLine::has_display() { return std::system("command -v xvfb-run >/dev/null") == 0; }
 
 int CommandLine::run_on_display(const std::string& arguments, const std::string& environment) {
-  // Leaks of drivers cannot be attributed to them once they are unloaded.
+  // The leak checker is off: OpenGL drivers leak memory, and they are unloaded before the leak
+  // checker could attribute the leaks to them.
   return run_command("cd '" + folder_.string() + "' && ASAN_OPTIONS=$ASAN_OPTIONS:detect_leaks=0 " + environment +
                      " xvfb-run -a -s '-screen 0 800x600x24' '" ERGODOME_PROGRAM "' " + arguments + " 2>&1");
 }

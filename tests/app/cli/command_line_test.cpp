@@ -13,7 +13,7 @@
 #include "render/output/image_writer.h"
 #include "tests/support/sanitized.h"
 
-// Runs the program as a person would.
+// Tests that run the program as a user would.
 namespace ergodome {
 namespace {
 
@@ -116,8 +116,8 @@ TEST_F(CommandLine, RenderWritesEveryStereoLayoutAndResumesIt) {
   };
   expect_image("multiview", " --format exr", 64, 64);
   expect_image("top_bottom", "", 64, 128);
-  // Under sanitizers each start of the program takes a second; tests of single frames cover the
-  // same code.
+  // Under sanitizers, starting the program takes a second each time, and tests of single frames
+  // cover the same code; therefore only one layout is tested then.
   for (const char* layout : {"half_side_by_side", "half_top_bottom", "rows", "anaglyph", "dubois"}) {
     if (!test::sanitized || std::string_view(layout) == "rows") {
       expect_image(layout, "", 64, 64);
@@ -142,7 +142,8 @@ TEST_F(CommandLine, RenderHasCubesAndCylinders) {
   ASSERT_EQ(run("render small.toml --out c --frames 1 --size 64 --projection cube --backend cpu"), 0) << output_;
   EXPECT_TRUE(is_complete_image(folder_ / "c/small_000001.png", 64, 48));
   ASSERT_EQ(run("render small.toml --out y --frames 1 --size 64 --projection cylinder --backend cpu"), 0) << output_;
-  // 90° of height span twice the cylinder's radius, 360° of width 2π times the radius.
+  // A cylinder of radius 1 is 2 high for 90° (±45°) and 2π wide for 360°: 64 pixels of width need
+  // 20 rows.
   EXPECT_TRUE(is_complete_image(folder_ / "y/small_000001.png", 64, 20));
 }
 
@@ -244,7 +245,8 @@ class PlayInAWindow : public CommandLine {
 
   //! Plays with the given options and saves the last picture as shot.png.
   void play(const std::string& options) const {
-    // Leaks of drivers cannot be attributed to them once they are unloaded.
+    // The leak checker is off: OpenGL drivers leak memory, and they are unloaded before the leak
+    // checker could attribute the leaks to them.
     const std::string command =
         "cd '" + folder_.string() +
         "' && ASAN_OPTIONS=$ASAN_OPTIONS:detect_leaks=0 xvfb-run -a -s '-screen 0 800x600x24' '" ERGODOME_PROGRAM
@@ -260,7 +262,7 @@ class PlayInAWindow : public CommandLine {
 TEST_F(PlayInAWindow, ShowsAPicture) {
   play("--size 256 --for 3");
   EXPECT_TRUE(is_complete_image(folder_ / "shot.png", 256, 256));
-  // A picture of the sky takes more bytes than a black one.
+  // The compressed file of a black picture would be smaller than that of a picture of the sky.
   EXPECT_GT(fs::file_size(folder_ / "shot.png"), 5000U);
 }
 

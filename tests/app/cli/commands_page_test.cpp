@@ -28,8 +28,8 @@ std::string part_of_page(const std::string& page, const std::string& heading) {
   return from == std::string::npos ? "" : page.substr(from, page.find("\n## ", from + 1) - from);
 }
 
-//! Returns the first words of the indented lines of a help text that begin with `start`, after the
-//! line `after`.
+//! Returns the first word of each indented line in a help text that begins with `start` after the
+//! indentation. Ignores everything before the text `after`.
 std::vector<std::string> words_of_help(const std::string& help, const std::string& after, const std::string& start) {
   std::vector<std::string> words;
   std::istringstream lines(help.substr(std::min(help.find(after), help.size())));

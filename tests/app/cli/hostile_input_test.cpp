@@ -19,8 +19,8 @@
 #include "tests/support/folder_test.h"
 #include "tests/support/sanitized.h"
 
-// Malicious files: each must end the command within two seconds and 256 MiB, with a one-line
-// reason.
+// Tests with malicious files: for each, the command must end within two seconds, use at most 256
+// MiB and print a one-line reason.
 namespace ergodome {
 namespace {
 
@@ -43,7 +43,7 @@ struct Outcome {
   int status = -1;  //!< -1: killed by a signal
   double seconds = 0.0;
   double mebibytes = 0.0;
-  std::string errors;  //!< its standard error
+  std::string errors;  //!< content of the command's standard error
 };
 
 class HostileInput : public test::FolderTest {
@@ -77,14 +77,15 @@ class HostileInput : public test::FolderTest {
     const auto seconds_of = [](const timeval& time) {
       return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
     };
-    // On a busy machine a command waits for a processor; a command that waits for nothing is ended by the alarm.
+    // On a busy machine, the elapsed time includes waiting for a CPU, so the CPU time counts if it
+    // is shorter. A command that hangs without using the CPU is killed by the alarm.
     const double seconds = std::min(elapsed.count(), seconds_of(used.ru_utime) + seconds_of(used.ru_stime));
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, seconds, static_cast<double>(used.ru_maxrss) / 1024.0,
             text("errors")};
   }
 
-  //! Runs a command on a file that must be refused, and checks its use of time and memory. `says`:
-  //! a part of the error message.
+  //! Runs a command on a file that it must refuse, and checks its time and memory. The error
+  //! message must contain `says`.
   void expect_refused(const std::vector<std::string>& arguments, const std::string& says) const {
     const std::string command = fmt::format("{}", fmt::join(arguments, " "));
     const Outcome outcome = run(arguments);
@@ -97,8 +98,8 @@ class HostileInput : public test::FolderTest {
     }
   }
 
-  //! Checks that a show is refused because of a file that it refers to; `show`: the rest of the
-  //! show, with the key that names the file.
+  //! Checks that a show is refused because of a file that it refers to. `show` contains lines of
+  //! the show, including the key that names the file.
   void expect_refused_in_show(const std::string& show, const std::string& file, const std::string& why) const {
     write("show.toml", "[hole]\nspin = 0\n[[camera.key]]\nr = 60\n" + show);
     expect_refused({"render", "show.toml", "--out", "frames", "--frames", "1:1", "--size", "16", "--backend", "cpu"},
@@ -116,7 +117,8 @@ class HostileInput : public test::FolderTest {
   double idle_mebibytes_ = run({"--version"}).mebibytes;
 };
 
-//! TOML that is too deep, too wide, or would keep the parser busy for minutes.
+//! TOML text that is nested too deeply, has too many keys, or would keep the parser busy for
+//! minutes.
 struct HostileToml {
   std::string text;
   std::string why;

@@ -15,8 +15,8 @@ namespace {
 
 using testing::HasSubstr;
 
-//! Returns the error message for a command line, or an empty string if it is accepted. Commands run
-//! while they are parsed and stop there, because none of the files exists.
+//! Returns the error message for a command line, or an empty string if its options are accepted.
+//! The commands themselves fail immediately, because none of the files exists.
 std::string problem_of(const std::string& words) {
   CLI::App app;
   for (const auto add : {add_play_command, add_render_command, add_bake_command, add_inspect_command, add_plan_command,

@@ -15,7 +15,7 @@
 #include "tests/app/cli/command_line.h"
 #include "tests/support/sanitized.h"
 
-// The files that commands write, and those that they must not change.
+// Tests of the files that commands write, and of existing files that they must not change.
 namespace ergodome {
 namespace {
 
@@ -24,8 +24,7 @@ using test::CommandLine;
 using testing::HasSubstr;
 using testing::Not;
 
-//! Returns the command lines to test; under sanitizers only the first two, which cover the same
-//! code.
+//! Returns the given command lines; under sanitizers only the first two, which cover the same code.
 std::vector<std::string> some_of(std::vector<std::string> words) {
   words.resize(std::min(words.size(), test::sanitized ? std::size_t{2} : words.size()));
   return words;
@@ -42,7 +41,7 @@ TEST_F(CommandLine, RenderResumesNoFramesThatWereAskedForDifferently) {
     const std::string command = std::string(render).append(" ").append(options);
     ASSERT_EQ(run(command), 0) << output_;
     EXPECT_THAT(output_, HasSubstr("1 frame in")) << options;
-    // Repeating the same command resumes its frames.
+    // The second run of the same command skips the frame that the first run wrote.
     if (options.find(" --") != std::string::npos) {
       ASSERT_EQ(run(command), 0);
       EXPECT_THAT(output_, HasSubstr("0 frames in frames; skipped 1 frame from an earlier run")) << options;
@@ -147,7 +146,7 @@ TEST_F(CommandLine, RenderTellsWhichEyesFramesWereMadeFor) {
   EXPECT_EQ(baseline["first"], 5.0);
   EXPECT_EQ(baseline["greatest"], 5.0);
   EXPECT_EQ(baseline["least"], baseline["last"]);
-  // (r - 2) / sqrt(1 - 2 / r) at 3 M, the camera's last position.
+  // The expected baseline at the last camera position, r = 3 M, is (r - 2) / sqrt(1 - 2 / r).
   EXPECT_NEAR(baseline["last"].get<double>(), std::sqrt(3.0), 1e-3);
   const fs::path last = folder_ / "o" / "L" / "near_000003.png";
   EXPECT_NEAR(std::stod(fact_of_image(last, "baseline_M")), baseline["last"].get<double>(), 1e-3);

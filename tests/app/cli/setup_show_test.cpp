@@ -14,7 +14,8 @@
 namespace ergodome {
 namespace {
 
-//! Returns a tilted dome with a rotated picture and one projector that lights much of it.
+//! Returns the setup of a tilted dome with a rotated picture and a single projector, whose light
+//! covers much of the dome.
 DomeSetup leaning_dome(double tilt_deg, double rotation_deg) {
   DomeSetup setup;
   setup.radius_m = 8.0;
@@ -31,8 +32,9 @@ DomeSetup leaning_dome(double tilt_deg, double rotation_deg) {
   return setup;
 }
 
-//! Returns the maximum difference [deg] between the elevation and azimuth of a pattern and those of
-//! the dome at the points that the projector lights; azimuths are relative to the setup's rotation.
+//! Compares the elevations and azimuths of a pattern with those of the points on the dome where the
+//! projector shows them; azimuths on the dome count from the setup's rotation. Returns the maximum
+//! difference [deg].
 double worst_pattern_error_deg(const DomeSetup& setup) {
   constexpr int size_px = 1024;
   const PatternView master = upright_master(setup, size_px);
@@ -59,9 +61,9 @@ double worst_pattern_error_deg(const DomeSetup& setup) {
   return worst;
 }
 
-//! Returns the maximum difference [deg] between the directions in a show's master and the
-//! directions in which the viewer sees the same points on the dome. The whole sky is rotated with
-//! the picture around the dome's axis.
+//! Compares the directions of a show's domemaster with the directions in which the viewer sees the
+//! same points on the dome, except for a rotation of the whole sky about the dome's axis. Returns
+//! the maximum difference [deg].
 double worst_show_error_deg(const DomeSetup& setup, double view_tilt_deg) {
   constexpr int size_px = 1024;
   Show show;
@@ -140,7 +142,8 @@ TEST(UprightMaster, IsLevelForAViewerBesideTheMiddle) {
 TEST(UprightMaster, HasLinesAsWideTurnedAsNot) {
   const Projection projection = make_dome_projection(512, pi, 0.4);
   const PatternView turned(projection, 0.5 * pi);
-  // A quarter turn to the right moves the bottom of the picture to the right.
+  // A rotation by a quarter turn moves (400, 256), on the right of the master, to (256, 400), at
+  // the bottom.
   const DomeSteps steps = dome_steps(turned, pattern_place(turned, 256.0, 400.0));
   const DomeSteps expected = dome_steps(projection, pattern_place(projection, 400.0, 256.0));
   EXPECT_NEAR(steps.elevation_deg, expected.elevation_deg, 1e-9);

@@ -20,7 +20,7 @@
 #include "tests/app/cli/command_line.h"
 #include "tests/support/sanitized.h"
 
-// `ergodome bake`, and how the program uses its file.
+// Tests of `ergodome bake`, and of how other commands use the trajectory file that it writes.
 namespace ergodome {
 namespace {
 
@@ -120,7 +120,7 @@ TEST_F(BakeCommand, KilledFiftyTimesTheFileIsTheSame) {
   EXPECT_EQ(killed, wanted);
   ASSERT_EQ(run("bake moving.toml --out killed.trajectory --no-derivatives --budget 0.05"), 0) << output_;
   EXPECT_TRUE(text("killed.trajectory") == text("whole.trajectory"));
-  // No other files remain.
+  // The killed runs have left no temporary files.
   for (const auto& entry : fs::directory_iterator(folder_)) {
     EXPECT_TRUE(entry.path().extension() == ".trajectory" || entry.path().extension() == ".toml" ||
                 entry.path().extension() == ".ppm")
@@ -207,8 +207,8 @@ TEST_F(BakeCommand, ReplacesItsOwnShowsTrajectoryOfOtherSettings) {
   EXPECT_THAT(output_, HasSubstr("computed now"));
 }
 
-//! Copies the trajectory of the show below, and marks its gaps as missing their budget by much
-//! more.
+//! Copies a trajectory file, but marks gaps (between adjacent stations) as missing the error budget
+//! by far.
 void write_missed_gaps(const fs::path& baked, const fs::path& missed) {
   const TrajectoryReader reader(baked);
   TrajectoryJournal journal(missed.string() + ".part", reader.provenance());

@@ -26,7 +26,7 @@ class DiagramCommand : public CommandLine {
     return output_;
   }
 
-  //! Returns whether OpenGL is available, according to the exit status and the output of a command.
+  //! Returns false if a command failed because OpenGL is not available.
   bool draws(int status) const { return status == 0 || output_.find("OpenGL") == std::string::npos; }
 };
 

@@ -13,7 +13,8 @@ std::string fixture(const std::string& name) {
   return " --fixture '" ERGODOME_TEST_DATA_DIR "/hid/" + name + ".toml' ";
 }
 
-//! Tests `ergodome pad`, without the settings of the person who runs the tests.
+//! Tests `ergodome pad` with its own settings folder, so that the settings of the person who runs
+//! the tests have no effect.
 class PadCommand : public CommandLine {
  protected:
   void SetUp() override {

@@ -35,7 +35,8 @@ TEST(BlackView, ForgetsWhenAnythingIsInViewAgain) {
   EXPECT_FALSE(view.take_return(130.0));
 }
 
-//! Returns the lit part of a visitor's first view, with the camera at `r` and turned.
+//! Returns the fraction of lit pixels in a visitor's first view, with the camera at `r` and turned
+//! by `yaw_deg`.
 double visitors_lit_part(double r, double yaw_deg, double exposure_stops = 0.0) {
   Show show = load_show("exhibit");
   show.camera.keys.at(0).r = r;
@@ -50,8 +51,8 @@ double visitors_lit_part(double r, double yaw_deg, double exposure_stops = 0.0) 
 }
 
 TEST(LitPart, IsNothingWhereAVisitorHoversCloseToTheHorizonAndLooksDown) {
-  // The horizon for spin 0.9 is at 1.4359 M; from 0.01 M above it, the sky is a narrow cone
-  // overhead.
+  // The horizon for spin 0.9 is at 1.4359 M. From 0.01 M above the horizon, the sky appears as a
+  // narrow cone overhead.
   EXPECT_LT(visitors_lit_part(1.446, 0.0), BlackView::least_lit_part);
 }
 

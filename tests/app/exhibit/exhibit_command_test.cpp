@@ -22,7 +22,7 @@ namespace {
 using test::CommandLine;
 using testing::HasSubstr;
 
-//! Runs an exhibit on a virtual display, with a visitor whose pad is a recording.
+//! Runs an exhibit on a virtual display. The visitor is simulated by the recording of a gamepad.
 class ExhibitInAWindow : public test::CommandLine {
  protected:
   void SetUp() override {
@@ -61,10 +61,10 @@ TEST_F(ExhibitInAWindow, LetsAVisitorFlyWhoTakesThePad) {
 TEST_F(ExhibitInAWindow, RecordsEachVisitAndNothingOfTheAttractShow) {
   write("flight-000001.toml", "of another run");
   const std::string flies = "--record flight.toml --pad-fixture '" ERGODOME_TEST_DATA_DIR "/hid/flight.toml' ";
-  // One visit, the rest of three seconds, another visit, then the attract show again.
+  // The 6.5 s contain a visit, three seconds without input, another visit, and the attract show.
   ASSERT_EQ(exhibit(flies + "--session 1 --for 6.5"), 0) << output_;
   EXPECT_EQ(text("flight-000001.toml"), "of another run");
-  // The number of visits depends on the speed of the machine.
+  // The number of visits depends on the speed of the machine, so it is read from the log.
   const std::string told = log();
   const std::string visit = "a visitor arrived";
   int visits = 0;
@@ -72,7 +72,7 @@ TEST_F(ExhibitInAWindow, RecordsEachVisitAndNothingOfTheAttractShow) {
     ++visits;
   }
   ASSERT_GE(visits, 2);
-  // The last visitor may not have flown yet.
+  // The last visit may not have produced a flight yet.
   for (int number = 2; number <= visits; ++number) {
     EXPECT_LT(read_show(folder_ / fmt::format("flight-{:06}.toml", number)).duration_s, 3.0) << number;
   }
@@ -131,8 +131,8 @@ void signal_one(pid_t process, int number) {
   }
 }
 
-//! Returns the rendering process of an exhibit with this command line: the one whose parent has the
-//! same command line. Returns -1 if there is none.
+//! Returns the rendering process of an exhibit. The exhibit has two processes with the same command
+//! line, and this is the one whose parent is the other. Returns -1 if there is none.
 pid_t showing_process(const std::string& command_line) {
   const auto line_of = [](const std::string& process) {
     std::ifstream file("/proc/" + process + "/cmdline");
@@ -171,7 +171,8 @@ TEST_F(ExhibitInAWindow, IsStartedAgainAfterACrash) {
       }
     };
     wait([&] { return logged_begins() > 0; });
-    // A process that crashes at its start is not restarted, so the test waits first.
+    // The exhibit does not restart a process that crashes soon after its start, so the test waits
+    // before it kills the process.
     std::this_thread::sleep_for(std::chrono::seconds(6));
     signal_one(showing_process(screenshot), SIGKILL);
     wait([&] { return logged_begins() > 1; });

@@ -21,7 +21,7 @@ using Kind = TransportCommand::Kind;
 using testing::Contains;
 using testing::HasSubstr;
 
-//! An exhibit whose player status is set by the test.
+//! An exhibit with a simulated player status, which tests set through `status_`.
 class KeptByAnExhibit : public test::FolderTest {
  protected:
   void SetUp() override {
@@ -34,7 +34,7 @@ class KeptByAnExhibit : public test::FolderTest {
     exhibit_->advance(0.0, true, false);
   }
 
-  //! Advances the time, and lets the exhibit check the current status.
+  //! Advances the simulated time, and lets the exhibit save the current status.
   void keep_after(double seconds) {
     now_s_ += seconds;
     exhibit_->advance(now_s_, false, false);

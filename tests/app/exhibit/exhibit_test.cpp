@@ -121,7 +121,8 @@ TEST(PlayerInputs, APointerSteersWhileAButtonIsHeldAlone) {
   EXPECT_EQ(inputs.gather(std::array{moved, pressed}, {}, 1e-3).steering.amounts, Steering()) << "came before it";
 }
 
-//! Returns whether keys pressed one after the other are the operator's chord.
+//! Returns whether these keys, pressed one after the other and held, are the operator's key
+//! combination.
 bool is_chord(const std::string& controls, std::initializer_list<int> keys) {
   PlayerInputs inputs(parse_controls(controls, "controls.toml"));
   inputs.set_lock(InputLock::visitors);

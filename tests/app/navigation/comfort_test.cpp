@@ -12,15 +12,15 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): flights of tests
 
-//! Returns the view relative to nonrotating directions; in a fall through the horizon, relative to
-//! those of ingoing azimuths.
+//! Returns the view relative to nonrotating directions. In a fall through the horizon, these are
+//! defined by the azimuth of ingoing Kerr coordinates.
 glm::dquat steady_view(const Navigator& navigator) {
   const CameraPose pose = navigator.pose();
   return (pose.velocity_in_rain ? ingoing_place(pose, navigator.space().spacetime()) : place_of(pose)).view;
 }
 
-//! Holds one control after another and records the fastest turn, its fastest change, and the same
-//! for a ship's velocity.
+//! The fastest rotation of the view and its largest change, and the same of the ship's velocity,
+//! while one control after another is held.
 struct Worst {
   double turn = 0.0;
   double turn_change = 0.0;
@@ -39,7 +39,8 @@ Worst worst_of(Navigator& navigator, const CameraPose& path, int frames,
   for (int i = 0; i < frames; ++i) {
     navigator.advance(step_s, input(i), path);
     const glm::dquat now = steady_view(navigator);
-    // When such a fall begins or ends, the coordinates for turns and lengths change.
+    // When a fall through the horizon begins or ends, rotations and velocities are measured in
+    // different coordinates; the two frames are not compared.
     const bool counted_anew = falls != navigator.pose().velocity_in_rain;
     falls = navigator.pose().velocity_in_rain;
     if (counted_anew) {

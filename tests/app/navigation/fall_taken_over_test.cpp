@@ -31,8 +31,8 @@ struct Follower {
   double time_s = 0.0;
 };
 
-//! Returns the distance of a flight from the nearest point of a show's orbit: the position relative
-//! to r, and the observer's velocity.
+//! Returns the smallest difference between the state of a flight and the points of a show's orbit:
+//! the sum of differences in position (relative to r) and in the observer's velocity.
 double off_orbit(const Show& show, const Navigator& navigator) {
   const CameraPose here = navigator.pose();
   const Vector3<double> moves = navigator.own_observer()->velocity;
@@ -47,7 +47,8 @@ double off_orbit(const Show& show, const Navigator& navigator) {
   return least;
 }
 
-// The orbit is sampled in steps in which the camera moves by about 0.005 of its distance.
+// Maximum difference from the nearest sample of the orbit: between samples, the camera moves by
+// about 0.005 of its radius.
 constexpr double between_tries = 0.01;
 
 TEST(FallTakenOver, GoesOnAlongTheSameOrbit) {

@@ -19,7 +19,7 @@ Show falling_through(double clock) {
                     "through.toml");
 }
 
-//! Returns a navigator that has followed the path until a time.
+//! Returns a navigator whose camera has followed the path of a show until a time of the show.
 Navigator follower(const Show& show, double until_s) {
   Navigator navigator(show);
   for (double time_s = frame_s; time_s < until_s; time_s += frame_s) {
@@ -42,7 +42,7 @@ TEST(FlightThroughHorizon, BeginsWithTheViewOfThePath) {
   for (int i = 0; i < 30; ++i) {
     navigator.advance(frame_s, {}, path);
   }
-  // The view turns with the path, and no faster.
+  // The view rotates at most as fast as the axes of the path's camera.
   EXPECT_LT(angle_between(place_of(navigator.pose()).view, view_of(path)), 0.05);
 }
 
@@ -71,8 +71,8 @@ TEST(FlightThroughHorizon, ReturnsToTheViewOfThePath) {
   EXPECT_LT(greatest, 0.03);
 }
 
-//! Returns the distance of a flight from the nearest point of a show's orbit: the position relative
-//! to r, the velocity and the view.
+//! Returns the smallest difference between the state of a flight and the points of a show's orbit:
+//! the sum of differences in position (relative to r), velocity and view.
 double off_the_orbit(const Show& show, const CameraPose& here) {
   double least = 1e9;
   for (double time_s = 0.0; time_s < 60.0; time_s += 0.002) {

@@ -51,7 +51,8 @@ TEST(Navigator, NeverComesWithinItsGuardWhateverIsAskedAndHoweverLongAFrameTakes
   constexpr int inputs = 10'000;
   for (const double spin : {0.0, 0.5, 0.999, 1.0, -0.9}) {
     for (const char* guard : {"horizon", "photon_orbit"}) {
-      // A spin that might change prevents a fall through the horizon.
+      // The spin is animated. Such a show does not allow falls through the horizon, so that the
+      // guard (the surface outside which a visitor's camera stays) applies.
       std::string numbers = "guard = \"" + std::string(guard) + "\"\nmax_speed = 3\nmost_r = 50\n";
       numbers += "[[animate]]\nnumber = \"hole.spin\"\nkey = [";
       for (const char* time : {"{ t_s = 0", ", { t_s = 1"}) {

@@ -28,7 +28,8 @@ TEST(NearestVelocity, IsSlowerThanLightEverywhereOutsideTheGuard) {
   }
 }
 
-//! Returns the largest change of the velocity between small steps of a path inwards.
+//! Moves inwards along a path in small steps, and returns the largest change of the observer's
+//! velocity from one step to the next.
 double largest_step(ObserverMotion motion, double spin, double theta) {
   double largest = 0.0;
   Vector3<double> last = nearest_velocity(motion, Spacetime{spin}, 8.0, theta).velocity;
@@ -55,8 +56,8 @@ TEST(NearestVelocity, IsTheObserversOwnWhereThereIsOne) {
   EXPECT_EQ(fixed.velocity.z, observer_velocity(ObserverMotion::fixed, Spacetime{0.9}, 3.0, 1.0, {}).z);
 }
 
-// dφ/dt = ω + v_φ Σ √Δ / (A sinθ): the substitute observer moves against the hole's rotation as
-// fast as its speed limit allows.
+// In the ergosphere, a substitute observer replaces the static one: it moves against the hole's
+// rotation at its speed limit v_φ, so that dφ/dt = ω + v_φ Σ √Δ / (A sinθ).
 TEST(NearestVelocity, InTheErgosphereTurnsMoreSlowlyThanTheSpaceAboutIt) {
   const double r = 1.7;
   const NearestVelocity view = nearest_velocity(ObserverMotion::fixed, Spacetime{0.9}, r, pi / 2);

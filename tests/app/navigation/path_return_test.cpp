@@ -10,8 +10,9 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): flights of tests
 
-//! Plays the path, leaves it, flies, and returns. Records the largest changes of velocity (of the
-//! position relative to r, and of the view) from frame to frame.
+//! Result of a test flight that follows the path, leaves it, flies freely, and returns to it: the
+//! largest changes, from one frame to the next, of the rate at which the position (relative to r)
+//! and the view change.
 struct Journey {
   double place_change = 0.0;
   double view_change = 0.0;
@@ -64,8 +65,8 @@ TEST(PathReturn, BeginsAndEndsWithTheSameVelocityAndArrivesInTime) {
   for (const Steering& away :
        {Steering{}, Steering{1.0, 0.0, -1.0}, Steering{0.0, 1.0, 1.0, 0.5, 0.2}, Steering{-1.0, -1.0, 0.4, -1.0}}) {
     const Journey back = journey(moving_show(), away, 4.0);
-    // A jump would change a velocity by its own size, about 0.3 per second; the limits and the
-    // blend allow far less per frame.
+    // A jump would change the rate by about 0.3 per second, which is the rate itself. The limits on
+    // acceleration and the blend with the path allow far less per frame.
     EXPECT_LT(back.place_change, 0.05);
     EXPECT_LT(back.view_change, 0.05);
     EXPECT_LT(back.time_back_s, 12.0);

@@ -7,7 +7,7 @@
 #include "app/navigation/navigator.h"
 #include "content/show/reading/show_reader.h"
 
-// Shows, flights and inputs for tests of the navigator.
+// Shows, flights and simulated input for tests of the navigator.
 namespace ergodome::test {
 
 inline constexpr double frame_s = 1.0 / 60.0;
@@ -50,7 +50,7 @@ inline double angle_between(const glm::dquat& a, const glm::dquat& b) {
   return glm::length(turn_of(b * glm::conjugate(a)));
 }
 
-//! Returns arbitrary input, including values that no device sends.
+//! Returns random input, including values that no device sends.
 inline Steering wild(std::mt19937& random) {
   std::uniform_real_distribution<double> rate(-1.5, 1.5);
   const auto pick = [&] {
@@ -68,7 +68,7 @@ inline Steering wild(std::mt19937& random) {
   return {pick(), pick(), pick(), pick(), pick(), pick(), pick(), pick()};
 }
 
-//! Returns a show whose path moves all the time.
+//! Returns a show whose camera path never rests.
 inline Show moving_show(double spin = 0.9) {
   return parse_show("duration_s = 100\n[hole]\nspin = " + std::to_string(spin) + R"(
 [camera]

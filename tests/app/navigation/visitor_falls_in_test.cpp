@@ -16,7 +16,7 @@ namespace {
 using namespace test;  // NOLINT(google-build-using-namespace): flights of tests
 using testing::HasSubstr;
 
-//! A visitor who releases a camera at rest.
+//! A visitor who releases a camera at rest, so that it falls into the hole.
 struct Visitor {
   explicit Visitor(const Show& show) : flier(show) { flier.navigator.let_go(); }
 
@@ -34,7 +34,7 @@ struct Visitor {
   Flier flier;
 };
 
-//! E, L and Q of a camera with a velocity relative to the rain frame.
+//! The constants of motion E, L and Q of a camera whose velocity is given in the rain frame.
 struct Constants {
   double energy;
   double axial;
@@ -104,8 +104,8 @@ TEST(VisitorFallsIn, KnowsTheOwnTimeThatIsLeftByTheClosedForm) {
   EXPECT_NEAR(ride.left().value(), std::sqrt(r0 * r0 * r0 / 8.0) * (eta + std::sin(eta)), 1e-5);
 }
 
-//! The part of the sky that a camera sees in a view direction: energy, angular momentum and azimuth
-//! of the light's path, regular at the horizon.
+//! The energy, angular momentum and sky azimuth of the light that a camera sees in a direction of
+//! its view. The azimuth is regular at the horizon.
 struct Seen {
   double energy;
   double axial;
@@ -263,8 +263,8 @@ TEST(VisitorFallsIn, SeesWhatStandsOutsideGoOnInTime) {
   constexpr double spin = 0.7;
   Visitor visitor(show_at(spin, 5.0, 60.0));
   visitor.flier.hold({}, frame_s);
-  // The age of the visible scene is the delay of its light in Boyer-Lindquist time, which diverges
-  // at the horizon.
+  // A visitor sees the scene as it was when the light left it. Boyer-Lindquist time diverges at the
+  // horizon, and so does the delay of the light; their difference must stay constant.
   const auto since_let_go = [&] { return visitor.pose().clock_lead - outer_lag(Spacetime{spin}, visitor.pose().r); };
   const double first = since_let_go();
   EXPECT_NEAR(visitor.pose().clock_lead, 0.0, 1e-3);

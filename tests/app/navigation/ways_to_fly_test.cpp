@@ -57,8 +57,8 @@ TEST(Navigator, FarStarsKeepTheirPlaceInAShipThatPassesThePole) {
   EXPECT_GT(angle_between(local, flier.navigator.pose().orientation), 3.0);  // the local frame has turned by about π
 }
 
-//! Returns a length in the space of the zero-angular-momentum observer, from the metric (Bardeen,
-//! Press & Teukolsky 1972, eq. 2.3).
+//! Returns the proper length between two camera positions in the space of zero-angular-momentum
+//! observers, from the metric (Bardeen, Press & Teukolsky 1972, eq. 2.3).
 double proper_length(double spin, const CameraPose& a, const CameraPose& b) {
   const double r = 0.5 * (a.r + b.r);
   const double theta = 0.5 * (a.theta + b.theta);

@@ -12,21 +12,21 @@
 #include "app/pads/pad_response.h"
 #include "app/pads/state/pad_names.h"
 
-// Recordings of pads for tests, and what decoders should read from them.
+// Recordings of pads for tests, and the values that decoders should read from them.
 namespace ergodome::test {
 
-//! Reads a fixture of tests/data/hid by its name.
+//! Reads a recording (a "fixture") by its name, from the folder tests/data/hid.
 HidFixture fixture(const std::string& name);
 
-//! Returns a profile that shows what a decoder reads: no dead zones, straight curves.
+//! Returns a profile that does not change what a decoder reads: no dead zones, linear curves.
 inline PadProfile straight_profile() {
   PadProfile profile;
   profile.left_stick = profile.right_stick = profile.triggers = profile.puck = PadCurve{};
   return profile;
 }
 
-//! The expectation of an event, parsed from `expect` in a fixture: the kind of report, buttons, and
-//! axes as in left_x=-0.5.
+//! The expected result of an event, parsed from the text `expect` of a fixture. It contains the
+//! kind of report, buttons, and axes such as left_x=-0.5.
 struct Expectation {
   PadReport kind = PadReport::state;
   PadState state;
@@ -58,8 +58,8 @@ struct Expectation {
   }
 };
 
-//! Converts the raw numbers of a device without limiting sticks to a circle, so that corners stay
-//! corners.
+//! Converts raw numbers of a device to a pad state. Unlike the program, does not limit sticks to a
+//! circle, so that both axes can be at their maximum.
 inline PadState read_straight(const RawLayout& layout, const RawPad& raw) {
   const PadResponse response(layout, straight_profile());
   PadState state;

@@ -11,8 +11,8 @@
 namespace ergodome::test {
 namespace {
 
-//! A worn pad: the left stick rests at (133, 121), jitters by one, and covers 20 to 240; the right
-//! stick is untouched.
+//! Simulates a worn pad. Its left stick rests at (133, 121), jitters by one, and covers only 20 to
+//! 240; its right stick is not used.
 class WornPad {
  public:
   explicit WornPad(PadCalibrator& calibrator) : calibrator_(calibrator), pad_(at_rest(layout())) {}

@@ -11,12 +11,13 @@
 #include "app/pads/pad_hub.h"
 #include "tests/app/pads/fixtures.h"
 
-// A pad hub that plays fixtures in simulated time, for tests.
+// A pad hub that plays recorded pads in simulated time, for tests.
 namespace ergodome::test {
 
 inline constexpr double frame_s = 1.0 / 60.0;
 
-//! Returns a report of a DualShock 4 over USB: left stick, face buttons.
+//! Returns a USB report of a DualShock 4 with the given position of the left stick and face
+//! buttons.
 inline std::string ds4(int left_x = 128, int left_y = 128, int face = 0) {
   std::vector<std::uint8_t> report(64);
   report[0] = 1;
@@ -48,7 +49,7 @@ inline std::string report_at(int t_ms, const std::string& hex, const std::string
   return at(t_ms, "hex = \"" + hex + "\"\n" + more);
 }
 
-//! A hub whose time is set by the test.
+//! A pad hub whose time is set by the test.
 class PadHubTest : public testing::Test {
  protected:
   void play(const std::string& text, PadSettings settings = {}) {

@@ -55,7 +55,7 @@ TEST(PadCurve, RisesAllTheWay) {
 }
 
 TEST(PadCurve, IsTheFormulaThatIsWritten) {
-  // t = (0.55 - 0.15) / 0.8 = 0.5, s = 0.5^2 = 0.25, 0.5 * 0.25 + 0.5 * 0.25^3.
+  // t = (0.55 - 0.15) / (0.95 - 0.15) = 0.5; s = t² = 0.25; the result is 0.5 s + 0.5 s³.
   EXPECT_NEAR(shaped(0.55, {.dead_zone = 0.15, .full_at = 0.95, .exponent = 2.0, .expo = 0.5}), 0.1328125, 1e-12);
 }
 
@@ -71,7 +71,8 @@ TEST(RadialDeadZone, KeepsTheDirection) {
 }
 
 TEST(RadialDeadZone, IsACircleNotACross) {
-  // Each component alone is in the dead zone, but both together are not.
+  // Each component alone would be within the dead zone of 0.15, but the length of the vector is
+  // not.
   float stick[2] = {0.13F, 0.13F};
   shape_radially(stick, curved);
   EXPECT_GT(stick[0], 0.0F);

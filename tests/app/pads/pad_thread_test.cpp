@@ -9,7 +9,7 @@
 namespace ergodome::test {
 namespace {
 
-//! The hub with its thread, and a clock that the test sets.
+//! A pad hub that runs in its own thread, with a clock that the test sets.
 class PadThread : public testing::Test {
  protected:
   void start(const std::string& name) {

@@ -63,7 +63,8 @@ TEST_F(PadHubTest, GoesOnWithTheOtherOfTwoWhenOneIsPulled) {
 TEST_F(PadHubTest, LeavesOutAStickThatIsStuckUntilItMoves) {
   PadSettings settings;
   settings.stuck_after_s = 30.0;
-  // Held to the right for a minute while the other axis moves; then it comes free.
+  // The x axis stays at its maximum for a minute, while the y axis moves; then the x axis moves
+  // again.
   std::string timeline = report_at(0, ds4());
   for (int t_ms = 100; t_ms < 60'000; t_ms += 500) {
     timeline += report_at(t_ms, ds4(255, (t_ms / 500) % 2 == 0 ? 0 : 10));

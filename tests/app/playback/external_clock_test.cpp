@@ -22,7 +22,7 @@ struct Chase {
   ChaseState state = ChaseState::waiting;
   std::chrono::nanoseconds patience = 1s;
 
-  //! Returns a fix of the other clock, valid `ahead` after the current time.
+  //! Returns a fix of the other clock: its show time and speed at the moment `ahead` after now.
   [[nodiscard]] ClockFix word(ShowTime show_time, double speed, std::chrono::nanoseconds ahead = 0s) const {
     return {show_time, speed, time.now + ahead, time.now};
   }

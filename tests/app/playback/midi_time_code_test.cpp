@@ -13,7 +13,7 @@ using namespace std::chrono_literals;
 using Bytes = std::vector<std::uint8_t>;
 using Reading = MidiTimeCodeReader::Reading;
 
-//! Returns the two bytes of a quarter frame, as the specification defines them.
+//! Returns the two bytes of a MIDI quarter-frame message: piece 0 to 7 of a time code.
 Bytes quarter(const TimeCode& code, int piece) {
   const int rate = static_cast<int>(code.rate);
   const int nibbles[] = {code.frames & 15,  code.frames >> 4,  code.seconds & 15, code.seconds >> 4,
@@ -116,7 +116,8 @@ TEST(MidiTimeCode, OtherMessagesAreNotInTheWay) {
   const Bytes plain = code_forwards(code);
   Bytes mixed = {0x90, 0x3C, 0x40};  // a note message
   for (std::size_t i = 0; i < plain.size(); i += 2) {
-    // A clock tick inside the message; a note after it, with running status.
+    // Inserts a MIDI clock tick inside the quarter-frame message, and after the message a note
+    // whose second event uses running status.
     mixed.insert(mixed.end(), {plain[i], 0xF8, plain[i + 1], 0x90, 0x3C, 0x00, 0x3D, 0x40});
   }
   EXPECT_EQ(reader.read(mixed), MidiTimeCodeReader().read(plain));
@@ -132,7 +133,7 @@ TEST(MidiTimeCode, WhatIsNoLabelIsNotRead) {
       << "not real time";
 }
 
-//! Returns the label of the next frame.
+//! Returns the time code of the next frame; drop-frame codes skip labels that do not exist.
 TimeCode next_label(TimeCode code) {
   do {
     const int frames = code.rate == CodeRate::fps24 ? 24 : code.rate == CodeRate::fps25 ? 25 : 30;
@@ -144,15 +145,17 @@ TimeCode next_label(TimeCode code) {
   return code;
 }
 
-//! A stream of quarter frames whose quarter 0 starts at the frame of a label.
+//! A stream of quarter-frame messages. Message 0 belongs to the frame with the time code `first`.
 struct Stream {
   TimeCode first;
   int quarters;
   int step = 1;
-  bool holds_codes = true;  //!< false: each piece belongs to the frame that runs while it is sent, as with some senders
+  //! If true, the eight messages of a code all describe the frame at its start. If false, each
+  //! describes the frame that is current when it is sent, as some senders do.
+  bool holds_codes = true;
 
-  //! Returns the readings of quarters from `from` on (from the end if backwards), each with its
-  //! true number.
+  //! Reads the stream from message `from` on (counted from the end if backwards). Returns each
+  //! reading and the true number of its message.
   [[nodiscard]] std::vector<std::pair<Reading, std::int64_t>> read(int from = 0) const {
     std::vector<TimeCode> labels = {first};
     while (static_cast<int>(labels.size()) <= quarters / 4) {
@@ -181,8 +184,8 @@ TEST(MidiTimeCode, StreamsOfAllRatesAreReadFromTheMiddleForthAndBack) {
   for (const TimeCode& first : ends_of_minutes) {
     for (const int step : {1, -1}) {
       const auto readings = Stream{first, 480, step}.read(3);
-      // No readings before the first complete code: five quarters that remain of the previous code,
-      // and eight.
+      // Reading starts with message 3. The first complete code ends after the five remaining
+      // messages of the current code and the eight of the next.
       ASSERT_EQ(readings.size(), 480U - 3U - 5U - 7U);
       for (const auto& [reading, truth] : readings) {
         ASSERT_EQ(reading, (Reading{truth, first.rate, step})) << frame_number(first);
@@ -201,7 +204,8 @@ TEST(MidiTimeCode, ACodeOfTwoFramesAtTheEndOfAMinuteDoesNotMoveTheShow) {
       for (const auto& [reading, truth] : readings) {
         ASSERT_EQ(reading, (Reading{truth, first.rate, step})) << frame_number(first);
       }
-      // A reader that receives the codes one by one confirms that some of them are wrong.
+      // Checks that the faulty stream is a real test: single codes, each read by a new reader, are
+      // sometimes wrong.
       for (int begin = 0; begin + 8 <= 480; begin += 8) {
         const Stream one = {first, step > 0 ? begin + 8 : 480 - begin, step, false};
         const auto alone = one.read(step > 0 ? begin : 0);
@@ -218,7 +222,7 @@ TEST(MidiTimeCode, AJumpWithoutAWordBeforeIsFollowedFromItsSecondCodeOn) {
   reader.read(code_forwards({1, 0, 0, 2, CodeRate::fps25}));
   EXPECT_EQ(reader.read(code_forwards({2, 0, 0, 0, CodeRate::fps25})).back().quarter_frames, 4 * (3600 * 25 + 4) + 7);
   EXPECT_EQ(reader.read(code_forwards({2, 0, 0, 2, CodeRate::fps25})).back().quarter_frames, 4 * (7200 * 25 + 2) + 7);
-  // A sender that fast-forwards skips frames in each code.
+  // While a sender fast-forwards, consecutive codes differ by more than two frames.
   EXPECT_EQ(reader.read(code_forwards({2, 0, 1, 0, CodeRate::fps25})).back().quarter_frames, 4 * 7201 * 25 + 7);
   EXPECT_EQ(reader.read(code_forwards({2, 0, 2, 0, CodeRate::fps25})).back().quarter_frames, 4 * 7202 * 25 + 7);
 }
@@ -226,7 +230,8 @@ TEST(MidiTimeCode, AJumpWithoutAWordBeforeIsFollowedFromItsSecondCodeOn) {
 TEST(MidiTimeCode, AFirstCodeAfterAStopIsCheckedAgainstTheLastPlace) {
   MidiTimeCodeReader reader;
   reader.read(Bytes{0xF0, 0x7F, 0x7F, 0x01, 0x01, 0x20, 0x3B, 0x3B, 0x18, 0xF7});  // 00:59:59:24 at 25
-  // Its hours are those of the following frame.
+  // The first quarter frames after the stop contain the hours of the following frame, 1, instead of
+  // 0.
   EXPECT_TRUE(reader.read(code_forwards({1, 59, 59, 24, CodeRate::fps25})).empty());
   EXPECT_EQ(reader.read(code_forwards({1, 0, 0, 1, CodeRate::fps25})).back().quarter_frames, 4 * (3600 * 25 + 1) + 7);
 }
@@ -245,14 +250,14 @@ TEST(MidiTimeCode, RunsThroughMidnight) {
   }
 }
 
-//! A machine that plays at a speed from a start; its messages arrive late by up to `jitter_s`.
+//! A simulated sender that plays at a constant speed; its messages arrive late by up to `jitter_s`.
 struct Machine {
   CodeRate rate;
   double speed;
   double jitter_s;
 
-  //! Runs the filter for a while and returns the maximum error of its fixes after the first 16
-  //! quarters.
+  //! Feeds the machine's messages to the filter for some seconds. Returns the maximum error of the
+  //! clock fixes after the first 16 messages.
   double greatest_error_s(TimeCodeFilter& filter, double seconds) const {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> late_s(0.0, jitter_s);
@@ -262,7 +267,7 @@ struct Machine {
     for (int i = 0; i * quarter_s < seconds; ++i) {
       const double sent_s = i * quarter_s / speed;
       const ClockFix fix = filter.filter({i, rate, 1}, show_time(sent_s + late_s(random)));
-      // The best estimate assumes the mean delay.
+      // A filter can only correct for the mean delay of the messages.
       const double truth_s = speed * (seconds_of(fix.right_at) - jitter_s / 2.0);
       if (i > 16) {
         worst_s = std::max(worst_s, std::abs(seconds_of(fix.show_time) - truth_s));

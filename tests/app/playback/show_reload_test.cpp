@@ -27,13 +27,13 @@ class HotReload : public test::FolderTest {
     watch_since(std::chrono::system_clock::now() + 1s);
   }
 
-  //! Watches the show, as read at a time of the wall clock.
+  //! Starts to watch the show file, which was read at the given time of the wall clock.
   void watch_since(std::chrono::system_clock::time_point read_at) {
     reload_.emplace(folder_ / "show.toml", read_show(folder_ / "show.toml"), read_at, read_show);
   }
 
   void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
-  //! Saves a file as editors do that write a temporary file and rename it.
+  //! Writes a temporary file and renames it, as some editors do when they save.
   void write_beside(const std::string& name, const std::string& text) const {
     write(name + "~", text);
     std::filesystem::rename(folder_ / (name + "~"), folder_ / name);
@@ -243,7 +243,8 @@ class WatchedShowsTest : public test::FolderTest {
   void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
   void run(const std::string& name) { shows_.run(read_show(folder_ / name), read_at_, read_show); }
 
-  //! Runs a version that was read earlier, whatever the file contains.
+  //! Runs a show that contains only a name and a folder, as if it had been read earlier; the file
+  //! of that name may have other contents by now.
   void run_as_it_was(const std::string& name) {
     Show show;
     show.name = name;
@@ -251,7 +252,7 @@ class WatchedShowsTest : public test::FolderTest {
     shows_.run(show, read_at_, read_show);
   }
 
-  //! Polls for several seconds of player time.
+  //! Polls for several seconds of simulated player time.
   void frames() {
     for (int i = 0; i < 300; ++i) {
       now_ += milliseconds(10);

@@ -17,8 +17,8 @@ struct SoundFile {
 void write_sound(const std::filesystem::path& path, const SoundFile& file,
                  const std::function<double(double, int)>& sample);
 
-//! Writes a floating-point file that encodes the position in it: left divided by right is the time
-//! relative to the length.
+//! Writes a floating-point sound file in which each sample encodes its own time: left divided by
+//! right is the time as a fraction of the length.
 void write_ramp(const std::filesystem::path& path, int rate_hz, double length_s);
 
 }  // namespace ergodome::test

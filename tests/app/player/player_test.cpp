@@ -13,13 +13,14 @@
 namespace ergodome {
 namespace {
 
-//! An output without a window, which keeps the pictures of its first frame and then closes.
+//! A fake output without a window. It keeps the pictures of its first frame, then asks the player
+//! to end.
 class HeadlessOutput : public DisplayOutput {
  public:
   struct Kept {
     std::vector<Picture> eyes;
     EyeGrid grid;
-    int shown = 0;  //!< number of calls of show() after the frame
+    int shown = 0;  //!< number of calls of show() after the first frame
   };
 
   HeadlessOutput(std::vector<OutputEye> eyes, std::shared_ptr<Kept> kept)
@@ -52,7 +53,7 @@ class PlayerOutputs : public testing::Test {
  protected:
   PlayerOutputs() : show_(parse_show(text, "outputs.toml")) {}
 
-  //! Plays until an output that wants these eyes has shown a frame.
+  //! Plays until a fake output with the given eyes has received a frame; returns that frame.
   HeadlessOutput::Kept play(const std::vector<OutputEye>& eyes) {
     auto kept = std::make_shared<HeadlessOutput::Kept>();
     PlayOptions options;
@@ -82,7 +83,7 @@ TEST_F(PlayerOutputs, GetTheEyesOfTheShowUnlessTheyWantOthers) {
 }
 
 TEST_F(PlayerOutputs, GetTheFrustaThatTheyWant) {
-  // The eyes of a headset: their frusta are wider on the outside.
+  // The two eyes of a headset, each with a frustum that is wider towards its outer side.
   const Projection left = make_frustum_projection(24, 20, {-1.2, 0.9, 1.0, -1.1});
   const Projection right = make_frustum_projection(24, 20, {-0.9, 1.2, 1.0, -1.1});
   const glm::dquat turn = glm::angleAxis(0.3, glm::dvec3(0.0, 1.0, 0.0));

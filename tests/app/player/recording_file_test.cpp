@@ -11,7 +11,7 @@ namespace {
 
 using testing::HasSubstr;
 
-//! Records a simulated flight, one second at a time.
+//! Records a simulated flight to a file, one second at a time.
 class RecordedToAFile : public test::FolderTest {
  protected:
   void fly(RecordingFile& file) {

@@ -71,7 +71,7 @@ TEST_F(VisitorSession, SaysWhereOneIsInGermanToo) {
   EXPECT_THAT(session_.frame().observer.sentence, HasSubstr("innerhalb des Horizonts"));
 }
 
-//! Returns the observer's velocity in the rain frame.
+//! Returns the velocity of the frame's observer in the rain frame.
 Vector3<double> in_rain(const PlayerFrame& frame) {
   CameraPose pose = frame.pose;
   if (!pose.velocity) {

@@ -19,7 +19,7 @@ struct Head {
   std::uint32_t bytes;
 };
 
-//! An abstract socket address, which disappears with its server.
+//! An abstract socket address: it has no file, and is released when the server ends.
 struct Address {
   sockaddr_un name{};
   socklen_t size = 0;
@@ -57,7 +57,7 @@ bool receive_all(int socket, char* bytes, std::size_t count) {
   return true;
 }
 
-//! A socket message that holds a Head and, as ancillary data, three file descriptors.
+//! A socket message with the header of a call; its ancillary data passes three file descriptors.
 struct HeadMessage {
   Head head{};
   iovec part = {&head, sizeof head};

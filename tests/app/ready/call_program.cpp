@@ -1,5 +1,5 @@
-// Lets the server named by ERGODOME_READY run this command line, and exits with its status; 125 if
-// there is no such server.
+// Lets the server named by the environment variable ERGODOME_READY run this command line, and exits
+// with the status of that run. Exits with 125 if the server does not exist.
 #include <unistd.h>
 
 #include <cstdio>

@@ -1,8 +1,8 @@
-// The program with OpenImageIO loaded, waiting for command lines, each of which runs in a forked
-// process. Loading the hundreds of libraries of OpenImageIO takes half a second of CPU time, and
-// the tests start the program about five hundred times.
+// The program with OpenImageIO loaded, as a server: it waits for command lines and runs each in a
+// forked process. Loading the hundreds of libraries of OpenImageIO takes half a second of CPU time,
+// and the tests start the program about five hundred times.
 //
-//   ergodome_ready NAME
+// ergodome_ready NAME
 #include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -26,12 +26,12 @@ namespace {
 
 constexpr int no_program = 125;  //!< exit status if the program could not be run
 
-//! Makes the kernel kill this process with its parent, so that a killed test leaves no processes
+//! Makes the kernel kill this process when its parent ends, so that killed tests leave no processes
 //! behind.
 void end_with_parent() { ::prctl(PR_SET_PDEATHSIG, SIGKILL); }
 
-//! Ends a worker. Skips exit handlers, which would wait for threads of loaded libraries that do not
-//! exist after the fork.
+//! Ends a forked process. Skips exit handlers, which would wait for threads of loaded libraries;
+//! these threads do not exist after a fork.
 [[noreturn]] void end(int status) {
   std::cout.flush();
   std::fflush(nullptr);
@@ -60,7 +60,7 @@ void end_with_parent() { ::prctl(PR_SET_PDEATHSIG, SIGKILL); }
   end(run_program(static_cast<int>(call.words.size()), words.data()));
 }
 
-//! Runs the call received from a socket in a new process, and sends back its status.
+//! Receives a call from the socket, runs it in a new process, and sends back its exit status.
 void serve(int socket) {
   std::optional<Call> call = receive_call(socket);
   if (!call) {

@@ -21,10 +21,10 @@ using testing::StartsWith;
 
 const std::string token = "0123456789abcdef0123456789abcdef";
 
-//! How a client without the token behaves.
+//! How a client without the token misbehaves.
 enum class Manner { silent, slow, without_token, with_wrong_token };
 
-//! Opens a connection that misbehaves, and opens another one when it is closed.
+//! A client that misbehaves; whenever its connection is closed, it opens another one.
 class Nuisance {
  public:
   Nuisance(const NetAddress& server, int number) : server_(server), manner_(static_cast<Manner>(number % 4)) {}
@@ -57,8 +57,8 @@ class Nuisance {
 
 constexpr int requests = 100;
 
-//! Measures requests, each on a new connection, and returns their times in ascending order. Returns
-//! an empty vector if an answer was wrong.
+//! Sends requests, each on a new connection. Returns their durations [ms] in ascending order, or an
+//! empty vector if an answer was wrong.
 std::vector<double> times_ms(const NetAddress& server, const std::string& headers) {
   std::vector<double> times;
   for (int i = 0; i < requests; ++i) {
@@ -76,8 +76,8 @@ std::vector<double> times_ms(const NetAddress& server, const std::string& header
   return times;
 }
 
-//! 200 silent, slow or unauthenticated clients on three hosts; an operator on this machine, and one
-//! with the token on a fourth host.
+//! On three hosts there are 200 clients that are silent, slow or unauthenticated. Meanwhile, an
+//! operator on this machine and one with the token on a fourth host must be served quickly.
 TEST(LockOut, OperatorsAreServedAtOnceWhateverTwoHundredStrangersDo) {
   if (!test::enter_own_network()) {
     GTEST_SKIP() << "needs network namespaces: run as root, with iproute2 and nsenter";
@@ -120,8 +120,8 @@ TEST(LockOut, OperatorsAreServedAtOnceWhateverTwoHundredStrangersDo) {
   for (const auto& times : {on_loopback, with_token}) {
     ASSERT_EQ(times.size(), requests);
     std::printf("%d requests: median %.1f ms, longest %.1f ms\n", requests, times[requests / 2], times.back());
-    // On a busy test machine, a few answers may be late; an operator who is locked out waits for
-    // seconds.
+    // On a busy test machine a few answers may be late. An operator who is locked out would wait
+    // for seconds.
     EXPECT_LT(times[requests * 95 / 100], 50.0);
     EXPECT_LT(times.back(), 1000.0);
   }

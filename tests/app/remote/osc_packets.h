@@ -13,7 +13,7 @@
 // Builds and parses OSC packets for tests.
 namespace ergodome::test {
 
-//! Builds a packet with one message, as clients of liblo send it.
+//! Builds a packet with one message by means of liblo, as its clients send it.
 template <class... Values>
 std::vector<std::byte> packet_of(const std::string& address, const char* types, Values... values) {
   const lo_message message = lo_message_new();
@@ -24,7 +24,7 @@ std::vector<std::byte> packet_of(const std::string& address, const char* types, 
   return bytes;
 }
 
-//! Builds a bundle of packets with a time tag.
+//! Builds an OSC bundle that contains the given packets and a time tag.
 inline std::vector<std::byte> bundle_of(OscTime time, const std::vector<std::vector<std::byte>>& elements) {
   std::vector<std::byte> bytes;
   for (const char c : std::string("#bundle") + '\0') {

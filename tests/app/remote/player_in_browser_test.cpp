@@ -36,7 +36,8 @@ t_s = 30
 title = "Nearer"
 )";
 
-//! Runs the program on a virtual display, with an untouched pad, and controls it through a browser.
+//! Runs the player on a virtual display, with a pad that nobody touches, and controls it through a
+//! browser.
 class PlayerInABrowser : public test::FolderTest {
  protected:
   void SetUp() override {
@@ -71,7 +72,8 @@ class PlayerInABrowser : public test::FolderTest {
     FolderTest::TearDown();
   }
 
-  //! Writes the recording of a pad up to its first report, in which everything is at rest.
+  //! Writes the start of a pad's recording: only its first report, in which sticks and buttons are
+  //! at rest.
   void write_pad_at_rest() const {
     std::ifstream recording(ERGODOME_TEST_DATA_DIR "/hid/flight.toml");
     std::ofstream pad(folder_ / "pad.toml");

@@ -72,8 +72,8 @@ TEST_F(RemoteControlTest, MakesATokenForTheNetworkAndPrintsItsUse) {
 
 class KeptToken : public test::FolderTest {
  protected:
-  //! Starts a page that is open to the network; returns its first address with a token, and its
-  //! warnings.
+  //! Starts a status page that is open to the network. Returns its first printed address, which
+  //! contains the token, and the warnings.
   std::string start(const std::filesystem::path& file) {
     RemoteOptions options = parsed({"--web", "0", "--web-bind", "0.0.0.0"});
     options.kept_token_file = file;

@@ -48,7 +48,7 @@ class StatusPage : public testing::Test {
     return has(selector) && browser->text(selector).find(text) != std::string::npos;
   }
 
-  //! Returns whether the player's status comes to fulfill a condition.
+  //! Waits until the player's status fulfills a condition; returns false after a time limit.
   bool player_becomes(const std::function<bool(const PlayerStatus&)>& condition) {
     return becomes_true([&] { return condition(player_.board.read()); });
   }
@@ -90,8 +90,8 @@ TEST_F(StatusPage, SeeksByTheArrowKeysWithinTheBar) {
 
 TEST_F(StatusPage, ChangesTheExposure) {
   browser->drag("#exposure", 0.5, 0.7);
-  // The knob is as wide as a finger, so that a fraction of the bar is slightly more than that
-  // fraction of the stops.
+  // The knob of the slider is as wide as a finger, so dragging by 0.2 of the slider's width changes
+  // the exposure by slightly more than 0.2 of its range.
   EXPECT_TRUE(player_becomes(
       [](const PlayerStatus& status) { return status.exposure_stops > 1.9 && status.exposure_stops < 2.8; }));
   EXPECT_TRUE(becomes_true([&] { return shows("#exposure-value", "+2."); }));
@@ -100,7 +100,8 @@ TEST_F(StatusPage, ChangesTheExposure) {
 TEST_F(StatusPage, LeavesAFaderUnderTheFinger) {
   browser->drag("#exposure", 0.5, 0.8, false);
   ASSERT_TRUE(player_becomes([](const PlayerStatus& status) { return status.exposure_stops > 2.0; }));
-  // Another client changes it back, and the title shows that the page has received the change.
+  // Another client changes the exposure to -4 while the finger is still on the slider. The new
+  // title shows that the page has received this status.
   player_.change([](PlayerStatus& status) {
     status.exposure_stops = -4.0;
     status.title = "Turned back";
@@ -156,7 +157,8 @@ TEST_F(StatusPage, TellsOfALostConnectionAndComesBack) {
 }
 
 TEST_F(StatusPage, SaysWhatThePlayerRefused) {
-  // The chapter disappeared after the page was drawn and before the touch.
+  // Simulates the answer of a player whose show no longer has the chapter that the page still
+  // lists.
   browser->run(
       "fetch = (_, options) => Promise.resolve(new Response('{\"error\": \"no such chapter\"}', {status: 400}))");
   browser->click("#chapters li:nth-child(1) button");
@@ -216,7 +218,8 @@ TEST_F(StatusPage, MutesAndComesBackToTheVolumeBefore) {
   browser->click("#mute");
   EXPECT_TRUE(player_becomes([](const PlayerStatus& status) { return status.volume == 0.0; }));
   EXPECT_TRUE(becomes_true([&] { return shows("#mute[aria-pressed='true']", "Mute"); }));
-  // Longer than the page shows a requested value without confirmation by the player.
+  // The pause is longer than the time for which the page shows a requested value that the player
+  // has not confirmed.
   std::this_thread::sleep_for(std::chrono::milliseconds(1700));
   browser->click("#mute");
   EXPECT_TRUE(player_becomes([](const PlayerStatus& status) { return status.volume == 0.4; }));

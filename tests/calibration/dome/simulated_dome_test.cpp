@@ -26,8 +26,8 @@ using namespace test;  // NOLINT(google-build-using-namespace): the fixtures of 
 
 constexpr int master_px = 1024;
 
-//! The input of a projector in linear light: the master coordinates of each pixel (a warped
-//! domemaster of coordinates) and its brightness.
+//! The frame that a projector receives, as linear light (`light`) and as coordinates in the master
+//! (`u`, `v`) that each pixel shows.
 struct Frame {
   int width;
   int height;
@@ -35,7 +35,7 @@ struct Frame {
   std::vector<float> u;
   std::vector<float> v;
 
-  //! Interpolates linearly between pixel centers.
+  //! Interpolates one of the arrays linearly between pixel centers.
   [[nodiscard]] double read(const std::vector<float>& channel, const RasterPlace& place) const {
     const double x = std::clamp(place.x * width - 0.5, 0.0, width - 1.001);
     const double y = std::clamp(place.y * height - 0.5, 0.0, height - 1.001);
@@ -52,7 +52,8 @@ struct Frame {
   }
 };
 
-//! Returns the frame of a projector with a warp and a mask; the mask is raised to `mask_gamma`.
+//! Returns the frame of a projector with a warp and a mask. `mask_gamma`: exponent that converts
+//! values of the mask to linear light.
 Frame frame_of(const ProjectorSetup& projector, const WarpMesh& mesh, const BlendMap& mask, double mask_gamma) {
   Frame frame{projector.width_px, projector.height_px, {}, {}, {}};
   const WarpMesh warp = resampled_warp(mesh, frame.width, frame.height);
@@ -66,7 +67,7 @@ Frame frame_of(const ProjectorSetup& projector, const WarpMesh& mesh, const Blen
   return frame;
 }
 
-//! Returns the frames of projectors with the warps and masks in a setup's files.
+//! Returns the frames of projectors, from the warp and mask files of a setup.
 std::vector<Frame> frames_of(const DomeSetup& setup) {
   std::vector<Frame> frames;
   for (const ProjectorSetup& projector : setup.projectors) {
@@ -77,7 +78,7 @@ std::vector<Frame> frames_of(const DomeSetup& setup) {
   return frames;
 }
 
-//! Returns the frames of projectors that follow a setup's adjustments.
+//! Returns the frames of projectors, from warps and masks that follow a setup's adjustments.
 std::vector<Frame> frames_of(const DomeSetup& setup, const DomePictures& pictures) {
   std::vector<Frame> frames;
   for (std::size_t i = 0; i < setup.projectors.size(); ++i) {
@@ -87,14 +88,14 @@ std::vector<Frame> frames_of(const DomeSetup& setup, const DomePictures& picture
   return frames;
 }
 
-//! Projects frames onto a simulated dome and checks the result there.
+//! Projects the frames of all projectors onto a simulated dome, and checks the result there.
 class SimulatedDome : public FolderTest {
  protected:
   [[nodiscard]] DomeSetup calibrated(const DomeSetup& setup) const {
     return calibrated_in(folder_, setup, {master_px, 0.1});
   }
 
-  //! Returns the setup after a round trip through an MPCDI archive.
+  //! Returns the setup after it was written to an MPCDI archive and read back.
   [[nodiscard]] DomeSetup through_mpcdi(const DomeSetup& setup) const {
     const Mpcdi mpcdi = mpcdi_from_setup(setup, "2026-01-01 00:00:00");
     write_mpcdi(folder_ / "dome.mpcdi", mpcdi);
@@ -109,8 +110,8 @@ class SimulatedDome : public FolderTest {
     return with;
   }
 
-  //! Checks that the dome shows the master. `optics`: the projectors as they are installed;
-  //! `frames`: their inputs; `most_off_px`: tolerance in pixels of the master.
+  //! Checks that the dome shows the master. `optics`: lenses and poses of the installed projectors;
+  //! `frames`: their input; `most_off_px`: tolerance in pixels of the master.
   static void expect_master(const DomeSetup& optics, const std::vector<Frame>& frames, double most_off_px = 0.5) {
     std::vector<ProjectorOptics> projectors;
     projectors.reserve(optics.projectors.size());
@@ -160,8 +161,8 @@ TEST_F(SimulatedDome, ThreeProjectorsShowTheMaster) {
   expect_master(setup, frames_of(setup));
 }
 
-//! Returns the largest error [px of the projector] of a warp that was read back, at the pixels that
-//! see the master.
+//! Compares a warp that was written to a file and read back with the original, at pixels that show
+//! the master. Returns the largest error [px of the projector].
 double farthest_off_px(const ProjectorPicture& meant, const WarpMesh& read) {
   const WarpMesh exact = resampled_warp(meant.warp, meant.width_px, meant.height_px);
   const WarpMesh found = resampled_warp(read, meant.width_px, meant.height_px);
@@ -198,7 +199,8 @@ TEST_F(SimulatedDome, MpcdiHasFewSamplesAndIsWithinATenthOfAPixel) {
   }
 }
 
-//! In pixels of the master, for projectors of 400 pixels that cover 148 degrees of it.
+//! Half of a projector's pixel, in pixels of the master: a projector has 400 pixels for 148
+//! degrees.
 constexpr double half_a_projector_pixel = 0.5 * (148.0 / 400.0) * (master_px / 180.0);
 
 TEST_F(SimulatedDome, ComputedFilesFollowATilt) {
@@ -227,7 +229,7 @@ TEST_F(SimulatedDome, PreviewedMasksBecomeTheSameWhenTheyAreRefined) {
   EXPECT_EQ(preview.pictures()[0].blend.width, 25);
   EXPECT_EQ(preview.refine_mask(), 0U);
   EXPECT_EQ(preview.pictures()[0].blend.values, whole.pictures()[0].blend.values);
-  // The tilt changes before the other masks are refined.
+  // The tilt changes after the first of three masks was refined.
   setup.tilt_deg += 20.0;
   EXPECT_TRUE(whole.follow(setup, {{}, {}, {}}));
   EXPECT_TRUE(preview.follow(setup, {{}, {}, {}}));
@@ -242,7 +244,8 @@ TEST_F(SimulatedDome, PreviewedMasksBecomeTheSameWhenTheyAreRefined) {
 
 TEST_F(SimulatedDome, FilesOfAnOutsideCalibrationStayAfterATilt) {
   DomeSetup setup = calibrated(three(128));
-  // Simulates a measured dome: the projectors are not aligned as the setup says.
+  // Simulates a calibration by measurement: the projectors are aligned differently from the setup,
+  // and the warp files contain the true alignment.
   for (ProjectorSetup& projector : setup.projectors) {
     projector.orientation.yaw_deg += 0.5;
   }
@@ -293,14 +296,14 @@ TEST_F(SimulatedDome, AProjectorThatLooksAwayIsRefused) {
   EXPECT_THROW(DomeBlend({optics}, {0.0, 180.0}, {}), Error);
 }
 
-//! Computes the blend of a setup with a single projector.
+//! Computes the edge blend of a setup with a single projector, for a given evenness.
 DomeBlend blend_of(const std::string& projector, double evenness) {
   const DomeSetup setup = parse_dome_setup("[dome]\nradius_m = 7\n[[projector]]\nname = \"a\"\n" + projector,
                                            "dome.toml", NamedFiles::unchecked);
   return {{ProjectorOptics(setup, setup.projectors[0])}, {0.0, 180.0}, {2.0, evenness}};
 }
 
-//! Returns the mean and the maximum of the mask.
+//! Returns the mean and the maximum of the mask of the only projector.
 std::pair<double, double> mask_of(const DomeBlend& blend) {
   const BlendMap mask = blend.mask(0, 128, 96);
   const double sum = std::accumulate(mask.values.begin(), mask.values.end(), 0.0);

@@ -7,7 +7,7 @@
 namespace ergodome {
 namespace {
 
-//! A grid of 2 x 2 points, corners row by row.
+//! A grid with 2 x 2 points; offsets are listed row by row.
 const GridOffsets nudged = {2, {0.02, -0.1, 0.05, 0.25}, {-0.03, 0.04, -0.25, 0.2}};
 
 //! Returns a grid with all points moved to their limits, each in a different direction.
@@ -43,7 +43,8 @@ TEST(GridOffsets, PointsGoWhereTheyAreSent) {
   grid.move(2 * 5 + 3, 0.03, -0.02);
   EXPECT_DOUBLE_EQ(moved_place(grid, {0.75, 0.5}).x, 0.78);
   EXPECT_DOUBLE_EQ(moved_place(grid, {0.75, 0.5}).y, 0.48);
-  // Halfway to a neighbor the shift is half as large, and beyond the neighbor it is zero.
+  // Halfway to the next point of the grid, the shift is half as large; at the next point it is
+  // zero.
   EXPECT_DOUBLE_EQ(moved_place(grid, {0.625, 0.5}).x, 0.64);
   EXPECT_DOUBLE_EQ(moved_place(grid, {0.5, 0.5}).x, 0.5);
 }
@@ -108,7 +109,7 @@ TEST(GridOffsets, MeshesGetTheNodesThatAGridNeedsAndShowTheSame) {
   const int down = (fine.rows - 1) / 2;
   EXPECT_EQ(fine.at(across, down).u, mesh.at(1, 1).u);
   EXPECT_EQ(fine.at(0, 2 * down).v, mesh.at(0, 2).v);
-  // On the diagonal of the first cell, halfway.
+  // The middle of the diagonal of the mesh's first cell.
   EXPECT_NEAR(fine.at(across / 2, down / 2).v, 0.5F * (mesh.at(0, 0).v + mesh.at(1, 1).v), 1e-6F);
   EXPECT_TRUE(fine.at(across, down).valid);
   EXPECT_FALSE(fine.at(across, 2 * down).valid);

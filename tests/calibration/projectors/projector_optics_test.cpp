@@ -79,7 +79,8 @@ TEST(ProjectorOptics, AFisheyesRimIsHalfItsFieldFromTheAxis) {
   EXPECT_NEAR(std::acos(rim->y / 5.0), 70.0 * pi / 180.0, 1e-12);
 }
 
-//! Light that hits a mirror from above is deflected by twice the mirror's slope at that point.
+//! A mirror ball below the projector deflects its vertical light by twice the slope of the mirror
+//! at the point of incidence.
 TEST(ProjectorOptics, AMirrorTurnsLightByTwiceItsSlope) {
   constexpr double radius = 0.4;
   constexpr double high = 1e3;
@@ -124,8 +125,8 @@ TEST_P(OpticsOf, PlacesComeBackFromTheDome) {
 }
 
 TEST_P(OpticsOf, TheSpreadSumsToTheAreaThatIsLit) {
-  // Sums the areas of triangles on the sphere between neighboring points, and compares them with
-  // the sum of the spread at the centers of their squares.
+  // Sums the areas of triangles on the dome, whose corners are neighboring pixels. Compares this
+  // area with the sum of spread() at the centers of squares of pixels.
   const ProjectorOptics optics(dome(7.0), GetParam());
   constexpr int side = 200;
   double spread = 0.0;
@@ -190,8 +191,8 @@ TEST(ProjectorOptics, LightFromBelowTheRimComesIn) {
 }
 
 TEST(ProjectorOptics, LightThatMeetsTheShellFromOutsideLightsNothing) {
-  // The ray points upwards: it meets the back of the sphere above the rim, and would continue to
-  // its front.
+  // The ray points upwards. It meets the dome's sphere from outside, at the back above the rim, and
+  // without the shell would continue to the front.
   const Vector3<double> from = {0, -1, 6};
   const double pitch = 55.0 * one_degree;
   const ProjectorOptics optics(dome(5.0), projector_with(Frustum{-30, 30, 30, -30}, from, {0, 55, 0}));

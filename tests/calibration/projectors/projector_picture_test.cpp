@@ -15,7 +15,8 @@ namespace {
 
 using testing::HasSubstr;
 
-//! Returns a dome whose only projector shows the whole master upright, pixel for pixel.
+//! Returns the setup of a dome with a single projector, which shows the whole master upright, pixel
+//! for pixel.
 DomeSetup plain_dome() {
   DomeSetup setup;
   ProjectorSetup projector;
@@ -39,8 +40,8 @@ LoadedProjector square_warp(float least, float most) {
 TEST(MasterWarp, IsTurnedToTheRight) {
   DomeSetup setup = plain_dome();
   LoadedProjector loaded = square_warp(0.0F, 1.0F);
-  // After a quarter turn, the front of the master (bottom) appears on the right: the node on the
-  // right reads the front.
+  // After a rotation by 90°, the front of the master (its bottom) appears on the right. Therefore
+  // the node on the right shows the bottom of the master.
   std::get<WarpMesh>(loaded.warp).at(1, 0) = {1.0F, 0.5F, 1.0F, 0.5F};
   setup.rotation_deg = 90.0;
   const WarpNode node = master_warp(setup, setup.projectors[0], loaded).at(1, 0);
@@ -53,7 +54,8 @@ TEST(MasterWarp, OfASurfaceFindsThePlacesOfItsPoints) {
   setup.tilt_deg = 10.0;
   SurfaceMesh surface{9, 9, {}};
   for (int i = 0; i < 81; ++i) {
-    // A patch around a direction up and to the front, at varying distances.
+    // The surface is a patch in directions up and to the front; its points have different
+    // distances.
     const double x = 0.1 * (i % 9 - 4);
     const int row = i / 9;
     const double z = -0.7 + 0.1 * (row - 4);

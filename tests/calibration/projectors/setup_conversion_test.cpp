@@ -23,7 +23,7 @@ using namespace test;
 using testing::AllOf;
 using testing::HasSubstr;
 
-//! u = x, v = y, at full intensity, on a raster of 2:1.
+//! A Bourke mesh with u = x, v = y and full intensity, for a raster with the aspect ratio 2:1.
 const std::string plain_mesh = "2\n2 2\n-2 -1 0 0 1\n2 -1 1 0 1\n-2 1 0 1 1\n2 1 1 1 1\n";
 
 class SetupConversion : public FolderTest {
@@ -31,7 +31,7 @@ class SetupConversion : public FolderTest {
   void write(const std::string& name, const std::string& bytes) const {
     std::ofstream(folder_ / name, std::ios::binary) << bytes;
   }
-  //! Returns a setup with one projector of 8 x 4 pixels and the given lines.
+  //! Returns a setup with one projector of 8 x 4 pixels, whose table contains `lines`.
   [[nodiscard]] DomeSetup setup(const std::string& lines) const {
     const std::string head = "[dome]\nradius_m = 5\n[[projector]]\nname = \"P\"\nresolution_px = [8, 4]\n";
     return parse_dome_setup(head + lines, (folder_ / "dome.toml").string(), NamedFiles::must_exist);
@@ -138,15 +138,16 @@ TEST_F(SetupConversion, FlatLensesAloneBecomeShaderLampsAndComeBack) {
   EXPECT_FALSE(projector.warp);
 }
 
-//! Returns the projector picture of a setup, and the warp of the MPCDI calibration made from it.
+//! Returns the picture of the setup's projector, and the warp of the MPCDI calibration that is made
+//! from the setup.
 std::pair<ProjectorPicture, WarpMesh> before_and_after(const DomeSetup& setup) {
   const Mpcdi mpcdi = parsed_archive(to_mpcdi_archive(mpcdi_from_setup(setup, "2026-01-01 00:00:00"), "test"));
   EXPECT_EQ(mpcdi.profile, MpcdiProfile::media_2d);
   return {projector_pictures(setup)[0], warp_of(mpcdi, mpcdi.buffers[0].regions[0], "test")};
 }
 
-//! Returns the largest distance in the master between two warps, over the nodes that both draw.
-//! Expects that they share most nodes.
+//! Compares two warps at the nodes that both of them draw, which must be most nodes. Returns the
+//! largest distance between the positions in the master that they show.
 double farthest_apart(const WarpMesh& a, const WarpMesh& b) {
   const WarpMesh fine = resampled_warp(a, b.columns, b.rows);
   double farthest = 0.0;
@@ -166,8 +167,8 @@ TEST_F(SetupConversion, AFisheyesWarpIsComputedForMpcdi) {
   const DomeSetup fisheye = setup("pitch_deg = 90\nfisheye = { fov_deg = 180, circle = 2 }\n");
   const auto [before, after] = before_and_after(fisheye);
   EXPECT_LT(farthest_apart(before.warp, after), 1e-6);
-  // The projector points straight up, so pixels opposite each other in the raster show opposite
-  // positions of the master.
+  // The projector points straight up at the zenith, so pixels on opposite sides of its center show
+  // opposite points of the master.
   EXPECT_NEAR(after.at(3, 1).u + after.at(4, 2).u, 1.0, 1e-4);
   EXPECT_NEAR(after.at(3, 1).v + after.at(4, 2).v, 1.0, 1e-4);
 }
@@ -204,7 +205,7 @@ TEST_F(SetupConversion, CalibrationBecomesASetupThatReadsBack) {
 }
 
 TEST(FisheyeOfACalibration, ReachesAsFarAsItGrows) {
-  // r = t - t^3 / 3 reaches its maximum at t = 1 rad.
+  // The lens maps the angle t to the radius r = t - t³ / 3, which has its maximum at t = 1 rad.
   MpcdiRegion region;
   region.fisheye = MpcdiFisheye{0.1, 0.2, {1.0, -1.0 / 3.0, 0.0, 0.0}, 1.0, 0.0};
   const ProjectorFisheye lens = std::get<ProjectorFisheye>(lens_of(region));

@@ -22,7 +22,7 @@ TEST(BlendMapShape, IsKeptWhereItIsTheRasters) {
 }
 
 TEST(BlendMapShape, IsMadeTheRastersBySamplesBetween) {
-  // Rises from 0 on the left to 1 on the right, in all rows.
+  // In each row, the mask rises from 0 on the left to 1 on the right.
   const BlendMap shaped = in_shape_of(
       grey(4, 4,
            {0.0F, 0.25F, 0.75F, 1.0F, 0.0F, 0.25F, 0.75F, 1.0F, 0.0F, 0.25F, 0.75F, 1.0F, 0.0F, 0.25F, 0.75F, 1.0F}),

@@ -13,8 +13,8 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-// IEEE 754 single precision, least significant byte first: 1 is 3f800000, 2 is 40000000, 0.5 is
-// 3f000000, -1 is bf800000.
+// Numbers in IEEE 754 single precision, least significant byte first: 1 is 3f800000, 2 is 40000000,
+// 0.5 is 3f000000, -1 is bf800000.
 const std::string one("\x00\x00\x80\x3f", 4);
 const std::string two("\x00\x00\x00\x40", 4);
 const std::string half("\x00\x00\x00\x3f", 4);

@@ -1,13 +1,13 @@
+#include "calibration/warps/projector_view.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "calibration/warps/projector_view.h"
-
 namespace ergodome {
 namespace {
 
-// x right, y up, z back; the front is -z.
+// Axes of the dome: x to the right, y up, z to the back. The front is at -z.
 
 void expect_vector(const Vector3<double>& v, double x, double y, double z) {
   EXPECT_NEAR(v.x, x, 1e-12);
@@ -41,13 +41,14 @@ TEST(Orientation, RollIsClockwiseSeenFromBehind) {
 }
 
 TEST(Orientation, PitchComesAfterYaw) {
-  // Turned to the right, then up by 45°: half up, half to the right.
+  // The projector turns to the right (yaw 90°), then up by 45°, so it points halfway between right
+  // and up.
   expect_vector(axes_of({90, 45, 0}).forward, std::sqrt(0.5), std::sqrt(0.5), 0);
 }
 
 TEST(Orientation, RollComesLastAndLeavesTheAxisInPlace) {
-  // After yaw and pitch of 90° and 45°, up is (-√½, √½, 0) and right is (0, 0, 1); a quarter turn
-  // takes up to where right was.
+  // After yaw (90°) and pitch (45°), the up axis is (-√½, √½, 0) and the right axis is (0, 0, 1). A
+  // roll of 90° moves the up axis to where the right axis was.
   const ProjectorAxes axes = axes_of({90, 45, 90});
   expect_vector(axes.forward, std::sqrt(0.5), std::sqrt(0.5), 0);
   expect_vector(axes.up, 0, 0, 1);
@@ -88,7 +89,7 @@ TEST(Frustum, CornersOfTheRasterLieAtItsHalfAngles) {
 }
 
 TEST(Frustum, TurnsWithItsProjector) {
-  // If the projector points up by 90° from the front, the top of its picture is at the back.
+  // A pitch of 90° points the projector straight up; the top of its picture is then at the back.
   const Frustum frustum{-45, 45, 45, -45};
   expect_vector(direction_from_raster(axes_of({0, 90, 0}), frustum, 0.5, 0), 0, 1, 1);
   expect_vector(direction_from_raster(axes_of({90, 0, 0}), frustum, 1, 0.5), 1, 0, 1);

@@ -31,7 +31,7 @@ WarpMesh linear_mesh(int columns, int rows) {
   return mesh;
 }
 
-//! Returns a map whose samples all differ.
+//! Returns a map in which all samples have different values.
 FloatMap sample_map(int width, int height) {
   FloatMap map{width, height, {}};
   for (int i = 0; i < width * height; ++i) {
@@ -113,8 +113,8 @@ TEST(WarpConversion, CellsWithACornerThatIsNotDrawnStayEmpty) {
 }
 
 TEST(WarpConversion, PolarMeshIsClosed) {
-  // A ring around the middle of the raster; its last column connects to the first across the
-  // positive x axis.
+  // A polar mesh in the shape of a ring around the middle of the raster. Its last column is next to
+  // its first, on both sides of the positive x axis.
   WarpMesh ring{MeshTopology::polar, 12, 2, {}};
   for (const double radius : {0.1, 0.4}) {
     for (int i = 0; i < 12; ++i) {
@@ -157,7 +157,7 @@ TEST(WarpConversion, MaskMultipliesIntensitiesInLinearLight) {
 }
 
 TEST(WarpConversion, CellsHeapedOverOneAnotherAreAnError) {
-  // Every cell covers the whole raster.
+  // A mesh in which every cell covers the whole raster.
   WarpMesh heap = linear_mesh(200, 200);
   for (int row = 0; row < 200; ++row) {
     for (int column = 0; column < 200; ++column) {

@@ -62,7 +62,7 @@ TEST(CameraPath, HoldsBeforeTheFirstAndAfterTheLastKey) {
   EXPECT_EQ(camera_pose(show, 1e9).r, 2.1);
 }
 
-//! Returns position and rotation of the camera relative to its frame at a key.
+//! Returns log r, θ, φ of the camera, and its rotation relative to its orientation at a key.
 std::array<double, 6> seen_from(const CameraKey& key, const CameraPose& pose) {
   glm::dquat turn = glm::inverse(key_orientation(key)) * pose.orientation;
   turn = turn.w < 0.0 ? -turn : turn;
@@ -78,7 +78,7 @@ TEST(CameraPath, SpeedAndAccelerationAreTheSameOnBothSidesOfEveryKey) {
       at[i] = seen_from(key, camera_pose(show, key.time_s + (static_cast<double>(i) - 3.0) * h));
     }
     for (std::size_t k = 0; k < 6; ++k) {
-      // One-sided differences, with errors of order h².
+      // Derivatives before and after the key, by one-sided differences with errors of order h².
       const double speed_before = (3.0 * at[3][k] - 4.0 * at[2][k] + at[1][k]) / (2.0 * h);
       const double speed_after = (-3.0 * at[3][k] + 4.0 * at[4][k] - at[5][k]) / (2.0 * h);
       const double change_before = (2.0 * at[3][k] - 5.0 * at[2][k] + 4.0 * at[1][k] - at[0][k]) / (h * h);
@@ -99,7 +99,8 @@ TEST(CameraPath, NeverLeavesTheRangeOfItsNeighbourKeys) {
   }
 }
 
-//! Returns a camera that moves outwards by keys [t, r, more].
+//! Returns a show whose camera moves outwards. Each key is (t, r, more); `more` contains further
+//! lines of the key.
 Show path_of(const std::vector<std::tuple<double, double, std::string>>& keys) {
   std::string text = "[camera]\n";
   for (const auto& [t, r, more] : keys) {
@@ -125,7 +126,8 @@ TEST(CameraPath, StaysAsLongAsAKeyHolds) {
     EXPECT_EQ(camera_pose(show, t).r, 10.0) << t;
     EXPECT_EQ(camera_pose(show, t).orientation, held) << t;
   }
-  // It comes to rest and departs smoothly, with the third power of time.
+  // The camera comes to rest and departs smoothly: near the rest, r changes with the third power of
+  // time.
   EXPECT_NEAR(camera_pose(show, 1.99).r, 10.0, 1e-4);
   EXPECT_NEAR(camera_pose(show, 5.01).r, 10.0, 1e-4);
   EXPECT_GT(camera_pose(show, 6.5).r, 13.0);

@@ -22,8 +22,8 @@ const std::string glide_keys =
     "[[camera.key]]\nt_s = 30\nr = 40\ntheta_deg = 60\nphi_deg = 500\npitch_deg = -10\n"
     "[[camera.key]]\nt_s = 50\nr = 60\ntheta_deg = 50\nphi_deg = 900\n";
 
-//! Returns a show of 60 s with a hole of spin 0.9 and the given keys, whose camera falls from 4 s
-//! on with the given lines.
+//! Returns a show of 60 s with a hole of spin 0.9, whose camera falls from 4 s on. `fall` contains
+//! further lines of [camera.fall], `keys` the camera keys.
 Show ending_show(const std::string& fall, const std::string& keys = begin_keys + turn_keys + glide_keys,
                  const std::string& observer = "zamo") {
   return parse_show("duration_s = 60\n[hole]\nspin = 0.9\n[camera]\nobserver = \"" + observer +
@@ -36,7 +36,8 @@ Vector3<double> seen_velocity(const Show& show, double time_s) {
   return pose.velocity.value_or(observer_velocity(show.camera.motion, spacetime_of(show), pose.r, pose.theta, {}));
 }
 
-//! Returns the roll of a camera that faces the hole, relative to north up [rad].
+//! Returns the roll [rad] of a camera that faces the hole; it is 0 if the camera's up axis points
+//! north.
 double roll_of(const CameraPose& pose) {
   const glm::dvec3 up = pose.orientation * glm::dvec3(0.0, 1.0, 0.0);
   return std::atan2(up.z, -up.y);
@@ -52,7 +53,8 @@ TEST(FallEnd, IsWhereTheFallHasBroughtTheCamera) {
   EXPECT_GT(std::abs(glm::dot(next.orientation, pose.orientation)), 1.0 - 1e-12);
 }
 
-// The rise and the fall of the clock each cost half of an easing.
+// While the clock of the fall speeds up and slows down, it runs at half of its rate on average:
+// each of the two easings costs half of its duration.
 TEST(FallEnd, GivesTheCameraTheOwnTimeOfItsClock) {
   const Show show = ending_show(usual_fall_end);
   EXPECT_NEAR(show.camera.orbit->proper_time(60.0), 9.0 * (16.0 - 1.0), 1e-10);
@@ -64,8 +66,8 @@ TEST(FallEnd, HasNoLeapInPlaceRateVelocityOrView) {
   for (double time_s = fall_ends_s - 2.0; time_s < fall_ends_s + 12.0; time_s += step_s) {
     const CameraPose p[3] = {camera_pose(show, time_s), camera_pose(show, time_s + step_s),
                              camera_pose(show, time_s + 2.0 * step_s)};
-    // The limits [1/s²] are the accelerations of a clock at about 0.4 per second that stops within
-    // a second, and those of glide_keys.
+    // The limits [1/s²] are larger than two accelerations: that of a clock which runs at about 0.4
+    // per second and stops within a second, and those of the camera keys in glide_keys.
     const auto acceleration = [&](auto value) {
       return std::abs(value(p[2]) - 2.0 * value(p[1]) + value(p[0])) / (step_s * step_s);
     };
@@ -103,7 +105,8 @@ TEST(FallEnd, GivesTheVelocityBackToTheObserver) {
   EXPECT_FALSE(camera_pose(show, 60.0).velocity.has_value());
 }
 
-// A fall over the axis turns the view upside down; at the next key the view has its specified roll.
+// A fall over the axis turns the view upside down. At the next camera key, the view has the roll
+// that the key requires.
 TEST(FallEnd, RightsAViewThatTheFallHasRolled) {
   const Show show =
       ending_show("velocity = { beta = 0.22, toward = [0, -1, 0] }\nuntil_s = 20\n", begin_keys + glide_keys);

@@ -18,7 +18,8 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-//! Returns a fall through the horizon down to `least_r`, paced by the camera's proper time.
+//! Returns a free fall through the horizon down to r = `least_r`. The show time is the camera's
+//! proper time.
 FreeFall fall_through(double spin, const FallStart& start, double least_r, double end_s) {
   FallSettings settings;
   settings.clock = 1.0;
@@ -31,7 +32,8 @@ FallStart rain_at(double spin, double r, double theta) {
   return {r, theta, 0.4, observer_velocity(ObserverMotion::rain, Spacetime{spin}, r, theta, {})};
 }
 
-//! Returns the proper time in which rain falls from r = 20 to a radius around a hole without spin.
+//! Returns the proper time of a fall from r = 20 to a smaller radius around a hole without spin,
+//! for an observer of the rain frame.
 double rain_time(double r) { return (std::pow(20.0, 1.5) - std::pow(r, 1.5)) / (1.5 * std::sqrt(2.0)); }
 
 TEST(FallWithin, RainAboutAHoleWithoutSpinFallsAsItsClosedFormThroughTheHorizon) {
@@ -44,8 +46,8 @@ TEST(FallWithin, RainAboutAHoleWithoutSpinFallsAsItsClosedFormThroughTheHorizon)
   }
 }
 
-//! Returns the azimuth that rain has covered on its way from infinity to r, in ingoing Kerr
-//! coordinates: ∫ a dr / ((r² + a²)(1 + √(2r / (r² + a²)))), by Simpson's rule in 1/√r.
+//! Returns the azimuth that an observer of the rain frame covers from infinity to r, in ingoing
+//! Kerr coordinates: ∫ a dr / ((r² + a²)(1 + √(2r / (r² + a²)))), by Simpson's rule in 1/√r.
 double rain_turn_to(double spin, double r) {
   const auto rate = [&](double w) {
     const double at = 1.0 / (w * w);
@@ -74,7 +76,8 @@ TEST(FallWithin, RainKeepsDoransAzimuth) {
   }
 }
 
-//! Returns E and L of a body with a velocity in the rain frame.
+//! Returns the energy E and the angular momentum L of a body whose velocity is given in the rain
+//! frame.
 std::pair<double, double> constants_of(double spin, const FallPlace& place) {
   const KerrFunctions f = kerr_functions(Spacetime{spin}, place.r, place.theta);
   const double gamma = 1.0 / std::sqrt(1.0 - dot(place.velocity, place.velocity));
@@ -104,7 +107,7 @@ Show show_through(const std::string& more = "") {
   return parse_show(through_the_horizon + "least_r = 0.8\n" + more, "t.toml");
 }
 
-//! Returns the angle between the axes of two poses.
+//! Returns the angle of the rotation between the orientations of two poses.
 double turn_between(const CameraPose& a, const CameraPose& b) {
   return 2.0 * std::acos(std::min(std::abs(glm::dot(a.orientation, b.orientation)), 1.0));
 }
@@ -129,8 +132,8 @@ TEST(FallWithin, KeepsItsDirectionsWhereItIsTakenToTheZamosFrame) {
   const CameraPose same = in_zamo_frame(falls, spacetime_of(show));
   ASSERT_TRUE(falls.velocity_in_rain);
   EXPECT_FALSE(same.velocity_in_rain);
-  // Light from any direction has the same energy and angular momentum, in whichever frame the
-  // velocity is given.
+  // Whether the velocity is given in the rain frame or the ZAMO frame, light from the same view
+  // direction must have the same energy and angular momentum.
   const auto light_in = [&](const CameraPose& pose, ObserverMotion motion, const glm::dvec3& seen) {
     const glm::dvec3 n = glm::normalize(pose.orientation * seen);
     const CameraStation camera =

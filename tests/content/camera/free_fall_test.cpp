@@ -12,7 +12,8 @@
 namespace ergodome {
 namespace {
 
-//! A clock of one M per second from the start on: the show's time is the camera's proper time.
+//! Settings of a fall whose clock runs at one M per second from the start on, so that the show time
+//! is the camera's proper time.
 FallSettings own_time() {
   FallSettings settings;
   settings.clock = 1.0;
@@ -33,8 +34,8 @@ struct FallCase {
   FallStart start;
 };
 
-//! Bound orbits that stay outside the horizon: over and near the axis, with the spin and against
-//! it.
+//! Bound orbits that stay outside the horizon. Some cross the axis or pass near it; some go with
+//! the hole's rotation, some against it.
 std::vector<FallCase> bound_falls() {
   return {{0.0, {12.0, 1.2, 0.3, {0.05, 0.1, 0.28}}},  {0.9, {20.0, 1.22, -4.0, {0.0, 0.0, 0.13}}},
           {1.0, {14.0, 1.1, 0.0, {0.05, 0.2, 0.2}}},   {-1.0, {14.0, 1.1, 0.0, {0.0, 0.1, -0.3}}},
@@ -60,7 +61,7 @@ TEST(FreeFall, MeetsTheHorizonWhenItsClosedFormDoes) {
 }
 
 // Bardeen, Press & Teukolsky (1972), eqs. 2.12 and 2.16: dφ/dτ = 1 / √(r³ - 3 r² ± 2 a r^(3/2)),
-// the sign for orbits with and against the spin.
+// with + for orbits that go with the hole's rotation and - for orbits that go against it.
 TEST(FreeFall, StaysOnCircularOrbitsAndTurnsAtTheirRate) {
   for (const double spin : {0.0, 0.5, 0.998, 1.0, -0.9}) {
     for (const double sense : {1.0, -1.0}) {
@@ -77,7 +78,8 @@ TEST(FreeFall, StaysOnCircularOrbitsAndTurnsAtTheirRate) {
   }
 }
 
-// For a slightly eccentric orbit around a hole without spin, up to the square of the eccentricity.
+// Periapsis advance of a slightly eccentric orbit around a hole without spin; the expected value is
+// correct up to the square of the eccentricity.
 TEST(FreeFall, AdvancesItsPeriapsisAsItShould) {
   const double e = 1e-4;
   for (const double p : {7.0, 12.0, 60.0}) {
@@ -115,7 +117,8 @@ TEST(FreeFall, KeepsEnergyAngularMomentumAndCartersConstantForALongShow) {
   }
 }
 
-// u^r = γ v_r √(Δ/Σ), u^θ = γ v_θ / √Σ, u^φ = ω u^t + γ v_φ / (√(A/Σ) sinθ) with u^t = γ / α.
+// The four-velocity of a body that a zero-angular-momentum observer sees with velocity v: u^r = γ
+// v_r √(Δ/Σ), u^θ = γ v_θ / √Σ, u^φ = ω u^t + γ v_φ / (√(A/Σ) sinθ), with u^t = γ / α.
 TEST(FreeFall, MovesAtItsVelocity) {
   for (const FallCase& each : bound_falls()) {
     const FreeFall fall = fall_of(each.spin, each.start, 400.0);

@@ -11,8 +11,9 @@
 namespace ergodome {
 namespace {
 
-//! Returns the hole's time [M] of rain around a hole without spin, up to a constant: t - 2 r_+ W,
-//! regular at the horizon.
+//! Returns the coordinate time [M] of an observer of the rain frame around a hole without spin, up
+//! to a constant. It is regular at the horizon: 2 r_+ W was subtracted, where W is the logarithm
+//! that diverges there.
 double time_of_rain(double r) {
   return -std::sqrt(2.0) / 3.0 * std::pow(r, 1.5) - 2.0 * std::sqrt(2.0 * r) + 4.0 * std::log1p(std::sqrt(2.0 / r));
 }
@@ -37,7 +38,7 @@ TEST(HoleClock, HasItsPaceWithoutAFall) {
   EXPECT_EQ(HoleClock(Spacetime{0.3}, nullptr, -2.0).time(-1.1), -1.1 * -2.0);
 }
 
-//! A fall on a circular orbit, on which the hole's time is proportional to the camera's.
+//! A fall on a circular orbit, where coordinate time is proportional to the camera's proper time.
 class HoleClockOnACircle : public testing::Test {
  protected:
   HoleClockOnACircle() {
@@ -67,7 +68,8 @@ TEST_F(HoleClockOnACircle, RunsByTheOrbitInTheFallAndByItsPaceBesideIt) {
   EXPECT_NEAR(rate(clock, 2.0), 3.0, 1e-6);
   EXPECT_NEAR(rate(clock, 12.0), 9.0 * dilation_, 1e-6);
   EXPECT_NEAR(rate(clock, 30.0), 3.0, 1e-6);
-  // Each easing counts half of its duration at the pace.
+  // During each easing, the clock runs for half of the time at its own pace and for half at that of
+  // the orbit.
   EXPECT_NEAR(clock.time(30.0), 3.0 * (4.0 + 1.0 + 1.0 + 10.0) + dilation_ * 9.0 * 14.0, 1e-8);
 }
 
@@ -82,7 +84,7 @@ TEST_F(HoleClockOnACircle, BeginsAndEndsAtOnceWhereNothingIsEased) {
 }
 
 TEST_F(HoleClockOnACircle, GoesOverFromOneRateToTheOtherWithoutALeap) {
-  // At the orbit's own rate, the transition has no effect.
+  // If the pace of the clock is the same as that of the orbit, the transition changes nothing.
   const HoleClock even(Spacetime{spin}, orbit_, 9.0 * dilation_);
   const HoleClock clock(Spacetime{spin}, orbit_, 3.0);
   for (double time_s = 3.0; time_s < 22.0; time_s += 0.25) {

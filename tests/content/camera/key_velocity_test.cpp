@@ -14,7 +14,8 @@ namespace {
 
 using testing::HasSubstr;
 
-//! Returns a show with three keys around a hole of spin 0.9, each with an additional line.
+//! Returns a show with three camera keys around a hole of spin 0.9. The arguments are additional
+//! lines of each key and of the [camera] table.
 Show keyed_show(const std::string& first, const std::string& second, const std::string& third,
                 const std::string& camera = "") {
   return parse_show("duration_s = 10\n[hole]\nspin = 0.9\n[camera]\n" + camera + "[[camera.key]]\nr = 20\n" + first +

@@ -110,7 +110,7 @@ TEST_F(AtomicFile, WhatAKilledProgramLeftIsRemovedAndNothingElse) {
   EXPECT_EQ(text("own.mp4"), "whole");
 }
 
-//! A limit on the file size simulates a full disk: the same calls fail, on the same code path.
+//! A limit on the size of files simulates a full disk: the same system calls fail in the same way.
 TEST_F(AtomicFile, FullDiskLeavesNothingBehind) {
   std::signal(SIGXFSZ, SIG_IGN);
   rlimit before{};

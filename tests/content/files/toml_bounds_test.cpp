@@ -83,7 +83,8 @@ TEST(TomlBounds, MostValuesAreAMillion) {
   };
   EXPECT_EQ(problem_of(zeros(999'000)), "");
   EXPECT_THAT(problem_of(zeros(1'000'001)), HasSubstr("more than 1000000 values"));
-  // Commas and keys of a table are not counted twice.
+  // The limit counts each value once. An array of 100,000 tables of five values stays below a
+  // million, because commas and keys do not count in addition.
   EXPECT_EQ(problem_of("a = [" +
                        times(100'000,
                              [](int /*i*/) {

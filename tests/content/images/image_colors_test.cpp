@@ -33,7 +33,7 @@ std::string big_endian(std::uint32_t value) {
   return bytes;
 }
 
-//! Builds a PNG chunk.
+//! Builds a PNG chunk: length, kind, data and checksum.
 std::string chunk(const std::string& kind, const std::string& data) {
   const std::string summed = kind + data;
   const auto sum = crc32(0, reinterpret_cast<const Bytef*>(summed.data()), static_cast<uInt>(summed.size()));
@@ -50,7 +50,7 @@ std::string primaries_chunk(const std::array<double, 8>& white_red_green_blue) {
   return chunk("cHRM", data);
 }
 
-//! Builds a 16-bit PNG in one color whose only additional chunks are `chunks`.
+//! Builds a 16-bit PNG image of a single color. `chunks` are inserted as its only optional chunks.
 std::string png(const std::array<double, 3>& color, const std::string& chunks) {
   std::string pixels;
   for (int y = 0; y < map_height; ++y) {
@@ -70,8 +70,8 @@ std::string png(const std::array<double, 3>& color, const std::string& chunks) {
   return std::string("\x89PNG\r\n\x1A\n", 8) + chunk("IHDR", head) + chunks + chunk("IDAT", packed) + chunk("IEND", "");
 }
 
-//! Builds an ICC profile with the same curve for each color and the primaries of Rec. 709, or a
-//! gray profile.
+//! Builds an ICC profile for RGB with the primaries of Rec. 709 and the same curve for each color,
+//! or a profile for gray.
 std::string icc_profile(double gamma, bool grey) {
   const cmsCIExyY white = {0.3127, 0.3290, 1.0};
   const cmsCIExyYTRIPLE primaries = {{0.64, 0.33, 1.0}, {0.30, 0.60, 1.0}, {0.15, 0.06, 1.0}};
@@ -99,7 +99,7 @@ class ImageColors : public test::FolderTest {
     return first_texel(folder_ / "map.png");
   }
 
-  //! Writes an image in one color with attributes of OpenImageIO.
+  //! Writes an image of a single color by OpenImageIO; `spec` contains its attributes.
   fs::path write(const std::string& name, OIIO::ImageSpec spec, const std::vector<float>& pixel) {
     fs::path path = folder_ / name;
     spec.width = spec.full_width = map_width;
@@ -139,9 +139,9 @@ TEST_F(ImageColors, FilesOfOtherProgramsHoldTheLightThatTheySay) {
 }
 
 TEST_F(ImageColors, PrimariesOfOpenExrAreConvertedToRec709) {
-  // ACES AP0 and AP1 (ACEScg) to Rec. 709 with Bradford's adaptation from D60 to D65 (Academy
-  // S-2014-004; the matrices of the ACES Output Transforms), and Rec. 2020 to Rec. 709 (ITU-R
-  // BT.2087).
+  // Expected matrices: ACES AP0 and AP1 (ACEScg) to Rec. 709, with Bradford's adaptation from D60
+  // to D65 (Academy S-2014-004; the matrices of the ACES Output Transforms); Rec. 2020 to Rec. 709
+  // (ITU-R BT.2087).
   constexpr std::array<float, 8> ap0 = {0.7347F, 0.2653F, 0.0F, 1.0F, 0.0001F, -0.077F, 0.32168F, 0.33767F};
   constexpr std::array<float, 8> ap1 = {0.713F, 0.293F, 0.165F, 0.830F, 0.128F, 0.044F, 0.32168F, 0.33767F};
   constexpr std::array<float, 8> rec_2020 = {0.708F, 0.292F, 0.170F, 0.797F, 0.131F, 0.046F, 0.3127F, 0.3290F};
@@ -157,7 +157,7 @@ TEST_F(ImageColors, PrimariesOfOpenExrAreConvertedToRec709) {
               times({1.70505F, -0.62179F, -0.08326F, -0.13026F, 1.14080F, -0.01055F, -0.02400F, -0.12897F, 1.15297F}));
   EXPECT_THAT(light_of_exr(rec_2020, {0.4F, 0.3F, 0.35F}),
               times({1.6605F, -0.5876F, -0.0728F, -0.1246F, 1.1329F, -0.0083F, -0.0182F, -0.1006F, 1.1187F}));
-  // Rec. 709 itself is left unchanged, to the last bit.
+  // Colors that are already in Rec. 709 do not change, not even in the last bit.
   EXPECT_EQ(light_of_exr({0.64F, 0.33F, 0.30F, 0.60F, 0.15F, 0.06F, 0.3127F, 0.3290F}, {0.4F, 0.3F, 7.0F}),
             (std::array<float, 3>{0.4F, 0.3F, 7.0F}));
 }
@@ -179,7 +179,7 @@ TEST_F(ImageColors, GammaOfPngIsAppliedAndTheUsualOneIsSrgb) {
   EXPECT_THAT(light_of_png({0.5, 0.25, 0.75}, gamma_chunk(1.0)), near(0.5F, 0.25F, 0.75F));
   EXPECT_THAT(light_of_png({0.5, 0.25, 0.75}, gamma_chunk(1.0 / 1.8)),
               near(std::pow(0.5F, 1.8F), std::pow(0.25F, 1.8F), std::pow(0.75F, 1.8F)));
-  // IEC 61966-2-1: 0.5 is 0.21404.
+  // By IEC 61966-2-1, the sRGB value 0.5 is linear light of 0.21404.
   for (const std::string& chunks : {std::string(), gamma_chunk(0.45455), chunk("sRGB", std::string(1, '\0'))}) {
     EXPECT_THAT(light_of_png({0.5, 0.5, 0.5}, chunks), near(0.21404F, 0.21404F, 0.21404F, 1e-4F));
   }
@@ -191,7 +191,7 @@ TEST_F(ImageColors, PrimariesOfPngAreConverted) {
       light_of_png({0.4, 0.3, 0.35}, gamma_chunk(1.0) + rec_2020),
       near(1.6605F * 0.4F - 0.5876F * 0.3F - 0.0728F * 0.35F, -0.1246F * 0.4F + 1.1329F * 0.3F - 0.0083F * 0.35F,
            -0.0182F * 0.4F - 0.1006F * 0.3F + 1.1187F * 0.35F));
-  // sRGB overrides both.
+  // An sRGB chunk overrides the chunks for gamma and primaries.
   EXPECT_THAT(light_of_png({0.5, 0.5, 0.5}, gamma_chunk(1.0) + rec_2020 + chunk("sRGB", std::string(1, '\0'))),
               near(0.21404F, 0.21404F, 0.21404F));
 }
@@ -205,10 +205,10 @@ TEST_F(ImageColors, CodePointsOfPngOverrideTheRest) {
       light_of_png({0.4, 0.3, 0.35}, others + cicp(9, 8)),
       near(1.6605F * 0.4F - 0.5876F * 0.3F - 0.0728F * 0.35F, -0.1246F * 0.4F + 1.1329F * 0.3F - 0.0083F * 0.35F,
            -0.0182F * 0.4F - 0.1006F * 0.3F + 1.1187F * 0.35F));
-  // The perceptual quantizer: 58.0689 % is 203 cd/m² (ITU-R BT.2408, table 1: 58 %), 100 % is
-  // 10,000 cd/m².
+  // The curve "perceptual quantizer": the value 0.580689 is 203 cd/m² (ITU-R BT.2408, table 1: 58
+  // %), and 1 is 10,000 cd/m².
   EXPECT_THAT(light_of_png({0.580689, 0.580689, 1.0}, cicp(1, 16)), near(1.0F, 1.0F, 10'000.0F / 203.0F, 0.01F));
-  // Rec. 709's curve: 0.5 is ((0.5 + 0.099) / 1.099)^(1 / 0.45).
+  // The curve of Rec. 709: the value 0.5 is linear light of ((0.5 + 0.099) / 1.099)^(1 / 0.45).
   EXPECT_THAT(light_of_png({0.5, 0.04, 1.0}, cicp(1, 1)), near(0.25965F, 0.04F / 4.5F, 1.0F));
   std::ofstream(folder_ / "hlg.png", std::ios::binary) << png({0.5, 0.5, 0.5}, cicp(9, 18));
   EXPECT_THAT(problem_of(folder_ / "hlg.png"), HasSubstr("HLG"));
@@ -270,7 +270,7 @@ TEST_F(ImageColors, ProfilesThatDoNotFitAreNamed) {
   EXPECT_THAT(with_profile(damaged), HasSubstr("its color profile is damaged"));
 }
 
-// OpenImageIO 2.4 reads the texts of such profiles beyond the end of the buffer.
+// OpenImageIO 2.4 would read the texts of such ICC profiles beyond the end of the buffer.
 TEST_F(ImageColors, ProfilesWhoseTextsLieBeyondTheirEndAreRefusedInEveryFormat) {
   const std::string sound = icc_profile(1.8, false);
   const std::size_t text = sound.find("mluc");
@@ -283,7 +283,7 @@ TEST_F(ImageColors, ProfilesWhoseTextsLieBeyondTheirEndAreRefusedInEveryFormat) 
   for (std::size_t entry = entries; entry < text; entry += 12) {
     short_tag.replace(entry + 8, 4, std::string("\0\0\0\x01", 4));
   }
-  // Longer than a JPEG segment.
+  // This profile is too long for a single JPEG segment.
   std::string long_profile = sound + std::string(100'000, '\0');
   long_profile.replace(0, 4,
                        std::string("\0\1", 2) + static_cast<char>((long_profile.size() >> 8U) & 0xFFU) +

@@ -39,7 +39,7 @@ TEST_F(ImageLibraryFiles, ReadsBytesOfNoneAsNoImageWhateverLiesOnTheDisk) {
   EXPECT_EQ(image_library().open(path, {std::span<const std::byte>()}, problem), nullptr);
 }
 
-//! Writes a gray image with noise in a format of OpenImageIO.
+//! Writes a gray image with noise, in a format of OpenImageIO.
 std::vector<unsigned char> noisy_image(const char* format) {
   std::vector<unsigned char> bytes;
   std::string problem;
@@ -65,7 +65,7 @@ TEST_F(ImageLibraryFiles, SaysThatAJpegIsTornWhereverItBreaksOff) {
   }
 }
 
-//! Opens and reads a PNG; returns our error message and the output of libpng on stderr.
+//! Opens and reads a PNG image. Returns our error message, and what libpng prints on stderr.
 std::pair<std::string, std::string> said_of_png(const std::string& name, const ImageLibrary::Wishes& wishes) {
   std::string problem;
   testing::internal::CaptureStderr();
@@ -139,7 +139,8 @@ TEST_F(ImageLibraryFiles, ReadsRowsPartsAndWholeImagesAsTheyWereWritten) {
 }
 
 TEST_F(ImageLibraryFiles, TurnsPixelsAsTheFileTells) {
-  // The rows 012 and 345 as displayed under the Exif orientations, starting with 1.
+  // The image has the rows 012 and 345. The strings show its pixels as displayed for each Exif
+  // orientation, starting with orientation 1.
   const char* const shown[] = {"012345", "210543", "543210", "345012", "031425", "304152", "524130", "251403"};
   for (int orientation = 1; orientation <= 8; ++orientation) {
     std::vector<unsigned char> bytes;

@@ -19,14 +19,15 @@ using testing::HasSubstr;
 constexpr int shown_width = 32;
 constexpr int shown_height = 16;
 
-//! Returns the value of the displayed picture at (u, v), which differs between quarters.
+//! Returns the value of the displayed picture at (u, v): a different constant in each quarter.
 int shown_number(int u, int v) {
   return v < shown_height / 2 ? (u < shown_width / 2 ? 30 : 90) : (u < shown_width / 2 ? 150 : 220);
 }
 
-//! Pixels of the displayed picture in the order in which a file with an orientation stores them.
-//! Exif 2.3, tag 274, defines the side of the picture with row 0 and column 0: 1 top left, 2 top
-//! right, 3 bottom right, 4 bottom left, 5 left top, 6 right top, 7 right bottom, 8 left bottom.
+//! The pixels of the displayed picture in the order in which a file with the given Exif orientation
+//! stores them. Exif 2.3, tag 274, defines for each orientation the sides of the picture at which
+//! row 0 and column 0 of the file are: 1 top left, 2 top right, 3 bottom right, 4 bottom left, 5
+//! left top, 6 right top, 7 right bottom, 8 left bottom.
 struct Stored {
   explicit Stored(int orientation)
       : across(orientation >= 5),
@@ -95,7 +96,7 @@ class TurnedImages : public test::FolderTest {
     return path;
   }
 
-  //! Returns the first channel in the middle of each quarter.
+  //! Returns the values of the red channel in the middle of each quarter of the picture.
   static std::array<float, 4> quarters(const fs::path& path) {
     const EnvironmentImage image = read_environment_image(path);
     EXPECT_EQ(image.width, shown_width);
@@ -144,9 +145,9 @@ TEST_F(TurnedImages, TheExposureOfRadiancePicturesIsTakenOut) {
   EXPECT_NEAR(image.rgb[2], 0.125, 0.01);
 }
 
-// Equal parts of X, Y and Z are white, as in Radiance's ra_xyze. The other color follows from
-// Bradford's adaptation from illuminant E to D65 and the sRGB matrix published by Lindbloom
-// (brucelindbloom.com).
+// In Radiance's XYZ files, equal parts of X, Y and Z are white, as in its program ra_xyze. The
+// other color is expected to follow from Bradford's adaptation from illuminant E to D65 and the
+// sRGB matrix published by Lindbloom (brucelindbloom.com).
 TEST_F(TurnedImages, RadiancePicturesInXyzBecomeRgb) {
   const std::vector<int> numbers(shown_width * shown_height, 128);
   const auto light_of = [&](const std::string& header) {

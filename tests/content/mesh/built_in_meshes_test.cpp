@@ -24,8 +24,8 @@ Vector3<double> position(const TriangleMesh& mesh, std::size_t index) {
   return {p[0], p[1], p[2]};
 }
 
-//! Returns six times the volume enclosed by the triangles; positive if they are counterclockwise as
-//! seen from outside.
+//! Returns six times the volume that the triangles enclose. It is positive if they are
+//! counterclockwise as seen from outside.
 double signed_volume(const TriangleMesh& mesh) {
   double sum = 0.0;
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
@@ -34,8 +34,8 @@ double signed_volume(const TriangleMesh& mesh) {
   return sum / 6.0;
 }
 
-//! Returns whether each edge is traversed equally often in both directions, as in a surface without
-//! a border.
+//! Returns whether the surface is closed: whether its triangles traverse each edge equally often in
+//! both directions.
 bool is_closed(const TriangleMesh& mesh) {
   const auto key = [](const Vector3<double>& v) {
     return std::array{std::lround(v.x * 1e4), std::lround(v.y * 1e4), std::lround(v.z * 1e4)};
@@ -68,7 +68,7 @@ TEST(BuiltInMeshes, TheThickDiskHas2560TrianglesInThreeColoursAndEnclosesItsVolu
   EXPECT_TRUE(is_closed(mesh));
   ASSERT_EQ(mesh.parts.size(), 3U);
   EXPECT_EQ(std::set({mesh.parts[0].color, mesh.parts[1].color, mesh.parts[2].color}).size(), 3U);
-  // The volume of a prism with 64 sides.
+  // The disk is a prism with 64 sides and a hole; this is its volume.
   const double ring = 0.5 * shape.segments * std::sin(2.0 * pi / shape.segments);
   const double volume = ring * (shape.outer * shape.outer - shape.inner * shape.inner) * shape.thickness;
   EXPECT_NEAR(signed_volume(mesh), volume, 1e-4 * volume);
@@ -98,8 +98,8 @@ TEST(BuiltInMeshes, HoldTenMillionTriangles) {
   EXPECT_EQ(mesh.parts.front().index_count, mesh.indices.size());
 }
 
-//! Checks a tree from a node on: returns whether its box contains everything below it; counts the
-//! triangles of its leaves.
+//! Checks a bounding-volume tree from the node `at` on. Returns whether each box contains
+//! everything below it. Counts in `met` how often each triangle is in a leaf.
 bool boxes_hold(const TriangleBoxes& tree, std::size_t at, int depth, std::vector<int>& met) {
   const TreeNode& node = tree.nodes[at];
   bool holds = depth <= deepest_tree;
@@ -122,7 +122,7 @@ bool boxes_hold(const TriangleBoxes& tree, std::size_t at, int depth, std::vecto
 }
 
 TEST(TriangleTrees, OfFewAndOfManyTrianglesHoldEachOfThemOnce) {
-  // Large trees are built in parts, by several threads.
+  // Trees of many triangles are built in parts, by several threads.
   for (const SphereShape& shape :
        {SphereShape{12, 6}, SphereShape{90, 45}, test::sanitized ? SphereShape{200, 100} : SphereShape{900, 450}}) {
     const TriangleMesh mesh = make_sphere(shape);
@@ -132,7 +132,8 @@ TEST(TriangleTrees, OfFewAndOfManyTrianglesHoldEachOfThemOnce) {
     EXPECT_TRUE(std::ranges::all_of(met, [](int times) { return times == 1; })) << shape.segments;
     EXPECT_EQ(tree.corners.size(), 9 * met.size());
     EXPECT_NEAR(tree.radius, 1.0, 1e-6);
-    // Leaves hold at most four triangles, and nodes come in pairs.
+    // Only nodes with more than four triangles are split in two, so leaves contain at least two
+    // triangles, and there are fewer nodes than triangles.
     EXPECT_LT(tree.nodes.size(), 1 + met.size());
   }
 }

@@ -130,7 +130,8 @@ TEST(AnimatedShow, EveryNumberOfTheListIsAKeyOfAShowWithTheSameLimits) {
   for (const AnimatableNumber& number : animatable_numbers()) {
     const auto read = [&](double value) {
       Show show = parse_show(parts, "show.toml");
-      // The fade angles of stereo and the limits of automatic exposure must keep their order.
+      // Some keys must be in order: the fade angles of stereo, and the limits of automatic
+      // exposure. Wide limits let the test set each of them alone.
       show.stereo.fade_from_deg = 0.0;
       show.stereo.fade_to_deg = 90.0;
       show.tone.automatic->least_stops = -40.0;

@@ -1,10 +1,11 @@
+#include "content/show/show_errors.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
 
 #include "content/show/reading/show_reader.h"
-#include "content/show/show_errors.h"
 #include "content/sky/sky_map.h"
 #include "content/stars/star_catalogue.h"
 #include "tests/support/errors.h"
@@ -17,7 +18,8 @@ using testing::HasSubstr;
 
 class FilesOfAShow : public test::FolderTest {
  protected:
-  //! Returns a show with a camera, as if read from film.toml in the test's folder.
+  //! Returns a show with a camera and the given lines, as if it was read from film.toml in the
+  //! test's folder.
   [[nodiscard]] Show film(const std::string& text) const {
     return parse_show(text + "[camera]\n[[camera.key]]\nr = 30\n", (folder_ / "film.toml").string());
   }

@@ -12,8 +12,9 @@
 #include "content/show/show_schema.h"
 #include "kernels/core/angles.h"
 
-// The tables of keys in the reference pages follow from the schema. With the environment variable
-// ERGODOME_RENEW_REFERENCES, the tests write them into the pages instead of comparing them.
+// The tables of keys in the reference pages must agree with the list of keys in the program. If the
+// environment variable ERGODOME_RENEW_REFERENCES is set, the tests write the tables into the pages
+// instead of comparing them.
 namespace ergodome {
 namespace {
 
@@ -38,7 +39,8 @@ std::string type_on_page(const ShowKey& key) {
   return key.page.type.empty() ? types[static_cast<std::size_t>(key.kind)] : std::string(key.page.type);
 }
 
-//! Returns the default of a key, which is `value` in new settings; nullptr if it is absent there.
+//! Returns the default of a key as the pages write it. `value` points to the key's value in
+//! default-constructed settings; nullptr if there is none.
 std::string default_on_page(const ShowKey& key, const void* value) {
   if (!key.page.otherwise.empty()) {
     return std::string(key.page.otherwise);
@@ -93,14 +95,16 @@ std::string changes_on_page(const ShowKey& key) {
   return !key.page.varies.empty() ? std::string(key.page.varies) : key.changes ? "yes" : "no";
 }
 
-//! A table of keys in a page, below the heading, and the tables of the show file that it has: by
-//! their paths, or "" for the keys outside of tables.
+//! A table of keys in a reference page, below a heading. `tables` are the paths of the tables of a
+//! show file whose keys it lists; the path "" stands for keys outside of tables.
 struct DocumentedTable {
   const char* page;
   const char* heading;
   std::vector<std::string> tables;
-  std::vector<std::string_view> only{};  //!< names of keys; empty: all
-  std::optional<ObjectForm> form{};      //!< of an object, if the table is about one form
+  std::vector<std::string_view> only{};  //!< names of the keys that it lists; empty: all
+  //! The form of object (mesh file, triangle, sphere or disk) whose keys it lists; absent: any
+  //! form.
+  std::optional<ObjectForm> form{};
 };
 
 std::ostream& operator<<(std::ostream& out, const DocumentedTable& documented) { return out << documented.heading; }
@@ -155,7 +159,8 @@ const std::vector<DocumentedTable> documented_tables = {
     {"objects.md", "## The lamp", {"light"}},
 };
 
-//! Returns true if the table at a path ("camera.key.") has a table of its own in the pages.
+//! Returns whether the keys below a path, such as "camera.key.", have a table of their own in the
+//! pages.
 bool has_own_section(std::string_view path) {
   path.remove_suffix(path.ends_with('.') ? 1 : 0);
   return std::ranges::any_of(documented_tables, [&](const DocumentedTable& documented) {
@@ -163,8 +168,8 @@ bool has_own_section(std::string_view path) {
   });
 }
 
-//! Adds the row of each key in the table at `path`, and in the tables below it that have no section.
-//! `settings` are new.
+//! Adds a row for each key in the table at `path`, and in tables below it that have no section of
+//! their own. `settings` are default-constructed settings, from which the default values are read.
 void add_rows(std::span<const ShowKey> keys, const std::string& path, const std::string& prefix, void* settings,
               const std::vector<std::string_view>& only, std::string& rows) {
   for (const ShowKey& key : keys) {
@@ -191,7 +196,8 @@ void add_rows(std::span<const ShowKey> keys, const std::string& path, const std:
   }
 }
 
-//! Finds a key by its name; sets `settings` to the part that has it.
+//! Finds a key by its name, also in parts of the settings. Sets `settings` to the part that
+//! contains the key.
 const ShowKey* find_key(std::span<const ShowKey> keys, std::string_view name, void*& settings) {
   for (const ShowKey& key : keys) {
     void* part = key.kind == KeyKind::part ? key.at(settings, 0) : settings;

@@ -92,7 +92,7 @@ budget_px = 0.25
 }
 
 TEST(Show, SpreadsItsStarsOverTwoPixelsUnlessItSaysOtherwise) {
-  // The full width at half maximum of a Gaussian is 2 sqrt(2 ln 2) sigma.
+  // The full width at half maximum of a Gaussian is 2 √(2 ln 2) times its standard deviation.
   const double width = 2.0 * std::sqrt(2.0 * std::numbers::ln2);
   const std::string text = minimal;
   EXPECT_NEAR(width * parse_show(text, "show.toml").effects.psf.sigma_px, 2.0, 0.005);
@@ -147,7 +147,7 @@ TEST(Show, EveryBuiltInShowReadsAndCanBeDrawn) {
   EXPECT_GE(shows, 4);
 }
 
-//! Returns the paths of all shows that are built in or seeds of the fuzzers.
+//! Returns the paths of all built-in shows and of all shows in the seed corpus of the fuzzers.
 std::vector<std::filesystem::path> all_show_files() {
   std::vector<std::filesystem::path> files;
   for (const char* const folder : {"/content/shows", "/tests/fuzz/corpus/show", "/tests/fuzz/corpus/show_reload"}) {
@@ -158,7 +158,8 @@ std::vector<std::filesystem::path> all_show_files() {
   return files;
 }
 
-//! Returns a written show without its camera: velocities and angles are rounded when they are read.
+//! Returns the text of a show without its [camera] table, whose velocities and angles are rounded
+//! each time they are read.
 std::string without_camera(std::string text) {
   const std::size_t begin = text.find("\n[camera]\n");
   return text.erase(begin, text.find("\n[", begin + 1) - begin);

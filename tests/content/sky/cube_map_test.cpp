@@ -29,8 +29,9 @@ constexpr int side = 64;
 
 using Axis = std::array<double, 3>;
 
-//! A face in a cell of an image: the directions of its center and of its right and lower edges, in
-//! right, up and forward of a viewer inside the cube.
+//! A cell of an image that contains a face of the cube. `middle`, `right` and `down` are the
+//! directions of the face's center, right edge and lower edge, as (right, up, forward) of a viewer
+//! inside the cube.
 struct Cell {
   int column, row;
   Axis middle, right, down;
@@ -43,7 +44,8 @@ constexpr Axis downward = {0, -1, 0};
 constexpr Axis forward = {0, 0, 1};
 constexpr Axis backward = {0, 0, -1};
 
-//! Returns the color of a direction, which is smooth and different in every direction.
+//! Returns the color of the test sky in a direction. It varies smoothly and is different in every
+//! direction.
 std::array<float, 3> color_of(const Axis& direction) {
   const double length = std::hypot(direction[0], direction[1], direction[2]);
   return {static_cast<float>(1.0 + direction[0] / length), static_cast<float>(1.0 + direction[1] / length),
@@ -81,8 +83,8 @@ class CubeMaps : public test::FolderTest {
     return write("cube.exr", width, rows * side, rgb);
   }
 
-  //! Returns the maximum difference between the colors of an equirectangular map and the colors of
-  //! the directions.
+  //! Compares an equirectangular map with the test sky; returns the maximum difference of the
+  //! colors.
   static float worst_difference(const EnvironmentImage& image) {
     float worst = 0.0F;
     for (int y = 0; y < image.height; ++y) {
@@ -103,11 +105,12 @@ class CubeMaps : public test::FolderTest {
   }
 };
 
-//! Half a texel at the edge of a face.
+//! Tolerance for the difference of colors: the change of the test sky over half a texel at the edge
+//! of a face.
 constexpr float tolerance = 1.2F / side;
 
-//! Returns the faces of OpenGL in their order: +X, -X, +Y, -Y, +Z, -Z, where X, Y and Z are right,
-//! up and forward (OpenGL 4.6, table 8.19).
+//! Returns the faces of an OpenGL cube map in their order: +X, -X, +Y, -Y, +Z, -Z. The axes X, Y
+//! and Z are right, up and forward (OpenGL 4.6, table 8.19).
 std::vector<Cell> opengl_faces(bool in_a_row) {
   std::vector<Cell> cells = {{0, 0, to_right, backward, downward}, {1, 0, to_left, forward, downward},
                              {2, 0, upward, to_right, forward},    {3, 0, downward, to_right, backward},
@@ -133,13 +136,13 @@ TEST_F(CubeMaps, AsCrossesAreTheSky) {
                              {2, 1, to_right, backward, downward}, {3, 1, backward, to_left, downward},
                              {1, 0, upward, to_right, forward},    {1, 2, downward, to_right, backward}};
   EXPECT_LT(worst_difference(read_environment_image(write_cells(4, 3, cells))), tolerance);
-  // The back is attached below the bottom, upside down.
+  // In an upright cross, the back face is below the bottom face and upside down.
   cells[3] = {1, 3, backward, to_right, upward};
   EXPECT_LT(worst_difference(read_environment_image(write_cells(3, 4, cells))), tolerance);
 }
 
 TEST_F(CubeMaps, OfOpenExrAreTheSky) {
-  // Expected values come from the library's functions for both kinds of environment maps.
+  // Expected values come from OpenEXR's functions for cube maps and for latitude-longitude maps.
   const Imath::Box2i window({0, 0}, {side - 1, 6 * side - 1});
   std::vector<float> rgb(3UL * side * side * 6);
   for (int face = 0; face < 6; ++face) {
@@ -150,7 +153,8 @@ TEST_F(CubeMaps, OfOpenExrAreTheSky) {
         const Imath::V2f pixel = Imf::CubeMap::pixelPosition(name, window, in_face);
         const Imath::V3f direction = Imf::CubeMap::direction(name, window, in_face);
         const Imath::V2f lat_long = Imf::LatLongMap::latLong(direction);
-        // Longitudes decrease from the left edge to the right edge.
+        // In OpenEXR's latitude-longitude maps, longitudes decrease from the left edge to the right
+        // edge.
         const double longitude = -static_cast<double>(lat_long.y);
         const double latitude = static_cast<double>(lat_long.x);
         const auto color = color_of(

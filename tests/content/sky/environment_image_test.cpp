@@ -70,8 +70,8 @@ TEST_F(EnvironmentImageFile, AGifHasTheLightOfItsGrey) {
 }
 
 TEST_F(EnvironmentImageFile, AnExrIsPutIntoItsDisplayWindow) {
-  // Pixels start at (-2, 3); the display window of 16 x 8 starts at (1, 1). Pixels to the left of
-  // it are cut off, and pixels without data are black.
+  // The pixels of the file start at (-2, 3), its display window of 16 x 8 pixels at (1, 1). Pixels
+  // to the left of the window are cut off; pixels of the window without data are black.
   OIIO::ImageSpec spec(10, 4, 1, OIIO::TypeDesc::FLOAT);
   spec.x = -2;
   spec.y = 3;
@@ -138,8 +138,8 @@ TEST_F(EnvironmentImageFile, EightPixelsWideIsEnoughAndFewerAreNot) {
 }
 
 TEST_F(EnvironmentImageFile, ThirtyTwoThousandPixelsWideIsAveragedDownToTheRightLight) {
-  // Columns alternate between 0 and 1, so the mean is one half wherever blocks of columns meet.
-  // Under sanitizers a smaller image covers the same code.
+  // Columns alternate between 0 and 1. The mean must be one half everywhere, also where the reader
+  // joins blocks of columns. Under sanitizers, a smaller image covers the same code.
   constexpr int width = test::sanitized ? 8192 : 32768;
   OIIO::ImageSpec spec(width, width / 2, 1, OIIO::TypeDesc::HALF);
   spec.attribute("compression", "rle");
@@ -162,7 +162,7 @@ TEST_F(EnvironmentImageFile, ThirtyTwoThousandPixelsWideIsAveragedDownToTheRight
 }
 
 TEST_F(EnvironmentImageFile, WiderThanTheLargestIsBroughtDownToIt) {
-  // A map of 20 x 10 is reduced to 8 x 4: each texel covers 2.5 by 2.5 pixels.
+  // A map of 20 x 10 pixels is reduced to 8 x 4 texels; each texel covers 2.5 by 2.5 pixels.
   std::vector<float> values;
   for (int y = 0; y < 10; ++y) {
     for (int x = 0; x < 20; ++x) {
@@ -174,7 +174,8 @@ TEST_F(EnvironmentImageFile, WiderThanTheLargestIsBroughtDownToIt) {
   ASSERT_EQ(image.height, 4);
   EXPECT_EQ(image.file_width, 20);
   for (std::size_t i = 0; i < 32; ++i) {
-    // The mean of two whole pixels and half of the next one, or of half a pixel and the next two.
+    // An even texel covers two whole pixels and half of the next one, an odd texel half a pixel and
+    // the next two.
     const auto mean = [](std::size_t texel) {
       const double begin = 2.5 * static_cast<double>(texel);
       return texel % 2 == 0 ? 0.2 * (2.0 * begin + 2.0 * (begin + 1.0) + (begin + 2.0))
@@ -222,7 +223,7 @@ TEST_F(EnvironmentImageFile, LightThatIsTooBrightIsAsBrightAsCanBe) {
 }
 
 TEST_F(EnvironmentImageFile, ColoursBelowZeroAreNoLightAndTheOthersStay) {
-  // Sharpening filters leave such values next to bright stars.
+  // Sharpening filters leave negative values next to bright stars.
   std::vector<float> values = constant(16, 8, 3, 1.0F);
   values[10] = -3.0F;
   const auto image = read_environment_image(write("below.exr", 16, 8, 3, OIIO::TypeDesc::FLOAT, values));

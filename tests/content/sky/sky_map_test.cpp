@@ -37,11 +37,12 @@ double light_at(const EnvironmentImage& image, double ra_deg, double dec_deg) {
 TEST(SkyMap, MilkyWayHasTheMagellanicCloudsAndTheGalacticCentreInTheirPlaces) {
   const EnvironmentImage image = load_sky_map(Show{});
   EXPECT_EQ(image.width, 2048);
-  // The Large Magellanic Cloud (80.9°, -69.8°) is brighter than its mirror images.
+  // The mirror image of the Large Magellanic Cloud's position (80.9°, -69.8°) is darker than the
+  // cloud; otherwise the map would be mirrored.
   const double lmc = light_at(image, 80.9, -69.8);
   EXPECT_GT(lmc, 3.0 * light_at(image, 80.9, 69.8));
   EXPECT_GT(lmc, 3.0 * light_at(image, -10.0, -60.0));
-  // The Small Magellanic Cloud, compared with its position on a mirrored map.
+  // The Small Magellanic Cloud is compared with the position that it would have on a mirrored map.
   EXPECT_GT(light_at(image, 13.2, -72.8), 2.0 * light_at(image, 180.0 - 13.2, -72.8));
   const double centre = light_at(image, 266.4, -29.0);
   EXPECT_GT(centre, 5.0 * light_at(image, 192.9, 27.1));  // the galactic pole
@@ -76,14 +77,15 @@ glm::dvec3 direction_of(double longitude_deg, double latitude_deg) {
           std::sin(latitude_deg * one_degree)};
 }
 
-//! Returns the distance between a position on a map in other coordinates and one in J2000 [arcsec].
+//! Returns the distance [arcsec] between a direction on a map in the given coordinates and a
+//! direction in J2000 coordinates.
 double apart_arcsec(MapCoordinates coordinates, const glm::dvec3& on_map, const glm::dvec3& equatorial) {
   const glm::dvec3 turned = equatorial_from_map({coordinates, 270.0, false}) * on_map;
   return glm::length(turned - equatorial) / one_degree * 3600.0;
 }
 
 TEST(MapLayout, GalacticPlacesAreWhereCataloguesHaveThem) {
-  // Positions from SIMBAD: Vega, Sirius; and the north pole and the center of the galaxy.
+  // Positions from SIMBAD of Vega, Sirius, the galactic north pole and the galactic center.
   const auto apart = [](double l, double b, double ra, double dec) {
     return apart_arcsec(MapCoordinates::galactic, direction_of(l, b), direction_of(ra, dec));
   };

@@ -59,7 +59,7 @@ void expect_star(const CatalogueStar& star, double ra_deg, double dec_deg, doubl
   }
 }
 
-// Positions (J2000), V and B-V of the Hipparcos Catalogue (ESA 1997).
+// Position (J2000), V magnitude and B-V of Sirius in the Hipparcos Catalogue (ESA 1997).
 void expect_sirius(const CatalogueStar& star) { expect_star(star, 101.2872, -16.7161, -1.44, 0.009); }
 
 TEST(ForeignStars, HipparcosFromVizierHasItsPublishedValues) {
@@ -89,8 +89,8 @@ TEST(ForeignStars, GaiaIsInDegreesEvenBelow24AndHasVAndColourOfItsOwnBands) {
   for (const char* const name : {"gaia_archive.csv", "vizier_gaia.tsv"}) {
     const StarCatalogue read = foreign_stars(name);
     ASSERT_FALSE(read.stars.empty()) << name;
-    // A star with the Sun's colors: BP-RP 0.823 is B-V 0.650 (Mamajek), and G-V = -0.15340 (Riello
-    // et al. 2021).
+    // A star with the Sun's colors: BP-RP of 0.823 corresponds to B-V of 0.650 (Mamajek) and to G-V
+    // of -0.15340 (Riello et al. 2021).
     expect_star(read.stars[0], 10.6847, 41.2688, 10.15340, 0.650);
     EXPECT_THAT(read.read_as, HasSubstr(" in degrees")) << name;
   }
@@ -104,7 +104,8 @@ TEST(ForeignStars, GaiaIsInDegreesEvenBelow24AndHasVAndColourOfItsOwnBands) {
 TEST(ForeignStars, TychoMagnitudesBecomeJohnson) {
   const StarCatalogue read = foreign_stars("vizier_tycho.csv");
   ASSERT_EQ(read.stars.size(), 2U);
-  // BT - VT = 1.818: V = VT - 0.090 * 1.818, B-V = 0.850 * 1.818 (ESA SP-1200).
+  // Tycho magnitudes with BT - VT = 1.818 are converted by V = VT - 0.090 (BT - VT) and B-V = 0.850
+  // (BT - VT) (ESA SP-1200).
   expect_star(read.stars[0], 1.1256, 2.2674, 8.50638, 1.5453);
 }
 
@@ -235,7 +236,7 @@ TEST(SkyAngle, RefusesOtherText) {
 }
 
 TEST(StarColour, TemperatureIsTheInverseOfTheColourWithWhichStarsAreDrawn) {
-  // Ballesteros (2012): a B-V of 0.65, the Sun's, corresponds to 5778 K.
+  // By Ballesteros (2012), the Sun's B-V of 0.65 corresponds to 5778 K.
   EXPECT_NEAR(b_v_from_temperature(5778.0), 0.65, 2e-4);
   for (const double b_v : {-0.4, 0.0, 0.5, 1.5, 5.0}) {
     EXPECT_NEAR(b_v_from_temperature(star_temperature(b_v)), b_v, 1e-12);
@@ -245,7 +246,8 @@ TEST(StarColour, TemperatureIsTheInverseOfTheColourWithWhichStarsAreDrawn) {
 }
 
 TEST(StarColour, BpRpOfDwarfsIsTheirBV) {
-  // Mamajek's table, for types that are not nodes of our table: B9.5V, F6V, K4V, M4V.
+  // Values from Mamajek's table for the types B9.5V, F6V, K4V and M4V, which are not among the
+  // nodes of our table.
   EXPECT_NEAR(b_v_from_bp_rp(-0.087), -0.050, 0.01);
   EXPECT_NEAR(b_v_from_bp_rp(0.640), 0.486, 0.01);
   EXPECT_NEAR(b_v_from_bp_rp(1.34), 1.090, 0.01);
@@ -256,7 +258,7 @@ TEST(StarColour, BpRpOfDwarfsIsTheirBV) {
 }
 
 TEST(StarColour, GaiaMagnitudesOfDwarfsAreTheirV) {
-  // G-V of Mamajek's table: G2V -0.155, M2V -0.925.
+  // G-V in Mamajek's table: -0.155 for type G2V, -0.925 for type M2V.
   EXPECT_NEAR(v_from_gaia(10.0, 0.823), 10.155, 0.02);
   EXPECT_NEAR(v_from_gaia(10.0, 2.23), 10.925, 0.05);
   EXPECT_EQ(v_from_gaia(10.0, std::nan("")), 10.0);

@@ -13,7 +13,7 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-//! Three lines; lines that a test adds start with the fourth.
+//! The text of a show with three lines; lines that a test appends start with the fourth.
 const std::string smallest_show = "[camera]\n[[camera.key]]\nr = 10\n";
 
 std::string timeline_problem(const std::string& lines) {
@@ -71,7 +71,7 @@ file = "words.fr.ogg"
 language = "fr"
 )";
 
-//! Expects the timeline above.
+//! Expects the timeline of the show text above.
 void expect_whole(const Timeline& timeline) {
   ASSERT_EQ(timeline.animations.size(), 2U);
   EXPECT_EQ(timeline.animations[0].path, "hole.spin");
@@ -179,7 +179,7 @@ TEST(Timeline, RefusesTheSameNumberTwice) {
   EXPECT_THAT(timeline_problem(once + once), AllOf(HasSubstr("show.toml:8"), HasSubstr("animated twice")));
 }
 
-//! Returns the error message for keys of a number, which are in line 6.
+//! Returns the error message for animation keys of a number; the keys are in line 6 of the show.
 std::string key_problem(const std::string& keys, const std::string& number = "hole.spin") {
   return timeline_problem("[[animate]]\nnumber = \"" + number + "\"\nkey = [" + keys + "]\n");
 }

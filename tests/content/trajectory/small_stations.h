@@ -7,10 +7,11 @@
 
 #include "content/trajectory/disk_station.h"
 
-// Small stations with arbitrary numbers, for tests of trajectory files.
+// Small lens grids and disk grids ("stations") with random numbers, for tests of trajectory files.
 namespace ergodome::test {
 
-//! Returns a station with two root cells, one of them split, and numbers of every magnitude.
+//! Returns a lens grid with two root cells, one of which is split. Its numbers have very different
+//! magnitudes.
 inline LensStation small_station(double r, unsigned seed = 1) {
   std::mt19937 random(seed);
   std::normal_distribution<float> normal;
@@ -51,7 +52,8 @@ inline void expect_same(const LensStation& a, const LensStation& b) {
   EXPECT_EQ(a.nodes_along_theta, b.nodes_along_theta);
 }
 
-//! Returns disk layers over the same cells; with a pattern, three sets of nodes.
+//! Returns a disk grid with the cells of small_station(); with a pattern, it has three sets of
+//! nodes.
 inline DiskStation small_disk(double r, bool pattern = false, unsigned seed = 3) {
   std::mt19937 random(seed);
   std::normal_distribution<float> normal;

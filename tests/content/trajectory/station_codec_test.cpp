@@ -31,7 +31,7 @@ TEST(StationCodec, KeepsEveryBitOfAStation) {
   expect_same(through_the_codec(station), station);
 }
 
-//! Invalid content of a station, and the words with which it is refused.
+//! A change that makes the content of a station invalid, and a part of the resulting error message.
 struct Damage {
   const char* what;
   void (*apply)(LensStation& station);
@@ -74,7 +74,8 @@ INSTANTIATE_TEST_SUITE_P(Damage, StationCodecRefuses,
                                                 }},
                                          Damage{"(cells)",
                                                 [](LensStation& s) {
-                                                  // Both halves of a root refer to the same halves.
+                                                  // A root cell refers to the same cell as both of
+                                                  // its halves.
                                                   s.tree = {2 * 2 + 1, -1, 2 * 4, 2 * 4, -1, -1};
                                                 }},
                                          Damage{"a non-finite number", [](LensStation& s) { s.nodes[17] = INFINITY; }}),
@@ -99,7 +100,8 @@ TEST(DiskCodec, KeepsEveryBitOfLayersWithAPatternAndWithout) {
   }
 }
 
-//! Invalid content of disk layers, and the words with which it is refused.
+//! A change that makes the content of a disk grid invalid, and a part of the resulting error
+//! message.
 struct DiskDamage {
   const char* what;
   void (*apply)(DiskStation& disk);

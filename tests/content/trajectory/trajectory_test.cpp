@@ -32,10 +32,11 @@ class Trajectory : public test::FolderTest {
   [[nodiscard]] std::filesystem::path file() const { return folder_ / "t.trajectory"; }
   [[nodiscard]] std::filesystem::path journal_file() const { return folder_ / "t.trajectory.part"; }
 
-  //! A station without disk layers.
+  //! Index of the only station without a disk grid.
   static constexpr int bare = 1;
 
-  //! Writes a finished file of five stations, at 0 s, 1 s, ..., all but one with disk layers.
+  //! Writes a finished trajectory file with stations at 0 s, 1 s, and so on. All but one have a
+  //! disk grid.
   void make_file(int stations = 5) const {
     TrajectoryJournal journal(journal_file(), provenance());
     std::vector<double> times_s;
@@ -70,7 +71,7 @@ TEST_F(Trajectory, ReadsBackWhatWasBaked) {
   EXPECT_EQ(reader.stations()[2].time_s, 2.0);
   EXPECT_EQ(reader.stations()[2].gap_error_px, 0.125F);
   EXPECT_EQ(reader.stations()[4].gap_error_px, -1.0F);
-  // Reads one station without the others.
+  // A single station can be read without reading the others.
   expect_same(reader.read(3), small_station(9.0));
   EXPECT_EQ(reader.stations()[2].disk_gap_error_px, 0.5F);
   EXPECT_EQ(reader.stations()[bare].disk_bytes, 0U);

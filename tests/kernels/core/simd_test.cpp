@@ -85,7 +85,7 @@ TYPED_TEST(Arithmetic, ChosenLanesAreWrittenOneAfterAnother) {
   }
 }
 
-//! Returns the sky of a coarse set of rays, traced by the kernels of one instruction set.
+//! Returns the sky directions of some rays, traced by the kernels for one instruction set.
 std::vector<double> sky_of(InstructionSet set) {
   constexpr int count = 1003;
   std::array<std::vector<double>, 3> n;

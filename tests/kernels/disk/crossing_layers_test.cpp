@@ -16,7 +16,8 @@ namespace {
 template <class T>
 using Layers = CrossingLayer<T>[crossing_orders];
 
-//! Returns limits from just above the horizon, or well inside the photon orbit, out to 80 M.
+//! Returns limits for the radius of crossings: from just above the horizon (far inside the photon
+//! orbit) to 80 M.
 LayerLimits<double> wide_limits(double spin) {
   const double horizon = horizon_radius(Spacetime{spin});
   return {1.0 / (horizon + 0.02 * (photon_orbit_radius(Spacetime{std::abs(spin)}, 1.0) - horizon) + 1e-4),
@@ -55,7 +56,8 @@ TEST(CrossingLayers, HaveTheReferenceShiftByTheClosedForm) {
   }
 }
 
-//! Returns the limits of a disk from the innermost stable orbit to 20 M.
+//! Returns limits as for the grid of a disk: from halfway between the horizon and the photon orbit
+//! to 80 M, with a margin on both sides.
 LayerLimits<double> disk_limits(double spin) {
   LayerLimits<double> limits = wide_limits(spin);
   const double horizon = horizon_radius(Spacetime{spin});
@@ -79,15 +81,17 @@ TEST(CrossingLayers, AreSmoothAcrossTheShadowsEdge) {
       };
       ASSERT_TRUE(trace(edge - 1e-9, within) && trace(edge + 1e-9, outside)) << spin << " " << gamma;
       for (int order = 0; order < crossing_orders; ++order) {
-        // The change grows by a factor e^π per order, and light winds for long at the edge of a
-        // fast-spinning hole.
+        // Rays are 2e-9 rad apart. The difference between their crossings grows by a factor e^π per
+        // order, and is largest around a fast-spinning hole, where light at the edge of the shadow
+        // winds for long.
         EXPECT_NEAR(within[order].u, outside[order].u, 1e-4) << spin << " " << gamma << " " << order;
       }
     }
   }
 }
 
-//! Traces the layers of a camera at a position (γ [turns], s) of its chart.
+//! Computes the layers of the disk (its crossings by order) in a camera's direction with the chart
+//! coordinates (γ [turns], s).
 template <class T>
 bool trace_place(const CameraStation& camera, const EdgeCurve& edge, const T& alpha, double gamma_turns,
                  Layers<T>& layers) {
@@ -98,7 +102,7 @@ bool trace_place(const CameraStation& camera, const EdgeCurve& edge, const T& al
 
 TEST(CrossingLayers, HaveDerivativesAsDifferencesHaveThem) {
   const CameraStation camera = make_camera_station(Spacetime{0.9}, 20.0, 1.35, 0.0, ObserverMotion::rain);
-  // A circular edge: the chart does not require the edge of the shadow.
+  // A circle replaces the edge of the shadow, because the chart works for any edge.
   const std::vector<float> polar_angle(64, 0.25F);
   const EdgeCurve edge = {
       {-1.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 1.0F}, {0.0F, 1.0F, 0.0F}, polar_angle.data(), 64, 0.25F, 0.25F};
@@ -109,7 +113,7 @@ TEST(CrossingLayers, HaveDerivativesAsDifferencesHaveThem) {
       ASSERT_TRUE(trace_place(camera, edge, disk_polar_angle<double>(edge, gamma, s), gamma, exact));
       constexpr double h = 2e-5;
       const auto at = [&](double g, double v, int order, int part) {
-        // The same direction without derivatives.
+        // Computes the same direction without derivatives, for differences.
         M alpha = disk_polar_angle<double>(edge, g, v);
         Layers<M> layers;
         trace_place(camera, edge, alpha, g, layers);
@@ -168,7 +172,8 @@ TEST(DiskChart, LeadsBackToWhereADirectionIs) {
     for (const double s : {0.02, 0.3, 0.5, 0.7, 0.99}) {
       const MixedDual<double> alpha = disk_polar_angle<double>(edge, gamma, s);
       const Vector3<MixedDual<double>> n = chart_direction_at(LensChart{edge, 1.0F}, gamma, alpha);
-      // Along the chart's own lines, each coordinate of the position changes at rate 1.
+      // The direction is differentiated along the chart's coordinate lines, so the derivatives of
+      // the coordinates themselves must be 1 and 0.
       const auto along = [](const MixedDual<double>& a) { return Dual<double>{a.value, a.along_x, a.along_y}; };
       const DiskPlace<double> place = disk_place(edge, Vector3<Dual<double>>{along(n.x), along(n.y), along(n.z)});
       EXPECT_NEAR(place.gamma_turns.value, gamma, 1e-12);

@@ -24,7 +24,7 @@ DiskLight<double> light_of(const NearRay<double>& ray, const EquatorialCrossing<
   return {1.0 / c.u, ray.energy, ray.axial_angular_momentum, ray.shear_constant, c.u_rate > 0.0};
 }
 
-//! The traced crossings of a row of the reference table, and the ray.
+//! A ray of a row of the reference table, and its traced crossings of the equatorial plane.
 struct Traced {
   NearRay<double> ray;
   Crossings crossings;
@@ -82,15 +82,15 @@ TEST(DiskCrossings, AreWhereThePicturesFloatSeesThem) {
     const Vector3<float> n = {static_cast<float>(row.n.x), static_cast<float>(row.n.y), static_cast<float>(row.n.z)};
     EquatorialCrossing<float> crossings[crossing_orders];
     trace_crossings<10, true>(camera.spin, start_near_ray(camera, n), {1e-3F, 1e-6F, 200}, true, crossings);
-    // Second-order images amplify the rounding of directions.
+    // Images of higher order amplify the rounding of directions to float.
     const double allowed = row.order == 0 ? 2e-4 : 5e-3;
     EXPECT_NEAR(1.0 / static_cast<double>(crossings[row.order].u) / row.r_hit, 1.0, allowed) << row.id;
   }
 }
 
 TEST(DiskCrossings, LieInThePlaneByTheClosedFormOfThePolarMotion) {
-  // An elliptic function gives the polar position at any Mino time; the time of the crossing is the
-  // integral of the radial motion.
+  // Checks a crossing by a closed form: an elliptic function gives the polar position at any Mino
+  // time, and the Mino time of the crossing is the integral of the radial motion.
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   const CameraStation camera = make_camera_station(Spacetime{0.9}, 12.0, 1.2, 0.0, ObserverMotion::zamo);
@@ -106,8 +106,8 @@ TEST(DiskCrossings, LieInThePlaneByTheClosedFormOfThePolarMotion) {
     const RayStart<double> plain = start_ray(camera, n);
     const double slowness = std::sqrt(radial_potential(camera.spin, plain, crossings[0].u));
     EXPECT_NEAR(std::abs(crossings[0].u_rate) / ray.energy, slowness, 1e-9 * (1.0 + slowness));
-    // φ without frame dragging at the Mino time of the crossing, which the closed form finds by
-    // bisection.
+    // Compares φ, without frame dragging, with the closed form at the Mino time of the crossing.
+    // This time is found by bisection.
     double low = 0.0;
     double high = 2.0 / std::sqrt(plain.polar_constant);
     while (polar_position(camera.spin, plain, high).z > 0.0) {
@@ -165,7 +165,7 @@ double first_crossing(const CameraStation& camera, const Vector3<double>& n, dou
 }
 
 TEST(DiskCrossings, AreFoundBesideTheHorizonByLongStepsAsByShortOnes) {
-  // A long step may lead outwards, through the plane, around the hole and into it at once.
+  // A single long step may lead outwards, through the plane, around the hole and back to the plane.
   const CameraStation camera = make_camera_station(Spacetime{0.6}, 1.802, 1.36, 0.0, ObserverMotion::rain);
   for (int i = 0; i < 16; ++i) {
     for (int j = 0; j < 16; ++j) {
@@ -177,8 +177,8 @@ TEST(DiskCrossings, AreFoundBesideTheHorizonByLongStepsAsByShortOnes) {
 }
 
 TEST(DiskCrossings, EndWithTheFirstBehindTheHorizon) {
-  // Later crossings are not continuous with those outside the horizon: a straight footprint would
-  // connect them.
+  // Crossings after the first one inside the horizon must not be reported: they are not continuous
+  // with crossings outside the horizon, and a linear footprint would connect both.
   std::mt19937 random(9);
   std::uniform_real_distribution<double> part(-1.0, 1.0);
   int behind = 0;
@@ -200,15 +200,15 @@ TEST(DiskCrossings, EndWithTheFirstBehindTheHorizon) {
 }
 
 TEST(DiskFlow, MovesAlongPhiWhateverTheSpin) {
-  // Published radii: 9 M for orbits against a hole of spin 1, 1 M for orbits with it, 6 M without
-  // spin.
+  // Published radii of the innermost stable orbit: 9 M for orbits against the rotation of a hole of
+  // spin 1, 1 M for orbits with it, 6 M without spin.
   EXPECT_NEAR(make_disk_flow(Spacetime{-1.0}).stable_r, 9.0, 1e-12);
   EXPECT_NEAR(make_disk_flow(Spacetime{0.0}).stable_r, 6.0, 1e-12);
   EXPECT_NEAR(make_disk_flow(Spacetime{1.0}).stable_r, 1.0, 1e-12);
 }
 
 TEST(DiskFlow, HasTheBindingEnergyOfTheLastStableOrbit) {
-  // 1 - √(8/9), 1 - √(1/3), 1 - √(25/27).
+  // The published binding energies per mass are 1 - √(8/9), 1 - √(1/3) and 1 - √(25/27).
   EXPECT_NEAR(make_disk_flow(Spacetime{0.0}).energy, std::sqrt(8.0 / 9.0), 1e-14);
   EXPECT_NEAR(make_disk_flow(Spacetime{1.0}).energy, std::sqrt(1.0 / 3.0), 1e-14);
   EXPECT_NEAR(make_disk_flow(Spacetime{-1.0}).energy, std::sqrt(25.0 / 27.0), 1e-14);
@@ -229,8 +229,9 @@ TEST(DiskFlow, FallsWithoutAJumpFromTheLastStableOrbit) {
 }
 
 TEST(DiskFlow, SeesItsOwnFrequencyByTheMetric) {
-  // Light straight inwards (principal null, L = a E) onto matter that falls into a hole without
-  // spin: ν = (E_m + √(E_m² - f (1 + L²/r²))) / f for outgoing light, f = 1 - 2/r.
+  // Light moves along a principal null direction (L = a E), and matter falls into a hole without
+  // spin. The frequency in the frame of the matter is ν = (E_m + √(E_m² - f (1 + L²/r²))) / f for
+  // outgoing light, with f = 1 - 2/r and the energy E_m and angular momentum L = √12 of the matter.
   const DiskFlow<double> flow = make_disk_flow(Spacetime{0.0});
   const double r = 4.0;
   const double f = 1.0 - 2.0 / r;
@@ -239,7 +240,8 @@ TEST(DiskFlow, SeesItsOwnFrequencyByTheMetric) {
   EXPECT_NEAR(plunging_frequency(flow, {r, 1.0, 0.0, 0.0, false}), (flow.energy - fall) / f, 1e-12);
 }
 
-//! plunging_frequency() in its textbook form, for ingoing light: it cancels near the horizon.
+//! Computes plunging_frequency() for ingoing light by its textbook formula, which loses digits near
+//! the horizon because terms cancel.
 double frequency_by_difference(const DiskFlow<double>& flow, const DiskLight<double>& light) {
   const double a = flow.spin;
   const double delta = light.r * light.r - 2.0 * light.r + a * a;
@@ -261,8 +263,9 @@ TEST(DiskFlow, IsSeenInFloatAsItIsBesideTheHorizon) {
     const DiskFlow<double> flow = make_disk_flow(Spacetime{spin});
     const double horizon = horizon_radius(Spacetime{spin});
     for (int i = 0; i < 4000; ++i) {
-      // Light of any energy at infinity (including negative energies in the ergosphere) that comes
-      // from outside: X > 0 at the horizon.
+      // Light that comes from outside the hole, so that X = (r² + a²) E - a L is positive at the
+      // horizon. Its energy at infinity may have any value, also a negative one, as in the
+      // ergosphere.
       const double energy = 2.0 * part(random) - 1.0;
       const double brink = std::pow(10.0, -2.0 * part(random));
       const double most_above = 0.9 * (flow.stable_r - horizon);

@@ -7,9 +7,9 @@
 namespace ergodome {
 namespace {
 
-//! Computes the defining integral, Page & Thorne eq. 12: f = -Ω' / (E - ΩL)² ∫ (E - ΩL) L' dr from
-//! the innermost stable orbit, as a sum of (E - ΩL) over steps of L, of second order with one
-//! extrapolation.
+//! Computes the integral that defines the function f (Page & Thorne, eq. 12): f = -Ω' / (E - ΩL)² ∫
+//! (E - ΩL) L' dr, from the innermost stable orbit on. The integral is a sum of (E - ΩL) over steps
+//! of L, of second order, improved by one extrapolation.
 double integrated_function(double spin, double r) {
   const double inner = innermost_stable_radius(Spacetime{spin}, 1.0);
   const auto rotation = [&](double at) { return 1.0 / (at * std::sqrt(at) + spin); };
@@ -48,7 +48,7 @@ TEST(PageThorne, HasNoTorqueAtTheLastStableOrbit) {
   for (const double spin : {-1.0, -0.6, 0.0, 0.6, 0.999}) {
     const double inner = innermost_stable_radius(Spacetime{spin}, 1.0);
     EXPECT_EQ(page_thorne_flux(Spacetime{spin}, inner), 0.0) << spin;
-    // The flux starts with the square of the distance.
+    // At the inner edge, the flux grows with the square of the distance from the edge.
     const double near = page_thorne_flux(Spacetime{spin}, inner + 1e-3);
     const double nearer = page_thorne_flux(Spacetime{spin}, inner + 5e-4);
     EXPECT_NEAR(near / nearer, 4.0, 0.05) << spin;
@@ -56,14 +56,15 @@ TEST(PageThorne, HasNoTorqueAtTheLastStableOrbit) {
 }
 
 TEST(PageThorne, IsNewtonsDiskFarAway) {
-  // 3 M Ṁ / (8π r³) (1 - √(r_in / r)): the bracket differs from 1 only by the effect of the inner
-  // edge.
+  // Newton's result for the flux is 3 M Ṁ / (8π r³) (1 - √(r_in / r)). At large r, the bracket
+  // differs from 1 only by the effect of the inner edge.
   const double r = 1e6;
   EXPECT_NEAR(page_thorne_flux(Spacetime{0.5}, r) * r * r * r, 1.5, 1.5 * 4e-3);
 }
 
 TEST(PageThorne, HasTheClosedFormOfFullSpin) {
-  // With a = 1 the roots 1, 1, -2 leave ∫ (1 - 3 / (x (x + 2))) dx from x = 1.
+  // If a = 1, the roots of the cubic are 1, 1 and -2, and the integral in x = √r becomes ∫ (1 - 3 /
+  // (x (x + 2))) dx, from x = 1 on.
   for (const double r : {1.5, 3.0, 20.0}) {
     const double x = std::sqrt(r);
     const double bracket = x - 1.0 - 1.5 * std::log(3.0 * x / (x + 2.0));
@@ -80,7 +81,7 @@ TEST(PageThorne, GoesOnSmoothlyThroughSpinZeroAndToFullSpinAgainstTheHole) {
 }
 
 TEST(PageThorne, PeaksWhereItIsPublishedToForNoSpin) {
-  // The flux of a disk around a hole without spin peaks at r = 9.55 M.
+  // The published maximum of the flux of a disk around a hole without spin is at r = 9.55 M.
   double best = 6.0;
   for (double r = 6.0; r < 20.0; r += 0.001) {
     best = page_thorne_flux(Spacetime{0.0}, r) > page_thorne_flux(Spacetime{0.0}, best) ? r : best;

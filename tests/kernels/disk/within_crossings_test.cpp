@@ -12,11 +12,11 @@
 #include "kernels/spacetime/shadow/shadow_chart.h"
 #include "tests/kernels/reference_tables.h"
 
-// The disk outside the horizon, seen from inside it.
+// Tests of the disk outside the horizon, as seen by a camera inside the horizon.
 namespace ergodome::test {
 namespace {
 
-//! A point outside the horizon that light comes from.
+//! A point outside the horizon from which light comes.
 struct OuterPlace {
   double r;
   double azimuth;
@@ -32,7 +32,8 @@ void expect_place(const ReferenceCrossing& row, const std::optional<OuterPlace>&
   EXPECT_NEAR(place->delay, row.delay, allowed * std::max(1.0, row.r_hit)) << "ray " << row.id;
 }
 
-//! Finds the crossing by a ray that computes azimuth and time.
+//! Finds the point where a ray crosses the disk's plane outside the horizon, by trace_crossings(),
+//! which also computes azimuth and time.
 template <class S>
 std::optional<OuterPlace> traced_crossing(const ReferenceCrossing& row, const CrossingLimits<S>& limits) {
   const CameraStationOf<S> camera = converted_station<S>(station_of(row));
@@ -77,8 +78,8 @@ TEST(CrossingsFromWithin, ShowADiskShiftedAsTheReferenceSays) {
   }
 }
 
-//! Finds the crossing in the layers of a disk grid, of any order: these also count crossings inside
-//! the horizon.
+//! Finds the same point among the crossings of any order in the layers of a disk grid, which also
+//! contain crossings inside the horizon.
 std::optional<OuterPlace> layer_crossing(const ReferenceCrossing& row) {
   const double near_u = 1.0 / (horizon_radius(Spacetime{row.a}) + 1e-3);
   const LayerLimits<double> limits = {near_u, 1e-4, 10.0, -1.0, 1e-15, 4000};
@@ -101,7 +102,7 @@ TEST(CrossingsFromWithin, AreTheLayersOfADisksGrid) {
   }
 }
 
-//! Keeps the shell crossing that is closest to the equatorial plane.
+//! A visitor for trace_shells() that keeps the shell crossing closest to the equatorial plane.
 struct EquatorialVisitor {
   std::optional<OuterPlace> found;
   double height = 1.0;
@@ -126,8 +127,8 @@ TEST(CrossingsFromWithin, AreThoseOfShellsThroughThem) {
   }
 }
 
-//! Finds the crossing along the paths used to search for objects: azimuth and delay where they
-//! cross the plane.
+//! Finds the same point on the paths that are used to search for objects: azimuth and delay where a
+//! path crosses the plane.
 std::optional<OuterPlace> path_crossing(const ReferenceCrossing& row) {
   std::optional<OuterPlace> found;
   int order = 0;
@@ -152,8 +153,8 @@ TEST(CrossingsFromWithin, AreOnThePathsOfObjects) {
   }
 }
 
-//! Returns the first crossing in azimuth and time of ingoing Kerr coordinates at the camera; r is 0
-//! if there is none.
+//! Returns the first crossing of the plane. Azimuth and time are those of ingoing Kerr coordinates
+//! at the camera. r is 0 if there is no crossing.
 OuterPlace crossing_by_ingoing_clock(double spin, double r, const Vector3<double>& n) {
   const CameraStation camera = make_camera_station(Spacetime{spin}, r, 1.2, 0.0, ObserverMotion::rain);
   EquatorialCrossing<double> found[crossing_orders];
@@ -183,7 +184,7 @@ TEST(CrossingsFromWithin, GoOnFromOutsideWithTheLagOfTheCamerasTime) {
   }
 }
 
-//! Returns the first crossing in precision S; u is 0 if there is none.
+//! Returns the first crossing of the plane, computed in precision S; u is 0 if there is none.
 template <class S>
 EquatorialCrossing<S> first_crossing_in(const CameraStation& station, const Vector3<double>& n, S tolerance) {
   const CameraStationOf<S> camera = converted_station<S>(station);
@@ -207,7 +208,8 @@ TEST(CrossingsFromWithin, AreInFloatWhereDoubleHasThemAtAllHeights) {
             make_camera_station(Spacetime{spin}, horizon + height, 1.5 + 1.3 * part(random), 0.0, ObserverMotion::rain);
         const Vector3<double> n = normalized({part(random), part(random), part(random)});
         const EquatorialCrossing<double> exact = first_crossing_in<double>(camera, n, 1e-15);
-        // Next to the horizon, azimuth and time vary faster than float resolves.
+        // Skips crossings next to the horizon, where azimuth and time vary faster than float
+        // resolves, and crossings far from the hole.
         if (exact.u * 1.05 * horizon > 1.0 || (exact.u > 0.0 && exact.u < 0.02)) {
           continue;
         }
@@ -248,8 +250,8 @@ TEST(CrossingsFromWithin, AreCountedAlikeInBothCoordinatesFromOutside) {
 }
 
 TEST(CrossingsFromWithin, AreNotThoseOfAnotherUniversesLight) {
-  // E (r_+² + a²) - a L < 0: this light was never outside, although its 1/r behaves as if it had
-  // been.
+  // E (r_+² + a²) - a L is negative. This light was never outside the horizon, although its 1/r has
+  // the same solution as that of light which was.
   const double spin = 0.9;
   const CameraStation camera = make_camera_station(Spacetime{spin}, 1.0, 1.2, 0.0, ObserverMotion::rain);
   const NearRay<double> ray = start_near_ray(camera, normalized({-0.9, 0.3, 0.3}));

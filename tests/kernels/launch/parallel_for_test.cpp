@@ -61,7 +61,8 @@ TEST(ParallelFor, ServesManyThreadsAtOnce) {
   EXPECT_EQ(sum, 6 * 300 * 7);
 }
 
-//! Returns a pool with more helpers than any test machine has processors; pools are never deleted.
+//! Returns a pool with five helper threads, more than some test machines have CPUs. Pools must not
+//! be destroyed.
 WorkerPool& pool_of_five() {
   static WorkerPool& pool = *new WorkerPool(5);
   return pool;

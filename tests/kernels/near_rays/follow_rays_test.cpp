@@ -13,7 +13,7 @@
 namespace ergodome::test {
 namespace {
 
-//! Keeps the last shell crossing of a traced ray.
+//! A visitor that keeps the last shell crossing of a ray.
 struct LastSeen {
   std::vector<WatchedShell> shells;
   int shell = -1;
@@ -78,8 +78,8 @@ TEST(FollowedRays, EndAtTheLastShellThatATracedRaySees) {
   EXPECT_GT(met, 2000);
 }
 
-// With 2 r_+ E < a L, the light comes from another universe to a camera inside the horizon. Outside
-// the horizon it turns back soon.
+// If 2 r_+ E < a L, the light that reaches a camera inside the horizon comes from another universe.
+// Traced backwards, it leaves the horizon but soon turns back.
 TEST(FollowedRays, MeetNoShellByLightThatHasNotBeenOutside) {
   constexpr double spin = 0.9;
   const CameraStation camera =
@@ -117,7 +117,8 @@ TEST(FollowedRays, ComeOutOfTheHorizonInFewSteps) {
   EXPECT_GT(met, 50);
 }
 
-//! The work and the error of an integrator for a shell just above the horizon, seen from outside.
+//! The number of steps and the error of an integrator, for rays from outside to a shell just above
+//! the horizon.
 struct Followed {
   double steps, error;
   bool arrived;
@@ -162,8 +163,8 @@ TEST(FollowedRays, TakeMoreStepsWhereMoreIsAsked) {
 }
 
 TEST(FollowedRays, AreSlowNextToThePolesInPolarAnglesAlone) {
-  // Straight up from the middle, the plane of the ray contains the axis, which the ray passes on
-  // its way around to the far side of the shell.
+  // The ray starts straight upwards from the middle of the hole. Its plane contains the axis, which
+  // it passes on its way to the far side of the shell.
   const Vector3<double> over_the_pole = beside_the_middle(0.36, 1e-4);
   const Vector3<double> beside = beside_the_middle(0.1, 0.34);
   const double polar = follow(over_the_pole, 1e-5, by_baseline).steps / follow(beside, 1e-5, by_baseline).steps;

@@ -9,11 +9,12 @@
 #include "tests/kernels/mesh_scene.h"
 #include "tests/kernels/reference_tables.h"
 
-// The light of a lamp on surfaces: its shadows and its brightness.
+// Tests of the light of a lamp on surfaces: shadows and brightness.
 namespace ergodome::test {
 namespace {
 
-//! Returns the illuminance of a surface at a point, facing outwards, lit by a lamp among meshes.
+//! Returns the illuminance of a surface at a point. The surface has the given normal and is lit by
+//! a lamp; meshes may cast shadows on it.
 double illuminance_of(double spin, const LitPoint& at, const Vector3<double>& normal, const MeshScene& scene,
                       LampFalloff falloff = LampFalloff::published) {
   LampCorrections corrections = {};
@@ -40,7 +41,7 @@ TEST(LampLight, IsTakenAwayByWhatStandsOnItsRayAndByNothingElse) {
     LightRay ray{};
     RayCorrection correction = {};
     ASSERT_TRUE(light_ray(Spacetime{spin}, frame, at.point, at.lamp, 1, LightRayParts::way, correction, ray));
-    // The position of the ray after a third of its way.
+    // Finds the position of the ray after a third of its path from the point to the lamp.
     const Placed shell(make_sphere({}), {0.0, 0.0, 0.0}, 18.0);
     const MeshHit on_way = look(frame.camera, ray.direction, {&shell.mesh, 1, 17.0, 19.0});
     ASSERT_EQ(on_way.mesh, 0);
@@ -48,7 +49,8 @@ TEST(LampLight, IsTakenAwayByWhatStandsOnItsRayAndByNothingElse) {
     const Placed beside(make_sphere({}), on_way.point + Vector3<double>{0.0, 0.0, 0.6}, 0.5);
     const double free = illuminance_of(spin, at, normal, {&beside.mesh, 1, 15.0, 20.0});
     EXPECT_GT(free, 0.0);
-    // The second path around the hole is different, and its light much weaker.
+    // A ball in the path blocks the first path of the light. The light along the second path around
+    // the hole arrives from elsewhere, and is much weaker.
     EXPECT_LT(illuminance_of(spin, at, normal, {&before.mesh, 1, 15.0, 20.0}), 0.01 * free) << spin;
   }
 }
@@ -65,13 +67,14 @@ TEST(LampLight, ReachesASurfaceThatFacesAwayRoundTheHoleAlone) {
   const MeshScene scene = {&elsewhere.mesh, 1, 88.0, 92.0};
   const double round = illuminance(at.lamp, at.point, {-1.0, 0.0, 0.0}, 2, 100.0);
   EXPECT_GT(round, 0.0);
-  // The rays end within 1e-6 of the surface.
+  // The computed rays end within 1e-6 of the surface, which limits the accuracy.
   EXPECT_NEAR(illuminance_of(0.0, at, {-1.0, 0.0, 0.0}, scene), round, 1e-6 * round);
 }
 
 TEST(LampLight, RoundTheHoleMeetsNothingThatItPasses) {
-  // The ray comes back past its start, 5 M from the ball. A start moved off the surface by a
-  // hundredth would send it into the ball.
+  // The ray goes around the hole and comes back past its start, which is 5 M from the center of the
+  // ball. If its start is moved off the surface by a hundredth, a wrong treatment would let it hit
+  // the ball.
   const LitPoint at = {{13.0, 0.0, 0.0}, {40.0, 0.0, 0.0}};
   const Placed ball(make_sphere({}), {15.0, 0.0, 0.0}, 1.99);
   const MeshScene scene = {&ball.mesh, 1, 12.0, 18.0};
@@ -86,7 +89,7 @@ TEST(LampLight, RoundTheHoleMeetsNothingThatItPasses) {
   }
 }
 
-//! A ball where no light passes.
+//! A ball far away from all light, for scenes without shadows.
 struct Elsewhere {
   Placed ball{make_sphere({}), {0.0, 0.0, 900.0}, 1.0};
   MeshScene scene{&ball.mesh, 1, 898.0, 902.0};
@@ -100,9 +103,10 @@ TEST(LampLight, FarFromTheHoleFadesWithTheSquareOfTheDistance) {
   }
 }
 
-//! Counts the photons from a lamp of strength 1 on the axis that enter the sphere of radius r, from
-//! the illuminance of its outside, relative to the photons that the lamp emits per unit of solid
-//! angle. Both are per unit of time and area of a zero-angular-momentum observer.
+//! Returns the number of photons that enter the sphere of radius r, from a lamp of strength 1 on
+//! the axis, relative to the number that the lamp emits per unit of solid angle. Sums the
+//! illuminance of the sphere's outside, per unit of time and area of a zero-angular-momentum
+//! observer.
 double photons_through_sphere(double spin, double r, double lamp_r) {
   const Elsewhere elsewhere;
   constexpr int count = 400;
@@ -118,8 +122,9 @@ double photons_through_sphere(double spin, double r, double lamp_r) {
     const KerrFunctions f = kerr_functions(Spacetime{spin}, r, theta);
     for (int way = 0; way < 2; ++way) {
       if (light.strength[way] > 0.0) {
-        // The observer sees a fraction e_R / e_L of the photon rate; α e_L of its time units pass
-        // per time unit of the lamp.
+        // A lamp's energy e_L and a zero-angular-momentum observer's energy e_R of a photon differ.
+        // The rate at which photons arrive is e_R / e_L of the rate at which they are emitted, and
+        // α e_L units of the observer's time pass per unit of the lamp's time.
         const double energy = 1.0 / detail::evaluate(light.frame.camera.energy, light.direction[way]);
         sum += 2.0 * pi * (pi / count) * std::sin(theta) * std::sqrt(f.area) * std::sqrt(f.sigma * f.delta / f.area) *
                energy * light.strength[way] * meeting(light, normal, light.direction[way]);
@@ -144,12 +149,12 @@ TEST(LampLight, ThroughASphereAboutAHoleThatSpinsIsAllOfItsShadowButTheLightOfFu
   const CameraStation camera = local_frame(Spacetime{0.5}, {0.0, 0.0, lamp_r}).camera;
   const ShadowChart chart = make_shadow_chart(camera);
   const double captured = 2.0 * pi * (1.0 - std::cos(edge_along_circle(camera, chart, 0.4, pi)));
-  // Without spin, further paths contribute 0.8 % (see above).
+  // Without spin, light along further paths contributes 0.8 % (previous test).
   EXPECT_NEAR(through, 0.992 * captured, 2e-3 * captured);
 }
 
-//! Returns the illuminance of a moving surface as measured in its rest frame, from the four-vectors
-//! of light, surface and matter.
+//! Returns the illuminance of a moving surface in its rest frame. v: its velocity; n: its normal;
+//! d: the direction of the light. Computed from the four-vectors of light, surface and matter.
 double met_by_moving(const Vector3<double>& v, const Vector3<double>& n, const Vector3<double>& d) {
   using Four = std::array<double, 4>;
   const auto product = [](const Four& a, const Four& b) {
@@ -158,8 +163,8 @@ double met_by_moving(const Vector3<double>& v, const Vector3<double>& n, const V
   const double gamma = 1.0 / std::sqrt(1.0 - dot(v, v));
   const Four u = {gamma, gamma * v.x, gamma * v.y, gamma * v.z};
   const Four k = {1.0, -d.x, -d.y, -d.z};
-  // The normal in space is perpendicular to the surface's tangents; in spacetime it is also
-  // perpendicular to its velocity.
+  // The spatial normal n is perpendicular to the tangents of the surface. The four-vector of the
+  // normal is also perpendicular to the four-velocity.
   Four normal = {dot(n, v), n.x, n.y, n.z};
   EXPECT_NEAR(product(normal, u), 0.0, 1e-12);
   const double size = std::sqrt(product(normal, normal));
@@ -173,7 +178,7 @@ TEST(LampLight, OnASurfaceThatMovesIsWhatThatMeasures) {
   light.velocity = {0.3, -0.5, 0.2};
   const Vector3<double> normal = {0.6, 0.0, 0.8};
   const Vector3<double> direction = {0.48, 0.6, 0.64};
-  // Far away, the axes of the frame are e_r = x, e_θ = -z, e_φ = y.
+  // Far from the hole, the axes of the local frame are e_r = x, e_θ = -z, e_φ = y.
   const Vector3<double> in_frame = {normal.x, -normal.z, normal.y};
   EXPECT_NEAR(meeting(light, normal, direction), met_by_moving(light.velocity, in_frame, direction), 1e-10);
   EXPECT_GT(meeting(light, normal, direction), 0.0);

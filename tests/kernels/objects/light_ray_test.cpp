@@ -11,7 +11,8 @@
 #include "tests/kernels/mesh_scene.h"
 #include "tests/kernels/reference_tables.h"
 
-// Light between a lamp and a point: its path, its travel time, and the spread of its bundles.
+// Tests of light between a lamp and a point: its path, its travel time, and how a bundle of rays
+// spreads.
 namespace ergodome::test {
 namespace {
 
@@ -70,13 +71,14 @@ TEST(LightRay, TakesAsLongBackwardsAboutAHoleThatSpinsTheOtherWay) {
     LightRay back{};
     ASSERT_TRUE(ray_of(0.9, at.point, at.lamp, 1, there));
     ASSERT_TRUE(ray_of(-0.9, at.lamp, at.point, 1, back));
-    // The travel time belongs to the next-to-last step, which ends up to 2e-4 rad from the point.
+    // The travel time is that of the next-to-last step of Newton's method, whose ray ends up to
+    // 2e-4 rad from the point.
     EXPECT_NEAR(there.travel_time, back.travel_time, 1e-4 * there.travel_time);
   }
 }
 
-//! Returns the spread without spin, r² r_L² b |du/dφ| |du_L/dφ| sinψ |dψ/db|, with the derivative
-//! from differences of the closed form.
+//! Returns the spread of a bundle without spin, r² r_L² b |du/dφ| |du_L/dφ| sinψ |dψ/db|. The
+//! derivative dψ/db is computed by differences of the closed form.
 double closed_spread(const LitPoint& at, int order) {
   const ConnectionPlane plane = connection_plane(at.lamp, at.point);
   const double angle = image_angle(plane.phi, order);
@@ -105,8 +107,8 @@ TEST(LightRay, SpreadsWithoutSpinAsTheClosedFormHasIt) {
   }
 }
 
-//! The position and the time where a ray from a lamp first reaches a radius, inward or outward as
-//! requested: θ, φ sinθ and t, with θ of the middle ray.
+//! A visitor that finds where a ray from a lamp first crosses a radius, in the requested direction
+//! (inward or outward), and the time of this crossing.
 struct Crossing {
   Vector3<double> place{};
   double time = 0.0;
@@ -127,10 +129,10 @@ struct Crossing {
   [[nodiscard]] static bool done() { return false; }
 };
 
-//! Returns the cross-section of a bundle of five rays from the lamp, by differences, in the frame
-//! of a zero-angular-momentum observer at the point, divided by their solid angle and the square of
-//! their energy. Always traces from the lamp, in time-reversed spacetime, whichever end is closer
-//! to the hole.
+//! Returns the cross-section of a bundle divided by its solid angle and by the square of its
+//! energy. The bundle consists of five rays from the lamp, and differences of their ends give its
+//! cross-section in the frame of a zero-angular-momentum observer at the point. Traces from the
+//! lamp in time-reversed spacetime, even if the point is closer to the hole.
 double spread_by_differences(double spin, const LitPoint& at, const Vector3<double>& emitted, const LightRay& ray) {
   const LocalFrame lamp = local_frame(Spacetime{-spin}, at.lamp);
   const double r = length(at.point);
@@ -155,7 +157,7 @@ double spread_by_differences(double spin, const LitPoint& at, const Vector3<doub
     const double by = 0.5 / apart;
     const double along_theta = by * (std::acos(two[0].place.z) - std::acos(two[1].place.z));
     const double along_phi = by * std::remainder(azimuth(two[0].place) - azimuth(two[1].place), 2.0 * pi);
-    // Times run backwards.
+    // Rays are traced backwards in time, so the time difference has the opposite sign.
     const double along_time = -by * (two[0].time - two[1].time);
     return Vector3<double>{0.0, std::sqrt(f.sigma) * along_theta,
                            f.circumference_factor * std::sin(theta) * (along_phi - f.frame_dragging * along_time)};
@@ -172,8 +174,8 @@ TEST(LightRay, SpreadsAboutAHoleThatSpinsAsBundlesFromTheLampDo) {
       if (std::abs(ray.direction.x) < 0.05) {
         continue;  // It grazes the sphere on which the neighbors are intersected.
       }
-      // The direction in which the ray leaves the lamp: that of the lamp's light seen at the point,
-      // in reversed time.
+      // Finds the direction in which the ray leaves the lamp: in time-reversed spacetime, it is the
+      // direction in which an observer at the lamp sees light from the point.
       RayCorrection correction = {};
       LightRay back{};
       const LocalFrame lamp = local_frame(Spacetime{-spin}, at.lamp);
@@ -195,8 +197,8 @@ TEST(LightRay, SpreadsTheSameBothWays) {
   }
 }
 
-// On both sides of the distance where Newton's method stops being accurate and the approximation
-// for short paths takes over.
+// Compares both sides of a limit on the distance: below it, Newton's method is not accurate and an
+// approximation for short paths replaces it.
 TEST(LightRay, AcrossShortWaysAboutAHoleThatSpinsComesFromWhereItDoesAcrossLongerOnes) {
   for (const double r : {4.0, 20.0}) {
     const Vector3<double> point = {r, 0.0, 0.1};
@@ -222,7 +224,7 @@ TEST(LightRay, SpreadsAcrossShortWaysAsThoughSpaceWereFlat) {
   }
 }
 
-// The direction where the two paths meet, and where one could be mistaken for the other.
+// Tests lamps behind the hole, where the two paths meet and one could be mistaken for the other.
 TEST(LightRay, BehindAHoleThatSpinsComesBothWaysOnOppositeSides) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> share(0.0, 1.0);

@@ -10,11 +10,11 @@
 #include "tests/kernels/mesh_scene.h"
 #include "tests/kernels/reference_tables.h"
 
-// Properties of light from meshes: frequency shift and light travel time.
+// Tests of light from meshes: frequency shift and travel time.
 namespace ergodome::test {
 namespace {
 
-//! Returns the equatorial plane out to r = 64.
+//! Returns a square mesh in the equatorial plane, which extends to x, y = ±64.
 TriangleMesh plane() {
   constexpr float far = 64.0F;
   TriangleMesh square;
@@ -47,7 +47,7 @@ TEST(MeshEmitter, OnAKeplerianOrbitShiftsLightAsTheReferenceTableHasIt) {
   EXPECT_GT(compared, 20);
 }
 
-//! A ray from a camera around a spinning hole to a small ball, and its hit.
+//! A camera near a spinning hole, a small ball, and a ray that hits the ball.
 struct SeenBall {
   CameraStation camera = make_camera_station(Spacetime{0.9}, 20.0, 1.1, 0.4, ObserverMotion::zamo);
   Placed ball;
@@ -116,7 +116,8 @@ TEST(RetardedMesh, IsMetWhereItWasWhenItsLightLeft) {
       Placed there(make_sphere({}), mesh_position(moving.mesh, hit.delay), 1.5);
       const MeshHit again = look(camera, unit, {&there.mesh, 1, 7.0, 11.0});
       ASSERT_EQ(again.mesh, 0);
-      // The ray may meet a ball that moves along it elsewhere first.
+      // The ray may first meet another point of a ball that moves along the ray; such rays are
+      // skipped.
       if (std::abs(again.delay - hit.delay) < 1.0) {
         EXPECT_LT(length(again.point - hit.point), 1e-8);
         ++met;

@@ -18,7 +18,7 @@ namespace {
 
 Vector3<double> unit(const Vector3<double>& v) { return (1.0 / length(v)) * v; }
 
-//! Converts a vector from pseudo-Cartesian axes to (e_r, e_θ, e_φ).
+//! Converts the components of a vector from pseudo-Cartesian axes to (e_r, e_θ, e_φ).
 Vector3<double> in_polar_axes(const Vector3<double>& v, double theta, double phi) {
   const Vector3<double> e_r = {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
   const Vector3<double> e_theta = {std::cos(theta) * std::cos(phi), std::cos(theta) * std::sin(phi), -std::sin(theta)};
@@ -65,7 +65,8 @@ TEST(MeshRays, MeetAPlaneAboutASpinningHoleWhereTheReferenceTableHasItsCrossings
   const Placed placed(square, {0.0, 0.0, 0.0}, 1.0);
   int compared = 0;
   for (const ReferenceCrossing& row : reference_crossings()) {
-    // From a camera in the plane, all directions meet the plane at the camera itself.
+    // Skips cameras in the equatorial plane: from there, every ray meets the plane at the camera
+    // itself.
     if (row.order != 0 || row.r_hit > 60.0 || row.r > 1e4 || std::abs(row.theta - 0.5 * pi) < 1e-12) {
       continue;
     }
@@ -82,8 +83,8 @@ TEST(MeshRays, MeetAPlaneAboutASpinningHoleWhereTheReferenceTableHasItsCrossings
   EXPECT_GT(compared, 30);
 }
 
-//! Light that passes the hole at r = 5, symmetric about the x axis; near its closest point it
-//! follows x = 5 - 1.5 φ².
+//! Light that passes the hole and is symmetric about the x axis, where it is closest, at r = 5.
+//! Near this point its path is x = 5 - 1.5 φ².
 struct GrazingLight {
   static constexpr double turn_r = 5.0;
   double camera_r = 12.0;
@@ -147,8 +148,8 @@ TEST(MeshRays, StopAtTheNearerOfTwoMeshes) {
 }
 
 TEST(MeshRays, SeeAMeshThatIsTurned) {
-  // A triangle in the plane x = 0 of its own coordinates, turned by a quarter about z and back: the
-  // rays use the transposed matrix.
+  // A triangle in the plane x = 0 of its own coordinates, rotated about z by 1 rad. Rays are
+  // converted to these coordinates by the transposed matrix.
   Placed placed(triangle_about({0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}), {10.0, 0.0, 0.0}, 0.5);
   const CameraStation camera = make_camera_station(Spacetime{0.0}, 30.0, 0.5 * pi, 0.0, ObserverMotion::fixed);
   const double c = std::cos(1.0);
@@ -157,7 +158,7 @@ TEST(MeshRays, SeeAMeshThatIsTurned) {
   std::copy(&rows[0][0], &rows[0][0] + 9, &placed.mesh.rows[0][0]);
   const MeshHit hit = look(camera, unit({-1.0, 0.0, 0.001}), {&placed.mesh, 1, 8.0, 12.0});
   ASSERT_EQ(hit.mesh, 0);
-  // The point lies in the turned plane.
+  // The hit is in the rotated plane.
   EXPECT_NEAR((hit.point.x - 10.0) * c + hit.point.y * s, 0.0, 1e-9);
 }
 
@@ -200,13 +201,14 @@ TEST(TriangleTree, LeadsToEveryTriangleThatASegmentCrosses) {
   EXPECT_GT(crossed, 1000);
 }
 
-//! A bent path, as a cubic.
+//! A curved path: a cubic function of its parameter, with these coefficients.
 struct BentPath {
   Vector3<double> start, speed, bow, skew;
   Vector3<double> operator()(double h) const { return start + h * (speed + h * (bow + h * skew)); }
 };
 
-//! Finds where a path crosses a triangle, by many small steps; returns more than 1 if it does not.
+//! Finds the parameter at which a path crosses a triangle, by many small steps. Returns more than 1
+//! if it does not cross it between 0 and 1.
 double first_crossing(const BentPath& path, const TriangleSides& t) {
   constexpr int steps = 2000;
   const Vector3<double> normal = cross(t.side_1, t.side_2);
@@ -236,7 +238,8 @@ TEST(PathParabola, LeavesOutNoTriangleThatThePathCrossesAndMostOfTheOthers) {
   int passed = 0;
   int kept = 0;
   for (int i = 0; i < 4000; ++i) {
-    // From nearly straight to more bent than any segment in a search.
+    // Paths are between nearly straight and more curved than any piece of a ray in a search for
+    // objects.
     const double bent = std::pow(10.0, -1.5 + 1.5 * share(random));
     const BentPath path = {vector(1.0), vector(1.0), vector(0.3 * bent), vector(0.1 * bent)};
     const TriangleSides t = {path(0.5 + 0.6 * share(random)) + vector(0.15), vector(0.2), vector(0.2)};

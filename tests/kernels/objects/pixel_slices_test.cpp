@@ -6,12 +6,12 @@
 #include <cmath>
 #include <tuple>
 
-// Slices of a pixel along the shadow's edge.
+// Tests of the slices of a pixel: strips along the edge of the shadow.
 namespace ergodome {
 namespace {
 
-//! A pixel and an edge through or near it, given by position angle and distance from the pixel's
-//! center.
+//! A pixel, and an edge through it or near it. The edge is given by its position angle and by its
+//! distance from the center of the pixel.
 class PixelSlicesAt : public testing::TestWithParam<std::tuple<double, double>> {
  protected:
   static constexpr int count = 64;

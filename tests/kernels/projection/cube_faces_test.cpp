@@ -7,8 +7,8 @@
 namespace ergodome {
 namespace {
 
-//! OpenGL 4.6 core, table 8.19: the axis of a face, and the axes along which its s (to the right)
-//! and t (downwards) increase; X, Y, Z.
+//! A face of a cube map in OpenGL (4.6 core, table 8.19): its axis (X, Y or Z), and the axes along
+//! which its coordinates s (to the right) and t (downwards) increase.
 struct FaceOfOpenGl {
   CubeFace face;
   int ahead[3];

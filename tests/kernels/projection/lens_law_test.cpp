@@ -16,8 +16,8 @@ DomeView hemisphere(LensLaw law) {
   return view;
 }
 
-//! Returns the angle from the zenith [deg] at a fraction of the way from the middle of the image to
-//! its right side.
+//! Returns the angle from the zenith [deg] of the direction at a position in the image: `radius` is
+//! the fraction of the way from the middle of the image to its right side.
 double zenith_angle_deg(const DomeView& view, double radius) {
   const Vector3<double> v = direction_from_pixel(make_dome_projection(1000, view), 500.0 + 500.0 * radius, 500.0);
   return std::atan2(std::hypot(v.x, v.z), v.y) * 180.0 / pi;
@@ -33,7 +33,8 @@ TEST(LensLaws, EquisolidSinesOfHalfTheAngleGrowWithTheRadius) {
 }
 
 TEST(LensLaws, StereographicTangentsOfHalfTheAngleGrowWithTheRadius) {
-  // The triangle with sides 3, 4, 5.
+  // If the tangent of half the angle is 1/2, the angle is in the right triangle with the sides 3, 4
+  // and 5.
   EXPECT_NEAR(zenith_angle_deg(hemisphere(LensLaw::stereographic), 0.5), std::atan2(4.0, 3.0) * 180.0 / pi, 1e-9);
 }
 
@@ -43,7 +44,8 @@ TEST(LensLaws, OrthographicSinesGrowWithTheRadius) {
 
 TEST(LensLaws, PolynomialRadiusIsTheSumOfItsTerms) {
   const DomeView view = test::measured_lens();
-  // At one radian, all powers are 1.
+  // At an angle of one radian, all powers of the angle are 1, so the radius is the sum of the
+  // coefficients.
   EXPECT_NEAR(zenith_angle_deg(view, 0.67 - 0.011 - 0.0035 + 0.0004), 180.0 / pi, 1e-9);
 }
 
@@ -75,7 +77,8 @@ TEST(LensLaws, EveryLawReachesItsFieldOfViewAtTheRim) {
 }
 
 TEST(LensLaws, PolynomialStopsWhereItTurnsBack) {
-  // r = t - t³/3 has its maximum at t = 1, and its slope falls below a hundredth shortly before.
+  // r = t - t³/3 has its maximum at t = 1. The largest half angle is slightly smaller: there the
+  // slope falls below a hundredth.
   const double turning[4] = {1.0, -1.0 / 3.0, 0.0, 0.0};
   EXPECT_NEAR(largest_half_angle(LensLaw::polynomial, turning), std::sqrt(0.99), 1e-3);
   const double rising[4] = {0.6, 0.01, 0.0, 0.0};
@@ -132,7 +135,8 @@ TEST(DomeFisheye, OffCentreViewersRayMeetsTheDomeAtItsPixel) {
   for (const auto& [x, y] : test::image_places(p, 0.5)) {
     const Vector3<double> place = direction_from_pixel(centred, x, y);
     const Vector3<double> seen = direction_from_pixel(p, x, y);
-    // The ray's distance from the position: that of a point from a line.
+    // Computes the distance of the position on the dome from the ray, as the distance of a point
+    // from a line.
     const Vector3<double> way = place - viewer;
     const Vector3<double> beside = cross(seen, way);
     EXPECT_LT(dot(beside, beside), 1e-24);

@@ -10,7 +10,7 @@ namespace {
 
 using test::lens_of;
 
-//! Returns the solid angle of everything that a picture shows.
+//! Returns the solid angle of everything in a picture: the sum over its pixels.
 double solid_angle_of(const Projection& p) {
   double sum = 0.0;
   for (int y = 0; y < p.height_px; ++y) {
@@ -21,7 +21,7 @@ double solid_angle_of(const Projection& p) {
   return sum;
 }
 
-//! Compares the pixel centers of a SIMD register with those from integer division.
+//! Compares the pixel centers that a SIMD function computes with those from integer division.
 void expect_middles(int width, int rows, int first) {
   using Lanes = WidePack<float>;
   const int count = width * rows;
@@ -74,13 +74,14 @@ TEST(PixelSolidAngle, OfWholeSkiesAddsUpToTheSphere) {
 }
 
 TEST(PixelSolidAngle, OfACylinderAddsUpToItsZone) {
-  // Between elevations of -45° and 45°.
+  // The cylinder shows elevations from -45° to 45°.
   expect_solid_angle(make_cylinder_projection(1000, 318, 2.0 * pi, -1.0, 1.0), 4.0 * pi * std::sqrt(0.5));
   expect_solid_angle(make_cylinder_projection(500, 318, 2.0, 0.0, 1.0), 2.0 * std::sqrt(0.5));
 }
 
 TEST(PixelSolidAngle, OfAFrustumAddsUpToThatOfItsScreen) {
-  // For a rectangle with a corner on the axis: atan(xy / √(1 + x² + y²)).
+  // Solid angle of an x by y rectangle at distance 1 with a corner on the axis: atan(xy / √(1 + x²
+  // + y²)).
   const auto corner = [](double x, double y) { return std::atan(x * y / std::sqrt(1.0 + x * x + y * y)); };
   const FrustumSides sides = {-0.4, 1.3, 0.9, -0.1};
   const double expected = corner(1.3, 0.9) + corner(0.4, 0.9) + corner(1.3, 0.1) + corner(0.4, 0.1);

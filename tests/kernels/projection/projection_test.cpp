@@ -181,7 +181,7 @@ TEST_P(EveryProjection, ShowsSimdLanesWhatItShowsSinglePixels) {
   using Lanes = WidePack<float>;
   const auto p = converted_projection<float>(projection());
   const int count = p.width_px * p.height_px;
-  // SIMD lanes cross the borders of rows and of cube faces.
+  // Tests SIMD packs that extend over the ends of rows and of cube faces, too.
   for (int first = 0; first < count; first += 997) {
     Lanes x_px;
     Lanes y_px;
@@ -198,8 +198,8 @@ TEST_P(EveryProjection, ShowsSimdLanesWhatItShowsSinglePixels) {
   }
 }
 
-//! At the rim of a sphere or hemisphere, pixel angles grow without bound; they are checked from
-//! half a pixel inside the rim.
+//! At the rim of a sphere or hemisphere, pixel angles would grow without bound. They are limited to
+//! those half a pixel inside the rim, so pixels are checked only up to there.
 TEST_P(EveryProjection, HasNoPixelLargerThanItsLargest) {
   const Projection& p = projection();
   const double largest = largest_pixel_angle(p);

@@ -25,7 +25,7 @@ struct Found {
   NearPlace<T> place;
 };
 
-//! Collects the crossings of one ray.
+//! A visitor that collects the crossings of a ray with shells.
 template <class T>
 struct Collector {
   std::vector<Found<T>> found;
@@ -53,7 +53,7 @@ std::vector<Found<T>> cross(const CameraStation& camera, const Vector3<T>& n, st
   return collector.found;
 }
 
-//! Returns the position of a crossing on the sphere, with φ = 0 at the camera.
+//! Returns the direction from the center of a shell to a crossing on it; φ is 0 at the camera.
 Vector3<double> direction_of(const NearPlace<double>& at) {
   const double c = std::cos(at.drag);
   const double s = std::sin(at.drag);
@@ -67,8 +67,8 @@ Vector3<double> on_sphere(double theta, double phi) {
 Vector3<double> unit(const Vector3<double>& v) { return (1.0 / length(v)) * v; }
 
 TEST(ShellCrossings, AtARadiusWhereLightMeetsTheEquatorLieThereByTheReferenceTable) {
-  // The table lists positions in the equatorial plane, computed with 113 bits: one of the crossings
-  // of a shell with that radius is there.
+  // The table contains points in the equatorial plane, computed with 113 bits. A ray must cross a
+  // shell of the same radius at the point of the table.
   for (const ReferenceCrossing& row : reference_crossings()) {
     double nearest = 1.0;
     double delay = 0.0;
@@ -94,7 +94,8 @@ TEST(ShellCrossings, OfAVeryLargeShellAreTheReferenceTablesSky) {
     const CameraStation camera = station_of(row);
     const std::vector<Found<double>> found = cross(camera, row.n, {r});
     ASSERT_EQ(found.size(), 1U) << row.id;
-    // At the shell, light still deviates by its impact parameter over r, and its Mino time by 1/r.
+    // The shell has a large radius r. There, the direction still differs from the sky direction by
+    // the impact parameter over r, and Mino time by 1/r.
     const double impact = std::sqrt(std::max(0.0, start_ray(camera, row.n).polar_constant));
     EXPECT_LT(length(direction_of(found[0].place) - row.sky), allowed_sky_error(row) + 1e-9 + 2.0 * impact / r)
         << row.id << " " << row.kind;
@@ -161,7 +162,7 @@ TEST(ShellCrossings, WithoutSpinAreOnTheClosedFormsOrbitThatFalls) {
   }
 }
 
-//! Hard cameras and directions.
+//! A camera and a direction that are numerically difficult.
 struct HardRay {
   double spin, r, theta;
   Vector3<double> n;
@@ -222,8 +223,8 @@ TEST(ShellCrossings, JustAboveTheHorizonAreWhereManySmallStepsFindThem) {
       const auto walked = walk_to_shell(spin, start_near_ray(camera, n), shell_r, 20.0);
       ASSERT_EQ(found.size(), 1U);
       ASSERT_EQ(walked.size(), 1U) << spin << " " << n.y;
-      // Around an extremal hole, frame dragging reaches a million turns near the horizon, and the
-      // rounding of 1/r leaves an uncertainty of 1e-9 of that.
+      // Around an extremal hole, the azimuth by frame dragging reaches a million turns near the
+      // horizon. The rounding of 1/r causes a relative uncertainty of 1e-9.
       const double part = std::abs(spin) < 1.0 ? 1e-9 : 5e-9;
       const double open = 1e-7 + part * std::abs(found[0].place.drag);
       EXPECT_LT(length(direction_of(found[0].place) - on_sphere(walked[0].theta, walked[0].phi)), open) << spin;
@@ -241,7 +242,7 @@ TEST(ShellCrossings, OfSeveralShellsComeInTheOrderOfTheLightsPath) {
     EXPECT_GT(found[i].place.time, i > 0 ? found[i - 1].place.time : 0.0);
     EXPECT_GT(found[i].place.delay, i > 0 ? found[i - 1].place.delay : 0.0);
   }
-  // Shells are numbered from the outermost.
+  // Shells are numbered from the outside, starting with 0.
   EXPECT_EQ(order, (std::vector<int>{2, 3, 3, 2, 1, 0}));
 }
 
@@ -251,13 +252,14 @@ TEST(ShellCrossings, OfACameraOnAShellAreNoneWhereItStands) {
     const double own = 1.0 / camera.u;
     EXPECT_TRUE(cross(camera, Vector3<double>{1.0, 0.0, 0.0}, {own}).empty());
     EXPECT_TRUE(cross(camera, Vector3<double>{-1.0, 0.0, 0.0}, {own}).empty());
-    // A ray that turns back crosses the shell again.
+    // A ray that moves inwards first, and then turns back, crosses the camera's own shell again.
     EXPECT_EQ(cross(camera, unit(Vector3<double>{-0.2, 1.0, 0.0}), {own}).size(), 1U);
   }
 }
 
 TEST(ShellCrossings, OnTheAxisFollowTheCameraAsItComesThere) {
-  // A camera slightly off the axis sees what one on it sees, without rotation: both are at φ = 0.
+  // A camera on the axis must see the same as one slightly off the axis, without a rotation of
+  // azimuth, because both are at φ = 0.
   const Vector3<double> n = unit(Vector3<double>{-1.0, 0.4, 0.2});
   const auto on = cross(make_camera_station(Spacetime{0.9}, 10.0, 0.0, 0.0, ObserverMotion::zamo), n, {6.0, 14.0});
   const auto beside = cross(make_camera_station(Spacetime{0.9}, 10.0, 1e-9, 0.0, ObserverMotion::zamo), n, {6.0, 14.0});
@@ -308,7 +310,8 @@ TEST(ShellCrossings, AreWhereThePicturesFloatSeesThem) {
                                            collector);
       const auto exact = cross(camera, n, {shells[0], shells[1], shells[2]});
       if (exact.size() != collector.found.size()) {
-        // Skips light that only just turns back, or only just touches a shell.
+        // Skips rays that nearly fall in, or nearly miss a shell: float and double may disagree
+        // about them.
         continue;
       }
       for (std::size_t k = 0; k < exact.size(); ++k) {
@@ -327,7 +330,8 @@ TEST(ShellCrossings, AreWhereThePicturesFloatSeesThem) {
 }
 
 TEST(ShellEmitter, SeesWhatACameraInItsPlaceSees) {
-  // Follows light backwards from a ZAMO camera: the frequency is 1 at the start, by definition.
+  // Light is followed backwards from a ZAMO camera. By definition, its frequency is 1 at the
+  // camera.
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> spread(-1.0, 1.0);
   for (const double spin : {0.0, 0.9, -1.0}) {

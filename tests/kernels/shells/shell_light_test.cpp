@@ -13,7 +13,7 @@ Vector3<double> place_on_sphere(double theta, double phi) {
   return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
 }
 
-//! Returns a square footprint whose sides run along θ and φ.
+//! Returns the footprint of a square pixel on a shell, with sides along θ and φ.
 ShellFootprint footprint(double theta, double phi, float width) {
   const Vector3<double> d = place_on_sphere(theta, phi);
   const Vector3<double> south = {std::cos(theta) * std::cos(phi), std::cos(theta) * std::sin(phi), -std::sin(theta)};
@@ -24,8 +24,8 @@ ShellFootprint footprint(double theta, double phi, float width) {
           in_float(Vector3<double>{-std::sin(phi), std::cos(phi), 0.0}, width)};
 }
 
-//! Returns the fraction of a footprint's points that lie within half a line width of a circle or a
-//! meridian, by true angles.
+//! Counts the points of a footprint that are within half a line width of a circle of latitude or a
+//! meridian, by exact angles. Returns their fraction.
 double counted_coverage(double theta, double phi, double size, double spacing, double width) {
   constexpr int points = 400;
   int covered = 0;
@@ -49,7 +49,8 @@ TEST(ShellGrid, CoversAsMuchOfAFootprintAsAreItsPoints) {
         const double width = 2.0 * static_cast<double>(line_deg);
         const float found = grid_coverage(footprint(theta, phi, static_cast<float>(size)), static_cast<float>(grid),
                                           static_cast<float>(width));
-        // The formula uses the width of meridians in the middle of the footprint.
+        // The formula assumes that the width of meridians, as an angle of φ, is the same everywhere
+        // in the footprint.
         const double open = 0.01 + 0.3 * size * size / (std::sin(theta) * std::sin(theta));
         EXPECT_NEAR(static_cast<double>(found), counted_coverage(theta, phi, size, grid, width), open)
             << theta << " " << phi << " " << size;
@@ -59,8 +60,8 @@ TEST(ShellGrid, CoversAsMuchOfAFootprintAsAreItsPoints) {
 }
 
 TEST(ShellGrid, HasLinesOfOneWidthAtAllLatitudes) {
-  // A quarter of a line width from a meridian is inside the line, three quarters are outside, at
-  // every latitude.
+  // A point at a quarter of the line width from a meridian's center is inside the line; one at
+  // three quarters is outside. This must hold at every latitude.
   for (const double theta : {0.12, 0.5, 1.45, 3.0}) {
     const double inside = 0.25 * static_cast<double>(line_deg) / std::sin(theta);
     const float spacing = 15.0F * line_deg;
@@ -77,11 +78,11 @@ TEST(ShellGrid, IsEvenAndFiniteAtThePoles) {
       EXPECT_GE(found, 0.0F) << theta << " " << width;
       EXPECT_LE(found, 1.0F) << theta << " " << width;
     }
-    // Where meridians touch, everything is covered by lines.
+    // At the poles, the lines of meridians touch and cover everything.
     EXPECT_EQ(grid_coverage(footprint(theta, 1.0, 1e-6F), spacing, line_deg), 1.0F) << theta;
   }
-  // In pixels as wide as the spacing, the tone does not depend on the azimuth between the
-  // meridians.
+  // In pixels that are as wide as the distance between meridians, the coverage is the same at any
+  // azimuth.
   const float here = grid_coverage(footprint(0.02, 0.0, 0.05F), spacing, line_deg);
   EXPECT_NEAR(grid_coverage(footprint(0.02, 0.13, 0.05F), spacing, line_deg), here, 0.02F);
 }
@@ -96,7 +97,7 @@ TEST(ShellGrid, FadesIntoItsMeanWhereLinesAreFinerThanPixels) {
         << theta;
   }
   EXPECT_NEAR(grid_coverage(footprint(1.5707963, 0.4, 60.0F * line_deg), spacing, width), mean, 1e-3F);
-  // A pixel next to the critical curve may have any footprint.
+  // Next to the critical curve, the footprint of a pixel may even be NaN.
   ShellFootprint lost = footprint(1.5707963, 0.4, 1.0F);
   lost.along_x.x = std::numeric_limits<float>::quiet_NaN();
   EXPECT_NEAR(grid_coverage(lost, spacing, width), mean, 0.3F);

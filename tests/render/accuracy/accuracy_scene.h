@@ -6,7 +6,7 @@
 #include "render/accuracy/scene.h"
 #include "tests/support/tiny_sky.h"
 
-// A small show and fast settings for tests of accuracy measurements.
+// A small show and fast settings, for tests of accuracy measurements.
 namespace ergodome::test {
 
 //! Returns a show on a small dome, at r = 6 M from a fast-spinning hole; `more` is appended to its

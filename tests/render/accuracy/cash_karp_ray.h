@@ -6,8 +6,8 @@
 
 namespace ergodome::test {
 
-//! Returns the sky direction of an observed direction, traced by the Runge-Kutta pair of Cash &
-//! Karp: independent of the closed form and of the series that produce the references.
+//! Returns the sky direction of a ray, traced by the Runge-Kutta pair of Cash & Karp. This method
+//! is independent of closed form and Taylor series, which produce the references.
 inline Vector3<double> cash_karp_sky(const EyeCamera& eye, const Vector3<double>& n) {
   const double direction[3] = {n.x, n.y, n.z};
   double sky[3] = {};

@@ -15,7 +15,8 @@ Measurement choice(const std::string& method, double p99, std::vector<double> fr
   return measured;
 }
 
-//! Returns two methods: a grid that is fast to read and slow to build, and rays.
+//! Returns the measurements of two methods: a grid, which is slow to build and fast to read, and
+//! rays.
 AccuracyAxis two_methods() {
   AccuracyAxis axis;
   axis.base = "rays";

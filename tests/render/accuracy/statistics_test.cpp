@@ -51,7 +51,8 @@ TEST(Statistics, TheMiddleOfAnEvenNumberOfRunsLiesBetweenTwo) {
 }
 
 TEST(Statistics, RatiosAreOfRunsInTheSameRound) {
-  // A machine that is twice as slow in one round has the same ratio.
+  // In the second round, the machine was twice as slow for both methods, which does not change
+  // their ratio.
   const Spread ratio = ratio_of({2.0, 4.0, 2.0}, {1.0, 2.0, 1.0, 7.0});
   EXPECT_EQ(ratio.runs, 3);
   EXPECT_EQ(ratio.least, 2.0);

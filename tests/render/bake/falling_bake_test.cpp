@@ -21,8 +21,8 @@
 namespace ergodome {
 namespace {
 
-//! Returns a show whose camera falls past the hole for two seconds and then glides away, for small
-//! pictures.
+//! Returns a show for small pictures. Its camera falls past the hole for two seconds, and then
+//! moves away by camera keys.
 Show falling_past() {
   return parse_show(
       "duration_s = 3\n[hole]\nspin = 0.7\n[camera]\n[camera.fall]\nclock = 8\nuntil_s = 2\nease_s = 0.5\n"
@@ -32,7 +32,7 @@ Show falling_past() {
       "falling.toml");
 }
 
-//! A baked fall, and renderers of its frames.
+//! A show with a fall, its trajectory file, and renderers of its frames.
 class FallingBake : public test::FolderTest {
  protected:
   void SetUp() override {
@@ -55,8 +55,8 @@ class FallingBake : public test::FolderTest {
 
 Picture frame_at(ShowRenderer& renderer, double time_s) { return renderer.render(time_s, {}).front().picture; }
 
-//! Returns the fraction of pixels in a picture whose light is outside the range of the same pixel
-//! and its neighbors in the other picture.
+//! Compares each pixel of a picture with the same pixel and its neighbors in another picture.
+//! Returns the fraction of pixels whose light is outside the range of those.
 double displaced_part(const Picture& picture, const Picture& other) {
   constexpr float rounding = 1e-3F;
   const int size = other.width;
@@ -79,10 +79,10 @@ double displaced_part(const Picture& picture, const Picture& other) {
   return static_cast<double>(beyond) / inside;
 }
 
-// Streamed and live lenses are each within half a pixel of the exact lens in all but a hundredth of
-// the sky, and so within a pixel of each other in all but two hundredths: their light is then
-// within the range of the neighbors. This fails for pixels on the shadow's edge, which contain the
-// whole sky; they are another two hundredths.
+// Both lenses, streamed and live, are within half a pixel of the exact lens in 99 % of the sky. So
+// in at least 98 %, they are within a pixel of each other, and each pixel's light is within the
+// range of its neighbors in the other picture. Pixels on the edge of the shadow are an exception,
+// because they contain the whole sky; they are another 2 %.
 TEST_F(FallingBake, ShowsTheLivePictureInTheFallAndAfterIt) {
   ShowRenderer streaming = streamed();
   ShowRenderer live(show_, Backend::cpu, LensChoice::live);
@@ -113,8 +113,8 @@ TEST_F(FallingBake, GivesAFrameTheSamePictureAloneAndInASequence) {
   EXPECT_EQ(frame_at(alone, 1.7).rgba, last.rgba);
 }
 
-//! Returns a show whose camera is released at high speed; it is at rest after a fall of two
-//! seconds.
+//! Returns a show whose camera is released at high speed. It falls for two seconds and is then at
+//! rest.
 Show let_go() {
   return parse_show(
       "duration_s = 6\n[hole]\nspin = 0.7\n[camera]\nobserver = \"zamo\"\n[camera.fall]\nt_s = 2\nclock = 1\n"
@@ -123,8 +123,8 @@ Show let_go() {
       "let-go.toml");
 }
 
-//! Returns the screen error [px] of baked stations at a time, which all but a hundredth of the sky
-//! stay below.
+//! Returns the error on the screen [px] of the blend of two baked stations at a time. In 99 % of
+//! the sky, the error is at most this.
 double missed_px(const Show& show, const TrajectoryReader& baked, double time_s, double pixel) {
   const auto buffers = [&](std::size_t i) { return std::make_shared<StationBuffers>(Backend::cpu, baked.read(i)); };
   std::size_t next = 1;
@@ -133,8 +133,8 @@ double missed_px(const Show& show, const TrajectoryReader& baked, double time_s,
   }
   const EyeCamera eye = eye_camera(show, camera_pose(show, time_s), 0.0);
   const StationBlend blend(Backend::cpu, buffers(next - 1), buffers(next), {eye.r, eye.theta});
-  // Under sanitizers, screen_errors() uses a fiftieth of the rays, and 100 would be too few for a
-  // 99th percentile.
+  // Under sanitizers, screen_errors() uses only a fiftieth of the requested rays, and 100 rays
+  // would be too few for a 99th percentile.
   constexpr std::size_t rays = test::sanitized ? 100'000 : 5'000;
   return test::screen_errors(blend.view(),
                              make_camera_station(eye.spacetime, eye.r, eye.theta, 0.0, eye.motion, eye.velocity),
@@ -144,8 +144,8 @@ double missed_px(const Show& show, const TrajectoryReader& baked, double time_s,
 
 class LetGoBake : public test::FolderTest {};
 
-// A fast observer hardly resolves the sky behind it: its grid is coarse where an observer at rest
-// needs a fine one.
+// A fast observer sees the sky behind it compressed, so a grid for that observer is coarse there.
+// An observer at rest needs a fine grid in the same directions.
 TEST_F(LetGoBake, HoldsTheBudgetWhereTheCameraStandsWhileItsVelocityGoesOver) {
   const Show show = let_go();
   constexpr double budget_px = 0.25;
@@ -158,7 +158,8 @@ TEST_F(LetGoBake, HoldsTheBudgetWhereTheCameraStandsWhileItsVelocityGoesOver) {
   }
 }
 
-//! Returns a show that falls with the rain through the horizon of a hole with spin 0.6, at 1.8 M.
+//! Returns a show whose camera falls through the horizon of a hole with spin 0.6, at 1.8 M, in the
+//! rain frame.
 Show falling_through() {
   return parse_show(
       "duration_s = 2\n[hole]\nspin = 0.6\n[camera.fall]\nvelocity = \"rain\"\nclock = 1\nease_s = 0.2\nleast_r = 0.9\n"
@@ -166,7 +167,7 @@ Show falling_through() {
       "through.toml");
 }
 
-//! The fall through the horizon, baked.
+//! The trajectory file of a fall through the horizon.
 class BakeThroughTheHorizon : public test::FolderTest {
  protected:
   void SetUp() override {

@@ -19,8 +19,8 @@
 namespace ergodome {
 namespace {
 
-//! Returns a camera that moves from r = 12, θ = 70° to r = 5 at the equator in ten seconds, then
-//! rests there.
+//! Returns a show whose camera moves from r = 12, θ = 70° to r = 5 at the equator within ten
+//! seconds, and stays there.
 Show approach() {
   Show show;
   show.name = "approach";
@@ -56,7 +56,7 @@ class TrajectoryBaker : public test::FolderTest {
     return {std::istreambuf_iterator<char>(from), {}};
   }
 
-  //! Bakes a show to a finished file with the given name.
+  //! Bakes a show to a finished trajectory file with the given name.
   BakeResult bake(const Show& show, const std::string& name, const BakeSettings& how = settings()) const {
     TrajectoryJournal journal(file(name + ".part"), provenance_of(show, how));
     BakeResult result = bake_trajectory(show, how, journal, [](double) { return true; });
@@ -65,7 +65,7 @@ class TrajectoryBaker : public test::FolderTest {
   }
 };
 
-//! Returns settings for pictures of 256 pixels.
+//! Returns settings of a bake for pictures of 256 pixels.
 BakeSettings coarse_settings() {
   BakeSettings how = settings();
   how.pixel = pi / 256.0;
@@ -100,8 +100,8 @@ TEST_P(TrajectoryBakerWith, BlendsHoldTheBudgetAtAnyTimeOfTheShow) {
 }
 
 TEST_F(TrajectoryBaker, DividesAStretchAtWhoseEndACausticRunsThroughTheSamples) {
-  // Near the axis, the sky behind the hole becomes a ring, along which tiny distances span many
-  // pixels.
+  // Near the axis, the image of the sky behind the hole is a ring. Tiny distances on the sky are
+  // many pixels along this ring.
   Show show = approach();
   show.duration_s = 4.0;
   show.spin = 0.3;
@@ -116,8 +116,8 @@ TEST_F(TrajectoryBaker, DividesAStretchAtWhoseEndACausticRunsThroughTheSamples) 
 }
 
 TEST_F(TrajectoryBaker, BuildsStationsFinerThatWouldMissTheBudgetByThemselves) {
-  // An observer on a fast orbit close to the hole sees a caustic ahead: a grid that keeps its part
-  // of the budget is far off in a thousandth of that sky.
+  // A fast observer close to the hole sees a caustic ahead. A grid within the usual part of the
+  // budget would have large errors in a thousandth of the sky, near that caustic.
   Show show = approach();
   show.duration_s = 1.0;
   show.spin = 0.7;

@@ -27,7 +27,7 @@ constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 class ChannelFiles : public test::FolderTest {
  protected:
-  //! Returns two channels of 3 x 2 pixels.
+  //! Returns two channels of a picture with 3 x 2 pixels.
   static std::vector<PixelChannel> two_channels() {
     return {{channels_of(ChannelGroup::g)[0], {1.0, 2.0, 1.0 / 3.0, 4.0, no_number, 6.0}},
             {channels_of(ChannelGroup::disk)[0], {10.0, 20.0, 30.0, 1e300, 50.0, no_number}}};
@@ -57,8 +57,8 @@ TEST_F(ChannelFiles, OfFitsHoldEveryChannelAsAnExtensionWithUnitAndChecksums) {
   EXPECT_EQ(fits.number("CRPIX1"), 2.0);
   EXPECT_EQ(fits.number("CRPIX2"), 1.5);
   EXPECT_EQ(fits.number("LONPOLE"), 180.0);
-  // The first row of the file is the lowest row of the picture, and every double is exact to the
-  // last bit.
+  // FITS files start with the lowest row of the picture. Values are doubles and must not change in
+  // the last bit.
   const std::vector<double> g = fits.pixels();
   EXPECT_EQ(g[0], 4.0);
   EXPECT_TRUE(std::isnan(g[1]));
@@ -91,7 +91,8 @@ TEST_F(ChannelFiles, OfFitsAreKnownToBeWhole) {
 }
 
 TEST_F(ChannelFiles, OfFitsTakeNamesAsTheyAre) {
-  // CFITSIO's extended file names use brackets to crop and filter images.
+  // In the extended file names of CFITSIO, brackets would crop or filter an image; here they are
+  // part of the name.
   write_fits("frame[1:2](x).fits");
   EXPECT_NE(image_library().whole_fits_text(path("frame[1:2](x).fits"), "REQUEST", 2), "");
   EXPECT_THROW(write_channel_fits(path("no/such.fits"), 3, 2, two_channels(), std::nullopt, some_facts()), Error);

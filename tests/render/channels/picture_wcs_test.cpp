@@ -8,9 +8,9 @@
 #include "kernels/projection/make_projection.h"
 #include "kernels/projection/pixel_measure.h"
 
-// Converts pixels to directions using only the formulas of the FITS standard: Calabretta & Greisen,
-// Representations of celestial coordinates in FITS, Astronomy & Astrophysics 395 (2002); equation
-// numbers below refer to it.
+// Converts pixels to directions only by the formulas of the FITS standard: Calabretta & Greisen,
+// Representations of celestial coordinates in FITS, Astronomy & Astrophysics 395 (2002). Equation
+// numbers below refer to this paper.
 namespace ergodome {
 namespace {
 
@@ -19,7 +19,8 @@ struct NativePlace {
   double theta;  // [rad]
 };
 
-//! Returns the native latitude of a zenithal projection at a distance R from its pole [deg].
+//! Returns the native latitude in a zenithal projection at the distance R = `radius_deg` from its
+//! pole.
 double zenithal_latitude(const PictureWcs& wcs, double radius_deg) {
   const double r = one_degree * radius_deg;
   if (wcs.code == "TAN") {
@@ -37,7 +38,7 @@ double zenithal_latitude(const PictureWcs& wcs, double radius_deg) {
   if (wcs.code == "ZEA") {
     return 0.5 * pi - 2.0 * std::asin(0.5 * r);  // eq. 70
   }
-  // ZPN, eq. 72, by bisection.
+  // The projection ZPN is a polynomial (eq. 72); its inverse is found by bisection.
   double low = 0.0;
   double high = pi;
   for (int i = 0; i < 200; ++i) {
@@ -64,7 +65,8 @@ NativePlace native_place(const PictureWcs& wcs, double x, double y) {
   return {std::atan2(x, -y), zenithal_latitude(wcs, std::hypot(x, y))};  // eqs. 14, 15
 }
 
-//! Returns longitude and latitude of a pixel [rad]; FITS counts pixels from 1 and from the bottom.
+//! Returns longitude and latitude of a pixel [rad]. FITS counts columns and rows from 1, rows from
+//! the bottom.
 NativePlace world_of(const PictureWcs& wcs, double column, double row) {
   const double x = wcs.cdelt[0] * (column - wcs.crpix[0]);
   const double y = wcs.cdelt[1] * (row - wcs.crpix[1]);
@@ -72,7 +74,8 @@ NativePlace world_of(const PictureWcs& wcs, double column, double row) {
   if (!wcs.lonpole_deg) {
     return native;  // a cylindrical projection at (0, 0): its native system is the celestial one
   }
-  // Eq. 2, with the native pole of a zenithal projection at CRVAL.
+  // Rotates native to celestial coordinates (eq. 2). The native pole of a zenithal projection is at
+  // CRVAL.
   const double pole = one_degree * wcs.crval[1];
   const double turn = native.phi - one_degree * *wcs.lonpole_deg;
   const double alpha =
@@ -84,7 +87,8 @@ NativePlace world_of(const PictureWcs& wcs, double column, double row) {
   return {alpha, delta};
 }
 
-//! Compares pixels throughout a picture with the directions of its rays.
+//! Compares the directions of pixels by the FITS formulas with those of the projection, all over a
+//! picture.
 void expect_directions(const Projection& projection, const char* code) {
   const std::optional<PictureWcs> wcs = picture_wcs(projection);
   ASSERT_TRUE(wcs);

@@ -34,7 +34,7 @@ const std::vector<double>& values_of(const PixelChannels& found, const std::stri
 
 double value_of_one(const PixelChannels& found, const std::string& name) { return values_of(found, name).front(); }
 
-//! Returns a picture of one pixel in the direction of a row of a reference table.
+//! Returns a picture with a single pixel, in the direction of a ray of a reference table.
 template <class Row>
 ChannelScene scene_of_one(const Row& row) {
   const Vector3<double> n = (1.0 / test::length(row.n)) * row.n;
@@ -80,7 +80,8 @@ TEST(PixelChannels, AgreeWithTheReferenceRays) {
   int magnified = 0;
   for (const ReferenceRay& ray : test::reference_rays()) {
     SCOPED_TRACE(testing::Message() << "ray " << ray.id << " " << ray.kind);
-    // Closer to the edge, rounding the view's axis changes the ray too much.
+    // Skips rays closer to the edge of the shadow, where the rounding of the view's axes changes
+    // the ray too much.
     if (std::abs(ray.edge_distance) < 1e-3 && ray.edge_distance != -1.0) {
       continue;
     }
@@ -113,13 +114,14 @@ TEST(PixelChannels, AgreeWithTheReferenceCrossingsOfTheDisk) {
   EXPECT_GT(compared, 50);
 }
 
-//! Returns a picture with the hole in the middle.
+//! Returns the scene of a picture with the hole in its middle.
 ChannelScene picture_of_hole(double spin, double r, ObserverMotion motion, int size_px = 41) {
   return {test::eye_at(spin, r, 0.5 * pi, motion), make_pinhole_projection(size_px, size_px, 80.0 * one_degree)};
 }
 
 TEST(PixelChannels, ShowAStaticObserverTheBlueshiftAndTheShadowOfSchwarzschild) {
-  // Blueshift of light from rest at infinity, and Synge's (1966) angular radius of the shadow.
+  // Expected values: the blueshift of light that was at rest at infinity, and the angular radius of
+  // the shadow by Synge (1966).
   const double r = 10.0;
   const double g = 1.0 / std::sqrt(1.0 - 2.0 / r);
   const double shadow = std::asin(std::sqrt(27.0 * (1.0 - 2.0 / r)) / r);
@@ -141,8 +143,9 @@ TEST(PixelChannels, ShowAStaticObserverTheBlueshiftAndTheShadowOfSchwarzschild) 
 }
 
 TEST(PixelChannels, TurnParityOverWithEveryOrderOfSchwarzschild) {
-  // Light that has swept an angle s around the hole comes from a sky point at angle s from the
-  // camera's, and dΩ_sky = sin s ds dγ.
+  // Light that passes an angle s around the hole comes from a point on the sky at the angle s from
+  // the camera's own position, so dΩ_sky = sin s ds dγ, where γ is the position angle around the
+  // hole.
   const PixelChannels found = traced(picture_of_hole(0.0, 10.0, ObserverMotion::fixed, 201),
                                      {ChannelGroup::order, ChannelGroup::magnification, ChannelGroup::sky});
   const std::vector<double>& order = values_of(found, "order.image");
@@ -164,8 +167,8 @@ TEST(PixelChannels, TurnParityOverWithEveryOrderOfSchwarzschild) {
 }
 
 TEST(PixelChannels, LeaveFlatSkyAsItIsFarFromTheHole) {
-  // A view away from a hole at a distance of 1e6 M: forward is the sky at longitude 0, and
-  // longitude increases to the right of the view, whose right is e_φ.
+  // The camera is at 1e6 M and looks away from the hole, so the middle of the view is at longitude
+  // 0 on the sky. Longitude increases to the right, which is e_φ.
   ChannelScene scene{test::eye_at(0.0, 1e6), make_pinhole_projection(3, 3, 20.0 * one_degree)};
   const double outwards[3][3] = {{0, 0, -1}, {0, -1, 0}, {-1, 0, 0}};
   std::copy(&outwards[0][0], &outwards[0][0] + 9, &scene.eye.frame_from_view[0][0]);
@@ -179,7 +182,7 @@ TEST(PixelChannels, LeaveFlatSkyAsItIsFarFromTheHole) {
   EXPECT_NEAR(values_of(found, "sky.longitude")[5], 360.0 - side_deg, 1e-4);
   EXPECT_NEAR(values_of(found, "sky.latitude")[1], side_deg, 1e-4) << "the upper row is north";
   EXPECT_EQ(values_of(found, "order.image")[4], 0.0);
-  // Here the axes of the hole are the equatorial ones.
+  // Without further settings, the axes of the hole are those of equatorial coordinates.
   EXPECT_EQ(values_of(found, "equatorial.ra"), values_of(found, "sky.longitude"));
   EXPECT_EQ(values_of(found, "equatorial.dec"), values_of(found, "sky.latitude"));
 }
@@ -214,8 +217,8 @@ TEST(PixelChannels, AreTheNumbersBehindTheHeatMaps) {
         cross(Vector3<float>{lens.sky_along_x[0][i], lens.sky_along_x[1][i], lens.sky_along_x[2][i]},
               Vector3<float>{lens.sky_along_y[0][i], lens.sky_along_y[1][i], lens.sky_along_y[2][i]});
     const double magnification = values_of(found, "magnification")[i];
-    // Near caustics and the shadow, a small float error of the ray causes a large error of the
-    // area.
+    // Near caustics and the shadow, a small error of a ray in float causes a large error of its
+    // magnification; these pixels are not compared.
     if (std::abs(magnification) < 10.0 && half_turns < 1.3) {
       const std::size_t row = i / 81;
       const double on_screen =

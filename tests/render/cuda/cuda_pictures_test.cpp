@@ -15,21 +15,22 @@
 #include "render/output/stereo_layout.h"
 #include "tests/support/tiny_sky.h"
 
-// Pictures of a GPU equal those of the CPU. The kernels have one source, but two compilers
-// translate it, and the code that copies buffers may miss one.
+// Compares pictures of the GPU with those of the CPU. Kernels have a single source for both, but
+// are compiled by two compilers, and the code that copies buffers to the GPU may have forgotten
+// one.
 namespace ergodome {
 namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): skies of tests
 
-//! A scene and the way it is rendered.
+//! A scene and how it is rendered.
 struct Scene {
   std::string name;
-  std::string show;  //!< built-in show
+  std::string show;  //!< name of a built-in show
   ViewMode mode = ViewMode::sky;
   LensChoice lens = LensChoice::direct;
   std::function<void(Show&)> change = [](Show&) {};
-  double part = 0.31;  //!< time, as a fraction of the show
+  double part = 0.31;  //!< time of the picture, as a fraction of the show's duration
 };
 
 std::ostream& operator<<(std::ostream& stream, const Scene& scene) { return stream << scene.name; }
@@ -51,11 +52,12 @@ std::vector<Picture> pictures(const Scene& scene, Backend backend) {
   return made;
 }
 
-//! The difference in light between two pictures: the fraction of visibly different numbers, and the
+//! The difference between two pictures: the fraction of numbers that differ visibly, and the
 //! relative difference of the total light.
 struct Difference {
-  double pixels;  //!< numbers that differ by more than 2 % of themselves and of the mean
-  double light;   //!< relative difference of the total light
+  //! Fraction of the numbers that differ by more than 2 % of their value and of the mean.
+  double pixels;
+  double light;  //!< relative difference of the total light
 };
 
 Difference difference(const Picture& a, const Picture& b) {
@@ -96,7 +98,7 @@ TEST_P(CudaPictures, AreThoseOfTheProcessor) {
     ASSERT_EQ(there[i].rgba.size(), here[i].rgba.size());
     ASSERT_GT(*std::ranges::max_element(here[i].rgba), 0.0F) << "the picture is black";
     const Difference seen = difference(there[i], here[i]);
-    // Next to the edge of the shadow, rounding moves the sky by more than a pixel.
+    // Next to the edge of the shadow, a rounding error moves the sky by more than a pixel.
     EXPECT_LT(seen.pixels, 0.005);
     EXPECT_LT(seen.light, 0.002);
     EXPECT_NEAR(static_cast<double>(there[i].unresolved_pixels), static_cast<double>(here[i].unresolved_pixels), 2.0);

@@ -40,7 +40,7 @@ Picture gradient(int width, int height) {
   return picture;
 }
 
-//! OpenGL and CUDA on the same GPU.
+//! Tests of pictures that CUDA and OpenGL share on the same GPU.
 class DevicePictures : public testing::Test {
  protected:
   void SetUp() override {

@@ -10,13 +10,13 @@
 #include "tests/render/curved_projector.h"
 #include "tests/render/present/projectors/projector_frames.h"
 
-// Projectors get the same frames whether a GPU or the CPU draws them.
+// Tests that projectors get the same frames from the GPU and from the CPU.
 namespace ergodome {
 namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): projectors of tests
 
-//! Projectors on a CUDA device.
+//! Projectors whose frames a CUDA device draws.
 class DeviceProjectors : public testing::Test {
  protected:
   void SetUp() override {
@@ -33,7 +33,8 @@ class DeviceProjectors : public testing::Test {
     return projectors.frame(0);
   }
 
-  //! Values may differ by one at few positions, where rounding goes the other way.
+  //! Expects that frames are equal, except that few values differ by one, because they were rounded
+  //! differently.
   static void expect_alike(const std::vector<std::uint8_t>& found, const std::vector<std::uint8_t>& expected) {
     ASSERT_EQ(found.size(), expected.size());
     std::size_t different = 0;

@@ -12,7 +12,7 @@
 #include "kernels/spacetime/schwarzschild/apparent_place.h"
 #include "tests/render/diagram/place.h"
 
-// Meshes at their apparent positions.
+// Tests of meshes at the positions where an observer sees them.
 namespace ergodome {
 namespace {
 
@@ -41,8 +41,8 @@ TEST(ApparentMesh, CornersLieWhereLightComesFromAsFarAsItHasTakenTime) {
 }
 
 TEST(ApparentMesh, FarFromTheHoleItIsTheMeshItself) {
-  // Measured in light travel time, lengths across the radius are longer by a relative 1/r, and
-  // those along it by 2/r.
+  // Apparent positions are measured by the travel time of light. Far from the hole, this makes
+  // lengths larger: by a relative 1/r across the radius, by 2/r along it.
   for (const double far : {1e3, 1e4, 1e5}) {
     const Place observer = {far, 0.0, 0.0};
     const ApparentMesh mesh =
@@ -69,8 +69,8 @@ TEST(ApparentMesh, WhereItIsBentEdgesAreDividedUntilTheyAreStraight) {
 }
 
 TEST(ApparentMesh, DividedTrianglesLeaveNoGap) {
-  // Each edge of a closed surface belongs to two triangles; the sphere duplicates corners at its
-  // seam and poles, so corners are identified by position.
+  // In a closed surface, each edge belongs to two triangles. The sphere has several vertices at the
+  // same position (at its seam and poles), so vertices are identified by position.
   const ApparentMesh mesh =
       apparent_mesh(far_observer, make_sphere({12, 6}), standing_at({-6.0, 5.0, 0.0}), 1.0, 1, fine_settings);
   const auto key = [&](std::uint32_t i) {
@@ -90,12 +90,13 @@ TEST(ApparentMesh, DividedTrianglesLeaveNoGap) {
 }
 
 TEST(ApparentMesh, TheTriangleBehindTheHoleIsLeftOut) {
-  // The triangle intersects the line from the observer through the hole, whose image is a ring.
+  // The triangle intersects the line from the observer through the hole. The image of the
+  // intersection is a ring.
   const TriangleMesh mesh = make_triangle({{{{0.0, -1.0, -1.0}, {0.0, 1.5, -1.0}, {0.0, 0.0, 1.5}}}});
   const ApparentMesh seen = apparent_mesh(far_observer, mesh, standing_at({-8.0, 0.0, 0.0}), 1.0, 1, fine_settings);
   ASSERT_FALSE(seen.triangles.empty());
   for (const auto& t : seen.triangles) {
-    // No triangle spans the ring: its corners lie on one side.
+    // No triangle may extend over the ring: its corners must be on the same side of the hole.
     double widest = 1.0;
     for (std::size_t i = 0; i < 3; ++i) {
       const Place& one = seen.vertices[t[i]].direction;

@@ -15,13 +15,13 @@
 // NOLINTNEXTLINE: LeakSanitizer prescribes the name
 extern "C" int __lsan_is_turned_off() { return ergodome::test::driver_was_loaded ? 1 : 0; }
 
-// Diagrams drawn as pictures.
+// Tests of diagrams drawn as pictures.
 namespace ergodome {
 namespace {
 
 using ::testing::HasSubstr;
 
-//! Returns a show of a ball next to a hole, with an observer on the x axis.
+//! Returns a show with a ball next to a hole and an observer on the x axis.
 Show small_show(double spin) {
   Show show;
   show.name = "small";
@@ -58,7 +58,7 @@ class DiagramPictures : public testing::Test {
     image_ = picture.draw(scene_, camera_);
   }
 
-  //! Returns the position of a point in the picture [px].
+  //! Returns where a point of the scene is in the picture [px].
   [[nodiscard]] std::array<double, 2> pixel_of(const Vector3<double>& place) const {
     const Vector3<double> at = camera_.in_view(place);
     return {0.5 * (1.0 - at.x / (at.z * camera_.half_width)) * image_.width_px,
@@ -71,7 +71,7 @@ class DiagramPictures : public testing::Test {
     return {image_.rgb[i], image_.rgb[i + 1], image_.rgb[i + 2]};
   }
 
-  //! Returns how many pixels are close to a display color.
+  //! Returns the number of pixels whose display color is close to the given one.
   [[nodiscard]] int pixels_like(int red, int green, int blue) const {
     int count = 0;
     for (int y = 0; y < image_.height_px * 3 / 4; ++y) {
@@ -89,7 +89,7 @@ class DiagramPictures : public testing::Test {
 };
 
 TEST_F(DiagramPictures, TheHoleIsBlackToItsHorizon) {
-  // Rays, axes and labels would cross it.
+  // Removes rays, axes and labels, which would be drawn across the hole.
   draw(small_show(0.0), {{1}, 0});
   scene_.lines.clear();
   scene_.veils.clear();
@@ -122,8 +122,8 @@ TEST_F(DiagramPictures, ASpinningHoleHasRaysThatMeetTheObjects) {
   EXPECT_GT(pixels_like(0x00, 0x72, 0xB2), 100);
 }
 
-//! Returns how many points of image-colored lines lie outside a picture that is taller than wide,
-//! seen from a direction.
+//! Counts the points of rays (lines in the colors of the images) that lie outside a picture which
+//! is taller than wide, for a view from the given direction.
 int places_beside(const DiagramScene& scene, const OutsideDirection& from) {
   const OutsideCamera camera = outside_camera(from, scene.framed, 0.5, {});
   int beside = 0;
@@ -140,7 +140,7 @@ int places_beside(const DiagramScene& scene, const OutsideDirection& from) {
 
 TEST(DiagramFrames, HoldTheRaysThatMeetObjects) {
   for (const double spin : {0.0, 0.9}) {
-    // The rays of the second image pass the hole on its other side.
+    // The scene includes the rays of the second image, which pass the hole on the other side.
     const DiagramScene scene =
         Diagram(small_show(spin), {spin == 0.0 ? std::vector<int>{1, 2} : std::vector<int>{}, 60}).at(0.0);
     EXPECT_EQ(places_beside(scene, {0.5, 0.5, std::nullopt}), 0) << spin;
@@ -160,7 +160,8 @@ TEST_F(DiagramPictures, PicturesOfSeveralTilesHaveNoSeam) {
   const DiagramImage whole = image_;
   DiagramPicture large(2560, 1440);
   const DiagramImage fine = large.draw(scene_, camera_);
-  // Apart from the labels, means over 4 x 4 pixels equal the small picture.
+  // Except for the labels, the mean of 4 x 4 pixels of the large picture must equal a pixel of the
+  // small picture.
   double sum = 0.0;
   for (int y = 0; y < 250; ++y) {
     for (int x = 0; x < whole.width_px; ++x) {

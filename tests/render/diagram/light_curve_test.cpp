@@ -8,7 +8,7 @@
 #include "kernels/spacetime/schwarzschild/ray_curve.h"
 #include "tests/render/diagram/place.h"
 
-// Light rays as diagrams draw them.
+// Tests of light rays as diagrams draw them.
 namespace ergodome {
 namespace {
 
@@ -24,8 +24,8 @@ const RayCase ray_cases[] = {{{40.0, 0.0, 0.0}, {-5.0, 3.0, -0.5}, 1}, {{40.0, 0
                              {{40.0, 0.0, 0.0}, {6.0, 0.0, 1.0}, 2},   {{3.0, -12.0, 9.0}, {0.5, 0.3, -2.4}, 1},
                              {{0.0, 0.0, 40.0}, {16.5, 0.0, 0.5}, 3},  {{7.0, 1.0, 0.0}, {-7.0, 2.0, 3.0}, 5}};
 
-//! Inverse radius and azimuth of each point of a curve, starting at the observer, in the plane of
-//! observer and point.
+//! A point of a curve in the plane of observer and point: inverse radius, and azimuth from the
+//! observer.
 struct OrbitPlace {
   double u, phi;
 };
@@ -66,8 +66,8 @@ TEST(LightCurve, FulfilsTheEquationOfItsOrbit) {
     const ConnectionPlane plane = connection_plane(ray.observer, ray.point);
     const double angle = image_angle(plane.phi, ray.order);
     const double b = connecting_ray(plane.r_observer, plane.r, angle).impact_parameter;
-    // du/dφ from the points themselves, by differences of eighth order; each half of the curve has
-    // a constant step.
+    // Computes du/dφ from differences of eighth order between points of the curve. Each half of the
+    // curve has a constant step of φ.
     for (std::size_t i = 4; i + 4 < orbit.size(); ++i) {
       const double step = orbit[i + 1].phi - orbit[i].phi;
       const double rate =
@@ -90,8 +90,8 @@ TEST(LightCurve, SweepsTheAzimuthOfItsImage) {
 
 TEST(LightCurve, LeavesTheObserverWhereThePointIsSeen) {
   for (const RayCase& ray : ray_cases) {
-    // Compares with the direction at the end of a short piece of the same orbit next to the
-    // observer, with radial lengths as measured by an observer at rest.
+    // Compares the direction at the observer with differences between the first points of the
+    // curve; radial lengths are those that an observer at rest measures.
     const ConnectionPlane plane = connection_plane(ray.observer, ray.point);
     const double angle = image_angle(plane.phi, ray.order);
     const std::vector<Place> curve = light_curve(ray.observer, ray.point, ray.order);

@@ -32,13 +32,14 @@ TEST(OutsideCameras, HaveAllPlacesInTheirBandOfThePicture) {
       EXPECT_LT(-at.z, camera.farthest);
       widest = std::max({widest, std::abs(x), (std::abs(y - 0.2)) / 0.8});
     }
-    // The points reach the margin of the band horizontally or vertically.
+    // Horizontally or vertically, the points reach the margin of the part of the picture that is
+    // available for them.
     EXPECT_GT(widest, 0.9) << elevation;
   }
 }
 
 TEST(OutsideCameras, StandWhereTheyAreTold) {
-  // Points around the origin, which is their center.
+  // The center of these points is the origin.
   const std::vector<Place> cross = {{5.0, 0.0, 0.0}, {-5.0, 0.0, 0.0}, {0.0, 5.0, 0.0}, {0.0, -5.0, 0.0}};
   const OutsideCamera camera = outside_camera({0.0, 0.5 * pi, 100.0}, cross, 1.0, {0.0, 1.0});
   EXPECT_LT(length_of(camera.place - Place{0.0, 0.0, 100.0}), 1e-9);
@@ -49,7 +50,7 @@ TEST(OutsideCameras, SeeASphereInItsOutline) {
   const OutsideCamera camera = outside_camera({0.3, 0.4, std::nullopt}, some_places, 1.6, {0.0, 1.0});
   for (const Place& place : sphere_outline(3.0, camera)) {
     EXPECT_NEAR(length_of(place), 3.0, 1e-12);
-    // The line of sight is tangent to the sphere there.
+    // At each point of the outline, the line of sight is tangent to the sphere.
     EXPECT_NEAR(dot(place, camera.place - place), 0.0, 1e-9);
   }
 }

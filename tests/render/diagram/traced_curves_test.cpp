@@ -12,7 +12,7 @@
 #include "render/lens/direct_lens.h"
 #include "tests/render/diagram/place.h"
 
-// Rays of a view that are traced backwards, around spinning holes.
+// Tests of rays that are traced backwards from a view around spinning holes.
 namespace ergodome {
 namespace {
 
@@ -67,8 +67,8 @@ TEST(TracedCurves, WithoutSpinTheyAreTheConnectingOrbits) {
       continue;
     }
     ++compared;
-    // Each point of the path is on the orbit: its distance from the nearest segment is at most the
-    // error of a chord.
+    // Each point of the traced path must be on the orbit from the closed form. Its distance from
+    // the nearest segment is at most the distance of a chord from its arc.
     const std::vector<Place> orbit = light_curve(place_of(eye), curve.places.front(), curve.order);
     ASSERT_FALSE(orbit.empty());
     for (const Place& place : curve.places) {

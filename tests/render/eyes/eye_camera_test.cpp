@@ -26,7 +26,7 @@ TEST(EyeCameras, OfTheHeadAreWhereItIsToTheLastBitAllTheWayRound) {
   }
 }
 
-//! A head that moves around the hole, with eyes side by side.
+//! A head that moves around the hole, with two eyes side by side.
 class EyesOfAHeadThatGoesRound : public testing::TestWithParam<double> {
  protected:
   [[nodiscard]] CameraPose pose_at(double time_s) const { return camera_pose(show_, time_s); }

@@ -15,16 +15,16 @@ Show rain_show() {
       "rain.toml");
 }
 
-//! Returns the frequency ratio that a falling eye sees for light from rest at infinity, in a
-//! direction of its own frame.
+//! Returns the frequency ratio of light that was at rest at infinity, as seen by a falling eye in
+//! the direction n of its own frame.
 double frequency_ratio(const Show& show, double time_s, const Vector3<double>& n) {
   const EyeCamera eye = eye_camera(show, camera_pose(show, time_s), 0.0);
   const CameraStation station = make_camera_station(eye.spacetime, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity);
   return 1.0 / start_ray<double>(station, n).energy;
 }
 
-// For a body in free fall from rest at infinity: 1 / (1 + √(2/r)) for light that overtakes it, 1 /
-// (1 - √(2/r)) for light that it meets.
+// Frequency ratios for an observer in free fall from rest at infinity: 1 / (1 + √(2/r)) for light
+// that comes from behind, 1 / (1 - √(2/r)) for light from ahead.
 TEST(FallingEye, SeesItsOwnDopplerShiftAllTheWay) {
   const Show show = rain_show();
   for (const double time_s : {0.0, 5.0, 12.0, 18.0}) {

@@ -23,8 +23,9 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): shows of tests
 
-//! Returns whether an eye at `eye` sees the horizon in direction `m`: whether a point on its line
-//! of sight is in a dark direction of the head, farther away than that direction's affine distance.
+//! Returns whether an eye at the position `eye` sees the horizon in direction `m`. This is the case
+//! if a point on its line of sight is in a dark direction of the head and at least as far away as
+//! the affine distance of the horizon in that direction.
 bool meets_horizon(const CameraStation& camera, const Vector3<double>& m, const Vector3<double>& eye) {
   for (int i = 0; i < 3000; ++i) {
     const double s = 0.05 * std::pow(1.004, i);
@@ -47,7 +48,7 @@ TEST(FlatEyes, SeeTheShadowWhereFlatSpacePutsTheHorizon) {
   const std::vector<float> edge = shadow.eye_edge(offset);
   const Vector3<double> right = {head.frame_from_view[0][0], head.frame_from_view[1][0], head.frame_from_view[2][0]};
   const ShadowChart chart = make_shadow_chart(camera);
-  // A tenth of a pixel of a 1k dome.
+  // A tenth of a pixel of a 1024² dome [rad].
   constexpr double tenth = 3e-4;
   int moved = 0;
   for (std::size_t i = 0; i < edge.size(); i += edge.size() / 12) {
@@ -83,7 +84,7 @@ TEST(FlatEyes, HaveTheirDarkDirectionsWhereTheAffineDistancePutsThem) {
         double x = 0.0;
         double y = 0.0;
         ASSERT_TRUE(pixel_from_direction(projection, seen, x, y));
-        // The edge may be in a neighboring pixel.
+        // The edge may be in the next pixel, so the darkest of 3 x 3 pixels counts.
         float darkest = 1.0F;
         for (int dy = -1; dy <= 1; ++dy) {
           for (int dx = -1; dx <= 1; ++dx) {
@@ -107,7 +108,8 @@ TEST(FlatEyes, HaveTheSkyWhereTheHeadHasIt) {
   long different = 0;
   for (std::size_t i = 0; i < head[0].picture.rgba.size(); i += 4) {
     for (const auto& eye : eyes) {
-      // Either the light of the head, or less of all channels by a common factor.
+      // A pixel of an eye either has the light of the head's pixel, or all of its channels are
+      // reduced by the same factor.
       const float lit = eye.picture.rgba[i + 3];
       const float before = head[0].picture.rgba[i + 3];
       EXPECT_LE(lit, before);

@@ -25,8 +25,9 @@ using namespace test;  // NOLINT(google-build-using-namespace): shows of tests
 struct OmniErrors {
   double largest_px = 0.0;
   int compared = 0;
-  int beyond = 0;  //!< pixels with errors over a fifth of a pixel
-  int wrong = 0;   //!< shadow instead of sky, or the reverse
+  int beyond = 0;  //!< number of pixels with errors of more than a fifth of a pixel
+  //! Number of pixels that are dark instead of bright, or the reverse.
+  int wrong = 0;
 };
 
 OmniErrors omni_errors(const Show& show, double half_baseline, double side, const Projection& projection,
@@ -82,8 +83,8 @@ OmniErrors omni_errors(const Show& show, double half_baseline, double side, cons
     const double p = dot(along_x, missing);
     const double q = dot(along_y, missing);
     const double determinant = a * c - b * b;
-    // Near a caustic, where the sky moves less than a twentieth of the screen, rays do not
-    // determine the position on the screen.
+    // Skips pixels near a caustic: if the sky moves by less than a twentieth of the motion on the
+    // screen, the sky direction does not determine the position on the screen.
     const double larger = std::sqrt(0.5 * (a + c + std::sqrt(std::max((a + c) * (a + c) - 4.0 * determinant, 0.0))));
     if (std::sqrt(std::max(determinant, 0.0)) > 0.05 * larger * pixel_angle(projection)) {
       const double error_px = std::hypot(c * p - b * q, a * q - b * p) / determinant;
@@ -101,8 +102,8 @@ void expect_omni(const Show& show, double half_baseline, const Projection& proje
     for (const double side : {-1.0, 1.0}) {
       SCOPED_TRACE(choice == LensChoice::live ? "by a grid" : "by rays");
       const OmniErrors errors = omni_errors(show, half_baseline, side, projection, convergence, choice);
-      // A grid is checked only at sample points; between them, next to the edge, a few pixels
-      // exceed the limit.
+      // The error of a grid is checked only at sample points when it is built. Between these, next
+      // to the edge of the shadow, a few pixels exceed the limit.
       const int may_be = choice == LensChoice::live ? 1 + errors.compared / 1000 : 0;
       EXPECT_LE(errors.beyond, may_be) << half_baseline << " " << side;
       EXPECT_LT(errors.largest_px, may_be > 0 ? 1.0 : 0.2) << half_baseline << " " << side;
@@ -118,7 +119,7 @@ TEST(OmniEyes, AgreeWithDirectRaysFromEachPixelsOwnCamera) {
     expect_omni(show, half, make_dome_projection(256, pi, 0.4));
   }
   if (!test::sanitized) {
-    // Pictures large enough to be read from grids.
+    // The picture is so large that its lens is read from a grid.
     expect_omni(show, 0.5, make_dome_projection(512, pi, 0.4), 0.0, {LensChoice::live});
   }
   expect_omni(show, 0.5, make_equirectangular_projection(256, 128));

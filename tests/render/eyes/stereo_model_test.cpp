@@ -20,8 +20,8 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): shows of tests
 
-//! Returns the position of the shadow's left side in a row, from the light to the left of the
-//! middle [px].
+//! Returns the column of the left side of the shadow in a row [px]. It equals the amount of light
+//! to the left of the picture's middle.
 double left_side(const Picture& picture, int row) {
   double sum = 0.0;
   for (int x = 0; x < picture.width / 2; ++x) {
@@ -30,7 +30,7 @@ double left_side(const Picture& picture, int row) {
   return sum;
 }
 
-//! Returns the same position from the critical curve of a camera at the eye's event.
+//! Returns the same column, computed from the critical curve of a camera at the event of the eye.
 double left_side_of_curve(const EyeCamera& eye, const Projection& projection, int row) {
   const CameraStation camera = make_camera_station(eye.spacetime, eye.r, eye.theta, 0.0, eye.motion, eye.velocity);
   const ShadowChart chart = make_shadow_chart(camera);
@@ -86,7 +86,7 @@ TEST(PhysicalEyes, HaveTheDisparityOfDirectCamerasAtTheShadowsEdge) {
 }
 
 TEST(PhysicalEyes, ThatAreMadeInTurnAreThoseThatAreMadeAlone) {
-  // Two blocks with several strips each.
+  // The picture consists of two blocks of rows, each with several strips.
   Show show = show_of_eyes("baseline = 0.5\n");
   show.sky.stars = "bright_stars";
   show.effects.redshift = true;
@@ -170,8 +170,8 @@ TEST(Disparities, OfAShadowThatNoPictureShowsDoNotCount) {
 TEST(Disparities, OfConvergingEyesAreShiftedByTheirTurn) {
   const double apart = disparity_of("baseline = 2\n", "r = 1000\n").least_px;
   const Disparity turned = disparity_of("baseline = 2\nconvergence = 1000\n", "r = 1000\n");
-  // The zero-parallax plane is at the hole: points there have no disparity, and the sky is behind
-  // it.
+  // Zero parallax is at the distance of the hole: points there have no disparity, and the sky is
+  // behind them.
   EXPECT_LT(apart, -0.25);
   EXPECT_NEAR(turned.least_px, 0.0, 0.02);
   EXPECT_NEAR(turned.greatest_px, -apart, 0.04);

@@ -10,7 +10,7 @@
 namespace ergodome {
 namespace {
 
-//! A view towards the hole: right is e_φ, up is -e_θ, back is e_r.
+//! The axes of a view that faces the hole: right is e_φ, up is -e_θ, back is e_r.
 constexpr double at_hole[3][3] = {{0, 0, 1}, {0, -1, 0}, {1, 0, 0}};
 
 double place(const EyeEvent& eye, int axis) {
@@ -31,12 +31,12 @@ TEST(StereoRig, BaselineZeroLeavesTheHeadInPlace) {
 }
 
 TEST(StereoRig, SmallOffsetHasItsProperLength) {
-  // Along φ, the proper length is √(A/Σ) sinθ dφ.
+  // For an eye that is displaced along φ: the proper length is √(A/Σ) sinθ dφ.
   const double a = 0.9;
   const EyeEvent eye = eye_event(Spacetime{a}, 4.0, 1.1, 0.0, at_hole, {1e-6, 0.0, 0.0}, {1.5});
   const double factor = kerr_functions(Spacetime{a}, 4.0, 1.1).circumference_factor;
   EXPECT_NEAR(factor * std::sin(1.1) * eye.phi, 1e-6, 1e-15);
-  // Along r, it is √(Σ/Δ) dr.
+  // For an eye that is displaced along r: the proper length is √(Σ/Δ) dr.
   const double sideways[3][3] = {{1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
   const KerrFunctions f = kerr_functions(Spacetime{a}, 4.0, 1.1);
   const EyeEvent outer = eye_event(Spacetime{a}, 4.0, 1.1, 0.0, sideways, {1e-6, 0.0, 0.0}, {1.5});

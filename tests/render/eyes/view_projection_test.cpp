@@ -64,7 +64,7 @@ TEST(ViewProjection, FromOutsideIsMirrored) {
   EXPECT_LT(direction_from_pixel(make_projection(view, 100, 0.0), 90.0, 50.0).x, 0.0);
 }
 
-//! Returns a strip in which every pixel has a unique value.
+//! Returns a picture of a strip in which every pixel has a different value.
 Picture numbered(int width, int height) {
   Picture picture;
   picture.width = width;

@@ -26,7 +26,8 @@ Show starry_show() {
   return show;
 }
 
-//! Returns the show with one number that changes from one value to another between 0 and 1 s.
+//! Returns the starry show, in which the number at `path` changes from one value to another between
+//! 0 and 1 s.
 Show animated_show(const std::string& path, double from, double to) {
   Show show = starry_show();
   show.timeline.animations = {{path, {{0.0, from, Ease::linear}, {1.0, to}}}};
@@ -35,7 +36,7 @@ Show animated_show(const std::string& path, double from, double to) {
 
 Picture picture_at(ShowRenderer& renderer, double time_s) { return renderer.render(time_s, {}).front().picture; }
 
-//! Returns the picture of a show without a timeline.
+//! Returns the picture of a show whose timeline is removed.
 Picture still_picture(Show show) {
   show.timeline = {};
   ShowRenderer renderer(show, Backend::cpu);
@@ -64,7 +65,7 @@ TEST_P(EachAnimatedNumber, GivesThePictureOfAShowThatStandsStillThere) {
   }
   show.tone.automatic->adapt_s = 0.0;  // makes exposure independent of previous pictures
   ShowRenderer renderer(show, Backend::cpu);
-  // In both directions, to check that earlier values leave nothing behind.
+  // The times go forwards and then back, to check that no value of an earlier picture remains.
   for (const double time_s : {1.0, 0.0}) {
     SCOPED_TRACE(time_s);
     Show still = show;

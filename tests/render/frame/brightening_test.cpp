@@ -19,7 +19,7 @@ EyeCamera eye_before_the_hole() {
   return eye_camera(show, camera_pose(show, 0.0), 0.0);
 }
 
-//! Returns the brightened light of a white sky, divided by the coverage.
+//! Returns the light of a white sky with brightening, divided by the coverage, for each pixel.
 std::vector<float> brightened(const EyeCamera& eye, const Projection& projection) {
   const SkyCube sky(Backend::cpu, 4, [](const glm::dvec3&) { return glm::vec3(1.0F); });
   PictureSettings settings;
@@ -78,7 +78,7 @@ TEST(Brightening, IsWhatTheMagnificationViewShows) {
   const EyeCamera eye = eye_before_the_hole();
   const Projection projection = make_pinhole_projection(64, 64, 0.1);
   EyeCamera aside = eye;
-  // Turns the view away from the hole by a quarter turn.
+  // Rotates the view by a quarter turn, away from the hole.
   for (auto& row : aside.frame_from_view) {
     std::swap(row[0], row[2]);
   }

@@ -22,7 +22,7 @@ SkyCube white_sky() {
   return {Backend::cpu, 16, [](const glm::dvec3&) { return glm::vec3(1.0F); }};
 }
 
-//! The lens channels of an eye's picture, in host memory.
+//! The lens channels of a picture, in host memory.
 struct LensOfEye {
   std::vector<float> store;
   LensPixels pixels{};
@@ -102,8 +102,8 @@ TEST(DirectLens, FootprintsAreTheDifferencesOfNeighbours) {
 }
 
 TEST(EyeRenderer, ShadowCoversItsSolidAngleToAFractionOfAPixel) {
-  // Schwarzschild, static observer at r = 10: the shadow is a disk of known radius, so the dark
-  // area of a picture is known in pixels.
+  // In Schwarzschild spacetime, a static observer at r = 10 sees the shadow as a disk of known
+  // angular radius. So the number of dark pixels is known.
   const double radius = std::asin(std::sqrt(27.0 * 0.8) / 10.0);
   for (const int size : {101, 400}) {
     const Projection projection = make_pinhole_projection(size, size, 1.6);
@@ -118,8 +118,8 @@ TEST(EyeRenderer, ShadowCoversItsSolidAngleToAFractionOfAPixel) {
 }
 
 TEST(EyeRenderer, EdgeOfTheShadowIsSmooth) {
-  // Along a row across the edge, the white sky falls to black within two pixels and never rises
-  // again.
+  // In a row across the edge of the shadow, the light of a white sky decreases to 0 within two
+  // pixels, and does not increase again.
   const Projection projection = make_pinhole_projection(301, 301, 1.6);
   const Picture picture = EyeRenderer(Backend::cpu).render(eye_at(0.999, 8.0), projection, white_sky(), {});
   for (const int row : {100, 150, 171}) {
@@ -137,8 +137,8 @@ TEST(EyeRenderer, EdgeOfTheShadowIsSmooth) {
 }
 
 TEST(EyeRenderer, BlocksOfRowsMakeOnePicture) {
-  // A picture larger than one block of pixels, compared with pieces of it. Most of it is shadow,
-  // which is cheap.
+  // The picture is larger than one block of pixels. It is compared with its parts, computed
+  // separately. Most of it is shadow, which takes little time.
   const EyeCamera eye = eye_at(0.9, 6.0);
   const Projection projection = make_pinhole_projection(2048, 1024, 1.6);
   LensOfEye lens(2048 * 1024);
@@ -183,8 +183,8 @@ TEST(EyeRenderer, EveryHardCameraGivesAFinitePicture) {
         for (const float value : picture.rgba) {
           ASSERT_TRUE(value >= 0.0F && value <= 1.001F) << a << " " << above << " " << theta;
         }
-        // Next to an extremal horizon, light winds too often to count; a fiftieth of the pixels may
-        // be unresolved.
+        // Next to an extremal horizon, light winds too often to count, so a fiftieth of the pixels
+        // may be unresolved.
         EXPECT_LE(picture.unresolved_pixels, std::abs(a) == 1.0 ? 36 : 4) << a << " " << above << " " << theta;
       }
     }
@@ -218,7 +218,7 @@ TEST(EyeRenderer, MagnificationFarFromTheHoleIsOne) {
   settings.mode = ViewMode::magnification;
   const Picture picture =
       EyeRenderer(Backend::cpu).render(eye_at(0.0, 1e6), make_pinhole_projection(65, 65, 0.5), white_sky(), settings);
-  // Halfway up the logarithmic color scale from 1e-3 to 1e3.
+  // A magnification of 1 is in the middle of the logarithmic color scale from 1e-3 to 1e3.
   const Vector3<float> middle = heat_color(0.5F);
   EXPECT_NEAR(picture.rgba[4 * (10 * 65 + 32) + 1], srgb_decoded(middle.y), 0.02F);
 }
@@ -233,7 +233,8 @@ TEST(EyeRenderer, MagnificationCountsEachPixelsOwnSolidAngle) {
        {make_equirectangular_projection(64, 32), make_cylinder_projection(64, 64, 3.0, -2.0, 2.0),
         make_cube_projection(16, CubeLayout::strip), make_dome_projection(64, lens)}) {
     const Picture picture = EyeRenderer(Backend::cpu).render(eye_at(0.0, 1e6), projection, white_sky(), settings);
-    // The middle of the top row, next to a pole, an edge or the rim.
+    // The pixel is in the middle of a row near the top, which is next to a pole, an edge or the
+    // rim.
     const std::size_t at = 4 * static_cast<std::size_t>(projection.width_px / 2 + projection.width_px);
     EXPECT_NEAR(picture.rgba[at + 1], srgb_decoded(middle.y), 0.02F) << static_cast<int>(projection.kind);
   }

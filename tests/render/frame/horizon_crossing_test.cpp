@@ -12,13 +12,13 @@
 #include "render/passes/stars/drawing/star_trails.h"
 #include "tests/render/passes/stars/star_cameras.h"
 
-// Effects that span more than a moment while a camera falls through the horizon: trails, and grids
-// of an earlier moment.
+// Tests of effects that combine several moments while a camera falls through the horizon: star
+// trails, and grids that were built for an earlier moment.
 namespace ergodome {
 namespace {
 
-//! Returns a show whose camera falls through the horizon of a hole with spin 0.9, at 1.4359 M, but
-//! not as rain does.
+//! Returns a show whose camera falls through the horizon of a hole with spin 0.9, at 1.4359 M. It
+//! moves relative to the rain frame.
 Show crossing_show() {
   return parse_show(
       "duration_s = 40\n[hole]\nspin = 0.9\n[[camera.key]]\nr = 6\ntheta_deg = 70\n[camera.fall]\n"
@@ -31,8 +31,8 @@ EyeCamera crossing_eye(const Show& show, double after_horizon_s) {
   return eye_camera(show, camera_pose(show, *show.camera.orbit->horizon_s() + after_horizon_s), 0.0);
 }
 
-//! Returns how many trails end at an image computed for that moment alone, at one end of the
-//! shutter time.
+//! Counts the trails that agree with star images at one end of the shutter time (the moment `end`).
+//! `there` contains the images that were computed for that moment alone.
 std::size_t meeting(const StarTrails& trails, const std::vector<StarImage>& images, std::size_t end,
                     const std::vector<StarImage>& there) {
   std::multimap<int, Vector3<float>> known;
@@ -65,12 +65,13 @@ TEST(HorizonCrossing, TrailsEndWhereTheImagesAreBeforeAndAfterIt) {
   ASSERT_GT(images.size(), 200U);
   for (const std::size_t end : {0U, 6U}) {
     const auto there = test::images_of(field, shutter.eyes[end].camera, test::settings_for(8.0));
-    // Only few images merge at a caustic or disappear behind the edge.
+    // A few images merge at a caustic or disappear behind the edge of the shadow; the trails of all
+    // others must agree.
     EXPECT_GE(static_cast<double>(meeting(trails, images, end, there)), 0.97 * static_cast<double>(images.size()));
   }
 }
 
-//! Returns the sky directions of some rows of a picture, concatenated; 0 in the shadow.
+//! Returns the sky directions in some rows of a picture, one after the other; 0 in the shadow.
 std::vector<Vector3<float>> skies(const LensSource& lens, const Projection& projection) {
   std::vector<Vector3<float>> all;
   const auto width = static_cast<std::size_t>(projection.width_px);
@@ -91,8 +92,8 @@ std::vector<Vector3<float>> skies(const LensSource& lens, const Projection& proj
   return all;
 }
 
-//! Returns the median angle between the skies of two lenses, over pixels where both see the sky
-//! [rad].
+//! Compares two lenses at the pixels where both see the sky. Returns the median angle between their
+//! sky directions [rad].
 double middle_difference(const std::vector<Vector3<float>>& a, const std::vector<Vector3<float>>& b) {
   std::vector<double> apart;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -115,8 +116,9 @@ TEST(HorizonCrossing, GridsOfAMomentBeforeShowAboutTheSameSky) {
     const auto lens = lenses.choose({LensChoice::live, eye, projection, ViewMode::sky, {}, {std::nullopt, 0.0}, {}});
     behind += lens->behind() ? 1 : 0;
     const DirectLens direct(Backend::cpu, eye, projection, 0.05);
-    // The limit is the camera's motion in a moment. Its Boyer-Lindquist azimuth changes by half a
-    // radian; without the correction for infalling observers, the sky would be rotated by that.
+    // A lens that is behind may differ by the motion of the camera in a moment. The Boyer-Lindquist
+    // azimuth of the camera changes by half a radian in this time; if the lens did not correct for
+    // that, the whole sky would be rotated.
     EXPECT_LT(middle_difference(skies(*lens, projection), skies(direct, projection)), lens->behind() ? 0.03 : 1e-3)
         << after_s;
   }

@@ -21,8 +21,8 @@
 // NOLINTNEXTLINE: LeakSanitizer prescribes the name
 extern "C" int __lsan_is_turned_off() { return ergodome::test::driver_was_loaded ? 1 : 0; }
 
-// Compares frames of windows and projectors, drawn through EGL, with reference frames that a person
-// has checked.
+// Compares frames for windows and projectors, drawn through EGL, with reference frames that a
+// person has checked.
 namespace ergodome {
 namespace {
 
@@ -33,7 +33,8 @@ void expect_like(const std::string& name, const SeenFrame& frame) {
   test::expect_like_reference(std::filesystem::path(ERGODOME_TEST_DATA_DIR) / "frames" / (name + ".png"), frame);
 }
 
-//! Returns a picture as a window of its size displays it; nothing if there is no driver.
+//! Returns a picture as a window of the same size would display it; nothing if there is no OpenGL
+//! driver.
 std::optional<SeenFrame> seen_in_a_window(const Picture& picture) {
   try {
     test::driver_was_loaded = true;
@@ -51,7 +52,8 @@ std::optional<SeenFrame> seen_in_a_window(const Picture& picture) {
 
 class FramesOfASky : public test::FolderTest {
  protected:
-  //! Writes a small sky with fields in four colors and lines between them; returns its path.
+  //! Writes a small sky map that consists of fields in four colors, with lines between them.
+  //! Returns its path.
   [[nodiscard]] std::string sky_map() const {
     constexpr int width = 128;
     constexpr int height = 64;
@@ -70,7 +72,8 @@ class FramesOfASky : public test::FolderTest {
   }
 };
 
-//! Tests each layout by its name in shows. Add a line for a new layout, and renew the references.
+//! Tests each stereo layout by its name in shows. For a new layout, add its name and renew the
+//! reference frames.
 class LayoutFrames : public FramesOfASky, public testing::WithParamInterface<const char*> {};
 
 TEST_P(LayoutFrames, AreAsTheyWereLookedAt) {
@@ -97,7 +100,8 @@ INSTANTIATE_TEST_SUITE_P(Every, LayoutFrames,
                                          "half_side_by_side", "half_top_bottom"),
                          [](const auto& layout) { return std::string(layout.param); });
 
-//! Two captions of two lines, a flat image with a border, and a fisheye ring around everything.
+//! A picture with two captions of two lines, a flat image with a border, and a fisheye image of a
+//! ring around everything.
 class OverlayFrames : public FramesOfASky {
  protected:
   [[nodiscard]] Timeline timeline() const {

@@ -28,7 +28,7 @@ std::vector<std::string> names_of(const std::vector<Pass*>& passes) {
   return names;
 }
 
-//! Returns a show with some of the effects.
+//! Returns the show with the named effects added.
 Show with(Show show, const std::vector<std::string>& wanted) {
   for (const Effect& effect : effects()) {
     if (std::ranges::find(wanted, effect.name) != wanted.end()) {

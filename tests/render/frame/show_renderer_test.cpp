@@ -33,7 +33,8 @@ TEST(ShowRenderer, SideBySideHoldsTheTwoSeparateEyes) {
   }
 }
 
-//! Returns a dome show of a hole in front of the grid sky, with a shadow about 14 pixels wide.
+//! Returns a dome show with 64² pixels of a hole in front of the grid sky. Its shadow is about 14
+//! pixels wide.
 Show dome_of_64_px() {
   return parse_show(
       "[hole]\nspin = 0.9\n[camera]\n[[camera.key]]\nr = 24\n[sky]\nmap = \"grid\"\n[view]\ntilt_deg = 90\nsize_px = "
@@ -64,7 +65,7 @@ TEST(ShowRenderer, TintedEyesShowWhoseShadowItIs) {
   show.stereo.layout = StereoLayout::separate;
   show.stereo.tint_eyes = true;
   const auto eyes = ShowRenderer(show, Backend::cpu).render(0.0, {});
-  // Because of the tilt, the hole is in the middle of the dome.
+  // The dome and the camera are tilted so that the hole is in the middle of the picture.
   const std::size_t middle = 4 * (32 * 64 + 32);
   EXPECT_GT(eyes[0].picture.rgba[middle], 2.0F * eyes[0].picture.rgba[middle + 1]);
   EXPECT_GT(eyes[1].picture.rgba[middle + 1], 2.0F * eyes[1].picture.rgba[middle]);

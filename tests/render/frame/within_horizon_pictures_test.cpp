@@ -28,7 +28,7 @@ constexpr const char* ball =
     "[[objects]]\nshape = \"sphere\"\nmethod = \"trace\"\nsize = 2\nretarded = true\n"
     "orbit = { r = 7, phi_deg = 40, speed = 2 }\n";
 
-//! Returns a show with a tiny sky and the given additional lines, whose camera falls through the
+//! Returns a show with a tiny sky map and the given additional lines. Its camera falls through the
 //! horizon of a hole with spin 0.9, at 1.4359 M.
 Show show_through(const std::string& more = "") {
   Show show = parse_show(
@@ -111,7 +111,7 @@ TEST(WithinHorizonPictures, GridsOfADiskShowWhatRaysShow) {
   }
 }
 
-//! Returns the sky direction that an eye sees in a direction.
+//! Returns the sky direction that an eye sees in the view direction `seen`.
 Vector3<double> sky_before(const EyeCamera& eye, const Vector3<double>& seen) {
   const CameraStation camera = make_camera_station(eye.spacetime, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity);
   const auto part = [&](int i) {
@@ -129,7 +129,7 @@ double apart_on_sky(const Vector3<double>& a, const Vector3<double>& b) {
   return std::sqrt(dot(d, d));
 }
 
-// The eyes cross the horizon one after the other.
+// The eyes are at different radii, so they cross the horizon one after the other.
 TEST(WithinHorizonPictures, EyesGoOnSeeingWhatTheySawWhereTheyFallThroughTheHorizon) {
   const Show show = show_through();
   const double horizon_s = *show.camera.orbit->horizon_s();
@@ -142,15 +142,16 @@ TEST(WithinHorizonPictures, EyesGoOnSeeingWhatTheySawWhereTheyFallThroughTheHori
       const double time_s = horizon_s + 0.005 * i;
       EXPECT_LT(apart_on_sky(seen_at(time_s), seen_at(time_s + 0.005)), 0.02) << in << ' ' << i;
     }
-    // The eye sees nearly the same part of the sky as the head.
+    // The eye sees nearly the same part of the sky as the head does.
     EXPECT_LT(apart_on_sky(seen_at(horizon_s - 0.01),
                            sky_before(eye_camera(show, camera_pose(show, horizon_s - 0.01), 0.0), away)),
               0.1);
   }
 }
 
-//! The start of a ray in the equatorial plane, in pseudo-Cartesian coordinates, and its delay in
-//! the time of ingoing coordinates; all 0 if the ray does not meet the plane.
+//! Where a ray comes from a point in the equatorial plane: the point in pseudo-Cartesian
+//! coordinates, and the delay of the light in the time of ingoing Kerr coordinates. All are 0 if
+//! the ray does not meet the plane.
 struct PlaneSight {
   double x, y, delay;
 };
@@ -166,8 +167,8 @@ PlaneSight plane_sight(double spin, const NearRay<double>& ray, double phi, doub
   return {std::cos(azimuth) / c.u, std::sin(azimuth) / c.u, c.delay - lag};
 }
 
-//! Computes the same from the path that is used to search for objects, which may start between the
-//! camera and the horizon.
+//! Computes the same as plane_sight(), from the path that is used to search for objects. Such a
+//! path may start between the camera and the horizon.
 PlaneSight path_sight(double spin, const NearRay<double>& ray, double phi, double lag) {
   PlaneSight found{};
   follow_path<16, NearParts::azimuth_and_delay>(
@@ -184,7 +185,7 @@ PlaneSight path_sight(double spin, const NearRay<double>& ray, double phi, doubl
   return found;
 }
 
-//! Omnidirectional stereo eyes, with cameras on both sides of the horizon.
+//! Eyes of the stereo model `omni` whose cameras are on both sides of the horizon.
 class TurningEyesWithin {
  public:
   TurningEyesWithin(const Show& show, double time_s)
@@ -194,15 +195,15 @@ class TurningEyesWithin {
         cameras_(Backend::cpu, [this](const Vector3<double>& offset) { return eye_at(offset); },
                  {half_baseline, 0.0, pi / 3.0, 0.5 * pi, 1e-6}) {}
 
-  //! Compares the view in a direction with that of the direction's own camera; returns whether it
-  //! meets anything.
+  //! Compares what the omnidirectional eye sees in a direction with what a single camera at the
+  //! position for this direction sees. Returns whether that is the sky.
   bool compare(const Vector3<double>& view, double side) const {
     const auto [camera, n] = test::own_ray([this](const Vector3<double>& offset) { return eye_at(offset); }, view,
                                            side * half_baseline, 0.0);
     const OmniCameraOf<double> turning = cameras_.exact(side);
     const RayStart<double> own = start_ray(camera, n);
     const RayStart<double> seen = start_ray(turning, view);
-    // Near the edge of the shadow, tiny differences grow large.
+    // Skips directions near the edge of the shadow, where tiny differences grow large.
     const double dark = darkness(show_.spin, camera.horizon_r, own);
     if (std::abs(dark) < 0.05) {
       return false;
@@ -216,7 +217,7 @@ class TurningEyesWithin {
     const PlaneSight b = plane_sight(show_.spin, start_near_ray(turning, view), head_.phi, turning.lag);
     const PlaneSight c = path_sight(show_.spin, start_near_ray(turning, view), head_.phi, turning.lag);
     const double r = std::hypot(a.x, a.y);
-    // At the horizon itself, azimuths diverge.
+    // Skips points at the horizon, where azimuths diverge, and far points.
     if (r > (own.u_rate < 0.0 ? 1.7 : 1.03 * camera.horizon_r) && r < 30.0) {
       EXPECT_LT(std::hypot(a.x - c.x, a.y - c.y), 1e-3 * r);
       EXPECT_LT(std::hypot(a.x - b.x, a.y - b.y), 1e-3 * r);
@@ -228,8 +229,8 @@ class TurningEyesWithin {
     return dark < 0.0;
   }
 
-  //! Returns whether a direction shows a point of the equatorial plane between the eye and the
-  //! horizon.
+  //! Returns whether an eye sees, in a direction, a point of the equatorial plane that is between
+  //! the eye and the horizon.
   [[nodiscard]] bool sees_plane_beneath(const Vector3<double>& view, double side) const {
     const NearRay<double> ray = start_near_ray(cameras_.exact(side), view);
     const PlaneSight seen = plane_sight(show_.spin, ray, head_.phi, 0.0);
@@ -270,8 +271,8 @@ TEST(WithinHorizonPictures, EyesThatTurnSeeOnBothSidesWhatEachDirectionsOwnCamer
   }
 }
 
-// Points between an eye and the horizon have the azimuth of the eye's Boyer-Lindquist coordinates,
-// not that of the head's ingoing coordinates.
+// The azimuth of points between an eye and the horizon is that of the eye in Boyer-Lindquist
+// coordinates, not that of the head in ingoing Kerr coordinates.
 TEST(WithinHorizonPictures, EyesThatTurnSeeWhatIsBeneathThemBesideTheHorizon) {
   const Show show = show_through();
   const TurningEyesWithin eyes(show, *show.camera.orbit->horizon_s() - 0.21);

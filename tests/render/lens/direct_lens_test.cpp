@@ -18,8 +18,8 @@ using namespace test;  // NOLINT(google-build-using-namespace): the cameras of t
 
 constexpr int dome_px = 512;
 
-//! Returns how many pixels of a dome have rays that do not end within a number of steps; 0: the
-//! limit of pictures.
+//! Returns the number of pixels of a dome picture whose rays do not end within `step_limit` steps.
+//! 0 stands for the limit that pictures use.
 long unresolved_pixels(const EyeCamera& eye, int step_limit) {
   const Projection projection = make_dome_projection(dome_px, pi, 0.5);
   const EdgeTable edge(Backend::cpu, station_of(eye), 1024);

@@ -16,7 +16,7 @@ using test::eye_at;
 
 constexpr int heat_size_px = 97;
 
-//! The steps of all rays of a picture.
+//! Coverage, error estimates and numbers of steps of all rays of a picture.
 struct StepPicture {
   std::vector<float> coverage, error, steps;
 
@@ -46,8 +46,8 @@ float middle_of(std::vector<float> values) {
 }
 
 TEST(RayHeat, OfAShellIsHotAtThePolesInPolarAnglesAlone) {
-  // The camera looks down on the north pole of a shell, which is in the middle column, where θ is
-  // smallest.
+  // A camera looks down on the north pole of a shell. The pole is in the middle column of the
+  // picture, where θ is smallest.
   const std::vector<WatchedShell> shell = {{1.0F / 4.0F, true}};
   const StepPicture polar = steps_of(TraceMethod::baseline_rk34, shell);
   const StepPicture ours = steps_of(TraceMethod::taylor, shell);
@@ -75,7 +75,7 @@ TEST(RayHeat, EndsSoonerAtAShellThatCovers) {
   for (std::size_t i = 0; i < through.steps.size(); ++i) {
     EXPECT_LE(covered.steps[i], through.steps[i]);
     sooner += covered.steps[i] < through.steps[i] ? 1 : 0;
-    // The shell is in front of the shadow.
+    // The shell is in front of the shadow and covers a part of it.
     EXPECT_GE(covered.coverage[i], sky.coverage[i]);
     dark += sky.coverage[i] < covered.coverage[i] ? 1 : 0;
   }

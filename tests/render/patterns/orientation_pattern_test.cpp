@@ -12,7 +12,7 @@ namespace {
 
 constexpr int size_px = 512;
 
-//! The position of a word's letters, found by their color.
+//! The position of the letters of a word in a pattern. They are found by their color.
 struct Letters {
   double x = 0.0;  //!< center, as a fraction of the width from the left
   double y = 0.0;  //!< center, as a fraction of the height from the top
@@ -74,8 +74,8 @@ TEST(OrientationPattern, FromOutsideHasLeftOnTheRight) {
   EXPECT_GT(letters_of(picture, "LEFT").x, 0.9);
 }
 
-//! Returns the similarity between the letters in the picture and the written word: a correlation
-//! coefficient.
+//! Returns how similar the letters in the picture are to the word as it should be written: a
+//! correlation coefficient.
 double likeness(const Picture& picture, const char* text, bool mirrored) {
   const Letters box = letters_of(picture, text);
   const TextImage written = text_image(text, 48);
@@ -109,7 +109,8 @@ TEST(OrientationPattern, ReadsUprightForAViewerWhoFacesIt) {
 }
 
 TEST(OrientationPattern, ReadsUprightOnTheDomeAboveAViewerWhoFacesTheFront) {
-  // The top of a domemaster is the back: upright text reads upright for a viewer who leans back.
+  // The top of a domemaster is the back of the dome. Text that is upright in the domemaster is
+  // upright for a viewer who leans back and looks up.
   const Picture picture = dome_pattern();
   EXPECT_GT(likeness(picture, "ZENITH", false), 0.6);
 }

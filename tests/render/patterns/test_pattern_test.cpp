@@ -21,7 +21,8 @@ const float* pattern_light_at(const Picture& picture, int x, int y) {
   return picture.rgba.data() + 4 * (static_cast<std::ptrdiff_t>(y) * picture.width + x);
 }
 
-//! Returns the display value of a channel at fractions of the picture's width and height.
+//! Returns the displayed value of a channel at a position, given as fractions of the picture's
+//! width and height.
 int value_at(const Picture& picture, double across, double up, int channel = 0) {
   const auto bytes = tone_mapped(picture);
   const int x = static_cast<int>(across * picture.width);
@@ -68,7 +69,7 @@ TEST(TestPatterns, GreyStepsHaveTheDisplaysValues) {
 }
 
 TEST(TestPatterns, GreyStepsEndAtTheHorizonOfATiltedDome) {
-  // Tilted up by 25°, the front of the dome extends that far below the horizon.
+  // The dome is tilted by 25°, so its front extends to 25° below the horizon.
   const Projection tilted = make_dome_projection(256, pi, 25.0 * pi / 180.0);
   const Picture picture = draw_test_pattern(TestPattern::grey_ramp, tilted);
   int lit = 0;
@@ -118,7 +119,7 @@ TEST(TestPatterns, ADomeHasColourBarsFourTimesRound) {
 
 TEST(TestPatterns, FieldsOfTheCheckerAreTenDegreesHigh) {
   const Picture picture = draw_test_pattern(TestPattern::checker, make_equirectangular_projection(720, 360));
-  // Half a degree per pixel; the lowest rings have 36 fields around.
+  // A pixel is half a degree wide. The rings next to the horizon have 36 fields each.
   for (int field = 0; field < 35; ++field) {
     const float here = pattern_light_at(picture, 20 * field + 10, 170)[0];
     EXPECT_EQ(here + pattern_light_at(picture, 20 * (field + 1) + 10, 170)[0], 1.0F) << field;
@@ -139,8 +140,8 @@ TEST(TestPatterns, HalfOfEveryRingOfTheCheckerIsWhite) {
 
 TEST(TestPatterns, CirclesOfThePolarGridAreWhereTheirElevationIs) {
   const Picture picture = draw_test_pattern(TestPattern::polar_grid, dome(901));
-  // Equidistant: 5 px per degree from the zenith, upwards to the back; along a meridian next to the
-  // column of numbers.
+  // In the equidistant picture, a degree is 5 px; the back is at the top. Tests points on a
+  // meridian next to the column of numbers.
   for (const int elevation : {30, 60}) {
     const double radius_px = (90 - elevation) * 5.0;
     const double azimuth = 165.7 * pi / 180.0;
@@ -153,7 +154,7 @@ TEST(TestPatterns, CirclesOfThePolarGridAreWhereTheirElevationIs) {
 
 TEST(TestPatterns, LinesOfResolutionAreSinglePixels) {
   const Picture picture = draw_test_pattern(TestPattern::resolution, dome(1024));
-  // The patch in the middle is 85 px wide; its upper left corner has vertical lines.
+  // The patch in the middle is 85 px wide. Its upper left part has vertical lines.
   const int left = 512 - 40;
   for (int i = 0; i < 8; ++i) {
     const float here = pattern_light_at(picture, left + i, 512 - 38)[0];
@@ -172,7 +173,7 @@ TEST(TestPatterns, AnEvenFieldWithoutLinesIsBetweenThemInTheBlendCheck) {
   }
 }
 
-//! Returns whether any pixel is much brighter in one channel than in another.
+//! Returns whether, in any pixel, channel `strong` is much brighter than channel `weak`.
 bool has_colour(const Picture& picture, int strong, int weak) {
   for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
     if (picture.rgba[i + static_cast<std::size_t>(strong)] > picture.rgba[i + static_cast<std::size_t>(weak)] + 0.4F) {

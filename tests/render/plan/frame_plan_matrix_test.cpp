@@ -22,7 +22,7 @@ TEST_F(FramePlans, HoldForEveryEffectAlone) {
 }
 
 TEST_F(FramePlans, HoldForEveryPairOfEffects) {
-  // Sanitizers cover the same code with a few of the pairs.
+  // Under sanitizers, a few of the pairs are enough to cover the same code.
   constexpr std::size_t stride = test::sanitized ? 20 : 1;
   for (std::size_t i = 0; i < effects().size(); ++i) {
     for (std::size_t k = i + 1; k < effects().size(); k += stride) {
@@ -38,7 +38,7 @@ TEST_F(FramePlans, HoldForEveryPairOfEffects) {
 TEST_F(FramePlans, HoldForAllEffectsTogether) {
   for (const StereoLayout layout : {StereoLayout::mono, StereoLayout::side_by_side, StereoLayout::separate}) {
     for (const bool gather : {false, true}) {
-      // Sanitizers cover the same code with one layout.
+      // Under sanitizers, one layout is enough to cover the same code.
       if (test::sanitized && gather && layout != StereoLayout::mono) {
         continue;
       }
@@ -58,7 +58,7 @@ TEST_F(FramePlans, HoldForEveryStereoModelAndLayout) {
   for (const StereoModel model : {StereoModel::physical, StereoModel::flat, StereoModel::omni}) {
     for (const StereoLayout layout : {StereoLayout::multiview, StereoLayout::dubois, StereoLayout::half_top_bottom}) {
       for (const double convergence : {0.0, 10.0}) {
-        // Sanitizers cover the same code with one layout.
+        // Under sanitizers, one layout is enough to cover the same code.
         if (test::sanitized && layout != StereoLayout::multiview) {
           continue;
         }
@@ -126,7 +126,8 @@ TEST_F(FramePlans, HoldForEffectsThatComeAndGo) {
     SCOPED_TRACE(path);
     Show show = animated(plain_show(), path, value);
     expect_as_planned(show, request());
-    // Pictures before the effect starts must match the same plan.
+    // The plan is for the whole show, so it must also cover pictures before the animation starts,
+    // when the effect has zero strength.
     for (NumberKey& key : show.timeline.animations[0].keys) {
       key.time_s += 10.0;
     }
@@ -168,7 +169,7 @@ TEST_F(FramePlans, HoldForEveryView) {
                               ViewMode::frequency_ratio, ViewMode::magnification}) {
     SCOPED_TRACE(static_cast<int>(mode));
     Show show = plain_show();
-    // Effects do nothing in a heat map, but stars are loaded with the show.
+    // A heat map shows no effects, but the stars of the show are loaded nevertheless.
     for (const Effect& effect : effects()) {
       effect.add(show);
     }

@@ -13,7 +13,8 @@
 #include "tests/render/plan/frame_plan_scenes.h"
 #include "tests/support/baked_show.h"
 
-// Plans of pictures with a disk and shells, by rays and grids, for one eye and two.
+// Tests of the plans of pictures with a disk and shells, drawn by rays and by grids, for one eye
+// and two.
 namespace ergodome {
 namespace {
 
@@ -152,7 +153,8 @@ TEST_F(FramePlans, HoldForADiskWhoseLayersAreStreamed) {
     const auto stream = std::make_shared<StationStream>(Backend::cpu, TrajectoryReader(folder_ / "t.trajectory"),
                                                         StationStream::default_memory_bytes, [](const std::string&) {});
     const long all = static_cast<long>(stream->trajectory().stations().size());
-    // Waits until all stations are read, because reading ahead would count as work of a picture.
+    // Waits until all stations have been read. Otherwise, reading them ahead would count as work of
+    // a picture.
     for (int tries = 0; tries < 500 && stream->statistics().read < all; ++tries) {
       stream->at(0.5, 1.0);
       std::this_thread::sleep_for(std::chrono::milliseconds(10));

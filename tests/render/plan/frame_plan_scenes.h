@@ -19,8 +19,8 @@
 #include "tests/support/folder_test.h"
 #include "tests/support/sanitized.h"
 
-// Compares the work of pictures with their plan by counters: work that the plan does not name must
-// not happen.
+// Tests that pictures do exactly the work in their plan, by means of work counters: work that the
+// plan does not list must not happen.
 
 namespace ergodome::test {
 
@@ -28,7 +28,7 @@ inline constexpr int map_width_px = 64;
 
 using Work = std::map<std::string, WorkCount>;
 
-//! One of the effects that a scene may use.
+//! An effect, and a function that adds it to a show.
 struct Effect {
   const char* name;
   std::function<void(Show&)> add;
@@ -92,8 +92,8 @@ inline const std::vector<Effect>& effects() {
   return all;
 }
 
-//! Returns a scene with all effects, and a number of the show that is animated from zero at 0 s to
-//! a value at 1 s.
+//! Returns a show with all effects, in which the number at `path` is animated from 0 at 0 s to a
+//! value at 1 s.
 inline Show animated(Show show, const char* path, double value) {
   for (const Effect& effect : effects()) {
     if (std::string_view(effect.name) != "gather") {
@@ -140,7 +140,7 @@ class FramePlans : public FolderTest {
     return request;
   }
 
-  //! Returns the work of two pictures of the same moment.
+  //! Renders two pictures of the same moment. Returns the work done for each.
   static std::pair<Work, Work> work_of(const Show& show, const FrameRequest& request,
                                        std::shared_ptr<StationStream> stream) {
     const Work start = work_done();
@@ -152,8 +152,8 @@ class FramePlans : public FolderTest {
     return {work_between(start, first), work_between(first, work_done())};
   }
 
-  //! Compares the work of pictures of a show with their plan; `stream` contains stations that have
-  //! been read.
+  //! Expects that the work for two pictures of a show agrees with their plan. All stations of
+  //! `stream` must already have been read.
   static void expect_as_planned(const Show& show, const FrameRequest& request,
                                 std::shared_ptr<StationStream> stream = nullptr) {
     const FramePlan plan = plan_frame(show, request);

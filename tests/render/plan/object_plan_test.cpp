@@ -10,7 +10,8 @@
 #include "tests/render/passes/objects/object_scene.h"
 #include "tests/support/folder_test.h"
 
-// Plans contain the work for objects, and without objects none of it is done.
+// Tests that plans contain the work for objects, and that none of this work is done in shows
+// without objects.
 namespace ergodome {
 namespace {
 
@@ -45,8 +46,8 @@ class TracedObjectPlans : public test::FolderTest {
     return show;
   }
 
-  //! Compares the planned work, for line 12 of the show, with the work of a picture and of another
-  //! one.
+  //! Compares planned work with the work done for a first and a second picture. The plan must name
+  //! line 12 of the show as the reason.
   static void expect_planned(const std::vector<std::string>& names, const FramePlan& plan, const Work& first,
                              const Work& second) {
     for (const std::string& name : names) {
@@ -60,7 +61,7 @@ class TracedObjectPlans : public test::FolderTest {
     }
   }
 
-  //! Expects that a plan names all work that was done.
+  //! Expects that a plan contains all work that was done.
   static void expect_all_planned(const FramePlan& plan, const Work& done) {
     for (const auto& [name, work] : done) {
       EXPECT_TRUE(std::ranges::find(plan.passes, name, &PlannedPass::name) != plan.passes.end() ||
@@ -69,7 +70,7 @@ class TracedObjectPlans : public test::FolderTest {
     }
   }
 
-  //! Returns the work of two pictures of the same moment.
+  //! Renders two pictures of the same moment. Returns the work done for each.
   static std::pair<Work, Work> work_of(const Show& show, ViewMode mode, LensChoice lens = LensChoice::automatic) {
     const Work start = work_done();
     ShowRenderer renderer(show, Backend::cpu, lens);
@@ -80,7 +81,7 @@ class TracedObjectPlans : public test::FolderTest {
   }
 };
 
-//! Tests the same for polygons, if there is OpenGL.
+//! The same tests for objects drawn as polygons; skipped if OpenGL is not available.
 class ObjectPlans : public TracedObjectPlans {
  protected:
   void SetUp() override {
@@ -161,7 +162,7 @@ TEST_F(TracedObjectPlans, NameWhatEyesThatSeeThroughOneLensTakeBesideADiskAndShe
       SCOPED_TRACE(testing::Message() << disk << shells);
       show.disk = disk ? std::optional<DiskSettings>(DiskSettings{}) : std::nullopt;
       show.shells.assign(shells ? 1 : 0, {});
-      // With shells, the disk is drawn by rays in any case.
+      // In shows with shells, the disk is always drawn by rays.
       const LensChoice lens = shells ? LensChoice::direct : LensChoice::live;
       FrameRequest request;
       request.lens = lens;
@@ -185,7 +186,7 @@ TEST_F(TracedObjectPlans, NameWhatLaysObjectsWhereADiskHasNoWidthYet) {
   show.stereo.model = StereoModel::flat;
   show.view.size_px = 32;
   show.disk.emplace();
-  // Its outer edge starts inside the inner one.
+  // At the start of the animation, the outer radius of the disk is smaller than its inner radius.
   show.disk->outer = 3.0;
   show.timeline.animations.push_back({"disk.outer", {{0.0, 3.0}, {10.0, 20.0}}});
   for (const double baseline : {0.0, 0.5}) {
@@ -214,7 +215,7 @@ TEST_F(TracedObjectPlans, NameTheRowsThatEyesOfOneLensTakeThroughAGpu) {
 TEST_F(TracedObjectPlans, LookAtNoPixelWhereNoObjectIsNear) {
   Show show = show_with({traced(test::small_sphere({60.0, 0.0, 0.0}, 1.0))});
   show.view.field_of_view_deg = 10.0;
-  // The view is past the hole: next to the shadow's edge, everything is visible.
+  // The view points past the hole. Next to the edge of the shadow, every object would be visible.
   show.camera.keys.front().yaw = 0.5;
   const Work work = work_of(show, ViewMode::sky).first;
   EXPECT_TRUE(work.contains("mark_object_tiles"));

@@ -23,7 +23,7 @@ extern "C" int __lsan_is_turned_off() { return ergodome::test::driver_was_loaded
 namespace ergodome {
 namespace {
 
-//! A headless context and a framebuffer to draw into.
+//! A headless OpenGL context and a framebuffer to draw into.
 class Present : public testing::Test {
  protected:
   void SetUp() override {
@@ -169,8 +169,8 @@ TEST_F(Present, EyesTakeTurnsByTheFramebuffersRows) {
     int height;
     int lit_rows;
   };
-  // Finer and coarser than the eyes' pictures, at their size, with bars of odd height above and
-  // below, and with bars at the sides.
+  // Windows that are finer than the eyes' pictures, coarser, and equal to them; then with bars
+  // above and below, whose height is odd, and with bars at the sides.
   for (const Framebuffer& frame :
        {Framebuffer{94, 47, 47}, {30, 15, 15}, {40, 20, 20}, {50, 39, 25}, {50, 40, 25}, {81, 20, 20}}) {
     make_framebuffer(frame.width, frame.height);
@@ -226,7 +226,8 @@ TEST_F(Present, AnEyesPictureHasNothingOfTheOtherAtItsEdge) {
 }
 
 TEST_F(Present, CaptionsKeepTheirPixelsOverACoarsePicture) {
-  // A white line of one row over a picture of 4 x 2 gray pixels, in a window of 200 x 100.
+  // Captions: a white line that is one pixel high, in a window of 200 x 100 pixels. The picture has
+  // 4 x 2 gray pixels.
   const int row = 40;
   auto captions = std::make_shared<CaptionLayer>(CaptionLayer{200, 100, row - 1, 3, std::vector<float>(4 * 200 * 3)});
   std::fill_n(captions->rgba.begin() + 4 * 200, 4 * 200, 1.0F);
@@ -247,7 +248,7 @@ TEST_F(Present, CaptionsKeepTheirPixelsOverACoarsePicture) {
 }
 
 TEST_F(Present, CaptionsLieOverEachEye) {
-  // The left half of an eye's picture is covered.
+  // The caption layer covers the left half of each eye's picture.
   auto captions = std::make_shared<CaptionLayer>(CaptionLayer{100, 100, 0, 100, std::vector<float>(4 * 100 * 100)});
   for (std::size_t i = 0; i < 100 * 100; ++i) {
     std::fill_n(captions->rgba.begin() + static_cast<std::ptrdiff_t>(4 * i), 4, i % 100 < 50 ? 1.0F : 0.0F);
@@ -266,8 +267,8 @@ TEST_F(Present, CaptionsLieOverEachEye) {
 }
 
 TEST_F(Present, CaptionsOnProjectorsKeepTheirPixelsOverACoarseMaster) {
-  // A white line of one row, half covering and half faded, over a master of 4 x 4 pixels on a
-  // raster of 200 x 200.
+  // Captions: a white line that is one pixel high, on a raster of 200 x 200 pixels. It covers half
+  // of the light below it and is half faded. The domemaster has 4 x 4 pixels.
   constexpr int side = 200;
   constexpr int row = 40;
   auto captions =

@@ -35,7 +35,7 @@ struct TableErrors {
   static double largest(const std::vector<double>& errors) { return *std::max_element(errors.begin(), errors.end()); }
 };
 
-//! Returns the errors at random pairs all over the table, uniform in 1/r and φ.
+//! Returns the errors of a table for random pairs of points, uniform in 1/r and φ.
 TableErrors errors_of(const ConnectionTable& table, int count) {
   const ConnectionGrid& grid = table.view().grid;
   std::mt19937 random(7);
@@ -73,8 +73,7 @@ TEST(ConnectionTable, AgreesWithTheClosedFormForThePublishedObservers) {
 }
 
 TEST(ConnectionTable, IsSmoothWhereDirectionsAreNot) {
-  // Straight behind the hole, at both ends of the azimuth axis, and around the observer's own
-  // position.
+  // Points straight behind the hole, at both ends of the azimuth axis, and close to the observer.
   const ConnectionTable table(table_for(20.0));
   for (const auto& [r, angle, allowed] : {std::array{8.0, pi, 1e-7},
                                           {8.0, 2.0 * pi, 1e-7},

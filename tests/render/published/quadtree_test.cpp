@@ -11,7 +11,8 @@
 namespace ergodome {
 namespace {
 
-//! Returns the standard setup of Verbraeck & Eisemann: a = 0.999, circular orbit at r = 5.
+//! Returns the camera of the standard setup of Verbraeck & Eisemann: a circular orbit at r = 5 and
+//! a = 0.999.
 CameraStation published_camera() {
   return make_camera_station(Spacetime{0.999}, 5.0, 0.5 * pi, 0.0, ObserverMotion::geodesic);
 }
@@ -21,7 +22,7 @@ const QuadtreeLens& published_grid() {
   return lens;
 }
 
-//! The rays of all vertices of the finest regular grid, upper half.
+//! Traced rays for all vertices of the upper half of the finest regular grid.
 struct FullGrid {
   static constexpr int level = 10;
   static constexpr int columns = 2 << level;
@@ -56,8 +57,8 @@ struct FullGrid {
   }
 };
 
-//! Returns the sum of the squared differences in (θ, φ) over the whole sky, by the measure of
-//! Verbraeck & Eisemann: both halves, without the vertices of the grid itself.
+//! Returns the cumulative error by the measure of Verbraeck & Eisemann: the sum of squared
+//! differences in (θ, φ) over both halves of the sky, without the vertices of the grid itself.
 double cumulative_squared_error(const QuadtreeLens& lens, QuadtreeInterpolation how) {
   static const FullGrid full;
   const QuadtreeGrid grid = lens.view();
@@ -82,7 +83,7 @@ double cumulative_squared_error(const QuadtreeLens& lens, QuadtreeInterpolation 
 }
 
 TEST(Quadtree, TracesThePublishedNumberOfRays) {
-  // Verbraeck & Eisemann, section 5.1: 47,848 rays for the symmetric level-10 grid.
+  // Verbraeck & Eisemann, section 5.1, report 47,848 rays for a symmetric grid of level 10.
   EXPECT_NEAR(published_grid().vertex_count(), 47'848, 5);
 }
 
@@ -90,8 +91,8 @@ TEST(Quadtree, HasThePublishedErrorsOfBothInterpolations) {
   if (test::sanitized) {
     GTEST_SKIP() << "a million rays";
   }
-  // Verbraeck & Eisemann, section 4.3.2: 0.369 rad² linear, 0.008 rad² spline, over the full
-  // level-10 grid.
+  // Verbraeck & Eisemann, section 4.3.2, report 0.369 rad² for linear and 0.008 rad² for spline
+  // interpolation, over a full grid of level 10.
   QuadtreeSettings settings;
   settings.repair = false;
   const QuadtreeLens lens(published_camera(), true, settings);
@@ -114,7 +115,8 @@ TEST(Quadtree, MirroredGridIsTheWholeOne) {
 }
 
 TEST(Quadtree, RepairClosesTheGapsBetweenCellsOfDifferentSize) {
-  // Along the side of a large cell, the jump of the spline between its two sides gets smaller.
+  // The spline has different values on both sides of a large cell's side if smaller cells are next
+  // to it. The repair must make this jump smaller.
   QuadtreeSettings settings;
   settings.repair = false;
   const QuadtreeLens torn(published_camera(), true, settings);
@@ -156,9 +158,9 @@ TEST(Quadtree, EveryDirectionHasALeafAndAFiniteSky) {
   }
 }
 
-//! Returns the mean squared error in (θ, φ) of the blend of the grids at 5.0 and 5.2 for 5.1, over
-//! the camera's sky, by the measure of Verbraeck & Eisemann (section 5.2). `warped`: aligns the
-//! shadows first.
+//! Returns the error of a blend of the grids at r = 5.0 and 5.2, for a camera at 5.1, by the
+//! measure of Verbraeck & Eisemann (section 5.2): the mean squared error in (θ, φ) over the
+//! camera's sky. If `warped`, the shadows are aligned before the grids are blended.
 double blending_error(bool warped) {
   const auto camera = [](double r) {
     return make_camera_station(Spacetime{0.999}, r, 0.5 * pi, 0.0, ObserverMotion::geodesic);

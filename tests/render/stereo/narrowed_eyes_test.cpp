@@ -64,7 +64,8 @@ TEST(NarrowedEyes, StandAsAskedUpToTheGreatestDistanceAndNoFarther) {
 TEST(NarrowedEyes, OfTheModelFlatAreNoFartherApartThanTheHorizonOfAHoleWithoutSpinIsAway) {
   Show show = show_of_far_eyes("flat", 1.0, 6.0);
   show.spin = 0.0;
-  // Radial light has dr/dλ = E, where E = √(1 - 2/r) if a static observer measures 1.
+  // For radial light, dr/dλ = E with the affine parameter λ. If a static observer measures energy
+  // 1, E = √(1 - 2/r).
   EXPECT_NEAR(greatest_baseline(show, camera_pose(show, 0.0)), 4.0 / std::sqrt(1.0 - 2.0 / 6.0), 1e-6);
 }
 

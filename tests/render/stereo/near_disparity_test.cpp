@@ -19,7 +19,7 @@
 #include "tests/render/passes/objects/object_scene.h"
 #include "tests/support/sanitized.h"
 
-// The disparity of objects near the hole, as reported to the operator.
+// Tests of the disparity of objects near the hole that is reported to the operator.
 namespace ergodome {
 namespace {
 
@@ -44,7 +44,7 @@ Show with_sky(Show show) {
 
 Projection projection_of(const Show& show) { return make_projection(show.view, show.view.size_px, 0.0); }
 
-//! Returns the disparity of everything near the hole, without the sky.
+//! Returns the disparity of disk, shells and objects near the hole, without that of the sky.
 std::optional<Disparity> near_disparity_of(const Show& show) {
   const ShowRenderer renderer(show, Backend::cpu);
   const CameraPose pose = camera_pose(show, 0.0);
@@ -82,15 +82,16 @@ double middle_of_light(const Picture& picture) {
   return middle / light;
 }
 
-//! Returns how far the center of the right eye's light is to the right of the left eye's [px].
+//! Returns by how much the center of the light is farther to the right for the right eye than for
+//! the left eye [px].
 double apart_in_pictures(const Show& show) {
   ShowRenderer renderer(show, Backend::cpu);
   const auto parts = renderer.render_window_parts(camera_pose(show, 0.0), projection_of(show), ViewMode::sky);
   return middle_of_light(parts[1]) - middle_of_light(parts[0]);
 }
 
-//! Compares the reported disparity of a small ball with that of the center of its light, which is
-//! slightly farther away than the ball's nearest point.
+//! Compares the reported disparity of a small ball with the disparity of its light in the pictures.
+//! The center of this light is slightly farther away than the nearest point of the ball.
 void expect_ball_of_pictures(const std::string& scene) {
   const Show show = black_show(scene);
   const double drawn = apart_in_pictures(show);
@@ -101,7 +102,8 @@ void expect_ball_of_pictures(const std::string& scene) {
 }
 
 TEST(NearDisparity, OfATracedBallIsThatOfItsPicturesInEveryModel) {
-  // Pictures of the other models take long under sanitizers; their own tests cover the same code.
+  // Under sanitizers, pictures of the models `flat` and `omni` take too long; other tests of these
+  // models cover the same code.
   for (const char* const model : test::sanitized ? std::vector{"physical"} : std::vector{"physical", "flat", "omni"}) {
     SCOPED_TRACE(model);
     expect_ball_of_pictures(spinning + wide + small_ball("position = [11, 4, 2.5]") + eyes(model));
@@ -143,7 +145,8 @@ TEST(NearDisparity, OnADomeIsAcrossForWhoLooksThereInTheModelOmni) {
   const std::string dome =
       "[hole]\nspin = 0\n[camera]\n[[camera.key]]\nr = 2000\ntheta_deg = 90\n[view]\nprojection = \"dome\"\nfov_deg "
       "= 180\nsize_px = 400\n";
-  // Balls at 20 M distance, 6 M above the horizontal plane: their zenith angle is atan(20 / 6).
+  // The balls are 20 M from the camera horizontally and 6 M above it, so their zenith angle is
+  // atan(20 / 6).
   const double zenith_angle = std::atan2(20.0, 6.0);
   const double turn = 0.4 / (std::hypot(20.0, 6.0) - 0.08);
   for (const char* const place : {"[1980, 0, 6]", "[2020, 0, 6]", "[2000, 20, 6]", "[2000, -20, 6]"}) {
@@ -176,8 +179,8 @@ TEST(NearDisparity, OfAThingAboutTheCameraIsThatOfWhatThePictureShows) {
   const std::string ball =
       "[[objects]]\nmethod = \"trace\"\nshape = \"sphere\"\nsegments = 96\nrings = 48\nsize = 15\n"
       "position = [1990, 0, 0]\n";
-  // Ahead, its surface is 25 M away; in the picture's corners it is at a depth of 10.6 M, behind
-  // the camera 5 M away.
+  // The camera is inside a large ball. Straight ahead, the surface is 25 M away; in the corners of
+  // the picture, its depth is 10.6 M. Behind the camera it is only 5 M away, but not visible.
   const Disparity found = disparity_of(black_show(far + ball + eyes("physical")));
   EXPECT_NEAR(found.greatest_px, -200.0 * 0.4 / 25.0, 0.1);
   EXPECT_NEAR(found.least_px, -200.0 * 0.4 / 10.6, 0.3);
@@ -238,8 +241,8 @@ TEST(NearDisparity, OfWhatNoPictureShowsDoesNotCount) {
 }
 
 TEST(NearDisparity, OfManyThingsIsThatOfTheOneThatIsSeenNearest) {
-  // Sixteen balls are closer than the current position of another ball, whose light shows it in
-  // front of them.
+  // Sixteen balls are closer than the current position of another, moving ball. Its light was
+  // emitted earlier and shows it in front of them.
   const std::string mover = small_ball("retarded = true\norbit = { r = 12, phi_deg = 73, speed = 20 }");
   std::string balls;
   for (int i = 0; i < 16; ++i) {
@@ -279,7 +282,8 @@ TEST(NearDisparity, OfTheSkyCountsWhereNothingOpaqueIsBeforeIt) {
 }
 
 TEST(NearDisparity, OfTheSkyAndShellsCountsWhereNoObjectIsBeforeIt) {
-  // A ball of 15 M, 20 M in front of the camera; the shell is a thousand M away.
+  // The ball has a radius of 15 M, 20 M in front of the camera. The shell is about a thousand M
+  // away.
   const Show show =
       black_show("[hole]\nspin = 0\n[camera]\n[[camera.key]]\nr = 2000\ntheta_deg = 90\n" + wide +
                  "[[shells]]\nradius = 1000\nfill_opacity = 0.3\n[[objects]]\nmethod = \"trace\"\nshape = \"sphere\"\n"
@@ -321,7 +325,7 @@ TEST(NearDisparity, OfADiskCountsBeforeObjectsAlone) {
 }
 
 TEST(NearDisparity, OfAShellsNearestPlaceIsThatOfABallThere) {
-  // Straight ahead, in the middle of the sample lattice.
+  // Objects are straight ahead, where the lattice of samples has a point.
   const auto least_of = [](const std::string& thing, const std::string& stereo) {
     const std::string camera = "[hole]\nspin = 0\n[camera]\n[[camera.key]]\nr = 24\ntheta_deg = 90\n";
     return disparity_of(black_show(camera + wide + thing + stereo)).least_px;
@@ -360,8 +364,9 @@ TEST(NearSights, AreSeenWhereTheyWereLookedAt) {
       EXPECT_NEAR(*distance, sight.distance, 1e-4 * sight.distance);
       const double r = std::sqrt(dot(sight.place, sight.place));
       (std::abs(r - 3.0) < 1e-6 ? of_shell : of_disk) += 1;
-      // Other series find where light first reaches a radius: at this crossing, or before its
-      // turning point. They miss grazing contacts.
+      // affine_distance() finds by another series where light first reaches a radius: at this
+      // crossing or, for light that comes back, before its turning point. It may miss light that
+      // only touches the radius.
       const double to_radius = affine_distance(camera, {row(0), row(1), row(2)}, r);
       EXPECT_TRUE(std::isinf(to_radius) || sight.distance > (1.0 - 1e-5) * to_radius);
       at_once += sight.distance < (1.0 + 1e-5) * to_radius ? 1 : 0;

@@ -13,7 +13,7 @@ namespace ergodome {
 
 namespace {
 
-//! Two eyes and a light.
+//! Maximum number of cached tables: for two eyes and a light.
 constexpr std::size_t most_tables = 3;
 
 }  // namespace

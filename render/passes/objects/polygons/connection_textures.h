@@ -15,8 +15,9 @@ struct RadialRange {
   bool operator==(const RadialRange&) const = default;
 };
 
-//! Returns the slightly wider range for which a table is made. There are few such ranges, so that
-//! objects may move without a new table. The result does not depend on earlier pictures.
+//! Returns the range of radii for which a table is computed: slightly wider than `range`. Only few
+//! such ranges exist, so that objects can move without a new table. The result does not depend on
+//! earlier pictures.
 RadialRange table_range(const RadialRange& range);
 
 //! A table of connecting rays as a texture in the current OpenGL context. Texels are nodes of
@@ -43,8 +44,8 @@ class ConnectionTexture {
 //! Cache of the tables in use, for each eye and the light. Evicts the least recently used.
 class ConnectionTextures {
  public:
-  //! Returns the table of observers (or a light) for points in a range and images of `orders`
-  //! orders, at least two. Creates it if necessary.
+  //! Returns the table for observers (or a light) in a range of radii and points in a range, with
+  //! images of `orders` orders, at least two. Creates it if necessary.
   const ConnectionTexture& table(const RadialRange& observers, const RadialRange& points, int orders);
 
  private:

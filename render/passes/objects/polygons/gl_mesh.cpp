@@ -14,8 +14,8 @@ namespace ergodome {
 
 namespace {
 
-//! Returns whether a part shows its image only once, so that the image's opposite edges must not
-//! blend.
+//! Returns whether a part's texture coordinates use the image only once, so that opposite edges of
+//! the image must not be blended.
 bool shows_image_once(const TriangleMesh& mesh, const MeshPart& part) {
   const auto first = mesh.indices.begin() + static_cast<std::ptrdiff_t>(part.first_index);
   return std::all_of(first, first + static_cast<std::ptrdiff_t>(part.index_count), [&](std::uint32_t index) {
@@ -53,9 +53,9 @@ void describe(unsigned vertex_array, unsigned at, int count, std::size_t offset)
   glVertexArrayAttribBinding(vertex_array, at, 0);
 }
 
-//! Returns the maximum number of patches per draw call if the CPU renders. llvmpipe of Mesa 22
-//! counts the vertices of all tessellated patches in 16 bits and mixes up patches beyond that. A
-//! patch of level n has about 3/4 n² + 3/2 n + 3 vertices.
+//! Returns the maximum number of patches per draw call if OpenGL renders on the CPU. Mesa 22's
+//! llvmpipe counts the vertices of all tessellated patches of a call in 16 bits, and mixes up
+//! patches beyond that. A patch of level n has about 3/4 n² + 3/2 n + 3 vertices.
 std::uint32_t software_patches(double most_level) {
   const double level = std::ceil(most_level);
   return static_cast<std::uint32_t>(65535.0 / (0.75 * level * level + 1.5 * level + 3.0));

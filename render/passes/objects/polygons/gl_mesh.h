@@ -27,15 +27,15 @@ class GlMesh {
 
   //! Binds the buffers for the following draw calls.
   void bind() const;
-  //! Draws a part as patches of three vertices, whose edges are divided into at most `most_level`
-  //! parts.
+  //! Draws a part as patches of three vertices. The tessellator divides each edge into at most
+  //! `most_level` pieces.
   void draw(const Part& part, double most_level) const;
 
  private:
   unsigned vertex_array_ = 0;
   unsigned vertices_ = 0;
   unsigned indices_ = 0;
-  bool in_software_;  //!< rendering is done by the CPU
+  bool in_software_;  //!< true if OpenGL renders on the CPU
   std::vector<Part> parts_;
 };
 

@@ -12,7 +12,7 @@ namespace ergodome {
 
 namespace {
 
-//! Minimum number of half turns in a table: light of lamps arrives on the two shortest paths.
+//! Minimum number of image orders in a table: light of lamps arrives on the two shortest paths.
 constexpr int least_orders = 2;
 constexpr GLsizeiptr eyes_bytes =
     static_cast<GLsizeiptr>(sizeof(float)) * 4 * turning_groups * omni_terms(omni_most_degree);

@@ -18,7 +18,7 @@ namespace ergodome {
 //! An object at one instant.
 struct PlacedObject {
   const ObjectSettings* settings;
-  std::size_t mesh;  //!< index of its mesh
+  std::size_t mesh;  //!< index of the object's mesh
   ObjectPlacement placement;
 };
 
@@ -39,11 +39,13 @@ class ObjectDrawing {
   ObjectDrawing(const ObjectDrawing&) = delete;
   ObjectDrawing& operator=(const ObjectDrawing&) = delete;
 
-  //! Objects as seen by an eye, all within a range of radii.
+  //! A set of objects and the eye that sees them; all objects are within a range of radii.
   struct Scene {
-    ObjectView view;             //!< of an omnidirectional stereo eye, that of the head
+    //! Parameters of the eye; of the head, for an omnidirectional stereo eye.
+    ObjectView view;
     const TurningView* turning;  //!< nullptr unless the eye is omnidirectional
-    double beside;               //!< distance to the right of the head in the model `flat` [M]; otherwise 0
+    //! Distance of an eye of the model `flat` to the right of the head [M]; otherwise 0.
+    double beside;
     std::span<const PlacedObject> objects;
     std::optional<PointLight> light;
     RadialRange range;
@@ -60,8 +62,9 @@ class ObjectDrawing {
   void use_program(const Scene& scene);
   void set_turning(const TurningView& turning);
 
-  std::array<unsigned, 3>
-      programs_{};  //!< by ObjectSight; the one for cameras is linked immediately, so that driver errors appear early
+  //! Shader program for each ObjectSight; the one for cameras is linked immediately, so that driver
+  //! errors appear early.
+  std::array<unsigned, 3> programs_{};
   unsigned eyes_ = 0;  //!< uniform buffer of omnidirectional stereo eyes
   std::vector<std::unique_ptr<GlMesh>> meshes_;
   ConnectionTextures tables_;

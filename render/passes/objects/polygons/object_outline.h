@@ -8,8 +8,8 @@
 
 namespace ergodome {
 
-//! Triangles of a mesh, three corners each, in the mesh's unit, for computing distances. Large
-//! meshes are subsampled.
+//! Some or all triangles of a mesh, three corners each, in the mesh's unit; used to compute
+//! distances. Large meshes are subsampled.
 using MeshOutline = std::vector<Vector3<double>>;
 
 //! Returns an outline of about two thousand triangles at most. Skips triangles with non-finite
@@ -18,28 +18,32 @@ MeshOutline outline_of(const TriangleMesh& mesh);
 
 //! Outline of an object in space at an instant.
 struct PlacedOutline {
-  std::vector<Vector3<double>> corners;  //!< of triangles, pseudo-Cartesian [M]
+  std::vector<Vector3<double>> corners;  //!< corners of triangles, pseudo-Cartesian [M]
   ObjectPlacement placement;
-  bool retarded = false;  //!< light shows the object at its position when the light was emitted
+  //! True: the object is seen at its position at the time when the light left it.
+  bool retarded = false;
 
-  //! Returns the position at which light with a travel time [M] shows a point of the object.
+  //! Returns the position at which an observer sees the point `place` of the object, if its light
+  //! travels for `travel_time` [M].
   [[nodiscard]] Vector3<double> seen(const Vector3<double>& place, double travel_time) const;
 };
 
-//! A visible point near the hole, on an object that may move during the light travel time, or at
-//! rest.
+//! A point near the hole that eyes see: on an object, which may move during the light travel time,
+//! or at rest.
 struct SeenThing {
-  Vector3<double> place;                  //!< pseudo-Cartesian, at the time of the camera [M]
-  const PlacedOutline* object = nullptr;  //!< object that it belongs to; nullptr if at rest
+  //! Position at the time of the camera, pseudo-Cartesian [M].
+  Vector3<double> place;
+  //! Object to which the point belongs; nullptr for a point at rest.
+  const PlacedOutline* object = nullptr;
 
-  //! Returns the position at which light with a travel time [M] shows the point.
+  //! Returns the position at which the point is seen, if its light travels for `travel_time` [M].
   [[nodiscard]] Vector3<double> at(double travel_time) const {
     return object != nullptr ? object->seen(place, travel_time) : place;
   }
   [[nodiscard]] bool moves() const { return object != nullptr && object->retarded; }
 };
 
-//! Returns the outlines of a show's objects, one each, at a show time.
+//! Returns the outline of each of a show's objects at a show time.
 std::vector<PlacedOutline> place_outlines(const std::vector<ObjectSettings>& objects,
                                           std::span<const MeshOutline> outlines, double time_s);
 

@@ -21,7 +21,8 @@ layout(std140, binding = 0) uniform Eyes { vec4 eyes[330]; };
 #ifdef BESIDE
 layout(location = 26) uniform float beside;
 #endif
-// Evaluates Lagrange's cubic through four nodes, starting with `first`.
+// Returns the weights of Lagrange's cubic interpolation through four nodes, the first of which is
+// `first`.
 vec4 cubic_weights(float at, int first) {
   float t = at - float(first);
   return vec4(-(t - 1.0) * (t - 2.0) * (t - 3.0) / 6.0, 0.5 * t * (t - 2.0) * (t - 3.0),
@@ -57,7 +58,7 @@ vec4 read_table(float r_observer, float r, float angle) {
   return read_layer(0, first_column, first_row, across, up);
 #endif
 }
-// An eye from its components in the rest frame of the head.
+// An eye; its vectors have components in the rest frame of the head.
 struct Eye {
   vec3 outward;
   float r;
@@ -66,7 +67,8 @@ struct Eye {
 };
 Eye head() { return Eye(vec3(1.0, 0.0, 0.0), table_range.z, boost, view_from_frame); }
 #ifdef TURNING
-// The eye at a position to the right of the head and behind it, as fractions of the reach.
+// Returns the eye at a position to the right of the head (p) and behind it (q), both as fractions
+// of the maximum distance.
 Eye eye_beside(float p, float q) {
   vec4 outward = vec4(0.0);
   vec4 velocity = vec4(0.0);
@@ -93,7 +95,8 @@ Eye eye_beside(float p, float q) {
   return Eye(normalize(outward.xyz), outward.w, moved, transpose(mat3(right.xyz, up.xyz, back.xyz)));
 }
 #endif
-// `distance` is the affine distance of a photon with energy 1 at infinity.
+// Computes how an eye sees a position: direction and light travel time. `distance` is the affine
+// distance along a photon whose energy at infinity is 1.
 void see(Eye eye, vec3 place, out vec3 direction, out float time, out float distance) {
   float r = length(place);
   float along = dot(place, eye.outward);
@@ -102,7 +105,7 @@ void see(Eye eye, vec3 place, out vec3 direction, out float time, out float dist
   float phi = atan(beside, along);
   bool odd = order % 2 == 1;
   vec4 node = read_table(eye.r, r, odd ? half_turn * float(order - 1) + phi : half_turn * float(order) - phi);
-  // In line with the hole, every plane is valid; this takes one.
+  // If position and eye are in line with the hole, any plane through them is valid; selects one.
   vec3 across = beside > 0.0 ? aside / beside : vec3(0.0, 1.0, 0.0);
   float side = odd ? 1.0 : -1.0;
   float span = length(node.xy);
@@ -110,7 +113,8 @@ void see(Eye eye, vec3 place, out vec3 direction, out float time, out float dist
   time = r * eye.r * span;
   distance = node.w * time;
 }
-// Aberration as in kernels/spacetime/kerr/frame_boost.h, and the photon's energy in the moving frame over that at rest.
+// Computes the aberration as in kernels/spacetime/kerr/frame_boost.h, and the ratio of the photon's
+// energy in the moving frame to that in the rest frame.
 vec3 view_direction(Eye eye, vec3 n, out float energy) {
   float along = dot(n, eye.boost.xyz);
   vec3 across = n - along * eye.boost.xyz;
@@ -128,8 +132,9 @@ vec2 eye_offset(vec3 view) {
   float part = clamp((level - turning.z) * turning.w, 0.0, 1.0);
   return part * part * (3.0 - 2.0 * part) * turning.x / level * vec2(-view.z, view.x);
 }
-// The direction of the view in which a point appears, in the frame of the eye that sees it there: outward, and two more
-// axes. The eye turns with that direction, so both are found by iteration.
+// Finds the direction of the view in which a point appears, and its direction in the frame of the
+// eye that looks there (outward, and two more axes). The position of an ODS eye depends on the view
+// direction, so both are found by iteration.
 void look(vec3 place, out vec3 direction, out vec3 view, out float time) {
   Eye eye = head();
   vec3 shift = vec3(0.0);
@@ -139,7 +144,8 @@ void look(vec3 place, out vec3 direction, out vec3 view, out float time) {
     float energy;
     see(eye, place, direction, time, distance_of_it);
     vec3 seen = view_direction(eye, direction, energy);
-    // From a sphere around the head on which both eyes see the same point.
+    // The view direction is that of the point where the eye's line of sight meets a sphere of
+    // radius 1 around the head. Both eyes see a point of that sphere in the same view direction.
     float along = dot(seen, shift);
     vec3 next = shift + (sqrt(max(along * along + 1.0 - dot(shift, shift), 0.0)) - along) * seen;
     bool found = distance(next, view) < 3e-6;
@@ -204,7 +210,7 @@ float lens_radius(float angle) {
   }
   return angle / lens.z;
 }
-// On the dome: right, front, zenith.
+// Returns a position on the dome, with components to the right, to the front and to the zenith.
 vec3 dome_place(vec3 view) {
   vec3 at = view;
   if (viewer.w > 0.0) {
@@ -238,13 +244,14 @@ bool torn_by_projection(vec3 a, vec3 b, vec3 c) {
     vec3 p = dome_place(a);
     vec3 q = dome_place(b);
     vec3 r = dome_place(c);
-    // Opposite the zenith, one direction is a whole circle. An orthographic lens sees nothing behind it.
+    // The direction opposite the zenith is mapped to a whole circle. An orthographic lens sees
+    // nothing behind it.
     float highest = max(p.z, max(q.z, r.z));
     float lowest = min(p.z, min(q.z, r.z));
     return (law == 3 && lowest < 0.0) || (highest < -0.3 && (wide(p.xy, q.xy) || wide(q.xy, r.xy) || wide(r.xy, p.xy)));
   }
   if (kind == equirectangular || kind == cylinder) {
-    // At the poles, one direction is a whole row.
+    // The direction of a pole is mapped to a whole row.
     return min(abs(a.y), min(abs(b.y), abs(c.y))) > 0.9 && (wide(a.xz, b.xz) || wide(b.xz, c.xz) || wide(c.xz, a.xz));
   }
   return false;

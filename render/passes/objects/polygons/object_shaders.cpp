@@ -28,8 +28,9 @@ void main() {
 }
 )";
 
-// Tessellation levels by how far the middle of an edge bulges on the screen: eqs. 18 and 19.
-// Quantities that depend on both ends symmetrically agree for both patches at an edge.
+// Computes tessellation levels from how much the middle of an edge deviates from a straight line on
+// the screen: eqs. 18 and 19 of the paper. All quantities are symmetric in both ends of an edge, so
+// that the two patches at an edge agree.
 const char* const control_main = R"(
 layout(vertices = 3) out;
 layout(location = 14) uniform vec4 tessellation;
@@ -52,7 +53,7 @@ float level(int from, int to, int between) {
   float share = len > 0.0 ? tessellation.y * pow(bow / len, tessellation.z) : 0.0;
   return max(1.0, tessellation.x * clamp(share, 0.0, 1.0));
 }
-// Corners, and the midpoints of the opposite edges.
+// Computes how the three corners, and the midpoints of the opposite edges, are seen.
 void see_ends_and_middles() {
   for (int i = 0; i < 6; ++i) {
     vec3 place = i < 3 ? corner_place[i] : 0.5 * (corner_place[(i + 1) % 3] + corner_place[(i + 2) % 3]);
@@ -115,7 +116,7 @@ void main() {
 )";
 
 // Discards triangles that the hole or the projection tears apart. If the picture wraps around,
-// triangles that leave it on one side are drawn on the other side, too.
+// triangles that extend beyond one side are also drawn on the other side.
 const char* const geometry_main = R"(
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 9) out;
@@ -138,7 +139,8 @@ bool torn_by_hole() {
     around += distance(seen_direction[i], seen_direction[(i + 1) % 3]);
     around_flat += distance(flat_direction[i], flat_direction[(i + 1) % 3]);
   }
-  // A triangle that spans little of the ring around the hole is kept, however much it is magnified.
+  // Keeps triangles that cover only a small part of the ring around the hole, however much they are
+  // magnified.
   float widest = 1.0;
   for (int i = 0; i < 3; ++i) {
     vec2 one = seen_direction[i].yz;
@@ -190,7 +192,8 @@ in vec2 texture_place;
 in vec3 corner_light;
 layout(location = 0) out vec4 shown;
 float lapse(float r) { return sqrt((r - 2.0) / r); }
-// Light that reaches a surface along the shorter way (side 1) or the longer way (side -1): eqs. 20 and 21.
+// Returns the illuminance of a surface by light that arrives on the shorter way around the hole
+// (side 1) or on the longer way (side -1): eqs. 20 and 21 of the paper.
 float illuminance(float side) {
   float r = length(place);
   float r_light = light_table_range.z;
@@ -209,7 +212,8 @@ float illuminance(float side) {
   vec3 radial = place / r;
   vec3 onward = side * (cos(phi) * across - sin(phi) * outward);
   vec3 to_light = emission.x * radial - emission.y * onward;
-  // Radial lengths exceed coordinate differences, so the radial component of a normal shrinks.
+  // Transforms the normal to the rest frame. Radial lengths are larger than coordinate differences,
+  // so the radial component of a normal is smaller.
   vec3 n = normalize(normal);
   vec3 measured = normalize(n + (lapse(r) - 1.0) * dot(n, radial) * radial);
   return light.w * max(0.0, dot(measured, to_light)) / (time * time);

@@ -10,11 +10,13 @@ namespace ergodome {
 //! Uniform locations. Positions and directions are in the observer's rest frame, with components
 //! along (e_r, e_θ, e_φ): the outward component comes first.
 enum ObjectUniform : int {
-  uniform_model = 0,            //!< mat3: from the mesh to that frame, including the size
-  uniform_position = 1,         //!< vec3: center of the mesh [M]
-  uniform_turn = 2,             //!< mat3: uniform_model without the size
-  uniform_order = 3,            //!< int: image order, from 1
-  uniform_table_range = 4,      //!< vec4: minimum and maximum of 1/r, the observer's r, √(1 - 2/r) there
+  //! Mat3: from the mesh's coordinates to the rest frame, including the size.
+  uniform_model = 0,
+  uniform_position = 1,  //!< vec3: center of the mesh [M]
+  uniform_turn = 2,      //!< mat3: uniform_model without the size
+  uniform_order = 3,     //!< int: image order, from 1
+  //! Vec4: minimum and maximum of 1/r in the table, the observer's r, √(1 - 2/r) at the observer.
+  uniform_table_range = 4,
   uniform_view_from_frame = 5,  //!< mat3
   uniform_boost = 6,          //!< vec4: axis and stretch of the aberration from the rest frame to the observer's frame
   uniform_kind = 7,           //!< int: ProjectionKind
@@ -30,12 +32,14 @@ enum ObjectUniform : int {
   uniform_textured = 17,      //!< int
   uniform_light = 18,         //!< vec4: position and strength; the surface is emissive if the strength is 0
   uniform_light_table_range = 19,  //!< vec4: like uniform_table_range, for the light
-  uniform_table_orders = 20,       //!< int: of the observer's table; the light's table has two
-  uniform_table_observers = 21,    //!< vec2: minimum and maximum of the observers' 1/r in the table
-  uniform_turning =
-      22,  //!< vec4: ODS eyes as in OmniCameraOf: offset, inverse convergence, start of the fade, its scale
+  //! Int: number of image orders in the observer's table; the light's table has two.
+  uniform_table_orders = 20,
+  uniform_table_observers = 21,  //!< vec2: minimum and maximum of the observers' 1/r in the table
+  //! Vec4: ODS eyes as in OmniCameraOf: offset, inverse of the convergence distance, start of the
+  //! fade, scale of the fade.
+  uniform_turning = 22,
   uniform_inverse_reach = 23,   //!< float
-  uniform_degree = 24,          //!< int: of the polynomials
+  uniform_degree = 24,          //!< int: degree of the polynomials
   uniform_face_from_view = 25,  //!< mat3
   uniform_beside = 26,          //!< float: distance of an eye of the model `flat` to the right of the head [M]
 };
@@ -48,8 +52,9 @@ inline constexpr int unit_image = 2;
 //! Uniform block: polynomials of omnidirectional stereo eyes (TurningView).
 inline constexpr int block_eyes = 0;
 
-//! How positions are seen: by a camera, by omnidirectional stereo eyes, or by an eye beside a head
-//! whose lens both share. Each variant is compiled separately, without the uniforms of the others.
+//! What sees the positions: a camera, an omnidirectional stereo eye, or an eye of the model `flat`
+//! beside a head whose lens both eyes use. Each variant of the shaders is compiled separately,
+//! without the uniforms of the others.
 enum class ObjectSight { camera, turning, beside };
 
 std::string object_vertex_source();

@@ -20,14 +20,15 @@ class ObjectTarget {
   //! Binds the target and clears it to no light, no coverage and maximum depth.
   void begin() const;
 
-  //! Reads light times coverage, and coverage: four floats per pixel, bottom row first.
+  //! Reads the drawn pixels: light times coverage, and coverage; four floats per pixel, bottom row
+  //! first.
   void read(std::vector<float>& rgba) const;
 
   static constexpr int samples = 4;
   //! Pictures are drawn in tiles of this size to limit memory.
   static constexpr int longest_side_px = 2048;
-  //! Returns the size of a target: four halves and a depth per sample, and four halves of the
-  //! resolved picture.
+  //! Returns the memory of a target [bytes]: four halves and a depth per sample, and four halves
+  //! per pixel of the resolved picture.
   static constexpr long bytes_for(int width, int height) {
     return static_cast<long>(width) * height * (samples * (8L + 4L) + 8L);
   }

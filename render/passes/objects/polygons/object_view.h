@@ -5,15 +5,18 @@
 
 namespace ergodome {
 
-//! Parameters of an eye for shaders: its rest frame (e_r, e_θ, e_φ), and the transformations from
-//! there to its view.
+//! Parameters of an eye for shaders: the rest frame (e_r, e_θ, e_φ) at its position, and the
+//! transformations from that frame to its view.
 struct ObjectView {
   double r;                      //!< [M]
   Vector3<double> axes[3];       //!< e_r, e_θ, e_φ in pseudo-Cartesian components
-  double view_from_frame[3][3];  //!< by rows
-  double face_from_view[3][3];   //!< to the axes of a cube face; identity for other projections
-  Vector3<double> boost_axis;    //!< direction of the observer's motion
-  double boost_stretch;  //!< of the aberration from the rest frame to the observer's (kernels/metric/frame_boost.h)
+  double view_from_frame[3][3];  //!< rotation matrix, row by row
+  //! Rotation to the axes of a cube face; identity for other projections.
+  double face_from_view[3][3];
+  Vector3<double> boost_axis;  //!< direction of the observer's motion
+  //! Stretch of the aberration from the rest frame to the observer's frame
+  //! (kernels/metric/frame_boost.h).
+  double boost_stretch;
 
   //! Returns the components of a pseudo-Cartesian vector along `axes`.
   [[nodiscard]] Vector3<double> in_frame(const Vector3<double>& v) const {
@@ -25,8 +28,8 @@ struct ObjectView {
 //! without spin.
 ObjectView object_view(const EyeCamera& eye);
 
-//! Converts a face of a cube to a flat screen, with a view rotated to it. Other projections and
-//! their views stay unchanged.
+//! Replaces the projection of a cube face by a flat screen, and rotates the view to that face. Does
+//! not change other projections and their views.
 void turn_to_face(Projection& projection, ObjectView& view);
 
 //! Sets the projection's uniforms of the current program (ObjectUniform). The projection must not

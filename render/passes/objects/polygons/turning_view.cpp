@@ -15,8 +15,8 @@ namespace ergodome {
 namespace {
 
 constexpr std::size_t turning_numbers = 4 * turning_groups;
-//! Error limits of directions [rad], and relative ones of radii; errors by single-precision
-//! rounding are as large.
+//! Accepted errors of the fit: of directions [rad], and relative errors of radii. Rounding errors
+//! in single precision are about as large.
 constexpr double fine_turning_fit = 1e-6;
 constexpr double coarsest_turning_fit = 1e-4;
 
@@ -24,7 +24,7 @@ void put(std::vector<double>& to, const Vector3<double>& v, double fourth) {
   to.insert(to.end(), {v.x, v.y, v.z, fourth});
 }
 
-//! Returns the numbers of an eye; see turning_groups.
+//! Returns the numbers that describe an eye; see turning_groups.
 std::vector<double> numbers_of_eye(const ObjectView& head, const EyeCamera& eye) {
   const ObjectView own = object_view(eye);
   Vector3<double> axes[3];
@@ -56,7 +56,7 @@ double largest_error(const DiskNumbers& numbers_at, int degree, const std::vecto
   return largest;
 }
 
-//! Reorders coefficients from number-major to term-major.
+//! Reorders coefficients: from grouped by number to grouped by term.
 std::vector<float> by_terms(const std::vector<double>& coefficients) {
   const std::size_t terms = coefficients.size() / turning_numbers;
   std::vector<float> turned(coefficients.size());
@@ -66,7 +66,7 @@ std::vector<float> by_terms(const std::vector<double>& coefficients) {
   return turned;
 }
 
-//! Returns a slightly enlarged range of the radii of eyes at many positions.
+//! Returns the range of the radii of eyes at many positions, slightly enlarged.
 RadialRange radii_of(const DiskNumbers& numbers_at, double head_r) {
   RadialRange radii{head_r, head_r};
   for (const DiskPoint& point : disk_points(2, 16, 0.0)) {

@@ -14,10 +14,11 @@ inline constexpr int turning_groups = 5;
 
 //! Parameters for shaders of an omnidirectional stereo eye (kernels/spacetime/trace/omni_camera.h).
 struct TurningView {
-  OmniCameraOf<float> eye;          //!< how it turns; its own polynomials are not used
-  int degree;                       //!< of the polynomials in `coefficients`
+  //! Offset, convergence and fade of the eye; its polynomials are not used.
+  OmniCameraOf<float> eye;
+  int degree;                       //!< degree of the polynomials in `coefficients`
   std::vector<float> coefficients;  //!< by terms (render/eyes/disk_fit.h), turning_groups of four numbers each
-  RadialRange radii;                //!< range of the eye's radii [M]
+  RadialRange radii;                //!< range of the radii that the eye reaches as it turns [M]
 };
 
 //! Computes the parameters of an eye around a head; `eye_at` returns the eye at an offset. Throws

@@ -6,12 +6,12 @@
 
 namespace ergodome {
 
-//! A part of a picture over which the projection is smooth and can be continued smoothly beyond its
-//! edges: the whole picture, or one face of a cube. Light that spreads across the edge of a sheet
-//! is drawn on every sheet that it reaches.
+//! A sheet: a part of a picture over which the projection is smooth and can be continued smoothly
+//! beyond its edges. A sheet is the whole picture, or one face of a cube. Light that spreads across
+//! the edge of a sheet is drawn on every sheet that it reaches.
 struct PictureSheet {
-  Projection projection;  //!< projection of the sheet as if it were a picture of its own
-  PixelCell cell;         //!< its position in the picture
+  Projection projection;  //!< projection of the sheet as a separate picture
+  PixelCell cell;         //!< position of the sheet in the picture
 };
 
 //! Returns the sheets of a picture: one, or one per cube face in the order of the faces.

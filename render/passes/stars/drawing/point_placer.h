@@ -10,7 +10,8 @@
 
 namespace ergodome {
 
-//! Points of light in a backend's memory, including unused entries for images outside the picture.
+//! Points of light in a backend's memory. Entries for images outside the picture are marked as
+//! unused.
 struct PlacedPoints {
   const StarPoint* points = nullptr;
   int count = 0;

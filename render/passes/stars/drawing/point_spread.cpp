@@ -8,8 +8,8 @@ namespace ergodome {
 
 namespace {
 
-//! Error function interpolated by cubics at equal steps, accurate to 1e-6. Each point evaluates it
-//! about ten times.
+//! The error function, interpolated by cubics between equidistant nodes, accurate to 1e-6. Each
+//! point of light needs about ten values.
 class ErrorFunction {
  public:
   ErrorFunction() {
@@ -38,7 +38,7 @@ class ErrorFunction {
   static constexpr int steps = 128;
   struct Entry {
     float value;
-    float slope;  //!< per step
+    float slope;  //!< derivative times the distance of the nodes
   };
   std::array<Entry, steps + 1> entries_{};
 };

@@ -7,14 +7,14 @@ namespace ergodome {
 
 namespace {
 
-//! Rows lie at equal steps of ln g. Over one step near g = 1, stars of 6,000 K gain a tenth and the
-//! coldest stars a third. The bound of the first row holds for all smaller g; patches report no g
-//! above 10⁶.
+//! The rows of the table are at equal steps of ln g, where g is the frequency ratio. Over one step
+//! near g = 1, stars of 6,000 K become brighter by a tenth and the coldest stars by a third. The
+//! bound of the first row holds for all smaller g; patches have no g above 10⁶.
 constexpr float log_first = -4.0F;
 constexpr float log_step = 0.02F;
 constexpr int shifted_rows = 901;
 
-//! Returns ln of the factor by which a shift changes the luminance of a blackbody.
+//! Returns ln of the factor by which a frequency shift changes the luminance of a blackbody.
 float log_gain(const BlackbodyTable& colours, float log_temperature, float log_ratio) {
   return read_blackbody(colours, log_temperature + log_ratio).x - read_blackbody(colours, log_temperature).x;
 }

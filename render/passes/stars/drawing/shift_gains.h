@@ -7,20 +7,21 @@
 
 namespace ergodome {
 
-//! Upper bounds of the luminance gain of stars seen with a frequency ratio. Tabulated without
-//! exponentials and logarithms at lookup, because the image search reads them for each patch.
+//! Upper bounds of the factor by which a frequency shift changes the luminance of stars, by class
+//! of star color and by frequency ratio. They are tabulated, so that look-ups need no exponentials
+//! and logarithms: the image search reads them for each patch.
 class ShiftGains {
  public:
   //! `colours` is in host memory.
   explicit ShiftGains(const BlackbodyTable& colours);
 
-  //! Returns the lowest row that bounds the gain for `frequency_ratio` and below.
+  //! Returns the lowest row whose bounds hold for `frequency_ratio` and all lower ratios.
   [[nodiscard]] static int row_of(float frequency_ratio);
 
   //! Returns the row for unshifted light, with gain 1.
   static int unshifted_row();
 
-  //! Returns the upper bounds of the gain for each class.
+  //! Returns the upper bounds in a row, one for each class of star color.
   [[nodiscard]] const ShiftGain& row(int number) const { return rows_[static_cast<std::size_t>(number)]; }
 
   [[nodiscard]] const std::vector<ShiftGain>& rows() const { return rows_; }

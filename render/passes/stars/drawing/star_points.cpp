@@ -13,12 +13,12 @@ namespace ergodome {
 
 namespace {
 
-//! Enough for a line across a whole 4k dome.
+//! Maximum number of points in a line: enough for a line across a whole 4k dome.
 constexpr int most_line_points = 8192;
 
 double row_of_point(const StarPoint& point) { return std::floor(point.y_px); }
 
-//! Collects points on one sheet, in pixels of the sheet.
+//! Collects points on one sheet (PictureSheet), in pixel coordinates of the sheet.
 class PointList {
  public:
   PointList(const StarSheet& sheet, std::vector<StarPoint>& points) : sheet_(sheet), points_(points) {}
@@ -50,8 +50,8 @@ class PointList {
   }
 
  private:
-  //! Returns whether a line lies entirely on one side of the sheet. Far from the center of a plane
-  //! projection lines become arbitrarily long.
+  //! Returns whether a line is entirely beyond one side of the sheet, so that it need not be drawn.
+  //! In a plane projection, lines far from the center become arbitrarily long.
   [[nodiscard]] bool passes_by(const double (&from)[2], const double (&to)[2], double reach) const {
     const Projection& projection = sheet_.projection;
     const auto beside = [&](int axis, double size) {
@@ -77,7 +77,7 @@ std::vector<StarPoint> by_row(const std::vector<std::vector<StarPoint>>& parts) 
   if (!(top <= bottom)) {
     return {};
   }
-  // Counting sort: start of each row.
+  // Counting sort: computes the index of the first point of each row.
   std::vector<std::size_t> place(static_cast<std::size_t>(bottom - top) + 2U, 0);
   const auto row = [&](const StarPoint& point) { return static_cast<std::size_t>(row_of_point(point) - top); };
   for (const std::vector<StarPoint>& part : parts) {
@@ -109,8 +109,8 @@ std::vector<StarPoint> as_they_are(const std::vector<std::vector<StarPoint>>& pa
   return points;
 }
 
-//! Calls body(begin, end, list) for each sheet of a picture and each chunk of `count` items.
-//! Returns the points.
+//! Calls body(begin, end, list) for each sheet of a picture and each chunk of the `count` items,
+//! and returns all points that were added to the lists.
 template <class Body>
 std::vector<StarPoint> points_on_sheets(const Projection& projection, const SplatSettings& settings, std::size_t count,
                                         PointOrder order, const Body& body) {

@@ -18,8 +18,8 @@ constexpr int splat_band_rows = 32;
 
 double row_of(const StarPoint& point) { return std::floor(point.y_px); }
 
-//! Returns whether all pixels of a rectangle are entirely inside the image. Testing its corners
-//! suffices for all projections except cubes, whose faces are drawn one by one.
+//! Returns whether all pixels of a rectangle are entirely inside the image. It suffices to test the
+//! corners for all projections except cubes, whose faces are drawn separately.
 bool is_all_inside(const Projection& projection, int left, int right, int top, int bottom) {
   const auto inside = [&](int x, int y) { return image_coverage(projection, x + 0.5, y + 0.5) >= 1.0; };
   return projection.kind != ProjectionKind::cube && inside(left, top) && inside(right, top) && inside(left, bottom) &&
@@ -37,8 +37,8 @@ void add_whole_row(const PointSpread& across, const float (&light)[4], float* rg
   }
 }
 
-//! Adds the pixels of one point that lie in rows [top, bottom) and in a cell of the picture. `rgba`
-//! begins at row `origin`.
+//! Adds the light of one point to those pixels that are in rows [top, bottom) and in a cell of the
+//! picture. `rgba` begins at row `origin`.
 void add(const StarPoint& splat, const Projection& projection, const PixelCell& cell, const SplatSettings& settings,
          int top, int bottom, int origin, float* rgba) {
   const double reach = settings.reach_px() - 1.0;

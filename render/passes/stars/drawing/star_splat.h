@@ -13,9 +13,11 @@ namespace ergodome {
 
 //! Settings for drawing points on pixels.
 struct SplatSettings {
-  double sigma_px = 0.0;  //!< of the Gaussian; 0 draws each image on a single pixel
-  float scale = 1.0F;     //!< picture value of a luminance of 1 cd/m²
-  float spikes_from = std::numeric_limits<float>::infinity();  //!< minimum illuminance of images with spikes [lx]
+  //! Standard deviation of the Gaussian spot; 0 draws each image on a single pixel.
+  double sigma_px = 0.0;
+  float scale = 1.0F;  //!< picture value of a luminance of 1 cd/m²
+  //! Minimum illuminance of star images that have spikes [lx].
+  float spikes_from = std::numeric_limits<float>::infinity();
   float spike_strength = 0.0F;  //!< fraction of the light of such images that goes into spikes
   double spike_reach_px = 0.0;
   double cutoff_px = 0.0;  //!< radius at which the Gaussian ends; 0: three sigma
@@ -29,25 +31,26 @@ struct SplatSettings {
 //! invisible in a dome. No spot extends beyond widest_splat_px.
 SplatSettings scaled_to(const SplatSettings& settings, const Projection& projection);
 
-//! Returns the sheets of a picture on which images become points.
+//! Returns the sheets of a picture (PictureSheet), on which star images become points.
 std::vector<StarSheet> star_sheets(const Projection& projection, const SplatSettings& settings);
 
-//! Order of points: by row for splat_points(), or in the order of the images, which suffices for
-//! TiledStars.
+//! Order of the points: sorted by row for splat_points(), or as the images are ordered, which
+//! suffices for TiledStars.
 enum class PointOrder { by_row, of_images };
 
-//! Returns the points of all images that lie in a picture or close enough beside it.
+//! Returns the points of all images that lie in a picture, or so close to its edge that their light
+//! reaches it.
 //!
 //! Near the edge of a cube face, an image yields a point on each face that its light may reach.
 //!
-//! A pixel's value is the illuminance on it divided by its solid angle, a luminance like that of
-//! the sky map.
+//! The value of a point on a pixel is the illuminance divided by the pixel's solid angle, which is
+//! a luminance like that of the sky map.
 std::vector<StarPoint> star_points(const std::vector<StarImage>& images, const EyeCamera& eye,
                                    const Projection& projection, const SplatSettings& settings,
                                    PointOrder order = PointOrder::by_row);
 
-//! Does the same for image trails during an exposure. Each trail becomes a row of points that share
-//! its light.
+//! Returns the points of image trails during an exposure. Each trail becomes a row of points that
+//! share its light.
 std::vector<StarPoint> trail_points(const StarTrails& trails, const Shutter& shutter, const Projection& projection,
                                     const SplatSettings& settings, PointOrder order = PointOrder::by_row);
 

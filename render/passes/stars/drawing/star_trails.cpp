@@ -9,18 +9,18 @@ namespace ergodome {
 
 namespace {
 
-//! An image that moves farther than this in one step, or from its extrapolated position, is
-//! considered a different one [rad].
+//! Maximum angle by which an image moves in one step, or differs from its extrapolated position
+//! [rad]. A larger one means that it is a different image.
 constexpr double farthest_step = 0.2;
-//! Stands in for the unknown distance to the shadow's edge [rad]: adds a round of refinement where
-//! the map may change quickly.
+//! Value used for the distance to the shadow's edge, which is not known here [rad]. It causes one
+//! more round of refinement where the lens map may change quickly.
 constexpr double cautious_distance = 0.1;
 
 Vector3<double> widened(const Vector3<float>& v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
 
-//! Follows all images in one direction of time through the eyes of a shutter.
+//! Follows all images forward or backward in time through the eyes of a shutter.
 class Follower {
  public:
   Follower(const std::vector<StarImage>& images, const StarField& field, double pixel, StarTrails& trails)
@@ -61,7 +61,7 @@ class Follower {
     return trails_.directions[image * static_cast<std::size_t>(trails_.places) + static_cast<std::size_t>(at)];
   }
 
-  //! Returns a candidate at the position extrapolated from the image's previous motion.
+  //! Returns a candidate for the image at eye `to`, extrapolated from the image's motion so far.
   StarCandidate candidate(const StarEye& eye, std::size_t i, int from, int to) {
     const FieldStar& star = field_.stars()[static_cast<std::size_t>(images_[i].star)];
     const Vector3<double>& d = star.direction;

@@ -4,16 +4,16 @@
 
 namespace ergodome {
 
-//! Eyes at equal time steps while the shutter is open. Their number is odd; the middle one is the
-//! picture's eye.
+//! Eyes at equal time steps while the shutter is open. Their number is odd; the one in the middle
+//! is the picture's eye.
 struct Shutter {
   std::vector<StarEye> eyes;
 };
 
 //! Motion of star images while a shutter is open.
 struct StarTrails {
-  //! One image, visible to the shutter's eyes [first, last]: next to a caustic or the shadow,
-  //! images appear and disappear. Positions are in the frames of these eyes.
+  //! The trail of one image. It is visible to the shutter's eyes with indices from `first` to
+  //! `last`: next to a caustic or the shadow, images appear and disappear.
   struct Way {
     int first;
     int last;
@@ -22,11 +22,12 @@ struct StarTrails {
 
   int places = 0;  //!< number of eyes of the shutter
   std::vector<Way> ways;
-  std::vector<Vector3<float>> directions;  //!< unit vectors, `places` per image
+  //! Direction of each image in the frame of each eye: unit vectors, `places` per image.
+  std::vector<Vector3<float>> directions;
 };
 
-//! Follows images by ray tracing from the middle of the exposure to both ends, keeping the identity
-//! of each. `pixel`: angle of a pixel [rad].
+//! Traces the motion of each image with rays, from the middle of the exposure to its beginning and
+//! end. `pixel`: angle of a pixel [rad].
 StarTrails star_trails(const std::vector<StarImage>& images, const StarField& field, const Shutter& shutter,
                        double pixel);
 

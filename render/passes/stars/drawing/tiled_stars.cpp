@@ -15,7 +15,7 @@ namespace {
 //! Number of threads that share the tiles of a point with spikes, row by row.
 constexpr int threads_of_spikes = 16;
 
-//! Throws Error with a remedy if there is more than the GPU can list.
+//! Throws Error with a remedy if the GPU cannot list that many (point, tile) pairs.
 void require_listable(double members, double most, const char* remedy) {
   if (members > most) {
     throw Error("stars", "cover more pixels than the GPU can list",
@@ -29,7 +29,7 @@ double most_members(int points, double reach_px) {
   return points * across * across;
 }
 
-//! Maximum number of pairs that can be counted, and that can be listed (1 GB).
+//! Maximum number of pairs that can be counted, and maximum number that can be listed (1 GB).
 constexpr double most_counted = 2e9;
 constexpr double most_listed = 2.5e8;
 
@@ -131,7 +131,7 @@ StarLightBatch TiledStars::batch_of(const Placed& placed) const {
   batch.members = placed.numbers.data();
   batch.tile_columns = columns();
   if (splat_.sigma_px > 0.0) {
-    // One pixel less than the full reach, which includes the pixel that holds the end of the
+    // Uses one pixel less than reach_px(), which includes the pixel that contains the end of the
     // Gaussian.
     const double reach = splat_.reach_px() - 1.0;
     const double narrower = 1.0 / (splat_.sigma_px * std::numbers::sqrt2);

@@ -10,8 +10,9 @@
 
 namespace ergodome {
 
-//! Draws stars on a picture in a backend's memory, pixel by pixel: the equivalent of splat_points()
-//! and of the spikes. Reuses its memory from picture to picture.
+//! Draws stars on a picture in a backend's memory. Each pixel adds up the points near it: the
+//! equivalent of splat_points() and add_diffraction() for GPUs. Reuses its memory from picture to
+//! picture.
 class TiledStars {
  public:
   explicit TiledStars(Backend backend) : backend_(backend) {}
@@ -21,7 +22,7 @@ class TiledStars {
   void set(const std::vector<StarPoint>& points, const Projection& projection, const SplatSettings& splat,
            const DiffractionPattern* pattern);
 
-  //! Does the same for points in the backend's memory, which must stay valid until they are drawn.
+  //! Sets points that are already in the backend's memory and must stay valid until they are drawn.
   void set(const PlacedPoints& points, const Projection& projection, const SplatSettings& splat,
            const DiffractionPattern* pattern);
 
@@ -29,7 +30,7 @@ class TiledStars {
   void draw(int first_row, int row_count, float* rgba) const;
 
  private:
-  //! Points grouped by the tiles that they illuminate.
+  //! Points grouped by the picture tiles that their light reaches.
   struct Placed {
     long members = 0;
     Buffer<std::int32_t> counts;
@@ -50,7 +51,7 @@ class TiledStars {
   Placed spots_;
   Placed spikes_;
   Buffer<float> pattern_;
-  std::vector<float> pattern_there_;  //!< data that `pattern_` holds
+  std::vector<float> pattern_there_;  //!< the pattern that the buffer `pattern_` currently contains
   int pattern_px_ = 0;
 };
 

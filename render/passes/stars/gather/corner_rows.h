@@ -11,21 +11,21 @@ namespace ergodome {
 struct CornerRay {
   Vector3<double> sky;
   double frequency_ratio;
-  bool seen;  //!< it was traced, and its light comes from the sky
+  bool seen;  //!< true if the ray was traced and its light comes from the sky
 };
 
-//! Corners of some rows of pixels. Each corner is traced once, so that neighboring pixels have
-//! bit-identical common edges.
+//! Rays through the corners of some rows of pixels. Each corner is traced once, so that neighboring
+//! pixels have bit-identical common edges.
 class CornerRows {
  public:
   CornerRows(const StarEye& eye, const Projection& projection)
       : eye_(eye), projection_(projection), width_(static_cast<std::size_t>(projection.width_px) + 1) {}
 
-  //! Advances to the next rows of pixels.
+  //! Traces the corners of the next rows of pixels.
   void trace(int first_row, int row_count);
 
-  //! Returns the index of the top left corner of a pixel. In a full turn, the right edge is
-  //! identical to the left one.
+  //! Returns the index of the top left corner of a pixel. If the picture covers a full turn, its
+  //! right edge is the same as its left one.
   [[nodiscard]] int number(int row, int column) const {
     const bool turned = wraps_around(projection_) && column == projection_.width_px;
     return (row - first_row_) * (projection_.width_px + 1) + (turned ? 0 : column);

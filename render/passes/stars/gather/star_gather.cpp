@@ -14,10 +14,11 @@ namespace {
 
 //! Number of pixel rows whose corners are stored at a time.
 constexpr int block_rows = 32;
-//! Largest chord between a polygon's center and its furthest corner (a quarter of a radian); wider
-//! polygons are skipped.
+//! Maximum chord between the center of a polygon and its farthest corner (a quarter of a radian).
+//! Wider polygons are skipped.
 constexpr double widest_chord = 0.2493;
-//! Keeps a star inside its pixel when its position is rounded to float.
+//! Minimum distance of a star from the edges of its pixel [px], so that rounding its position to
+//! float does not move it to another pixel.
 constexpr double seam_margin_px = 2e-3;
 
 //! Returns the solid angle of a triangle [sr], positive if a, b, c run counterclockwise seen from
@@ -26,8 +27,8 @@ double signed_solid_angle(const Vector3<double>& a, const Vector3<double>& b, co
   return 2.0 * std::atan2(dot(a, cross(b - a, c - a)), 1.0 + dot(a, b) + dot(b, c) + dot(c, a));
 }
 
-//! Corners of a pixel in the order top left, top right, bottom right, bottom left; `halves` splits
-//! it into two triangles.
+//! Indices of a pixel's corners: top left, top right, bottom right, bottom left. `halves` divides
+//! the pixel into two triangles.
 using Quad = std::array<int, 4>;
 constexpr std::size_t halves[2][3] = {{0, 1, 2}, {0, 2, 3}};
 constexpr int right_of[4] = {0, 1, 1, 0};
@@ -85,12 +86,12 @@ class Gatherer {
     return true;
   }
 
-  //! Returns whether a star lies to the left of the arc from one corner to another. `weight`: its
+  //! Returns whether a star is to the left of the arc from one corner to another. `weight`: its
   //! distance from the arc's plane times the arc's length.
   //!
   //! The sign is always computed for the direction from the lower to the higher corner index, and a
-  //! star exactly on the arc counts as left of it. Polygons on both sides of an edge thus get
-  //! consistent results, and exactly one of them contains the star.
+  //! star exactly on the arc counts as left of that direction. Therefore the polygons on both sides
+  //! of an edge get consistent results, and exactly one of them contains the star.
   [[nodiscard]] bool is_left(const Vector3<double>& star, int from, int to, double& weight) const {
     const bool forwards = from < to;
     const double side = dot(star, cross(corners_[std::min(from, to)].sky, corners_[std::max(from, to)].sky));
@@ -98,9 +99,9 @@ class Gatherer {
     return (side >= 0.0) == forwards;
   }
 
-  //! Returns whether a triangle of the polygon contains a star, excluding the antipodal side of the
-  //! sky. The triangle may be mirrored. `weights`: barycentric weights of its corners, not
-  //! normalized.
+  //! Returns whether a triangle of the polygon contains a star. Stars on the opposite side of the
+  //! sky do not count. The triangle may be mirrored. `weights`: barycentric weights of its corners,
+  //! not normalized.
   [[nodiscard]] bool holds(const Quad& quad, const std::size_t (&half)[3], const Vector3<double>& star,
                            double (&weights)[3]) const {
     const bool first = is_left(star, quad[half[0]], quad[half[1]], weights[2]);

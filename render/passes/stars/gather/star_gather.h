@@ -10,24 +10,27 @@
 
 namespace ergodome {
 
-//! A star inside the polygon that a pixel covers on the sky.
+//! A star inside the polygon of sky that a pixel covers.
 struct GatheredStar {
-  int star;  //!< index in the field
+  int star;  //!< index of the star in the field
   int x_px;  //!< column and row of the pixel
   int y_px;
-  float x_inside;              //!< horizontal position in the pixel, 0 to 1, linearly interpolated
-  float y_inside;              //!< the same downwards
-  float frequency_ratio;       //!< g = ν_observed / ν_emitted, mean of the pixel's corners
-  float magnification;         //!< of the solid angle, mean over the pixel; negative for mirrored images
+  float x_inside;         //!< horizontal position in the pixel, 0 to 1, linearly interpolated
+  float y_inside;         //!< vertical position in the pixel, 0 to 1 downwards, likewise
+  float frequency_ratio;  //!< g = ν_observed / ν_emitted, mean of the pixel's corners
+  //! Factor of the solid angle, mean over the pixel; negative for mirrored images.
+  float magnification;
   Vector3<float> illuminance;  //!< linear sRGB whose luminance part is in lx
 };
 
-//! Stars gathered by the pixels of a picture.
+//! Stars that were gathered by the pixels of a picture.
 struct GatheredStars {
-  std::vector<GatheredStar> stars;   //!< row by row, in each row by column
-  std::int64_t shadowed_pixels = 0;  //!< skipped: light of a corner does not come from the sky
-  std::int64_t stretched_pixels =
-      0;  //!< skipped: the polygon is too wide (half a radian) to describe the sky inside it
+  std::vector<GatheredStar> stars;  //!< row by row, in each row by column
+  //! Pixels skipped because the light of a corner does not come from the sky.
+  std::int64_t shadowed_pixels = 0;
+  //! Pixels skipped because their polygon is too wide (half a radian) to describe the sky inside
+  //! it.
+  std::int64_t stretched_pixels = 0;
 };
 
 //! Finds the stars that shine into each pixel by the published method (Verbraeck & Eisemann, IEEE

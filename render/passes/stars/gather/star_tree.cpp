@@ -7,7 +7,7 @@ namespace ergodome {
 
 namespace {
 
-//! Stars in the interface that the kd-tree library expects.
+//! The stars, with the interface that the kd-tree library requires.
 struct StarPoints {
   std::vector<Vector3<double>> directions;
 
@@ -27,7 +27,7 @@ struct StarPoints {
 using KdTree =
     nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, StarPoints>, StarPoints, 3, std::uint32_t>;
 
-//! Collects all stars within a distance.
+//! Collects all stars within a distance during a search.
 class WithinDistance {
  public:
   WithinDistance(double square, std::vector<int>& found) : square_(square), found_(found) {}

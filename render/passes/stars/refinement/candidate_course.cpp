@@ -10,36 +10,38 @@ namespace ergodome {
 
 namespace {
 
-//! Smaller singular value of the map to the sky below which single-precision rounding visibly
-//! displaces an image.
+//! Smaller singular value of the lens map below which rounding errors in single precision displace
+//! an image visibly.
 constexpr double steepest = 0.1;
-//! Relative change of the magnification by single-precision rounding that is accepted.
+//! Accepted relative change of the magnification by rounding errors in single precision.
 constexpr double most_change = 0.01;
-//! A candidate whose rays stay farther than this from an image has none [px]. Next to a caustic,
-//! where images move along it, the distance to the star counts.
+//! A candidate whose rays stay farther than this from any image position is not an image [px]. Next
+//! to a caustic, where images move along the caustic, the distance to the star counts instead.
 constexpr double near_px = 2.0;
-//! Closer to the shadow's edge than this, single-precision rays prove neither that there is no
-//! image nor that it is too faint; next to caustics some go astray [rad].
+//! Minimum distance from the shadow's edge at which single-precision rays can prove that there is
+//! no image, or that it is too faint [rad]. Closer to it, and next to caustics, some
+//! single-precision rays go astray.
 constexpr double least_float_distance = 1e-3;
-//! Number of rounds in which most images are found.
+//! Number of rounds (Newton steps) after which most images are found.
 constexpr int first_rounds = 4;
-//! Maximum number of rounds for candidates that are then still converging.
+//! Maximum number of rounds for candidates that still converge after `first_rounds`.
 constexpr int on_way_rounds = 6;
 //! Maximum number of double-precision rounds for candidates next to caustics, far from their
 //! initial position.
 constexpr int most_course_rounds = 24;
-//! A candidate that is farther away after the first rounds jumps about and does not converge; in
-//! distances to the shadow's edge.
+//! A candidate whose distance from its star exceeds this after the first rounds does not converge;
+//! in units of the distance to the shadow's edge.
 constexpr double lost_miss = 2.0;
-//! Larger misses mean that no light arrived [rad].
+//! Miss above which no light arrived in that direction [rad].
 constexpr double no_light = 1e29;
 constexpr double nowhere = 1e30;
-//! A candidate that is still farther away after on_way_rounds will not converge; as a fraction of
-//! the distance to the shadow's edge.
+//! A candidate whose miss exceeds this after on_way_rounds will not converge; as a fraction of the
+//! distance to the shadow's edge.
 constexpr double hopeless_miss = 0.02;
-//! The same for candidates that may be very bright.
+//! The same limit for candidates that may be very bright.
 constexpr double dazzling_miss = 0.5;
-//! Larger reported changes of the magnification mean only that it changes much.
+//! Reported changes of the magnification above this are not accurate; they mean only that it
+//! changes much.
 constexpr double most_change_told = 0.5;
 //! Minimum distance between a star and a fold that double-precision rays can resolve [rad].
 constexpr double least_short_of = 1e-8;
@@ -49,12 +51,12 @@ bool is_open(const StarCandidate& c, double miss) {
   return (c.miss > miss || c.change > most_magnification_change) && c.miss < no_light;
 }
 
-//! Returns whether the rounds do not converge.
+//! Returns whether the rounds of a candidate do not converge.
 bool is_lost(const StarCandidate& c) { return c.miss > lost_miss * c.edge_distance; }
 
-//! Returns whether a candidate that is too faint at its last ray is also too faint everywhere
-//! nearby. One that jumps about may reach a position where it is many times as bright; next to
-//! caustics nothing else is known.
+//! Returns whether a candidate that is too faint at its last ray is also too faint at all nearby
+//! positions. A candidate that does not converge steadily may reach a position where it is many
+//! times brighter; next to caustics nothing else is known.
 bool stays_faint(const StarCandidate& c, const ImageSearch& search) {
   constexpr double least_slack = 1.3;
   // The reported change is an estimate; in places the true change is up to twice as large.
@@ -64,19 +66,19 @@ bool stays_faint(const StarCandidate& c, const ImageSearch& search) {
          search.brightness(c) * (c.change < most_change_told ? least_slack + between * c.change : far_slack) < 1.0;
 }
 
-//! Returns whether single-precision rays can prove that there is no image. Without a chart, the
-//! distance to the shadow's edge is unknown.
+//! Returns whether single-precision rays can prove that a candidate is not an image. Without a
+//! chart they cannot, because the distance to the shadow's edge is unknown.
 bool float_tells(const StarCandidate& c, const ImageSearch& search) {
   return search.chart.chart.edge.count > 0 && c.edge_distance > least_float_distance;
 }
 
-//! Returns whether an open candidate is dropped as too faint.
+//! Returns whether a candidate that has not converged is dropped because it is too faint.
 bool is_left(const StarCandidate& c, const CandidateCourse& course, const ImageSearch& search) {
   return search.brightness && course.rounds <= first_rounds && (course.rounds == 1 || c.change >= most_change_told) &&
          (course.rays != RayKind::quick || float_tells(c, search)) && stays_faint(c, search);
 }
 
-//! Returns whether an open candidate is worth another ray of the same kind.
+//! Returns whether a candidate that has not converged should get another ray of the same kind.
 bool is_worth_more(const StarCandidate& c, const CandidateCourse& course, const ImageSearch& search, double miss) {
   if (course.rounds < first_rounds) {
     return true;
@@ -87,8 +89,8 @@ bool is_worth_more(const StarCandidate& c, const CandidateCourse& course, const 
   if (course.rounds < on_way_rounds) {
     return true;
   }
-  // Close to a point that maps to an entire ring, rays circle for many rounds, but the image is all
-  // the brighter.
+  // Candidates that may be very bright get more rounds. Near a point that maps to a whole ring,
+  // rays need many rounds, but images are very bright.
   constexpr double dazzling = 100.0;
   const bool dazzles = course.rays == RayKind::finest && search.brightness && search.brightness(c) > dazzling;
   const bool is_near = c.miss > miss && c.miss < (dazzles ? dazzling_miss : hopeless_miss) * c.edge_distance;
@@ -101,25 +103,25 @@ double signed_smaller(const StarCandidate& c) {
   return std::copysign(std::sqrt(singular_values(c).smaller_square), c.solid_angle);
 }
 
-//! Returns the distance between a star and the fold at which the sky turns back before reaching it
-//! [rad]; 0 if the sky may reach the star. Arguments: smaller singular value s before and after a
-//! Newton step, and the length of the step.
+//! Returns the distance between a star and the fold at which the sky turns back before it reaches
+//! the star [rad]; 0 if the sky may reach the star. Arguments: smaller singular value s before and
+//! after (s') a Newton step, and the length x of the step.
 //!
-//! Across a fold the sky is a parabola, f(x) = s x + c x² / 2, and the step is x = f / s. So c =
-//! (s' - s) / x, and a real root requires s² + 2 c f = s (2 s' - s) >= 0. Otherwise f is missed by
-//! that value over 2 c.
+//! Across a fold, the position on the sky is a parabola in the position in the view, f(x) = s x + c
+//! x² / 2, and the step is x = f / s, where f is the distance to the star. So c = (s' - s) / x, and
+//! a real root requires s² + 2 c f = s (2 s' - s) >= 0. Otherwise f is out of reach by the absolute
+//! value of that, divided by 2 c.
 double fold_short_of(double s, double s_after, double length) {
   const double root = s * (2.0 * s_after - s);
   return root < 0.0 ? 0.5 * length * std::abs(root / (s_after - s)) : 0.0;
 }
 
-//! Returns whether there is no image because the star lies beyond a fold, by a distance on which
-//! the last rays and those before agree and which the star's disk does not reach.
+//! Returns whether a candidate is not an image because its star is beyond a fold of the sky: the
+//! last two estimates of the distance to the fold agree, and it is larger than the star's disk.
 bool is_beyond_fold(const StarCandidate& c, CandidateCourse& course) {
   constexpr double most_unlike = 2.0;
   constexpr double least_disks = 2.0;
-  // Longer steps lead to where the sky folds differently: around a ring, or at the next fold beside
-  // the shadow's edge.
+  // Longer steps lead to other folds: around a ring, or beside the shadow's edge.
   constexpr double longest = 0.25;
   const bool tells = course.rounds >= 2 && course.rays != RayKind::quick && course.miss <= longest * c.edge_distance;
   const double short_of = tells ? fold_short_of(course.smaller, signed_smaller(c), course.miss) : 0.0;
@@ -128,21 +130,21 @@ bool is_beyond_fold(const StarCandidate& c, CandidateCourse& course) {
          before < most_unlike * short_of;
 }
 
-//! Returns the relative change of the magnification by single-precision rounding. The map changes
-//! on the scale of the distance to the shadow's edge, and next to a caustic faster, by one over the
-//! square of its smaller singular value.
+//! Returns the relative change of the magnification by rounding errors in single precision. The
+//! lens map varies on the scale of the distance to the shadow's edge; next to a caustic, it varies
+//! faster, by one over the square of its smaller singular value.
 double change_by_rounding(const StarCandidate& c, const SingularValues& values) {
   return edge_rounding / (c.edge_distance * std::min(values.smaller_square, 1.0));
 }
 
-//! Returns whether single-precision rays prove that there is no image.
+//! Returns whether single-precision rays prove that a candidate is not an image.
 bool float_denies(const StarCandidate& c, const ImageSearch& search) {
   const double smaller = std::min(std::sqrt(singular_values(c).smaller_square), 1.0);
   return float_tells(c, search) && (is_lost(c) || c.miss * smaller > near_px * search.pixel);
 }
 
-//! Returns whether further single-precision rays are useless for an open candidate: rounding
-//! dominates, or the search restarts in double anyway.
+//! Returns whether further single-precision rays are useless for a candidate that has not
+//! converged: rounding errors dominate, or the search will restart in double precision anyway.
 bool float_has_told(const StarCandidate& c, const CandidateCourse& course, const ImageSearch& search) {
   constexpr double least_gain = 0.5;
   const SingularValues values = singular_values(c);
@@ -154,11 +156,14 @@ bool float_has_told(const StarCandidate& c, const CandidateCourse& course, const
          (values.smaller_square < steepest * steepest || (course.rounds > 1 && c.miss > least_gain * course.miss));
 }
 
-//! Start of the double-precision search for an image.
+//! Where the double-precision search for an image starts.
 enum class Start {
-  none,   //!< not needed, or there is no image
-  found,  //!< at the single-precision position: rounding affects the magnification only
-  rough  //!< at the grid position: single precision may have gone astray where the sky hardly moves as the camera turns
+  none,  //!< no search in double precision: not needed, or there is no image
+  //! At the single-precision position, because rounding errors affect only the magnification.
+  found,
+  //! At the position from the grid, because the single-precision search may have gone astray where
+  //! the sky hardly changes with the direction.
+  rough
 };
 
 Start double_start(const StarCandidate& c, const ImageSearch& search) {
@@ -175,10 +180,11 @@ Start double_start(const StarCandidate& c, const ImageSearch& search) {
   return change_by_rounding(c, values) > most_change ? Start::found : Start::none;
 }
 
-//! Returns whether double-precision rays have brought a candidate next to a caustic. Most
-//! candidates there are not images, so only those that came close are worth more expensive rays.
+//! Returns whether a candidate next to a caustic needs the finest rays: double-precision rays have
+//! come close to the star. Most candidates there are not images, so only such ones get the more
+//! expensive rays.
 bool needs_finest(const StarCandidate& c, const ImageSearch& search) {
-  // This close to its position, an image is about as bright.
+  // At this distance from its position, an image has about its final brightness.
   constexpr double hair = 0.05;
   constexpr double slack = 4.0;
   const bool beside_caustic =
@@ -187,15 +193,15 @@ bool needs_finest(const StarCandidate& c, const ImageSearch& search) {
   return c.miss <= near_px * search.pixel && beside_caustic && !faint;
 }
 
-//! Returns whether a candidate takes short steps next to a caustic. Less precise rays need not
-//! finish what the finest rays will.
+//! Returns whether a candidate next to a caustic moves only by short steps. It then continues with
+//! the finest rays, which are needed anyway, instead of converging with less precise ones first.
 bool is_settled_beside_caustic(const StarCandidate& c, const ImageSearch& search) {
   return c.change < most_change_told && singular_values(c).smaller_square < steepest * steepest &&
          needs_finest(c, search);
 }
 
-//! Returns whether rays of the current kind cannot improve an open candidate further, while others
-//! may.
+//! Returns whether further rays of the current kind cannot improve a candidate that has not
+//! converged, although another kind may.
 bool has_told(const StarCandidate& c, const CandidateCourse& course, const ImageSearch& search) {
   switch (course.rays) {
     case RayKind::quick:
@@ -215,15 +221,16 @@ std::optional<RayKind> begin_with(RayKind rays, CandidateCourse& course) {
   return rays;
 }
 
-//! Starts double-precision rays at a position known in single precision. Renormalizes it: a length
-//! other than 1 would displace the image by up to a hundredth of a pixel where the map is steep.
+//! Starts double-precision rays at a position found in single precision. Normalizes the position: a
+//! length other than 1 would displace the image by up to a hundredth of a pixel where the lens map
+//! is steep.
 std::optional<RayKind> begin_in_double(RayKind rays, const Vector3<double>& place, StarCandidate& c,
                                        CandidateCourse& course) {
   c.direction = (1.0 / std::sqrt(dot(place, place))) * place;
   return begin_with(rays, course);
 }
 
-//! Returns the kind of rays that follows the current one, if any.
+//! Returns the kind of rays with which the search continues after the current one, if it does.
 std::optional<RayKind> next_kind(StarCandidate& c, CandidateCourse& course, const ImageSearch& search) {
   if (course.rays == RayKind::quick) {
     switch (double_start(c, search)) {

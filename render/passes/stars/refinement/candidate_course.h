@@ -6,18 +6,21 @@
 
 namespace ergodome {
 
-//! State of one candidate as it is refined by rays of increasing precision, until it is found to be
-//! an image or not.
+//! State of one image candidate while it is refined by rays of increasing precision, until it is
+//! accepted as an image or rejected.
 struct CandidateCourse {
-  Vector3<double> begin;          //!< initial direction, from the grid
-  RayKind rays = RayKind::quick;  //!< kind of its current rays
-  int rounds = 0;                 //!< number of rounds with this kind
-  bool led_away = false;          //!< whether it was restarted at `begin`
+  Vector3<double> begin;          //!< initial direction of the image, from the grid
+  RayKind rays = RayKind::quick;  //!< kind of the rays that currently refine it
+  int rounds = 0;                 //!< number of Newton steps with this kind of rays
+  //! True if the search was restarted at `begin`, because single-precision rays may have gone
+  //! astray.
+  bool led_away = false;
   // Results of the previous ray of this kind, if any.
   double miss = 0.0;
-  double smaller = 0.0;  //!< smaller singular value, signed by parity
-  //! Distance from the star to the fold before it, estimated by the last two rays; 0: no fold was
-  //! found [rad].
+  //! Smaller singular value of the lens map, with the sign of the image's parity.
+  double smaller = 0.0;
+  //! Angle between the star and the nearest fold of the lens map before it, estimated from the last
+  //! two rays [rad]; 0 if no fold was found.
   double short_of = 0.0;
 };
 

@@ -12,19 +12,20 @@ namespace ergodome {
 
 namespace {
 
-//! Errors on the sky of double-precision rays, usually and next to caustics (compare
-//! float_tolerance). Images move by that over the smaller singular value of the map.
+//! Errors on the sky of double-precision rays (compare float_tolerance): usual, and next to
+//! caustics. An image moves by this error divided by the smaller singular value of the lens map.
 constexpr double fine_tolerance = 1e-9;
 constexpr double finest_tolerance = 1e-11;
 //! Maximum position error of an image where the magnification changes quickly [rad].
 constexpr double fine_miss = 1e-7;
-//! The same next to a caustic, where the magnification changes within tiny distances from a ring
-//! [rad].
+//! Maximum position error of an image next to a caustic, where the magnification changes within
+//! tiny distances from a ring [rad].
 constexpr double ring_tolerance = 1e-10;
 
-//! Returns the number of steps after which light that still orbits the hole is given up. At more
-//! than 2 M from holes with spins up to 0.999, the lower limit loses none of 118,216 images (nor do
-//! two thirds of it). At 1.3 M, it would lose five of 370,553. All lanes wait for the last ray.
+//! Returns the maximum number of steps for light that orbits the hole. At more than 2 M from holes
+//! with spins up to 0.999, the lower limit loses none of 118,216 images (nor would two thirds of
+//! that limit). At 1.3 M, the lower limit would lose five of 370,553 images. A high limit is slow,
+//! because all SIMD lanes wait for the longest ray.
 int star_step_limit(const EyeCamera& eye) {
   constexpr double fastest_usual = 0.999;
   constexpr double least_usual_r = 2.0;

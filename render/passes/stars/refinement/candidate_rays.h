@@ -14,16 +14,17 @@
 
 namespace ergodome {
 
-//! Precision of the rays that follow images: single, double, and tighter double next to caustics.
+//! Precision of the rays that refine images: single, double, and double with a smaller tolerance
+//! next to caustics.
 enum class RayKind : std::uint8_t { quick, fine, finest };
 inline constexpr std::size_t ray_kinds = 3;
 
-//! Returns the miss below which an image is final [rad].
+//! Returns the distance from the star below which an image is accepted [rad].
 double last_miss(RayKind kind, double pixel);
 
-//! Traces rays for the candidates of a search. Its destructor adds the number of rays to the
-//! WorkCounters, and divides the elapsed time between single and double precision in proportion to
-//! the time of the threads.
+//! Traces rays for the candidates of a search. Its destructor adds the number of rays and their
+//! time to the WorkCounters; the elapsed time is divided between single and double precision in
+//! proportion to the threads' times.
 class CandidateRays {
  public:
   explicit CandidateRays(const ImageSearch& search);
@@ -31,7 +32,8 @@ class CandidateRays {
   CandidateRays(const CandidateRays&) = delete;
   CandidateRays& operator=(const CandidateRays&) = delete;
 
-  //! Returns the number of candidates that are processed together, in the time of one.
+  //! Returns the number of candidates that one SIMD computation processes together, in the time of
+  //! one.
   [[nodiscard]] static std::size_t lanes(RayKind kind);
 
   //! Makes one Newton step with each candidate, on the calling thread. At most lanes(kind)

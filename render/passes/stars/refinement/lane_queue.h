@@ -13,16 +13,16 @@
 
 namespace ergodome {
 
-//! Work queue for many items, each of which passes through a series of rounds. Threads take items
-//! in lots (a lot is processed in the time of one item) and put back those that need another round.
-//! No round waits for other items.
+//! Work queue for many items, each of which needs a series of rounds. Threads take items in lots
+//! and put back those that need another round. A SIMD computation processes a lot in the time of
+//! one item. No item waits for the rounds of other items.
 //!
-//! Items are indices. Each round has one of `Kinds` kinds, which are not mixed within a lot; higher
-//! kinds come later in an item's life.
+//! Items are numbers. Each round has one of `Kinds` kinds, which are not mixed within a lot; an
+//! item's later rounds have higher kinds.
 template <std::size_t Kinds>
 class LaneQueue {
  public:
-  //! `lanes`: number of items in a full lot of each kind, at most `most_lanes`.
+  //! `lanes`: number of items in a full lot, for each kind; at most `most_lanes`.
   explicit LaneQueue(const std::array<std::size_t, Kinds>& lanes) : lanes_(lanes) {}
 
   static constexpr std::size_t most_lanes = 16;

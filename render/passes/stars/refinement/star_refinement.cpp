@@ -38,8 +38,8 @@ double capped_solid_angle(const StarCandidate& c) {
 }
 
 SeenImage seen_image(const StarImage& image, const StarCandidate& c) {
-  // Next to a caustic an image is an arc; the position of its middle needs no higher accuracy than
-  // the arc's length.
+  // Next to a caustic an image is an arc; the position of its center need not be more accurate than
+  // the length of the arc.
   const double smaller = std::max(singular_values(c).smaller_square, 1e-30);
   const double arc = std::min(c.radius / std::sqrt(smaller), static_cast<double>(longest_arc));
   return {image, static_cast<float>(arc), capped_solid_angle(c) > std::abs(c.solid_angle)};

@@ -10,26 +10,29 @@ namespace ergodome {
 //! A put(vector) for view(): kernels on the CPU read the vectors themselves.
 inline constexpr auto host_data = [](const auto& values) { return values.data(); };
 
-//! Errors of a leaf's patch, as fractions of the leaf's sides, at the rays of its checks.
+//! Errors of a leaf's interpolating patch at the rays that checked the leaf, as fractions of the
+//! leaf's sides.
 struct LeafErrors {
   float displaced;  //!< largest displacement
   float left;       //!< largest remaining error after the correction
 };
 
-//! A lens grid corrected by its check rays: images found with cubic patches are moved to where the
-//! rays have them.
+//! A lens grid corrected by its check rays: star images found with cubic patches are moved to the
+//! positions that rays give.
 //!
-//! The leading error of a cubic between exact ends is a quartic, proportional to (t (1 - t))² at
-//! fraction t along a side. The checks at the midpoints of a leaf's four sides give one such
-//! displacement δ each, blended across the leaf. The corrected sky is the patch at x - δ(x), and
-//! its Jacobian is that of the patch times that of x - δ. The error that remains at the inner
-//! checks, mostly of fifth order, measures the quality.
+//! The leading error of a cubic that is exact at its ends is a quartic, proportional to (t (1 -
+//! t))² at fraction t along a side. The checks at the midpoints of a leaf's four sides each measure
+//! such a displacement δ, which is interpolated across the leaf. The corrected sky is the patch at
+//! x - δ(x), and its Jacobian is that of the patch times that of x - δ. The error that remains at
+//! the inner checks, mostly of fifth order, measures the quality.
 class CorrectedGrid {
  public:
-  //! The station must have been built to be inverted (GridSettings), or its errors are unknown.
+  //! The station must have been built with GridSettings::inverted; otherwise its errors are
+  //! unknown.
   explicit CorrectedGrid(const LensStation& station);
 
-  //! Returns the errors of a leaf. Unknown errors are huge, so that such leaves correct nothing.
+  //! Returns the errors of a leaf. Unknown errors are huge, so that such leaves are not used for
+  //! corrections.
   [[nodiscard]] LeafErrors errors(int leaf) const;
 
   //! Returns the grid for kernels. put(vector) returns the address at which kernels read the

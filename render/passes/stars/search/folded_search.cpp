@@ -10,11 +10,11 @@ namespace ergodome {
 
 namespace {
 
-//! Number of parts that are halved together before their halves are: as many as fit into the CPU's
-//! cache.
+//! Number of parts that are halved as one block, before the resulting halves are: as many as fit
+//! into the CPU's cache.
 constexpr int block = 512;
-//! Number of pairs searched together: enough to fill the lanes, few enough for exact indices in
-//! floats.
+//! Maximum number of pairs searched together: enough to fill SIMD lanes, but so few that floats
+//! represent their indices exactly.
 constexpr std::size_t most_pairs = 1 << 16;
 
 }  // namespace

@@ -14,7 +14,7 @@ struct PlacedImages {
   int count = 0;
 };
 
-//! Images that a search left in a backend's memory, including duplicates.
+//! Images that a search found and left in a backend's memory. They include duplicates.
 struct FoundInPlace {
   const SeenImage* images = nullptr;
   int count = 0;
@@ -23,7 +23,7 @@ struct FoundInPlace {
 //! Merges images and removes duplicates in the backend's memory. Reuses its own memory.
 class ImageJoiner {
  public:
-  //! Star indices are below `stars`.
+  //! `stars`: number of stars; all indices are below it.
   ImageJoiner(Backend backend, std::size_t stars);
 
   //! Merges the images in the backend's memory with `others` in host memory, and returns each image

@@ -11,10 +11,10 @@ namespace ergodome {
 
 namespace {
 
-//! Number of threads that search a patch's stars. They form a warp and read adjacent stars.
+//! Number of threads that search the stars of one patch. They form a warp and read adjacent stars.
 constexpr int threads_of_a_patch = 32;
-//! Minimum capacity for parts: with none, no part would be counted as lost and the shortage would
-//! go unnoticed.
+//! Minimum capacity for parts. With a capacity of zero, no part would be counted as lost, and the
+//! lack of memory would not be noticed.
 constexpr std::size_t least_parts = 1024;
 
 }  // namespace
@@ -112,8 +112,8 @@ void PatchSearch::run(PatchSearchBatch& batch, PatchSearchStep step, int count, 
   launch(backend_, batch);
 }
 
-//! Searches a slice of the pairs of folded patches. Only the GPU has the numbers of parts: reading
-//! them in each step takes longer than running threads without work.
+//! Searches some of the pairs of folded patches. Only the GPU knows the number of parts in each
+//! step: reading it would take longer than running threads that have nothing to do.
 void PatchSearch::search_slice(PatchSearchBatch batch, int pairs) {
   clear(backend_, counts_, 4, halved);
   run(batch, PatchSearchStep::see_folded, pairs);
@@ -140,8 +140,8 @@ PatchSearch::Counts PatchSearch::search(PatchSearchBatch batch) {
   run(batch, PatchSearchStep::find_pairs, batch.patch_threads * batch.inputs.sides * batch.inputs.patch_count);
   run(batch, PatchSearchStep::regular, rooms_[regular]);
   run(batch, PatchSearchStep::bent, rooms_[bent]);
-  // Each pair of a folded patch starts as one part. Usually there are few pairs: the first slice is
-  // searched before their number is known.
+  // Each pair of a folded patch starts as one part. Usually there are few pairs, so the first slice
+  // is searched before their number is known.
   const int slice = std::min({most_searched_together, rooms_[halved], rooms_[folded]});
   if (slice == 0) {
     return counts();
@@ -172,7 +172,7 @@ PatchSearch::Result PatchSearch::find(const PlacedPatches& patches, const Reques
   share(batch);
   Counts found = search(batch);
   while (!have_room(found)) {
-    // The number of parts that the lost ones would have yielded is unknown.
+    // Enlarges all lists, because it is unknown how many parts the lost ones would have produced.
     for (const int list : {halved, halves, last_regular, last_folded}) {
       found[static_cast<std::size_t>(list)] = rooms_[halved] + found[lost_parts];
     }

@@ -43,7 +43,7 @@ class PlacedArrays {
 //! Star patches in the memory that a search reads.
 class PlacedPatches {
  public:
-  //! `station`: the lens station that the patches were made of.
+  //! `station`: the lens station from which the patches were computed.
   PlacedPatches(Backend backend, const StarPatches& patches, const LensStation& station) : arrays_(backend) {
     set(patches, station);
   }
@@ -63,31 +63,31 @@ class PlacedPatches {
 //! order.
 class PatchSearch {
  public:
-  //! `colours` is in host memory. `room`: initial capacity for pairs and images.
+  //! `colours` must be in host memory. `room`: initial capacity for pairs and images.
   PatchSearch(Backend backend, const StarField& field, const BlackbodyTable& colours, int room = 1 << 16);
 
   [[nodiscard]] Backend backend() const { return backend_; }
 
-  //! Parameters of a search.
+  //! Parameters of a search: the eye, and which images are wanted.
   struct Request {
-    double phi;  //!< of the camera [rad]
+    double phi;  //!< azimuth of the camera [rad]
     ViewCone view;
     const ImageObserver& observer;
     StarLook look;
   };
 
-  //! Result of a search: approximate images, and images that need no rays. The latter stay in GPU
-  //! memory until the next search.
+  //! Result of a search: approximate images, and images so accurate that they need no rays. The
+  //! latter stay in GPU memory until the next search.
   struct Result {
     std::vector<RoughImage> rough;
     FoundInPlace exact;
   };
 
-  //! Finds the images in patches, which must belong to this object's field.
+  //! Finds the images in patches, which must have been computed for the star field of this object.
   Result find(const PlacedPatches& patches, const Request& request);
 
  private:
-  //! Lists whose lengths are counted on the GPU.
+  //! The lists in GPU memory whose lengths kernels count.
   enum List { regular, bent, folded, images, exact, halved, halves, last_regular, last_folded, lost_parts, list_count };
   using Counts = std::array<std::int32_t, list_count>;
 

@@ -17,12 +17,12 @@ class RoughImageFinder {
   //! `inputs` must outlive the finder; `star_count`: number of stars in their field.
   RoughImageFinder(const SearchInputs& inputs, std::size_t star_count) : inputs_(inputs), stars_(star_count) {}
 
-  //! Collects the stars of a patch, or with `mirrored` those of its mirror image in the other half
-  //! of the sky.
+  //! Collects the stars that a patch may contain; with `mirrored`, those of the patch's mirror
+  //! image in the other half of the sky.
   void add_patch(int number, bool mirrored);
 
-  //! Appends the images in the patches collected so far to `found`, roughly in the order of the
-  //! patches. An image on a border may be found from both sides.
+  //! Searches for images in all patches collected so far, and appends them to `found`, roughly in
+  //! the order of the patches. An image on a border may be found in both adjacent patches.
   void finish(std::vector<RoughImage>& found);
 
  private:
@@ -38,9 +38,11 @@ class RoughImageFinder {
   const SearchInputs& inputs_;
   Pairs pairs_[3];  //!< by shape of patch
   Pairs undecided_;
-  std::vector<int> stars_;    //!< buffer for a search of the field
-  std::vector<float> sides_;  //!< side of the patch border on which each star lies
-  std::vector<float> roots_;  //!< found, u, v and area for all pairs
+  std::vector<int> stars_;  //!< buffer for a search of the field
+  //! For each pair, whether the star is inside or outside the patch's border (PatchSide).
+  std::vector<float> sides_;
+  //! Results of the kernels for all pairs: whether a root was found, u, v and area.
+  std::vector<float> roots_;
   FoldedSearch folded_search_;
 };
 

@@ -29,10 +29,10 @@ Vector3<double> long_way(const BezierPatch& patch, const Vector3<double>& axis) 
   return dot(along_u, along_u) > dot(along_v, along_v) ? along_u : along_v;
 }
 
-//! Margin of bounds for float rounding.
+//! Margin of the bounds, for rounding errors of float.
 constexpr double bound_slack = 1e-6;
 
-//! Finds the corners of a frustum on the sky, in order around it.
+//! Computes the corners of a frustum on the sky, in order around it.
 void find_corners(const SkyFrustum& frustum, Vector3<double> (&corner)[4]) {
   // Sides 0 and 1 are opposite each other, as are 2 and 3.
   constexpr int around[4] = {0, 2, 1, 3};
@@ -42,8 +42,8 @@ void find_corners(const SkyFrustum& frustum, Vector3<double> (&corner)[4]) {
   }
 }
 
-//! Returns the largest z on an arc between two corners, whose great circle has the unit normal
-//! `normal`: that of a corner or of the circle's highest point.
+//! Returns the largest z on the arc between two directions: that of an end or of the highest point
+//! of the great circle, whose unit normal is `normal`.
 double greatest_height(const Vector3<double>& from, const Vector3<double>& to, const Vector3<double>& normal) {
   const double corner = std::max(from.z, to.z);
   // The circle's highest point lies along z minus its component along the normal.
@@ -53,7 +53,7 @@ double greatest_height(const Vector3<double>& from, const Vector3<double>& to, c
   return between ? std::max(corner, std::sqrt(std::max(dot(highest, highest), 0.0))) : corner;
 }
 
-//! Returns whether a pole lies in a frustum or next to it.
+//! Returns whether a frustum contains a pole or is next to it.
 bool holds_pole(const SkyFrustum& frustum, double pole) {
   return std::ranges::all_of(frustum.inward, [&](const Vector3<double>& n) { return pole * n.z > -bound_slack; });
 }
@@ -134,7 +134,8 @@ SkyBounds bounds_of(const SkyFrustum& frustum) {
 }
 
 double solid_angle(const SkyFrustum& frustum) {
-  // Opposite sides of a wedge with opening angle a have normals that enclose the angle π - a.
+  // Opposite sides of a frustum form a wedge. If its opening angle is a, the normals of the sides
+  // enclose the angle π - a.
   const auto opening = [&](int side) {
     const double cosine = dot(frustum.inward[side], frustum.inward[side + 1]);
     return pi - std::acos(std::clamp(cosine, -1.0, 1.0));

@@ -10,26 +10,27 @@ struct SkyFrustum {
   Vector3<double> inward[5];  //!< unit vectors: four sides, then the axis
 };
 
-//! Returns the frame of a patch whose center lies along the unit vector `axis`.
+//! Returns the coordinate frame of a patch whose center is in the direction of the unit vector
+//! `axis`.
 PatchFrame frame_of(const BezierPatch& patch, const Vector3<double>& axis);
 
-//! Returns a patch in the coordinates of a frame.
+//! Transforms a patch to the coordinates of a frame.
 BezierPatch in_frame(const BezierPatch& patch, const PatchFrame& frame);
 
 //! Returns the frustum that contains a patch with a margin of `error` [rad]. The patch is given in
 //! its frame and lies within 90 degrees of its axis.
 SkyFrustum frustum_of(const BezierPatch& patch, const PatchFrame& frame, double error = 0.0);
 
-//! Returns slightly enlarged bounds of a frustum.
+//! Returns bounds of a frustum's coordinates, slightly enlarged.
 SkyBounds bounds_of(const SkyFrustum& frustum);
 
 //! Returns an approximate upper bound of the solid angle of a frustum [sr].
 double solid_angle(const SkyFrustum& frustum);
 
-//! Returns a frustum in the form in which stars are searched.
+//! Returns a frustum in the form that the star field uses to search for stars.
 SkyPart sky_part(const SkyFrustum& frustum);
 
-//! Returns the rotation by φ about z [rad].
+//! Returns the rotation by the angle φ [rad] around the z axis.
 SkyTurn sky_turn(double phi);
 
 }  // namespace ergodome

@@ -17,17 +17,19 @@ namespace ergodome {
 
 namespace {
 
-//! Corrected grids this fine have most images at their exact positions and cost less than rays for
-//! these images would. Rays find the others.
+//! Error budget of star grids. In corrected grids of this accuracy, most images are already at
+//! their exact positions, and the grid costs less than rays for these images would. The other
+//! images are refined by rays.
 constexpr double grid_budget_px = 0.01;
-//! In finer grids, the error is dominated by the rounding of single-precision rays [rad].
+//! Minimum error budget of star grids [rad]: below it, the rounding errors of single-precision rays
+//! dominate.
 constexpr double float_budget = 1.2e-5;
-//! Range of the cell area below which cells are not refined; rays then start from the unrefined
-//! cells [px²]. At 5 M from a hole of spin 0.999, finer cells found no further images (a few at
-//! smaller distances), and coarser cells cost more in rays than they saved.
+//! Range of the minimum cell area [px²]. Cells below the minimum are not split, and rays start from
+//! the interpolation in them. At 5 M from a hole of spin 0.999, finer cells found no further images
+//! (at smaller distances a few), and coarser cells cost more in rays than they saved.
 constexpr double finest_cell_px = 0.5;
 constexpr double coarsest_cell_px = 2.0;
-//! Ratio of the cell area to a show's lens budget [px].
+//! Minimum cell area per lens budget of a show [px² per px].
 constexpr double cell_of_budget = 8.0;
 
 }  // namespace
@@ -73,7 +75,7 @@ StarLook look_of(const StarSettings& settings) {
 StarCandidate candidate_of(const RoughImage& image, const FieldStar& star, const ImageObserver& observer,
                            const ObservedPlaces& places, std::size_t i, const StarSettings& settings) {
   const float g = places.frequency_ratio[i];
-  // Solid angle on the sky over that seen by the observer.
+  // Ratio of the solid angle on the sky to that seen by the observer.
   const float solid_angle = image.sky / places.area[i];
   StarCandidate candidate;
   candidate.star = image.star;
@@ -116,10 +118,11 @@ StarImage image_of(const StarCandidate& c, const FieldStar& star, const Blackbod
 
 namespace {
 
-//! Classified approximate images.
+//! Approximate images, sorted by how they are processed.
 struct Sought {
-  std::vector<StarCandidate> rays;     //!< to be refined by rays
-  std::vector<StarCandidate> guesses;  //!< likewise, but many of them lead to no image
+  std::vector<StarCandidate> rays;  //!< candidates to be refined by rays
+  //! Candidates to be refined by rays, many of which are not images.
+  std::vector<StarCandidate> guesses;
   std::vector<SeenImage> exact;
 };
 
@@ -132,7 +135,8 @@ struct Search {
   const StarSettings& settings;
 };
 
-//! Converts approximate images to candidates, and those of exact patches to final images.
+//! Converts approximate images to candidates, and images in patches of an exact grid to final
+//! images.
 void sort_out(const Search& search, std::span<const RoughImage> rough, Sought& sought) {
   const SkyTurn turn = sky_turn(search.phi);
   const ObservedPlaces places = search.observer.observe(rough);
@@ -156,9 +160,8 @@ void sort_out(const Search& search, std::span<const RoughImage> rough, Sought& s
   }
 }
 
-//! Sorts the images that a GPU found in nondeterministic order by distance to the shadow's edge.
-//! Rays of adjacent lanes then take similar numbers of steps, which reduces the time to three
-//! quarters.
+//! Sorts images that a GPU found in nondeterministic order by distance to the shadow's edge. Rays
+//! in adjacent SIMD lanes then take similar numbers of steps, which reduces the time by a quarter.
 void put_in_order(std::vector<RoughImage>& rough) {
   // NaN cannot be sorted.
   std::erase_if(rough,
@@ -168,9 +171,9 @@ void put_in_order(std::vector<RoughImage>& rough) {
   });
 }
 
-//! Finds approximate images. On the CPU they are in the order of the patches, independent of the
-//! threads, so that neighbors on the screen are neighbors in the kernel's lanes. A GPU leaves
-//! images that need no rays `in_place`.
+//! Finds approximate images. On the CPU they are in the order of the patches, whatever the number
+//! of threads, so that neighbors on the screen are neighbors in SIMD lanes. On a GPU, images that
+//! need no rays stay in GPU memory; `in_place` describes them.
 std::vector<Sought> seek(const Search& search, const StarPatches& patches, const DeviceSearch* device,
                          FoundInPlace& in_place) {
   if (device == nullptr) {
@@ -202,7 +205,7 @@ std::vector<Sought> seek(const Search& search, const StarPatches& patches, const
   return parts;
 }
 
-//! Appends one list of all parts.
+//! Appends the list that `list` selects of all parts to `to`.
 template <class T>
 void append(const std::vector<Sought>& parts, std::vector<T> Sought::*list, std::vector<T>& to) {
   std::size_t count = to.size();
@@ -230,7 +233,7 @@ FoundImages found_images(const StarField& field, const BlackbodyTable& colours, 
       seek({field, colours, observer, eye.camera.phi, settings}, patches, device, found.in_place);
   std::vector<StarCandidate> candidates;
   append(parts, &Sought::rays, candidates);
-  // Guesses take many rounds and must not delay the others.
+  // Guesses come last, because they take many rounds and would delay the others.
   append(parts, &Sought::guesses, candidates);
   StarSettings fainter = settings;
   fainter.faintest *= 0.9F;

@@ -15,28 +15,32 @@ namespace ergodome {
 
 namespace {
 
-//! Maximum number of halvings of a leaf. Next to a critical curve no patch is regular.
+//! Maximum number of halvings of a leaf. It is reached next to a critical curve, where no patch is
+//! regular.
 constexpr int deepest_patch = 12;
-//! Number of candidate stars above which a patch that is not regular is halved. Possibly folded
-//! patches are searched by halving, in each picture, which costs more than inversion.
+//! Number of stars that a patch may contain above which the patch is halved if it is not regular.
+//! Patches that may be folded are searched by halving, in each picture, which costs more than
+//! Newton's method.
 constexpr double few_stars = 12.0;
 constexpr double few_stars_folded = 4.0;
-//! Base number of halvings of the image search; patches that were halved less often get more.
+//! Number of halvings in the search for images in a folded patch. Patches that were themselves
+//! halved less often get more.
 constexpr int search_halvings = 8;
 constexpr int leaves_a_chunk = 16;
-//! cos of the widest cone of a patch: wider ones would include stars that they do not see.
+//! Cosine of the maximum half angle of the cone that contains a patch. Wider cones would include
+//! stars that the patch does not contain.
 constexpr double widest_cosine = 0.94;
-//! Next to a critical curve images may be arbitrarily bright, but rarely: magnification by M in a
-//! patch of solid angle w on the camera's sky affects at most w / M of the star sky. Magnifications
-//! of smaller parts of the sky than this are neglected [sr].
+//! Solid angle on the sky below which large magnifications are neglected [sr]. Next to a critical
+//! curve images may be arbitrarily bright, but this is rare: in a patch of solid angle w on the
+//! camera's sky, magnifications above M affect at most w / M of the stars' sky.
 constexpr float neglected_sky = 1e-8F;
 
 //! Extent of a patch on the sky.
 enum class Extent {
-  none,   //!< not a part of the sky (nodes without light)
-  half,   //!< may span half of the sky
-  wide,   //!< has an axis
-  narrow  //!< narrow enough for planar bounds
+  none,   //!< not a part of the sky, because some nodes see no light
+  half,   //!< so large that it may cover half of the sky
+  wide,   //!< has a bounding cone with an axis, but is too wide for bounds by planes
+  narrow  //!< narrow enough for bounds by planes
 };
 
 //! Finds the axis of a patch.
@@ -56,17 +60,18 @@ Extent extent_of(const BezierPatch& patch, Vector3<double>& axis) {
   return cosine > widest_cosine ? Extent::narrow : cosine > 0.1 ? Extent::wide : Extent::half;
 }
 
-//! Effect of a patch on solid angles.
+//! How a patch changes solid angles.
 struct Stretching {
-  bool folded;  //!< partly mirrored
-  float
-      magnification;  //!< largest ratio of camera to sky solid angle; if folded, excluding a negligible part of the sky
+  bool folded;  //!< true if the lens map is mirrored in a part of the patch
+  //! Largest ratio of camera to sky solid angle; in a folded patch, without a negligible part of
+  //! the sky.
+  float magnification;
 };
 
 //! Returns the magnification M beyond which images in a folded patch are neglected. Near a critical
-//! curve the sky's solid angle per chart area goes linearly through zero. Images brighter than
-//! M-fold lie where it is below camera_rate / M: a strip of the chart with a width proportional to
-//! 1 / M, and a part of the sky proportional to 1 / M².
+//! curve, the sky's solid angle per area of the chart goes linearly through zero. Images brighter
+//! than M-fold are where that ratio is below camera_rate / M: in a strip of the chart whose width
+//! is proportional to 1 / M, and which covers a part of the sky proportional to 1 / M².
 float folded_magnification(float camera_rate, float sky_range, float chart_area) {
   constexpr float margin = 2.0F;
   return margin * camera_rate * std::sqrt(chart_area / (std::max(sky_range, 1e-30F) * neglected_sky));
@@ -77,8 +82,9 @@ Stretching stretching_of(const PatchMeasures& measures, const StarPatch& patch) 
   const float sky_range = measures.highest_sky - measures.lowest_sky;
   // The margin accounts for folds between samples.
   if (measures.lowest_sky > 0.05F * sky_range || measures.highest_sky < -0.05F * sky_range) {
-    // Samples are a quarter of the patch apart, so no point is farther than an eighth from one. A
-    // steadily changing quantity changes by the eighth root of its total ratio on that way.
+    // Samples are a quarter of the patch apart, so no point is farther than an eighth of the patch
+    // from a sample. A quantity that changes steadily changes over that distance by the eighth root
+    // of its total ratio.
     const float low = std::min(std::abs(measures.lowest_sky), std::abs(measures.highest_sky));
     const float high = std::max(std::abs(measures.lowest_sky), std::abs(measures.highest_sky));
     const float between_samples = std::min(std::sqrt(std::sqrt(std::sqrt(high / low))), most_between_samples);
@@ -87,9 +93,10 @@ Stretching stretching_of(const PatchMeasures& measures, const StarPatch& patch) 
   return {true, folded_magnification(measures.greatest_camera, sky_range, patch.width_turns * patch.height)};
 }
 
-//! Returns the factor by which an image may be brighter than in the grid. Uses the bound by the
-//! grid's error, limited to the largest errors that were found: in regular patches mostly 1 %,
-//! rarely 30 %; next to the shadow's edge, where patches are bent and images faint, many-fold.
+//! Returns the maximum factor by which an image may be brighter than according to the grid. Uses
+//! the bound from the grid's error, but at most the largest errors that were found in tests: in
+//! regular patches mostly 1 %, rarely 30 %; next to the shadow's edge, where patches are bent and
+//! images faint, many-fold.
 float most_brighter(float by_error, PatchShape shape) {
   constexpr float least_bent = 2.0F;
   constexpr float most_regular = 1.35F;
@@ -99,7 +106,7 @@ float most_brighter(float by_error, PatchShape shape) {
       return std::min(by_error, most_regular);
     case PatchShape::bent:
       return std::clamp(by_error, least_bent, most);
-    // Folds are sought within the grid's error around their positions in it.
+    // The search covers folds within the grid's error around their positions in the grid.
     case PatchShape::folded:
       break;
   }
@@ -152,7 +159,7 @@ StarPatches::StarPatches(const LensStation& station, const StarField& field, con
   join(room);
 }
 
-//! Concatenates the patches of all parts, in order.
+//! Concatenates the patches of all chunks (PatchRoom::parts), in order.
 void StarPatches::join(PatchRoom& room) {
   const std::vector<std::vector<StarPatch>>& parts = room.parts;
   std::vector<std::size_t> first(parts.size() + 1, 0);
@@ -172,8 +179,8 @@ void StarPatches::join(PatchRoom& room) {
   });
 }
 
-//! Derives the accuracy of images in a leaf from the errors at its checks. `error_px`: error of its
-//! patch.
+//! Sets the accuracy of images in a leaf's patch from the errors that the leaf's check rays
+//! measured. `error_px`: error of the leaf.
 void StarPatches::set_error(float error_px, StarPatch& patch) const {
   // A cubic with error e on a side of length h has a slope error of e √3 384 / (216 h). To first
   // order, the relative error of the magnification is the sum of the slope errors of γ along γ and
@@ -222,7 +229,8 @@ void StarPatches::add_patch(const Wanted& wanted, const StarPatch& patch, int de
     const SkyFrustum frustum = frustum_of(own.sky, own.frame, static_cast<double>(own.error));
     own.light = wanted.light.light_in(measures.brightening, measures.frequency_ratio);
     own.seen = measures.seen;
-    // Chords are shorter than angles, and sides may bulge between the sampled positions.
+    // Enlarges the radius, because chords are shorter than angles, and sides may bulge between the
+    // sampled positions.
     own.seen_radius = 1.6F * measures.seen_radius;
     own.most_camera = 1.1F * measures.greatest_camera * own.width_turns * own.height;
     own.brighter = most_brighter(patch.brighter, own.shape);

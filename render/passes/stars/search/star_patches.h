@@ -12,7 +12,7 @@
 
 namespace ergodome {
 
-//! Observer and stellar light, as needed to search patches for images.
+//! Properties of the observer and of starlight that bound the brightness of images in a patch.
 class ImageLight {
  public:
   ImageLight() = default;
@@ -25,34 +25,35 @@ class ImageLight {
   [[nodiscard]] virtual AberrationOf<float> observer() const = 0;
   [[nodiscard]] virtual DirectionForm<float> energy() const = 0;
 
-  //! Returns bounds of the light in a patch in which the observer's solid angles are at most
-  //! `brightening` times those of the rain frame, and g is at most `frequency_ratio`.
+  //! Returns bounds of the starlight seen in a patch in which the observer's solid angles are at
+  //! most `brightening` times those of the rain frame, and the frequency ratio g is at most
+  //! `frequency_ratio`.
   [[nodiscard]] virtual PatchLight light_in(float brightening, float frequency_ratio) const = 0;
 };
 
-//! Accuracy of a grid to be inverted.
+//! Accuracy of a lens grid that is to be inverted.
 struct GridExactness {
-  double pixel;       //!< pixel in which the grid's errors are given [rad]
-  double fold_error;  //!< next to critical curves, on the camera's sky [rad]
+  double pixel;       //!< angle of the pixel in which the grid's errors are given [rad]
+  double fold_error;  //!< error of the grid next to critical curves, on the camera's sky [rad]
 };
 
-//! Memory of patches that is reused at the next position. A moving camera computes patches for each
-//! picture; letting the system clear new memory would add a third to the time.
+//! Memory for patches that is reused at the next camera position. A moving camera computes patches
+//! for each picture, and new memory, which the system clears, would increase the time by a third.
 struct PatchRoom {
   //! Patches of each chunk of leaves; one thread computes a chunk.
   std::vector<std::vector<StarPatch>> parts;
-  std::vector<StarPatch> patches;  //!< memory of a discarded set
+  std::vector<StarPatch> patches;  //!< memory of an earlier set of patches
 };
 
-//! If the error of the corrected grid is below this, images need no rays [px].
+//! Images found in the corrected grid need no rays if its error is below this [px].
 inline constexpr float exact_grid_px = 0.008F;
 
-//! An inverted lens grid: maps positions on the sky to positions in the chart.
+//! An inverted lens grid: patches that map positions on the sky to positions in the lens chart.
 class StarPatches {
  public:
-  //! Computes patches for images of at least `faintest` lx. The more stars may have such images,
-  //! the finer the patches. If `station` was not built to be inverted (GridSettings), all images
-  //! need rays. Takes over the memory of the patches in `room`.
+  //! Computes patches for the search of images of at least `faintest` lx. Patches are finer where
+  //! more stars may have such images. If `station` was not built with GridSettings::inverted, all
+  //! images need rays. Uses the memory in `room`.
   StarPatches(const LensStation& station, const StarField& field, const ImageLight& light, float faintest,
               const GridExactness& exactness, PatchRoom& room);
   StarPatches(StarPatches&&) = default;
@@ -60,7 +61,8 @@ class StarPatches {
 
   [[nodiscard]] const std::vector<StarPatch>& patches() const { return patches_; }
 
-  //! Releases the memory for the patches of another position.
+  //! Returns the array of patches and gives it up, so that its memory can be used for another
+  //! position.
   [[nodiscard]] std::vector<StarPatch> given_up() && { return std::move(patches_); }
 
   //! Returns the inputs of a search, without the field, the view and the turn. put(vector) returns
@@ -89,7 +91,7 @@ class StarPatches {
   void set_error(float error_px, StarPatch& patch) const;
 
   CorrectedGrid corrected_;
-  std::vector<float> edge_;  //!< of the shadow in the chart
+  std::vector<float> edge_;  //!< shadow edge in the chart
   LensChart chart_;
   bool mirrored_;   //!< the grid covers half of a sky that is mirror symmetric
   float faintest_;  //!< images of lower illuminance are left out [lx]

@@ -24,7 +24,7 @@ Vector3<double> outline_direction(const Projection& projection, int i) {
     right *= projection.dome.lens.rim;
     down *= projection.dome.lens.rim;
   } else {
-    // Extends to the edges of the square; the samples include the corners.
+    // Goes from the unit circle to the edges of the square; the samples include the corners.
     const double out = 1.0 / std::max(std::abs(right), std::abs(down));
     right *= out;
     down *= out;
@@ -39,7 +39,8 @@ bool is_shown(const Projection& projection, const Vector3<double>& view) {
          y_px >= 0.0 && y_px <= projection.height_px && image_coverage(projection, x_px, y_px) > 0.0;
 }
 
-//! Returns the largest angle between a picture's center and what it shows.
+//! Returns the largest angle between a picture's center and any direction that the picture
+//! contains.
 double widest_angle(const Projection& projection, const Vector3<double>& middle) {
   if (projection.kind == ProjectionKind::dome_fisheye && projection.dome.off_centre == 0) {
     return projection.dome.lens.half_angle;

@@ -12,7 +12,7 @@ ViewCone view_cone(const EyeCamera& eye, const Projection& projection, double ma
 //! Returns the view enlarged by `margin` [rad].
 ViewCone widened(const ViewCone& view, double margin);
 
-//! Returns whether the outer view contains the inner one, within 1e-6 rad.
+//! Returns whether the cone `outer` contains the cone `inner`, within 1e-6 rad.
 bool holds(const ViewCone& outer, const ViewCone& inner);
 
 }  // namespace ergodome

@@ -106,7 +106,7 @@ TEST(AccuracyReport, ItsCsvReadsBack) {
   std::getline(lines, head);
   std::getline(lines, first);
   const auto commas = [](const std::string& line) { return std::ranges::count(line, ','); };
-  // One more comma than the header: the quoted title contains one.
+  // The row has one more comma than the header, because the quoted title contains a comma.
   EXPECT_EQ(commas(first), commas(head) + 1);
   EXPECT_THAT(first,
               testing::StartsWith(
@@ -147,7 +147,8 @@ TEST(AccuracyReport, NumbersItsMethodsInPlotLegendAndTable) {
   AccuracyReport report = small_report();
   report.axes[0].choices[1].precision = "double";
   const std::string page = page_text(report, {}, 0.1);
-  // The methods taylor, taylor in double, rk34, rk34 as published; then lost and slow.
+  // The first axis has the methods taylor, taylor in double, rk34 and rk34 as published, numbered 1
+  // to 4; the second axis has the methods `lost` and `slow`.
   EXPECT_THAT(page, HasSubstr("#56b4e9\">1</span> <b>taylor</b>: Ergodome's integrator"));
   EXPECT_THAT(page, HasSubstr("#56b4e9\">2</span> <b>taylor, double</b>: the same in double precision"));
   EXPECT_THAT(page, HasSubstr("#6a3d9a\">4</span> <b>rk34 (RK34)</b>"));
@@ -186,7 +187,7 @@ TEST(AccuracyReport, ExplainsEveryMethodThatItMeasures) {
 TEST(AccuracyReport, FitsOnAPhone) {
   const std::string page = page_text(small_report(), {}, 0.1);
   EXPECT_THAT(page, HasSubstr("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"));
-  // Tables may be wider than the page: each scrolls separately.
+  // Each table is in a container that scrolls separately, because it may be wider than the page.
   std::size_t tables = 0;
   for (std::size_t at = page.find("<table>"); at != std::string::npos; at = page.find("<table>", at + 1)) {
     const std::string before = page.substr(at - 19, 19);
@@ -204,7 +205,7 @@ TEST(AccuracyReport, WarnsWhereTimesRepeatTooBadlyToRankMethods) {
   for (Measurement& each : report.axes[0].choices) {
     each.frame_ms = {1.0, 1.2, 1.1};
   }
-  // A single outlier does not count.
+  // One of three times is an outlier, and the spread remains that of the other choices.
   report.axes[0].choices[0].frame_ms = {1.0, 9.0, 1.0};
   EXPECT_DOUBLE_EQ(time_spread(report), 1.2);
   EXPECT_THAT(table_text(report, 0.1), HasSubstr("The machine was quiet enough to rank methods"));

@@ -49,20 +49,20 @@ TEST_F(CalibrateCommand, LightsAllOfTheDomeOfTheExample) {
 }
 
 TEST_F(CalibrateCommand, AndInspectTellTheSamePartsOfTheDome) {
-  // Meshes extend beyond the image circle, where a fisheye has no light.
+  // The warp meshes extend beyond the image circle of the fisheye lens, which emits no light there.
   write("dome.toml",
         "[dome]\nradius_m = 6\n[[projector]]\nname = \"up\"\npitch_deg = 90\nfisheye = { fov_deg = 90 }\n"
         "resolution_px = [256, 128]\nwindow_px = [0, 0]\n");
   ASSERT_EQ(run("calibrate dome.toml --out made --size 512"), 0) << output_;
-  // A cap of 45 degrees covers 1 - cos 45° of the hemisphere.
+  // The projector lights a cap of half angle 45°, which is 1 - cos 45° of the hemisphere.
   EXPECT_THAT(output_, HasSubstr("29.3 % of the dome\n70.7 % of the dome is lit by no projector"));
   ASSERT_EQ(run("inspect made/dome.toml"), 0) << output_;
   EXPECT_THAT(output_, testing::ContainsRegex("yes +29.[0-6] %"));
 }
 
 TEST_F(CalibrateCommand, AndInspectCountTheCellsThatAreDrawn) {
-  // The mirror's edge cuts cells, which are not drawn: the meshes light less of the dome than the
-  // mirror does.
+  // Mesh cells that cross the edge of the mirror are not drawn, so the meshes light less of the
+  // dome than the mirror does.
   write("dome.toml",
         "[dome]\nradius_m = 8\n[[projector]]\nname = \"a\"\n"
         "frustum = { left_deg = -10, right_deg = 10, up_deg = 12, down_deg = -12 }\n"
@@ -74,8 +74,8 @@ TEST_F(CalibrateCommand, AndInspectCountTheCellsThatAreDrawn) {
 }
 
 TEST_F(CalibrateCommand, TellsOfAProjectorWhoseLightPassesTheDomeBy) {
-  // The front of the rim is 10 degrees down, but the projector's light reaches only 9 degrees below
-  // the horizon.
+  // The front of the dome's rim is 10 degrees below the horizon, but the projector lights only
+  // directions more than 9 degrees below it.
   write("dome.toml", std::string(dome_of_two) +
                          "[[projector]]\nname = \"floor\"\npitch_deg = -44\n"
                          "frustum = { left_deg = -5, right_deg = 5, up_deg = 35, down_deg = -35 }\n"
@@ -84,7 +84,8 @@ TEST_F(CalibrateCommand, TellsOfAProjectorWhoseLightPassesTheDomeBy) {
   EXPECT_THAT(output_, HasSubstr("floor lights almost none of the dome"));
 }
 
-//! Returns a setup with a projector behind a dome of 6 m radius that points to the front.
+//! Returns the setup of a dome of 6 m radius with a projector that is outside the dome, behind it,
+//! and points to the front.
 std::string dome_with_one_behind(double tilt_deg) {
   return fmt::format(
       "[dome]\nradius_m = 6\ntilt_deg = {}\n[[projector]]\nname = \"behind\"\nposition_m = [0, 0, 7]\npitch_deg = 20\n"
@@ -94,7 +95,7 @@ std::string dome_with_one_behind(double tilt_deg) {
 }
 
 TEST_F(CalibrateCommand, RefusesAProjectorBehindTheDomesShellAsInspectDoes) {
-  // The dome is tilted to the back, so that its rim there is below the projector.
+  // The dome is tilted backwards, so that the back of its rim is below the projector.
   write("dome.toml", dome_with_one_behind(-20.0));
   for (const char* words :
        {"calibrate dome.toml --out made", "inspect dome.toml", "render --pattern white --setup dome.toml"}) {

@@ -38,8 +38,8 @@ class ConvertCommand : public CommandLine {
   }
 };
 
-//! Returns the largest distance in the master between two warps, over the centers of pixels that
-//! both draw.
+//! Compares two warps at the centers of those pixels that both of them draw. Returns the largest
+//! distance between the positions in the master that they show.
 double farthest_apart(const WarpMesh& a, const WarpMesh& b) {
   const WarpMesh fine_a = resampled_warp(a, 64, 48);
   const WarpMesh fine_b = resampled_warp(b, 64, 48);
@@ -156,8 +156,8 @@ TEST_F(ConvertCommand, SaysNothingOfIntensitiesWhereAllAreFull) {
   EXPECT_THAT(output_, testing::Not(HasSubstr("intensities")));
 }
 
-//! Returns a polar mesh with 12 rings and 36 spokes that shows the domemaster's circle as high as
-//! the raster.
+//! Returns a polar mesh with 12 rings and 36 spokes that shows the circle of the domemaster, as
+//! high as the projector's raster.
 std::string polar_circle() {
   std::string mesh = "1\n36 12\n";
   for (int ring = 0; ring < 12; ++ring) {
@@ -196,7 +196,8 @@ TEST_F(ConvertCommand, APolarMeshOfAnUprightRasterBecomesAnUprightMap) {
   EXPECT_THAT(output_, HasSubstr("with 720 x 1440 samples"));
 }
 
-//! Returns the setup of two projectors in a tilted dome.
+//! Returns the setup of two projectors in a dome tilted by 15°; `rotation` is an additional line of
+//! the [dome] table.
 std::string leaning(const std::string& rotation) {
   std::string setup = two_projectors;
   setup.replace(setup.find("rotation_deg = 20"), 17, "tilt_deg = 15\n" + rotation);
@@ -255,7 +256,8 @@ TEST_F(ConvertCommand, SaysWhatItCannotMake) {
 }
 
 TEST_F(CommandLine, InspectTellsHowMuchOfTheDomeAProjectorLights) {
-  // From the center, straight up, with the frustum of a cube face: a third of the hemisphere.
+  // The projector is at the center, points straight up and has the frustum of a cube face. It
+  // lights a sixth of the sphere, which is a third of the hemisphere.
   write("dome.toml",
         "[dome]\nradius_m = 6\n[[projector]]\nname = \"up\"\npitch_deg = 90\n"
         "frustum = { left_deg = -45, right_deg = 45, up_deg = 45, down_deg = -45 }\nresolution_px = [256, 256]\n"
@@ -273,11 +275,11 @@ TEST_F(CommandLine, InspectRefusesASetupWhoseFilesAreAbsent) {
   EXPECT_THAT(output_, HasSubstr("absent.data"));
 }
 
-//! A setup with one flat warp.
+//! A setup with one projector, whose warp is a Bourke mesh.
 constexpr const char* dome_with_a_mesh =
     "[dome]\nradius_m = 6\n[[projector]]\nname = \"m\"\nresolution_px = [320, 180]\nwarp = \"a.data\"\n";
 
-//! Returns a rectangular mesh whose x runs from -half_width to half_width.
+//! Returns a Bourke mesh of 2 x 2 nodes whose x goes from -half_width to half_width.
 std::string mesh_of_width(double half_width) {
   return fmt::format("2\n2 2\n-{0} -1 0.1 0.1 1\n{0} -1 0.9 0.1 1\n-{0} 1 0.1 0.9 1\n{0} 1 0.9 0.9 1\n", half_width);
 }

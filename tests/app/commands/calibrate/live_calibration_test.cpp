@@ -115,7 +115,8 @@ TEST_F(LiveKeys, PointsOfFinerGridsMoveAlone) {
   press(Action::up);
   EXPECT_DOUBLE_EQ(live_.offsets()[0].down[3 * 5 + 2], -0.01);
   EXPECT_DOUBLE_EQ(live_.offsets()[0].down[2 * 5 + 2], 0.0);
-  // The corner's offset is still interpolated.
+  // Only the vertical offset of this point was changed: its horizontal offset is still interpolated
+  // from that of the corner.
   EXPECT_NEAR(live_.offsets()[0].right[3 * 5 + 2], 0.005 * 0.5 * 0.75, 1e-12);
   press(Action::next_projector);
   EXPECT_EQ(live_.offsets()[1].points, 2);

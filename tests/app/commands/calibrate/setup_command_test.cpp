@@ -33,7 +33,8 @@ class SetupCommands : public CommandLine {
  protected:
   void SetUp() override {
     CommandLine::SetUp();
-    // Leaks of drivers cannot be attributed to them once they are unloaded.
+    // The leak checker is off: OpenGL drivers leak memory, and they are unloaded before the leak
+    // checker could attribute the leaks to them.
     const char* const options = std::getenv("ASAN_OPTIONS");
     ::setenv("ASAN_OPTIONS", ((options != nullptr ? std::string(options) : "") + ":detect_leaks=0").c_str(), 1);
     write("dome.toml", setup_of_two);
@@ -145,7 +146,8 @@ TEST_F(SetupCommands, PlayKeepsCaptionsSharpOnProjectorsOfASmallMaster) {
         "[dome]\nradius_m = 6\n[[projector]]\nname = \"p\"\npitch_deg = 40\n"
         "frustum = { left_deg = -50, right_deg = 50, up_deg = 40, down_deg = -40 }\nresolution_px = [400, 300]\n"
         "window_px = [0, 0]\n");
-  // Far from the hole, a gray sky looks the same at every resolution.
+  // Far from the hole and with a gray sky, everything but the caption is independent of the
+  // resolution.
   write("show.toml",
         "duration_s = 100\n[hole]\nspin = 0.9\n[[camera.key]]\nr = 900\n[sky]\nmap = \"sky.png\"\n"
         "[[caption]]\ntext = \"HHHHH\"\nfrom_s = 0\nto_s = 100\nfade_in_s = 0\nletter_deg = 12\nelevation_deg = 40\n");
@@ -163,7 +165,7 @@ TEST_F(SetupCommands, PlayKeepsCaptionsSharpOnProjectorsOfASmallMaster) {
   int far_off = 0;
   int bright = 0;
   int dark = 0;
-  // Around the letters the sky has values near 120.
+  // In this rectangle around the caption, the gray sky has values near 120.
   for (std::size_t y = 100; y < 200; ++y) {
     for (std::size_t x = 100; x < 300; ++x) {
       const int value = coarse.values[3 * (400 * y + x)] / 257;
@@ -174,7 +176,7 @@ TEST_F(SetupCommands, PlayKeepsCaptionsSharpOnProjectorsOfASmallMaster) {
   }
   EXPECT_GT(bright, 300) << "the letters";
   EXPECT_GT(dark, 300) << "their rim";
-  // With letters drawn in a master of 48 pixels, 2,463 of these pixels would differ.
+  // If the letters were drawn in the domemaster of 48 pixels, 2,463 of these pixels would differ.
   EXPECT_LT(far_off, 50);
 }
 

@@ -78,7 +78,7 @@ TEST_F(ChannelFrames, HoldTheNumbersThatTraceFindsForThePixelsRays) {
       continue;
     }
     EXPECT_NEAR(g[at], std::stod(row.at("g")), 1e-12) << at;
-    // The camera of `trace` is at φ = 0.
+    // The command `trace` sets the camera's azimuth to 0, the show to 30°.
     const double there = std::atan2(std::stod(row.at("sky_y")), std::stod(row.at("sky_x"))) + 30.0 * one_degree;
     EXPECT_NEAR(std::remainder(one_degree * longitude[at] - there, full_turn), 0.0, 1e-7) << at;
     ++lit;
@@ -123,7 +123,7 @@ TEST_F(ChannelFrames, SayInTheirHeaderWhatTheyAreOf) {
   EXPECT_THAT(fits.text("CREATOR"), HasSubstr(ERGODOME_VERSION));
   fits.go_to("g");
   EXPECT_EQ(fits.text("CTYPE1"), "VLON-TAN");
-  // A screen of 90 degrees: the middle pixel is 2 / 48 of the distance to the screen.
+  // The screen is 90° wide: at distance 1, it is 2 wide and has 48 pixels.
   EXPECT_NEAR(fits.number("CDELT1"), radian_deg * 2.0 / 48.0, 1e-12);
 }
 
@@ -134,7 +134,8 @@ TEST_F(ChannelFrames, AreTheSameInExrAsFloats) {
   ASSERT_EQ(run("render numbers.toml --frames 1 --out picture --format exr --backend cpu"), 0) << output_;
   EXPECT_TRUE(is_complete_image(frame("f", "exr"), size_px, size_px));
   EXPECT_EQ(fact_of_image(frame("f", "exr"), "spin"), "0.9");
-  // The picture's file stores the light as half floats.
+  // The EXR file of the picture stores light as half floats, so it is compared with their
+  // precision.
   FitsReader fits(frame("f"));
   fits.go_to("color.G");
   const std::vector<double> green = fits.pixels();

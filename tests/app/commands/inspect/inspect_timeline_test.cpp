@@ -93,7 +93,7 @@ TEST_F(CommandLine, InspectTellsAFolderFromAFileThatIsMissing) {
 
 TEST_F(CommandLine, InspectTellsOfSoundThatBreaksOff) {
   write("loud.toml", "[[camera.key]]\nr = 12\n[sky]\nmap = \"black\"\n[[audio]]\nfile = \"words.wav\"\n");
-  // The header announces 8 samples of 16 bits, but only 4 follow.
+  // The header declares eight samples of 16 bits, but the file contains only four.
   const std::string samples(8, 'x');
   const std::string header{
       "RIFF\x34\0\0\0WAVEfmt \x10\0\0\0\x01\0\x01\0\x40\x1F\0\0\x80\x3E\0\0\x02\0\x10\0data\x10\0\0\0", 44};

@@ -31,8 +31,7 @@ map = "sky.ppm"
 size_px = 32
 )";
 
-//! Puts a stand-in for ffmpeg first in PATH, which records its arguments and saves its input as the
-//! film.
+//! Puts a fake ffmpeg first in PATH. It records its arguments and saves its input as the film.
 class RenderAMovie : public CommandLine {
  protected:
   void SetUp() override {
@@ -114,7 +113,8 @@ TEST_F(RenderAMovie, IsNoneWhoseLastBytesFoundNoRoomThoughTheEncoderEndsWell) {
   EXPECT_FALSE(fs::exists(folder_ / "film.mkv"));
 }
 
-//! Returns a stand-in that, when it decodes a film, reports the given number of frames.
+//! Returns the shell script of a fake ffmpeg that reports the given number of frames when it is
+//! asked to count those of a film.
 std::string encoder_that_finds(const std::string& frames) {
   return "case \"$*\" in *-progress*) printf 'frame=0\\nprogress=continue\\n" + frames +
          "progress=end\\n' >&2; exit 0;; esac\nfor last; do :; done\ncat > \"$last\"\n";
@@ -187,7 +187,7 @@ TEST_F(RenderAMovie, IsReadBackByTheEncoderItself) {
   EXPECT_THROW(check_movie(movie), Error);
 }
 
-//! Returns a sound that is silent for a tenth of a second, then steps up.
+//! Returns a sound that is silent for its first tenth of a second and then constant.
 std::string sound_with_a_step() {
   constexpr int rate_hz = 48000;
   const std::uint32_t bytes = 2 * rate_hz;
@@ -260,7 +260,8 @@ TEST(MovieSound, IsWhereTheShowHasIt) {
   fs::remove_all(folder);
   ASSERT_EQ(bytes, static_cast<ssize_t>(2 * sizeof(float) * 48000 * 4 / 10));
   const auto first = std::ranges::find_if(samples, [](float sample) { return sample > 0.2F; });
-  // The step is at 0.25 + 0.1 s of the show, and the film starts at 0.15 s.
+  // The step is heard at 0.25 + 0.1 s of the show. The film starts at 0.15 s of the show, so it
+  // contains the step at 0.2 s.
   EXPECT_NEAR(static_cast<double>(first - samples.begin()) / 2.0 / 48000.0, 0.2, 0.001);
 }
 

@@ -42,8 +42,8 @@ TEST_F(RayCommands, TraceGivesTheReferenceForEveryRayByEveryExactMethod) {
 }
 
 TEST_F(RayCommands, AxesAreAsTheHelpSays) {
-  // Without spin, light seen straight outwards comes from that direction. Far from the hole,
-  // directions are unchanged except for a bending of about 2 M / r.
+  // Without spin, light that is seen straight outwards comes from exactly that direction. At a
+  // large radius r, light is bent by only about 2 M / r.
   write("rays.csv",
         "spin,r,theta_deg,observer,n_r,n_theta,n_phi,id\n0,10,90,zamo,5,0,0,out\n0,10,30,zamo,1,0,0,high\n"
         "0.9,1e9,60,zamo,0,3,0,south\n0.9,1e9,60,zamo,0,0,0.5,east\n");
@@ -83,7 +83,8 @@ TEST_F(RayCommands, TraceWorksByEveryMethodInBothPrecisions) {
   write("rays.csv", "a,r,theta,observer,n_r,n_theta,n_phi\n0.9,6,1.2,zamo,-0.2,0.3,0.9\n0.9,6,1.2,zamo,-1,0,0\n");
   for (const char* method : {"taylor", "rk34", "cash_karp", "closed_form", "baseline_rk34"}) {
     for (const char* precision : {"float", "double"}) {
-      // The closed form has neither a tolerance nor steps.
+      // Options for tolerance and precision are given only to methods that follow rays in steps;
+      // the closed form accepts neither.
       const std::string exact = std::string("trace --rays rays.csv --out out.csv --method ") + method;
       const bool follows = std::string(method) != "closed_form";
       ASSERT_EQ(run(follows ? exact + " --tolerance 1e-5 --precision " + precision : exact), 0) << output_;
@@ -148,7 +149,7 @@ TEST_F(RayCommands, ThePublishedTracerFindsTheSkyWithItsPublishedTolerance) {
   for (const char* axis : {"sky_x", "sky_y", "sky_z"}) {
     EXPECT_NEAR(std::stod(sky[0].at(axis)), std::stod(exact[0].at(axis)), 0.02) << axis;
   }
-  // The rays of the article end within its limit of 2,000 steps.
+  // The article (on `baseline_rk34`) ends its rays after at most 2,000 steps.
   EXPECT_LT(std::stod(sky[0].at("steps")), 2000.0);
 }
 

@@ -11,8 +11,9 @@ namespace {
 using ::testing::HasSubstr;
 
 TEST_F(CommandLine, TraceShellListsBothCrossingsOfLightThatTurns) {
-  // Without spin, light stays in a plane through the hole: θ goes from pole to pole, and the
-  // outward path mirrors the inward path about the turning point.
+  // Without spin, light stays in a plane through the hole. Here the plane contains the axis: θ goes
+  // from pole to pole, and the outward path is the mirror image of the inward path about the
+  // turning point.
   write("rays.csv", "a,r,theta,observer,n_r,n_theta,n_phi\n0,20,1.5707963267948966,static,-0.8,0,0.6\n");
   ASSERT_EQ(run("trace --shell 15 --rays rays.csv --out out.csv"), 0) << output_;
   const auto rows = read_csv(folder_ / "out.csv");
@@ -23,7 +24,7 @@ TEST_F(CommandLine, TraceShellListsBothCrossingsOfLightThatTurns) {
   EXPECT_EQ(rows[1].at("outwards"), "0");
   for (const CsvRow& row : rows) {
     EXPECT_NEAR(std::stod(row.at("theta_hit")), 1.5707963267948966, 1e-12);
-    // Both the shell and the camera are static: g is the ratio of the lapses.
+    // Both the shell and the camera are static, so g is the ratio of their lapses.
     EXPECT_NEAR(std::stod(row.at("g_zamo")), std::sqrt((1.0 - 2.0 / 15.0) / (1.0 - 2.0 / 20.0)), 1e-12);
   }
   EXPECT_GT(std::stod(rows[1].at("delay")), std::stod(rows[0].at("delay")));

@@ -15,7 +15,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-//! Renders a show whose camera flies into the light and whose exposure follows it.
+//! Renders a show whose camera flies into bright light, with automatic exposure.
 class FollowedExposure : public CommandLine {
  protected:
   void SetUp() override {

@@ -52,7 +52,7 @@ TEST(FramesBetween, BeginAtOrAfterTheFirstTimeAndBeforeTheSecond) {
   EXPECT_EQ(frames_between("12s", "22s", show), FrameSpanPair(360, 659));
   EXPECT_EQ(frames_between("22s", "", show), FrameSpanPair(660, 899));
   EXPECT_EQ(frames_between("", "30s", show), FrameSpanPair(0, 899));
-  // Frame 1 (counted from 0) starts at 33.3 ms.
+  // At 30 Hz, frame 1 (counted from 0) starts at 33.3 ms.
   EXPECT_EQ(frames_between("33ms", "34ms", show), FrameSpanPair(1, 1));
 }
 
@@ -61,7 +61,7 @@ TEST(FramesBetween, ShareNoneWhereTheyMeet) {
   for (const char* const time : {"1s", "3.337s", "10.01s", "0:19"}) {
     EXPECT_EQ(frames_between("", time, show).second + 1, frames_between(time, "", show).first) << time;
   }
-  // 10.01 s are 300 frames of 1001/30000 s.
+  // At 30000/1001 Hz, 10.01 s are exactly 300 frames.
   EXPECT_EQ(frames_between("10.01s", "", show).first, 300);
 }
 

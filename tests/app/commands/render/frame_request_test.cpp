@@ -9,7 +9,7 @@
 #include "app/cli/show_loading.h"
 #include "tests/app/cli/command_line.h"
 
-// The request text that identifies the content of a frame.
+// Tests of the request text, which identifies the content of a frame.
 namespace ergodome {
 namespace {
 
@@ -17,17 +17,17 @@ namespace fs = std::filesystem;
 
 const std::string requested_show =
     "duration_s = 10\n[hole]\nspin = 0.9\n[[camera.key]]\nr = 8\n[sky]\nmap = \"sky.ppm\"\n[view]\nsize_px = 48\n";
-//! Visible from 2 s on, fully from 3 s to 5 s.
+//! A caption that is visible from 2 s to 6 s and fully opaque from 3 s to 5 s.
 const std::string requested_caption =
     "[[caption]]\nfrom_s = 2\nto_s = 6\nfade_in_s = 1\nfade_out_s = 1\ntext = { en = \"Light\", de = \"Licht\" }\n";
 
 class RequestsOfFrames : public test::CommandLine {
  protected:
-  //! Returns the request of the frame at a time of small.toml [s].
+  //! Returns the request text of the frame at a time [s] of the show small.toml.
   [[nodiscard]] std::string request_at(double time_s, const RenderOptions& options = {}) const {
     return FrameRequests(options, load_show((folder_ / "small.toml").string()), std::nullopt).at(time_s);
   }
-  //! Returns the request of the frame at a time [s] of a show with the given text.
+  //! Returns the request text of the frame at a time [s] of a show with the given TOML text.
   [[nodiscard]] std::string request_of(const std::string& show, double time_s,
                                        const RenderOptions& options = {}) const {
     write("small.toml", show);

@@ -1,8 +1,9 @@
+#include "app/commands/render/heat_map_options.h"
+
 #include <gmock/gmock.h>
 
 #include <cmath>
 
-#include "app/commands/render/heat_map_options.h"
 #include "app/cli/usage_error.h"
 #include "content/images/image_library.h"
 #include "kernels/image/color_map.h"
@@ -29,8 +30,9 @@ class ViewRanges : public test::CommandLine {
 };
 
 TEST_F(ViewRanges, MoveTheColoursOfAHeatMap) {
-  // A static observer at 4 M from a hole without spin sees the sky blueshifted by √2. That is at
-  // (log √2 - log 1) / (log 4 - log 1) = 1/4 of the range 1 to 4, and at half of the default range.
+  // A static observer at 4 M from a hole without spin sees the sky blueshifted by √2. The color of
+  // this value is at (log √2 - log 1) / (log 4 - log 1) = 1/4 of the color bar for the range 1 to
+  // 4, and at half of the bar for the default range.
   write("static.toml", R"(
 title = "Static"
 [hole]

@@ -15,7 +15,7 @@
 #include "render/output/image_writer.h"
 #include "tests/app/cli/command_line.h"
 
-// Frames that exist in a folder, and their metadata.
+// Tests of frames that already exist in a folder, and of their metadata.
 namespace ergodome {
 namespace {
 
@@ -140,7 +140,7 @@ TEST_F(NumberedFrames, SayWhichWayTheCameraLooks) {
   double theta = 0.0;
   double phi = 0.0;
   forward >> r >> theta >> phi;
-  // The view is turned by a quarter to the right of the hole.
+  // The view direction is a quarter turn to the right of the hole, so it is e_φ.
   EXPECT_NEAR(r, 0.0, 1e-9);
   EXPECT_NEAR(theta, 0.0, 1e-9);
   EXPECT_NEAR(phi, 1.0, 1e-9);

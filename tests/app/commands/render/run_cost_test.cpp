@@ -46,7 +46,7 @@ TEST_F(CommandLine, PlanTakesAllFramesForTheOneInTheMiddle) {
   EXPECT_GT(estimate["frame_s"].get<double>(), 0.0);
   EXPECT_GT(estimate["free_bytes"].get<double>(), 0.0);
   EXPECT_FALSE(fs::exists(folder_ / "frames"));
-  // A frame written by render has the same picture plus metadata.
+  // A frame that `render` writes contains the same picture as the measured one, and metadata.
   ASSERT_EQ(run("render short.toml --backend cpu --frames 3"), 0) << output_;
   const auto written = static_cast<double>(fs::file_size(folder_ / "frames/short_000003.png"));
   EXPECT_NEAR(estimate["frame_bytes"].get<double>(), written, 0.15 * written + 1500.0);
@@ -77,18 +77,20 @@ TEST_F(CommandLine, UncompressedFramesTakeTheirPixelsBytes) {
   const auto written = static_cast<double>(fs::file_size(folder_ / "f/short_000001.exr"));
   const FrameFormat format = frame_format("exr", "none", false);
   const double expected = least_compressed_part(format) * static_cast<double>(uncompressed_bytes(format, 64 * 64));
-  // The header, and for each row 8 bytes for its number and size and 8 for its offset.
+  // In addition to the pixels, the file has 16 bytes per row (its number, size and offset) and a
+  // header of at most 4096 bytes.
   EXPECT_GE(written, expected + 64 * 16);
   EXPECT_LE(written, expected + 64 * 16 + 4096);
 }
 
 TEST_F(CommandLine, RenderWarnsOfAFullDiskBeforeItsFirstFrame) {
   write("long.toml", std::string("duration_s = 1e8\n") + (std::strchr(short_show, '\n') + 1));
-  // A file in place of the left eye's folder stops the run at its first frame.
+  // A file with the name of the left eye's folder makes the run fail at its first frame.
   fs::create_directory(folder_ / "f");
   write("f/L", "");
   const std::string separate = "render long.toml --backend cpu --out f --stereo separate --size 256 --format exr ";
-  // A frame has 256 x 256 pixels, three channels of 2 bytes, two eyes; 1e9 frames take 786 TB.
+  // A frame has 256 x 256 pixels, three channels of 2 bytes and two eyes, so 1e9 frames take 786
+  // TB.
   EXPECT_NE(run(separate + "--compression none"), 0);
   EXPECT_THAT(output_, HasSubstr("f: the run needs about 786 TB, but its disk has only "));
   EXPECT_NE(run(separate), 0);

@@ -40,7 +40,7 @@ PadState pad_with(PadAxis axis, float value) {
 bool of_keyboard(const Input& input) { return input.kind == Input::Kind::key; }
 bool of_pad(const Input& input) { return input.kind == Input::Kind::pad_button || input.kind == Input::Kind::pad_axis; }
 
-//! Returns the first indented block of a page.
+//! Returns the first indented block of a Markdown page.
 std::string first_block_of(const std::string& page) {
   std::ifstream stream(page);
   std::string block;
@@ -220,7 +220,7 @@ TEST(ControlsHelp, GroupsLinesBySubject) {
   EXPECT_TRUE(std::ranges::is_sorted(places));
   EXPECT_THAT(help, testing::ContainsRegex("\n  W, S +move forward, back\n"));
   EXPECT_THAT(help, testing::ContainsRegex("\n  Left, Right +2 s back, forward\n"));
-  // Visitors cannot change the stereo settings.
+  // Visitors cannot change stereo settings, so the help text for them does not name these settings.
   EXPECT_THAT(help_text(Controls(), {.reader = ActionUser::visitor}), Not(HasSubstr("Stereo")));
 }
 
@@ -265,7 +265,7 @@ TEST(ControlsHelp, HasTheSameLinesInBothLanguages) {
   for (const char* key : {"Space", "Shift", "Ctrl", "Home", "mouse", "stick up", "wheel"}) {
     EXPECT_THAT(german, Not(HasSubstr(key)));
   }
-  // Keys that take several lines in one language may take more in the other.
+  // Translated names of keys differ in length, but both languages list the same number of actions.
   const auto lines_of = [](std::string_view language) {
     const std::string cells = help_text(Controls(), {.language = language, .form = HelpForm::cells});
     return std::ranges::count(cells, '\t');

@@ -35,7 +35,7 @@ TEST(HelpLayout, CountsLettersAndNotBytes) {
   EXPECT_EQ(in_columns("größer\n\nb\n", 2), "größer    b\n");
 }
 
-//! Returns the size of a text in letters of equal width, with a margin as on a panel.
+//! Returns the size of a text in letters of equal width, including the margin of a help panel.
 TextSize measured(const std::string& text, int letter_px) {
   std::stringstream lines(text);
   std::size_t longest = 0;
@@ -52,7 +52,8 @@ FittedText fit(const std::string& list, const TextSize& window, int usual_px) {
 }
 
 TEST(HelpLayout, LettersAreAsLargeAsTheWindowLetsThem) {
-  // With line spacing and margin, two lines are four letters high: 50 px allow letters of 12 px.
+  // Two lines with line spacing and margin are as high as four letters and a little more, so a
+  // window of 50 px allows letters of 12 px.
   const FittedText roomy = fit("a\nb\n\nc\nd\n", {1000, 1000}, 20);
   EXPECT_EQ(roomy.text, "a    c\nb    d\n");
   EXPECT_EQ(roomy.letter_px, 20);

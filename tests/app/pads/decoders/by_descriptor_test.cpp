@@ -8,18 +8,24 @@
 namespace ergodome::test {
 namespace {
 
-//! A fixture of a known pad, and what is missing in its descriptor.
+//! A recorded pad (a fixture) with a published report layout, and the parts of the layout that the
+//! HID descriptor of the pad does not contain.
 struct Known {
   const char* name;
-  bool analog_alone = false;  //!< trigger buttons are not also axes
-  std::string_view untold;    //!< buttons in vendor-defined bits
+  //! True if, by the descriptor, the button of a trigger does not also move the axis of the
+  //! trigger.
+  bool analog_alone = false;
+  //! Events with this word are skipped: a button in vendor-defined bits, which the descriptor does
+  //! not explain. "~" if there is none.
+  std::string_view untold;
 };
 
 std::ostream& operator<<(std::ostream& out, const Known& known) { return out << known.name; }
 
 class KnownPad : public testing::TestWithParam<Known> {};
 
-//! Descriptors must agree with the published layouts: the decoders and the parser share no code.
+//! A decoder from the HID descriptor must agree with the published layout. The two are independent:
+//! they share no code.
 TEST_P(KnownPad, IsReadByItsDescriptorAsByItsLayout) {
   const FixtureDevice device = fixture(GetParam().name).devices.front();
   const auto decoder = make_by_descriptor(device.descriptor);
@@ -85,7 +91,7 @@ TEST(ByDescriptor, KeepsWhatOtherReportsSaid) {
 }
 
 TEST(ByDescriptor, NamesAxesOfTheSameUsageApart) {
-  // Two sliders of eight bits.
+  // The descriptor has two axes with the usage `slider`, of eight bits each.
   const std::vector<std::uint8_t> descriptor = {0x05, 0x01, 0x09, 0x04, 0xA1, 0x01, 0x09, 0x36, 0x09, 0x36, 0x15,
                                                 0x00, 0x26, 0xFF, 0x00, 0x75, 0x08, 0x95, 0x02, 0x81, 0x02, 0xC0};
   const auto decoder = make_by_descriptor(descriptor);
@@ -110,8 +116,8 @@ TEST(ByDescriptor, ArraysOfButtonsPressTheButtonsThatTheyName) {
   EXPECT_EQ(pad.numbered.to_ulong(), 1UL << 11U);
 }
 
-//! Returns the triggers of a pad with x, y, z, rz, rx and ry of eight bits and the given minimum,
-//! after reports with these trigger values.
+//! Returns the left trigger at rest and after each report. The pad has the axes x, y, z, rz, rx and
+//! ry of eight bits, with the minimum `least`; each report sets the trigger to one of `values`.
 std::vector<float> triggers_after(std::uint8_t least, const std::vector<std::uint8_t>& values) {
   const std::vector<std::uint8_t> descriptor = {0x05, 0x01, 0x09, 0x05, 0xA1, 0x01, 0x09, 0x30, 0x09, 0x31,
                                                 0x09, 0x32, 0x09, 0x35, 0x09, 0x33, 0x09, 0x34, 0x15, least,
@@ -138,8 +144,8 @@ TEST(ByDescriptor, TriggersThatRestAtTheirMinimumAreReadFromThere) {
               testing::Pointwise(testing::FloatNear(0.001F), {0.0F, 0.0F, 0.5F, 1.0F, 0.0F}));
   EXPECT_THAT(triggers_after(0x00, {0, 64, 127}),
               testing::Pointwise(testing::FloatNear(0.005F), {0.0F, 0.0F, 0.504F, 1.0F}));
-  // The trigger is pressed when the pad is plugged in, or reports zero before its first
-  // measurement, and is released later.
+  // If a pad is plugged in while its trigger is pressed, or reports zero before its first
+  // measurement, its true rest value is known only after the trigger is released.
   EXPECT_THAT(triggers_after(0x81, {0, 0x81, 0}),
               testing::Pointwise(testing::FloatNear(0.001F), {0.0F, 0.0F, 0.0F, 0.5F}));
 }
@@ -161,7 +167,8 @@ TEST(ByDescriptor, AxesAndButtonsGoWhereTheProfileSays) {
   profile.axes["x"] = {std::nullopt, false};
   profile.buttons = {PadButton::guide, std::nullopt};
   RawPad raw = at_rest(decoder->layout());
-  // x, y and twist at their maximum (32 bits set), the throttle at 0, the first two buttons.
+  // The report has x, y and twist at their maximum (all 32 bits set), the throttle at 0, and the
+  // first two buttons pressed.
   std::vector<std::uint8_t> report(14);
   std::fill_n(report.begin(), 4, 0xFF);
   report[8] = 0x03;

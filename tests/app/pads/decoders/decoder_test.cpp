@@ -52,7 +52,8 @@ TEST_P(EveryDecoder, RefusesEveryShorterReport) {
   for (const HidEvent& event : device.timeline) {
     const auto decoder = make_pad_decoder(device.info, device.descriptor);
     RawPad raw = at_rest(decoder->layout());
-    // Each length is in a separate block, so that the sanitizers detect a read beyond its end.
+    // Each shortened report is in its own memory block, so that sanitizers detect reads beyond its
+    // end.
     for (std::size_t length = 0; length < std::min<std::size_t>(event.bytes.size(), 80); ++length) {
       const std::vector<std::uint8_t> cut(event.bytes.begin(),
                                           event.bytes.begin() + static_cast<std::ptrdiff_t>(length));
@@ -63,7 +64,7 @@ TEST_P(EveryDecoder, RefusesEveryShorterReport) {
 }
 
 TEST(Checksum, IsTheCommonCrc32) {
-  // The check value of CRC-32/ISO-HDLC: "123456789" gives cbf43926.
+  // CRC-32/ISO-HDLC defines the check value cbf43926 for the text "123456789".
   const std::vector<std::uint8_t> rest = {'2', '3', '4', '5', '6', '7', '8', '9'};
   EXPECT_EQ(crc32_after('1', rest), 0xCBF43926U);
 }
@@ -99,7 +100,8 @@ TEST(EightBitDo, SendsWhatIsNotItsOwnLayoutThroughTheDescriptor) {
   info.product = 0x6012;
   const auto decoder = make_pad_decoder(info, stadia.descriptor);
   RawPad raw = at_rest(decoder->layout());
-  // A report of ten bytes with id 3 is not in 8BitDo's own layout.
+  // The report has ten bytes and id 3. 8BitDo's own layout has no such report, so the pad must be
+  // read by its descriptor.
   const std::vector<std::uint8_t> report = {3, 8, 0x00, 0x40, 255, 128, 128, 128, 0, 0};
   ASSERT_EQ(decoder->decode(report, raw), PadReport::state);
   const PadState state = read_straight(decoder->layout(), raw);

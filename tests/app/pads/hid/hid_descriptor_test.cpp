@@ -38,8 +38,8 @@ std::string problem_of(const Bytes& descriptor) {
 }
 
 TEST(HidDescriptor, PlacesFieldsThatAreNotAlignedAsTheStickDoes) {
-  // The published struct of the X52: x:11, y:11, twist:10, four bytes, 34 buttons, 2 padding bits,
-  // hat:4.
+  // The published layout of the X52, with the number of bits in each field: x 11, y 11, twist 10,
+  // four axes of 8, 34 buttons, 2 bits of padding, hat 4.
   const HidLayout layout = layout_of("saitek_x52");
   EXPECT_FALSE(layout.has_ids);
   EXPECT_EQ(layout.report_bits.at(0), 14U * 8U);
@@ -122,7 +122,8 @@ TEST(HidDescriptor, SaysWhatIsNoPad) {
 }
 
 TEST(HidDescriptor, PopsWhatWasPushed) {
-  // Eight bits from 0 to 255, pushed; one bit from 0 to 1; popped.
+  // Items of the descriptor: fields of eight bits from 0 to 255; Push; a button of one bit; Pop,
+  // which restores the eight bits; the x axis.
   const HidLayout layout =
       parse_hid_descriptor(joystick({0x15, 0x00, 0x26, 0xFF, 0x00, 0x75, 0x08, 0x95, 0x01, 0xA4, 0x05, 0x09, 0x25, 0x01,
                                      0x75, 0x01, 0x19, 0x01, 0x29, 0x01, 0x81, 0x02, 0xB4, 0x09, 0x30, 0x81, 0x02}));
@@ -133,13 +134,13 @@ TEST(HidDescriptor, PopsWhatWasPushed) {
 }
 
 TEST(HidDescriptor, UsagesTakeThePageThatIsSetBehindThemAndKeepOneThatChangesBetweenThem) {
-  // HID 1.11, 6.2.2.8: x and y, whose usage page is set after them.
+  // Usages x and y are followed by their usage page, which applies to them (HID 1.11, 6.2.2.8).
   const HidLayout behind = parse_hid_descriptor(joystick(
       {0x05, 0x0C, 0x09, 0x30, 0x09, 0x31, 0x05, 0x01, 0x15, 0x00, 0x25, 0x7F, 0x75, 0x08, 0x95, 0x02, 0x81, 0x02}));
   EXPECT_EQ(field_of(behind, {1, 0x30}).bit_offset, 0U);
   EXPECT_EQ(field_of(behind, {1, 0x31}).bit_offset, 8U);
-  // x of the generic desktop, then the accelerator of the simulation page, then a usage whose item
-  // contains its page.
+  // Three usages: x on the generic desktop page, the accelerator on the simulation page, and one
+  // whose item contains its usage page.
   const HidLayout between =
       parse_hid_descriptor(joystick({0x09, 0x30, 0x05, 0x02, 0x09, 0xC4, 0x0B, 0x32, 0x00, 0x01, 0x00,
                                      0x15, 0x00, 0x25, 0x7F, 0x75, 0x08, 0x95, 0x03, 0x81, 0x02}));
@@ -149,7 +150,7 @@ TEST(HidDescriptor, UsagesTakeThePageThatIsSetBehindThemAndKeepOneThatChangesBet
 }
 
 TEST(HidDescriptor, ReadsSignedNumbersOfAnyWidth) {
-  // x of 12 bits from -2048 to 2047, after 3 padding bits.
+  // The report has 3 bits of padding, then the x axis with 12 bits from -2048 to 2047.
   const HidLayout layout = parse_hid_descriptor(joystick(
       {0x75, 0x03, 0x95, 0x01, 0x81, 0x03, 0x16, 0x00, 0xF8, 0x26, 0xFF, 0x07, 0x75, 0x0C, 0x09, 0x30, 0x81, 0x02}));
   const HidField& x = field_of(layout, {1, 0x30});
@@ -189,7 +190,7 @@ TEST(HidDescriptor, PassesOverLongItemsArraysAndOutputs) {
 }
 
 TEST(HidDescriptor, HatsOfFourDirectionsPointAsThoseOfEight) {
-  // A hat of four bits from 0 to 3.
+  // A hat switch with a field of four bits and values from 0 to 3.
   const auto decoder = make_by_descriptor(
       joystick({0x15, 0x00, 0x25, 0x03, 0x75, 0x04, 0x95, 0x01, 0x09, 0x39, 0x81, 0x42, 0x81, 0x03}));
   ASSERT_NE(decoder, nullptr);
@@ -242,7 +243,7 @@ TEST(HidDescriptor, IsRefusedWhereItNestsOrPopsBeyondReason) {
 }
 
 TEST(HidDescriptor, OfAllUsagesThereAreStaysSmall) {
-  // Usages 0 to 65535 for 65,535 one-bit fields, repeated.
+  // The descriptor repeats this block: all usages from 0 to 65535, for 65,535 fields of one bit.
   Bytes items;
   for (int i = 0; i < 8; ++i) {
     const Bytes block = {0x1A, 0x00, 0x00, 0x2A, 0xFF, 0xFF, 0x75, 0x01, 0x96, 0xFF, 0xFF, 0x81, 0x02};

@@ -87,8 +87,8 @@ TEST(ShowClock, ChangesOfSpeedLeaveNoRoundingBehind) {
   FakeTime time;
   ShowClock clock(0.0, 60.0, time.source());
   clock.play();
-  // The speed changes 100,000 times between two values whose mean is 1, in steps that are not whole
-  // nanoseconds.
+  // The speed changes 100,000 times between two values whose mean is 1. Each step is not a whole
+  // number of nanoseconds, so rounding errors could add up.
   for (int i = 0; i < 100'000; ++i) {
     clock.set_speed(i % 2 == 0 ? 0.75 : 1.25);
     time.now += 16'666'667ns;

@@ -26,7 +26,7 @@ double burst(double time_s, int /*channel*/) {
   return time_s >= 2.0 && time_s < 2.1 ? 0.5 * std::sin(2000.0 * std::numbers::pi * time_s) : 0.0;
 }
 
-//! Returns the time [s] at which a burst is first heard, reading from one second on.
+//! Returns the time [s] of the first loud sample, in a file that is read from one second on.
 double heard_burst_s(const std::filesystem::path& path) {
   AudioFile file(path);
   std::vector<float> samples(static_cast<std::size_t>(file.channels()) * static_cast<std::size_t>(file.rate_hz()) * 2);
@@ -46,7 +46,7 @@ TEST_F(AudioFiles, OfEveryKindAreReadFromTheMiddle) {
     int format;
     double tolerance_s;
   };
-  // Lossy formats smear the edge of a burst.
+  // The third number is the tolerance [s]: lossy formats smear the start of a burst.
   for (const Kind& kind :
        {Kind{"a.wav", SF_FORMAT_WAV | SF_FORMAT_PCM_16, 0.0005},
         Kind{"a.flac", SF_FORMAT_FLAC | SF_FORMAT_PCM_24, 0.0005},
@@ -127,7 +127,7 @@ TEST_F(AudioFiles, OfALengthThatWasNotKnownWhenTheyWereWrittenAreNotTorn) {
 }
 
 TEST_F(AudioFiles, Mp3WithoutAHeaderOfItsLengthIsPlayedToItsEnd) {
-  // 30 s of a tone with a variable bit rate, without a Xing frame.
+  // The file contains 30 s of a tone, in MP3 with a variable bit rate but without a Xing header.
   const std::filesystem::path path = ERGODOME_TEST_DATA_DIR "/foreign/sound/vbr.mp3";
   EXPECT_EQ(sound_problem(path), "");
   AudioFile file(path);
@@ -142,8 +142,8 @@ TEST_F(AudioFiles, Mp3WithoutAHeaderOfItsLengthIsPlayedToItsEnd) {
 TEST_F(AudioFiles, FlacOfUnknownLengthIsCounted) {
   const std::filesystem::path path = folder_ / "a.flac";
   test::write_sound(path, {SF_FORMAT_FLAC | SF_FORMAT_PCM_16, 48000, 2, 3.0}, burst);
-  // Clears the lower 36 bits of eight bytes of STREAMINFO (RFC 9639, 8.2), which follows a marker
-  // and a header of four bytes each.
+  // Clears the number of samples: the lower 36 bits of an 8-byte field of STREAMINFO (RFC 9639,
+  // 8.2). STREAMINFO follows a 4-byte marker and a 4-byte header.
   std::fstream bytes(path, std::ios::in | std::ios::out | std::ios::binary);
   bytes.seekg(21);
   const char rate_and_length = static_cast<char>(bytes.get() & 0xF0);
@@ -191,7 +191,7 @@ TEST_F(AudioFiles, KindsThatAreNotSupportedAreNamed) {
     std::ofstream(folder_ / "a.mp3", std::ios::binary) << head << std::string(1000, '\0');
     EXPECT_THAT(sound_problem(folder_ / "a.mp3"), testing::HasSubstr(name));
   }
-  // Two streams, one after the other.
+  // The file contains two Ogg streams, one after the other.
   test::write_sound(folder_ / "a.ogg", {SF_FORMAT_OGG | SF_FORMAT_VORBIS, 48000, 1, 0.5}, burst);
   std::ifstream one(folder_ / "a.ogg", std::ios::binary);
   const std::string stream{std::istreambuf_iterator<char>(one), {}};

@@ -30,11 +30,11 @@ AudioTrack track_of(const std::string& file, double from_s = 0.0) {
   return track;
 }
 
-//! A show and its sound, mixed into memory in chunks of 10 ms.
+//! Mixes the sound of a show into memory, in chunks of 10 ms.
 class SoundOfShow : public test::FolderTest {
  protected:
-  //! The ramp has millions of samples, so it is written once and linked into the folder of each
-  //! test.
+  //! Writes the test sound once, because it has millions of samples; each test links it into its
+  //! folder.
   static void SetUpTestSuite() {
     std::filesystem::create_directories(folder_of_ramp());
     test::write_ramp(folder_of_ramp() / "ramp.wav", 44100, ramp_s);
@@ -56,7 +56,7 @@ class SoundOfShow : public test::FolderTest {
     clock_.play();
   }
 
-  //! Returns a clock that advances with every reading while `slow_` simulates a slow disk.
+  //! Returns a clock. While `slow_` is set, each reading advances it, to simulate a slow disk.
   TimeSource source() {
     return [this] {
       time_.now += slow_;
@@ -64,7 +64,7 @@ class SoundOfShow : public test::FolderTest {
     };
   }
 
-  //! Mixes the next 10 ms; `skew` is how much slower than the clock the device runs.
+  //! Mixes the next 10 ms. The audio device runs slower than the clock by the fraction `skew`.
   void mix(double skew = 0.0) {
     ShowInstant instant = clock_.read();
     mixer_->update({instant, volume_, language_});
@@ -85,8 +85,8 @@ class SoundOfShow : public test::FolderTest {
   }
   [[nodiscard]] double loudness() const { return samples_[2 * (chunk / 2) + 1]; }
 
-  //! Returns the time in the ramp that is heard in the middle of the last chunk [s], and its
-  //! difference from the show's time there [s].
+  //! heard_s() returns the time in the sound file that is heard in the middle of the last chunk
+  //! [s]; error_s() returns its difference from the show time at that moment [s].
   [[nodiscard]] double heard_s() const { return ramp_s * samples_[2 * (chunk / 2)] / samples_[2 * (chunk / 2) + 1]; }
   double error_s() {
     const double since_s = seconds_of(time_.now - mixed_at_) - 0.005;
@@ -218,7 +218,8 @@ TEST_F(SoundOfShow, ATrackBeginsAtItsTimeToTheSample) {
   EXPECT_TRUE(silent());
   mix();
   const auto first = std::ranges::find_if(samples_, [](float sample) { return std::abs(sample) > 0.1F; });
-  // 3 ms into this chunk; the resampler may smear it by a sample or two.
+  // The track starts at 1.003 s, so 3 ms into the chunk that starts at 1 s. The resampler may move
+  // the start by a sample or two.
   EXPECT_NEAR(static_cast<double>(first - samples_.begin()) / 2.0, 0.003 * device_hz, 3.0);
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-//! Uses the audio library's dummy device, which is selected before the library is first called.
+//! Runs the audio library with its dummy device, which must be selected before the first call.
 class SoundWithoutDevice : public test::FolderTest {
  protected:
   void SetUp() override {
@@ -22,7 +22,7 @@ class SoundWithoutDevice : public test::FolderTest {
     ::setenv("ALSOFT_DRIVERS", "null", 1);
   }
 
-  //! Returns the sound of a show: one second of a single track.
+  //! Returns a soundtrack with a single track of one second.
   [[nodiscard]] Soundtrack one_track() const {
     test::write_ramp(folder_ / "a.wav", 8000, 1.0);
     AudioTrack track;

@@ -21,7 +21,7 @@ double angle_between(const glm::dquat& a, const glm::dquat& b) {
   return 2.0 * std::atan2(glm::length(glm::dvec3(turn.x, turn.y, turn.z)), std::abs(turn.w));
 }
 
-//! Returns the pose of a flight that falls inwards and turns.
+//! Returns the pose at time `t` of a simulated flight that falls inwards and rotates.
 CameraPose flight_at(double t) {
   const glm::dquat look = glm::angleAxis(0.7 * std::sin(0.4 * t), glm::normalize(glm::dvec3(1.0, 2.0, 0.5)));
   return {6.0 + 9.0 * std::exp(-0.1 * t), 1.4 + 0.3 * std::sin(0.3 * t), 0.2 * t, key_orientation(CameraKey()) * look};
@@ -72,7 +72,7 @@ TEST(FlightRecorder, MakesAPathThatStaysNearEveryNote) {
   }
 }
 
-//! Returns a velocity that changes like that of a fall past the hole.
+//! Returns a velocity at time `t` that changes as in a fall past the hole.
 Vector3<double> flight_velocity_at(double t) {
   return {-0.6 * std::cos(0.2 * t), 0.1 * std::sin(0.3 * t), 0.7 * std::sin(0.2 * t)};
 }

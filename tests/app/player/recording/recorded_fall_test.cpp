@@ -1,4 +1,5 @@
-// Recorded flights through the horizon: compares the flight with the saved show, read back.
+// Tests that record flights through the horizon: the saved show, when it is read back, must repeat
+// the flight.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +21,8 @@ const std::string falling =
     "duration_s = 12\n[hole]\nspin = 0.9\n[camera.fall]\nclock = 1.5\nease_s = 0.5\nleast_r = 0.6\n"
     "velocity = { beta = 0.4, toward = [-1, 0.4, 0.7] }\n[[camera.key]]\nr = 5\ntheta_deg = 70\n";
 
-//! A session with a clock that the test sets, and its frames at the moments of its recording.
+//! A session with a clock that the test sets; keeps the frames at the sample times of the
+//! recording.
 class RecordedFlight : public testing::Test {
  protected:
   void open(const std::string& show, bool free_flight) {
@@ -41,7 +43,8 @@ class RecordedFlight : public testing::Test {
     session_->record();
     begin_s_ = session_->now_s() + 1.0 / 60.0;
   }
-  //! Continues the flight while a condition holds, two frames at a time.
+  //! Continues the flight while `goes` returns true for its pose. Advances by two frames at a time
+  //! and keeps the first of each two.
   template <class Goes>
   void fly_while(const Goes& goes, double yaw = 0.0) {
     PlayerInput input;
@@ -63,8 +66,8 @@ class RecordedFlight : public testing::Test {
     return !(pose.r > horizon_radius(Spacetime{record_spin}));
   }
 
-  //! Returns the recorded pose, with the observer's velocity, converted to the frame of the other
-  //! camera.
+  //! Returns the pose of a recorded frame with its velocity, converted to the frame (rain or ZAMO)
+  //! in which the velocity of `other` is given.
   [[nodiscard]] static CameraPose in_frame_of(const CameraPose& other, const PlayerFrame& flown) {
     CameraPose pose = flown.pose;
     if (!pose.velocity) {
@@ -75,8 +78,8 @@ class RecordedFlight : public testing::Test {
                                   : in_zamo_frame(pose, Spacetime{record_spin});
   }
 
-  //! Compares the flight from a time of the recording on with the show, which runs `later_s` behind
-  //! in its own time.
+  //! Expects that the recorded flight, from `from_s` on, agrees with the show. At the same point of
+  //! the flight, the show's time is larger by `later_s`.
   void expect_shown(const Show& show, double from_s = 0.0, double later_s = 0.0) const {
     for (std::size_t i = 0; i < flown_.size(); ++i) {
       if (times_s_[i] < from_s) {

@@ -53,7 +53,8 @@ TEST(NoteBoard, HearsWhatIsReadAfterAShowIsLoaded) {
   EXPECT_THAT(board.take(), IsEmpty());
 }
 
-//! The stream reads on in a separate thread while its renderer is in use.
+//! A renderer whose trajectory file has a damaged station. Stations are read ahead in a separate
+//! thread, so the damage is found while the renderer is in use.
 class RendererOfADamagedBake : public test::FolderTest {};
 
 TEST_F(RendererOfADamagedBake, TellsOfItsStationsAsTheyAreRead) {

@@ -11,7 +11,7 @@
 namespace ergodome {
 namespace {
 
-//! A fake renderer that records the requested widths.
+//! A fake renderer that records the widths of the requested pictures.
 class FakeRenderer {
  public:
   std::vector<int> sizes;
@@ -73,7 +73,7 @@ TEST(PictureFlow, HoldsTheSizeAndThePaceOfWhatMoves) {
   flow.advance({}, true, true);
   ASSERT_EQ(wait_for_news(flow, true), PictureNews::picture);
   EXPECT_FALSE(flow.report().interval_ms.has_value());
-  // Nothing is requested before it is due.
+  // No picture is requested before the flow's frame interval is over.
   now_s = 10.2;
   for (int i = 0; i < 20; ++i) {
     EXPECT_EQ(flow.advance({}, true, true), PictureNews::none);

@@ -16,7 +16,7 @@ namespace {
 
 class SceneRenderersTest : public test::FolderTest {
  protected:
-  //! Returns a show with a sky of one color, whose renderer is created in no time.
+  //! Returns a show with a tiny map of one color, so that its renderer is created in a short time.
   Show show(const std::string& name) const {
     std::string sky = "P3 8 4 255";
     for (int i = 0; i < 3 * 8 * 4; ++i) {

@@ -29,7 +29,8 @@ TEST(LogRing, KeepsTheLastLinesAndTheirNumbers) {
 
 TEST(LogRing, CutsLongLinesBetweenCharacters) {
   LogRing ring;
-  // Three bytes per character: 1000 is not a multiple of that.
+  // The limit of 1000 bytes is not a multiple of the three bytes of each character, so a naive cut
+  // would split a character.
   std::string text;
   for (int i = 0; i < 500; ++i) {
     text += "\u2013";

@@ -23,7 +23,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-//! The OSC handler with clocks that the test sets.
+//! The OSC handler with simulated clocks, which the test sets.
 class Osc : public testing::Test {
  protected:
   Osc() { board_.post(test::example_status()); }
@@ -36,7 +36,7 @@ class Osc : public testing::Test {
     return handler_.receive(packet, sender_, now_);
   }
 
-  //! Returns the commands that result from a message.
+  //! Sends a message to the handler, and returns the commands for the player that result from it.
   template <class... Values>
   std::deque<TransportCommand> commands_of(const std::string& address, const char* types, Values... values) {
     SCOPED_TRACE(address);
@@ -48,7 +48,7 @@ class Osc : public testing::Test {
     return commands_.take_all();
   }
 
-  //! Returns the text of the only answer, which must be an error.
+  //! Returns the text of the handler's answer, which must be a single error message.
   std::string complaint_about(const std::vector<std::byte>& packet) {
     const std::vector<OscDatagram> answers = receive(packet);
     EXPECT_THAT(commands_.take_all(), IsEmpty());
@@ -133,7 +133,7 @@ TEST_F(Osc, ButtonsActWhenPressedAndNotWhenReleased) {
 }
 
 TEST_F(Osc, WhatOtherSendersSendIsUnderstood) {
-  // An address without type tags.
+  // A message without type tags, which some old senders produce.
   const std::string pause("/ergodome/pause\0", 16);
   const auto bytes = std::as_bytes(std::span(pause));
   EXPECT_THAT(commands_of_packet({bytes.begin(), bytes.end()}), ElementsAre(TransportCommand{Kind::pause, 0.0, ""}));
@@ -314,7 +314,8 @@ TEST_F(Osc, NobodyFromOutsideSubscribesOthers) {
   EXPECT_THAT(handler_.tick(now_.steady), IsEmpty());
 }
 
-//! Returns the nonce in the only answer, which its receiver must send back.
+//! Returns the nonce in the handler's only answer. The receiver must send it back to prove its
+//! address.
 int nonce_in(const std::vector<OscDatagram>& answers, const NetAddress& to) {
   if (answers.size() != 1 || !(answers[0].to == to)) {
     return 0;
@@ -332,7 +333,7 @@ TEST_F(Osc, SendsFeedbackOutsideOnlyToAddressesThatSendTheirNumberBack) {
     receive(packet_of("/ergodome/nonce", "i", wrong));
   }
   EXPECT_THAT(handler_.tick(now_.steady), IsEmpty());
-  // Many control surfaces can send only floats.
+  // Many control surfaces can send only floats, so the nonce is also accepted as a float.
   EXPECT_THAT(receive(packet_of("/ergodome/nonce", "f", static_cast<double>(nonce))), IsEmpty());
   EXPECT_THAT(handler_.tick(now_.steady), testing::SizeIs(1));
   now_.steady += OscSubscribers::subscription;

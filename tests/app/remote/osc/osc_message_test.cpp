@@ -29,7 +29,8 @@ TEST(OscPackets, GiveEveryTypeAsItComes) {
 }
 
 TEST(OscPackets, GiveTheBytesOfTheSpecificationsExample) {
-  // OSC 1.0, "OSC Message Examples": /oscillator/4/frequency with the float 440.
+  // The packet is an example from the OSC 1.0 specification ("OSC Message Examples"):
+  // /oscillator/4/frequency with the float 440.
   const unsigned char bytes[] = {0x2f, 0x6f, 0x73, 0x63, 0x69, 0x6c, 0x6c, 0x61, 0x74, 0x6f, 0x72,
                                  0x2f, 0x34, 0x2f, 0x66, 0x72, 0x65, 0x71, 0x75, 0x65, 0x6e, 0x63,
                                  0x79, 0x00, 0x2c, 0x66, 0x00, 0x00, 0x43, 0xdc, 0x00, 0x00};
@@ -89,8 +90,8 @@ std::vector<std::byte> bytes_of(std::string_view text) {
 
 TEST(OscPackets, GiveArraysAsTheirElements) {
   using namespace std::string_view_literals;
-  // python-osc writes a list inside the argument list like this: seek with [12.5, 1], followed by a
-  // string.
+  // python-osc writes a list inside an argument list as an array: here the arguments are [12.5, 1]
+  // and a string.
   const auto messages = parse_osc(bytes_of("/seek\0\0\0,[fi]s\0\0\x41\x48\0\0\0\0\0\1end\0"sv));
   ASSERT_EQ(messages.size(), 1U);
   EXPECT_EQ(messages[0].arguments, (std::vector<OscArgument>{12.5, 1.0, std::string("end")}));
@@ -98,13 +99,14 @@ TEST(OscPackets, GiveArraysAsTheirElements) {
 }
 
 TEST(OscPackets, TakeATouchWithoutAValueAsNothing) {
-  // An impulse, which OSC 1.1 requires.
+  // OSC 1.1 requires the type 'I', an impulse, which has no value.
   EXPECT_EQ(parse_osc(packet_of("/a", "I")).at(0).arguments, (std::vector<OscArgument>{std::monostate{}}));
 }
 
 TEST(OscPackets, IgnoreFurtherArgumentsOfOtherTypesAndNameAFirstOne) {
   using namespace std::string_view_literals;
-  // A color, as Chataigne and ossia write it, after a number; a time tag after a number.
+  // The second argument has a type that is not supported, after a number: a color (as Chataigne and
+  // ossia write it), then a time tag.
   EXPECT_EQ(parse_osc(bytes_of("/a\0\0,fr\0\x3F\x80\0\0\xFF\0\0\xFF"sv)).at(0).arguments,
             (std::vector<OscArgument>{1.0, std::monostate{}}));
   EXPECT_EQ(parse_osc(packet_of("/a", "ft", 1.0, lo_timetag{1, 1})).at(0).arguments,
@@ -133,8 +135,8 @@ TEST(OscPackets, AreRefusedInWords) {
 }
 
 TEST(OscPackets, SurviveDamage) {
-  // The damaged bytes may be a packet or not; the sanitizers check that parsing ends and stays
-  // within bounds.
+  // Damaged bytes may still be a valid packet. The sanitizers check that parsing stays within
+  // bounds.
   const std::vector<std::byte> whole =
       bundle_of(5, {packet_of("/ergodome/seek", "dfisTFN", 1.0, 0.5, 2, "text"), packet_of("/b", "s", "other")});
   std::mt19937 random(7);

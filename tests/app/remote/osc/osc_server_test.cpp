@@ -15,7 +15,7 @@ namespace {
 
 using test::becomes_true;
 
-//! A controller that listens on a UDP socket.
+//! A fake OSC controller that listens on a UDP socket.
 class Controller {
  public:
   explicit Controller(const std::string& host = "127.0.0.1")
@@ -97,7 +97,8 @@ TEST_F(OscServerTest, SurvivesGarbageAndGiants) {
   EXPECT_EQ(another.receive().at(0).address, "/ergodome/pong");
 }
 
-//! Returns whether a process listens on a UDP address, which the kernel lists as "0100007F:1F90".
+//! Returns whether any process listens on a UDP address, given as in /proc/net/udp:
+//! "0100007F:1F90".
 bool kernel_lists(const std::string& address_and_port) {
   std::ifstream table("/proc/net/udp");
   for (std::string line; std::getline(table, line);) {

@@ -167,7 +167,8 @@ TEST_F(OnLoopback, AFloodOfCommandsIsHeldBack) {
   for (int i = 0; i < 400; ++i) {
     accepted += client().Post("/api/command", R"({"kind": "play"})", json_type)->status == 200 ? 1 : 0;
   }
-  // A busy machine sends more slowly than the limit, and more requests are accepted.
+  // On a busy machine, sending takes longer than the server's limit of 100 commands per second
+  // requires, so that more of them are accepted.
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
   EXPECT_LE(accepted, 201.0 + 100.0 * elapsed.count());
 }
@@ -214,7 +215,7 @@ TEST_F(OnLoopback, ClientsThatSendNothingDoNotKeepOthersOut) {
   for (std::size_t i = 0; i < 2 * WebLobby::most_waiting; ++i) {
     silent.emplace_back(address()).send("GET / HT");
   }
-  // Their time to send a request head runs out.
+  // The server drops the silent clients when their time for sending a request head is over.
   EXPECT_TRUE(becomes_true([&] {
     const auto answer = client().Get("/api/status");
     return answer && answer->status == 200;
@@ -230,7 +231,7 @@ TEST_F(OnLoopback, ItEndsWithAnOpenStreamAndAStalledClient) {
       "POST /api/command HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: "
       "100\r\n\r\n{");
   RawClient idle(address());
-  // A client that never reads its stream: its buffers fill up while the server waits.
+  // A client that subscribes to events but never reads them: the buffers of its connection fill up.
   RawClient full(address());
   full.send("GET /api/events HTTP/1.1\r\nHost: localhost\r\n\r\n");
   const auto begin = std::chrono::steady_clock::now();
@@ -238,7 +239,7 @@ TEST_F(OnLoopback, ItEndsWithAnOpenStreamAndAStalledClient) {
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(2));
 }
 
-//! Listens at an address that other machines can reach.
+//! Tests of a server that listens at an address which other machines can reach.
 class FromOutside : public WebServerTest {
  protected:
   void SetUp() override {

@@ -38,7 +38,7 @@ TEST(MpcdiConversion, UnitsCountInAnyCaseAndUnknownOnesAreErrors) {
   EXPECT_EQ(lamps_with_surface("sl", "CM").buffers[0].regions[0].geometry->unit, "cm");
   EXPECT_THAT(error_of([] { lamps_with_surface("sl", "furlong"); }), HasSubstr("furlong"));
   EXPECT_THAT(error_of([] { lamps_with_surface("a3", "furlong"); }), HasSubstr("furlong"));
-  // Profile 3d has a lens, and a flat warp without units of length.
+  // Profile 3d has a lens and a flat warp, whose coordinates are not lengths; its unit is ignored.
   EXPECT_EQ(lamps_with_surface("3d", "furlong").buffers[0].regions[0].geometry->unit, "unknown");
 }
 
@@ -46,7 +46,8 @@ TEST(MpcdiConversion, UnitsCountForThePlaceOfAProjectorWithoutAWarp) {
   const Mpcdi mpcdi =
       parsed_archive(zip_by_hand({{"mpcdi.xml", replaced(lamps_xml, "<geometricUnit>m<", "<geometricUnit>mm<")}}));
   ASSERT_FALSE(mpcdi.buffers[0].regions[0].geometry);
-  // The frame's axes: x right, y to the front, z up.
+  // MPCDI gives this position with x to the right, y to the front and z up; the dome has z to the
+  // back.
   expect_numbers(pose_of(mpcdi.buffers[0].regions[0]).position_m, 0.0015, 0.003, 0.002);
   EXPECT_TRUE(mpcdi.left_out.empty());
 }
@@ -69,14 +70,15 @@ TEST(MpcdiConversion, WarpOfTheFixedMediaProfileLooksUpTheWholeBuffer) {
 }
 
 TEST(MpcdiConversion, AxesOfASurveyorBecomeTheDomes) {
-  // x right, y forward, z up: (1.5, -2, 3) is to the right, two back, three up.
+  // MPCDI gives (1.5, -2, 3) with x to the right, y to the front and z up: the projector is 1.5 m
+  // to the right, 2 m to the back and 3 m up.
   const ProjectorPose pose = pose_of(parsed_lamps(lamps_xml).buffers[0].regions[0]);
   expect_numbers(pose.position_m, 1.5, 3.0, 2.0);
   expect_numbers(axes_of(pose.orientation).forward, 1, 0, 0);
 }
 
 TEST(MpcdiConversion, AxesOfOpenGlBecomeTheDomes) {
-  // y up, -z forward, as Christie's notes define it; these are also the dome's axes.
+  // Christie's notes define these axes as y up and -z forward, which are also the axes of the dome.
   std::string xml = replaced(replaced(lamps_xml, "<yawy>0", "<yawy>-1"), "<yawz>-1", "<yawz>0");
   xml = replaced(replaced(xml, "<rolly>1", "<rolly>0"), "<rollz>0", "<rollz>-1");
   expect_numbers(pose_of(parsed_lamps(xml).buffers[0].regions[0]).position_m, 1.5, -2.0, 3.0);
@@ -93,7 +95,8 @@ TEST(MpcdiConversion, SurfaceOfShaderLampsIsTurnedByTheFrame) {
   const Mpcdi mpcdi = lamps_with_surface("sl", "cm");
   const SurfaceMesh surface = surface_of(mpcdi, mpcdi.buffers[0].regions[0], "test");
   ASSERT_EQ(surface.points.size(), 4U);
-  // The file's first row is the bottom one: (1, 2, 3) cm are right, forward, up.
+  // The first row of the file is the bottom row. Its point (1, 2, 3) cm is 1 cm to the right, 2 cm
+  // to the front and 3 cm up.
   EXPECT_FLOAT_EQ(surface.points[2].x, 0.01F);
   EXPECT_FLOAT_EQ(surface.points[2].y, 0.03F);
   EXPECT_FLOAT_EQ(surface.points[2].z, -0.02F);
@@ -220,7 +223,8 @@ TEST(MpcdiWriter, RegionsThatLackSomethingAreErrors) {
 }
 
 TEST(MpcdiWriter, BourkeMeshBecomesACalibrationAndComesBack) {
-  // u = x and v = y / 2, at intensities 1 and 0.6, on a raster of 2:1.
+  // The mesh has u = x, v = y / 2 and intensities of 1 and 0.6; its raster has the aspect ratio
+  // 2:1.
   const WarpMesh mesh =
       parse_bourke_mesh("2\n2 2\n-2 -1 0 0.5 1\n2 -1 1 0.5 0.6\n-2 1 0 1 1\n2 1 1 1 0.6\n", "a.data", 2.0);
   const Mpcdi mpcdi = media_calibration({region_from_warp("P", mesh, 1920, 960, 40, 20)}, "2026-01-01 00:00:00");

@@ -11,7 +11,8 @@
 // found in files of other programs.
 namespace ergodome::test {
 
-//! Profile 2d of version 2: two projectors side by side, spelled as in the specification.
+//! A calibration with profile 2d of MPCDI version 2: two projectors side by side, with the tag
+//! names of the specification.
 inline const std::string media_xml = R"(<?xml version="1.0" encoding="UTF-8"?>
 <MPCDI profile="2d" geometry="1" color="3" date="2015-03-01 12:00:00" version="2.0">
   <display>
@@ -43,8 +44,9 @@ inline const std::string media_xml = R"(<?xml version="1.0" encoding="UTF-8"?>
 </MPCDI>
 )";
 
-//! Profile sl of version 2 as Christie's programs spell it: xResolution next to xsize, surveyor's
-//! axes (x right, y forward, z up), empty paths instead of files.
+//! A calibration with profile sl of MPCDI version 2, with the tag names of Christie's programs:
+//! xResolution next to xsize, empty paths instead of files. The axes are those of surveyors: x to
+//! the right, y forward, z up.
 inline const std::string lamps_xml = R"(<?xml version="1.0" encoding="utf-8"?>
 <MPCDI profile="sl" geometry="2" color="1" date="2018-11-16 19:30:11" version="2.0">
   <display>
@@ -73,7 +75,8 @@ inline const std::string lamps_xml = R"(<?xml version="1.0" encoding="utf-8"?>
 
 inline const float unknown_sample = std::numeric_limits<float>::quiet_NaN();
 
-//! Returns 2 x 2 samples, one of them unknown; the first row of the file is the bottom one.
+//! Returns a warp file with 2 x 2 samples, one of which is marked as unknown. The first row of the
+//! file is the bottom row.
 inline std::string left_warp() {
   return pfm_by_hand(2, 2, {0.1F, 0.8F, 0, 0.9F, 0.7F, 0, 0.25F, 0.25F, 0, unknown_sample, unknown_sample, 1});
 }

@@ -38,8 +38,8 @@ TEST(HostileMpcdi, MemberSmallerThanItSaysIsRefused) {
 
 TEST(HostileMpcdi, MemberPackedLargerThanTheArchiveIsRefused) {
   std::string bytes = zip_by_hand(media_members(media_xml));
-  // The packed size is stored 20 bytes after the start of the second entry in the central
-  // directory.
+  // The field with the compressed size is 20 bytes after the start of an entry in the central
+  // directory; this is the second entry.
   const std::size_t entry = bytes.find("PK\x01\x02", bytes.find("PK\x01\x02") + 1);
   bytes.replace(entry + 20, 4, little(400'000'000, 4));
   bytes.replace(entry + 24, 4, little(400'000'000, 4));

@@ -100,7 +100,7 @@ TEST(Mpcdi, UnitsOfCoordinatesOnAScreenMeanNothing) {
 }
 
 TEST(Mpcdi, FilesetsMayStandInTheirRegion) {
-  // As another program writes it: no id in the fileset, the path as the text of its element.
+  // Some programs write no id in the fileset, and the path as the text of its element.
   const std::string xml = R"(<MPCDI profile="2d" version="2.0"><display><buffer Xresolution="1920" Yresolution="1080">
     <region id="r" x="0" y="0" xsize="1" ysize="1" xresolution="1920" yresolution="1080"><frame x="0" y="0"/><fileset>
     <geometryWarpFile>left.pfm<interpolationMethod>linear</interpolationMethod></geometryWarpFile>
@@ -181,7 +181,7 @@ TEST(Mpcdi, FisheyeLensOfTheBufferExtensionIsRead) {
     <buffer id="dome"><region id="P1"><fisheye><horizontalOffset>0.2</horizontalOffset><verticalOffset>-0.1</verticalOffset>
     <f1>0.29907</f1><f3>-0.00023</f3></fisheye><anamorphic><angle>0.01</angle><ratio>1.2</ratio></anamorphic>
     </region></buffer></extension></extensionSet></MPCDI>)";
-  // A fisheye has no meaningful frustum: these angles are from a file of Christie's.
+  // For a fisheye lens, the frustum has no meaning. Files of Christie's contain these angles.
   const std::string xml = replaced(replaced(lamps_xml, "<leftAngle>-25", "<leftAngle>90"), "</MPCDI>", extension);
   const MpcdiRegion region = parsed_lamps(xml).buffers[0].regions[0];
   ASSERT_TRUE(region.fisheye);
@@ -192,8 +192,8 @@ TEST(Mpcdi, FisheyeLensOfTheBufferExtensionIsRead) {
 }
 
 TEST(Mpcdi, OriginThatIsNoOriginCountsAsUnknown) {
-  // VESA's library writes the name of the interpolation there, and spells the tag with a lowercase
-  // o.
+  // VESA's library writes the name of the interpolation into this tag, and spells the tag with a
+  // lowercase o.
   const std::string xml = replaced(replaced(lamps_xml, "floorCenter", "linear"), "originOf3DData", "originof3DData");
   EXPECT_EQ(parsed_lamps(xml).profile, MpcdiProfile::shader_lamps);
 }

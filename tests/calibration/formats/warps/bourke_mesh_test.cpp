@@ -11,8 +11,8 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-//! Written by hand from the page that defines the format: columns fastest, the bottom row first, x
-//! to ±aspect of a 2:1 raster, v upwards.
+//! A mesh written by hand from the page that defines the format. Columns vary fastest, and the
+//! bottom row is first. x goes from -2 to 2 on a raster of 2:1; v points upwards.
 const std::string mesh_by_hand =
     "2\n3 2\n"
     "-2 -1 0.0 0.25 1\n0 -1 0.5 0.0 0.5\n2 -1 1.0 0.25 1\n"

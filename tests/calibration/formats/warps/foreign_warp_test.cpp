@@ -17,8 +17,9 @@
 #include "tests/support/errors.h"
 #include "tests/support/folder_test.h"
 
-// Expected values are calculated by hand from the way SGCT reads each format: its raster runs from
-// -1 to 1 with y upwards, its textures from 0 to 1 with t upwards.
+// Tests of warp files of other programs. Expected values are calculated by hand from the way in
+// which the program SGCT reads each format: raster coordinates go from -1 to 1 with y upwards,
+// texture coordinates from 0 to 1 with t upwards.
 namespace ergodome {
 namespace {
 
@@ -58,7 +59,7 @@ std::string float_bytes(float value) {
   return little(bits, 4);
 }
 
-// domeprojection
+// Format "domeprojection".
 
 const std::string csv =
     "x;y;u;v;column;row\n0.0;0.0;0.1;0.2;0;0\n1.0;0.0;0.9;0.2;1;0\n0.0;1.0;0.1;0.7;0;1\n1.0;1.0;0.9;0.7;1;1\n";
@@ -79,7 +80,7 @@ TEST(DomeprojectionWarp, IsReadAsOtherProgramsAndCountriesWriteIt) {
       "x;y;u;v;column;row\r\n0,0;0,0;0,1;0,2;0;0\r\n1,0;0,0;0,9;0,2;1;0\r\n0,0;1,0;0,1;0,7;0;1\r\n1,0;1,0;0,9;0,7;1;"
       "1\r\n";
   expect_node(parse_foreign_warp(commas, "a.csv", WarpFormat::domeprojection).mesh.at(1, 1), 1, 1, 0.9, 0.7);
-  // Without a header, with rows in a different order, and without the node of a corner that is not
+  // This file has no header, its rows are in a different order, and it lacks one node, which is not
   // shown.
   const std::string bare = "1;1;0.9;0.7;1;1\n0;1;0.1;0.7;0;1\n1;0;0.9;0.2;1;0\n";
   const WarpMesh mesh = parse_foreign_warp(bare, "a.csv", WarpFormat::domeprojection).mesh;
@@ -101,7 +102,7 @@ TEST(DomeprojectionWarp, RefusesWhatItCannotRead) {
   EXPECT_THAT(problem(""), HasSubstr("is a mesh of 0 x 0 nodes"));
 }
 
-// Wavefront OBJ
+// Format "Wavefront OBJ".
 
 const std::string obj =
     "# warp\nmtllib a.mtl\nv -1 1 0\nv 1 1 0\nv -1 -1 0\nv 1 -1 0\nvt 0.1 0.8\nvt 0.9 0.8\nvt 0.1 0.3\nvt 0.9 0.3\nvn "
@@ -123,7 +124,7 @@ TEST(ObjWarp, ReadsFacesAsProgramsWriteThem) {
     ASSERT_EQ(mesh.topology, MeshTopology::rectangular) << faces;
     expect_node(mesh.at(1, 1), 1, 1, 0.9, 0.7);
   }
-  // Texture coordinates in a different order than vertices.
+  // Texture coordinates are in a different order than vertices.
   const std::string own =
       "v -1 1 0\nv 1 1 0\nv -1 -1 0\nv 1 -1 0\nvt 0.9 0.3\nvt 0.1 0.3\nvt 0.9 0.8\nvt 0.1 0.8\nf 1/4 3/2 4/1 2/3\n";
   expect_node(parse_foreign_warp(own, "a.obj", WarpFormat::obj).mesh.at(1, 0), 1, 0, 0.9, 0.2);
@@ -142,8 +143,9 @@ TEST(ObjWarp, AVertexWithTwoTextureCoordinatesIsTwoNodes) {
       at_middle.push_back(node.u);
     }
   }
-  // One triangle of the left face uses this vertex, as its last corner, which its cell repeats. Two
-  // triangles of the right face use it, as other corners.
+  // The middle vertex has two texture coordinates. In the left face it is the last corner of one
+  // triangle, which becomes a cell that repeats this corner. In the right face, two triangles use
+  // it.
   EXPECT_THAT(at_middle, testing::UnorderedElementsAre(0.5F, 0.5F, 0.7F, 0.7F));
 }
 
@@ -159,9 +161,11 @@ TEST(ObjWarp, RefusesWhatItCannotRead) {
   EXPECT_THAT(problem(obj.substr(0, obj.find("f 1/1"))), HasSubstr("has no faces"));
 }
 
-// SCISS
+// Format of SCISS.
 
-//! Returns a file with a grid of 2 x 2 nodes, or its triangles, and the given view.
+//! Returns the bytes of a SCISS file with four nodes and the given view. `first` and `second`
+//! describe a grid of 2 x 2 nodes, or the numbers of nodes and indices of its triangles, depending
+//! on `version`.
 std::string sgc(char version, const std::vector<float>& view, std::uint32_t first, std::uint32_t second,
                 const std::vector<std::uint32_t>& indices) {
   std::string bytes = std::string("SGC") + version + little(0, 4);
@@ -180,8 +184,8 @@ std::string sgc(char version, const std::vector<float>& view, std::uint32_t firs
   return bytes;
 }
 
-//! Returns a view whose quaternion (x, y, z, w) turns up by 40° about x, then to the right by 30°
-//! about y.
+//! Returns the view of a SCISS file, which contains a quaternion (x, y, z, w): a rotation up by 40°
+//! about x, then to the right by 30° about y.
 std::vector<float> up_and_right() {
   const double half_up = 20.0 * one_degree;
   const double half_right = -15.0 * one_degree;
@@ -252,7 +256,7 @@ TEST(ScissWarp, RefusesWhatItCannotRead) {
   EXPECT_THAT(problem(sgc('1', view, 2, 2, {})), HasSubstr("has the value nan in the quaternion"));
 }
 
-// EasyBlend
+// Format of EasyBlend.
 
 const std::string openmesh =
     "OPENMESH Version 1.1\nVERTICES 4\nFACES 2\nMAPPING NORMALIZED\nSAMPLING LINEAR\nPROJECTION "
@@ -316,7 +320,7 @@ TEST(EasyblendWarp, RefusesWhatItCannotRead) {
   EXPECT_THAT(problem("NATIVEXRES 1920\n", ""), HasSubstr("does not give the size of its raster"));
 }
 
-// SimCAD
+// Format of SimCAD.
 
 std::string simcad(const std::string& x, const std::string& y, const std::string& range = " range=\"1920\"") {
   return "<?xml version=\"1.0\" encoding=\"utf-8\"?>\r\n<GeometryFile>\r\n <GeometryDefinition>\r\n  "
@@ -352,7 +356,7 @@ TEST(SimcadWarp, RefusesWhatItCannotRead) {
   EXPECT_THAT(problem(simcad("0 0 0 0", "0 0 0 0").substr(0, 150)), HasSubstr("is not well-formed XML"));
 }
 
-// Sky-Skan
+// Format of Sky-Skan.
 
 const std::string skyskan =
     "Dome Azimuth=30\r\nDome Elevation=40\r\nHorizontal FOV=60\r\nVertical FOV=40\r\nHorizontal Tweak=1.0\r\n2 2\r\n"
@@ -374,7 +378,8 @@ TEST(SkyskanWarp, AppliesTweaksAndTheHeightOfItsRaster) {
                   "Horizontal Tweak=0.5\r\nVertical Tweak=2\r\nU Tweak=0.5\r\nV Tweak=-5");
   const ForeignWarp warp = parse_foreign_warp(wide, "a.txt", WarpFormat::skyskan);
   EXPECT_NEAR(warp.view->frustum.right_deg, 22.5, 1e-9);
-  // Half the height is atan(1200 / 2048) = 30.3681°; the tweak doubles it.
+  // The vertical half angle is atan(1200 / 2048) = 30.3681°, from the aspect ratio of the raster;
+  // the vertical tweak doubles it.
   EXPECT_NEAR(warp.view->frustum.up_deg, 2.0 * 30.3681, 1e-3);
   expect_node(warp.mesh.at(1, 1), 1, 1, 0.45, 0.7);
   const ForeignWarp holed =
@@ -396,7 +401,7 @@ TEST(SkyskanWarp, RefusesWhatItCannotRead) {
   EXPECT_THAT(problem("Horizontal Tweak", "Sideways Tweak"), HasSubstr("has the unknown key \"sideways tweak\""));
 }
 
-// Format detection, and setups
+// Detection of formats, and setups that refer to such files.
 
 TEST(WarpFormats, AreToldByContent) {
   EXPECT_EQ(format_of_content(csv), WarpFormat::domeprojection);
@@ -452,19 +457,20 @@ TEST_F(WarpsOfOthers, AViewOfTheFileBecomesPlacesOfTheDomemaster) {
   write("a.txt", whole);
   const auto pictures = projector_pictures(setup("warp = \"a.txt\"\n"));
   const WarpMesh warp = resampled_warp(pictures[0].warp, 3, 3);
-  // The middle is at azimuth 30° to the right of the front (bottom), 50° from the zenith: r = 0.5 ·
-  // 50 / 90.
+  // The middle of the raster shows azimuth 30° (to the right of the front, which is at the bottom
+  // of the master), 50° from the zenith. Its radius in the master is 0.5 · 50 / 90.
   EXPECT_NEAR(warp.at(1, 1).u, 0.5 + 0.277778 * 0.5, 1e-4);
   EXPECT_NEAR(warp.at(1, 1).v, 0.5 + 0.277778 * 0.866025, 1e-4);
-  // At a sixth of the raster from its top, the direction is higher by atan(2 / 3 · tan 20°) =
-  // 13.6397°: r = 0.5 · 36.3603 / 90.
+  // A sixth of the raster below its top, the direction is higher by atan(2 / 3 · tan 20°) =
+  // 13.6397°, so the radius is 0.5 · 36.3603 / 90.
   EXPECT_NEAR(warp.at(1, 0).u, 0.5 + 0.202002 * 0.5, 1e-4);
   EXPECT_NEAR(warp.at(1, 0).v, 0.5 + 0.202002 * 0.866025, 1e-4);
-  // Its right side lies farther to the right, in the master as well.
+  // Nodes on the right side of the raster are farther to the right in the master, too.
   EXPECT_GT(warp.at(2, 1).u, warp.at(1, 1).u + 0.05F);
   ASSERT_EQ(pictures[0].notes.size(), 1U);
   EXPECT_THAT(pictures[0].notes[0], HasSubstr("yaw 30.00°, pitch 40.00°"));
-  // On a dome tilted to the front by 10°, this direction is closer to the zenith.
+  // On a dome whose front is tilted down by 10°, the same direction is closer to the zenith of the
+  // master.
   const auto leaning = projector_pictures(setup("warp = \"a.txt\"\n", "tilt_deg = 10\n"));
   const WarpNode leaned = resampled_warp(leaning[0].warp, 3, 3).at(1, 1);
   EXPECT_LT(std::hypot(leaned.u - 0.5F, leaned.v - 0.5F), 0.277778 - 0.03);
@@ -478,7 +484,7 @@ TEST_F(WarpsOfOthers, AWarpOfThePictureOfALensTakesTheSetupsFrustum) {
   const WarpNode high = resampled_warp(pictures[0].warp, 3, 3).at(1, 0);
   EXPECT_NEAR(high.u, 0.5 + 0.202002 * 0.5, 1e-4);
   EXPECT_NEAR(high.v, 0.5 + 0.202002 * 0.866025, 1e-4);
-  // Without the frustum, the warp refers to the whole master.
+  // If the setup does not give a frustum, the warp refers to the whole master.
   const auto of_master = projector_pictures(setup("warp = \"a.simcad\"\n"));
   EXPECT_EQ(of_master[0].warp.at(1, 0).u, 1.0F);
   EXPECT_THAT(error_of([&] { setup("warp = { file = \"a.simcad\", source = \"lens\" }\n"); }),
@@ -499,7 +505,7 @@ TEST_F(WarpsOfOthers, AreReadUnderAnyName) {
   EXPECT_THAT(error_of([&] { setup("warp = \"photo.dat\"\n"); }), HasSubstr("of an unknown format"));
   EXPECT_THAT(error_of([&] { projector_pictures(setup("warp = { file = \"warp.xml\", format = \"obj\" }\n")); }),
               HasSubstr("is a SimCAD warp, not a Wavefront OBJ mesh (warp of "));
-  // A setup survives a round trip through its text.
+  // The detected format is kept when the setup is written as text and read back.
   const DomeSetup again = parse_dome_setup(to_toml(told), "dome.toml", NamedFiles::unchecked);
   EXPECT_EQ(again.projectors[0].warp->format, WarpFormat::skyskan);
 }

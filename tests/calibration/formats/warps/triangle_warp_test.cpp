@@ -14,7 +14,7 @@ namespace {
 using test::error_of;
 using testing::HasSubstr;
 
-//! Returns the nodes of a grid in reading order; u is x + y / 10.
+//! Returns the nodes of a grid, row by row from the top; u is x + y / 10.
 std::vector<WarpNode> grid_nodes(int columns, int rows) {
   std::vector<WarpNode> nodes;
   for (int i = 0; i < columns * rows; ++i) {
@@ -69,7 +69,7 @@ TEST(TriangleWarp, GridsOfAnyOrderComeOutInReadingOrder) {
   std::vector<WarpNode> bottom_up = grid_nodes(4, 3);
   std::reverse(bottom_up.begin(), bottom_up.end());
   expect_grid(warp_from_triangles(bottom_up, triangles, "a"), 4, 3);
-  // Column by column: the rows of the file are the columns of the grid.
+  // The file lists the grid column by column: what looks like a row is a column of the grid.
   std::vector<WarpNode> columns_first;
   const std::vector<WarpNode> nodes = grid_nodes(4, 3);
   for (std::size_t column = 0; column < 4; ++column) {
@@ -82,7 +82,7 @@ TEST(TriangleWarp, GridsOfAnyOrderComeOutInReadingOrder) {
 
 TEST(TriangleWarp, AGridWithAHoleKeepsTheHole) {
   auto triangles = grid_triangles(4, 4, false);
-  // Removes the middle cell, whose triangles are numbers 8 and 9.
+  // Removes triangles 8 and 9, which form the middle cell.
   triangles.erase(triangles.begin() + 8, triangles.begin() + 10);
   const WarpMesh mesh = warp_from_triangles(grid_nodes(4, 4), triangles, "a");
   EXPECT_EQ(mesh.topology, MeshTopology::separate_cells);
@@ -94,7 +94,7 @@ TEST(TriangleWarp, AGridWithAHoleKeepsTheHole) {
 }
 
 TEST(TriangleWarp, AFanOfTrianglesIsDrawnAsItIs) {
-  // A square of four triangles around its center, where u rises to 1.
+  // A square of four triangles around its center. u is 0 at the corners and 1 at the center.
   const std::vector<WarpNode> nodes = {{0, 0, 0, 0}, {1, 0, 0, 0}, {1, 1, 0, 0}, {0, 1, 0, 0}, {0.5, 0.5, 1, 0}};
   const WarpMesh mesh = warp_from_triangles(nodes, {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}, "a");
   EXPECT_EQ(mesh.columns, 11);
@@ -102,7 +102,7 @@ TEST(TriangleWarp, AFanOfTrianglesIsDrawnAsItIs) {
   const WarpMesh drawn = resampled_warp(mesh, 20, 20);
   for (const WarpNode& node : drawn.nodes) {
     ASSERT_TRUE(node.valid);
-    // u has the shape of a pyramid over the square.
+    // As a function of position, u has the shape of a pyramid over the square.
     const double height = 1.0 - 2.0 * std::max(std::abs(node.x - 0.5), std::abs(node.y - 0.5));
     EXPECT_NEAR(node.u, height, 1e-5);
   }

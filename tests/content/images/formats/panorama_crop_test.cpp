@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 class PanoramaCrops : public test::FolderTest {
  protected:
-  //! Writes a gray JPEG with an XMP packet after its first marker.
+  //! Writes a gray JPEG image and inserts an XMP packet after the first marker of the file.
   fs::path write(int width, int height, const std::string& description) {
     fs::path path = folder_ / "crop.jpg";
     const std::vector<float> grey(static_cast<std::size_t>(3 * width * height), 0.5F);
@@ -34,7 +34,7 @@ class PanoramaCrops : public test::FolderTest {
     return path;
   }
 
-  //! Expects that exactly this rectangle of the map is lit.
+  //! Expects that the map is lit in this rectangle and black everywhere else.
   static void expect_lit(const EnvironmentImage& image, int left, int top, int right, int bottom) {
     for (int y = 0; y < image.height; ++y) {
       for (int x = 0; x < image.width; ++x) {

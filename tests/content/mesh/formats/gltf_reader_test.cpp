@@ -11,7 +11,8 @@
 #include "content/mesh/formats/mesh_reader.h"
 #include "tests/support/errors.h"
 
-// Files as other programs write them. Expected values follow from the glTF 2.0 specification.
+// Tests with glTF files as other programs write them. Expected values follow from the glTF 2.0
+// specification.
 namespace ergodome {
 namespace {
 
@@ -40,10 +41,10 @@ std::string base64(const std::string& bytes) {
   return text;
 }
 
-//! Builds a glTF file.
+//! Builds the text of a glTF file.
 class GltfText {
  public:
-  //! Adds an accessor of numbers; returns its index.
+  //! Adds an accessor that contains the given numbers; returns its index.
   template <class Number>
   int add(const std::vector<Number>& numbers, int component_type, const char* type, int components,
           const std::string& more = "") {
@@ -61,8 +62,8 @@ class GltfText {
     return add(numbers, 5126, type, components, more);
   }
 
-  //! Returns the file with a primitive, nodes ("[{...}]") and further members
-  //! (",\"materials\":[...]").
+  //! Returns the text of the file. `primitive`: JSON of its only primitive; `nodes`: JSON of its
+  //! nodes, "[{...}]"; `more`: further members of the file, such as ",\"materials\":[...]".
   [[nodiscard]] std::string text(const std::string& primitive, const std::string& nodes = R"([{"mesh":0}])",
                                  const std::string& more = "") const {
     return fmt::format(
@@ -83,7 +84,7 @@ TriangleMesh gltf_mesh(const std::string& text) { return parse_mesh(text, MeshFo
 
 const std::vector<float> corners = {0, 0, 0, 1, 0, 0, 0, 1, 0};
 
-//! Returns a file with a triangle in the plane z = 0.
+//! Returns the text of a file with a triangle in the plane z = 0.
 std::string one_triangle(const std::string& nodes = R"([{"mesh":0}])", const std::string& more = "") {
   GltfText file;
   file.add_floats(corners, "VEC3", 3);
@@ -152,7 +153,8 @@ TEST(GltfReader, TransformsOfTexturesTurnThemCounterclockwise) {
           "textures":[{{"source":0}}],"images":[{{"uri":"data:image/png;base64,aGVsbG8="}}],
           "extensionsUsed":["KHR_texture_transform"],"extensionsRequired":["KHR_texture_transform"])",
                             M_PI / 2.0)));
-  // u' = 3 v sin + 0.5, v' = -2 u sin + 0.25; Ergodome's v points upwards.
+  // The texture transform is u' = 3 v sin(rotation) + 0.5, v' = -2 u sin(rotation) + 0.25. glTF's v
+  // points downwards, Ergodome's v upwards.
   const auto near = [](float u, float v) { return ElementsAre(FloatNear(u, 1e-6F), FloatNear(1.0F - v, 1e-6F)); };
   EXPECT_THAT(mesh.vertices.at(0).texture, near(0.5F, 0.25F));
   EXPECT_THAT(mesh.vertices.at(1).texture, near(0.5F, -1.75F));
@@ -203,7 +205,7 @@ TEST(GltfReader, SkinsStandInThePoseOfTheirJoints) {
   file.add_floats(corners, "VEC3", 3);
   file.add(std::vector<std::uint8_t>{0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0}, 5121, "VEC4", 4);
   file.add_floats({1, 0, 0, 0, 1, 0, 0, 0, 0.5, 0.5, 0, 0}, "VEC4", 4);
-  // The second matrix is the inverse of a joint at (1, 0, 0).
+  // The matrices are the inverse bind matrices of two joints; the second joint is at (1, 0, 0).
   file.add_floats({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -1, 0, 0, 1},
                   "MAT4", 16);
   const TriangleMesh mesh = gltf_mesh(
@@ -323,7 +325,8 @@ TEST(GltfReader, NamesFormatsOfTexturesThatAreNotRead) {
   EXPECT_THAT(read_mesh(meshes / "webp_with_png.gltf").parts.at(0).image.name, testing::EndsWith("quad.png"));
 }
 
-//! Returns a textured triangle; `image` is the JSON of its image.
+//! Returns the text of a file with a textured triangle. `image` is the JSON of the image for its
+//! texture.
 std::string with_image(const std::string& image) {
   GltfText file;
   file.add_floats(corners, "VEC3", 3);
@@ -400,7 +403,7 @@ TEST(GltfReader, AccessorsWithoutABufferAreZero) {
 }
 
 TEST(GltfReader, EntriesMayLieApartInTheirBuffer) {
-  // Positions and normals alternate, as in BoxInterleaved.
+  // Positions and normals alternate in the buffer, as in the glTF sample BoxInterleaved.
   GltfText file;
   file.add_floats({0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 1}, "VEC3", 3);
   std::string text = file.text(R"({"attributes":{"POSITION":0,"NORMAL":1}})");

@@ -153,7 +153,8 @@ TEST_F(MeshFilesOnDisk, AGltfIsReadWithItsBufferAndWhereItsNodeStands) {
   EXPECT_THAT(error_of([&] { read_mesh(folder_ / "b.gltf"); }), testing::HasSubstr("b.gltf: "));
 }
 
-//! Returns a triangle with a texture; `image` is the JSON of its image.
+//! Returns the text of a glTF file with a textured triangle. `image` is the JSON of the image for
+//! its texture.
 std::string gltf_with_image(const std::string& image) {
   return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
     "meshes":[{"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":1},"material":0}]}],
@@ -179,7 +180,7 @@ TEST(MeshReader, KeepsTheBytesOfAnImageInsideTheFile) {
   EXPECT_THAT(viewed.parts.front().image.name, testing::EndsWith(".jpg"));
 }
 
-//! Replaces the first occurrence of `part`, which must exist, in a text.
+//! Returns `text` with the first occurrence of `part`, which must exist, replaced by `other`.
 std::string with(std::string text, const std::string& part, const std::string& other) {
   return text.replace(text.find(part), part.size(), other);
 }

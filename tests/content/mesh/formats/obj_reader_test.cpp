@@ -12,7 +12,7 @@
 #include "tests/support/errors.h"
 #include "tests/support/folder_test.h"
 
-// Files as other programs write them.
+// Tests with Wavefront OBJ files as other programs write them.
 namespace ergodome {
 namespace {
 
@@ -49,7 +49,7 @@ TEST(ObjReader, TakesColoursOfVerticesAsSrgb) {
 }
 
 TEST(ObjReader, SmoothsWithinSmoothingGroupsAndEverywhereWithoutThem) {
-  // Two faces that meet at a right angle along the edge between corners 1 and 2.
+  // The faces are two triangles at a right angle, which share the edge between corners 1 and 2.
   const std::string roof = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
   const auto normal = [&](const std::string& faces) {
     return Vector3<double>{static_cast<double>(obj_mesh(roof + faces).vertices[0].normal[0]),

@@ -29,8 +29,8 @@ TEST(PolygonTriangles, OfAConvexFaceCoverIt) {
 }
 
 TEST(PolygonTriangles, OfConcaveFacesLieWithinThem) {
-  // An arrow, an L and a comb: a triangle fan from the first corner would extend outside each of
-  // them.
+  // Polygons that are not convex: an arrow, an L and a comb. Triangles that all start at the first
+  // corner would extend outside them.
   const Corners arrow = {{0, 0, 0}, {2, 1, 0}, {0, 2, 0}, {1, 1, 0}};
   const Corners bent = {{0, 0, 0}, {3, 0, 0}, {3, 1, 0}, {1, 1, 0}, {1, 3, 0}, {0, 3, 0}};
   const Corners comb = {{0, 3, 0}, {0, 0, 0}, {5, 0, 0}, {5, 3, 0}, {4, 3, 0}, {4, 1, 0},

@@ -190,8 +190,8 @@ TEST(ObjectMotion, AnOrbitIsRunThroughOnceInKeplersPeriod) {
 }
 
 TEST(ObjectMotion, AnOrbitAboutASpinningHoleIsRunThroughAsMatterInFreeFallDoes) {
-  // Bardeen, Press & Teukolsky (1972), eq. 2.16: 1 / (r^1.5 + a) with the spin, 1 / (r^1.5 - a)
-  // against it.
+  // Angular velocity of circular orbits (Bardeen, Press & Teukolsky 1972, eq. 2.16): 1 / (r^1.5 +
+  // a) with the hole's rotation, 1 / (r^1.5 - a) against it.
   const auto rate_of = [](const char* orbit) {
     return orbit_rate(
         *show_of(std::string("[[objects]]\nshape = \"sphere\"\nmethod = \"trace\"\norbit = ") + orbit + "\n", "0.9")
@@ -215,7 +215,8 @@ TEST(ObjectMotion, TurnsGoAboutXThenYThenZ) {
   object.turn = {0.5 * pi, 0.0, 0.5 * pi};
   const ObjectPlacement placement = placement_at(object, 0.0);
   const auto& rows = placement.rows;
-  // The turn about x takes y to z, which stays there; the turn about z takes x to y.
+  // The rotation about x moves the object's y axis to z, and the later rotation about z leaves it
+  // there. The rotation about z moves the object's x axis to y.
   expect_place({rows[0][1], rows[1][1], rows[2][1]}, {0.0, 0.0, 1.0});
   expect_place({rows[0][0], rows[1][0], rows[2][0]}, {0.0, 1.0, 0.0});
 }

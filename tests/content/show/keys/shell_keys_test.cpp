@@ -21,7 +21,7 @@ TEST(ShellReader, AShellNeedsItsRadiusAlone) {
   ShellSettings plain;
   plain.radius = 12.0;
   EXPECT_EQ(show.shells[0], plain);
-  // A shell with a texture is opaque by default.
+  // A shell with a texture is opaque unless the show says otherwise.
   EXPECT_EQ(show.shells[1].texture, "earth.jpg");
   EXPECT_EQ(show.shells[1].fill_opacity, 1.0);
 }

@@ -17,7 +17,7 @@ std::string view_problem_of(const std::string& text) {
   return error_of([&] { parse_show(text, "show.toml"); });
 }
 
-//! Returns a show with these lines under [view].
+//! Returns a show whose [view] table contains the given lines.
 Show viewed(const std::string& lines) { return parse_show(view_start + "[view]\n" + lines, "show.toml"); }
 
 TEST(View, HasTheUsualFieldOfEachProjection) {
@@ -69,7 +69,8 @@ TEST(View, OfAFrustumReadsBackAsItIsWritten) {
   EXPECT_EQ(back.frustum->down_deg, 5.0);
 }
 
-//! Returns the error message for lines under [view], the first of which is line 5.
+//! Returns the error message for a show whose [view] table contains the given lines; the first of
+//! them is line 5 of the file.
 std::string view_problem(const std::string& lines) { return view_problem_of(view_start + "[view]\n" + lines); }
 
 TEST(View, RefusesAFieldWhereItShowsTheWholeSky) {

@@ -24,8 +24,8 @@ const std::string falling_keys =
     "[[camera.key]]\nt_s = 4\nr = 20\ntheta_deg = 75\nphi_deg = 30\n"
     "[[camera.key]]\nt_s = 12\nyaw_deg = 40\npitch_deg = -10\n";
 
-//! Returns a show of 60 s with a hole of spin 0.9; `fall` contains the lines of [camera.fall],
-//! `more` everything after them.
+//! Returns a show of 60 s with a hole of spin 0.9. `fall` contains lines of [camera.fall], `more`
+//! the text after this table.
 Show falling_show(const std::string& fall, const std::string& more = falling_keys) {
   return parse_show(
       "duration_s = 60\n[hole]\nspin = 0.9\n[camera]\nobserver = \"geodesic\"\n[camera.fall]\n" + fall + more,

@@ -10,14 +10,15 @@
 #include "kernels/near_rays/near_pixels.h"
 #include "kernels/shells/shell_crossings.h"
 
-// Sheets of images in the flat tangent space of the head: their distances, and where an eye's line
-// of sight meets them.
+// Tests of the sheets of the stereo model `flat`: surfaces in the flat tangent space of the head,
+// at the affine distance of an image. Checks these distances, and where an eye's line of sight
+// meets a sheet.
 namespace ergodome {
 namespace {
 
 using D = Dual<double>;
 
-//! Returns a direction with derivatives along two directions perpendicular to it.
+//! Returns a direction with derivatives along two perpendicular directions.
 Vector3<D> direction_with_derivatives(const Vector3<double>& n) {
   const Vector3<double> helper = std::abs(n.x) < 0.9 ? Vector3<double>{1, 0, 0} : Vector3<double>{0, 1, 0};
   Vector3<double> x = cross(helper, n);
@@ -28,8 +29,9 @@ Vector3<D> direction_with_derivatives(const Vector3<double>& n) {
 
 Vector3<double> unit(const Vector3<double>& v) { return (1.0 / std::sqrt(dot(v, v))) * v; }
 
-//! Affine distances at which a ray meets the equatorial plane and a sphere, by the fourth-order
-//! Runge-Kutta method in Mino time, from r and cosθ: other equations than those of the series.
+//! The affine distances at which a ray meets the equatorial plane and a sphere. They are computed
+//! by the fourth-order Runge-Kutta method in Mino time, from equations for r and cosθ, which differ
+//! from those of the Taylor series.
 struct MetDistances {
   std::vector<double> plane;
   std::vector<double> plane_u;
@@ -78,7 +80,7 @@ MetDistances integrated(const CameraStation& camera, const Vector3<double>& n, d
   return met;
 }
 
-//! Collects the distances at which shells are crossed.
+//! A visitor that collects the affine distances at which a ray crosses shells.
 struct CrossedDistances {
   std::vector<double> distances;
   void cross(int, bool, const NearPlace<double>& place) { distances.push_back(place.distance); }
@@ -101,7 +103,8 @@ TEST(FlatSheets, AreAsFarAsAnIndependentIntegrationHasThem) {
       const NearRay<double> ray = start_near_ray(camera, n);
       trace_layers<14, NearParts::distance>(spin, ray, limits, layers);
       for (std::size_t k = 0; k < expected.plane.size() && k < crossing_orders; ++k) {
-        // Closer to the hole, layers are extrapolated linearly.
+        // Closer to the hole than this limit, layers are linear continuations, without exact
+        // distances.
         if (expected.plane_u[k] > limits.near_u) {
           break;
         }
@@ -127,7 +130,8 @@ TEST(FlatSheets, AreAsFarAsAnIndependentIntegrationHasThem) {
 TEST(FlatSheets, AreMetWhereALineMeetsAPlane) {
   const Vector3<double> eye = {0.3, -0.4, 0.2};
   const SheetSearch<double> search = {2.0, 1e-12};
-  // The plane z = -1 is at distance 1 / -n_z in direction n.
+  // The sheet is the plane z = -1. In direction n, its distance is 1 / -n_z, so its nearness is
+  // -n_z.
   const auto nearness = [](const EyePoint<double>& point, bool) { return -point.n.z; };
   for (const Vector3<double>& m : {unit({1.0, 0.2, -0.5}), unit({-0.3, 0.1, -1.0}), unit({0.5, -2.0, -0.4})}) {
     const auto meet = [&](const Vector3<D>& direction) {
@@ -144,7 +148,8 @@ TEST(FlatSheets, AreMetWhereALineMeetsAPlane) {
     EXPECT_NEAR(found.x.value, n.x, 1e-12);
     EXPECT_NEAR(found.y.value, n.y, 1e-12);
     EXPECT_NEAR(found.z.value, n.z, 1e-12);
-    // The derivative across the image, by differences of the line's intersection itself.
+    // The derivative of the direction across the picture must agree with differences of the
+    // intersection.
     constexpr double step = 1e-6;
     const Vector3<double> aside =
         unit({m.x + step * direction.x.along_y, m.y + step * direction.y.along_y, m.z + step * direction.z.along_y});
@@ -156,7 +161,8 @@ TEST(FlatSheets, AreMetWhereALineMeetsAPlane) {
 
 TEST(FlatSheets, AreMetWhereParallaxHasThem) {
   const Vector3<double> eye = {0.0, 0.5, 0.0};
-  // A sphere around the head has the same distance everywhere; seen_by_head() is its closed form.
+  // The sheet is a sphere around the head, with the same distance in all directions. seen_by_head()
+  // is the closed form for it.
   for (const double distance : {1.0, 5.0, 1e4}) {
     const auto nearness = [&](const EyePoint<double>&, bool) { return D(1.0 / distance); };
     const Vector3<double> m = unit({1.0, 0.7, -0.3});
@@ -170,7 +176,7 @@ TEST(FlatSheets, AreMetWhereParallaxHasThem) {
 }
 
 TEST(FlatSheets, AreNotMetWhereTheirDistanceLeaps) {
-  // Far in one half of the sky, near in the other.
+  // The sheet is near in one part of the sky and far in the other; its distance jumps between them.
   const auto nearness = [](const EyePoint<double>& point, bool) { return point.n.y.value > 0.1 ? D(1.0) : D(0.01); };
   const Vector3<double> eye = {0.0, 0.5, 0.0};
   int sheets[2] = {0, 0};
@@ -179,7 +185,7 @@ TEST(FlatSheets, AreNotMetWhereTheirDistanceLeaps) {
     const Vector3<double> m = unit({1.0, -0.6 + 0.005 * i, 0.0});
     const MetSheet<double> met = meet_sheet(EyeLine<double>{direction_with_derivatives(m), eye}, 0.0,
                                             SheetSearch<double>{1.8, 1e-9}, true, nearness);
-    // A found intersection lies on the sheet.
+    // If an intersection is reported, it must be on the sheet.
     if (met.met) {
       const EyePoint<double> there = EyeLine<double>{direction_with_derivatives(m), eye}.at(met.nearness());
       EXPECT_NEAR(met.nearness(), there.length.value * nearness(there, true).value, 1e-8) << i;
@@ -190,7 +196,7 @@ TEST(FlatSheets, AreNotMetWhereTheirDistanceLeaps) {
   }
   EXPECT_GT(sheets[0], 50);
   EXPECT_GT(sheets[1], 50);
-  // Lines that pass between the two parts of the sheet meet neither.
+  // Some lines of sight pass through the gap between the two parts of the sheet and meet neither.
   EXPECT_LT(leaps, 80);
 }
 

@@ -18,9 +18,9 @@ Vector3<double> random_direction(std::mt19937_64& random) {
   return (1.0 / std::sqrt(dot(v, v))) * v;
 }
 
-//! Computes the affine distance by the fourth-order Runge-Kutta method in Mino time, from r and
-//! cosθ, E = 1: r'' = R'(r) / 2 with R = (r² + a² - a L)² - Δ K, and the same for Θ. These are
-//! different equations than those of the series.
+//! Computes the affine distance by the fourth-order Runge-Kutta method in Mino time, for E = 1. The
+//! equations are different from those of the Taylor series: r'' = R'(r) / 2 with R = (r² + a² - a
+//! L)² - Δ K, and the same for cosθ.
 double integrated_distance(const CameraStation& camera, const Vector3<double>& n, double r_end, double step) {
   const RayStart<double> ray = start_ray(camera, n);
   const double a = camera.spin;
@@ -105,8 +105,7 @@ TEST(AffineDistance, OfAFarCameraIsThatOfFlatSpace) {
   const double r = 1e7;
   const CameraStation camera = make_camera_station(Spacetime{0.9}, r, 1.0, 0.0, ObserverMotion::zamo);
   for (const double angle : {0.3, 0.8, 2.0, 3.0}) {
-    // The angle is measured from the outward direction; the shell has twice the radius of the
-    // camera.
+    // The shell has twice the radius of the camera. `angle` is measured from the outward direction.
     const double flat = -r * std::cos(angle) + std::sqrt(4.0 * r * r - std::pow(r * std::sin(angle), 2.0));
     const double distance =
         affine_distance(camera, {std::cos(angle), 0.6 * std::sin(angle), 0.8 * std::sin(angle)}, 2.0 * r);
@@ -154,7 +153,7 @@ TEST(FlatParallax, GoesThereAndBack) {
     const Vector3<double> n = random_direction(random);
     const double distance = 0.5 + i;
     const Vector3<double> seen = seen_by_eye(n, distance, eye);
-    // The eye's line of sight ends at the point; nothing but flat geometry is used here.
+    // By flat geometry, the line of sight from the eye must end at the point `distance * n`.
     const Vector3<double> way = distance * n - eye;
     EXPECT_NEAR(std::sqrt(dot(cross(seen, way), cross(seen, way))), 0.0, 1e-12);
     const Vector3<double> back = seen_by_head(seen, distance, eye);

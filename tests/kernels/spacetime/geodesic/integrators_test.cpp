@@ -63,8 +63,8 @@ TEST(ClosedForm, MinoTimeIsThatOfTheReference) {
 }
 
 TEST(ClosedForm, FindsTheRootsOfRaysWhoseResolventBendsAboveItsOnlyRoot) {
-  // Light along the frame dragging, seen in free fall through the ergosphere, with small K / C:
-  // Newton's method from above found no root.
+  // Light that moves with the frame dragging, seen in free fall through the ergosphere, with small
+  // K / C. For such rays, Newton's method that starts above the root did not find the root.
   const CameraStation camera = make_camera_station(Spacetime{0.999}, 1.5, 1.2, 0.0, ObserverMotion::rain);
   for (const Vector3<double>& n :
        {Vector3<double>{-0.55206, -0.16763, -0.81678}, Vector3<double>{-0.41016, 0.15865, -0.89811},
@@ -75,8 +75,8 @@ TEST(ClosedForm, FindsTheRootsOfRaysWhoseResolventBendsAboveItsOnlyRoot) {
   }
 }
 
-//! Cameras and directions beyond the reference table, where closed form and Taylor series (two
-//! independent methods) must agree.
+//! A camera and a direction that the reference table does not contain. Closed form and Taylor
+//! series, two independent methods, must agree for them.
 struct HardCase {
   const char* name;
   double spin, r, theta;
@@ -132,8 +132,8 @@ TEST(HardCasesAtTheEdge, ClosedFormAndTaylorSeriesAgreeDownToTheRoundingOfTheDir
         const Vector3<double> n = chart_direction<double>(chart, std::cos(alpha), std::sin(alpha), gamma);
         const Outcome series = by_taylor(camera, n);
         ASSERT_TRUE(series.reached);
-        // Both use the same rounded direction, but round its constants of motion differently: 1e-13
-        // rad² / distance.
+        // Both methods use the same rounded direction, but round the constants of motion
+        // differently. This causes an error of 1e-13 rad² / distance.
         EXPECT_LT(test::length(series.sky - by_closed_form(camera, n).sky), 1e-10 + 2e-13 / distance)
             << a << " " << distance;
       }
@@ -211,8 +211,8 @@ TEST(Baseline, AgreesWithTheOthersAwayFromThePoles) {
   }
 }
 
-//! Demonstrates rays that pass the spin axis: polar angles are singular there, the unit vector is
-//! not.
+//! Demonstrates the failure of the published tracer for rays that pass the spin axis, where its
+//! polar angles are singular. The unit vectors of our methods are not.
 TEST(Baseline, FailsOrStallsAtThePolesWhereTheOthersDoNot) {
   constexpr double tolerance = 1e-6;
   int rays = 0;

@@ -39,16 +39,16 @@ TEST(RainOrbit, HasTheConstantsOfTheSameBodyInTheZamosFrame) {
   EXPECT_NEAR(found.polar_constant, expected.polar_constant, 1e-11);
 }
 
-//! Returns whether a body falls in that passes r in the equatorial plane of a hole without spin,
-//! with zero radial velocity and angular momentum L [M].
+//! Returns whether a body falls into a hole without spin. It starts in the equatorial plane at r,
+//! with zero radial velocity and angular momentum L = `axial` [M].
 bool comes_in(double r, double axial) {
   const double across = axial / std::sqrt(axial * axial + r * r);
   const OrbitState s = make_orbit(Spacetime{0.0}, r, 1.5707963267948966, 0.0, {0.0, 0.0, across});
   return falls_in(Spacetime{0.0}, orbit_constants(Spacetime{0.0}, s), s);
 }
 
-// Around a hole without spin, the barrier of a bound body vanishes below L = √12 M; for larger L it
-// is at r = (L² - L √(L² - 12)) / 2 < 6 M.
+// Around a hole without spin, the potential barrier of a bound body vanishes if L < √12 M. For
+// larger L, it is at r = (L² - L √(L² - 12)) / 2 < 6 M.
 TEST(RainOrbit, FallsInWhereTheBarrierOfItsAngularMomentumDoesNotHoldIt) {
   EXPECT_TRUE(comes_in(20.0, 3.4));
   EXPECT_FALSE(comes_in(20.0, 3.9));

@@ -79,8 +79,9 @@ TEST(Taylor, InFloatTheMedianErrorOfTheRaysAwayFromTheEdgeIsBelowAMillionth) {
 }
 
 TEST(Taylor, LightBendsByThePublishedAnglesAroundSchwarzschildFromFarAway) {
-  // Total bending for impact parameter √27 (1 + ε), camera and source at infinity. The camera here
-  // is at r = 1e7, so its line of sight starts b / r = 5e-7 rad off the radial direction.
+  // Published total deflection of light with the impact parameter √27 (1 + ε), if source and camera
+  // are at infinity. The camera here is at r = 1e7, so that its line of sight is b / r = 5e-7 rad
+  // off the radial direction.
   const std::pair<double, double> published[] = {
       {1e-2, 4.22966181183765942}, {1e-4, 8.81048635499560683}, {1e-6, 13.4152855577941784}};
   const double r = 1e7;
@@ -89,8 +90,8 @@ TEST(Taylor, LightBendsByThePublishedAnglesAroundSchwarzschildFromFarAway) {
     const double sine = std::sqrt(27.0) * (1.0 + epsilon) * std::sqrt(1.0 - 2.0 / r) / r;
     const Traced traced = trace(camera, {-std::sqrt(1.0 - sine * sine), 0.0, sine});
     ASSERT_TRUE(traced.reached);
-    // An undeflected ray would point to -x; this ray passes the hole on its +y side and is bent
-    // around it.
+    // Light without deflection would come from -x. This light passes the hole at positive y and is
+    // bent around it.
     const double swept = std::atan2(-traced.sky.y, -traced.sky.x);
     EXPECT_NEAR(std::remainder(swept - bending, 2.0 * pi), 0.0, 2e-6) << "epsilon " << epsilon;
   }
@@ -127,8 +128,8 @@ TEST(Taylor, GoesContinuouslyToSchwarzschildAsTheSpinGoesToZero) {
 }
 
 TEST(Taylor, IsSmoothAcrossTheSpinAxis) {
-  // A ray that crosses the axis (L = 0) lies between its neighbors; in polar angles it would jump
-  // by π.
+  // The sky direction of a ray that crosses the axis (L = 0) must be between those of its
+  // neighbors. In polar angles, it would jump by π.
   for (const double theta : {1e-9, 0.3, pi / 2}) {
     const CameraStation camera = make_camera_station(Spacetime{0.9}, 8.0, theta, 0.0, ObserverMotion::zamo);
     const Traced left = trace(camera, unit(-0.2, -0.9, -1e-7));
@@ -156,8 +157,8 @@ TEST(Taylor, OutgoingPrincipalNullRayKeepsItsPolarAngle) {
   }
 }
 
-//! Uses distances at which double still resolves both sides: the direction itself is rounded at
-//! 1e-16.
+//! Tests distances from the edge of the shadow down to 1e-12 rad, at which double still
+//! distinguishes both sides. Directions themselves are rounded at 1e-16.
 TEST(Taylor, TellsBothSidesOfTheEdgeApartDownToRounding) {
   for (const double a : {0.0, 0.5, 0.999, 1.0 - 1e-6, 1.0}) {
     for (const double r : {2.5, 5.0, 30.0}) {
@@ -171,8 +172,9 @@ TEST(Taylor, TellsBothSidesOfTheEdgeApartDownToRounding) {
             const Traced traced =
                 trace(camera, chart_direction<double>(chart, std::cos(alpha), std::sin(alpha), gamma));
             EXPECT_EQ(traced.bright, side > 0.0) << "a " << a << " r " << r << " distance " << side * distance;
-            // Along an extremal horizon, light winds 1 / distance^½ times instead of a few: too
-            // often to count, which the status reports.
+            // Along an extremal horizon, light at a distance d from the edge winds 1 / √d times
+            // around the hole, otherwise only a few times. If that is too often to count, the
+            // status reports it.
             const bool countless = a > 0.99999 && distance < 1e-8;
             EXPECT_TRUE(traced.reached == traced.bright || countless)
                 << "a " << a << " r " << r << " distance " << distance;
@@ -187,8 +189,8 @@ TEST(Taylor, TellsBothSidesOfTheEdgeApartDownToRounding) {
 }
 
 TEST(Taylor, WindsLogarithmicallyTowardsTheEdge) {
-  // Each factor of 100 in distance adds the same angle: ln 100 in Schwarzschild spacetime, where
-  // the Lyapunov exponent is 1 per radian.
+  // If the distance from the edge decreases by a factor of 100, the angle around the hole grows by
+  // ln 100. In Schwarzschild spacetime, the Lyapunov exponent is 1 per radian.
   const CameraStation camera = make_camera_station(Spacetime{0.0}, 10.0, pi / 2, 0.0, ObserverMotion::zamo);
   const ShadowChart chart = make_shadow_chart(camera);
   const double edge = edge_polar_angle(camera, chart, 0.0);
@@ -201,8 +203,8 @@ TEST(Taylor, WindsLogarithmicallyTowardsTheEdge) {
 }
 
 TEST(Taylor, MeetsItsToleranceWhereTheLastTermsOfTheSeriesVanish) {
-  // Light seen sideways from r = 6 around a hole without spin: near the turning point, u - 1/6
-  // contains only the powers 2, 6, 10, 14, 18, 22.
+  // The camera is at r = 6 without spin, and the light is at its turning point. There u - 1/6
+  // contains only the powers 2, 6, 10, 14, 18 and 22 of Mino time.
   const CameraStation camera = make_camera_station(Spacetime{0.0}, 6.0, 1.0, 0.0, ObserverMotion::zamo);
   for (const double inwards : {0.0, 1e-9, 1e-4, 1e-3, -1e-3, 1e-2}) {
     const RayStart<double> start = start_ray(camera, unit(-inwards, 0.6, 0.8));
@@ -214,8 +216,8 @@ TEST(Taylor, MeetsItsToleranceWhereTheLastTermsOfTheSeriesVanish) {
   }
 }
 
-//! Returns how far a ray's sky direction moves when its direction is rounded differently [rad];
-//! more than a turn if it becomes dark.
+//! Returns by how much a ray's sky direction changes if the observed direction is rounded
+//! differently [rad]; 10 if the ray becomes dark.
 double moved_by_rounding(const CameraStation& camera, const Vector3<double>& n, const Vector3<double>& sky) {
   constexpr double ulps = 4.0 * std::numeric_limits<double>::epsilon();
   double moved = 0.0;
@@ -228,8 +230,9 @@ double moved_by_rounding(const CameraStation& camera, const Vector3<double>& n, 
   return moved;
 }
 
-//! Compares the closed form with the series for rays at a distance outside the shadow's edge.
-//! Returns the number of rays that were compared; rays that rounding moves too far are skipped.
+//! Compares closed form and Taylor series for rays at a distance outside the edge of the shadow.
+//! Skips rays whose sky direction depends too strongly on rounding. Returns the number of rays that
+//! were compared.
 int compare_beside_edge(const CameraStation& camera, double distance) {
   const ShadowChart chart = make_shadow_chart(camera);
   int compared = 0;
@@ -244,7 +247,8 @@ int compare_beside_edge(const CameraStation& camera, double distance) {
       continue;
     }
     const RayEnd<double> closed = trace_closed_form(camera.spin, start_ray(camera, n));
-    // Each method rounds the constants of the ray several times.
+    // Each method rounds the constants of motion several times, so the effect of one rounding is
+    // multiplied by 4.
     EXPECT_LT(test::length(series.sky - closed.sky), allowed + 4.0 * moved)
         << camera.spin << " " << 1.0 / camera.u << " " << distance << " " << gamma;
     ++compared;
@@ -276,7 +280,8 @@ TEST(Taylor, CountsARayThatRunsOutOfStepsAsNotConverged) {
 
 TEST(Taylor, LightWithoutPositiveEnergyInTheErgosphereIsDark) {
   const CameraStation camera = make_camera_station(Spacetime{0.999}, 1.3, pi / 2, 0.0, ObserverMotion::zamo);
-  // Light that arrives from the side towards which the hole rotates would need negative energy.
+  // Light from this side, which the rotation of the hole moves away from, would have negative
+  // energy.
   const RayStart<double> ray = start_ray(camera, unit(0.05, 0.0, 1.0));
   ASSERT_LT(ray.energy, 0.0);
   EXPECT_FALSE(comes_from_sky(camera.spin, camera.horizon_r, ray));
@@ -299,8 +304,9 @@ TEST(Taylor, MagnificationFromExactDerivativesIsThatOfTheReference) {
     const auto end = trace_taylor<20>(camera.spin, start_ray(camera, n), true, precise, steps, reached);
     const Vector3<double> dx = {end.sky.x.along_x, end.sky.y.along_x, end.sky.z.along_x};
     const Vector3<double> dy = {end.sky.x.along_y, end.sky.y.along_y, end.sky.z.along_y};
-    // Within 1e-3 rad of the edge, the finite differences of the table lose their digits; these
-    // derivatives agree to 1e-10 between orders, tolerances and bases there.
+    // Within 1e-3 rad of the edge, the table's derivatives, which are finite differences, lose
+    // their digits. The derivatives of this test agree there to 1e-10 between orders, tolerances
+    // and bases.
     const double allowed = std::abs(ray.edge_distance) > 1e-3 ? 1e-7 : 2e-5;
     const double magnification = 1.0 / test::length(cross(dx, dy));
     EXPECT_NEAR(magnification, std::abs(ray.magnification), allowed * std::abs(ray.magnification)) << "ray " << ray.id;

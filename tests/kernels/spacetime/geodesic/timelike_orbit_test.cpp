@@ -16,7 +16,8 @@ constexpr int step_limit = 10'000'000;
 
 double azimuth(const OrbitState& s) { return std::atan2(s.m.y, s.m.x) + s.drag; }
 
-//! Returns the drift of the constants of motion from their initial values, relative to their size.
+//! Returns by how much the constants of motion differ from their initial values, relative to their
+//! size.
 double drift(const OrbitConstants& now, const OrbitConstants& start) {
   return std::abs(now.energy - start.energy) +
          std::abs(now.axial_angular_momentum - start.axial_angular_momentum) / std::sqrt(start.polar_constant) +
@@ -44,7 +45,8 @@ TEST(TimelikeOrbit, KeepsItsConstantsOverTheAxis) { expect_constants_kept(0.9, 1
 
 TEST(TimelikeOrbit, KeepsItsConstantsVeryFarOut) { expect_constants_kept(0.9, 1e6, pi / 2, {0.0, 0.0, 1e-3}); }
 
-//! Returns the angular velocity dφ/dt of a body, from two instants of its orbit.
+//! Returns the angular velocity dφ/dt of a body, from the difference between two moments of its
+//! orbit.
 double angular_velocity(double spin, double r, ObserverMotion motion) {
   OrbitState orbit =
       make_orbit(Spacetime{spin}, r, pi / 2, 0.0, observer_velocity(motion, Spacetime{spin}, r, pi / 2, {}));
@@ -54,7 +56,7 @@ double angular_velocity(double spin, double r, ObserverMotion motion) {
   return azimuth(orbit) / orbit.time;
 }
 
-// Bardeen, Press & Teukolsky (1972), eq. 2.16.
+// Kepler's frequency: Bardeen, Press & Teukolsky (1972), eq. 2.16.
 TEST(TimelikeOrbit, CircularOrbitsTurnAtKeplersFrequency) {
   for (const double spin : {0.0, 0.5, 0.999, 1.0, -0.9}) {
     for (const double r : {9.5, 30.0, 1e6}) {
@@ -66,8 +68,8 @@ TEST(TimelikeOrbit, CircularOrbitsTurnAtKeplersFrequency) {
   }
 }
 
-//! Returns the radius after 3,000 M of a body that starts on a circular orbit of radius r, slower
-//! by one part in 10,000.
+//! Returns the radius after 3,000 M of a body that starts at radius r. Its speed is that of a
+//! circular orbit, reduced by one part in 10,000.
 double radius_of_slowed_orbit(double spin, double r) {
   const Vector3<double> circular = observer_velocity(ObserverMotion::geodesic, Spacetime{spin}, r, pi / 2, {});
   OrbitState orbit = make_orbit(Spacetime{spin}, r, pi / 2, 0.0, 0.9999 * circular);
@@ -83,8 +85,8 @@ TEST(TimelikeOrbit, CircularOrbitsAreStableOutsideTheInnermostStableOneAlone) {
   }
 }
 
-//! Returns the azimuth from one periapsis to the next, by bisection for the instant of zero radial
-//! velocity.
+//! Returns the azimuth between two successive periapses. Finds the moments when the radial velocity
+//! is 0 by bisection.
 double periapsis_to_periapsis(double r, double speed) {
   OrbitState orbit = make_orbit(Spacetime{0.0}, r, pi / 2, 0.0, {0.0, 0.0, speed});
   const OrbitConstants constants = orbit_constants(Spacetime{0.0}, orbit);
@@ -112,9 +114,9 @@ double periapsis_to_periapsis(double r, double speed) {
   return turned;
 }
 
-// Schwarzschild: the orbit between the radii p / (1 + e) and p / (1 - e) advances by 4 K(m) / √(1 -
-// (6 - 2e) / p) with m = 4e / (p - 6 + 2e) (Cutler, Kennefick & Poisson 1994, eq. 2.23, as an
-// elliptic integral).
+// Periapsis advance in Schwarzschild spacetime. From one periapsis to the next, the azimuth of an
+// orbit between the radii p / (1 + e) and p / (1 - e) is 4 K(m) / √(1 - (6 - 2e) / p), with m = 4e
+// / (p - 6 + 2e) (Cutler, Kennefick & Poisson 1994, eq. 2.23, as an elliptic integral).
 TEST(TimelikeOrbit, PeriapsisAdvancesAsTheEllipticIntegralSays) {
   for (const auto& [p, e] : {std::pair(12.0, 0.2), std::pair(20.0, 0.5), std::pair(200.0, 0.1)}) {
     const double r = p / (1.0 + e);

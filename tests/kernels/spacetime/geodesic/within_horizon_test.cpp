@@ -17,7 +17,7 @@ namespace {
 
 using test::ReferenceRay;
 
-//! Calls check(ray, its start) for each ray of the table that comes from the sky.
+//! Calls check(ray, start of the ray) for each ray of the table that comes from the sky.
 template <class Check>
 void for_each_escaped(const Check& check) {
   for (const ReferenceRay& ray : test::reference_rays_within()) {
@@ -98,13 +98,14 @@ TEST(WithinHorizon, FloatSeesTheSkyOfTheReferenceToItsRounding) {
   });
 }
 
-//! Returns the error that 98 of 100 float rays from all over the sky stay below; 1 if one gave up.
+//! Traces rays all over the sky in float. Returns an error that 98 of 100 rays do not exceed; 1 if
+//! a ray did not converge.
 double worst_in_float(double spin, double r) {
   const CameraStation camera = make_camera_station(Spacetime{spin}, r, 1.4, 0.0, ObserverMotion::rain);
   const CameraStationOf<float> coarse = converted_station<float>(camera);
   std::vector<double> errors;
   for (int i = 0; i < 400; ++i) {
-    // Directions on a Fibonacci spiral.
+    // The directions are on a Fibonacci spiral.
     const double z = 1.0 - (2.0 * i + 1.0) / 400.0;
     const double across = std::sqrt(1.0 - z * z);
     const Vector3<float> n = {static_cast<float>(across * std::cos(2.399963 * i)),
@@ -164,8 +165,9 @@ TEST(WithinHorizon, RaysFromNextToItDoNotDependOnHowTheirAzimuthIsCounted) {
   }
 }
 
-//! Compares what observers in free fall on both sides of the horizon see in one direction; the
-//! outer sky is converted to the azimuth of ingoing Kerr coordinates.
+//! Compares what two observers in free fall, slightly outside and inside the horizon, see in the
+//! same direction. The sky of the outer observer is converted to the azimuth of ingoing Kerr
+//! coordinates.
 TEST(WithinHorizon, NothingHappensToTheSkyAtTheHorizon) {
   constexpr double beside = 1e-7;
   for (const double spin : {0.0, -0.5, 0.9, 0.999}) {
@@ -185,9 +187,9 @@ TEST(WithinHorizon, NothingHappensToTheSkyAtTheHorizon) {
   }
 }
 
-//! Returns the angle from straight outwards at which an observer in free fall around a hole without
-//! spin sees the edge of the shadow: light of impact parameter b = √27, with r sin η = b E and E =
-//! 1 + v cos η.
+//! Returns the angle η between the outward direction and the edge of the shadow, as seen by an
+//! observer in free fall around a hole without spin. The light at the edge has the impact parameter
+//! b = √27, so r sin η = b E, with E = 1 + v cos η.
 double schwarzschild_edge(double r) {
   const double b = std::sqrt(27.0);
   const double v = std::sqrt(2.0 / r);

@@ -30,7 +30,7 @@ TEST(CameraStation, LightStraightOutFromRightAboveAnExtremalHorizonIsShiftedByTh
     const double r = 1.0 + above;
     const RayStart<double> ray = start_ray(make_camera_station(Spacetime{1.0}, r, pi / 2, 0.0, ObserverMotion::zamo),
                                            Vector3<double>{1.0, 0.0, 0.0});
-    // In the equatorial plane, α = r (r - 1) / √A, A = r⁴ + r² + 2r.
+    // In the equatorial plane, the lapse is α = r (r - 1) / √A, with A = r⁴ + r² + 2r.
     const double lapse = r * (r - 1.0) / std::sqrt(r * r * (r * r + 1.0) + 2.0 * r);
     EXPECT_NEAR(ray.energy / lapse, 1.0, 1e-12) << above;
   }

@@ -20,8 +20,9 @@ struct Photon {
   double time = 0.0;
 };
 
-//! Follows a photon for a coordinate time: x'' = -3 h² x / r⁵, t' = 1 / (1 - 2/r) in the affine
-//! parameter, by the Runge-Kutta method. `to` is its initial direction for a static observer.
+//! Follows a photon for a coordinate time by the Runge-Kutta method. In the affine parameter, its
+//! equations are x'' = -3 h² x / r⁵ and t' = 1 / (1 - 2/r). `to` is its initial direction for a
+//! static observer.
 Photon followed(const Point& from, const Point& to, double time) {
   const double r = size(from);
   const Point radial = (1.0 / r) * from;
@@ -91,13 +92,14 @@ TEST(ApparentPlace, LightThatClimbsReddens) {
 }
 
 TEST(Illuminance, FallsWithTheSquareOfTheTimeAndWithTheAngle) {
-  // Radial light is not bent; its travel time is the tortoise distance.
+  // Radial light is not deflected, and its travel time is the tortoise distance.
   const Point light{20.0, 0.0, 0.0};
   const Point point{5.0, 0.0, 0.0};
   const double time = connecting_ray(20.0, 5.0, 0.0).travel_time;
   EXPECT_NEAR(illuminance(light, point, {1.0, 0.0, 0.0}, 1, 3.0), 3.0 / (time * time), 1e-15);
   EXPECT_EQ(illuminance(light, point, {-1.0, 0.0, 0.0}, 1, 3.0), 0.0);
-  // An oblique surface: its angle is measured with radial lengths scaled by 1/√(3/5).
+  // An oblique surface at r = 5. A static observer measures radial lengths that are longer by
+  // 1/√(3/5), which changes the angle of the surface.
   const double slope = std::atan(std::sqrt(0.6));  // tan 45° × √(1 - 2/r): radial part of the normal
   EXPECT_NEAR(illuminance(light, point, {std::sqrt(0.5), std::sqrt(0.5), 0.0}, 1, 1.0), std::sin(slope) / (time * time),
               1e-15);
@@ -111,8 +113,9 @@ TEST(Illuminance, FarFromTheHoleIsLamberts) {
 }
 
 TEST(Tessellation, GrowsWithTheCurvatureOfAnEdge) {
-  // The middle is off by half the length: eq. 18 gives 1/2, eq. 19 with a = 5, b = 0.75 gives more
-  // than the maximum.
+  // The middle point of the edge is off the line between its ends by half of the line's length. The
+  // curvature is 1/2 (eq. 18), and the level (eq. 19 with a = 5, b = 0.75) is limited to its
+  // maximum.
   EXPECT_DOUBLE_EQ(apparent_curvature({0.0, 0.0}, {1.0, 1.0}, {2.0, 0.0}), 0.5);
   EXPECT_EQ(apparent_curvature({1.0, 1.0}, {2.0, 1.0}, {1.0, 1.0}), 0.0);
   const TessellationSettings settings;
@@ -122,8 +125,8 @@ TEST(Tessellation, GrowsWithTheCurvatureOfAnEdge) {
 }
 
 TEST(Tessellation, TrianglesWithThePointBehindTheHoleAreTorn) {
-  // The rod of figure 6 in Müller, Schulz & Weiskopf: vertices on opposite sides of the line behind
-  // the hole appear on opposite sides of the hole.
+  // The rod of figure 6 in Müller, Schulz & Weiskopf: two points that are on opposite sides of the
+  // line behind the hole appear on opposite sides of the hole.
   const Point observer{40.0, 0.0, 0.0};
   const auto screen = [](const Point& direction) {
     return ScreenPoint{direction.y / -direction.x, direction.z / -direction.x};

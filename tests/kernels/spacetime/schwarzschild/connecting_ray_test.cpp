@@ -16,9 +16,9 @@ double lapse_squared(double r) { return 1.0 - 2.0 / r; }
 
 double tortoise(double r) { return r + 2.0 * std::log(0.5 * r - 1.0); }
 
-//! Follows a ray by the Runge-Kutta method in coordinate time, from the observer's direction alone.
-//! Returns r, the cosine to the outward direction, φ and the affine distance at its end; dλ/dt = 1
-//! - 2/r.
+//! Follows a ray by the Runge-Kutta method in coordinate time, using only its direction at the
+//! observer. Returns r, the cosine of the angle to the outward direction, φ, and the affine
+//! distance at its end (from dλ/dt = 1 - 2/r).
 std::array<double, 4> followed(double r_observer, double xi, double time) {
   const double b = r_observer * std::sin(xi) / std::sqrt(lapse_squared(r_observer));
   const auto change = [b](const std::array<double, 4>& s) {
@@ -54,7 +54,7 @@ TEST(ConnectingRay, AgreesWithTheReferenceTable) {
 }
 
 TEST(ConnectingRay, GivesTheExactValuesOfThePublishedTable) {
-  // Müller, Schulz & Weiskopf (2021), table 1, recomputed in 113-bit arithmetic.
+  // Values of table 1 in Müller, Schulz & Weiskopf (2021), recomputed in 113-bit arithmetic.
   const double expected[4][4] = {{6.6, 0.5 * pi, 169.046109924, 45.3344647},
                                  {16.5, 0.5 * pi, 155.492964839, 46.1737731},
                                  {6.6, 1.5 * pi, 172.334993307, 66.1959818},
@@ -96,14 +96,15 @@ TEST(ConnectingRay, RatesAreThoseOfTheOrbitsEquation) {
                                               std::array{r, ray.rate_at_point, ray.emission_angle, -1.0}}) {
       EXPECT_NEAR(rate * rate, 1.0 / (b * b) - lapse_squared(at) / (at * at), 1e-14);
       EXPECT_NEAR(std::sin(angle), b * std::sqrt(lapse_squared(at)) / at, 1e-13);
-      // u grows if the ray from observer to point leads inward.
+      // u = 1/r grows where the ray, followed from the observer to the point, leads inward.
       EXPECT_EQ(rate > 0.0, to * std::cos(angle) < 0.0);
     }
   }
 }
 
 TEST(ConnectingRay, TravelTimeChangesByTheImpactParameterAndTheDirection) {
-  // First variation of the travel time: dt/dφ = b, dt/dr* = -cos ξ at the observer.
+  // If the end of a ray at the observer moves, its travel time changes by dt/dφ = b and dt/dr* =
+  // -cos ξ.
   for (const double r_observer : {2.01, 2.7, 3.0, 3.3, 20.0, 1e4}) {
     for (const double r : {2.02, 2.9, 3.01, 6.0, 50.0}) {
       for (const double phi : {0.3, 1.5, pi, 4.5, 6.2}) {
@@ -131,7 +132,7 @@ TEST(ConnectingRay, RadialRaysTakeTheTortoiseDistance) {
   const ConnectingRay outward = connecting_ray(5.0, 20.0, 0.0);
   EXPECT_EQ(outward.xi, 0.0);
   EXPECT_EQ(outward.travel_time, inward.travel_time);
-  // b = φ / (1/5 - 1/20) as long as bending is negligible.
+  // For small φ, deflection is negligible and b = φ / (1/5 - 1/20).
   for (const double phi : {1e-300, 1e-12, 1e-9, 1e-8, 1e-6}) {
     const ConnectingRay ray = connecting_ray(20.0, 5.0, phi);
     EXPECT_NEAR(ray.impact_parameter, phi / 0.15, 1e-11 * phi / 0.15 + 2.0 * phi * phi * phi) << phi;
@@ -140,7 +141,8 @@ TEST(ConnectingRay, RadialRaysTakeTheTortoiseDistance) {
 }
 
 TEST(ConnectingRay, FarAwayAPointBehindTheHoleIsEinsteinsRing) {
-  // θ² = 4 M D_LS / (D_L D_S); the next order adds a relative 1e-4 here.
+  // Angular radius of Einstein's ring: θ² = 4 M D_LS / (D_L D_S). The next order would add a
+  // relative 1e-4 here.
   const double r_observer = 1e8;
   const double r = 3e8;
   const ConnectingRay ray = connecting_ray(r_observer, r, pi);
@@ -149,8 +151,8 @@ TEST(ConnectingRay, FarAwayAPointBehindTheHoleIsEinsteinsRing) {
 }
 
 TEST(ConnectingRay, FarAwayTimeIsShapiros) {
-  // Weinberg (1972), eq. 8.7.4, from the closest approach r_0 to r; the omitted terms are of the
-  // order of M² / r_0.
+  // Time delay by Weinberg (1972), eq. 8.7.4, from the closest approach r_0 to r. The terms that it
+  // omits are of the order of M² / r_0.
   const double r_observer = 1e6;
   const double r = 2e6;
   const ConnectingRay ray = connecting_ray(r_observer, r, 3.0);
@@ -168,7 +170,7 @@ TEST(ConnectingRay, FarAwayTimeIsShapiros) {
 }
 
 TEST(ConnectingRay, WithoutAHoleNearbyRaysAreStraight) {
-  // At distances of 1e9 M and more, light is bent by less than 1e-8.
+  // Beyond 1e9 M, the deflection of light is less than 1e-8.
   const double r_observer = 2e9;
   const double r = 1e9;
   const double phi = 1.2;
@@ -204,7 +206,8 @@ TEST(ConnectingRay, NothingJumpsWhereAPointCrossesThePhotonSphere) {
 }
 
 TEST(ConnectingRay, TowardsTheHorizonOnlyTheTortoiseDistanceGrows) {
-  // The remainder of the time converges, because light leaves the horizon radially.
+  // Near the horizon, the travel time without its divergent part converges, because light leaves
+  // the horizon radially.
   for (const double phi : {0.0, 1.0, pi, 5.0}) {
     const auto rest = [phi](double above) {
       const double r = 2.0 + above;

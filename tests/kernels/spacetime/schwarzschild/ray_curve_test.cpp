@@ -9,8 +9,8 @@
 namespace ergodome {
 namespace {
 
-//! Returns the position on a ray at a fraction of its way, followed from the observer or from the
-//! point.
+//! Follows a ray in steps from `place`, at the observer or at the point, to the fraction `to_share`
+//! of its path.
 RayPlace followed(RayPlace place, double angle, double to_share) {
   const int steps = static_cast<int>(std::ceil(std::abs(to_share - place.share) / longest_ray_step(angle)));
   const double step = (to_share - place.share) / std::max(steps, 1);
@@ -24,7 +24,8 @@ struct Pair {
   double r_observer, r, angle;
 };
 
-//! Direct, turning, plunging and winding rays, near and far.
+//! Rays that are direct, have a turning point, fall in, or wind around the hole, at small and large
+//! radii.
 constexpr Pair ray_pairs[] = {{40.0, 6.0, 1.0},      {40.0, 6.0, 3.0}, {40.0, 6.0, 1.7 * pi}, {40.0, 2.2, 2.4},
                               {2.5, 30.0, 2.0},      {2.2, 2.7, 0.4},  {1e5, 12.0, 3.1},      {40.0, 16.0, 2.6 * pi},
                               {40.0, 6.0, 4.3 * pi}, {7.0, 7.0, 0.7},  {40.0, 39.0, 1e-3},    {40.0, 3.0, 2.0}};
@@ -56,11 +57,11 @@ TEST(RayCurve, TheWholeWayKeepsTheImpactParameter) {
 }
 
 TEST(RayCurve, AzimuthBetweenPlacesIsTheEllipticIntegral) {
-  // Light that falls in from r = 40 M to 2.2 M on an orbit without turning points.
+  // The light moves inwards from r = 40 M to 2.2 M, on an orbit without a turning point.
   const double angle = 2.4;
   const ConnectingRay ray = connecting_ray(40.0, 2.2, angle);
   ASSERT_LT(ray.impact_parameter, std::sqrt(27.0));
-  // 1/b² = g² (1 + 2 g), g = 1/6 + excess, by Newton's method.
+  // Finds the orbit by Newton's method: 1/b² = g² (1 + 2 g) with g = 1/6 + excess.
   double g = 0.3;
   for (int i = 0; i < 50; ++i) {
     const double inverse_b = 1.0 / ray.impact_parameter;

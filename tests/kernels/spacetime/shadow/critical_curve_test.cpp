@@ -30,14 +30,16 @@ TEST(CriticalCurve, DistanceIsThatOfTheReferenceRaysOfZeroAngularMomentumObserve
 }
 
 TEST(CriticalCurve, StaticSchwarzschildShadowIsSynges) {
-  // Synge, MNRAS 131 (1966) 463: sin²ξ = 27 (1 - 2/r) / r²; ξ is acute outside r = 3.
+  // Angle of the shadow's edge by Synge, MNRAS 131 (1966) 463: sin²ξ = 27 (1 - 2/r) / r². The angle
+  // is acute outside r = 3.
   for (const double r : {2.001, 2.5, 2.999, 3.0, 3.001, 5.0, 40.0, 1e6}) {
     const CameraStation camera = make_camera_station(Spacetime{0.0}, r, 1.0, 0.0, ObserverMotion::zamo);
     const ShadowChart chart = make_shadow_chart(camera);
     const double sine = std::sqrt(27.0 * (1.0 - 2.0 / r)) / r;
     const double acute = std::asin(std::min(1.0, sine));
     const double expected = r >= 3.0 ? acute : pi - acute;
-    // The arcsine loses half of its digits at r = 3, where the shadow fills half the sky.
+    // At r = 3, the shadow fills half of the sky, and the arcsine in the expected value loses half
+    // of its digits.
     const double tolerance = std::abs(r - 3.0) < 1e-2 ? 1e-7 : 1e-12;
     EXPECT_NEAR(edge_polar_angle(camera, chart, 0.7), expected, tolerance * expected) << "r " << r;
   }
@@ -49,8 +51,8 @@ TEST(CriticalCurve, ShadowAtThePhotonOrbitIsHalfTheSky) {
 }
 
 TEST(CriticalCurve, SeenFromFarTheProgradeEdgeLiesAtItsImpactParameter) {
-  // Equatorial critical impact parameters of Bardeen (1973), in the form L = -(r³ - 3r² + a² r +
-  // a²) / (a (r - 1)) at the photon orbit r.
+  // Impact parameters of equatorial photon orbits (Bardeen 1973): L = -(r³ - 3r² + a² r + a²) / (a
+  // (r - 1)) for the orbit with the radius r.
   const double a = 0.9;
   const double r = 1e6;
   const CameraStation camera = make_camera_station(Spacetime{a}, r, pi / 2, 0.0, ObserverMotion::zamo);
@@ -86,8 +88,8 @@ TEST(CriticalCurve, IsContinuousAsTheSpinGoesToZero) {
 }
 
 TEST(CriticalCurve, OfTheExtremalHoleHasTheStraightSideOfAngularMomentumTwo) {
-  // a = 1: the prograde side of the shadow consists of rays with L = 2 whose double root is the
-  // horizon itself.
+  // For a = 1, light at the prograde side of the shadow has L = 2, and its double root is at the
+  // horizon.
   const CameraStation camera = make_camera_station(Spacetime{1.0}, 1e3, pi / 2, 0.0, ObserverMotion::zamo);
   const ShadowChart chart = make_shadow_chart(camera);
   for (const double gamma : {pi - 0.2, pi, pi + 0.2}) {
@@ -97,7 +99,8 @@ TEST(CriticalCurve, OfTheExtremalHoleHasTheStraightSideOfAngularMomentumTwo) {
   }
 }
 
-//! Every great circle from the chart's center must become bright exactly once, at the curve.
+//! Expects that rays become bright only once along each great circle from the center of the chart:
+//! at the critical curve.
 void expect_star_shaped(double a, double r, double theta, ObserverMotion motion, const Vector3<double>& beta) {
   const CameraStation camera = make_camera_station(Spacetime{a}, r, theta, 0.0, motion, beta);
   const ShadowChart chart = make_shadow_chart(camera);

@@ -12,7 +12,8 @@
 namespace ergodome {
 namespace {
 
-//! A bent sliver, injective: part of a ring whose width grows along it.
+//! A bent patch that maps the unit square one to one: a part of a ring that becomes wider along its
+//! length.
 struct Sliver {
   double radius, width, turn;
 
@@ -25,11 +26,11 @@ struct Sliver {
   }
 };
 
-//! Pairs of slivers and stars at known positions in them.
+//! Pairs of a patch and a star at a known position (u, v) in the patch.
 class PatchPairs : public testing::Test {
  protected:
-  //! Creates pairs with u and v between `low` and `high`, except within `skip` of the middle of the
-  //! patch.
+  //! Creates pairs whose u and v are between `low` and `high`, but not within `skip` of the middle
+  //! of the patch.
   void make(double low, double high, double skip) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> uniform;

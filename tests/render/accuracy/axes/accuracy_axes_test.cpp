@@ -62,7 +62,8 @@ TEST(AccuracyAxes, AreWhatAReportHas) {
   EXPECT_EQ(report.width_px, 48);
   EXPECT_NEAR(report.pixel_arcmin, 180.0 * 60.0 / 48.0, 1e-9);
   EXPECT_FALSE(report.notes.empty());
-  // Direct rays at a quarter of a pixel and at a thousandth give the same picture.
+  // The settings of this axis are direct rays with errors of a quarter and a thousandth of a pixel;
+  // their pictures must be the same.
   EXPECT_LT(report.axes[1].choices[0].error.median, 0.01);
 }
 
@@ -72,7 +73,8 @@ TEST(AccuracyAxes, OfAMovingCameraHaveStationsAndThoseFartherApartMissByMore) {
   const auto axis = measure_stations(show, accuracy_moments(show, settings), settings, {});
   ASSERT_TRUE(axis);
   ASSERT_EQ(axis->choices.size(), 10U);
-  // Choices with derivatives and without; in each group the spacing is halved four times.
+  // The first five choices have derivatives, the others do not. In each group, the distance between
+  // stations is halved four times.
   EXPECT_GT(axis->choices[5].error.p99, 3.0 * axis->choices[7].error.p99);
   EXPECT_GT(axis->choices[5].error.p99, axis->choices[0].error.p99);
   EXPECT_LT(axis->choices[0].disk_bytes.value(), axis->choices[2].disk_bytes.value());

@@ -48,7 +48,7 @@ TEST(LensRace, AFinerQuadtreeMissesByLess) {
       measured({quadtree_choice(7, true), quadtree_choice(finest_level, true), quadtree_pixel_choice(finest_level)});
   EXPECT_LT(results[1].error.p99, results[0].error.p99);
   EXPECT_GT(results[1].memory_bytes, 0U);
-  // The same grid, read by other code and in float.
+  // Result 2 is read from the same grid as result 1, but in float and by different code.
   EXPECT_NEAR(results[2].error.median, results[1].error.median, 1e-3);
 }
 

@@ -39,7 +39,7 @@ TEST(ExactImages, AreNotInTheShadow) {
 }
 
 TEST(ExactImages, AreMagnifiedByTheBlueShiftOfAFarHoleAlone) {
-  // Far from the hole space is flat, and a static observer does not move.
+  // Far from the hole, space is flat. The observer is static, so there is no aberration either.
   Show show = test::small_dome();
   show.camera.keys.front().r = 1e6;
   const EyeCamera eye = eye_of(show);

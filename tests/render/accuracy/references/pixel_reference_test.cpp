@@ -10,7 +10,7 @@
 namespace ergodome {
 namespace {
 
-//! Returns the sky direction of a position in a moment's picture, by traced rays.
+//! Returns the sky direction at a position in the picture of a moment, by traced rays.
 Vector3<double> traced(const AccuracyMoment& moment, double x_px, double y_px) {
   const Vector3<double> view = direction_from_pixel(moment.projection, x_px, y_px);
   const auto part = [&](int i) {
@@ -29,7 +29,8 @@ class PixelReferenceOfADome : public testing::Test {
         lattice_(pixel_lattice(moment_.projection, 16, 1)),
         reference_(moment_.eye, moment_.projection, lattice_.pixels, moment_.pixel) {}
 
-  //! Returns the sky direction at an offset from the center of a pixel.
+  //! Returns the sky direction at the given distances to the right of and below the center of a
+  //! pixel.
   [[nodiscard]] Vector3<double> beside(std::size_t i, double right_px, double down_px) const {
     const auto [x, y] = pixel_middle(lattice_.pixels[i], moment_.projection.width_px);
     return traced(moment_, x + right_px, y + down_px);
@@ -52,8 +53,8 @@ TEST_F(PixelReferenceOfADome, FindsNothingWrongWithExactRays) {
 }
 
 TEST_F(PixelReferenceOfADome, CallsAHundredthOfAPixelAHundredthOfAPixel) {
-  // Pixels of a dome are as large along the radius as in the middle, and slightly smaller across
-  // it.
+  // The pixels of a dome have the same angular size along the radius everywhere; across the radius,
+  // they are slightly smaller towards the rim.
   int compared = 0;
   for (std::size_t i = 0; i < reference_.size(); ++i) {
     if (reference_.counts(i) && reference_.is_lit(i)) {

@@ -8,7 +8,8 @@
 namespace ergodome {
 namespace {
 
-//! Returns the error of the edge that a ZAMO sees according to the table of a rain observer [rad].
+//! Returns the error [rad] of the shadow's edge for a ZAMO observer, if it is converted from the
+//! table for an observer of the rain frame.
 double miss_of(double spin, double r, double theta = 0.5 * pi) {
   const auto observer = ObserverMotion::zamo;
   const EdgeTable rain(Backend::cpu, make_camera_station(Spacetime{spin}, r, theta, 0.0, ObserverMotion::rain),

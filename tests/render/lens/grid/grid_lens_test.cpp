@@ -16,7 +16,7 @@
 namespace ergodome {
 namespace {
 
-//! Returns a show with one camera in front of the grid sky.
+//! Returns a show with the given camera, in front of the grid sky.
 Show show_of(const std::string& camera, const std::string& view) {
   return parse_show("[hole]\nspin = 0.999\n[camera]\n" + camera + "[sky]\nmap = \"grid\"\n[view]\n" + view,
                     "test.toml");
@@ -37,7 +37,7 @@ Picture picture_of(const Show& show, LensChoice lens, ViewMode mode = ViewMode::
               grid_sky(), settings);
 }
 
-//! Returns the differences of all color channels, sorted.
+//! Returns the absolute differences of all color channels of two pictures, in ascending order.
 std::vector<double> differences(const Picture& a, const Picture& b) {
   std::vector<double> all(a.rgba.size());
   std::transform(a.rgba.begin(), a.rgba.end(), b.rgba.begin(), all.begin(),
@@ -52,7 +52,8 @@ void expect_alike(const Show& show) {
   ASSERT_STREQ(grid.lens, "live");
   ASSERT_STREQ(direct.lens, "direct");
   const std::vector<double> all = differences(grid, direct);
-  // A quarter of a pixel on lines that are blurred over one pixel.
+  // The limits correspond to an error of a quarter of a pixel on lines that are blurred over one
+  // pixel.
   EXPECT_LT(all[all.size() * 99 / 100], 0.03);
   EXPECT_LT(all[all.size() * 999 / 1000], 0.15);
 }
@@ -71,7 +72,7 @@ TEST(GridLens, WholeSkyOffTheEquatorIsThatOfDirectRays) {
                        "projection = \"equirect\"\nsize_px = 400\n"));
 }
 
-//! Returns the picture of an observer close to a horizon, at the equator.
+//! Returns the picture of an observer at the equator, at the height `above` over the horizon.
 Picture picture_beside_horizon(double spin, double above, LensChoice lens) {
   Show show = show_of("[[camera.key]]\nr = 9\ntheta_deg = 90\n", "projection = \"equirect\"\nsize_px = 128\n");
   show.spin = spin;
@@ -169,17 +170,17 @@ TEST(LensChooser, WhoCannotWaitGetsTheViewFromTheLastGridAndThenTheRightOne) {
     return lenses.choose({LensChoice::live, eye_camera(show, pose, 0.0), projection, ViewMode::sky, {}, moment, {}})
         ->behind();
   };
-  // No grid exists yet, so the first one is waited for.
+  // No grid exists yet, so the chooser waits for the first one, however short its patience is.
   EXPECT_FALSE(behind(0.0));
   pose.r += 0.01;
   EXPECT_TRUE(behind(0.0));
   EXPECT_FALSE(behind(60.0));
-  // After a jump, the grid of the old position is not shown.
+  // After a large step of the camera, the grid of the old position must not be used.
   pose.r += 5.0;
   EXPECT_FALSE(behind(0.0));
 }
 
-//! A baked show, and lenses for its camera.
+//! A show, its trajectory file, and the projection of its pictures.
 class StreamedLens : public test::FolderTest {
  protected:
   StreamedLens() : show_(test::approaching_show()), projection_(make_projection(show_.view, show_.view.size_px, 0.0)) {}
@@ -190,8 +191,8 @@ class StreamedLens : public test::FolderTest {
                                            StationStream::default_memory_bytes, [](const std::string&) {});
   }
 
-  //! Returns the name of the lens of an eye at a time of the show; `budget` is relative to the
-  //! show's budget.
+  //! Returns the name of the lens that is chosen for an eye at a time of the show. `budget` is a
+  //! factor on the budget of the show.
   std::string lens_at(LensChooser& lenses, double time_s, double eye_offset, LensChoice choice = LensChoice::automatic,
                       double budget = 1.0) {
     const EyeCamera eye = eye_camera(show_, camera_pose(show_, time_s), eye_offset);
@@ -222,7 +223,7 @@ TEST_F(StreamedLens, PictureIsThatOfDirectRaysOnThePathAndForBothEyes) {
 }
 
 TEST_F(StreamedLens, LeavingThePathMakesNoJump) {
-  // The same pose, once as a moment of the show and once flown manually.
+  // The same pose is rendered twice: as a moment of the show, and as in free flight.
   EyeRenderer renderer(Backend::cpu, stream());
   PictureSettings settings;
   settings.lens = LensChoice::streamed;
@@ -287,7 +288,7 @@ TEST_F(StreamedLens, AGapThatMissesItsBudgetGetsLiveGrids) {
     const StationEntry& station = good.stations()[i];
     journal.add(station.time_s, good.read(i));
     if (i > 0) {
-      // The first gap misses its budget.
+      // The first gap between stations misses the error budget.
       journal.add(Gap{times_s.back(), station.time_s, i == 1 ? 0.3F : 0.1F, 0.0F});
     }
     times_s.push_back(station.time_s);

@@ -14,7 +14,7 @@
 namespace ergodome {
 namespace {
 
-//! A camera, its observer, and its grid with a budget of 0.1 px of a 4096² dome.
+//! A camera, the motion of its observer, and its lens grid with a budget of 0.1 px of a 4096² dome.
 struct GridCase {
   double spin;
   double r;
@@ -43,7 +43,7 @@ using test::Errors;
 using test::random_rays;
 using test::Rays;
 
-//! Returns a lens that consists of the grid of one station.
+//! Returns a lens that is the grid of a single station.
 LensBlend lens_of(const LensStation& station) {
   const LensGrid grid = grid_view(station);
   return {grid.chart, {grid, grid}, {}, 0.0F};
@@ -53,8 +53,9 @@ void read_through(const GridCase& c, Rays& rays) {
   test::read_through(lens_of(c.station), c.camera(), c.settings.observer, rays);
 }
 
-//! Returns the errors on the screen over random directions that see the sky, including those in the
-//! cut-off and those that were traced.
+//! Returns the errors on the screen for random directions that see the sky. They include directions
+//! so close to the shadow that the grid cuts them off, and directions that the lens leaves to
+//! tracing.
 Errors errors_of(const GridCase& c, std::size_t count = 100'000) {
   return test::screen_errors(lens_of(c.station), c.camera(), c.settings.observer, c.settings.pixel, count);
 }
@@ -96,7 +97,7 @@ struct HardCamera {
   ObserverMotion motion = ObserverMotion::zamo;
 };
 
-//! Positions and motions that grids must support.
+//! Positions and motions of cameras for which grids must keep their budget.
 class LensGridOfHardCamera : public testing::TestWithParam<HardCamera> {};
 
 TEST_P(LensGridOfHardCamera, HoldsItsBudgetOverTheSky) {
@@ -118,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const testing::TestParamInfo<HardCamera>& each) { return "Camera" + std::to_string(each.index); });
 
 TEST(LensGrid, MirroredHalfIsTheWholeSky) {
-  // The same camera slightly off the equator gets a whole grid.
+  // A camera slightly off the equator needs a whole grid. It sees nearly the same.
   const GridCase half(0.9, 6.0, 0.5 * pi);
   const GridCase whole(0.9, 6.0, 0.5 * pi - 1e-7);
   ASSERT_TRUE(half.station.mirrored);
@@ -138,7 +139,8 @@ TEST(LensGrid, MirroredHalfIsTheWholeSky) {
   EXPECT_LT(difference[difference.size() * 95 / 100], 2e-4);
 }
 
-//! Returns the sky and its derivatives from the patch sums at a position of the chart.
+//! Returns the sky direction at chart coordinates (γ, s) and its derivatives along them,
+//! interpolated in the bicubic patches of a grid.
 GridSky<double> at(const LensStation& station, double gamma_turns, double s) {
   ChartPlace<Dual<double>> place{};
   place.gamma_turns = {gamma_turns, 1.0, 0.0};
@@ -155,7 +157,8 @@ TEST(LensGrid, ValueAndDerivativesAreContinuousAcrossEveryKindOfCellSide) {
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> uniform;
   for (int i = 0; i < 20'000; ++i) {
-    // A line of the finest common lattice, crossed at a random position.
+    // Chooses a line of the finest lattice of cell sides, and a random position on it, where it is
+    // crossed.
     const double line = std::floor(uniform(random) * 1024.0) * static_cast<double>(unit);
     const double s = 0.3 + 0.7 * uniform(random);
     const double step = 1e-7;

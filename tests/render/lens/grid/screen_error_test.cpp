@@ -5,7 +5,8 @@
 namespace ergodome {
 namespace {
 
-//! Returns the error over a thousand equal parts of the sky, with errors of 0.5, 1.5, ... 999.5.
+//! Returns the quantiles of a lens whose error is 0.5, 1.5, ... 999.5 px in a thousand equal parts
+//! of the sky; `share` is the share of the sky that the screen shows.
 ScreenError error_of_parts(double share) {
   std::vector<double> error_px;
   error_px.reserve(1000);

@@ -27,8 +27,8 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 
 class StationStreaming : public test::FolderTest {
  protected:
-  //! Writes a file of stations at intervals of a tenth of a second, each closer to the hole; all
-  //! contain the same small grid.
+  //! Writes a trajectory file with stations at intervals of a tenth of a second. Each is closer to
+  //! the hole than the one before; all contain the same small grid.
   [[nodiscard]] TrajectoryReader make_file(int stations) {
     GridSettings settings;
     settings.pixel = 0.05;
@@ -50,7 +50,7 @@ class StationStreaming : public test::FolderTest {
     test::damage_station(file(), reader.stations()[station]);
   }
 
-  //! Returns a callback that appends the stream's messages to messages_.
+  //! Returns a callback that keeps the last message of the stream in message_.
   [[nodiscard]] StationStream::Report report() {
     return [this](const std::string& message) {
       ++said_;
@@ -67,8 +67,8 @@ class StationStreaming : public test::FolderTest {
   std::string message_;
 };
 
-//! Moves the play head through the show, `step_s` per frame, and returns how many frames had to
-//! wait.
+//! Plays a part of the show: the time advances by `step_s` per frame. Returns the number of frames
+//! that had to wait for a station.
 long play(StationStream& stream, double from_s, double to_s, double step_s) {
   stream.at(from_s, patience_s);
   const long before = stream.statistics().waits;
@@ -77,7 +77,8 @@ long play(StationStream& stream, double from_s, double to_s, double step_s) {
     const double time_s = from_s + step_s * i;
     const auto pair = stream.at(time_s, patience_s);
     EXPECT_TRUE(pair && std::abs(pair->first->station().r - (9.0 - 1e-3 * time_s)) <= 1.01e-4) << time_s;
-    // A fifth of the time of a frame at 60 Hz; sanitizers read slowly.
+    // A pause of a fifth of a frame's time at 60 Hz; longer under sanitizers, which slow down
+    // reading.
     std::this_thread::sleep_for(std::chrono::milliseconds(test::sanitized ? 8 : 3));
   }
   return stream.statistics().waits - before;

@@ -13,11 +13,11 @@
 
 #include "tests/render/passes/disk/flat_walk.h"
 
-// Compares pictures of eyes of the model `flat` with walks along their lines of sight.
+// Compares pictures for eyes of the model `flat` with FlatWalk, which follows their lines of sight.
 namespace ergodome::test {
 
-//! Pixels that show objects, and lattice points, a few pixels apart, whose lines of sight meet
-//! objects.
+//! Pixels for a comparison, in two lists: pixels in which the picture shows objects, and pixels of
+//! a lattice whose lines of sight meet objects.
 class ObjectPixelsOfTest {
  public:
   ObjectPixelsOfTest(const Picture& picture, const FlatWalk& walk) : width_(picture.width), height_(picture.height) {
@@ -35,8 +35,8 @@ class ObjectPixelsOfTest {
     }
   }
 
-  //! Returns a random pixel close to one of them, from either list in half of the calls; or any
-  //! pixel of the picture if the list is empty.
+  //! Returns a random pixel close to a pixel of one of the lists; each list is chosen in half of
+  //! the calls. If the list is empty, returns any pixel of the picture.
   template <class Random>
   [[nodiscard]] std::pair<int, int> any(Random& random) const {
     const auto& from = random() % 2 == 0 ? drawn_ : met_;
@@ -58,10 +58,12 @@ class ObjectPixelsOfTest {
   std::vector<std::pair<int, int>> met_;
 };
 
-//! Expects that the samples include each kind of object that a show has near the hole.
+//! Expects that the compared pixels include each kind of object that the show has near the hole.
+//! `things`: number of pixels of each kind.
 inline void expect_all_kinds_seen(const Show& show, std::map<FlatWalk::Met, int>& things, int pixels) {
   using Met = FlatWalk::Met;
-  // If there are few pixels, all may lie next to edges.
+  // If few pixels are compared, as under sanitizers, all may be next to edges and count for no
+  // kind.
   EXPECT_GE(things[Met::disk] + things[Met::shell] + things[Met::object], sanitized ? 0 : pixels / 20 + 1);
   const auto expect_seen = [&](bool there, Met met) {
     if (there && !sanitized) {
@@ -73,8 +75,9 @@ inline void expect_all_kinds_seen(const Show& show, std::map<FlatWalk::Met, int>
   expect_seen(!show.objects.empty(), Met::object);
 }
 
-//! Returns whether a pixel and its neighbors see the same object at nearly the same radius. Images
-//! only a few pixels wide have a different radius in each pixel.
+//! Returns whether a pixel and its four neighbors see the same kind of object at nearly the same
+//! radius. Images that are only a few pixels wide are excluded, because their radius differs from
+//! pixel to pixel.
 inline bool is_within_one_thing(const FlatWalk& walk, int x, int y, const FlatWalk::Seen& seen) {
   bool inside = true;
   for (const auto& [dx, dy] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
@@ -84,8 +87,9 @@ inline bool is_within_one_thing(const FlatWalk& walk, int x, int y, const FlatWa
   return inside;
 }
 
-//! Compares a pixel with what its middle sees; or, where images of objects in it are thinner than a
-//! pixel, with what samples of it see. Returns true in the first case.
+//! Compares a pixel of the picture with what FlatWalk sees in its middle, and returns true. If
+//! images in the pixel are thinner than the pixel, compares it with what FlatWalk sees at many
+//! positions in it, and returns false.
 inline bool compare_pixel(const Show& show, const FlatWalk& walk, const Picture& picture, int x, int y,
                           const FlatWalk::Seen& seen) {
   const float drawn = luminance_of(light_at(picture, x, y));
@@ -109,7 +113,7 @@ inline bool compare_pixel(const Show& show, const FlatWalk& walk, const Picture&
   return true;
 }
 
-//! Compares the pictures of both eyes with the walk, at random pixels that are not next to an edge.
+//! Compares the pictures of both eyes with FlatWalk, at random pixels that are not next to an edge.
 inline void compare_with_walk(const Show& show, LensChoice lens, int pixels) {
   const auto eyes = eyes_of(show, lens);
   ASSERT_EQ(eyes.size(), 2U);

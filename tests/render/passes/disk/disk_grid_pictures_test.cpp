@@ -21,8 +21,7 @@ using test::eye_at;
 
 constexpr int pictured_px = test::sanitized ? 128 : 256;
 
-//! A camera that faces a disk, and the allowed difference between its pictures by a grid and by
-//! rays.
+//! A camera that faces a disk. Its pictures by a disk grid and by rays are compared.
 struct PicturedDisk {
   const char* name;
   double spin;
@@ -30,8 +29,10 @@ struct PicturedDisk {
   double theta;
   double field_of_view;
   bool clouds = false;
-  bool away = false;  //!< view away from the hole
-  bool ball = false;  //!< with a ball, half in front of the disk and half behind it, drawn by rays
+  //! If true, the view points away from the hole.
+  bool away = false;
+  //! If true, there is a ball, half in front of the disk and half behind it, drawn by rays.
+  bool ball = false;
 };
 
 Show pictured_show(const PicturedDisk& at) {
@@ -51,7 +52,7 @@ Show pictured_show(const PicturedDisk& at) {
   return show;
 }
 
-//! The pictures of the same scene by rays and by a grid.
+//! Pictures of the same scene with the disk by rays, and by a grid.
 struct TwoPictures {
   std::vector<float> by_rays;
   std::vector<float> by_grid;
@@ -79,8 +80,8 @@ TwoPictures draw_both(const PicturedDisk& at) {
   return pictures;
 }
 
-//! Returns the differences of pixels (the maximum over channels), for pixels that either picture
-//! covers.
+//! Returns the difference of each pixel that the disk covers in either picture: the maximum over
+//! the color channels.
 std::vector<float> differences(const TwoPictures& pictures) {
   std::vector<float> found;
   for (std::size_t i = 0; i < pictures.by_rays.size(); i += 4) {
@@ -125,8 +126,8 @@ TEST(DiskGridPictures, AreThoseOfRays) {
     const TwoPictures pictures = draw_both(at);
     const std::vector<float> found = differences(pictures);
     ASSERT_GT(found.size(), pictured_px * pictured_px / 22U);
-    // The coverage of edges follows from the derivative of 1/r at the center of a pixel; where it
-    // changes fast, it differs in the last bits.
+    // The coverage of pixels at the edges of the disk follows from the derivative of 1/r at the
+    // center of the pixel. Where the derivative changes fast, the two coverages differ slightly.
     EXPECT_LT(found[found.size() / 2], 1e-3F);
     EXPECT_LT(found[found.size() * 99 / 100], 0.04F);
     EXPECT_LT(found[found.size() * 999 / 1000], 0.12F);
@@ -135,8 +136,8 @@ TEST(DiskGridPictures, AreThoseOfRays) {
 }
 
 TEST(DiskGridPictures, LeavePixelsThatShowObjectsToRays) {
-  // Only the ball and what is in front of it and behind it is colored: the disk gives no light, but
-  // hides other things.
+  // The disk gives no light but hides what is behind it, so only the visible parts of the ball are
+  // colored.
   const PicturedDisk at = {"dark, round a ball", 0.9, 30.0, 1.4, 1.4, false, false, true};
   const auto coloured = [&](bool by_grid) {
     Show show = pictured_show(at);

@@ -21,17 +21,18 @@ namespace {
 constexpr double table_budget_px = 0.1;
 constexpr double table_pixel = 1e-3;
 
-//! A crossing read from a grid, with its changes along two perpendicular directions of the
-//! observer's sky, per pixel.
+//! A crossing of the disk's plane, interpolated in a grid. Derivatives are along two perpendicular
+//! directions of the observer's sky, per pixel.
 struct ReadCrossing {
-  bool good = false;  //!< not left to rays
+  //! True if the grid is accurate here; otherwise the pixel is left to rays.
+  bool good = false;
   bool shown = false;
   Dual<double> u;
   Dual<double> azimuth;
   Dual<double> delay;
 };
 
-//! Returns a direction with its changes across a pixel.
+//! Returns a direction with its derivatives along two perpendicular directions, per pixel.
 Vector3<Dual<float>> spread(const Vector3<double>& n, double pixel) {
   const Vector3<double> aside = std::abs(n.x) < 0.7 ? Vector3<double>{1.0, 0.0, 0.0} : Vector3<double>{0.0, 1.0, 0.0};
   const Vector3<double> first = normalized(cross(n, aside));
@@ -84,7 +85,8 @@ ReadCrossing read_crossing(const DiskStation& station, const Aberration& observe
 
 double change_of(const Dual<double>& a) { return std::hypot(a.along_x, a.along_y); }
 
-//! Returns the grid of a disk from the innermost stable orbit outwards, with its pattern.
+//! Returns the grid, with the pattern's channels, of a disk that starts at the innermost stable
+//! orbit.
 DiskStation station_for(double spin, double r, double theta, const Aberration& observer, double outer_r, double pixel) {
   DiskGridSettings settings;
   settings.inner_r = innermost_stable_radius(Spacetime{spin}, 1.0);
@@ -96,13 +98,14 @@ DiskStation station_for(double spin, double r, double theta, const Aberration& o
   return build_disk_station(Spacetime{spin}, r, theta, settings);
 }
 
-//! A crossing of the reference table, read from a grid that is built for its camera.
+//! A crossing of the reference table, and the same crossing in a grid that is built for the row's
+//! camera.
 struct TableReading {
   test::ReferenceCrossing row;
   ReadCrossing read;
 };
 
-//! Reads the crossings that the grid does not leave to rays.
+//! Interpolates the crossings of the table in grids, except those that the grids leave to rays.
 std::vector<TableReading> read_table() {
   std::vector<TableReading> readings;
   DiskStation station;
@@ -131,7 +134,8 @@ TEST(DiskGrid, HasTheReferenceCrossingsWithinItsBudget) {
   for (const auto& [row, read] : table_readings()) {
     EXPECT_TRUE(read.shown) << row.id;
     EXPECT_LT(std::abs(read.u.value - 1.0 / row.r_hit), table_budget_px * change_of(read.u) + 1e-6) << row.id;
-    // The pattern is rotated by the rotation of the flow during the light's delay.
+    // The pattern rotates with the flow, so errors of azimuth and of the light's delay combine: the
+    // pattern has moved on by rotation times delay.
     const double rotation = 1.0 / (row.r_hit * std::sqrt(row.r_hit) + row.a);
     const double turned =
         std::remainder(read.azimuth.value - row.phi_hit, 2.0 * pi) + rotation * (read.delay.value - row.delay);
@@ -149,13 +153,14 @@ TEST(DiskGrid, HasTheReferenceShiftWithinItsBudget) {
       return 1.0 /
              circular_frequency(row.a, {1.0 / u, ray.energy, ray.axial_angular_momentum, ray.shear_constant, true});
     };
-    // The change of the shift over the budget's displacement of the radius.
+    // The frequency ratio may differ by as much as it changes when the radius is displaced by the
+    // budget.
     const double allowed = std::abs(ratio(read.u.value + table_budget_px * change_of(read.u)) - ratio(read.u.value));
     EXPECT_NEAR(ratio(read.u.value), row.g_kepler, allowed + 1e-5) << row.id;
   }
 }
 
-//! A position of a camera.
+//! A camera and the disk that it sees.
 struct DiskCase {
   double spin;
   double r;
@@ -163,7 +168,7 @@ struct DiskCase {
   double outer_r = 20.0;
   ObserverMotion motion = ObserverMotion::zamo;
 
-  //! Returns a pixel size at which the disk has a realistic size in pictures [rad].
+  //! Returns the angle of a pixel for which the disk has a realistic size in pictures [rad].
   [[nodiscard]] double pixel() const { return std::min(table_pixel, 2.0 * outer_r / r / 500.0); }
 };
 
@@ -186,11 +191,11 @@ const std::vector<DiskCase>& disk_cases() {
   return all;
 }
 
-//! The comparison of grid and exact rays over random directions in which the disk is visible.
+//! Result of comparing a grid with exact rays, in random directions in which the disk is visible.
 struct Comparison {
   int seen[layer_orders] = {0, 0, 0};
-  int missed = 0;  //!< crossings of the disk in leaves marked as empty
-  int left = 0;    //!< left to rays
+  int missed = 0;  //!< number of crossings of the disk in leaves that are marked as empty
+  int left = 0;    //!< number of crossings that the grid leaves to rays
   std::vector<double> radius_px;
   std::vector<double> phase_px;
 };
@@ -199,7 +204,7 @@ Comparison compare_with_rays(const DiskCase& at, const DiskStation& station, con
   const CameraStation camera = make_camera_station(Spacetime{at.spin}, at.r, at.theta, 0.0, at.motion);
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
-  // At most as wide as the disk and its images appear.
+  // Directions cover a square on the sky that is about as wide as the disk with its images appears.
   const double wide = std::min(1.0, 2.0 * at.outer_r / at.r);
   Comparison found;
   for (int i = 0; i < (test::sanitized ? 2000 : 8000); ++i) {
@@ -221,7 +226,8 @@ Comparison compare_with_rays(const DiskCase& at, const DiskStation& station, con
         ++found.left;
         continue;
       }
-      // Displacements are meaningful only where something changes across pixels.
+      // Errors are converted to pixels by dividing by the change per pixel. If hardly anything
+      // changes across pixels, a minimum replaces this change.
       const double flat = 1e-4 * (1.0 / station.inner_r - 1.0 / at.outer_r);
       found.radius_px.push_back(std::abs(read.u.value - crossings[order].u) / std::max(change_of(read.u), flat));
       const double rotation = 1.0 / (r * std::sqrt(r) + at.spin);
@@ -264,7 +270,7 @@ TEST(DiskGrid, HoldsNoAzimuthAndTimeWithoutAPattern) {
 }
 
 TEST(DiskGrid, KeepsItsBudgetAtEveryPlace) {
-  // Sanitizers cover the same code with a quarter of the cameras.
+  // Under sanitizers, a quarter of the cameras is enough to cover the same code.
   constexpr std::size_t stride = test::sanitized ? 4 : 1;
   for (std::size_t i = 0; i < disk_cases().size(); i += stride) {
     const DiskCase& at = disk_cases()[i];

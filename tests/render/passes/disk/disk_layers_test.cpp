@@ -38,8 +38,8 @@ std::shared_ptr<const JoinedDisk> joined(const LensPlace& first, const LensPlace
       join(*station_at(first, pattern, derivatives), *station_at(second, pattern, derivatives)).value());
 }
 
-//! Returns the error of a grid at a position, which all but a hundredth of the samples that show
-//! the disk stay below [px].
+//! Returns the error of a disk grid for a camera at a position [px]. Of the samples that show the
+//! disk, 99 % have at most this error.
 double error_px(const DiskGrid& grid, const DiskStation& cells, const LensPlace& place) {
   return measure_disk_error(grid, Spacetime{spin}, place, settings_at(place, cells.pattern, true),
                             leaf_samples(cells.cells))
@@ -90,8 +90,8 @@ TEST(JoinedDisk, HasThePatchesOfBothStations) {
       }
     }
   }
-  // Where leaves of different size meet, they disagree in the middle of the larger one's side, and
-  // the smaller one is correct.
+  // Where a large leaf and a smaller one share a side, they disagree in the middle of the larger
+  // leaf's side, where the smaller one is correct.
   EXPECT_GT(compared, 4000);
   EXPECT_LT(missed, compared / 100);
 }
@@ -123,7 +123,7 @@ TEST(JoinedDisk, IsOnlyOfOneDiskAndOfCamerasOnOneSideOfThePlane) {
   EXPECT_FALSE(join(*any, *station_at({20.0, 0.5 * pi})).has_value());
 }
 
-//! Returns the layers of one root cell that is repeatedly halved along a single axis.
+//! Returns a disk grid with one root cell that was halved again and again along the same axis.
 DiskStation strips(int axis, int halvings) {
   DiskStation station;
   station.cells.columns = 1;
@@ -175,7 +175,8 @@ TEST(DiskLayers, ServeAnEyeBesideAStationAndBesideTheLineBetweenTwo) {
   const auto station = station_at({20.0, 1.2});
   const DiskLayers beside(station, eye);
   EXPECT_LT(error_px(beside.view(), *station, eye), budget_px);
-  // Checks that the measurement works: the station alone is not accurate for that eye.
+  // Checks the test itself: without the correction by DiskLayers, the grid is too inaccurate for
+  // this eye.
   EXPECT_GT(error_px(disk_grid_view(*station), *station, eye), 4.0 * budget_px);
   const auto stations = joined({20.0, 1.2}, {23.0, 1.1});
   EXPECT_LT(error_between(stations, {21.4, 1.16}), budget_px);
@@ -188,8 +189,9 @@ TEST(DiskLayers, OfCamerasInThePlaneAreBlendedAlongIt) {
 }
 
 TEST(DiskLayers, DoNotReachThroughThePlane) {
-  // Light that starts downwards crosses the plane next to a camera above it, and half a turn later
-  // next to one below it: all orders jump.
+  // Light that starts downwards soon crosses the plane if the camera is above the plane. If the
+  // camera is below it, this light crosses the plane only half a turn later. So the crossings of
+  // all orders are different on both sides.
   const auto stations = joined({20.0, 0.5 * pi - 0.02}, {20.0, 0.5 * pi + 0.02});
   EXPECT_GT(error_between(stations, {20.0, 0.5 * pi - 0.01}), 10.0 * budget_px);
 }

@@ -46,7 +46,7 @@ DrawnDisk draw_disk(const Show& show, const EyeCamera& eye, double field_of_view
   return drawn;
 }
 
-//! The exact ray through a pixel's center, in double.
+//! The exact ray through the center of a pixel, traced in double.
 struct ExactRay {
   NearRay<double> ray;
   EquatorialCrossing<double> crossings[crossing_orders];
@@ -90,7 +90,7 @@ TEST(DiskPass, CoversThePixelsWhoseExactRaysMeetTheDisk) {
 }
 
 TEST(DiskPass, ShowsSecondAndThirdImagesWhereTheyAre) {
-  // Below the hole is the image of the disk's underside, of order 1.
+  // Below the hole, the picture shows the image of order 1, which is the underside of the disk.
   const EyeCamera eye = eye_at(0.0, 40.0, 1.4);
   const DrawnDisk drawn = draw_disk(show_with(0.0, uniform_disk(6.0, 18.0)), eye, 0.5);
   bool found = false;
@@ -106,9 +106,9 @@ TEST(DiskPass, ShowsSecondAndThirdImagesWhereTheyAre) {
 }
 
 TEST(DiskPass, HasTheShiftOfLuminetsFormulaAlongTheEquatorialLine) {
-  // Without spin: 1 + z = (1 + r^(-3/2) b sin(i) sin(α)) / √(1 - 3/r) for an observer at rest at
-  // infinity (Luminet 1979, eq. 19); here the observer is at r_o. b follows from the angle ξ at the
-  // observer: b = r_o sin(ξ) / √(1 - 2/r_o).
+  // Without spin and for an observer at rest at infinity, 1 + z = (1 + r^(-3/2) b sin(i) sin(α)) /
+  // √(1 - 3/r) (Luminet 1979, eq. 19). Here the observer is at r_o, which adds the factor of the
+  // lapse, and sees the light at the angle ξ from the hole, so b = r_o sin(ξ) / √(1 - 2/r_o).
   const double r_o = 60.0;
   const double inclination = 1.4;
   const DiskSettings settings = uniform_disk(6.0, 25.0);
@@ -125,7 +125,7 @@ TEST(DiskPass, HasTheShiftOfLuminetsFormulaAlongTheEquatorialLine) {
       continue;
     }
     const Vector3<double> view = direction_from_pixel(drawn.projection, x + 0.5, y + 0.5);
-    // Matter on the right recedes: there b sin(α) is positive.
+    // Matter on the right side moves away from the camera, so b sin(α) is positive there.
     const double momentum = r_o * view.x / lapse * std::sin(inclination);
     const double g = std::sqrt(1.0 - 3.0 / r) / (1.0 + momentum / (r * std::sqrt(r))) / lapse;
     const double expected = std::exp(std::log(blackbody_tristimulus(g * settings.temperature_k).y) - at_rest);
@@ -148,8 +148,8 @@ TEST(DiskPass, IsBrighterOnTheSideThatComes) {
 }
 
 TEST(DiskPass, HasTheAreaOfItsRingWithinASmallPartOfAPixelsWidth) {
-  // From far above, a ring of radius r appears at b = r + 1 + O(1/r) (Gates, Hadar & Johnson 2021);
-  // pixels at its edges are partially covered.
+  // A ring of radius r, seen from far above, appears at the impact parameter b = r + 1 + O(1/r)
+  // (Gates, Hadar & Johnson 2021). Pixels at its edges are partially covered.
   const double r_o = 1e5;
   const double pixel = 600.0 / r_o / disk_size_px;
   const DrawnDisk drawn = draw_disk(show_with(0.0, uniform_disk(100.0, 250.0)), eye_at(0.0, r_o, 0.0), 600.0 / r_o);
@@ -176,12 +176,12 @@ TEST(DiskPass, LetsLightThroughAsFarAsItIsNotOpaque) {
       most = std::max(most, drawn.alpha(x, y));
     }
   }
-  // At most three crossings: 1 - 0.75³.
+  // The disk has an opacity of 1/4, and a ray crosses it at most three times: 1 - 0.75³.
   EXPECT_LE(most, 0.5782F);
   EXPECT_GE(most, 0.25F);
 }
 
-//! Returns how many pixels are much brighter than all their neighbors.
+//! Returns the number of pixels that are much brighter than all of their neighbors.
 int single_pixels(const DrawnDisk& drawn) {
   int found = 0;
   for (int y = 1; y + 1 < disk_size_px; ++y) {
@@ -196,8 +196,8 @@ int single_pixels(const DrawnDisk& drawn) {
   return found;
 }
 
-//! Returns a camera that falls through the horizon as rain and faces the hole, except for an offset
-//! of some fractions of a pixel.
+//! Returns a camera at the horizon that moves with the rain frame. It faces the hole, except for
+//! the given rotations of a fraction of a pixel.
 EyeCamera eye_at_horizon(double spin, double theta, double right_rad, double up_rad) {
   EyeCamera eye = eye_at(spin, horizon_radius(Spacetime{spin}), theta, ObserverMotion::rain);
   const double back[3] = {std::cos(right_rad) * std::cos(up_rad), std::sin(up_rad),
@@ -213,8 +213,8 @@ EyeCamera eye_at_horizon(double spin, double theta, double right_rad, double up_
   return eye;
 }
 
-// Straight footprints of light that meets the plane behind the horizon extend to the outside, where
-// such light cannot be.
+// A linear footprint is wrong if a neighbor's light meets the plane inside the horizon: it would
+// extend to a region outside, where such light cannot come from, and cause bright single pixels.
 TEST(DiskPass, HasNoSinglePixelsWhereItFallsIntoAFastHole) {
   constexpr double spin = 0.998;
   DiskSettings disk = uniform_disk(1.0005 * horizon_radius(Spacetime{spin}), 16.0);

@@ -11,7 +11,7 @@
 #include "render/passes/disk/disk_pass.h"
 #include "tests/render/disk_scenes.h"
 
-// Clouds in a disk.
+// Tests of clouds in a disk.
 namespace ergodome {
 namespace {
 
@@ -39,7 +39,8 @@ TEST(DiskPattern, GoesOnSmoothlyFromPeriodToPeriodHoweverLateItIs) {
 }
 
 TEST(DiskPattern, FollowsTheFlow) {
-  // A point of the pattern at φ was at φ - Ω t earlier; the delay of its light is such a t.
+  // The flow moves the pattern, so light with the delay t shows a point at φ where it was earlier,
+  // at φ - Ω t.
   const PatternTime now = pattern_time(uniform_disk(6.0, 18.0), Spacetime{0.0}, 60.0);
   PatternTime later = now;
   later.age += 5.0F;
@@ -48,8 +49,8 @@ TEST(DiskPattern, FollowsTheFlow) {
               disk_pattern(later, 9.0F, 1.0F, rotation, 15.0F, 0.0F), 1e-4F);
 }
 
-//! Lets the camera of `show` fall as rain along the axis from r = 20 on, at 1 M of proper time per
-//! second.
+//! Lets the camera of a show fall in the rain frame along the axis, from r = 20 to `least_r`, at 1
+//! M of proper time per second.
 void let_rain(Show& show, double least_r) {
   constexpr double from_r = 20.0;
   FallSettings settings;
@@ -61,11 +62,15 @@ void let_rain(Show& show, double least_r) {
                                                        settings, nullptr, 80.0);
 }
 
-//! Light from the first crossing of a disk, in one direction from a camera on the axis.
+//! Light of the disk that a camera on the axis sees in one direction: the first crossing of the
+//! disk.
 struct LightOfDisk {
   double r;
-  double delay;      //!< [M]
-  double frequency;  //!< ν observed over ν emitted by circular orbits
+  //! Travel time of the light [M].
+  double delay;
+  //! Frequency that the camera sees, relative to the frequency in the frame of matter on circular
+  //! orbits.
+  double frequency;
 };
 
 LightOfDisk light_of_disk(const CameraStation& camera, double from_axis) {
@@ -76,8 +81,8 @@ LightOfDisk light_of_disk(const CameraStation& camera, double from_axis) {
   return {light.r, found[0].delay, 1.0 / circular_frequency(camera.spin, light)};
 }
 
-//! Finds light from radius r of the disk by bisection of the angle from the axis, up to an angle at
-//! which the outside of the disk is visible.
+//! Finds the light that comes from radius r of the disk. Bisects the angle from the axis, between 0
+//! and π, at which the camera sees it.
 LightOfDisk light_from(const CameraStation& camera, double r) {
   double outer = 0.0;
   double inner = pi;
@@ -90,7 +95,8 @@ LightOfDisk light_from(const CameraStation& camera, double r) {
 }
 
 TEST(DiskPattern, RunsFastOrSlowByTheShiftOfItsLightForWhoFallsIn) {
-  // The frequency ratio g is the rate of the disk's own time relative to the camera's.
+  // The frequency ratio g is the rate at which the camera sees the proper time of the disk pass,
+  // relative to its own.
   constexpr double outward_r = 9.0;
   constexpr double between_s = 0.02;
   for (const double spin : {0.0, 0.7}) {

@@ -24,7 +24,8 @@
 #include "render/passes/disk/disk_pass.h"
 #include "tests/support/sanitized.h"
 
-// Eyes of the stereo model `flat`, and what they see, computed by walks along their lines of sight.
+// Shows for tests with eyes of the stereo model `flat`, and what these eyes see. The latter is
+// computed by following their lines of sight.
 namespace ergodome::test {
 
 inline constexpr int flat_px = sanitized ? 120 : 300;
@@ -53,8 +54,8 @@ inline Vector3<float> light_at(const Picture& picture, int x, int y) {
   return {at[0], at[1], at[2]};
 }
 
-//! Walks along an eye's line of sight through the flat tangent space of the head, in double
-//! precision, and finds the first object that it meets.
+//! Follows an eye's line of sight in small steps through the flat tangent space of the head, in
+//! double precision. Finds the first object on it.
 class FlatWalk {
  public:
   FlatWalk(const Show& show, double offset)
@@ -76,10 +77,11 @@ class FlatWalk {
   enum class Met { nothing, horizon, disk, shell, object };
   struct Seen {
     Met met;
-    double r;  //!< radius on the disk [M]
+    //! Radius at which the line of sight meets the disk [M].
+    double r;
   };
 
-  //! Looks through a position of the image [px].
+  //! Returns what an eye sees at a position of the picture [px].
   [[nodiscard]] Seen look(double x, double y) const {
     const Vector3<double> view = direction_from_pixel(projection_, x, y);
     const double(&f)[3][3] = head_.frame_from_view;
@@ -97,7 +99,7 @@ class FlatWalk {
     return {Met::nothing, 0.0};
   }
 
-  //! Returns the fraction of a pixel in which objects are seen.
+  //! Returns the fraction of a pixel that shows objects.
   [[nodiscard]] float covered_part(int x, int y) const {
     constexpr int samples = 8;
     int covered = 0;
@@ -109,7 +111,7 @@ class FlatWalk {
     return static_cast<float>(covered) / (samples * samples);
   }
 
-  //! Returns the minimum and maximum light of the samples of a pixel.
+  //! Returns the minimum and maximum light at 8 x 8 positions in a pixel.
   [[nodiscard]] std::pair<float, float> light_range(int x, int y) const {
     constexpr int samples = 8;
     std::pair<float, float> range = {std::numeric_limits<float>::infinity(), 0.0F};
@@ -121,8 +123,8 @@ class FlatWalk {
     return range;
   }
 
-  //! Returns the light of a hit without frequency shift; for shells and objects, that of the first
-  //! one in the show.
+  //! Returns the light of what was met, without frequency shift. For shells and objects, this is
+  //! the light of the first one in the show.
   [[nodiscard]] float light_of(const Seen& seen) const {
     switch (seen.met) {
       case Met::disk:
@@ -144,12 +146,13 @@ class FlatWalk {
     return {static_cast<float>(color.x), static_cast<float>(color.y), static_cast<float>(color.z)};
   }
 
-  //! In units of the radius of the head's position.
+  //! Start and end of the walk in units of the head's radius r, and the factor between successive
+  //! distances.
   static constexpr double nearest = 0.04;
   static constexpr double farthest = 16.0;
   static constexpr double step = 1.02;
 
-  //! Returns a step that is fine enough for objects where there may be some.
+  //! Returns the factor to the next distance. It is smaller where the line may meet objects.
   [[nodiscard]] double step_at(double s) const {
     double finest = step;
     for (const ObjectSettings& object : show_.objects) {
@@ -161,7 +164,8 @@ class FlatWalk {
     return finest;
   }
 
-  //! A point on the line, and its distance beyond each sheet: negative in front of it.
+  //! A point on the line of sight. For each order, `beyond` is its distance beyond the disk's image
+  //! in this direction, negative in front of it; `u` is 1/r of the disk there.
   struct Place {
     double s;
     double beyond[crossing_orders];
@@ -171,8 +175,8 @@ class FlatWalk {
     bool in_object;  //!< inside the bounding ball of an object
   };
 
-  //! Returns the point on the head's ray in direction n at a distance, in pseudo-Cartesian
-  //! coordinates; nothing if it is far from the hole, or inside it.
+  //! Returns the point that the head sees in direction n at an affine distance, in pseudo-Cartesian
+  //! coordinates. Returns nothing if it is far from the hole or inside the hole.
   [[nodiscard]] std::optional<Vector3<double>> point_at(const Vector3<double>& n, double distance) const {
     constexpr NearParts parts = NearParts::azimuth_and_distance;
     std::optional<Vector3<double>> point;
@@ -189,8 +193,8 @@ class FlatWalk {
     return point;
   }
 
-  //! Returns whether a point is beyond the near side of a shell, as seen from outside, but not
-  //! beyond its far side; or beyond a shell around the camera.
+  //! Returns whether a point is inside a shell around the hole, or outside a shell that encloses
+  //! the camera.
   [[nodiscard]] bool is_in_shell(const Vector3<double>& n, double distance,
                                  const std::optional<Vector3<double>>& point) const {
     return std::ranges::any_of(show_.shells, [&](const ShellSettings& shell) {
@@ -229,7 +233,7 @@ class FlatWalk {
     return place;
   }
 
-  //! Finds the first hit between two points, to a thousandth of the step.
+  //! Finds what the line meets first between two of its points, to a thousandth of the step.
   [[nodiscard]] Seen between(const Vector3<double>& m, Place low, Place high) const {
     if (first_of(low, high).met == Met::nothing) {
       return {Met::nothing, 0.0};

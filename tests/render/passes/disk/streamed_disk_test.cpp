@@ -24,7 +24,8 @@
 namespace ergodome {
 namespace {
 
-//! Renders the sky and the disk of a show, from baked stations if there are any.
+//! Renders the sky and the disk of a show; reads the lens and the disk layers from a trajectory
+//! file if there is a stream.
 class DiskRenderer {
  public:
   explicit DiskRenderer(std::shared_ptr<StationStream> stream = nullptr)
@@ -43,7 +44,7 @@ class DiskRenderer {
   EyeRenderer eyes_;
 };
 
-//! A show with a disk, its bake, and its pictures.
+//! A show with a disk, its trajectory file, and pictures of it.
 class StreamedDiskPictures : public test::FolderTest {
  protected:
   void bake(const Show& show, bool derivatives = true) {
@@ -60,7 +61,8 @@ class StreamedDiskPictures : public test::FolderTest {
                                            [this](const std::string& message) { said_ += message + "\n"; });
   }
 
-  //! Returns the picture of an eye at a time of the show; `work_` receives the work counts.
+  //! Returns the picture of an eye at a time of the show, and sets `work_` to the counts of the
+  //! work done for it.
   std::vector<float> picture(DiskRenderer& renderer, double time_s, const Vector3<double>& eye_offset,
                              LensChoice lens) {
     PictureSettings settings;
@@ -76,7 +78,7 @@ class StreamedDiskPictures : public test::FolderTest {
 
   [[nodiscard]] bool did(const std::string& work) const { return work_.contains(work) && work_.at(work).runs > 0; }
 
-  //! Compares a streamed picture with one by rays.
+  //! Expects that the picture from the trajectory file is similar to one by rays.
   void expect_like_rays(DiskRenderer& streamed, double time_s, const Vector3<double>& eye_offset) {
     SCOPED_TRACE(testing::Message() << time_s << " s, eye " << eye_offset.x);
     DiskRenderer direct;
@@ -98,7 +100,8 @@ class StreamedDiskPictures : public test::FolderTest {
 
   Show show_;
   Projection projection_{};
-  Show pictured_;  //!< the show whose disk is drawn
+  //! The show whose disk is drawn, which may differ from the baked show.
+  Show pictured_;
   std::map<std::string, WorkCount> work_;
   std::string said_;
 };
@@ -205,7 +208,7 @@ TEST_F(StreamedDiskPictures, OfMatterThatFallsHaveNoLayersBaked) {
   EXPECT_FALSE(TrajectoryReader(file()).provenance().disk);
 }
 
-//! Bakes a show and returns the result.
+//! Bakes a show to a trajectory file, and returns the result of the bake.
 BakeResult baked(const Show& show, const std::filesystem::path& file) {
   BakeSettings settings;
   settings.pixel = 1e-2;

@@ -8,7 +8,7 @@
 namespace ergodome {
 namespace {
 
-//! Returns a picture with uniform light wherever its projection has an image.
+//! Returns a picture with uniform light in all pixels of the projection's image.
 Picture uniform_picture(const Projection& projection, float value) {
   Picture picture;
   picture.width = projection.width_px;

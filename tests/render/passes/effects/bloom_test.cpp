@@ -20,7 +20,8 @@ float& pixel(Picture& picture, int x, int y, int channel) {
   return picture.rgba[4U * static_cast<std::size_t>(y * picture.width + x) + static_cast<std::size_t>(channel)];
 }
 
-//! Returns a black picture with a point of light of 1000 in all channels, including coverage.
+//! Returns a black picture in which one pixel has the value 1000 in all channels, including
+//! coverage.
 Picture point(int width, int height, int x, int y) {
   Picture picture = uniform_picture(width, height, 0.0F);
   for (int c = 0; c < 4; ++c) {
@@ -29,7 +30,8 @@ Picture point(int width, int height, int x, int y) {
   return picture;
 }
 
-//! Returns the sum of (x - middle_x)^power times the green of a picture.
+//! Returns a moment of the picture's light: the sum of (x - middle_x)^power times the green
+//! channel.
 double moment(Picture& picture, double middle_x, int power) {
   double sum = 0.0;
   for (int y = 0; y < picture.height; ++y) {
@@ -89,8 +91,8 @@ TEST(Bloom, LeavesTheCoverage) {
 }
 
 TEST(Bloom, IsSymmetricAboutThePoint) {
-  // Two by two pixels in the middle of a picture whose size is a power of two: then the grids of
-  // the mip chain are symmetric, too.
+  // The light is a square of 2 x 2 pixels in the middle of a picture, whose size is a power of two.
+  // Therefore, the grids of the mip chain are symmetric about it, too.
   Picture picture = point(256, 256, 127, 127);
   for (const auto& [x, y] : {std::pair{128, 127}, {127, 128}, {128, 128}}) {
     pixel(picture, x, y, 1) = 1000.0F;

@@ -29,7 +29,7 @@ double sum_of(const std::vector<float>& values, std::size_t channel, std::size_t
   return sum;
 }
 
-//! Returns a pattern of 5 px without symmetry and with energy 1.
+//! Returns a diffraction pattern of 5 x 5 px without symmetry, whose values add up to 1.
 DiffractionPattern small_pattern() {
   DiffractionPattern pattern{5, std::vector<float>(75)};
   for (std::size_t i = 0; i < 75; ++i) {
@@ -45,7 +45,8 @@ struct Sums {
   double y = 0.0;
 };
 
-//! Returns the red light of a picture with four floats per pixel, and its center [px].
+//! Returns the sum of the red channel of a picture with four floats per pixel, and the center of
+//! this light [px].
 Sums sums(const std::vector<float>& rgba, int width) {
   Sums all;
   for (std::size_t i = 0; i < rgba.size(); i += 4) {
@@ -93,8 +94,8 @@ TEST(AddDiffraction, MovesByPartsOfAPixel) {
 }
 
 TEST(AddDiffraction, IsClippedAtTheBorders) {
-  // The picture is surrounded by guard pixels, row by row; a larger picture provides the expected
-  // values.
+  // Guard values before and after the rows of the picture must not change. The expected values are
+  // computed in a larger picture.
   constexpr int size = 4;
   constexpr int around = 20;
   for (double x = -5.0; x < size + 5.0; x += 0.7) {
@@ -144,7 +145,7 @@ class DiffractionFile : public test::FolderTest {
 TEST_F(DiffractionFile, IsLinearisedAndNormalised) {
   const auto pattern = load_diffraction_pattern(write("grey.png", 3, 1, 1, OIIO::TypeDesc::UINT16, {0.5F, 1.0F, 0.5F}));
   EXPECT_EQ(pattern.size_px, 3);
-  // 0.5 in sRGB is 21.4 % linear light.
+  // The sRGB value 0.5 is linear light of 0.21404.
   EXPECT_NEAR(pattern_value(pattern, 0, 1, 1), 0.21404 / 1.42808, 1e-4);
   EXPECT_NEAR(pattern_value(pattern, 1, 1, 2), 1.0 / 1.42808, 1e-4);
   EXPECT_NEAR(sum_of(pattern.rgb, 0, 3), 1.0, 1e-6);

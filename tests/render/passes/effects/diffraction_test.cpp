@@ -37,8 +37,8 @@ double energy(const DiffractionPattern& pattern, int channel) {
   return sum;
 }
 
-//! Returns the green light within half a degree of each of 360 directions, 20 to 60 px from the
-//! middle.
+//! Returns, for each of 360 directions from the middle of the pattern, the green light along this
+//! direction between 20 and 60 px from the middle.
 std::vector<double> light_by_direction(const DiffractionPattern& pattern) {
   std::vector<double> light(360);
   const double middle = 0.5 * (pattern.size_px - 1);
@@ -52,8 +52,8 @@ std::vector<double> light_by_direction(const DiffractionPattern& pattern) {
   return light;
 }
 
-//! Returns the middle directions [degrees, counterclockwise from the right] of runs brighter than a
-//! third of the maximum.
+//! Returns the directions of spikes [degrees, counterclockwise from the right]: the middles of
+//! ranges of directions whose light is more than a third of the maximum.
 std::vector<double> spikes(const DiffractionPattern& pattern) {
   const std::vector<double> light = light_by_direction(pattern);
   const double bright = *std::max_element(light.begin(), light.end()) / 3.0;
@@ -71,7 +71,8 @@ std::vector<double> spikes(const DiffractionPattern& pattern) {
   return middles;
 }
 
-//! Returns the light per px² of a pixel whose middle is at (dx, dy) from that of the pattern [px].
+//! Returns the mean light per px² in a pixel whose center is (dx, dy) away from the center of the
+//! pattern [px].
 double brightness(const FarField& field, double dx, double dy, double wavelength_nm) {
   const auto before = [&](double x, double y) { return field.light_before(x, y, wavelength_nm); };
   return before(dx + 0.5, dy + 0.5) - before(dx - 0.5, dy + 0.5) - before(dx + 0.5, dy - 0.5) +
@@ -97,7 +98,7 @@ TEST(FarField, OfARoundApertureIsAirysPattern) {
   constexpr double scale = 8.0;
   const FarField field(aperture(0, 0, 0.0, scale));
   for (const double wavelength_nm : {450.0, 550.0, 650.0}) {
-    // Wavelength divided by diameter, in pixels.
+    // The unit of r, which is the wavelength divided by the diameter of the aperture, in pixels.
     const double unit = 2.0 * scale / 1.2196698912665045 * wavelength_nm / 550.0;
     for (const double r : {0.0, 0.3, 0.6, 0.9, 1.4, 1.635, 2.0, 2.4, 2.679, 3.699}) {
       const double v = pi * r;
@@ -153,7 +154,8 @@ TEST(DiffractionPattern, OfARoundApertureHasNoSpikes) {
 }
 
 TEST(DiffractionPattern, HasTheSymmetryOfItsBlades) {
-  // Directions 60 degrees apart are equal except for the effect of square pixels.
+  // The aperture has six blades, so directions 60 degrees apart are equal, except for the effect of
+  // square pixels.
   const std::vector<double> light = light_by_direction(diffraction_pattern(aperture(6)));
   double all = 0.0;
   double sixth = 0.0;
@@ -166,7 +168,7 @@ TEST(DiffractionPattern, HasTheSymmetryOfItsBlades) {
 
 TEST(DiffractionPattern, SpreadsRedWiderThanBlue) {
   const DiffractionPattern pattern = diffraction_pattern(aperture(0));
-  // A wider pattern is darker in the middle.
+  // The total light is the same in each color, so a wider pattern is darker in the middle.
   EXPECT_GT(value(pattern, 64, 64, 1), 1.2 * value(pattern, 64, 64, 0));
   EXPECT_GT(value(pattern, 64, 64, 2), 1.2 * value(pattern, 64, 64, 1));
 }

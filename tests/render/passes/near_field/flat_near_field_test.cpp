@@ -9,7 +9,7 @@
 #include "tests/render/passes/disk/compare_with_walk.h"
 #include "tests/support/sanitized.h"
 
-// Disks, shells and objects near the hole, as eyes of the model `flat` see them.
+// Tests of disks, shells and objects near the hole, as eyes of the stereo model `flat` see them.
 namespace ergodome {
 namespace {
 
@@ -44,7 +44,8 @@ TEST(FlatNearField, OfAShellIsWhatLinesOfSightMeetInFlatSpace) {
 }
 
 TEST(FlatNearField, OfAShellAboutTheCameraIsWhatLinesOfSightMeetInFlatSpace) {
-  // Next to the hole, lines that start in the shadow meet the far side of the shell.
+  // The shell encloses the camera. Next to the hole, some lines of sight start in the shadow and
+  // meet the far side of the shell.
   const std::string shell = "[[shells]]\nradius = 40\nfill_opacity = 1\nfill_color = [1, 1, 1]\nline_opacity = 0\n";
   const std::string hole_alone = "projection = \"pinhole\"\nfov_deg = 36\n";
   compare_with_walk(flat_show(shell, above_the_plane, 3.0, hole_alone), LensChoice::direct, sanitized ? 8 : 40);
@@ -62,7 +63,8 @@ TEST(FlatNearField, PutsDiskAndShellsInTheOrderOfTheirDistance) {
   compare_with_walk(flat_show(both, above_the_plane, 1.0), LensChoice::direct, sanitized ? 8 : 20);
 }
 
-//! Returns how many pixels of two pictures differ by more than a fraction of their light.
+//! Returns the number of pixels in which two pictures differ by more than the fraction `part` of
+//! their light.
 long different(const Picture& a, const Picture& b, float part) {
   long count = 0;
   for (int y = 0; y < a.height; ++y) {
@@ -98,7 +100,8 @@ TEST(FlatNearField, IsTheHeadsToTheBitWithoutABaseline) {
 }
 
 TEST(FlatNearField, HasItsParallaxWhereEyesConvergeAndOnDomes) {
-  // Eyes that converge at the hole see it at the same position.
+  // If the eyes converge at the distance of the hole, both see the hole at the same position, and
+  // fewer pixels differ.
   for (const char* const view :
        {"projection = \"pinhole\"\nfov_deg = 60\n", "projection = \"dome\"\nfov_deg = 180\n"}) {
     Show show = flat_show(plain_disk, above_the_plane, 1.0, view);
@@ -109,14 +112,15 @@ TEST(FlatNearField, HasItsParallaxWhereEyesConvergeAndOnDomes) {
   }
 }
 
-//! Colors of blackbodies may be slightly below 0 because of rounding.
+//! Returns whether all values are finite and not negative. Because of rounding, the colors of
+//! blackbodies may be slightly less than 0.
 bool is_light(const Picture& picture) {
   return std::ranges::all_of(picture.rgba, [](float value) { return std::isfinite(value) && value > -1e-6F; });
 }
 
 TEST(FlatNearField, IsDrawnWhereverTheCameraIs) {
-  // Near the plane, inside the disk's outer edge, on the axis, far away, and with a baseline larger
-  // than the distance to the plane.
+  // Cameras near the plane, inside the disk's outer edge, on the axis, and far away. For one of
+  // them, the baseline is larger than the distance to the plane.
   const auto cameras =
       std::vector<std::string>{"[[camera.key]]\nr = 24\ntheta_deg = 90\n[hole]\nspin = 0.9\n",
                                "[[camera.key]]\nr = 24\ntheta_deg = 89.99\nroll_deg = 90\n[hole]\nspin = 1\n",
@@ -145,8 +149,7 @@ TEST(FlatNearField, CountsInTheDisparityThatAPersonReads) {
   const Projection projection = make_projection(show.view, flat_px, 0.0);
   const auto disparity = frame_disparity(show, pose, projection, {}, {});
   ASSERT_TRUE(disparity);
-  // The nearest point of the shell is straight ahead, in the middle of the sample lattice;
-  // everything else is farther.
+  // The nearest point of the shell is straight ahead, where the lattice of samples has a point.
   const EyeCamera head = eye_camera(show, pose, 0.0);
   const double(&m)[3][3] = head.frame_from_view;
   const double distance = affine_distance(station_of(head), {-m[0][2], -m[1][2], -m[2][2]}, 5.0);

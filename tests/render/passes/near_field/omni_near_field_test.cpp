@@ -13,7 +13,7 @@
 #include "tests/render/stereo_scene.h"
 #include "tests/support/sanitized.h"
 
-// Disks, shells and objects near the hole, seen by omnidirectional stereo eyes.
+// Tests of disks, shells and objects near the hole, as eyes of the stereo model `omni` see them.
 namespace ergodome {
 namespace {
 
@@ -28,8 +28,8 @@ Vector3<double> turned_by(double angle, const Vector3<double>& v) {
   return {std::cos(angle) * v.x - std::sin(angle) * v.y, std::sin(angle) * v.x + std::cos(angle) * v.y, v.z};
 }
 
-//! Returns the largest difference between the rays of an eye and those of each direction's own
-//! camera, relative to the largest value of each kind.
+//! Compares the rays of an eye with those of separate cameras for each direction. Returns the
+//! largest difference of their start values, relative to the largest value of each kind.
 double largest_difference(const std::string& place, double half_baseline, double convergence) {
   const Show show = show_of_eyes("model = \"omni\"\n", "projection = \"dome\"\n", place);
   const CameraPose pose = camera_pose(show, 0.0);
@@ -68,8 +68,8 @@ TEST(OmniNearField, RaysAreThoseOfEachDirectionsOwnCamera) {
   EXPECT_LT(largest_difference("r = 1.6\ntheta_deg = 90\nphi_deg = 250\n", 0.01, 0.0), 1e-5);
 }
 
-//! A camera that stays on the equator sees no disk at its own position: its rays do not cross the
-//! plane there.
+//! Rays of a camera on the equator start in the plane of the disk, which does not count as a
+//! crossing.
 TEST(OmniNearField, RaysOfEyesOnTheEquatorBeginOnIt) {
   const Show show = show_of_eyes("model = \"omni\"\n", "projection = \"dome\"\n", "r = 9\ntheta_deg = 90\n");
   const EyePlace eye_at = [&](const Vector3<double>& offset) {
@@ -93,13 +93,13 @@ constexpr const char* near_scenes[] = {
 
 constexpr int panorama_px = sanitized ? 37 : 73;
 
-//! Returns a pixel of one eye in a side-by-side picture.
+//! Returns the pixel (x, y) of one eye in a side-by-side picture.
 const float* pixel_of(const Picture& both, int eye, int x, int y) {
   return both.rgba.data() + 4 * static_cast<std::size_t>(y * both.width + eye * both.width / 2 + x);
 }
 
-//! Returns a panorama with both eyes side by side, whose camera is turned by a number of its
-//! columns.
+//! Returns a panorama of both eyes side by side. The camera is rotated to the right by `columns`
+//! columns of it.
 Picture panorama(const char* scene, const char* model, int columns) {
   const std::string yaw = std::to_string(360.0 * columns / panorama_px);
   const Show show = show_of_eyes(std::string("baseline = 1\nmodel = \"") + model + "\"\n" + scene,
@@ -109,7 +109,7 @@ Picture panorama(const char* scene, const char* model, int columns) {
                                 make_equirectangular_projection(panorama_px, panorama_px / 2 + 1), ViewMode::sky);
 }
 
-//! Returns the difference of two pixels relative to their light.
+//! Returns the largest difference of the color channels of two pixels, relative to their light.
 float pixel_difference(const float* own, const float* other) {
   float difference = 0.0F;
   for (int part = 0; part < 3; ++part) {
@@ -118,12 +118,12 @@ float pixel_difference(const float* own, const float* other) {
   return difference;
 }
 
-//! The comparison of the columns of an omnidirectional stereo picture with the middle column of a
-//! camera that is turned to them.
+//! Result of comparing columns of an omnidirectional panorama with the middle column of a panorama
+//! whose camera is rotated to the same direction.
 struct ColumnsApart {
   int looked_at = 0;
-  int near = 0;       //!< pixels that show parts of the scene
-  int different = 0;  //!< pixels that differ by more than a fiftieth
+  int near = 0;       //!< number of pixels that show a part of the scene near the hole
+  int different = 0;  //!< number of pixels that differ by more than a fiftieth
   float largest = 0.0F;
 };
 
@@ -131,7 +131,7 @@ void compare_columns(const char* scene, const Picture& turning, int columns, Col
   const Picture ahead = panorama(scene, "physical", columns);
   const Picture empty = panorama("", "physical", columns);
   constexpr int rows = panorama_px / 2 + 1;
-  // The baseline is full up to 60 degrees.
+  // Only rows at elevations up to 60 degrees are compared, where the baseline is not reduced.
   for (int y = panorama_px / 10; y < rows - panorama_px / 10; ++y) {
     for (const int eye : {0, 1}) {
       const float* const own = pixel_of(ahead, eye, panorama_px / 2, y);
@@ -144,8 +144,8 @@ void compare_columns(const char* scene, const Picture& turning, int columns, Col
   }
 }
 
-//! In a direction, omnidirectional stereo eyes see the same as a camera turned there, whose eyes
-//! are to its left and right.
+//! In each direction, omnidirectional stereo eyes must see what a camera sees that is rotated to
+//! this direction and has its eyes to the left and right.
 TEST(OmniNearField, IsSeenAsByCamerasThatAreTurnedToEachDirection) {
   for (const char* const scene : near_scenes) {
     SCOPED_TRACE(scene);
@@ -154,8 +154,8 @@ TEST(OmniNearField, IsSeenAsByCamerasThatAreTurnedToEachDirection) {
     for (const int part : {0, 5, 9, 10, -9}) {
       compare_columns(scene, turning, part * panorama_px / 73, sum);
     }
-    // Along the azimuth, pixels of the panorama and of turned cameras have slightly different
-    // widths, so that lines and edges are smoothed slightly differently.
+    // Pixels at the same direction have slightly different widths in the two panoramas, so that
+    // lines and edges are smoothed slightly differently.
     EXPECT_LE(sum.different, sum.looked_at / 30);
     EXPECT_LT(sum.largest, 0.5F);
     EXPECT_GT(sum.near, sanitized ? 3 : 8);

@@ -13,11 +13,11 @@
 #include "render/frame/show_renderer.h"
 #include "render/passes/objects/polygons/object_view.h"
 
-// A ball next to a hole without spin, as eyes of the model `flat` see it, and its position by the
-// closed form.
+// Compares pictures of a ball next to a hole without spin, for eyes of the stereo model `flat`,
+// with the position of the ball by the closed form.
 namespace ergodome::test {
 
-//! A white ball in front of black, and eyes that share one lens.
+//! A white ball in front of a black sky, and the camera and eyes that see it.
 struct BallBeforeHead {
   const char* name;
   Vector3<double> place;  //!< position of the ball
@@ -75,8 +75,8 @@ inline Middle middle_about(double x_px, double y_px, const Picture& picture) {
   return middle;
 }
 
-//! The position of the ball's first image for the head in the view's axes, and its distance, by the
-//! closed form.
+//! The first image of the ball as the head sees it, by the closed form: its direction in the axes
+//! of the view, and its affine distance.
 struct SeenPlace {
   Vector3<double> view;
   double distance;
@@ -89,7 +89,8 @@ inline SeenPlace seen_place(const EyeCamera& head, const Vector3<double>& place)
   const double aside = std::hypot(at.y, at.z);
   const ConnectingRay ray = connecting_ray(head.r, r, std::atan2(aside, at.x));
   const Vector3<double> rest = {std::cos(ray.xi), std::sin(ray.xi) * at.y / aside, std::sin(ray.xi) * at.z / aside};
-  // Energies: 1 at infinity, 1 / √(1 - 2/r) at rest at the camera; the motion then changes it.
+  // The energy of light is 1 at infinity and 1 / √(1 - 2/r) for an observer at rest at the camera's
+  // radius. The motion of the camera then changes it.
   const FrameBoost boost =
       frame_boost(observer_velocity(head.motion, head.spacetime, head.r, head.theta, head.velocity));
   double energy = 1.0;
@@ -97,7 +98,8 @@ inline SeenPlace seen_place(const EyeCamera& head, const Vector3<double>& place)
   return {in_view(head, n), ray.affine_distance / std::sqrt(1.0 - 2.0 / head.r) * energy};
 }
 
-//! Compares a small ball's position in the pictures of both eyes with the closed form.
+//! Compares the position of a small ball in the pictures of both eyes with the position by the
+//! closed form.
 inline void expect_where_flat_space_puts(const BallBeforeHead& at) {
   SCOPED_TRACE(at.name);
   const Show show = flat_ball(at);
@@ -119,8 +121,8 @@ inline void expect_where_flat_space_puts(const BallBeforeHead& at) {
   together.baseline = 0.0;
   renderer.set_stereo(together);
   const auto heads = renderer.render_window_parts(camera_pose(show, 0.0), projection, ViewMode::sky);
-  // The center of a distorted ball is not the center of its light; the offset is the same for both
-  // eyes and the head.
+  // The center of the light differs from the center of the ball, because its image is distorted.
+  // The difference is the same for both eyes and the head.
   const Middle none = find(heads[0], 0.0);
   for (std::size_t eye = 0; eye < 2; ++eye) {
     const Middle off = find(eyes[eye], (eye == 0 ? -0.5 : 0.5) * at.baseline);

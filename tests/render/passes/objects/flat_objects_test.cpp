@@ -9,7 +9,7 @@
 #include "tests/render/passes/disk/compare_with_walk.h"
 #include "tests/render/passes/objects/flat_ball.h"
 
-// Traced objects, as eyes of the model `flat` see them.
+// Tests of traced objects, as eyes of the stereo model `flat` see them.
 namespace ergodome {
 namespace {
 
@@ -26,7 +26,7 @@ constexpr int looks = sanitized ? 3 : 8;
 
 constexpr const char* takes_long = "takes long under sanitizers, which see the same code in other scenes";
 
-//! Returns a scene in a picture on a flat screen.
+//! Returns a show with the given objects and camera, and a picture on a flat screen.
 Show objects_show(const std::string& scene, const std::string& camera, double baseline, int fov_deg = 60,
                   int size_px = sanitized ? 48 : 56) {
   return flat_show(scene, camera, baseline, "projection = \"pinhole\"\nfov_deg = " + std::to_string(fov_deg) + "\n",
@@ -55,7 +55,7 @@ TEST(FlatObjects, AreWhereTheClosedFormPutsThemBesideAHoleWithoutSpin) {
 }
 
 TEST(FlatObjects, RightBehindTheHoleAreRingsThere) {
-  // Opposite the camera, rotated by 75° from the axis.
+  // The ball is exactly behind the hole, as seen from the camera at θ = 75°.
   expect_what_lines_of_sight_meet(objects_show(white_ball("-11.6, 0, -3.1", "3"), spinning, 1.5));
 }
 
@@ -81,16 +81,16 @@ TEST(FlatObjects, OfEyesFartherApartThanTheyAreWideAreThatToo) {
     GTEST_SKIP() << takes_long;
   }
   const std::string far = "[[camera.key]]\nr = 1000\ntheta_deg = 60\n[hole]\nspin = 0.9\n";
-  // The ball is only a few pixels wide.
+  // The image of the ball is only a few pixels wide.
   compare_with_walk(objects_show(white_ball("3, 9, 2", "4"), far, 40.0, 5, 80), LensChoice::direct, looks);
 }
 
-//! An opaque shell with different light than objects.
+//! TOML text of an opaque shell whose light differs from that of objects.
 const std::string grey_shell =
     "[[shells]]\nradius = 5\nfill_opacity = 1\nfill_color = [0.3, 0.3, 0.3]\nline_opacity = 0\n";
 
 TEST(FlatObjects, ThatADiskCutsThroughAreBeforeItAndBehindIt) {
-  // Above and below the plane, behind the hole.
+  // The ball is behind the hole and intersects the plane of the disk.
   const Show show = objects_show(white_ball("-7, 6, 0.5", "3") + plain_disk, spinning, 2.0);
   for (const LensChoice lens : {LensChoice::direct, LensChoice::live}) {
     const auto start = work_done();
@@ -111,17 +111,17 @@ TEST(FlatObjects, BetweenADiskAndAShellAreInTheOrderOfTheirDistance) {
                     LensChoice::direct, 2 * looks);
 }
 
-//! The difference between eyes of the model and the head.
+//! The difference between the pictures of eyes of the model `flat` and the picture of the head.
 struct Difference {
-  double light = 0.0;     //!< of the head's picture
-  double mean = 0.0;      //!< relative to that light
-  double greatest = 0.0;  //!< of a single pixel
+  double light = 0.0;     //!< light of the head's picture
+  double mean = 0.0;      //!< mean difference, relative to that light
+  double greatest = 0.0;  //!< largest difference of a pixel
 };
 
 Difference difference_from_head(Show show, double baseline) {
   show.stereo.baseline = baseline;
   const auto eyes = eyes_of(show, LensChoice::direct);
-  // With both eyes at the same position, another model draws the head's picture as usual.
+  // The picture of the head is rendered with another stereo model, with both eyes at the head.
   show.stereo.model = StereoModel::physical;
   show.stereo.baseline = 0.0;
   const Picture head = eyes_of(show, LensChoice::direct)[0];
@@ -151,12 +151,14 @@ TEST(FlatObjects, AreLitAndShiftedAsTheHeadSeesThemWhereEyesAreClose) {
   const std::string ball = white_ball("-7, 5, 3", "3") + "light = \"lambert\"\n";
   const Difference difference = difference_from_head(objects_show(ball + lamp_and_shift, spinning, 1.0, 60, 120), 1e-6);
   EXPECT_GT(difference.light, 0.01);
-  // The light of the lamp arrives along two paths with shadows, whose edges samples hit at random.
+  // The light of the lamp arrives on two paths and casts shadows. The samples of a pixel meet the
+  // edges of the shadows at random.
   EXPECT_LT(difference.mean, 3e-3);
 }
 
 TEST(FlatObjects, AreSeenInEveryProjectionOverItsSeamsToo) {
-  // In a cube, above the camera's front, across the edge of two faces.
+  // In the cube layout, the ball is above the front of the camera, across the edge between two
+  // faces.
   for (const char* const projection : {"cube", "dome", "equirect", "cylinder"}) {
     SCOPED_TRACE(projection);
     const Show show = flat_show(white_ball("15, 1, 14", "4"), spinning, 1.0,
@@ -169,7 +171,8 @@ TEST(FlatObjects, AreSeenInEveryProjectionOverItsSeamsToo) {
 }
 
 TEST(FlatObjects, AreSeenOverSeamsThatPassThroughTiles) {
-  // The faces have an odd width: neighbors in the strip are not neighbors in space.
+  // The width of the faces is odd. In a strip, pixels next to each other may belong to different
+  // faces, which are not adjacent on the sky.
   const Show show = flat_show(white_ball("15, 1, 14", "9"), spinning, 1.0,
                               "projection = \"cube\"\ncube_layout = \"strip\"\n", sanitized ? 210 : 354);
   const Difference difference = difference_from_head(show, 1e-6);
@@ -185,7 +188,8 @@ TEST(FlatObjects, ThatAreRetardedAreSeenWhereTheyWere) {
   const Show then = objects_show(ball + "retarded = true\n" + lamp_and_shift, spinning, 1.0, 60, 120);
   const Difference difference = difference_from_head(then, 1e-6);
   EXPECT_GT(difference.light, 100.0);
-  // Some of the light is in images thinner than a tenth of a pixel, which samples hit at random.
+  // A part of the light is in images that are thinner than a tenth of a pixel, which the samples of
+  // pixels meet at random.
   EXPECT_LT(difference.mean, 2e-2);
   const Picture moved = eyes_of(now, LensChoice::direct)[0];
   const Picture seen = eyes_of(then, LensChoice::direct)[0];

@@ -7,8 +7,8 @@
 #include "tests/render/passes/objects/object_scene.h"
 #include "tests/support/sanitized.h"
 
-// Polygons as eyes of the model `flat` see them: a point at the affine distance d in the head's
-// direction n is at d n.
+// Tests of polygons, as eyes of the stereo model `flat` see them: what the head sees in direction n
+// at the affine distance d is at the point d n.
 namespace ergodome {
 namespace {
 
@@ -16,14 +16,15 @@ class FlatPolygons : public test::ObjectScenes {};
 
 TEST_F(FlatPolygons, AreWhereFlatSpacePutsThemForEachEye) {
   const auto balls = test::balls_before_heads();
-  // Sanitizers cover the same code with every third of them.
+  // Under sanitizers, every third ball is enough to cover the same code.
   for (std::size_t i = 0; i < balls.size(); i += test::sanitized ? 3 : 1) {
     test::expect_where_flat_space_puts(balls[i]);
   }
 }
 
 TEST_F(FlatPolygons, HideEachOtherAsTheyStandForEachEye) {
-  // For the head, a black ball hides a white one; an eye far to the side sees past it.
+  // As seen from the head, a black ball hides a white one. An eye far to the side sees the white
+  // ball.
   Show show =
       test::flat_ball({"", {8, 3, 2}, "static", "projection = \"pinhole\"\nfov_deg = 100\nsize_px = 300\n", 4.0});
   ObjectSettings black = show.objects[0];
@@ -45,7 +46,7 @@ TEST_F(FlatPolygons, HideEachOtherAsTheyStandForEachEye) {
     }
     return sum;
   };
-  // All eyes see the second image next to the hole.
+  // The head and both eyes see the second image of the white ball, next to the hole.
   EXPECT_GT(light(eyes[0]) + light(eyes[1]), 2.0 * light(heads[0]) + 5.0);
   Show swapped = show;
   std::swap(swapped.objects[0], swapped.objects[1]);

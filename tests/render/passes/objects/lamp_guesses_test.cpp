@@ -9,13 +9,13 @@
 #include "content/show/reading/show_reader.h"
 #include "kernels/objects/light_ray.h"
 
-// Initial guesses for the rays of a lamp to objects.
+// Tests of initial guesses for the rays from a lamp to objects.
 namespace ergodome {
 namespace {
 
 const std::string lamp_line = "[light]\nposition = [40, -20, 15]\n[camera]\n[[camera.key]]\nr = 30\n";
 
-//! The objects of a show with their outlines.
+//! The objects of a show that are lit by a lamp, and their outlines.
 struct LitScene {
   Show show;
   std::vector<PlacedOutline> outlines;

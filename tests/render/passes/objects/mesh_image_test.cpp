@@ -46,7 +46,7 @@ TEST_F(MeshImages, AreTheSameInsideAMeshsFileAsInOneOfTheirOwn) {
   EXPECT_EQ(within.texels, own.texels);
 }
 
-//! Returns a texel's red, green and blue light, and its alpha.
+//! Returns red, green, blue (as linear light) and alpha of a texel.
 std::array<double, 4> texel_of(const OverlayImage& image, std::size_t number) {
   std::array<double, 4> texel{};
   for (std::size_t c = 0; c < 4; ++c) {
@@ -70,7 +70,7 @@ TEST(MeshImage, KeepsItsColorsWhereItIsTransparent) {
 TEST(MeshImage, HasSixteenBitsWhereItsFileHas) {
   const std::string file = std::string(ERGODOME_TEST_DATA_DIR) + "/foreign/meshes/sixteen_bits.png";
   const std::array<double, 4> is = texel_of(read_mesh_image({file, nullptr, "ship.gltf"}), 0);
-  // 0x8000, 0x4000 and 0x2000 of 65535 in sRGB.
+  // The file contains 0x8000, 0x4000 and 0x2000 of 65535, as sRGB values.
   EXPECT_NEAR(is[0], 0.21404, 2e-5);
   EXPECT_NEAR(is[1], 0.05088, 2e-5);
   EXPECT_NEAR(is[2], 0.01435, 2e-5);
@@ -109,7 +109,7 @@ TEST_F(MeshImages, ThatAreTornFilesAreErrorsWithBothNamesAndTheRemedy) {
                                       testing::EndsWith("the file is truncated or damaged; save it again")));
 }
 
-//! Images on polygons that a driver draws.
+//! Tests of images on polygons that OpenGL draws.
 class PolygonImages : public MeshImages {
  protected:
   void SetUp() override {
@@ -119,7 +119,7 @@ class PolygonImages : public MeshImages {
 };
 
 TEST_F(PolygonImages, AreNotSeenAroundTheirSides) {
-  // Red on the left and blue on the right, on a square that faces the camera.
+  // The image is red on the left and blue on the right. It is on a square that faces the camera.
   std::vector<std::uint8_t> rgb;
   for (int i = 0; i < 64; ++i) {
     rgb.insert(rgb.end(), i % 8 < 4 ? std::initializer_list<std::uint8_t>{255, 0, 0}
@@ -144,7 +144,8 @@ TEST_F(PolygonImages, AreNotSeenAroundTheirSides) {
     double red_right = 0.0;
     double blue_left = 0.0;
     double all = 0.0;
-    // The second image is farther out.
+    // Columns 25 to 74 contain only the first image of the square; the second image is farther from
+    // the middle.
     for (int x = 25; x < 75; ++x) {
       (x < 40 ? blue_left : all) += static_cast<double>(light(x, 2));
       (x >= 60 ? red_right : all) += static_cast<double>(light(x, 0));

@@ -6,7 +6,7 @@
 #include "tests/support/errors.h"
 #include "tests/support/folder_test.h"
 
-// Drawing of objects: projections, depth, light, and refused scenes.
+// Tests of drawing objects: projections, depth, light, and scenes that are refused.
 namespace ergodome {
 namespace {
 
@@ -36,7 +36,7 @@ Projection fisheye(LensLaw law, double field_of_view_deg, double tilt_deg) {
 }
 
 TEST_F(ObjectPasses, EveryProjectionHasASphereWhereItHasItsDirection) {
-  // Next to the observer, so that its second image is far away and small.
+  // The sphere is next to the observer, so its second image is far away and small.
   const Vector3<double> place{36.0, 3.0, 4.0};
   const EyeCamera eye = eye_looking(pass_r_observer, {-0.6, 0.0, 0.8});
   const Vector3<double> expected = in_view(eye, closed_form_direction(pass_r_observer, place, 1));
@@ -86,7 +86,7 @@ TEST_F(ObjectPasses, WhatCrossesTheSeamOfAPanoramaIsOnBothSides) {
   double middle = 0.0;
   split.each([&](double x, double y, double value) {
     left += x < 64.0 ? value : 0.0;
-    // The second image lies around the hole.
+    // The second image is around the hole.
     middle += x > 64.0 && x < 448.0 && std::abs(y - 128.0) > 20.0 ? value : 0.0;
   });
   EXPECT_NEAR(left, 0.5 * split.light(), 0.1 * split.light());
@@ -94,7 +94,7 @@ TEST_F(ObjectPasses, WhatCrossesTheSeamOfAPanoramaIsOnBothSides) {
 }
 
 TEST_F(ObjectPasses, NothingIsDrawnAcrossADomeByWhatIsBehindIt) {
-  // Opposite the zenith, and across the rim.
+  // Positions opposite to the zenith, and behind the rim of the dome.
   const EyeCamera eye = eye_looking(pass_r_observer, towards_hole);
   for (const Vector3<double>& place : {Vector3<double>{40.0, 0.2, -5.0}, {40.0, 0.0, -5.0}, {44.0, 0.0, 0.0}}) {
     ObjectSettings sphere = small_sphere(place, 1.0);
@@ -102,7 +102,8 @@ TEST_F(ObjectPasses, NothingIsDrawnAcrossADomeByWhatIsBehindIt) {
     const auto drawn = draw(show_of({sphere}), eye, fisheye(LensLaw::equidistant, 180.0, 0.0));
     drawn.each([&](double x, double y, double value) {
       const double from_middle = std::hypot(x - 256.0, y - 256.0) / 256.0;
-      // Except for its second image at the front, in a ring of about 8° around the hole.
+      // The second image is at the front, in a ring of about 8° around the hole, where light is
+      // expected.
       const bool about_hole = y > 400.0 && std::abs(x - 256.0) < 60.0;
       if (value > 0.0 && !about_hole) {
         ASSERT_GT(from_middle, 0.75) << place.x << " " << place.z;
@@ -194,7 +195,8 @@ TEST_F(ObjectPasses, MoreTessellationMovesTheMiddleOfAnEdgeToWhereItIsSeen) {
     triangle.tessellation.most = levels[i];
     areas[i] = draw(show_of({triangle}), eye, projection).light();
   }
-  // The edge bows outwards: the coarser it is, the more of the shadow it cuts off.
+  // The edge of the triangle is curved outwards, away from the shadow. The coarser its tessellation
+  // is, the more its chords cut off.
   EXPECT_GT(std::abs(areas[0] - areas[2]), 4.0 * std::abs(areas[1] - areas[2]));
   triangle.tessellation.most = 64.0;
   const auto drawn = draw(show_of({triangle}), eye, projection);
@@ -212,11 +214,11 @@ TEST_F(ObjectPasses, RefuseObjectsInTheHoleAndEyesInsideThePhotonSphere) {
   EXPECT_THAT(drawn_from(40.0, small_sphere({9e4, 0.0, 0.0}, 2e4)), testing::HasSubstr("extends from r = "));
   EXPECT_THAT(drawn_from(2.9, small_sphere({9.0, 0.0, 0.0}, 1.0)), testing::HasSubstr("photon sphere"));
   EXPECT_EQ(drawn_from(3.1, small_sphere({9.0, 0.0, 0.0}, 1.0)), "");
-  // A sphere or a disk around the hole is outside it, although its center is not.
+  // A sphere and a disk that enclose the hole are outside the hole, although their centers are not.
   EXPECT_EQ(drawn_from(40.0, small_sphere({0.0, 0.0, 0.0}, 5.0)), "");
   ObjectSettings disk;
   disk.form = ObjectForm::disk;
-  // Only whether it is drawn matters, not how finely.
+  // The tessellation is coarse, because only matters whether the disk is drawn.
   disk.tessellation.most = 1.0;
   EXPECT_EQ(drawn_from(40.0, disk), "");
   disk.disk.inner = 1.9;

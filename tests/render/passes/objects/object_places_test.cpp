@@ -11,7 +11,7 @@
 // NOLINTNEXTLINE: LeakSanitizer prescribes the name
 extern "C" int __lsan_is_turned_off() { return ergodome::test::driver_was_loaded ? 1 : 0; }
 
-// Objects appear at the positions of the closed form.
+// Tests that objects appear at the positions of the closed form.
 namespace ergodome {
 namespace {
 
@@ -25,11 +25,13 @@ const Vector3<double> to_hole = {-1.0, 0.0, 0.0};
 
 class ObjectPlaces : public test::ObjectScenes {
  protected:
-  //! The offset of a small sphere's image from its position by the closed form, in the middle of a
-  //! narrow view [rad]; nothing if no image is drawn.
+  //! Distance of the image of a small sphere from its position by the closed form [rad]. The view
+  //! is narrow, and this position is in its middle. offset() returns nothing if no image is drawn.
   struct Offset {
-    double away;    //!< radially, away from the hole
-    double beside;  //!< around the hole
+    //! Distance in the direction away from the hole.
+    double away;
+    //! Distance along a circle around the hole.
+    double beside;
   };
   static std::optional<Offset> offset(const Vector3<double>& place, int order, double size, double field_of_view,
                                       int images = 2) {
@@ -58,7 +60,8 @@ class ObjectPlaces : public test::ObjectScenes {
     return found ? std::hypot(found->away, found->beside) : 1.0;
   }
 
-  //! Returns the minimum and maximum angle from the middle of the hole of everything that is drawn.
+  //! Returns the minimum and maximum angle between the middle of the hole and anything that is
+  //! drawn.
   static std::pair<double, double> extent(const test::DrawnObjects& drawn, const Projection& projection) {
     std::pair<double, double> range{10.0, 0.0};
     drawn.each([&](double x, double y, double value) {
@@ -97,8 +100,8 @@ TEST_F(ObjectPlaces, SecondImagesAreOnTheOtherSideAndWithinATwentiethOfAPixelOfT
 }
 
 TEST_F(ObjectPlaces, FurtherImagesThatAreAskedForAreAsFarFromTheHoleAsTheClosedFormHasThem) {
-  // They are streaks along the ring, longer than the view. Triangles are chords of the ring; the
-  // spheres are so small that this does not matter.
+  // The third and fourth images are streaks along a ring, and longer than the view. Triangles are
+  // chords of the ring, which does not matter for such small spheres.
   for (const Vector3<double>& place : {Vector3<double>{-5.0, 3.0, -0.5}, {-6.0, 1.5, -1.0}, {5.0, 3.0, 2.0}}) {
     const auto third = offset(place, 3, 0.05, 0.01 * one_degree, 3);
     const auto fourth = offset(place, 4, 0.05, 0.001 * one_degree, 4);
@@ -120,7 +123,7 @@ TEST_F(ObjectPlaces, AMovingObserverSeesThemWhereAberrationPutsThem) {
   double energy = 0.0;
   const Vector3<double> seen = aberrated(FrameBoost{boost.axis, 1.0 / boost.stretch},
                                          closed_form_direction(places_r_observer, place, 1), energy);
-  // Aberration moves directions towards the direction of motion.
+  // Aberration shifts a direction towards the direction of motion.
   EXPECT_GT(dot(seen, boost.axis), dot(closed_form_direction(places_r_observer, place, 1), boost.axis));
   EyeCamera eye = eye_looking(places_r_observer, seen);
   eye.motion = ObserverMotion::velocity;
@@ -138,12 +141,13 @@ TEST_F(ObjectPlaces, ASphereExactlyBehindIsARingOfTheRightRadii) {
   constexpr double r = 10.0;
   constexpr double size = 0.5;
   const Projection projection = make_pinhole_projection(512, 512, 25.0 * one_degree);
-  // Slightly off the axis, where no corner lies: a corner on the axis would be a whole ring, and
-  // its triangles are left out.
+  // The sphere is slightly off the axis, so that no corner of a triangle is exactly on it. The
+  // image of a point on the axis is a ring, so its triangles would be left out.
   ObjectSettings sphere = small_sphere({-r, 0.0, 1e-3}, size);
   sphere.tessellation.most = 64.0;
   const auto drawn = draw(show_of({sphere}), eye_looking(places_r_observer, to_hole), projection);
-  // The limb: the rays that graze the ball, on both sides.
+  // The expected radii of the ring are those of the limb: light that grazes the ball on the inner
+  // and on the outer side.
   double inner = 10.0;
   double outer = 0.0;
   for (int i = 0; i < 720; ++i) {
@@ -162,7 +166,7 @@ TEST_F(ObjectPlaces, ASphereExactlyBehindIsARingOfTheRightRadii) {
   constexpr double pixel = 25.0 * one_degree / 512.0;
   EXPECT_NEAR(nearest, inner, 1.5 * pixel);
   EXPECT_NEAR(farthest, outer, 1.5 * pixel);
-  // The ring has no gap.
+  // The ring must not have a gap.
   const double middle = 0.5 * (inner + 0.2 * inner + 0.8 * outer);
   int covered = 0;
   for (int i = 0; i < 360; ++i) {
@@ -182,14 +186,14 @@ TEST_F(ObjectPlaces, NothingIsDrawnAcrossTheShadowWhileASphereCrossesTheAxis) {
   for (const double y : test::sanitized ? std::vector{-0.003, 0.3} : std::vector{-0.7, -0.003, 0.0, 0.3}) {
     for (const double x : {-6.0, 6.0}) {
       ObjectSettings sphere = small_sphere({x, y, 0.0}, 0.5);
-      // Coarse triangles are split like fine ones. Four times as many triangles take four times as
-      // long in software, which is a minute under sanitizers.
+      // Coarse and fine triangles are split in the same way. Drawing four times as many triangles
+      // by the CPU takes four times as long, which is a minute under sanitizers.
       for (const double most : {1.0, test::sanitized ? 4.0 : 32.0}) {
         sphere.tessellation.most = most;
         const auto drawn = draw(show_of({sphere}), eye_looking(places_r_observer, to_hole), projection);
         EXPECT_GT(drawn.light(), 10.0) << x << " " << y;
-        // A chord of the ring is slightly closer to the hole than the ring: here by less than a
-        // tenth.
+        // Triangles are chords of the ring and are therefore slightly closer to the hole, by less
+        // than a tenth.
         const auto [nearest, farthest] = extent(drawn, projection);
         if (x < 0.0) {
           EXPECT_GT(nearest, 0.9 * shadow) << y << " " << most;

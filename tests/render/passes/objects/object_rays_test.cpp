@@ -9,7 +9,8 @@
 #include "tests/render/passes/objects/object_scene.h"
 #include "tests/support/sanitized.h"
 
-// Compares drawings based on connecting rays with rays that are traced to the same triangles.
+// Compares polygons, which are drawn by means of connecting rays, with rays that are traced to the
+// same triangles.
 namespace ergodome {
 namespace {
 
@@ -20,7 +21,7 @@ constexpr int size_px = test::sanitized ? 96 : 240;
 
 class ObjectRaysAndPolygons : public test::ObjectScenes {
  protected:
-  //! Returns for each pixel whether its middle sees an object.
+  //! Returns, for each pixel, whether the ray through its middle meets an object.
   static std::vector<bool> seen_by_rays(const Show& show, const EyeCamera& eye, const Projection& projection) {
     const ObjectRays rays(show, 0.0);
     const CameraStation camera = make_camera_station(Spacetime{0.0}, eye.r, eye.theta, eye.phi, eye.motion);
@@ -39,7 +40,7 @@ class ObjectRaysAndPolygons : public test::ObjectScenes {
     return seen;
   }
 
-  //! Returns the light of the brightest channel, because faces have different colors.
+  //! Returns the light of a pixel's brightest channel, because faces have different colors.
   static float light_at(const test::DrawnObjects& drawn, int x, int y) {
     return std::max({drawn.at(x, y, 0), drawn.at(x, y, 1), drawn.at(x, y, 2)});
   }
@@ -48,7 +49,7 @@ class ObjectRaysAndPolygons : public test::ObjectScenes {
     return seen[static_cast<std::size_t>(y) * size_px + static_cast<std::size_t>(x)];
   }
 
-  //! Returns whether all neighbors of a pixel agree with it.
+  //! Returns whether a pixel and all of its neighbors agree about whether they see an object.
   static bool is_inner(const std::vector<bool>& seen, int x, int y) {
     for (int row = std::max(0, y - 1); row <= std::min(size_px - 1, y + 1); ++row) {
       for (int column = std::max(0, x - 1); column <= std::min(size_px - 1, x + 1); ++column) {
@@ -60,7 +61,8 @@ class ObjectRaysAndPolygons : public test::ObjectScenes {
     return true;
   }
 
-  //! Expects that outlines agree within a pixel: all differences lie next to an outline.
+  //! Expects that polygons and rays have the same outlines: pixels may differ only next to an
+  //! outline.
   static void expect_same_outlines(const ObjectSettings& object) {
     const EyeCamera eye = eye_looking(r_observer, {-1.0, 0.0, 0.0});
     const Projection projection = make_pinhole_projection(size_px, size_px, 25.0 * one_degree);
@@ -126,7 +128,7 @@ TEST(ObjectRays, MeetAnObjectWhereItIsByTheShowsTime) {
   const auto now = ObjectRays(show, 0.0).look(camera, {-1.0, 0.0, 0.0});
   ASSERT_TRUE(now && now->mesh == 0);
   EXPECT_NEAR(now->point.x, 10.5, 0.02);
-  // Half a turn later the object is behind the hole, which swallows this ray.
+  // After half a period, the object is behind the hole, and this ray falls into the hole.
   const double half = pi * std::sqrt(1000.0) / sphere.orbit->speed;
   const auto later = ObjectRays(show, half).look(camera, {-1.0, 0.0, 0.0});
   ASSERT_TRUE(later.has_value());

@@ -19,7 +19,8 @@ namespace ergodome::test {
 
 inline constexpr double right_angle = 0.5 * pi;
 
-//! The pixel [rad] in which tests measure: of a picture with 1024 pixels across 25°.
+//! The angle of a pixel [rad] in which tests express differences: that of a picture with 1024
+//! pixels for 25°.
 inline constexpr double reference_pixel = 25.0 * one_degree / 1024.0;
 
 inline ObjectSettings small_sphere(const Vector3<double>& position, double size) {
@@ -27,13 +28,13 @@ inline ObjectSettings small_sphere(const Vector3<double>& position, double size)
   object.form = ObjectForm::sphere;
   object.position = position;
   object.size = size;
-  // Small triangles need little tessellation, and draw faster on the CPU.
+  // Small triangles need only coarse tessellation, which is faster to draw by the CPU.
   object.tessellation.most = 8.0;
   return object;
 }
 
-//! Returns a static observer on the x axis who looks in a direction of the rest frame (e_r, e_θ,
-//! e_φ).
+//! Returns a static observer on the x axis who looks in the direction `forward`, given in the rest
+//! frame (e_r, e_θ, e_φ).
 inline EyeCamera eye_looking(double r, const Vector3<double>& forward) {
   EyeCamera eye{};
   eye.r = r;
@@ -54,14 +55,15 @@ inline EyeCamera eye_looking(double r, const Vector3<double>& forward) {
   return eye;
 }
 
-//! Returns the direction, in the rest frame, in which a static observer on the x axis sees a point,
-//! by the closed form.
+//! Returns the direction, in the rest frame, in which a static observer on the x axis sees the
+//! image number `order` of a point, by the closed form.
 inline Vector3<double> closed_form_direction(double r_observer, const Vector3<double>& place, int order) {
   const Vector3<double> d = apparent_place({r_observer, 0.0, 0.0}, place, order).direction;
   return {d.x, -d.z, d.y};
 }
 
-//! A picture over black: red, green, blue, and coverage (for white objects).
+//! A picture of objects in front of black. Channels: red, green, blue, and the coverage of white
+//! objects.
 struct DrawnObjects {
   int width = 0;
   int height = 0;
@@ -72,7 +74,7 @@ struct DrawnObjects {
                 static_cast<std::size_t>(channel)];
   }
 
-  //! The sum of the first channel, and its center [px].
+  //! light() returns the sum of the first channel.
   double light() const {
     double sum = 0.0;
     each([&](double /*x*/, double /*y*/, double value) { sum += value; });
@@ -99,7 +101,7 @@ struct DrawnObjects {
   }
 };
 
-//! Draws objects and their light; skips tests if there is no OpenGL.
+//! Draws objects and measures their light. Skips the tests if OpenGL is not available.
 class ObjectScenes : public testing::Test {
  protected:
   void SetUp() override {

@@ -12,7 +12,8 @@
 #include "tests/render/eye_at.h"
 #include "tests/render/passes/objects/traced_scene.h"
 
-// Lensed images of objects next to the shadow's edge, a few hundredths of a pixel thin.
+// Tests of lensed images of objects next to the edge of the shadow, which are a few hundredths of a
+// pixel thin.
 namespace ergodome {
 namespace {
 
@@ -25,7 +26,7 @@ using test::show_of;
 using test::station;
 
 //! A ball next to the hole. Its third image is closer to the shadow's edge than a hundredth of the
-//! shadow's radius, and its second image is farther than `thin_part` of the radius.
+//! shadow's radius; its second image is farther from the edge than `thin_part` of this radius.
 class ThinImages : public testing::TestWithParam<double> {
  protected:
   static constexpr double thin_part = 0.022;
@@ -34,8 +35,9 @@ class ThinImages : public testing::TestWithParam<double> {
   [[nodiscard]] static EyeCamera eye(double r) { return eye_at(GetParam(), r, 1.45); }
   [[nodiscard]] static Projection projection() { return make_pinhole_projection(128, 128, 0.45); }
 
-  //! Returns the solid angle [sr] of the ball in a picture, within that fraction of the shadow's
-  //! radius outside the edge; covered(x, y) is the fraction of a pixel that objects cover.
+  //! Returns the solid angle [sr] that the ball covers in a picture, but only in pixels outside the
+  //! shadow's edge and within `thin_part` of the shadow's radius from it. covered(x, y) returns the
+  //! fraction of a pixel that objects cover.
   template <class Covered>
   [[nodiscard]] static double solid_angle(double r, const Projection& projection, const Covered& covered) {
     const CameraStation camera = station(eye(r));
@@ -58,7 +60,8 @@ class ThinImages : public testing::TestWithParam<double> {
     return solid_angle(r, drawn.projection, [&](int x, int y) { return drawn.covered(x, y); });
   }
 
-  //! Returns the solid angle for one of the eyes of the stereo model `flat` with a baseline [M].
+  //! Returns this solid angle for one of both eyes of the stereo model `flat`, with the given
+  //! baseline [M].
   [[nodiscard]] static double solid_angle_of_flat_eye(double r, double baseline) {
     Show eyes = parse_show(
         "[hole]\nspin = " + std::to_string(GetParam()) +
@@ -75,8 +78,8 @@ class ThinImages : public testing::TestWithParam<double> {
                        [&](int x, int y) { return left.rgba[4UL * static_cast<std::size_t>(y * left.width + x)]; });
   }
 
-  //! Returns the solid angle by exact rays, on a Fibonacci lattice over the position angle and the
-  //! logarithm of the distance from the edge.
+  //! Returns this solid angle by exact rays. Their directions are on a Fibonacci lattice over the
+  //! position angle and the logarithm of the distance from the edge.
   [[nodiscard]] static double exact_solid_angle(double r) {
     constexpr int count = test::sanitized ? 1597 : 10946;
     constexpr int step = test::sanitized ? 987 : 6765;
@@ -105,8 +108,8 @@ TEST_P(ThinImages, HaveAsMuchLightAsExactRaysFind) {
 }
 
 TEST_P(ThinImages, KeepTheirLightAsTheCameraMovesByPartsOfAPixel) {
-  // Solid angles relative to the shadow, whose edge moves by a tenth of a pixel from one camera to
-  // the next.
+  // Compares solid angles relative to that of the shadow. From one camera to the next, the edge of
+  // the shadow moves by a tenth of a pixel.
   std::vector<double> shares;
   double mean = 0.0;
   for (int i = 0; i < 3; ++i) {
@@ -137,7 +140,7 @@ TEST_P(ThinImages, LeaveThePlacesOfRaysFarFromTheEdgeAsTheyAre) {
   EXPECT_GT(partly, 10);
 }
 
-//! Eyes with a small baseline see the same as the head.
+//! Tests that eyes with a small baseline see the same as the head.
 class ThinImagesOfFlatEyes : public ThinImages {};
 
 TEST_P(ThinImagesOfFlatEyes, HaveAsMuchLightAsExactRaysFind) {

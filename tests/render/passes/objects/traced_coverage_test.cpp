@@ -9,7 +9,8 @@
 #include "tests/render/passes/objects/traced_scene.h"
 #include "tests/support/sanitized.h"
 
-// Objects drawn by rays: the pixels in which they are visible.
+// Tests of objects drawn by rays: in which pixels they are visible, and what fraction of a pixel
+// they cover.
 namespace ergodome {
 namespace {
 
@@ -21,9 +22,9 @@ using test::observed;
 using test::show_of;
 using test::station;
 
-//! Returns the fraction of a pixel in which exact rays meet an object, through the centers of the
-//! cells of a grid. If `sheared`, the samples are shifted so that no two are aligned with a side of
-//! the pixel.
+//! Returns the fraction of a pixel that shows an object, by exact rays through the centers of the
+//! cells of a `side` x `side` grid. If `sheared`, the positions are shifted so that no two of them
+//! are in a line parallel to a side of the pixel.
 double exact_part(const ObjectRays& rays, const EyeCamera& eye, const Projection& projection, int x, int y, int side,
                   bool sheared) {
   const CameraStation camera = station(eye);
@@ -39,8 +40,9 @@ double exact_part(const ObjectRays& rays, const EyeCamera& eye, const Projection
   return static_cast<double>(hits) / (side * side);
 }
 
-//! Compares every pixel with exact rays: through its sixteen sample positions, or, next to the
-//! shadow's edge, where the samples differ, through sixty-four.
+//! Compares the coverage of every pixel with exact rays, through the same 16 positions as the
+//! program uses. Next to the edge of the shadow, the program samples in a different way; there, 64
+//! rays are used.
 void expect_exact_coverage(const Show& show, const EyeCamera& eye, const Projection& projection) {
   const Drawn drawn = draw(show, eye, projection);
   const ObjectRays rays(show, 0.0);
@@ -53,8 +55,8 @@ void expect_exact_coverage(const Show& show, const EyeCamera& eye, const Project
       const double part = exact_part(rays, eye, projection, x, y, sliced ? 8 : 4, sliced);
       seen += part > 0.0 ? 1 : 0;
       const double off = std::abs(covered - part);
-      // One of sixteen samples may be on an outline; images thinner than half a pixel may be missed
-      // by four.
+      // In partially covered pixels, one of the 16 samples may be on an outline, and images thinner
+      // than half a pixel may be missed by four.
       EXPECT_LT(off, part > 0.0 && part < 1.0 ? 0.45 : 0.07) << x << ", " << y;
       unlike += off > 0.07 ? 1 : 0;
     }
@@ -89,7 +91,8 @@ TEST(TracedObjects, AboutTheCameraFillThePictureButForTheHole) {
   expect_exact_coverage(show, eye_at(0.5, 8.0, 1.0), make_pinhole_projection(exact_px, exact_px, 2.0));
 }
 
-// Tiles are marked by rays that search for triangles in the same way as the rays of pixels.
+// The program first marks the tiles of the picture that may show objects. The rays that mark them
+// must find whatever the rays of pixels would find.
 TEST(TracedObjects, AreMissedInNoPixelThatSeesThemAllOver) {
   struct Scene {
     double spin;
@@ -115,8 +118,9 @@ TEST(TracedObjects, AreMissedInNoPixelThatSeesThemAllOver) {
     int missed = 0;
     for (int y = 0; y < dense_px; ++y) {
       for (int x = 0; x < dense_px; ++x) {
-        // The middle, and the middles of the quarters: images finer than a quarter may lie between
-        // samples.
+        // Pixels count as showing the object all over if rays through their middle and through the
+        // middles of their quarters meet it. Objects finer than a quarter of a pixel could be
+        // between the samples.
         if (sees(x + 0.5, y + 0.5) && sees(x + 0.25, y + 0.25) && sees(x + 0.75, y + 0.25) &&
             sees(x + 0.25, y + 0.75) && sees(x + 0.75, y + 0.75)) {
           ++seen;
@@ -129,8 +133,8 @@ TEST(TracedObjects, AreMissedInNoPixelThatSeesThemAllOver) {
   }
 }
 
-// Tiles are marked by the ray in their middle, which may fall into the hole while others pass and
-// go around it.
+// A tile is marked by the ray in its middle. This ray may fall into the hole, while the rays of
+// other pixels of the tile go around the hole to an object.
 TEST(TracedObjects, LoseNoLightNextToTheShadowsEdge) {
   constexpr double r = 40.0;
   constexpr int size_px = test::sanitized ? 80 : 240;

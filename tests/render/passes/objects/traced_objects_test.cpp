@@ -13,8 +13,8 @@
 #include "tests/render/passes/objects/traced_scene.h"
 #include "tests/support/sanitized.h"
 
-// Objects drawn by rays: occlusion and brightness. traced_coverage_test.cpp tests where they are
-// visible.
+// Tests of objects drawn by rays: occlusion and brightness. traced_coverage_test.cpp tests in which
+// pixels they are visible.
 namespace ergodome {
 namespace {
 
@@ -37,12 +37,13 @@ TEST(TracedObjects, AreTheSameInBlocksOfRowsAsInOne) {
   for (std::size_t i = 0; i < whole.rgba.size(); ++i) {
     unlike += whole.rgba[i] == blocks.rgba[i] ? 0 : 1;
   }
-  // In blocks, tiles start at other positions, and with them the regions where four rays are
-  // enough.
+  // If the picture is drawn in blocks, its tiles start at other positions, and some pixels are
+  // sampled by four rays instead of sixteen.
   EXPECT_LE(unlike, test::sanitized ? 16 : 8);
 }
 
-//! Returns the middle pixel of a picture of a ball in front of the camera, with a shell.
+//! Tests of a ball and a shell in front of the camera. seen() returns a color channel of the middle
+//! pixel.
 class BallBehindShell : public testing::Test {
  protected:
   static float seen(double ball_r, double shell_r, double opacity, int channel) {
@@ -108,8 +109,8 @@ TEST(TracedObjects, ThatComeTowardsTheCameraAreBrighterThanThoseThatGo) {
   show.effects.redshift = true;
   ObjectOrbit orbit;
   orbit.r = 8.0;
-  // Finds the direction of the ball's first image and the direction in which light leaves the ball,
-  // in closed form.
+  // Returns the light of the ball's first image at its position by the closed form. Sets `cosine`
+  // from the direction in which this light leaves the ball.
   const auto seen = [&](double phi, double& cosine) {
     orbit.phi = phi;
     show.objects.front().orbit = orbit;
@@ -126,7 +127,7 @@ TEST(TracedObjects, ThatComeTowardsTheCameraAreBrighterThanThoseThatGo) {
   double to = 0.0;
   double fro = 0.0;
   const double ratio = seen(-0.5 * pi, to) / seen(0.5 * pi, fro);
-  // Speed of the orbit for an observer at rest there: √(1/8) / √(1 - 2/8).
+  // Speed of the circular orbit as measured by an observer at rest there: √(1/8) / √(1 - 2/8).
   const double beta = std::sqrt(1.0 / 8.0) / std::sqrt(0.75);
   const double expected = std::pow((1.0 - beta * fro) / (1.0 - beta * to), 4);
   EXPECT_GT(expected, 5.0);
@@ -179,7 +180,7 @@ TEST(TracedObjects, CastShadowsOnOneAnother) {
   int darkened = 0;
   for (int y = 0; y < traced_size_px; ++y) {
     for (int x = 0; x < traced_size_px; ++x) {
-      // In pixels that the small ball does not cover.
+      // Compares only pixels that the large ball covers completely in both pictures.
       const bool same_place = shadowed.covered(x, y) == 1.0F && free.covered(x, y) == 1.0F;
       darkened += same_place && shadowed.at(x, y, 0) < 0.05F * free.at(x, y, 0) ? 1 : 0;
       EXPECT_LE(shadowed.at(x, y, 0), 1.2F * free.at(x, y, 0) + 2.0F * (free.covered(x, y) < 1.0F));
@@ -211,7 +212,7 @@ TEST(TracedObjects, ThatAreRetardedAreSeenWhereTheyWere) {
   show.objects.front().retarded = true;
   const double late = middle(4.0);
   show.objects.front().retarded = false;
-  // Light from there takes about 22 M: 2.2 s of the show.
+  // The light of the image travels for about 22 M, which is 2.2 s of the show.
   const double now = middle(4.0);
   const double before = middle(4.0 - 2.2);
   EXPECT_GT(std::abs(now - before), 4.0);

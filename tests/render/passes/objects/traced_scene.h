@@ -34,7 +34,7 @@ inline Show show_of(double spin, std::vector<ObjectSettings> objects) {
   return show;
 }
 
-//! A picture of objects.
+//! A picture of objects, and its projection.
 struct Drawn {
   Projection projection;
   std::vector<float> rgba;
@@ -45,7 +45,7 @@ struct Drawn {
   [[nodiscard]] float covered(int x, int y) const { return at(x, y, 3); }
 };
 
-//! Draws objects over black, in blocks of `rows` rows.
+//! Draws objects in front of black, in blocks of `rows` rows.
 inline Drawn draw(const Show& show, const EyeCamera& eye, const Projection& projection, int rows = 1 << 20,
                   double time_s = 0.0) {
   Drawn drawn{projection,

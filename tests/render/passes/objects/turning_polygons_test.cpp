@@ -12,11 +12,12 @@
 #include "tests/support/errors.h"
 #include "tests/support/sanitized.h"
 
-// Polygons in omnidirectional stereo, compared with the rays of each pixel's own camera.
+// Tests of polygons in omnidirectional stereo. They are compared with objects drawn by rays, for
+// which each pixel has its own camera.
 namespace ergodome {
 namespace {
 
-//! A white ball in front of black, and eyes of the model `omni`.
+//! A white ball in front of a black sky, and the camera and eyes of the model `omni` that see it.
 struct BallBeforeEyes {
   const char* name;
   const char* place;  //!< position of the ball
@@ -36,14 +37,14 @@ Show ball_show(const BallBeforeEyes& at, const std::string& method) {
       "test.toml");
 }
 
-//! The center of a picture's light [px], and the amount of light.
+//! The center of the light in a picture [px], and its amount.
 struct Blob {
   double x = 0.0;
   double y = 0.0;
   double light = 0.0;
 };
 
-//! Returns the center of the light within `within_px` of a position.
+//! Returns the center and the amount of the light within `within_px` of a position.
 Blob blob_about(const Blob& place, double within_px, const Picture& picture) {
   Blob blob;
   for (int y = 0; y < picture.height; ++y) {
@@ -62,9 +63,9 @@ Blob blob_about(const Blob& place, double within_px, const Picture& picture) {
   return blob;
 }
 
-//! Returns the center of the first image. The second image is a sliver on the other side of the
-//! hole, whose few pixels would have a large effect; rays also see a third one, next to the
-//! shadow's edge, which polygons do not draw.
+//! Returns the center of the light of the ball's first image. Other images are left out: the second
+//! one is a sliver on the other side of the hole, whose few pixels would have a large effect; a
+//! third one, next to the shadow's edge, is drawn only by rays.
 Blob blob_of(const Picture& picture) { return blob_about(blob_about({}, 1e6, picture), 35.0, picture); }
 
 std::array<Blob, 2> eyes_of(const BallBeforeEyes& at, const std::string& method) {
@@ -89,7 +90,7 @@ TEST_F(TurningPolygons, AreWhereRaysOfEachPixelsOwnCameraMeetThem) {
       {"to the right on a panorama", "9, 9, 6", "projection = \"equirect\"\nsize_px = 600\n"},
       {"in a cube", "9, 9, 6", "projection = \"cube\"\nsize_px = 600\n"},
       {"from eyes far apart", "10, 5.5, 4.2", wide, "baseline = 2\n"}};
-  // Sanitizers cover the same code with every third of them.
+  // Under sanitizers, every third case is enough to cover the same code.
   for (std::size_t i = 0; i < all.size(); i += test::sanitized ? 3 : 1) {
     const BallBeforeEyes& at = all[i];
     SCOPED_TRACE(at.name);
@@ -101,8 +102,8 @@ TEST_F(TurningPolygons, AreWhereRaysOfEachPixelsOwnCameraMeetThem) {
       EXPECT_NEAR(drawn[eye].x, traced[eye].x, 0.05) << eye;
       EXPECT_NEAR(drawn[eye].y, traced[eye].y, 0.05) << eye;
     }
-    // Checks that the eyes differ: with both at the head's position, the images would coincide,
-    // too.
+    // Checks the test itself: if both eyes were at the position of the head, the comparison would
+    // succeed, too.
     EXPECT_GT(std::hypot(drawn[0].x - drawn[1].x, drawn[0].y - drawn[1].y), 0.5);
   }
 }

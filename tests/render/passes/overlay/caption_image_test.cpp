@@ -20,7 +20,7 @@ CaptionImage caption(const std::string& text, double width_px = 2000.0) {
   return set_caption(text, {line_px, width_px});
 }
 
-//! Returns the area that letters cover [px²]: red is only in the letters.
+//! Returns the area that letters cover [px²]. Only letters contain red, because their rim is dark.
 double ink(const CaptionImage& caption) {
   double sum = 0.0;
   for (long i = 0; i < static_cast<long>(caption.image.width) * caption.image.height; ++i) {
@@ -143,7 +143,7 @@ TEST(Captions, OfDarkLettersHaveNoRim) {
   const CaptionImage black = set_caption("Hg", {64, 1000.0, {0.0, 0.0, 0.0}});
   ASSERT_EQ(black.image.texels.size(), white.image.texels.size());
   for (std::size_t i = 0; i < 4UL * static_cast<std::size_t>(white.image.width * white.image.height); i += 4) {
-    // The light of white letters is their coverage.
+    // The red channel of white letters equals their coverage.
     EXPECT_EQ(black.image.texels[i + 3], white.image.texels[i]) << i;
   }
 }

@@ -41,7 +41,8 @@ TEST(PresenceOfAnOverlay, IsWholeAtOnceWithoutFades) {
   EXPECT_EQ(presence_at({1.0, 2.0, 0.0, 0.0}, 2.0), 0.0);
 }
 
-//! Returns the byte displayed in the middle of an overlay that fills a screen.
+//! Draws overlays of a timeline on a screen with uniform light, and returns the displayed value of
+//! the middle pixel.
 int shown_in_the_middle(const Timeline& timeline, const std::string& folder, float light, const Tone& tone,
                         double time_s = 0.0) {
   const Projection screen = make_pinhole_projection(64, 64, 0.3);
@@ -72,7 +73,8 @@ TEST_F(Overlays, CoverTheDisplaysLightByOpacityAndFade) {
   timeline.overlays = {image_at("white.png", 0.0, 0.0, 10.0)};
   timeline.overlays[0].opacity = 0.5;
   timeline.overlays[0].presence = {0.0, 10.0, 2.0, 2.0};
-  // Half of white over a fifth, then a quarter, in linear light; sRGB calculated by hand.
+  // The light is 0.2. White covers half of it at 5 s and, during the fade, a quarter of it at 1 s,
+  // in linear light. The sRGB values are calculated by hand.
   EXPECT_NEAR(shown_in_the_middle(timeline, folder_.string(), 0.2F, as_it_is, 5.0), 203, 1);
   EXPECT_NEAR(shown_in_the_middle(timeline, folder_.string(), 0.2F, as_it_is, 1.0), 170, 1);
 }
@@ -89,7 +91,7 @@ TEST_F(Overlays, OnAHeatMapKeepTheirColours) {
 }
 
 TEST_F(Overlays, HaveNoDarkFringes) {
-  // A white disk with a soft rim; transparent pixels are black in the file.
+  // The image is a white disk with a soft rim. In the file, transparent pixels are black.
   constexpr int size = 64;
   Picture disc;
   disc.width = disc.height = size;
@@ -150,7 +152,7 @@ TEST_F(Overlays, OfANarrowFisheyeEndAtTheirCircle) {
   overlay.fov_deg = 90.0;
   timeline.overlays = {overlay};
   const double covered = sum_of_light(drawn(timeline, folder_.string(), make_dome_projection(400, pi, 0.0)));
-  // Its circle has half the radius of the dome, plus half a pixel.
+  // The fisheye image covers a circle with half the radius of the dome, plus half a pixel.
   EXPECT_NEAR(covered, pi * 100.5 * 100.5, 0.01 * covered);
 }
 

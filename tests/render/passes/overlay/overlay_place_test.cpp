@@ -19,7 +19,8 @@ struct SheetDirection {
 };
 constexpr SheetDirection sheet_places[] = {{0.0, 20.0}, {40.0, 35.0}, {-75.0, 10.0}, {170.0, 60.0}, {-120.0, 80.0}};
 
-//! Returns the position in an equidistant domemaster of 180° with the front at the bottom.
+//! Returns the position of a direction in an equidistant domemaster of 180°, whose front is at the
+//! bottom.
 Spot spot_on_domemaster(const SheetDirection& at, double size_px) {
   const double radius = (90.0 - at.elevation_deg) / 90.0 * 0.5 * size_px;
   return {0.5 * size_px + radius * std::sin(one_degree * at.azimuth_deg),
@@ -100,7 +101,8 @@ TEST_F(Overlays, ForThoseWhoLookElsewhereAreNotOnAScreen) {
 }
 
 TEST_F(Overlays, RollClockwise) {
-  // Left half white, right half black: a quarter turn moves the left half to the top.
+  // The left half of the image is white, the right half black. A clockwise rotation by a quarter
+  // turn moves the left half to the top.
   std::vector<std::uint8_t> rgb;
   for (int i = 0; i < 16 * 16; ++i) {
     rgb.insert(rgb.end(), 3, i % 16 < 8 ? 255 : 0);
@@ -189,7 +191,8 @@ TEST(PictureTiles, OfASmallOverlayAreFew) {
   const PictureTiles tiles(make_dome_projection(2048, pi, 0.0));
   OverlaySheet sheet = flat_sheet({0.0, 30.0, 0.0}, 10.0 * one_degree, 1.0);
   bound_sheet(sheet, 0.002);
-  // A square of 10 degrees is 114 px wide.
+  // The overlay is a square of 10 degrees, which is 114 px wide; it must not need more tiles than
+  // that.
   EXPECT_LT(tiles.within(sheet).size(), 64U);
   EXPECT_GT(tiles.within(sheet).size(), 12U);
 }

@@ -31,7 +31,7 @@ inline Picture even_picture(const Projection& projection, float light, const Ton
   return picture;
 }
 
-//! Returns the overlay pass of a show that has nothing but a timeline.
+//! Returns the overlay pass of a show that contains only a timeline.
 inline OverlayPass pass_of(const Timeline& timeline, const std::string& folder = "") {
   Show show;
   show.timeline = timeline;
@@ -81,7 +81,7 @@ struct Spot {
   double y_px;
 };
 
-//! Returns the center of a picture's light.
+//! Returns the center of the light in a picture.
 inline Spot middle_of(const Picture& picture) {
   double sum = 0.0;
   Spot middle{0.0, 0.0};

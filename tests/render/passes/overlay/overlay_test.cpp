@@ -33,8 +33,9 @@ TEST_F(Overlays, StandOnTheScreenForBothEyesOrBehindIt) {
     return middle_of(picture).x_px;
   };
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  // An eye on the right sees objects behind the screen distance to the right of their position on
-  // the screen.
+  // The eye is displaced to the right. For this eye, an object beyond the screen distance appears
+  // farther to the right on the screen, and a closer one farther to the left; at the screen
+  // distance, it does not move.
   EXPECT_NEAR(place(0.1, 5.0, 0.0), 200.0, 0.05);
   EXPECT_NEAR(place(0.1, 5.0, 5.0), 200.0, 0.05);
   EXPECT_NEAR(place(0.1, 5.0, infinity), 200.0 + 0.1 / 5.0 * px, 0.05);
@@ -69,8 +70,9 @@ TEST_F(Overlays, OfAShowWithAReadoutSayWhereItsCameraIs) {
   ShowRenderer read(parse_show(with, "read.toml"), Backend::cpu);
   EXPECT_EQ(sum_of_light(dark.render(0.0, {}).front().picture), 0.0);
   const Picture picture = read.render(0.0, {}).front().picture;
-  // At 30 degrees above the front of a dome, a third of the way from the rim, which is at the
-  // bottom. The line bends around the middle, which moves the center of its light inwards.
+  // The line is 30 degrees above the front of a dome, which is at the bottom of the picture: a
+  // third of the way from the rim to the middle. It is curved around the middle, so the center of
+  // its light is slightly closer to the middle.
   const Spot middle = middle_of(picture);
   EXPECT_NEAR(middle.x_px, 128.0, 2.0);
   EXPECT_NEAR(middle.y_px, 128.0 + 128.0 * 60.0 / 90.0, 3.0);
@@ -133,7 +135,8 @@ TEST_F(Overlays, ApartAreDrawnAnewOnlyWhereTheyChange) {
   EXPECT_EQ(full.opacity, 1.0);
   const LaidCaptions half = pass.caption_layer(small, 2.0);
   EXPECT_EQ(half.layer, full.layer);
-  // A fade is 3 x² - 2 x³, which is one half at its middle.
+  // The opacity of a fade is 3 x² - 2 x³, with the fraction x of its time. In its middle, this is
+  // one half.
   EXPECT_NEAR(half.opacity, 0.5, 1e-12);
   const auto larger = pass.caption_layer(large, 2.0).layer;
   EXPECT_EQ(larger->width, 400);

@@ -94,8 +94,8 @@ NearRay<double> exact_shell_ray(const EyeCamera& eye, const Projection& projecti
   return start_near_ray(camera, observed(eye, projection, x + 0.5, y + 0.5));
 }
 
-//! Returns the shells that the exact ray of a pixel's center crosses, in double; radii are sorted
-//! from the outermost.
+//! Returns the shells that the exact ray through a pixel's center crosses, traced in double.
+//! `radii` must be sorted, the largest first.
 std::vector<Met> met(const EyeCamera& eye, const Projection& projection, int x, int y,
                      const std::vector<double>& radii) {
   std::vector<double> u;
@@ -110,7 +110,7 @@ std::vector<Met> met(const EyeCamera& eye, const Projection& projection, int x, 
 }
 
 TEST(ShellPass, LetsThroughWhatEachCrossingLeaves) {
-  // Outside, inside and between the shells, next to the horizon, and near the photon orbits.
+  // Cameras outside all shells and between them, near the axis and the equator.
   for (const double camera_r : {30.0, 9.0, 4.0}) {
     for (const double theta : {0.0, 0.4, 1.5}) {
       const std::vector<double> radii = {12.0, 6.0, 1.5};
@@ -126,8 +126,8 @@ TEST(ShellPass, LetsThroughWhatEachCrossingLeaves) {
           wrong += std::abs(static_cast<double>(drawn.alpha(x, y)) - (1.0 - clear)) > 1e-3 ? 1 : 0;
         }
       }
-      // Pixels on a shell's edge are partially covered: some circles of a few hundred pixels, a
-      // quarter of which are sampled.
+      // Pixels on the edge of a shell are only partially covered and count as wrong. Edges are
+      // circles of a few hundred pixels, a quarter of which are compared.
       EXPECT_LT(wrong, 130) << camera_r << " " << theta;
     }
   }
@@ -190,7 +190,7 @@ TEST(ShellPass, LiesBeforeAndBehindTheDiskAsLightMeetsThem) {
       if (shells.empty() || !(r > 6.5 && r < 17.5)) {
         continue;
       }
-      // Next to the shell's edge, a pixel sees both.
+      // Skips pixels next to the edge of the shell, which show both the shell and the disk.
       const float blue = drawn.at(x, y, 2);
       if (blue > 2.0F && blue < 6.9F) {
         continue;
@@ -206,7 +206,8 @@ TEST(ShellPass, LiesBeforeAndBehindTheDiskAsLightMeetsThem) {
 }
 
 TEST(ShellPass, HasTheAreaOfItsEdgeWithinASmallPartOfAPixelsWidth) {
-  // Without spin, the edge is where light turns back at the shell: b = R / √(1 - 2/R).
+  // Without spin, the edge of the shell is where light has its turning point at the shell: b = R /
+  // √(1 - 2/R), with the shell's radius R.
   const double r_o = 1e5;
   const double pixel = 40.0 / r_o / shell_size_px;
   const Drawn drawn = draw(show_with(0.0, {filled(10.0, 1.0)}), eye_at(0.0, r_o, 1.0), 40.0 / r_o);
@@ -223,7 +224,8 @@ TEST(ShellPass, HasTheAreaOfItsEdgeWithinASmallPartOfAPixelsWidth) {
   EXPECT_GT(partly, 100);
 }
 
-//! Returns the angle of a direction from the nearest line of a grid [rad].
+//! Returns the angle between a direction and the nearest line of a grid with the given spacing
+//! [rad].
 double from_line(const Vector3<double>& d, double spacing) {
   const double sine = std::hypot(d.x, d.y);
   return std::min(std::abs(std::remainder(std::atan2(sine, d.z), spacing)),
@@ -274,7 +276,8 @@ TEST(ShellPass, IsTheSameAllRoundForACameraOnTheAxis) {
     const Drawn drawn = draw(show_with(0.9, {grid}), eye_at(0.9, camera_r, 0.0), 0.9);
     for (int y = 0; y < shell_size_px; ++y) {
       for (int x = 0; x < shell_size_px; ++x) {
-        // A quarter turn is a multiple of the grid's spacing.
+        // A rotation by a quarter turn is a multiple of the distance between meridians, so the
+        // picture must be the same after it.
         EXPECT_NEAR(drawn.alpha(x, y), drawn.alpha(shell_size_px - 1 - y, x), 0.02F) << x << " " << y;
       }
     }
@@ -310,7 +313,7 @@ TEST_F(ShellTextures, AreThoseOfAGlobeWithLongitudeZeroInTheMiddle) {
   map.height = 32;
   for (int y = 0; y < 32; ++y) {
     for (int x = 0; x < 64; ++x) {
-      // Blue in the north; red in the east, x > middle.
+      // The northern half of the map is blue, and its eastern half (the right half) is red.
       map.rgba.insert(map.rgba.end(), {x >= 32 ? 1.0F : 0.0F, 0.0F, y < 16 ? 1.0F : 0.0F, 1.0F});
     }
   }
@@ -321,7 +324,7 @@ TEST_F(ShellTextures, AreThoseOfAGlobeWithLongitudeZeroInTheMiddle) {
   const Drawn drawn = draw(show, eye_at(0.0, 30.0, pi / 2.0), 0.3);
   const int left = shell_size_px / 4;
   const int right = 3 * shell_size_px / 4;
-  // φ increases to the right, up is north.
+  // In the picture, φ increases to the right, and north is up.
   EXPECT_NEAR(drawn.at(right, left, 0), 1.0F, 0.01F);
   EXPECT_NEAR(drawn.at(left, left, 0), 0.0F, 0.01F);
   EXPECT_NEAR(drawn.at(left, left, 2), 1.0F, 0.01F);

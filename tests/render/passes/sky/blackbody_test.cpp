@@ -12,8 +12,8 @@ TEST(Blackbody, PlanckianLocusHasItsPublishedChromaticities) {
   struct Point {
     double temperature_k, x, y;
   };
-  // CIE 1931: illuminant A, and the Planckian locus at 6504 K and 10,000 K. The fit of the matching
-  // functions is accurate to about 0.003.
+  // Chromaticities by CIE 1931: illuminant A, and the Planckian locus at 6504 K and 10,000 K. The
+  // color matching functions are approximated to about 0.003.
   for (const Point& p : {Point{2856.0, 0.4476, 0.4074}, {6504.0, 0.3135, 0.3237}, {10'000.0, 0.2807, 0.2884}}) {
     const Vector3<double> xyz = blackbody_tristimulus(p.temperature_k);
     const double sum = xyz.x + xyz.y + xyz.z;
@@ -23,14 +23,14 @@ TEST(Blackbody, PlanckianLocusHasItsPublishedChromaticities) {
 }
 
 TEST(Blackbody, LuminanceIsThatOfTheCandelasOldDefinition) {
-  // A blackbody at the freezing point of platinum, 2041.4 K, has 60 cd/cm².
+  // Luminance of a blackbody at the freezing point of platinum, 2041.4 K: 60 cd/cm².
   EXPECT_NEAR(blackbody_tristimulus(2041.4).y, 6.0e5, 0.02e5);
 }
 
 TEST(Blackbody, ColourIndexGivesTheTemperatureOfTheSun) { EXPECT_NEAR(star_temperature(0.653), 5772.0, 40.0); }
 
-//! Computes the same integral by another rule: five-point Gauss-Legendre quadrature on intervals of
-//! 5 nm.
+//! Computes the same values as blackbody_tristimulus() by another integration rule: five-point
+//! Gauss-Legendre quadrature on intervals of 5 nm.
 Vector3<double> independent_tristimulus(double temperature_k) {
   constexpr double at[] = {0.0, 0.53846931010568309, 0.90617984593866399};
   constexpr double weight[] = {0.56888888888888889, 0.47862867049936647, 0.23692688505618909};

@@ -16,10 +16,12 @@
 namespace ergodome {
 namespace {
 
-//! Returns the distance between two columns, as a fraction of a turn.
+//! Returns the distance between two columns of a map as a fraction of its width. The left and right
+//! edges are adjacent.
 double columns_apart(double a, double b) { return std::abs(a - b - std::round(a - b)); }
 
-//! Returns rows of a cube's faces and rows across its axes, where arc tangents change their branch.
+//! Returns rows of directions on the faces of a cube, and rows across its axes, where the arc
+//! tangent jumps.
 std::vector<DirectionRow> rows_of_all_kinds(std::span<const float> s) {
   std::vector<DirectionRow> rows;
   for (const double side : {-1.0, 1.0}) {
@@ -50,7 +52,7 @@ TEST(PlacesInMap, AreThoseOfSingleDirections) {
     for (std::size_t i = 0; i < s.size(); ++i) {
       const glm::dvec3 d = glm::normalize(row.base + static_cast<double>(s[i]) * row.along);
       const glm::dvec2 place = map_from_direction(d);
-      // All columns meet at a pole.
+      // Near a pole, all columns are close together, so the difference is reduced accordingly.
       ASSERT_LT(columns_apart(x[i], place.x) * std::hypot(d.x, d.y), 2e-7) << d.x << ' ' << d.y << ' ' << d.z;
       ASSERT_NEAR(y[i], place.y, 2e-7) << d.x << ' ' << d.y << ' ' << d.z;
       ASSERT_GE(x[i], -0.25F);

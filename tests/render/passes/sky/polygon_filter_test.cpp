@@ -36,14 +36,15 @@ glm::dvec3 random_direction(std::mt19937& random) {
   return glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
 }
 
-//! The footprint of a pixel on the sky.
+//! The footprint of a pixel on the sky: its direction, and the changes of the direction across the
+//! pixel.
 struct Look {
   glm::dvec3 direction;
   glm::dvec3 along_x;
   glm::dvec3 along_y;
 };
 
-//! Returns a pixel that spans the angles a and b, skewed and rotated.
+//! Returns the footprint of a pixel with angular sizes a and b, rotated and skewed at random.
 Look random_look(const glm::dvec3& direction, double a, double b, std::mt19937& random) {
   const glm::dvec3 first = glm::normalize(glm::cross(direction, random_direction(random)));
   const glm::dvec3 second = glm::cross(direction, first);
@@ -56,9 +57,9 @@ glm::dvec3 moved(const glm::dvec3& direction, const glm::dvec3& tangent) {
   return std::cos(angle) * direction + (std::sin(angle) / angle) * tangent;
 }
 
-//! Returns the mean direction over a quadrangle of great circles: half the sum over its sides of
-//! length times unit normal is the integral of the direction (Lambert's formula for the irradiance
-//! vector), and the spherical excess is the solid angle.
+//! Returns the mean direction over a pixel whose sides are great circles. By Lambert's formula for
+//! the irradiance vector, half of the sum over the sides of length times unit normal is the
+//! integral of the direction; the solid angle is the spherical excess.
 glm::dvec3 mean_direction(const Look& look) {
   const glm::dvec3 corners[] = {moved(look.direction, -0.5 * (look.along_x + look.along_y)),
                                 moved(look.direction, 0.5 * (look.along_x - look.along_y)),
@@ -119,7 +120,8 @@ TEST(PolygonFilter, ConstantMapIsConstantWithPolesAndSeam) {
   for (const double a : parts) {
     for (const double b : parts) {
       for (int i = 0; i < 60; ++i) {
-        // All over the sky; at and near the poles; at the seam, right ascension 90°.
+        // Directions all over the sky, at and near the poles, and at the seam of the map (right
+        // ascension 90°).
         glm::dvec3 direction = random_direction(random);
         if (i % 3 == 1) {
           direction =
@@ -140,7 +142,8 @@ TEST(PolygonFilter, LinearMapHasItsMeanOverSmallAndHugePixels) {
   std::mt19937 random(3);
   for (const double a : {1e-4, 0.02, 0.2, 0.7, 1.4}) {
     for (const double b : {1e-4, 0.02, 0.2, 0.7, 1.4}) {
-      // The map is flat across a pixel narrower than a texel.
+      // The map is constant within a texel, which causes a larger error in pixels narrower than a
+      // texel.
       const double limit = std::min(a, b) < 0.1 ? 4e-3 : 1.5e-3;
       for (int i = 0; i < 200; ++i) {
         glm::dvec3 direction = random_direction(random);
@@ -165,7 +168,7 @@ TEST(PolygonFilter, PixelInsideATexelHasItsLight) {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> uniform;
   const EnvironmentImage image = image_of(64, [&](const glm::dvec3&) { return glm::dvec3(uniform(random), 1.0, 0.0); });
-  // The map's axes are rotated, like those of the built-in map.
+  // The axes of the map are rotated relative to the sky, as for the built-in map.
   const glm::dmat3 turn = sky_from_map(SkySettings{});
   const PolygonFilter filter(image, turn, nullptr);
   for (int y = 0; y < 32; ++y) {
@@ -178,7 +181,8 @@ TEST(PolygonFilter, PixelInsideATexelHasItsLight) {
 }
 
 TEST(PolygonFilter, PixelThatMeetsWholeTexelsHasTheirMean) {
-  // At the equator, rows are flat enough: the pixel covers two columns and half of another.
+  // At the equator, rows of the map are nearly great circles. The pixel covers two columns and half
+  // of a third one.
   std::mt19937 random(5);
   std::uniform_real_distribution<double> uniform;
   const EnvironmentImage image = image_of(2048, [&](const glm::dvec3&) { return glm::dvec3(uniform(random)); });
@@ -202,7 +206,7 @@ TEST(PolygonFilter, AgreesWithTheEllipticFilterOnASmoothMap) {
   const PolygonFilter polygons(image_of(2048, smooth), glm::dmat3(1.0), nullptr);
   const SkyCube cube(Backend::cpu, 128, [&](const glm::dvec3& d) { return glm::vec3(smooth(d)); });
   std::mt19937 random(6);
-  // In wider pixels, a Gaussian and a box differ.
+  // The sky filters are a Gaussian and a box. In pixels wider than these, their results differ.
   for (const double a : {1e-4, 0.01, 0.03, 0.1}) {
     for (const double b : {1e-4, 0.01, 0.03, 0.1}) {
       for (int i = 0; i < 100; ++i) {
@@ -227,7 +231,7 @@ TEST(PolygonFilter, PixelsThatTileTheSkyHaveAllItsLight) {
   const EnvironmentImage image =
       image_of(512, [&](const glm::dvec3&) { return glm::dvec3(std::pow(uniform(random), 8.0), 1.0, 0.0); });
   const PolygonFilter filter(image, glm::dmat3(1.0), nullptr);
-  // Pixels of a cube's faces, in equal steps on them.
+  // The pixels are those of the faces of a cube.
   constexpr int across = 40;
   double light = 0.0;
   double area = 0.0;

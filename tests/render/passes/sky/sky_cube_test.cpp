@@ -19,14 +19,15 @@ Vector3<float> narrow(const glm::dvec3& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-//! Filters one pixel.
+//! Returns the filtered light of a pixel with the given direction and footprint.
 Vector3<float> filtered(const CubeMap& map, const Vector3<float>& d, const Vector3<float>& along_x,
                         const Vector3<float>& along_y) {
   const SkyLight<float> light = filter_sky(map, d, along_x, along_y, 1.0F);
   return {quad_part(light.pixel[0], 0), quad_part(light.pixel[0], 1), quad_part(light.pixel[0], 2)};
 }
 
-//! Filters a pixel that looks along d and spans the angles a and b [rad].
+//! Returns the filtered light of a pixel in direction d with angular sizes a and b [rad]; `turn`
+//! rotates its axes.
 Vector3<float> look(const CubeMap& map, const glm::dvec3& d, double a, double b, double turn = 0.3) {
   const glm::dvec3 axis = std::abs(d.z) < 0.9 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(1.0, 0.0, 0.0);
   const glm::dvec3 e1 = glm::normalize(glm::cross(axis, d));
@@ -40,8 +41,8 @@ glm::dvec3 random_sky_direction(std::mt19937& random) {
   return glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
 }
 
-//! Returns a sky whose light varies with the cosine to an axis, so that every average over a small
-//! footprint is known.
+//! Returns a sky whose light is a linear function of the cosine of the angle to an axis, so that
+//! all averages over small footprints are known.
 SkyCube dipole_sky(int size = 64) {
   return {Backend::cpu, size,
           [](const glm::dvec3& d) { return glm::vec3(1.0 + 0.5 * d.x, 1.0 + 0.5 * d.y, 1.0 + 0.5 * d.z); }};
@@ -78,8 +79,8 @@ TEST(SkyCube, HasNoSeamAtEdgesCornersAndPoles) {
                       return show;
                     }()),
                     glm::dmat3(1.0));
-  // Great circles across the cube's edges, its corners and the poles: adjacent samples differ no
-  // more than inside a face.
+  // Compares adjacent samples on great circles across the edges of the cube, its corners and the
+  // poles. They must not differ by more than inside a face.
   const auto largest_jump = [&](const glm::dvec3& from, const glm::dvec3& across, double footprint) {
     double jump = 0.0;
     Vector3<float> last{};
@@ -99,7 +100,7 @@ TEST(SkyCube, HasNoSeamAtEdgesCornersAndPoles) {
     EXPECT_LT(largest_jump(edge, glm::normalize(glm::dvec3(-1.0, 1.0, 0.0)), footprint), limit);
     EXPECT_LT(largest_jump(corner, glm::normalize(glm::dvec3(-1.0, 1.0, 0.0)), footprint), limit);
     EXPECT_LT(largest_jump(glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(1.0, 0.0, 0.0), footprint), limit);
-    // The source's own seam is at right ascension 90°.
+    // The seam of the map from which the cube is made is at right ascension 90°.
     EXPECT_LT(largest_jump(glm::normalize(glm::dvec3(0.0, 1.0, 0.1)), glm::dvec3(1.0, 0.0, 0.0), footprint), limit);
   }
 }
@@ -119,7 +120,7 @@ TEST(SkyCube, FootprintThatIsNotANumberSeesTheMean) {
 }
 
 TEST(SkyCube, WholeSkyKeepsItsLight) {
-  // The mean over the sphere is the same on every level.
+  // The light, averaged over the sphere, must be the same on every level of the mip chain.
   const SkyCube sky(Backend::cpu, 64, [](const glm::dvec3& d) {
     return glm::vec3(d.z > 0.9 ? 50.0 : 0.0, d.x > 0.99 ? 1000.0 : 0.0, d.x * d.x);
   });
@@ -129,8 +130,8 @@ TEST(SkyCube, WholeSkyKeepsItsLight) {
   EXPECT_NEAR(mean.z, 1.0 / 3.0, 2e-3);
 }
 
-//! A sky that is a sum of plane waves cos(k d + phase): the Gaussian average of each over a small
-//! footprint is known.
+//! A sky that is a sum of plane waves cos(k d + phase). For each wave, the average over a small
+//! Gaussian footprint is known.
 class WavySky {
  public:
   //! Creates waves with wavelengths down to 2 pi / wave_number [rad].
@@ -142,7 +143,8 @@ class WavySky {
     }
   }
 
-  //! Returns the average over a Gaussian footprint with half axes (standard deviations) a and b.
+  //! Returns the average over a Gaussian footprint. a and b are its half axes (standard
+  //! deviations).
   [[nodiscard]] double light(const glm::dvec3& d, const glm::dvec3& a, const glm::dvec3& b) const {
     double sum = 0.0;
     for (const auto& [k, phase] : waves_) {
@@ -157,8 +159,8 @@ class WavySky {
   std::vector<std::pair<glm::dvec3, double>> waves_;
 };
 
-//! Returns the root-mean-square error of the filter, for footprints of one shape [rad] all over the
-//! sky.
+//! Returns the root-mean-square error of the sky filter for footprints of the same shape all over
+//! the sky. `minor` is the small half axis [rad], `ratio` the ratio of both.
 double filter_error(const SkyCube& sky, const WavySky& wavy, double minor, double ratio, std::mt19937& random) {
   std::uniform_real_distribution<double> uniform;
   double squared = 0.0;
@@ -174,8 +176,8 @@ double filter_error(const SkyCube& sky, const WavySky& wavy, double minor, doubl
 }
 
 TEST(SkyCube, EllipticFootprintIsTheGaussianAverageOfTheMap) {
-  // Texels of 6 mrad, wavelengths down to 60 mrad: footprints below, at and above a texel. The sky
-  // itself varies by 0.11.
+  // Texels are 6 mrad wide, and wavelengths are at least 60 mrad. Footprints are smaller than a
+  // texel, as large as one and larger. For comparison, the sky varies by 0.11.
   std::mt19937 random(3);
   const WavySky wavy(100.0, random);
   const SkyCube sky(Backend::cpu, 256,
@@ -201,8 +203,8 @@ TEST(SkyCube, PacksOfPixelsSeeWhatSinglePixelsSee) {
     Lanes factor;
     std::array<Vector3<float>, 4> alone{};
     for (int i = 0; i < 4; ++i) {
-      // Every kind of footprint in adjacent lanes: none, pixels of any shape, wider than the sky,
-      // NaN.
+      // Adjacent lanes of a SIMD pack have different kinds of footprints: none, pixels of any
+      // shape, wider than the whole sky, NaN.
       const float size = round % 50 == i ? std::nanf("") : std::pow(10.0F, 2.5F * uniform(random) - 2.0F);
       const Vector3<float> di = narrow(random_sky_direction(random));
       const Vector3<float> xi = size * Vector3<float>{uniform(random), uniform(random), uniform(random)};

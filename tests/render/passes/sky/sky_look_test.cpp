@@ -15,8 +15,8 @@
 namespace ergodome {
 namespace {
 
-//! Pixels that sample the sky in given directions, with footprints of a hundredth of a radian and
-//! any frequency ratio.
+//! Pixels that sample the sky in the given directions, with footprints of a hundredth of a radian
+//! and the given frequency ratio.
 class Looks {
  public:
   Looks(const std::vector<Vector3<float>>& directions, float frequency_ratio)
@@ -39,7 +39,7 @@ class Looks {
     LensPixels lens{};
     for (std::size_t i = 0; i < 3; ++i) {
       lens.sky[i] = channel(i);
-      // A point sample reads no footprints.
+      // The point filter does not use footprints.
       const bool footprint = settings.filter != SkyFilter::point;
       lens.sky_along_x[i] = footprint ? channel(3 + i) : nullptr;
       lens.sky_along_y[i] = footprint ? channel(6 + i) : nullptr;
@@ -130,7 +130,8 @@ TEST(PointSample, StoresNoFootprints) {
     settings.filter = filter;
     settings.brightening = brightening;
     const Picture picture = renderer.render(eye_of(dome_show("")), make_dome_projection(64, pi, 0.0), sky, settings);
-    // Lost rays see the mean of the sky, other rays the sky.
+    // Rays that were not resolved see the mean of the sky. Both this mean and the sky are white, so
+    // the light equals the coverage.
     for (std::size_t i = 0; i < picture.rgba.size() && !brightening; i += 4) {
       EXPECT_NEAR(picture.rgba[i], picture.rgba[i + 3], 1e-5F);
     }
@@ -141,10 +142,11 @@ TEST(PointSample, StoresNoFootprints) {
   EXPECT_EQ(floats_a_pixel(SkyFilter::point, true), 11U);
 }
 
-//! The shifted light of a sky with the color of a blackbody.
+//! The light of a sky with the color of a blackbody, after a frequency shift.
 struct Blackened {
   double luminance_ratio;
-  double x;  //!< CIE 1931
+  //! Chromaticity coordinates x and y by CIE 1931.
+  double x;
   double y;
 };
 
@@ -192,7 +194,8 @@ TEST(BlackbodyFit, SkyOfABlackbodyIsOneOfTheShiftedTemperature) {
 }
 
 TEST(BlackbodyFit, DarkTexelsDoNotDecideTheTemperature) {
-  // A warm bright sky with faint blue parts: a filtered mixture is as warm as its light.
+  // A sky with warm bright parts and blue parts that are much fainter. The filtered light must have
+  // the temperature of the bright parts.
   const BlackbodyColours colours(Backend::cpu);
   const TemperatureFit fit(colours.view());
   const SkyCube sky(

@@ -10,7 +10,8 @@
 namespace ergodome {
 namespace {
 
-//! Returns the color of a blackbody at luminance 1, regardless of the gamut of displays.
+//! Returns the color of a blackbody at luminance 1. Channels may be negative, outside the gamut of
+//! displays.
 glm::vec3 colour_of(double temperature_k) {
   const Vector3<double> xyz = blackbody_tristimulus(temperature_k);
   const Vector3<double> rgb = linear_srgb(Vector3<double>{xyz.x / xyz.y, 1.0, xyz.z / xyz.y});
@@ -27,10 +28,10 @@ TEST(TemperatureFit, BlackbodiesGetTheirOwnTemperature) {
 
 TEST(TemperatureFit, IlluminantsHaveTheirPublishedTemperatures) {
   const TemperatureFit fit(BlackbodyColours(Backend::cpu).view());
-  // The white of sRGB is D65: 6504 K, about 0.003 off the Planckian locus. The fit of the matching
-  // functions adds to that.
+  // The white of sRGB is D65, with a correlated temperature of 6504 K. It is about 0.003 off the
+  // Planckian locus; the approximation of the color matching functions adds to that.
   EXPECT_NEAR(std::exp(fit.log_temperature(glm::vec3(1.0F))), 6504.0F, 60.0F);
-  // D50: 5003 K.
+  // The illuminant D50 has a correlated temperature of 5003 K.
   const Vector3<float> d50 = linear_srgb(Vector3<float>{0.9642F, 1.0F, 0.8251F});
   EXPECT_NEAR(std::exp(fit.log_temperature({d50.x, d50.y, d50.z})), 5003.0F, 50.0F);
 }

@@ -21,7 +21,8 @@ Show show_of_stars(const std::string& faintest_mag) {
                     "stars.toml");
 }
 
-//! Returns a camera that faces the hole from a position, then turns to its right [degrees].
+//! Returns a camera that first faces the hole from a position, then is rotated to its right by
+//! `turn_deg`.
 EyeCamera turned(double turn_deg, double phi = 0.3) {
   EyeCamera eye = test::eye_at_place({0.5, 8.0, 1.3, phi, ObserverMotion::zamo});
   const double sine = std::sin(one_degree * turn_deg);
@@ -33,7 +34,7 @@ EyeCamera turned(double turn_deg, double phi = 0.3) {
 
 Projection window(int width_px) { return make_pinhole_projection(width_px, width_px, 70.0 * one_degree); }
 
-//! Returns how often an action runs a kind of work.
+//! Returns how often work with the given name is done while an action runs.
 template <class Work>
 long runs_of(const std::string& name, Work&& work) {
   const auto before = work_done();

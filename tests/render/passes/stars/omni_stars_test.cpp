@@ -17,11 +17,11 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): the cameras and stars of these tests
 
-//! Images closer to the shadow's edge than this are not checked, because one pixel there spans
-//! whole turns around the hole [px].
+//! Images closer to the shadow's edge than this are not checked [px]: there, the sky within a pixel
+//! extends over whole turns around the hole.
 constexpr double ring_px = 2.0;
-//! Where the sky moves by less than this fraction of the motion on the screen, an image is on a
-//! critical curve and becomes an arc.
+//! If the sky moves by less than this fraction of the motion on the screen, an image is on a
+//! critical curve, where it becomes an arc; such images are not checked.
 constexpr double least_move = 0.02;
 
 struct Case {
@@ -39,13 +39,13 @@ std::vector<Case> cases() {
           {"cube", 0.2, 0.0, make_cube_projection(48, CubeLayout::strip)}};
 }
 
-//! Returns the show with the camera of these tests.
+//! Returns the show whose camera the tests use.
 Show place_of_tests() {
   return parse_show("[hole]\nspin = 0.95\n[camera]\n[[camera.key]]\nr = 9\ntheta_deg = 70\n[sky]\nmap = \"grid\"\n",
                     "omni_stars.toml");
 }
 
-//! An image found by the search of the program, and its position on the screen.
+//! A star image that the program's search has found, and its position on the screen.
 struct Found {
   StarImage image;
   StarSpot spot;
@@ -64,7 +64,7 @@ class OmniStars : public testing::TestWithParam<std::size_t> {
     settings_.redshift = true;
   }
 
-  //! Returns the images in the picture.
+  //! Returns the star images in the picture, as the program's search in patches finds them.
   [[nodiscard]] std::vector<Found> found(double side) const {
     const StarEye eye(eye_of(side));
     const LensStation station = build_star_station(eye, settings_);
@@ -86,7 +86,7 @@ class OmniStars : public testing::TestWithParam<std::size_t> {
     return make_omni_eye(cameras, side, eye_at_);
   }
 
-  //! Returns the star images that gather_stars() finds pixel by pixel.
+  //! Returns the star images that gather_stars() finds, which gathers the stars of each pixel.
   [[nodiscard]] std::vector<Found> gathered_by_pixels(double side) const {
     const StarEye eye(eye_of(side));
     const StarTree tree(field_);
@@ -103,7 +103,7 @@ class OmniStars : public testing::TestWithParam<std::size_t> {
     return images;
   }
 
-  //! Returns whether a position is inside the picture by a margin.
+  //! Returns whether a position is inside the picture and at least `margin_px` away from its edges.
   [[nodiscard]] bool is_inside_by(const StarSpot& spot, double margin_px) const {
     return is_shown({spot.x_px - margin_px, spot.y_px - margin_px}) &&
            is_shown({spot.x_px + margin_px, spot.y_px - margin_px}) &&
@@ -111,8 +111,9 @@ class OmniStars : public testing::TestWithParam<std::size_t> {
            is_shown({spot.x_px + margin_px, spot.y_px + margin_px});
   }
 
-  //! Returns whether the magnification changes by at most a few percent across the pixels around a
-  //! position, since gathered stars have the mean of their pixel.
+  //! Returns whether the magnification changes by at most two percent across the pixel around a
+  //! position. Otherwise, gathered stars cannot be compared, because they have the mean
+  //! magnification of their pixel.
   [[nodiscard]] bool changes_little(const OwnRays& rays, const StarSpot& spot) const {
     constexpr double most_change = 0.02;
     const auto middle = rays.map(spot);
@@ -143,7 +144,7 @@ class OmniStars : public testing::TestWithParam<std::size_t> {
     return field_.stars()[static_cast<std::size_t>(star)].direction;
   }
 
-  //! Returns whether everything within the ring around a position is bright.
+  //! Returns whether all points at the distance `ring_px` from a position are outside the shadow.
   [[nodiscard]] bool off_the_edge(const OwnRays& rays, const StarSpot& spot) const {
     for (int i = 0; i < 8; ++i) {
       const double turn = 0.25 * pi * i;
@@ -154,8 +155,9 @@ class OmniStars : public testing::TestWithParam<std::size_t> {
     return true;
   }
 
-  //! Returns the length of a displacement by columns and rows, in units of the picture's middle
-  //! pixel: at the poles of an equirectangular picture, all columns coincide.
+  //! Returns the length of a displacement on the screen, in units of the picture's middle pixel. A
+  //! column counts by its width at this position: at the poles of an equirectangular picture, it is
+  //! 0.
   [[nodiscard]] double apart_px(const StarSpot& spot, double columns, double rows) const {
     constexpr double h = 1e-3;
     const Vector3<double> column = (0.5 / h) * (direction_from_pixel(case_.projection, spot.x_px + h, spot.y_px) -

@@ -19,8 +19,8 @@ struct Place {
   ObserverMotion motion;
 };
 
-//! The cameras of the tests: at the equator of a fast-spinning hole, near a photon orbit, and high
-//! above the equator in free fall.
+//! Cameras for tests of stars: at the equator of a fast-spinning hole, near a photon orbit, and at
+//! a high latitude in free fall.
 inline const Place places[] = {{0.999, 5.0, pi / 2, 0.7, ObserverMotion::geodesic},
                                {0.5, 3.2, 1.2, -2.0, ObserverMotion::zamo},
                                {0.9, 12.0, 0.4, 4.0, ObserverMotion::rain}};
@@ -69,7 +69,7 @@ inline Vector3<double> widened(const Vector3<float>& v) {
 
 inline Vector3<double> unit_of(const Vector3<double>& v) { return (1.0 / std::sqrt(dot(v, v))) * v; }
 
-//! Returns the illuminance of a picture's pixels [lx].
+//! Returns the illuminance that the light of all pixels of a picture adds up to [lx].
 inline double light_of(const std::vector<float>& rgba, const Projection& projection) {
   using D = Dual<double>;
   double sum = 0.0;

@@ -15,8 +15,8 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): the cameras and stars of these tests
 
-//! Images at position angles all around a shadow, very close to its edge. Each search starts at a
-//! position whose distance from the edge differs by a factor of e^(±1/4).
+//! Star images all around a shadow, very close to its edge. Each search starts from a position
+//! whose distance from the edge is wrong by a factor of e^(1/4) or e^(-1/4).
 class EdgeImages {
  public:
   explicit EdgeImages(const Place& place) : eye_(eye_at_place({place.spin, place.r, place.theta, 0.0, place.motion})) {
@@ -36,7 +36,7 @@ class EdgeImages {
     }
   }
 
-  //! Returns how many images are found within a few rounds in a chart.
+  //! Returns how many images are found within eight rounds of the search, with the given chart.
   std::size_t found_in(const StarChartOf<double>& chart) {
     constexpr int rounds = 8;
     run_on_this_thread(StarImageBatch<double>{camera_,
@@ -66,7 +66,7 @@ class EdgeImages {
 
  private:
   static constexpr std::size_t count = 24;
-  //! 0.03 pixels of a 4096² dome.
+  //! 0.03 pixels of a 4096² dome [rad].
   static constexpr double distance = 0.03 * fine_pixel;
   using Column = std::array<double, count>;
 
@@ -77,7 +77,7 @@ class EdgeImages {
     return unit_of(observed_direction(chart.aberration, Vector3<double>{n.x.value, n.y.value, n.z.value}));
   }
 
-  //! Kernels take stars relative to φ = 0.
+  //! The camera is at φ = 0, because kernels need stars relative to the camera's azimuth.
   EyeCamera eye_;
   CameraStation camera_ = camera_of(eye_);
   LensStation station_ = build_star_station(eye_, settings_for(9.0));
@@ -98,8 +98,8 @@ class StarImagesAtTheEdge : public testing::TestWithParam<Place> {};
 
 TEST_P(StarImagesAtTheEdge, AreFoundInTheChart) {
   EdgeImages images(GetParam());
-  // 19 to 24, depending on rounding: the others lie next to critical curves, of which a
-  // fast-spinning hole has the most.
+  // Depending on rounding, 19 to 24 images are found. The others are next to critical curves; a
+  // fast-spinning hole has most of these.
   EXPECT_GE(images.found_in(images.chart()), 18U);
 }
 
@@ -110,12 +110,12 @@ TEST(StarImagesAtEdges, AreLostWithoutTheChart) {
   for (const Place& place : places) {
     found += EdgeImages(place).found_in({});
   }
-  // With charts, 63 to 67 of 72 are found.
+  // With the chart, 63 to 67 of 72 are found.
   EXPECT_LE(found, 55U);
 }
 
-//! Stars with one image each in a ring around a shadow, at positions of the closed form, brighter
-//! than the search limit by a factor.
+//! Stars in a ring around a shadow. Each has an image at a known position by the closed form, which
+//! is brighter than the limit of the search by a given factor.
 class RingOfImages {
  public:
   RingOfImages(const Place& place, double distance_px, double brightness) : eye_(eye_at_place(place)) {
@@ -162,7 +162,7 @@ class RingOfImages {
   std::array<bool, count> found_{};
 };
 
-// Near caustics, float rays diverge or underestimate the brightness of images.
+// Near caustics, rays in float may diverge or underestimate the brightness of an image.
 TEST(StarImagesAtEdges, AreFoundAllRoundTheShadowWhereACameraFallsThroughTheHorizon) {
   const Place just_within = {0.6, 1.7957, 1.3614, 0.0, ObserverMotion::rain};
   for (const double distance_px : {0.2, 0.05}) {
@@ -170,7 +170,7 @@ TEST(StarImagesAtEdges, AreFoundAllRoundTheShadowWhereACameraFallsThroughTheHori
   }
 }
 
-//! Returns the images of `all` that are missing in `some`.
+//! Returns the images of `all` that have no counterpart in `some`.
 std::vector<StarImage> missing_images(const std::vector<StarImage>& all, const std::vector<StarImage>& some,
                                       double within) {
   std::multimap<int, const StarImage*> known;
@@ -193,8 +193,9 @@ std::vector<StarImage> missing_images(const std::vector<StarImage>& all, const s
   return missing;
 }
 
-//! 5,000 stars around a fast-spinning hole, which next to its shadow's edge shows its whole sky
-//! many times within a pixel; images by grids with cells of several sizes.
+//! Images of 5,000 stars around a fast-spinning hole. Within a pixel next to the shadow's edge, the
+//! whole sky appears many times. Images are searched in grids whose smallest cells have different
+//! sizes.
 class ManyImages : public testing::Test {
  protected:
   ManyImages() {
@@ -220,7 +221,7 @@ TEST_F(ManyImages, OfShowsAreAllButAFewFaintOnes) {
   ASSERT_GT(all.size(), 8000U);
   const std::vector<StarImage> shown = images(least_star_cell_px(QualitySettings{}.budget_px));
   const std::vector<StarImage> missing = missing_images(all, shown, within);
-  // Measured: 10 of 8,691.
+  // In a measurement, 10 of 8,691 images were missing.
   EXPECT_LE(missing.size(), 12U);
   for (const StarImage& image : missing) {
     const Vector3<float>& light = image.illuminance;

@@ -14,7 +14,7 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): the cameras and stars of these tests
 
-//! Returns the patch over a rectangle of a camera's view along z, rotated randomly.
+//! Returns a patch that covers a rectangle of the sky, in a random direction.
 BezierPatch random_patch(std::mt19937& random, double size) {
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> uniform(0.3, 1.0);
@@ -37,7 +37,8 @@ BezierPatch random_patch(std::mt19937& random, double size) {
   return patch;
 }
 
-//! Returns how far inside a frustum a direction is, as the sine of an angle.
+//! Returns how deep inside a frustum a direction is: the sine of the angle from its nearest side;
+//! negative if it is outside.
 double depth_in(const SkyFrustum& frustum, const Vector3<double>& d) {
   double depth = 1.0;
   for (const Vector3<double>& inward : frustum.inward) {
@@ -50,7 +51,8 @@ float illuminance_of(double magnitude) {
   return static_cast<float>(illuminance_of_magnitude_0 * std::pow(10.0, -0.4 * magnitude));
 }
 
-//! Returns whether a star is bright enough.
+//! Returns whether a star is at least as bright as the limit, including the gain by a frequency
+//! shift.
 bool is_from(const StarFloor& floor, const StarField& field, const FieldStar& star) {
   const float gain =
       field.gains().row(floor.shift_row).gain[static_cast<std::size_t>(star_class(star.log_temperature))];
@@ -68,8 +70,8 @@ TEST(SkyFrustum, HoldsItsPatchAndLittleElse) {
     for (int i = 0; i < 16; ++i) {
       EXPECT_GE(depth_in(frustum, unit_of(control_point(patch, i))), 0.0);
     }
-    // A patch of at most 0.6 by 0.06 rad, whose control points deviate by about a fifth of a third
-    // of that.
+    // The patch is at most 0.6 by 0.06 rad. Its control points deviate at random from a regular
+    // grid, by about a fifth of the distance between grid points.
     EXPECT_LT(solid_angle(frustum), 0.2 * 0.02 * 6.0 * 6.0);
   }
 }
@@ -124,7 +126,7 @@ TEST(StarField, SearchVisitsOnceWhatAFrustumHolds) {
     const BezierPatch patch = random_patch(random, std::pow(uniform(random), 3.0));
     const PatchFrame frame = frame_of(patch, unit_of(control_point(patch, 5)));
     const SkyFrustum frustum = frustum_of(in_frame(patch, frame), frame);
-    // Every other search applies a frequency shift.
+    // Every second search includes the change of brightness by a frequency shift.
     const int row = round % 2 == 0 ? ShiftGains::unshifted_row()
                                    : ShiftGains::row_of(static_cast<float>(0.5 + 2.0 * uniform(random)));
     const float faintest = illuminance_of(9.0 * uniform(random));
@@ -171,7 +173,8 @@ TEST(ShiftGains, AreNeverLessThanWhatAStarGains) {
       const double gained = blackbody_tristimulus(g * temperature_k).y / blackbody_tristimulus(temperature_k).y;
       const auto bound = static_cast<double>(row.gain[static_cast<std::size_t>(star_class(log_temperature))]);
       ASSERT_GE(bound, 0.999 * gained - 1e-30) << g << ", " << temperature_k << " K";
-      // For the shifts of most stars, the bound is not much larger either.
+      // For the frequency shifts and temperatures of most stars, the upper bound is at most three
+      // times the gain.
       if (g > 0.5 && g < 2.0 && temperature_k > 3000.0) {
         ASSERT_LE(bound, 3.0 * gained) << g << ", " << temperature_k << " K";
       }

@@ -17,8 +17,9 @@ using namespace test;  // NOLINT(google-build-using-namespace): the cameras and 
 
 class StarImages : public testing::TestWithParam<Place> {};
 
-//! Checks the errors against the closed form [px of a 4096² dome], and the relative errors of
-//! magnifications.
+//! Compares star images with the closed form. Expects that positions have errors of at most
+//! `most_px` [px of a 4096² dome] and magnifications have relative errors of at most
+//! `most_magnification`.
 void expect_closed_form(const Place& place, double most_px, double most_magnification) {
   const EyeCamera eye = eye_at_place(place);
   const CameraStation camera = camera_of(eye);
@@ -30,7 +31,7 @@ void expect_closed_form(const Place& place, double most_px, double most_magnific
     const ImageError error = error_of(camera, unit_of(widened(image.direction)),
                                       field.stars()[static_cast<std::size_t>(image.star)].direction);
     worst_px = std::max(worst_px, error.miss / fine_pixel);
-    // The error that rounding a direction to float causes in a steep map.
+    // Allows for the rounding of directions to float, whose effect grows with the magnification.
     const double allowance = 1.0 + std::sqrt(error.magnification);
     worst_magnification =
         std::max(worst_magnification, std::abs(std::abs(image.magnification) / error.magnification - 1.0) / allowance);
@@ -42,7 +43,7 @@ void expect_closed_form(const Place& place, double most_px, double most_magnific
 
 TEST_P(StarImages, AreWhereTheClosedFormHasThem) { expect_closed_form(GetParam(), 0.02, 5e-3); }
 
-// There the map changes faster across the sky than grids can extrapolate.
+// Inside the horizon, the lens varies faster than grids can extrapolate.
 TEST(StarImagesWithinTheHorizon, AreWhereTheClosedFormHasThem) {
   expect_closed_form({0.9, 1.0, 1.2, 0.3, ObserverMotion::rain}, 0.05, 0.02);
   expect_closed_form({0.0, 0.5, 0.4, 0.3, ObserverMotion::rain}, 0.05, 0.02);
@@ -55,7 +56,7 @@ TEST_P(StarImages, AreAllThatASearchWithRaysFinds) {
   const EyeCamera eye = eye_at_place(GetParam());
   const StarField field(brightest(300), glm::dmat3(1.0), colours().view());
   const double faintest = static_cast<double>(settings_for(8.0).faintest);
-  // The distance from the edge at which the grid ends.
+  // The star grid ends at this distance from the edge of the shadow [rad].
   const double distance = 0.02 * fine_pixel;
   const ShadowDistance shadow(camera_of(eye));
   std::map<int, std::size_t> by_star;
@@ -66,8 +67,8 @@ TEST_P(StarImages, AreAllThatASearchWithRaysFinds) {
   std::size_t compared = 0;
   std::size_t different = 0;
   for (std::size_t i = 0; i < field.stars().size(); ++i) {
-    // A triangle gives position and magnification only roughly: images close to a limit may be on
-    // either side of it.
+    // The reference mesh gives position and magnification of an image only roughly, so images close
+    // to a limit may be on either side of it.
     const double limit = faintest / static_cast<double>(field.stars()[i].illuminance);
     std::size_t least = 0;
     std::size_t most = 0;
@@ -79,13 +80,15 @@ TEST_P(StarImages, AreAllThatASearchWithRaysFinds) {
     different += found < least || found > most ? 1U : 0U;
     compared += most;
   }
-  // Near a caustic, the flat triangles of the mesh give wrong counts.
+  // Near a caustic, the triangles of the mesh are not fine enough, and the number of images is
+  // wrong.
   EXPECT_LE(different, 2U);
   EXPECT_GT(compared, 400U);
 }
 
 TEST_P(StarImages, DoNotDependOnTheGrid) {
-  // A grid five times as fine gives the same images: none depends on the arrangement of cells.
+  // Compares with a grid that is five times as fine: the arrangement of cells must not influence
+  // which images are found.
   const EyeCamera eye = eye_at_place(GetParam());
   const StarField field(brightest(test::sanitized ? 100 : 2000), glm::dmat3(1.0), colours().view());
   StarSettings settings = settings_for(9.0);
@@ -98,8 +101,8 @@ TEST_P(StarImages, DoNotDependOnTheGrid) {
   const LensStation station = build_lens_station(eye.spacetime, eye.r, eye.theta, grid);
   const auto fine = find_star_images(field, colours().view(), eye, station,
                                      star_patches(field, colours().view(), eye, station, settings), settings);
-  // Except for images at the brightness limit, or so close to the edge that pairs of higher orders
-  // are below it.
+  // Ignores images at the limit of brightness, and images so close to the edge that further images
+  // of higher order are fainter than the limit.
   const ShadowDistance shadow(camera_of(eye));
   const auto counted = [&](const std::vector<StarImage>& images) {
     return std::ranges::count_if(images, [&](const StarImage& image) {
@@ -117,7 +120,8 @@ TEST(StarPatchesOfAPlace, AreTheSameInTheMemoryOfOthers) {
   const StarField field(brightest(500), glm::dmat3(1.0), colours().view());
   const StarSettings settings = settings_for(8.0);
   PatchRoom room;
-  // Reuses the memory of a position with more patches, and of one with fewer.
+  // The search reuses the memory of another position: of one with more patches, then of one with
+  // fewer.
   for (const Place& before : {places[2], places[0]}) {
     const EyeCamera eye = eye_at_place(before);
     const LensStation station = build_star_station(eye, settings);
@@ -147,7 +151,7 @@ TEST_P(StarImages, OfAViewAreThoseOfTheWholeSkyThatLieInIt) {
     const auto seen = find_star_images(field, colours().view(), eye, station, patches, settings);
     const auto points = [&](const std::vector<StarImage>& images) {
       std::vector<StarPoint> inside = star_points(images, eye, projection, {0.5, 1.0F});
-      // The picture of a dome has corners without an image.
+      // In the corners of a dome picture, there is no image.
       std::erase_if(
           inside, [&](const StarPoint& point) { return !(image_coverage(projection, point.x_px, point.y_px) > 0.0); });
       std::ranges::sort(inside, {}, &StarPoint::y_px);
@@ -183,9 +187,9 @@ TEST(StarImage, OfAFarCameraIsTheStarItself) {
   EXPECT_EQ(std::ranges::count(seen, 1), 1000);
 }
 
-//! Returns the magnification of a small disk exactly behind a hole without spin: its ring's solid
-//! angle divided by its own. Half the ring's width is the disk's radius divided by the rate at
-//! which light paths sweep the sky.
+//! Returns the magnification of a small disk exactly behind a hole without spin: the solid angle of
+//! its image, a ring, divided by its own solid angle. Half of the width of the ring is the radius
+//! of the disk divided by the rate at which the sky direction changes with the angle from the hole.
 double ring_magnification(const CameraStation& camera, double radius) {
   const auto beside = [&](double alpha) { return exact_sky(camera, {-std::cos(alpha), 0.0, std::sin(alpha)}).y; };
   double low = 0.8;  // outside the shadow, where first-order light passes
@@ -199,7 +203,8 @@ double ring_magnification(const CameraStation& camera, double radius) {
 }
 
 TEST(StarImage, OnACausticIsNoBrighterThanTheRingOfItsDisk) {
-  // Exactly behind a hole without spin, and too close to that to be distinguished.
+  // The star is exactly behind a hole without spin, or so close to this position that the
+  // difference does not matter.
   const EyeCamera eye = eye_at_place({0.0, 8.0, pi / 2, 0.0, ObserverMotion::fixed});
   for (const double beside : {0.0, 1e-12, 1e-10}) {
     StarCatalogue catalogue;
@@ -210,15 +215,15 @@ TEST(StarImage, OnACausticIsNoBrighterThanTheRingOfItsDisk) {
       total += std::abs(static_cast<double>(image.magnification));
     }
     const double ring = ring_magnification(camera_of(eye), static_cast<double>(field.stars()[0].radius));
-    // The disk's ring in a few arcs, each as bright as the limit allows.
+    // The search represents the ring by a few images (arcs), each with the maximum magnification.
     EXPECT_GT(total, ring * 0.8) << beside;
     EXPECT_LT(total, ring * 1.5) << beside;
   }
 }
 
 TEST(StarImage, BesideACausticIsOneOfTwo) {
-  // A point lens makes two images whose magnifications are nearly equal, each half of that derived
-  // from the map's rate.
+  // Next to the axis behind the hole, a star has two images with nearly equal magnifications. The
+  // magnification of each follows from the derivative of the lens.
   const EyeCamera eye = eye_at_place({0.0, 8.0, pi / 2, 0.0, ObserverMotion::fixed});
   for (const double beside : {1e-6, 1e-5, 1e-4, 1e-3}) {
     StarCatalogue catalogue;
@@ -228,10 +233,10 @@ TEST(StarImage, BesideACausticIsOneOfTwo) {
     for (const StarImage& image : images_of(field, eye, settings_for(-1.0))) {
       total += std::abs(static_cast<double>(image.magnification));
     }
-    // The ring's formula for a disk of this radius is twice that for a point at this distance from
-    // the axis.
+    // ring_magnification() with `beside` as the radius of a disk is twice the total magnification
+    // of a point at this distance from the axis.
     const double exact = 0.5 * ring_magnification(camera_of(eye), beside);
-    // The relative rounding error of a ray for such a small distance.
+    // The tolerance includes the relative rounding error of a ray at such a small distance.
     EXPECT_NEAR(total / exact, 1.0, 0.02 + 3e-8 / beside) << beside;
   }
 }

@@ -19,7 +19,7 @@ constexpr int frames = 600;
 constexpr int curve_size_px = 1024;
 constexpr double curve_pixel = pi / curve_size_px;
 
-//! Images of some stars, with one picture for each step of an orbit.
+//! Images of some stars while a camera goes around the hole in 600 steps.
 class LightCurve : public testing::Test {
  protected:
   LightCurve()
@@ -32,15 +32,16 @@ class LightCurve : public testing::Test {
     station_ = build_star_station(eye_, settings_);
   }
 
-  //! Returns the images of a frame; motion around the axis does not change the grid.
+  //! Returns the star images in a frame. The grid is the same for all frames, because the camera
+  //! only moves around the axis.
   std::vector<StarImage> images_of_frame(int frame) {
     eye_.phi = 2.0 * pi * frame / frames;
     return find_star_images(field_, colours().view(), eye_, station_,
                             star_patches(field_, colours().view(), eye_, station_, settings_), settings_);
   }
 
-  //! Returns the illuminance of the pixels around an image, from a picture of it alone; 0 if it is
-  //! outside the picture.
+  //! Draws a picture of a single star image. Returns the illuminance of the pixels around it; 0 if
+  //! it is outside the picture.
   double light_in_picture(const StarImage& image) {
     const auto points = star_points({image}, eye_, projection_, splat_);
     if (points.empty()) {
@@ -88,8 +89,8 @@ TEST_F(LightCurve, OfEveryImageIsExactInEveryFrameOfAnOrbit) {
     const CameraStation camera = camera_of(eye_);
     for (const StarImage& image : images) {
       const double shown = light_in_picture(image);
-      // Near a caustic, a star's disk spans a range of magnifications; the rim of the dome cuts
-      // images off.
+      // Skips images near a caustic, where the disk of a star covers a range of magnifications, and
+      // images at the rim of the dome, which cuts them off.
       if (!(shown > 0.0) || std::abs(image.magnification) > 50.0F || std::abs(image.direction.y) < 0.02F) {
         continue;
       }
@@ -105,8 +106,8 @@ TEST_F(LightCurve, OfEveryImageIsExactInEveryFrameOfAnOrbit) {
   EXPECT_EQ(wrong, 0U);
 }
 
-//! Returns the images that no image of the next step continues, where each continues the nearest
-//! image of the same star and parity.
+//! Each image continues as the nearest image of the same star and parity in the next step. Returns
+//! the images of `before` that do not continue in `now`.
 std::vector<StarImage> ended(const std::vector<StarImage>& before, const std::vector<StarImage>& now) {
   struct Step {
     float square;
@@ -141,8 +142,8 @@ std::vector<StarImage> ended(const std::vector<StarImage>& before, const std::ve
   return rest;
 }
 
-//! Returns whether images of opposite parity are about to merge, as they do in pairs where a star
-//! crosses a caustic, and only there.
+//! Returns whether two images are about to merge. This happens only if a star crosses a caustic,
+//! always to two images of the same star with opposite parity.
 bool may_merge(const StarImage& image, const StarImage& other) {
   const Vector3<float> apart = other.direction - image.direction;
   return other.star == image.star && dot(apart, apart) < 0.3F * 0.3F &&
@@ -159,7 +160,7 @@ TEST_F(LightCurve, OfAnImageEndsWhereItMergesWithAnotherAlone) {
   for (int frame = 1; frame < frames; ++frame) {
     const auto now = images_of_frame(frame);
     const std::vector<StarImage> gone = ended(before, now);
-    // Bright enough to exist in the next step.
+    // Counts only images that are so bright that they must exist in the next step.
     const auto counts = [&](const StarImage& image) {
       return image.illuminance.y > 3.0F * settings_.faintest && std::abs(image.magnification) < 3.0F;
     };

@@ -11,7 +11,7 @@
 namespace ergodome {
 namespace {
 
-//! Returns a show with stars alone.
+//! Returns a show whose sky contains only stars.
 Show star_show(const std::string& more) {
   return parse_show(R"(
 duration_s = 10
@@ -74,8 +74,8 @@ TEST(StarsOfAShow, AreSoftByDefaultAndHardWhereTheShowAsks) {
     return ShowRenderer(show, Backend::cpu).render(5.0, {}).front().picture;
   };
   const Picture soft = picture("");
-  // A star with sigma 0 is one pixel for any cut-off; one with sigma 0.85 px covers more than five
-  // by five.
+  // If sigma is 0, a star covers a single pixel, whatever the cut-off is. With the default sigma of
+  // 0.85 px, it covers more than five by five pixels.
   const Picture hard = picture("psf = { sigma_px = 0, cutoff_px = 4 }\n");
   EXPECT_GT(lit(soft), 20 * lit(hard));
   EXPECT_NEAR(light_of_stars(soft), light_of_stars(hard), 0.05 * light_of_stars(hard));
@@ -124,7 +124,7 @@ TEST(StarsOfAShow, LeaveTrailsAsBrightAsTheyAre) {
   EXPECT_NEAR(with / light_of_stars(rendered(plain_effects)), 1.0, 0.03);
 }
 
-//! Returns the pictures of both eyes of a show in the model `omni`.
+//! Returns the pictures of both eyes of a show with stars, in the stereo model `omni`.
 std::vector<FrameImage> omni_eyes(const std::string& baseline, const std::string& more = plain_effects) {
   ShowRenderer renderer(
       star_show(more + "[stereo]\nlayout = \"separate\"\nmodel = \"omni\"\nbaseline = " + baseline + "\n"),
@@ -136,8 +136,8 @@ TEST(StarsOfAShow, AreThoseOfOneEyeInTheModelOmniWithoutABaseline) {
   const Picture one = rendered(plain_effects);
   for (const FrameImage& eye : omni_eyes("0.0")) {
     ASSERT_EQ(eye.picture.rgba.size(), one.rgba.size());
-    // The fourth channel belongs to the shadow: the map is black, so that the light is that of
-    // stars alone.
+    // Compares only the color channels. The sky map is black, so these contain only the light of
+    // stars; the fourth channel is the coverage outside the shadow.
     std::size_t different = 0;
     for (std::size_t i = 0; i < one.rgba.size(); ++i) {
       different += i % 4 < 3 && eye.picture.rgba[i] != one.rgba[i] ? 1U : 0U;
@@ -175,7 +175,7 @@ TEST(StarsOfAShow, GatheredByPixelsShineAsMuchInTheModelOmni) {
 TEST(BloomOfAShow, KeepsTheLightAndTheRim) {
   const Picture without = rendered(plain_effects);
   const Picture with = rendered(std::string(plain_effects) + "bloom = { strength = 0.3, radius_px = 5 }\n");
-  // Light scattered over the rim is lost.
+  // Light that bloom scatters beyond the rim of the dome is lost.
   EXPECT_NEAR(light_of_stars(with) / light_of_stars(without), 1.0, 0.05);
   EXPECT_EQ(with.rgba[0], 0.0F);
   EXPECT_NE(with.rgba, without.rgba);

@@ -9,13 +9,13 @@
 #include "tests/render/passes/stars/star_cameras.h"
 #include "tests/support/projections.h"
 
-// Stars at the seams of pictures.
+// Tests of stars at the seams of pictures.
 namespace ergodome {
 namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): the cameras and stars of these tests
 
-//! Returns an eye whose frame is that of its view.
+//! Returns an eye for which the axes of the view are those of the observer's frame.
 EyeCamera seam_eye() {
   EyeCamera eye{};
   for (int i = 0; i < 3; ++i) {
@@ -43,7 +43,7 @@ std::vector<float> drawn(const std::vector<StarImage>& images, const Projection&
   return drawn(star_points(images, seam_eye(), projection, settings), projection, settings);
 }
 
-//! Returns the sum of the green light in a rectangle of a picture.
+//! Returns the sum of the green channel in a rectangle of a picture.
 double light_in(const std::vector<float>& rgba, const Projection& projection, const PixelCell& cell) {
   double sum = 0.0;
   for (int y = cell.top_px; y < cell.top_px + cell.height_px; ++y) {
@@ -72,8 +72,8 @@ TEST_P(LightOfStars, IsTheSameInEveryProjection) {
     if (!pixel_from_direction(projection, widened(image.direction), x, y)) {
       continue;
     }
-    // Keeps stars well away from the edge of the image, where their spots are cut off, and from the
-    // poles of maps, where a spot around the pole is not closed.
+    // Keeps only stars that are away from the edges of the image, which cut off their spots, and
+    // from the poles of a panorama, where a spot would have to extend around the pole.
     const bool cube = projection.kind == ProjectionKind::cube && projection.cube.layout != CubeLayout::face;
     const bool inside = cube || (y > 12.0 && y < projection.height_px - 12.0 &&
                                  (wraps_around(projection) || (x > 12.0 && x < projection.width_px - 12.0)));
@@ -142,7 +142,7 @@ TEST(StarsAtSeams, KeepTheLightOfTrailsAcrossTheEdgesOfACube) {
   StarTrails trails;
   trails.places = 21;
   for (int i = -10; i <= 10; ++i) {
-    // From the right face over the corner of the top face to the back.
+    // The trail goes from the right face across a corner of the top face to the back face.
     trails.directions.push_back(image_at({1.0 - 0.02 * i, 1.0 - 0.005 * i, 1.0 + 0.03 * i}).direction);
   }
   trails.ways = {{0, 20, {1.0F, 1.0F, 1.0F}}};

@@ -13,8 +13,8 @@
 #include "tests/render/present/projectors/projector_frames.h"
 #include "tests/render/present/projectors/projector_light.h"
 
-// The GPU code for projector pictures, run on the CPU here, compared with the CPU code and with the
-// formula.
+// Runs the GPU code for projector pictures on the CPU. Compares its results with those of the CPU
+// code and with the formula.
 namespace ergodome {
 namespace {
 
@@ -28,7 +28,8 @@ void run_all(const auto& functor, int count) {
   }
 }
 
-//! A level of light that keeps its contents from before it was filled.
+//! A level of a picture's mip chain. Its memory is filled with -1, so that values that are not
+//! computed remain visible.
 struct Level {
   std::vector<float> rgba;
   LightLevel view;
@@ -38,8 +39,8 @@ struct Level {
         view{rgba.data(), width, height} {}
 };
 
-//! Expects that the colors of two levels are equal up to rounding, in tiles that were filled and in
-//! others. Coverage is ignored.
+//! Expects that the colors of two levels are equal up to rounding, in computed tiles and in those
+//! that were skipped. Ignores the fourth channel.
 void expect_alike(const Level& a, const Level& b) {
   for (std::size_t i = 0; i < a.rgba.size(); ++i) {
     if (i % 4 != 3) {
@@ -51,7 +52,8 @@ void expect_alike(const Level& a, const Level& b) {
 std::vector<std::int32_t> tiles_of(std::initializer_list<std::int32_t> numbers) { return numbers; }
 
 TEST(DeviceLight, IsTonedAsTheProcessorTonesIt) {
-  // Three by two tiles, the last ones narrow; two are skipped.
+  // The picture consists of three by two tiles, the last of which are narrower. Two tiles are
+  // skipped.
   Picture master = master_of(150, soft_colours);
   master.height = 100;
   master.rgba[40] = std::numeric_limits<float>::quiet_NaN();
@@ -86,7 +88,7 @@ TEST(DeviceLight, IsAveragedAsTheProcessorAveragesIt) {
   EXPECT_GT(by_texels.rgba[4 * (150 * 149 + 149)], 0.0F);
 }
 
-//! Returns a projector's frame, computed pixel by pixel.
+//! Returns the frame of a projector, computed pixel by pixel.
 std::vector<std::uint8_t> frame_by_pixels(const ProjectorPicture& picture, const Picture& master) {
   const ProjectorWarp warp(picture, master.width, master.height, Backend::cpu);
   LightTiles tiles = warp.tiles();
@@ -123,11 +125,11 @@ TEST(DeviceWarp, IsTheProcessors) {
       all += found.size();
     }
   }
-  // Where rounding goes the other way.
+  // Few values differ by one, because they were rounded differently.
   EXPECT_LT(different, all / 1000);
 }
 
-//! A projector with one group of pixels, which read the same texel.
+//! The input for a projector with a single group of pixels, all of which read the same texel.
 struct OneGroup {
   float texel[8];
   WarpGroup group = {0.0F, 0.0F, 0.0F, 0.0F, 1, 0};

@@ -10,7 +10,7 @@
 namespace ergodome {
 namespace {
 
-//! Fills the memory that is allocated next with NaN.
+//! Fills memory with NaN and frees it, so that the next allocations contain NaN.
 void spoil_memory() {
   constexpr std::size_t blocks = 64;
   std::unique_ptr<std::vector<float>> spoilt[blocks];

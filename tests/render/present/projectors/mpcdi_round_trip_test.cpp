@@ -1,4 +1,4 @@
-// Setups after a round trip through MPCDI: their projectors get the same frames as before.
+// Tests that projectors get the same frames after their setup was written as MPCDI and read back.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace ergodome {
 namespace {
 
-//! Returns a domemaster whose color is different at every position and varies smoothly.
+//! Returns a domemaster whose color varies smoothly and is different at every position.
 Picture colourful_master(int size) {
   Picture master;
   master.width = size;
@@ -43,7 +43,7 @@ class MpcdiRoundTrip : public test::FolderTest {
                             (folder_ / "dome.toml").string(), NamedFiles::must_exist);
   }
 
-  //! Expects that the frames of the first projector before and after the round trip differ by at
+  //! Expects that the frames of the first projector, before and after the round trip, differ by at
   //! most 2 of 255.
   void expect_same_picture(const DomeSetup& setup) const {
     write_mpcdi(folder_ / "dome.mpcdi", mpcdi_from_setup(setup, "2026-01-01 00:00:00"));

@@ -17,7 +17,7 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): projectors and domes of tests
 
-//! Interpolates a channel of a mask between its samples.
+//! Interpolates a channel of a mask linearly at a position.
 float mask_at(const BlendMap& mask, double x, double y, int channel) {
   const double column = std::clamp(x * mask.width - 0.5, 0.0, mask.width - 1.0);
   const double row = std::clamp(y * mask.height - 0.5, 0.0, mask.height - 1.0);
@@ -69,8 +69,9 @@ TEST_P(ProjectorFrames, AreWhatTheFormulaSays) {
     }
   }
   EXPECT_GT(drawn, 3500);
-  // Masks follow the positions of the warp, which differ from pixel positions for nodes off the
-  // lattice; pixels on the rims of the hole and of the mesh may be on either side.
+  // Masks are read at the positions of the warp. These differ from the positions of pixels if nodes
+  // are off the regular lattice. Pixels on the rims of the hole and of the mesh may be on either
+  // side.
   EXPECT_LT(wrong, 3 * 60);
 }
 
@@ -113,8 +114,8 @@ TEST_P(ProjectorFrames, CornersTakeThePictureAlong) {
 }
 
 TEST_P(ProjectorFrames, WhatIsDrawnSmallIsAveraged) {
-  // Fine stripes, fifteen master pixels per projector pixel: they average to gray, without a moiré
-  // pattern.
+  // The master has fine stripes, fifteen of its pixels per projector pixel. They must be averaged
+  // to gray, without a moiré pattern.
   ProjectorPicture picture = curved_picture();
   picture.warp = {};
   picture.warp.columns = 2;
@@ -158,7 +159,7 @@ FrameDifference difference_of(const std::vector<std::uint8_t>& a, const std::vec
   return found;
 }
 
-//! Compares a projector's frames by OpenGL and by the CPU.
+//! Draws a projector's frame by OpenGL and by the CPU, and compares the results.
 FrameDifference between_drawers(const ProjectorPicture& picture, const Picture& master) {
   HeadlessProjectors opengl({picture}, ProjectorDrawer::opengl);
   HeadlessProjectors processor({picture}, ProjectorDrawer::processor);
@@ -176,16 +177,16 @@ TEST(ProjectorDrawers, DifferInTheLastBitAlone) {
   }
   for (const ToneCurve curve : {ToneCurve::shoulder, ToneCurve::reinhard, ToneCurve::filmic, ToneCurve::gamma}) {
     for (const ProjectorPicture& picture : {curved_picture(), grey_picture(), plain_picture()}) {
-      // Larger and smaller than the raster, also with odd sizes.
+      // Sizes of the master that are larger and smaller than the raster, some of them odd.
       for (const int size : {33, 64, 301}) {
-        // Sanitizers cover the same code with one of the curves.
+        // Under sanitizers, one of the curves is enough to cover the same code.
         if (sanitized && size != 33 && curve != ToneCurve::shoulder) {
           continue;
         }
         Picture master = master_of(size, soft_colours);
         master.tone = {curve, 1.5F, 3.0F, 2.2F};
         const FrameDifference found = between_drawers(picture, master);
-        // The rims of the hole and of the mesh may be on either side.
+        // Pixels on the rims of the hole and of the mesh may be on either side.
         EXPECT_LT(found.beyond_one, 3U * 8U) << size << " px, largest " << found.largest;
       }
     }
@@ -223,7 +224,7 @@ TEST(ProcessorFrames, AreDimmedAsTheMasterIs) {
   for (float& value : half.rgba) {
     value *= 0.5F;
   }
-  // The black lift stays.
+  // set_light() does not change the lift of the black level.
   for (const ProjectorPicture& picture : {curved_picture(), grey_picture()}) {
     SoftwareProjectors projectors({picture});
     projectors.show(half);

@@ -18,8 +18,8 @@
 
 namespace ergodome::test {
 
-//! The pictures of projectors as OpenGL, the CPU and CUDA draw them; skips OpenGL if there is no
-//! driver, and CUDA if there is no GPU.
+//! Draws the frames of projectors by OpenGL, the CPU or CUDA (the parameter). Tests are skipped if
+//! OpenGL or CUDA is not available.
 class ProjectorFrames : public FolderTest, public testing::WithParamInterface<ProjectorDrawer> {
  protected:
   void open(const std::vector<ProjectorPicture>& pictures) {
@@ -37,7 +37,7 @@ class ProjectorFrames : public FolderTest, public testing::WithParamInterface<Pr
   std::unique_ptr<HeadlessProjectors> projectors_;
 };
 
-//! Returns a master with any light, which should vary smoothly between pixels.
+//! Returns a domemaster with the given light, which should vary smoothly from pixel to pixel.
 inline Picture master_of(int size, const std::function<Vector3<float>(double u, double v)>& light) {
   Picture picture;
   picture.width = size;
@@ -53,7 +53,7 @@ inline Picture master_of(int size, const std::function<Vector3<float>(double u, 
   return picture;
 }
 
-//! Returns a channel of a color.
+//! Returns channel 0, 1 or 2 of a color.
 inline float channel_of(const Vector3<float>& colour, int channel) {
   return channel == 0 ? colour.x : channel == 1 ? colour.y : colour.z;
 }

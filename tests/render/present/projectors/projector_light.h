@@ -7,13 +7,14 @@
 
 namespace ergodome {
 
-//! How a projector changes one color at one position of its raster.
+//! How a projector changes one color channel at one position of its raster.
 struct ProjectorColour {
-  float factor = 1.0F;  //!< on the light there: the warp's intensity times the blend mask
-  //! Fraction of full light that the position never falls below, from the black level mask.
+  //! Factor on the light at that position: the warp's intensity times the blend mask.
+  float factor = 1.0F;
+  //! Minimum light at the position, as a fraction of full light, from the black level mask.
   float lift = 0.0F;
-  float gain = 1.0F;   //!< of the projector
-  float gamma = 2.2F;  //!< of the projector: light = value ^ gamma
+  float gain = 1.0F;   //!< gain of the projector
+  float gamma = 2.2F;  //!< gamma of the projector: light = value ^ gamma
 };
 
 //! Returns the value, 0 to 1, that a projector receives for a master's tone-mapped light, 0 to 1.

@@ -13,14 +13,15 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): projectors and domes of tests
 
-//! A projector's frame as light on its raster.
+//! The frame of a projector, as the light that it projects.
 struct ThrownFrame {
   int width;
   int height;
   std::vector<std::uint8_t> rgb;
   double gamma;
 
-  //! Interpolates linear light between pixel centers, as a lens projects it.
+  //! Returns the light at a position of the raster, interpolated between pixel centers, as a lens
+  //! would blur it.
   [[nodiscard]] double light(const RasterPlace& place, int channel) const {
     const double x = std::clamp(place.x * width - 0.5, 0.0, width - 1.001);
     const double y = std::clamp(place.y * height - 0.5, 0.0, height - 1.001);
@@ -35,7 +36,7 @@ struct ThrownFrame {
   }
 };
 
-//! Returns the maximum rounding error of a projector's light in eight bits.
+//! Returns the largest error of a projector's light that the rounding to eight bits causes.
 double rounding_of(double light, double gamma) {
   return 0.55 / 255.0 * gamma * std::pow(std::max(light, 1e-4), 1.0 - 1.0 / gamma);
 }
@@ -43,7 +44,8 @@ double rounding_of(double light, double gamma) {
 constexpr int fringe_px = 48;
 constexpr double fringe_height = 0.3;
 
-//! Returns a test color: vertical fringes in red, horizontal fringes in green, uniform blue.
+//! Returns the test color at a position of the master: red varies with u, green varies with v, blue
+//! is uniform.
 Vector3<float> fringes(double u, double v) {
   const auto wave = [](double at) {
     return static_cast<float>(0.5 + fringe_height * std::sin(2.0 * pi * at * 1024.0 / fringe_px));
@@ -51,8 +53,8 @@ Vector3<float> fringes(double u, double v) {
   return {wave(u), wave(v), 0.5F};
 }
 
-//! The light of all projectors of a setup at a point: three channels, and the maximum rounding
-//! error of eight bits.
+//! The light of all projectors at a point of the dome, in three channels, and its largest error by
+//! rounding to eight bits.
 struct PointLight {
   double light[3] = {};
   double rounding = 0.0;

@@ -13,7 +13,7 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): the cameras and stars of these tests
 
-//! Projects images to the screen and adds them to rows of a picture.
+//! Projects star images to the screen and adds their light to rows of a picture.
 void splat_stars(const std::vector<StarImage>& images, const EyeCamera& eye, const Projection& projection,
                  const SplatSettings& settings, int first_row, int row_count, float* rgba) {
   splat_points(star_points(images, eye, projection, settings), projection, settings, first_row, row_count, rgba);
@@ -22,7 +22,7 @@ void splat_stars(const std::vector<StarImage>& images, const EyeCamera& eye, con
 TEST(StarSplat, LightDoesNotDependOnSpreadNorResolution) {
   const EyeCamera eye = eye_at_place(places[0]);
   const StarField field(brightest(2000), glm::dmat3(1.0), colours().view());
-  // Away from the rim, so that all of each image is in the picture.
+  // Keeps only star images away from the rim, so that the picture contains all of their light.
   std::vector<StarImage> images = images_of(field, eye, settings_for(9.0));
   std::erase_if(images, [](const StarImage& image) { return image.direction.y > -0.15F; });
   double there = 0.0;
@@ -39,7 +39,8 @@ TEST(StarSplat, LightDoesNotDependOnSpreadNorResolution) {
   }
 }
 
-//! Returns the brightest pixel and the number of lit pixels of one star in the middle of a dome.
+//! Draws one star in the middle of a dome. Returns the value of the brightest pixel and the number
+//! of lit pixels.
 std::pair<float, long> spot_of(int size_px, const SplatSettings& settings) {
   const Projection projection = make_dome_projection(size_px, pi, 0.0);
   const std::vector<StarPoint> points = {{0.5 * size_px + 0.5, 0.5 * size_px + 0.5, {1.0F, 1.0F, 1.0F}, {}}};
@@ -63,8 +64,8 @@ TEST(StarSplat, SpotsKeepTheirAngleInPicturesFinerThan4k) {
   EXPECT_EQ(lit_4k, 49);
   EXPECT_EQ(lit_8k, 169);
   EXPECT_EQ(of_1k, of_4k);
-  // Twice as wide in both directions; the maximum of a Gaussian falls accordingly, except for the
-  // effect of the pixels' own width.
+  // At 8K, the spot of a star is twice as wide in both directions as at 4K. The maximum of the
+  // Gaussian is a quarter, except for the effect of the width of pixels.
   EXPECT_NEAR(of_8k / of_4k, 0.25, 0.02);
   EXPECT_EQ(scaled_to(settings, make_pinhole_projection(8192, 4096, 0.1)).sigma_px, 1.0);
 }

@@ -14,8 +14,8 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): the cameras and stars of these tests
 
-//! Returns a camera that moves 0.05 rad around the axis and slightly inwards, to both sides of a
-//! position.
+//! Returns positions of a camera while a shutter is open. The camera moves around the axis by 0.05
+//! rad to both sides of a position, and slightly inwards.
 Shutter orbit_about(const EyeCamera& eye) {
   Shutter shutter;
   for (int i = -4; i <= 4; ++i) {
@@ -32,7 +32,7 @@ double angle_between(const Vector3<float>& a, const Vector3<float>& b) {
   return std::sqrt(dot(apart, apart));
 }
 
-//! Returns the illuminance of points in a picture [lx].
+//! Returns the illuminance that the pixels of a picture have from these points [lx].
 double light_in_picture(const std::vector<StarPoint>& points, const Projection& projection) {
   std::vector<float> rgba(4 * static_cast<std::size_t>(projection.width_px) *
                           static_cast<std::size_t>(projection.height_px));
@@ -61,7 +61,8 @@ TEST(StarTrails, EndWhereTheImagesAreWhenTheShutterOpensAndCloses) {
       together += nearest < 0.05 * fine_pixel ? 1U : 0U;
     }
   }
-  // Few images merge at a caustic or disappear behind the edge within a tenth of a radian.
+  // While the camera moves by a tenth of a radian, a few images merge at a caustic or disappear
+  // behind the edge of the shadow.
   EXPECT_GE(static_cast<double>(together), 0.99 * 2.0 * static_cast<double>(images.size()));
 }
 
@@ -69,8 +70,8 @@ TEST(StarTrails, KeepTheLightOfTheirImages) {
   const EyeCamera eye = eye_at_place(places[0]);
   const StarField field(brightest(300), glm::dmat3(1.0), colours().view());
   std::vector<StarImage> images = images_of(field, eye, settings_for(6.0));
-  // Keeps images well inside the picture over the whole motion that are not about to merge with
-  // another one.
+  // Keeps only images that are well inside the picture during the whole motion, and that are not
+  // about to merge with another image.
   std::erase_if(images, [](const StarImage& image) {
     return image.direction.x > -0.4F || std::abs(image.magnification) > 10.0F;
   });
@@ -101,8 +102,8 @@ TEST(StarTrails, OfATurningHeadAreAsLongAsTheTurn) {
   const EyeCamera eye = eye_at_place(places[0]);
   const StarField field(brightest(300), glm::dmat3(1.0), colours().view());
   std::vector<StarImage> images = images_of(field, eye, settings_for(6.0));
-  // Near the middle of the picture, which a roll does not move; the head therefore turns about the
-  // view's x axis, which is e_φ.
+  // Keeps only images near the middle of the picture. A roll would not move them, so the head turns
+  // about the x axis of the view, which is e_φ.
   std::erase_if(images, [](const StarImage& image) { return image.direction.x > -0.9F; });
   ASSERT_GT(images.size(), 3U);
   Shutter shutter = {{eye, eye, eye}};
@@ -116,13 +117,15 @@ TEST(StarTrails, OfATurningHeadAreAsLongAsTheTurn) {
   };
   turn(shutter.eyes[0].camera, -0.02);
   turn(shutter.eyes[2].camera, 0.02);
-  // The brightest image is not next to the shadow's edge, where a turn could lose it.
+  // Keeps only the brightest image. It is not next to the edge of the shadow, where the rotation
+  // could lose it.
   images = {*std::ranges::max_element(images, {}, [](const StarImage& image) { return image.illuminance.y; })};
   const Projection projection = make_dome_projection(1024, pi, 0.0);
   const auto points = trail_points(star_trails(images, field, shutter, pi / 1024), shutter, projection, {0.5, 1.0F});
   ASSERT_GT(points.size(), 10U);
   const double length = points.back().y_px - points.front().y_px;
-  // Without half a step at both ends.
+  // The first and the last point are half a step away from the ends of the trail, which the
+  // tolerance covers.
   EXPECT_NEAR(length, 0.04 / (pi / 1024), 0.08 * length);
 }
 
@@ -130,7 +133,8 @@ TEST(StarTrails, CrossThePictureSeamTheShortWay) {
   const EyeCamera eye = eye_at_place(places[2]);
   const Projection projection = make_equirectangular_projection(512, 256);
   StarTrails trails;
-  // Behind the viewer: the view looks along -e_r, and its right is e_φ.
+  // The trail is behind the viewer, where the left and right edges of the picture meet: the view
+  // direction is -e_r, and its right is e_φ.
   trails.places = 3;
   trails.directions = {{0.995F, 0.0F, -0.0998F}, {1.0F, 0.0F, 0.0F}, {0.995F, 0.0F, 0.0998F}};
   trails.ways = {{0, 2, {1.0F, 1.0F, 1.0F}}};

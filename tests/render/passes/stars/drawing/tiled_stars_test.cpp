@@ -15,13 +15,15 @@
 #include "render/passes/stars/drawing/picture_sheets.h"
 #include "tests/support/tiny_sky.h"
 
-// Gathering stars for each pixel gives the same picture as splatting each star into its pixels.
+// The program can draw stars by gathering them for each pixel. The picture must be the same as by
+// splatting each star into its pixels.
 namespace ergodome {
 namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): skies of tests
 
-//! Returns points in and around a picture, sorted by row from the top; every tenth has spikes.
+//! Returns random points in and around a picture, sorted by row from the top. Every tenth point has
+//! spikes.
 std::vector<StarPoint> scattered(const Projection& projection, int count) {
   std::mt19937 random(7);
   const auto number = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
@@ -111,7 +113,7 @@ TEST(TiledStars, HaveSpikesWherePointsHaveThem) {
         add_diffraction(pattern, point.x_px + turn * width, point.y_px - cell.top_px, point.spikes, block);
       }
     }
-    // Spikes end at the edge of the image.
+    // Spikes do not extend beyond the edge of the projection's image.
     for (int i = 0; i < width * height; ++i) {
       const int row = i / width;
       if (!(image_coverage(projection, i % width + 0.5, row + 0.5) > 0.0)) {

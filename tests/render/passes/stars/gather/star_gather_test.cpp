@@ -18,14 +18,14 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): the cameras and stars of these tests
 
-//! Images are compared where the relative change of the magnification across their pixel is at most
-//! this, because gathered stars have the mean of their pixel. Measured: the light of such images
-//! differs by at most 0.9 %.
+//! Images are compared only if the relative change of the magnification across their pixel is at
+//! most this, because gathered stars have the mean magnification of their pixel. Measured: the
+//! light of such images differs by at most 0.9 %.
 constexpr double most_change = 0.01;
-//! Minimum distance of compared images from the shadow's edge [px]: next to it the sky winds, and
-//! the corners of a pixel do not represent its inside.
+//! Minimum distance from the shadow's edge of images that are compared [px]. Closer to the edge,
+//! the sky winds around the hole, and the corners of a pixel do not represent its inside.
 constexpr double least_edge_px = 20.0;
-//! Minimum distance of compared images from another image of the same star [px].
+//! Minimum distance from other images of the same star, for images that are compared [px].
 constexpr double least_apart_px = 5.0;
 
 PlaceOnScreen place_of(const GatheredStar& star) {
@@ -40,14 +40,14 @@ double luminance(const Vector3<float>& light) {
 
 constexpr int gather_size_px = 1024;
 
-//! Returns a dome with the hole at 30 degrees from the middle.
+//! Returns a dome projection in which the hole is 30 degrees from the middle.
 Projection gather_dome() { return make_dome_projection(gather_size_px, pi, pi / 3); }
 
 bool is_well_inside(const PlaceOnScreen& p) { return std::hypot(p.x_px - 512.0, p.y_px - 512.0) < 510.0; }
 
 using PlacesByStar = std::multimap<int, PlaceOnScreen>;
 
-//! The results of both searches for a camera, with their positions on the screen.
+//! The star images that both search methods find for a camera, and their positions on the screen.
 struct BothSearches {
   EyeCamera eye;
   StarField field;
@@ -74,7 +74,7 @@ struct BothSearches {
   }
 };
 
-//! Returns how many positions of a star are within a distance.
+//! Returns how many images of a star are closer to a position than `limit_px`.
 std::ptrdiff_t count_near(const PlacesByStar& places, int star, const PlaceOnScreen& place, double limit_px) {
   const auto [first, last] = places.equal_range(star);
   return std::count_if(first, last, [&](const auto& other) { return distance(other.second, place) < limit_px; });
@@ -148,7 +148,8 @@ TEST_P(StarsGatheredByPixels, AreNotSeenWhereThereIsNoImage) {
 
 INSTANTIATE_TEST_SUITE_P(Cameras, StarsGatheredByPixels, testing::ValuesIn(places));
 
-//! Returns a catalogue of stars at the sky directions of rays from positions on the screen.
+//! Returns a catalogue of stars whose images are at the given positions on the screen, by exact
+//! rays.
 StarCatalogue stars_at(const EyeCamera& eye, const Projection& projection, const std::vector<PlaceOnScreen>& places) {
   StarCatalogue catalogue;
   const CameraStation camera = camera_of(eye);
@@ -162,7 +163,7 @@ StarCatalogue stars_at(const EyeCamera& eye, const Projection& projection, const
   return catalogue;
 }
 
-//! Returns the corners of pixels, and the midpoints of their sides and diagonals.
+//! Returns positions at corners of pixels, and in the middle of their sides and diagonals.
 std::vector<PlaceOnScreen> places_between_pixels(int width_px, int height_px) {
   std::vector<PlaceOnScreen> places;
   for (int y = 1; y < height_px; y += 3) {
@@ -178,7 +179,7 @@ std::vector<PlaceOnScreen> places_between_pixels(int width_px, int height_px) {
 }
 
 TEST(GatheredStar, BetweenPixelsBelongsToOneOfThem) {
-  // A full turn, so that the left and the right rim are adjacent as well.
+  // The picture covers a full turn, so its left and right edges are adjacent, too.
   const Projection projection = make_equirectangular_projection(128, 64);
   const EyeCamera eye = eye_at_place({0.9, 50.0, 1.0, 0.3, ObserverMotion::zamo});
   const std::vector<PlaceOnScreen> places = places_between_pixels(128, 64);
@@ -193,7 +194,8 @@ TEST(GatheredStar, BetweenPixelsBelongsToOneOfThem) {
   }
   std::size_t compared = 0;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    // The shadow is ahead; around it, the sides of polygons differ from the rays between corners.
+    // The shadow is straight ahead. Around it, the curved sides of a pixel differ too much from
+    // straight lines between its corners.
     if (std::hypot(places[i].x_px - 64.0, places[i].y_px - 32.0) > 12.0) {
       EXPECT_EQ(seen[i], 1) << places[i].x_px << ", " << places[i].y_px;
       ++compared;

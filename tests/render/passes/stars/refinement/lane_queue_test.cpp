@@ -8,8 +8,8 @@
 namespace ergodome {
 namespace {
 
-//! Items that pass through rounds of three kinds; the number of an item determines how many rounds
-//! of each kind it needs.
+//! Test items that need rounds of work of three kinds, one kind after the other. The number of an
+//! item determines how many rounds of each kind it needs.
 class LanesOfThings : public testing::Test {
  protected:
   static constexpr std::size_t count = 40000;
@@ -18,7 +18,7 @@ class LanesOfThings : public testing::Test {
 
   static std::size_t rounds_of(std::size_t thing, std::size_t kind) { return (thing >> (2 * kind)) % 4; }
 
-  //! Returns the first kind, from `kind` on, of which an item has rounds left.
+  //! Returns the kind of the next round that an item needs; nothing if it has finished.
   [[nodiscard]] std::optional<std::size_t> next_of(std::size_t thing) const {
     std::size_t before = 0;
     for (std::size_t kind = 0; kind < lanes.size(); ++kind) {
@@ -71,9 +71,9 @@ TEST_F(LanesOfThings, AreNeverMoreThanThereAreLanes) {
 
 TEST_F(LanesOfThings, AreAsManyAsThereAreLanesUntilFewAreLeft) {
   run();
-  // A batch that is not full is processed only if no kind has enough items for a full one: then
-  // only these items wait, and no more are in work than there are lanes. In the worst case, each
-  // remaining round of these items is a batch of its own.
+  // A batch that is not full is processed only if no kind has enough items for a full batch. Then
+  // only `waiting_at_most` items wait, and at most one batch is being processed per thread. In the
+  // worst case, each remaining round of these items is a separate batch.
   const std::size_t waiting_at_most = std::accumulate(lanes.begin(), lanes.end(), std::size_t{0}) - lanes.size();
   const std::size_t left_at_most = waiting_at_most + lanes.front() * static_cast<std::size_t>(thread_count());
   EXPECT_LE(lots_not_full_, most_rounds * left_at_most);

@@ -15,14 +15,14 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): the cameras of these tests
 
-//! Newton's method across a fold of the sky, f(x) = s² / (2 curvature), with a star `beyond` the
-//! fold by an angle [rad].
+//! Simulates Newton's method for a star image near a fold of the lens, f(x) = s² / (2 curvature).
+//! The star is `beyond` the fold by an angle [rad], so it has no image.
 class FoldedSky {
  public:
   explicit FoldedSky(double beyond) : beyond_(beyond) {}
 
-  //! Returns how many rays a candidate is followed with, starting at a distance across the fold
-  //! [rad]; at most 24.
+  //! Follows a candidate that starts at the distance x from the fold [rad]. Returns how many rays
+  //! it takes, at most 24.
   int rays_from(double x) {
     CandidateCourse course;
     course.rays = RayKind::fine;
@@ -41,7 +41,7 @@ class FoldedSky {
  private:
   static constexpr double curvature = 5.0;
 
-  //! Evaluates a ray and makes a step.
+  //! Simulates the ray at x, and moves x by a step of the method.
   void look_from(double& x) {
     const double s = curvature * x;
     const double missing = -beyond_ - 0.5 * curvature * x * x;
@@ -74,13 +74,14 @@ TEST(StarBeforeAFold, IsFound) {
   }
 }
 
-// The star's disk reaches the fold, or may reach it.
+// If the star's disk reaches the fold, or may reach it, the search must continue.
 TEST(StarOnAFold, IsSoughtOn) {
   FoldedSky sky(1e-9);
   EXPECT_GT(sky.rays_from(1e-3), 8);
 }
 
-//! Returns candidates near images that rays have found, some of them with their star moved away.
+//! Returns search candidates near images that rays have found. For some of them, the star was moved
+//! away.
 std::vector<StarCandidate> candidates_about(const EyeCamera& eye) {
   const CameraStation camera = make_camera_station(eye.spacetime, eye.r, eye.theta, 0.0, eye.motion, eye.velocity);
   std::vector<StarCandidate> candidates;

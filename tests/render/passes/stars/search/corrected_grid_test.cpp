@@ -17,8 +17,7 @@ bool corrected(const CorrectedGrid& grid, int leaf, const Vector3<double>& star,
                        {static_cast<float>(star.x), static_cast<float>(star.y), static_cast<float>(star.z)}, image);
 }
 
-//! Rays in double from positions in all leaves of a grid, compared with the values of the grid
-//! there.
+//! Compares values of a star grid with rays traced in double, at one position in each leaf.
 class CorrectedImages : public testing::TestWithParam<test::Place> {
  protected:
   static constexpr float u = 0.37F;
@@ -41,14 +40,15 @@ class CorrectedImages : public testing::TestWithParam<test::Place> {
     seen_ = tracer.nodes_of({rain, grid_view(station_).chart, {1e-12, 1000, true}}, gamma_turns, s);
   }
 
-  //! Returns the sky at a leaf's position, and its derivatives along γ and s.
+  //! Returns the traced sky direction at a leaf's position (part 0), or its derivative along γ or s
+  //! (parts 1 and 2).
   [[nodiscard]] Vector3<double> seen(std::size_t leaf, int part) const {
     const float* const node = seen_.data() + floats_a_node * leaf + 4 * static_cast<std::ptrdiff_t>(part);
     return {static_cast<double>(node[0]), static_cast<double>(node[1]), static_cast<double>(node[2])};
   }
 
-  //! The distance of an image from a leaf's position, relative to the leaf's size, and the relative
-  //! error of its area.
+  //! Errors of an image at a leaf's position: its distance from this position relative to the
+  //! leaf's size, and the relative error of its area.
   struct Error {
     double parts;
     double area;
@@ -64,8 +64,8 @@ class CorrectedImages : public testing::TestWithParam<test::Place> {
             std::abs(static_cast<double>(image.sky) / area - 1.0)};
   }
 
-  //! Returns whether the ratio of sky area to chart area varies strongly between a leaf's corners:
-  //! near caustics, images move far.
+  //! Returns whether a leaf may be folded: near caustics, the ratio of areas on the sky and in the
+  //! chart varies strongly between its corners, and images are displaced far.
   [[nodiscard]] bool may_be_folded(std::size_t leaf) const {
     double least = 1e30;
     double most = -1e30;
@@ -105,8 +105,8 @@ TEST_P(CorrectedImages, AreWhereRaysHaveThem) {
     image.gamma_turns += static_cast<float>(3e-3 * boxes_[leaf].width_turns);
     ASSERT_TRUE(corrected(grid, static_cast<int>(leaf), seen(leaf, 0), image)) << "leaf " << leaf;
     const Error error = error_of(leaf, image);
-    // Where rays corrected little, the rounding of positions and of the sky in float remains, which
-    // is worse next to the shadow.
+    // Where the correction by rays is small, the rounding of positions and sky directions to float
+    // dominates. It is larger next to the edge of the shadow.
     const double rounding = edge_rounding / edge_distance(grid_view(station_).chart, boxes_[leaf].s);
     const auto left = static_cast<double>(errors.left);
     const double worst = std::max(error.parts / (4.0 * left + 5e-4 + 0.05 * rounding),
@@ -124,7 +124,7 @@ TEST_P(CorrectedImages, AreWrongByAQuarterOfTheErrorOfTheirPatches) {
   std::vector<double> ratios;
   for (std::size_t leaf = 0; leaf < boxes_.size(); ++leaf) {
     const LeafErrors errors = grid.errors(static_cast<int>(leaf));
-    // Leaves whose patch has an error larger than rounding.
+    // Uses only leaves whose patch has an error larger than rounding.
     if (errors.displaced > 1e-5F && errors.displaced < 0.03F && !may_be_folded(leaf)) {
       ChartImage image = place_in(leaf);
       ASSERT_TRUE(corrected(grid, static_cast<int>(leaf), seen(leaf, 0), image)) << "leaf " << leaf;

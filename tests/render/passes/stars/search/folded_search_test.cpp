@@ -21,10 +21,11 @@ std::vector<SearchedPair> pairs_of(const std::vector<float>& a, const std::vecto
   return pairs;
 }
 
-//! One patch and many stars, each of which may have several roots in it.
+//! Tests of the search in a folded patch: it may contain several images (roots) of the same star.
 class FoldedPatch : public testing::Test {
  protected:
-  //! Finds the roots of a map over [0, 1]² to the plane for stars at `a` and `b`, sorted by v.
+  //! Finds the roots of `map`, a map from [0, 1]² to the plane, for the stars at the positions (a_,
+  //! b_). Sorts them by v.
   //! `error`: see StarPatch.
   template <class Map>
   void search(const Map& map, float error = 0.0F, PatchShape shape = PatchShape::folded) {
@@ -46,7 +47,7 @@ class FoldedPatch : public testing::Test {
     return along;
   }
 
-  //! Creates stars within a box of the plane.
+  //! Creates stars at random positions within a rectangle of the plane.
   void scatter(double low_a, double high_a, double low_b, double high_b) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> uniform;
@@ -61,7 +62,7 @@ class FoldedPatch : public testing::Test {
   FoldedSearch search_;
 };
 
-//! A fold along u = 0.4.
+//! A map with a fold at u = 0.4.
 std::array<double, 2> fold(double u, double v) { return {0.1 * (u - 0.4) * (u - 0.4), 0.1 * (v - 0.5) + 0.02 * u}; }
 
 TEST_F(FoldedPatch, HoldsAStarOnBothSidesOfItsFold) {
@@ -107,7 +108,7 @@ TEST_F(FoldedPatch, GuessesTwoPlacesWhereItsErrorMayHideAStarBehindItsFold) {
   EXPECT_EQ(guessed, a_.size());
 }
 
-//! A cusp, p = x³ - x y, inside which the map is three to one.
+//! A map with a cusp: p = x³ - x y. Inside the cusp, three points have the same image.
 std::array<double, 2> cusp(double u, double v) {
   const double x = u - 0.5;
   const double y = v - 0.3;
@@ -120,7 +121,7 @@ TEST_F(FoldedPatch, HoldsAStarThreeTimesWithinItsCusp) {
   for (std::size_t i = 0; i < a_.size(); ++i) {
     const auto a = static_cast<double>(a_[i]);
     const double slope = 0.5 * static_cast<double>(b_[i]) / 0.2;
-    // x³ - slope x - a has three roots where 4 slope³ > 27 a² (Cardano).
+    // By Cardano, x³ - slope x - a has three roots if 4 slope³ > 27 a², otherwise one.
     const double inside = 4.0 * slope * slope * slope - 27.0 * a * a;
     if (std::abs(inside) < 1e-5) {
       continue;
@@ -160,7 +161,8 @@ TEST_F(FoldedPatch, OfWhatIsNoNumberHoldsNoStar) {
   }
 }
 
-//! Returns the halves of parts that the kernel of one instruction set produces: (list, pair, u, v).
+//! Halves parts of the patch by the kernel for one instruction set. Returns the resulting parts as
+//! (list, pair, u, v).
 std::vector<std::array<float, 4>> halves_by(InstructionSet set) {
   constexpr int count = 37;
   constexpr int room = 2 * count + part_padding;

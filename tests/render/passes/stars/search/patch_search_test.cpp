@@ -12,15 +12,15 @@
 #include "tests/render/passes/stars/star_cameras.h"
 #include "tests/support/sanitized.h"
 
-// The search for GPUs, with one patch and star pair per thread, finds the same images as the search
-// for CPUs, which works on SIMD registers of pairs; both run on the CPU here. With a GPU,
-// CudaPictures compares its pictures.
+// The star search for GPUs, which handles one pair of patch and star per thread, must find the same
+// images as the search for CPUs, which handles SIMD packs of pairs. Both run on the CPU here. If
+// there is a GPU, the test CudaPictures compares the pictures.
 namespace ergodome {
 namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): the cameras and stars of these tests
 
-//! Both searches of one camera's sky.
+//! Runs both searches for the sky of one camera.
 struct Searches {
   StarField field;
   EyeCamera eye;
@@ -52,8 +52,8 @@ struct Searches {
 
 StarField field_of(std::size_t stars) { return {brightest(stars), glm::dmat3(1.0), colours().view()}; }
 
-//! Returns how many images of a list have no counterpart in the other list, of the same star,
-//! nearby and nearly as bright.
+//! Counts the images of a list that have no counterpart in the other list. A counterpart is an
+//! image of the same star, close to it and nearly as bright.
 long without_partner(const std::vector<StarImage>& of, const std::vector<StarImage>& among) {
   return std::ranges::count_if(of, [&](const StarImage& image) {
     const auto first = std::ranges::lower_bound(among, image.star, {}, &StarImage::star);
@@ -72,7 +72,8 @@ TEST_P(PatchSearches, FindTheSameImages) {
   const std::vector<StarImage> here = searches.on_processor();
   const std::vector<StarImage> there = searches.as_on_device();
   ASSERT_GT(here.size(), sanitized ? 200U : 3000U);
-  // Which of two duplicates is kept is random; near caustics they differ slightly.
+  // If an image was found twice, either of the duplicates may be kept. Near caustics, duplicates
+  // differ slightly.
   const auto few = static_cast<long>(here.size() / 1000 + 1);
   EXPECT_LE(without_partner(here, there), few);
   EXPECT_LE(without_partner(there, here), few);

@@ -11,8 +11,8 @@
 #include "render/passes/stars/search/image_joiner.h"
 #include "tests/render/passes/stars/star_cameras.h"
 
-// The GPU code that processes found images, run on the CPU here, gives the same results as the CPU
-// code.
+// The GPU code that processes found star images must give the same results as the CPU code. Here it
+// runs on the CPU.
 namespace ergodome {
 namespace {
 
@@ -21,8 +21,8 @@ using namespace test;  // NOLINT(google-build-using-namespace): the cameras and 
 constexpr int some_stars = 500;
 constexpr double dome_pixel = 1e-3;
 
-//! Returns images of random stars, every fourth of them duplicated at a tiny distance, and some
-//! invalid ones.
+//! Returns random images of stars. Every fourth image has a duplicate at a tiny distance, and some
+//! are invalid.
 std::vector<SeenImage> found_images(int count) {
   std::mt19937 random(7);
   std::uniform_real_distribution<float> part(-1.0F, 1.0F);
@@ -105,7 +105,7 @@ TEST(PlacedImages, DoNotDependOnTheOrderInWhichTheyAreFound) {
 
 TEST(PlacedImages, AreNoneWhereNoneAreFound) { EXPECT_TRUE(joined({}, 0).empty()); }
 
-//! Images all over the sky, and settings for splatting that give spikes to some.
+//! Random star images all over the sky, and settings for which some of them have spikes.
 struct Sky {
   std::vector<StarImage> images = joined(found_images(1500), 0);
   EyeCamera eye = eye_at_place(places[0]);
@@ -118,7 +118,8 @@ struct Sky {
   }
 };
 
-//! Checks that the placed points equal those computed from images in host memory, in any order.
+//! Expects that the points placed by PointPlacer equal those computed from images in host memory,
+//! in any order.
 void expect_points_of(const Sky& sky, const Projection& projection) {
   PointPlacer placer(Backend::cpu);
   const PlacedImages images = sky.placed();

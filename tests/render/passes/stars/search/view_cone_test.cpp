@@ -10,7 +10,7 @@ namespace {
 
 using test::NamedProjection;
 
-//! Returns an eye whose frame is that of its view.
+//! Returns an eye for which the axes of the view are those of the observer's frame.
 EyeCamera plain_eye() {
   EyeCamera eye{};
   for (int i = 0; i < 3; ++i) {
