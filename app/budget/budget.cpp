@@ -34,10 +34,10 @@ std::vector<std::string> budget_parts(const std::vector<std::string>& words) {
   return parts;
 }
 
-void set_once(std::optional<double>& value, double number, double least, double most, const std::string& part,
+void set_once(std::optional<double>& value, double number, double minimum, double maximum, const std::string& part,
               const char* unit) {
-  if (!(number >= least && number <= most)) {
-    refuse_budget(part, "is out of range", fmt::format("choose from {0:g}{2} to {1:g}{2}", least, most, unit));
+  if (!(number >= minimum && number <= maximum)) {
+    refuse_budget(part, "is out of range", fmt::format("choose from {0:g}{2} to {1:g}{2}", minimum, maximum, unit));
   }
   if (value) {
     refuse_budget(part, fmt::format("is a second budget in {}", unit), "remove one of them");
@@ -58,9 +58,9 @@ Budget parse_budget(const std::vector<std::string>& words) {
       refuse_budget(part, "is neither an error in px nor a frame rate in fps", budget_remedy);
     }
     if (unit == "px") {
-      set_once(budget.error_px, number, least_budget_px, most_budget_px, part, "px");
+      set_once(budget.error_px, number, min_budget_px, max_budget_px, part, "px");
     } else {
-      set_once(budget.frame_rate_hz, number, least_budget_fps, most_budget_fps, part, "fps");
+      set_once(budget.frame_rate_hz, number, min_budget_fps, max_budget_fps, part, "fps");
     }
   }
   if (parts.empty() && !words.empty()) {

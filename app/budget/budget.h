@@ -20,10 +20,10 @@ struct Budget {
   [[nodiscard]] double frame_ms() const { return 1000.0 / *frame_rate_hz; }
 };
 
-inline constexpr double least_budget_px = 0.01;
-inline constexpr double most_budget_px = 16.0;
-inline constexpr double least_budget_fps = 1.0;
-inline constexpr double most_budget_fps = 1000.0;
+inline constexpr double min_budget_px = 0.01;
+inline constexpr double max_budget_px = 16.0;
+inline constexpr double min_budget_fps = 1.0;
+inline constexpr double max_budget_fps = 1000.0;
 
 //! Parses a budget from words of the command line: "0.25px", "60fps", "0.25px,60fps" or "0.25px
 //! 60fps", in any number of words. A number needs a unit. Throws Error for words that are

@@ -21,17 +21,17 @@ double error_of_setting(const MeasuredSetting& setting) { return known_or_infini
 
 //! Returns the setting with the least `cost` among those that satisfy `may`. If costs are almost
 //! equal, the least `other` decides.
-std::optional<std::size_t> least_setting(std::span<const MeasuredSetting> settings, const SettingFilter& may,
-                                         const SettingNumber& cost, const SettingNumber& other) {
-  double least = std::numeric_limits<double>::infinity();
+std::optional<std::size_t> cheapest_setting(std::span<const MeasuredSetting> settings, const SettingFilter& may,
+                                            const SettingNumber& cost, const SettingNumber& other) {
+  double minimum = std::numeric_limits<double>::infinity();
   for (const MeasuredSetting& setting : settings) {
-    least = may(setting) ? std::min(least, cost(setting)) : least;
+    minimum = may(setting) ? std::min(minimum, cost(setting)) : minimum;
   }
   std::optional<std::size_t> best;
   // If no cost is known, the first one measured wins.
-  const bool known = std::isfinite(least);
+  const bool known = std::isfinite(minimum);
   for (std::size_t i = 0; i < settings.size(); ++i) {
-    if (may(settings[i]) && cost(settings[i]) <= alike * least &&
+    if (may(settings[i]) && cost(settings[i]) <= alike * minimum &&
         (!best || (known && other(settings[i]) < other(settings[*best])))) {
       best = i;
     }
@@ -53,10 +53,10 @@ BudgetChoice choose_of(std::span<const MeasuredSetting> settings, const Budget& 
     return [&](const MeasuredSetting& setting) { return may(setting) && more(setting); };
   };
   const auto cheapest = [&](const auto& more) {
-    return least_setting(settings, of_those(more), time_of_setting, error_of_setting);
+    return cheapest_setting(settings, of_those(more), time_of_setting, error_of_setting);
   };
   const auto most_accurate = [&](const auto& more) {
-    return least_setting(settings, of_those(more), error_of_setting, time_of_setting);
+    return cheapest_setting(settings, of_those(more), error_of_setting, time_of_setting);
   };
   const auto both = [&](const MeasuredSetting& setting) { return in_error(setting) && in_time(setting); };
   std::optional<std::size_t> best = budget.error_px ? cheapest(both) : most_accurate(both);

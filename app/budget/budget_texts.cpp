@@ -46,11 +46,11 @@ std::string time_text(double frame_ms, const SettingsMeasurement& measured) {
   if (std::isnan(frame_ms)) {
     return untimed_text(measured);
   }
-  const bool told = measured.drawn_px.size() > 1;
-  return fmt::format(
-      "{} per frame{}", milliseconds(frame_ms),
-      told ? fmt::format(" (estimated from pictures {} and {} px wide)", measured.drawn_px[0], measured.drawn_px[1])
-           : "");
+  const bool extrapolated = measured.drawn_px.size() > 1;
+  return fmt::format("{} per frame{}", milliseconds(frame_ms),
+                     extrapolated ? fmt::format(" (estimated from pictures {} and {} px wide)", measured.drawn_px[0],
+                                                measured.drawn_px[1])
+                                  : "");
 }
 
 std::string took_text(const SettingsMeasurement& measured) {

@@ -15,9 +15,9 @@ constexpr int small_px = 160;
 constexpr int larger_px = 384;
 constexpr int timed_draws = 2;
 //! Angle by which the camera is rotated about the hole's axis between two timed pictures [rad].
-constexpr double least_turn = 1e-9;
+constexpr double min_turn = 1e-9;
 //! Minimum share of a picture's time that is proportional to its pixels.
-constexpr double least_by_pixels = 0.3;
+constexpr double min_by_pixels = 0.3;
 
 }  // namespace
 
@@ -49,7 +49,7 @@ std::optional<PictureTime> PictureTimer::time(const FrameQuality& quality) {
   // Line through both points, with a positive slope and a non-negative offset even if other load
   // disturbed the measurement.
   const double slope_ms = (times_ms[1] - times_ms[0]) / (shares[1] - shares[0]);
-  const double pixels_ms = std::clamp(slope_ms, least_by_pixels * by_pixels_ms, by_pixels_ms);
+  const double pixels_ms = std::clamp(slope_ms, min_by_pixels * by_pixels_ms, by_pixels_ms);
   return PictureTime{times_ms[1] - pixels_ms * shares[1], pixels_ms};
 }
 
@@ -60,7 +60,7 @@ std::optional<double> PictureTimer::median_ms(const FrameQuality& quality, int w
       // Moves the camera a little about the hole between pictures: a static camera would reuse the
       // stars of the last picture, which a moving one cannot.
       TimedMoment next = moment;
-      next.pose.phi += round * least_turn;
+      next.pose.phi += round * min_turn;
       const std::optional<double> time_ms = draw(next, quality, width_px);
       // The first draw builds the lens and allocates memory.
       if (time_ms && round > 0) {

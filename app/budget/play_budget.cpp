@@ -54,9 +54,9 @@ std::vector<Rung> single_rung(const SettingsMeasurement& measured, const Budget&
 }  // namespace
 
 double lens_patience_ms(const Budget& budget) {
-  constexpr double most_ms = 20.0;
+  constexpr double max_ms = 20.0;
   constexpr double share = 0.4;
-  return budget.frame_rate_hz ? std::min(most_ms, share * budget.frame_ms()) : most_ms;
+  return budget.frame_rate_hz ? std::min(max_ms, share * budget.frame_ms()) : max_ms;
 }
 
 PlayBudget::PlayBudget(const PlayPlan& plan) : plan_(plan) {
@@ -135,14 +135,14 @@ std::string PlayBudget::summary_text() const {
       "{}; {}", record_text(plan_.budget, *record_, keeper_->changes(), keeper_->rung(), plan_.ladder.size()), error);
 }
 
-ToldPlan plan_play(ShowRenderer& renderer, const Show& show, const PlayChoice& choice) {
+PlanWithText plan_play(ShowRenderer& renderer, const Show& show, const PlayChoice& choice) {
   MeasurementOrder order;
   order.budget = choice.budget;
   order.size_px = choice.size_px;
   order.lens = choice.lens;
   order.free_flight = choice.free_flight;
   const SettingsMeasurement measured = measure_settings(renderer, show, order);
-  ToldPlan told;
+  PlanWithText told;
   told.plan.budget = choice.budget;
   told.plan.whole_px = choice.size_px;
   told.plan.patience_ms = lens_patience_ms(choice.budget);
@@ -152,7 +152,7 @@ ToldPlan plan_play(ShowRenderer& renderer, const Show& show, const PlayChoice& c
     limits.narrowest_px = choice.size_fixed ? choice.size_px : std::min(narrowest_px, choice.size_px);
     limits.height_to_width = measured.height_to_width;
     limits.patience_ms = told.plan.patience_ms;
-    limits.grid_from_pixels = renderer.backend() == Backend::cpu ? least_grid_pixels : 0.0;
+    limits.grid_from_pixels = renderer.backend() == Backend::cpu ? min_grid_pixels : 0.0;
     told.plan.ladder = settings_ladder(measured.settings, choice.budget, limits);
     told.plan.first = first_rung(told.plan.ladder, choice.budget.frame_ms());
   } else {

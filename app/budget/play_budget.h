@@ -80,13 +80,13 @@ struct PlayChoice {
 };
 
 //! A plan with the line that describes it.
-struct ToldPlan {
+struct PlanWithText {
   PlayPlan plan;
   std::string line;
 };
 
 //! Measures the show that the renderer was made for, and makes the ladder of settings to play it
 //! with.
-ToldPlan plan_play(ShowRenderer& renderer, const Show& show, const PlayChoice& choice);
+PlanWithText plan_play(ShowRenderer& renderer, const Show& show, const PlayChoice& choice);
 
 }  // namespace ergodome

@@ -15,10 +15,10 @@ constexpr std::size_t median_frames = 9;
 constexpr std::size_t few_frames = 3;
 //! Share of the frame time that drawing may take; the rest is for the window and for frames slower
 //! than the median.
-constexpr double most_work = 0.85;
+constexpr double max_work = 0.85;
 constexpr double far_too_much_work = 1.5;
 //! Share of the frame time that the next finer rung may be predicted to take, so that it is tried.
-//! If drawing takes a share between this and `most_work`, the rung stays.
+//! If drawing takes a share between this and `max_work`, the rung stays.
 constexpr double work_to_try = 0.65;
 //! If the mean interval between frames exceeds the frame time by this factor, frames count as too
 //! slow even if drawing alone would fit. Exception: if drawing takes less than the share
@@ -28,7 +28,7 @@ constexpr double work_of_the_window = 0.5;
 constexpr std::size_t interval_frames = 30;
 //! Seconds of fast frames before a finer rung is tried: initial value and maximum.
 constexpr double first_patience_s = 1.0;
-constexpr double most_patience_s = 60.0;
+constexpr double max_patience_s = 60.0;
 //! Seconds after which a new rung counts as proven.
 constexpr double proof_s = 2.0;
 //! Assumed time ratio of a finer rung if it was not measured.
@@ -53,9 +53,9 @@ double mean_but_spikes(const std::deque<double>& values) {
   return std::accumulate(sorted.begin(), sorted.end(), 0.0) / static_cast<double>(sorted.size());
 }
 
-void keep_last(std::deque<double>& values, double value, std::size_t most) {
+void keep_last(std::deque<double>& values, double value, std::size_t maximum) {
   values.push_back(value);
-  if (values.size() > most) {
+  if (values.size() > maximum) {
     values.pop_front();
   }
 }
@@ -76,7 +76,7 @@ void RateKeeper::note(double work_ms, double interval_ms) {
   keep_last(work_ms_, work_ms, median_frames);
   keep_last(interval_ms_, interval_ms, interval_frames);
   if (is_too_slow()) {
-    go_down();
+    step_down();
     return;
   }
   if (trying_ && frames_here_ > frames_in(proof_s, frame_ms_)) {
@@ -85,7 +85,7 @@ void RateKeeper::note(double work_ms, double interval_ms) {
   }
   frames_quick_ = finer_would_fit() ? frames_quick_ + 1 : 0;
   if (frames_quick_ > patience_) {
-    go_up();
+    step_up();
   }
 }
 
@@ -99,7 +99,7 @@ bool RateKeeper::is_too_slow() const {
   const double work_ms = median_of_last(work_ms_, median_frames);
   const double mean_ms = mean_but_spikes(interval_ms_);
   const bool late = interval_ms_.size() == interval_frames && mean_ms > late_interval * frame_ms_;
-  return work_ms > most_work * frame_ms_ || (late && work_ms > work_of_the_window * frame_ms_);
+  return work_ms > max_work * frame_ms_ || (late && work_ms > work_of_the_window * frame_ms_);
 }
 
 double RateKeeper::finer_ratio() const {
@@ -112,7 +112,7 @@ bool RateKeeper::finer_would_fit() const {
          finer_ratio() * median_of_last(work_ms_, median_frames) < work_to_try * frame_ms_;
 }
 
-void RateKeeper::go_to(std::size_t rung) {
+void RateKeeper::use_rung(std::size_t rung) {
   rung_ = rung;
   ++changes_;
   work_ms_.clear();
@@ -121,20 +121,20 @@ void RateKeeper::go_to(std::size_t rung) {
   frames_quick_ = 0;
 }
 
-void RateKeeper::go_down() {
+void RateKeeper::step_down() {
   if (rung_ + 1 >= rung_ms_.size()) {
     return;
   }
   if (trying_) {
-    patience_ = std::min(2 * patience_, frames_in(most_patience_s, frame_ms_));
+    patience_ = std::min(2 * patience_, frames_in(max_patience_s, frame_ms_));
   }
   trying_ = false;
-  go_to(rung_ + 1);
+  use_rung(rung_ + 1);
 }
 
-void RateKeeper::go_up() {
+void RateKeeper::step_up() {
   trying_ = true;
-  go_to(rung_ - 1);
+  use_rung(rung_ - 1);
 }
 
 }  // namespace ergodome

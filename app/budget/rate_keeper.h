@@ -33,9 +33,9 @@ class RateKeeper {
   [[nodiscard]] bool is_too_slow() const;
   [[nodiscard]] bool finer_would_fit() const;
   [[nodiscard]] double finer_ratio() const;
-  void go_to(std::size_t rung);
-  void go_down();
-  void go_up();
+  void use_rung(std::size_t rung);
+  void step_down();
+  void step_up();
 
   std::vector<double> rung_ms_;
   double frame_ms_;

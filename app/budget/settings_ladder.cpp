@@ -14,25 +14,25 @@ constexpr double width_step = 0.82;
 //! Without an error budget, lenses coarser than this come after smaller pictures [px].
 constexpr double unseen_px = 1.0;
 //! A rung must be faster than the one before by this factor.
-constexpr double least_gain = 0.97;
+constexpr double min_gain = 0.97;
 
 class LadderMaker {
  public:
   LadderMaker(std::span<const MeasuredSetting> settings, const LadderLimits& limits)
       : settings_(settings), limits_(limits) {}
 
-  void add(const MeasuredSetting& lens, int size_px, bool plain_look) {
-    Rung rung{lens.quality, size_px, lens.error_px, lens.moments, frame_ms(lens, size_px, plain_look)};
+  void add(const MeasuredSetting& lens, int size_px, bool plain_filter) {
+    Rung rung{lens.quality, size_px, lens.error_px, lens.moments, frame_ms(lens, size_px, plain_filter)};
     const MeasuredSetting* const direct = direct_twin(lens);
     if (direct != nullptr && lens.quality.lens == LensChoice::automatic) {
       // At this size the renderer may use the grid or direct rays, so the larger error counts.
       rung.error_px = std::max(rung.error_px, direct->error_px);
     }
-    if (plain_look) {
+    if (plain_filter) {
       rung.quality.filter = SkyFilter::point;
     }
     const bool known = ladder_.empty() || !std::isnan(ladder_.front().frame_ms);
-    if (ladder_.empty() || !known || rung.frame_ms < least_gain * ladder_.back().frame_ms) {
+    if (ladder_.empty() || !known || rung.frame_ms < min_gain * ladder_.back().frame_ms) {
       ladder_.push_back(rung);
     }
   }
@@ -57,7 +57,7 @@ class LadderMaker {
     return found != settings_.end() ? &*found : nullptr;
   }
 
-  [[nodiscard]] double frame_ms(const MeasuredSetting& lens, int size_px, bool plain_look) const {
+  [[nodiscard]] double frame_ms(const MeasuredSetting& lens, int size_px, bool plain_filter) const {
     const double width_share = static_cast<double>(size_px) / limits_.widest_px;
     const double pixel_share = width_share * width_share;
     const MeasuredSetting* const direct = direct_twin(lens);
@@ -66,7 +66,7 @@ class LadderMaker {
                          limits_.height_to_width * size_px * size_px < limits_.grid_from_pixels;
     const double time_ms = by_rays ? direct->picture_ms(pixel_share)
                                    : std::min(lens.lens_ms, limits_.patience_ms) + lens.picture_ms(pixel_share);
-    const MeasuredSetting* const plain = plain_look ? plain_twin(lens) : nullptr;
+    const MeasuredSetting* const plain = plain_filter ? plain_twin(lens) : nullptr;
     return plain == nullptr ? time_ms : time_ms + plain->picture_ms(pixel_share) - lens.picture_ms(pixel_share);
   }
 
@@ -122,11 +122,11 @@ std::vector<Rung> settings_ladder(std::span<const MeasuredSetting> settings, con
   for (const int width : widths) {
     maker.add(fine.back(), width, false);
   }
-  const bool may_look_plainly = fine.back().quality.filter == SkyFilter::ewa;
-  maker.add(fine.back(), widths.back(), may_look_plainly);
+  const bool may_filter_plainly = fine.back().quality.filter == SkyFilter::ewa;
+  maker.add(fine.back(), widths.back(), may_filter_plainly);
   for (const MeasuredSetting& lens : lenses) {
     if (lens.quality.budget_px > fine.back().quality.budget_px) {
-      maker.add(lens, widths.back(), may_look_plainly);
+      maker.add(lens, widths.back(), may_filter_plainly);
     }
   }
   return maker.take();

@@ -68,8 +68,8 @@ class SettingsMeter {
   }
 
   SettingsMeasurement measure(const Show& show) {
-    look_at_moments(show);
-    look_at_lens();
+    find_moments(show);
+    check_lens();
     // Done before measuring lenses, which could use up all the time.
     if (has_objects(show, ObjectMethod::polygon) && renderer_.backend() == Backend::cpu) {
       result_.untimed = UntimedFrames::polygons;
@@ -89,14 +89,14 @@ class SettingsMeter {
   }
 
  private:
-  void look_at_moments(const Show& show) {
+  void find_moments(const Show& show) {
     const std::vector<double> times_s = budget_times(show, budget_moments);
     for (const double time_s : times_s) {
-      const auto look = [&] { moments_.push_back(moment_at(show, time_s, times_s.size() > 1 ? 1 : 2)); };
+      const auto visit = [&] { moments_.push_back(moment_at(show, time_s, times_s.size() > 1 ? 1 : 2)); };
       if (moments_.empty()) {
-        look();
+        visit();
       } else {
-        deadline_.run(StartWork::reference, look, moments_share, 1.0);
+        deadline_.run(StartWork::reference, visit, moments_share, 1.0);
       }
     }
     for (const BudgetMoment& moment : moments_) {
@@ -219,15 +219,15 @@ class SettingsMeter {
   [[nodiscard]] double coarse_px() const { return 1.1 * loosest_budget(); }
 
   //! Determines which lens `automatic` selects.
-  void look_at_lens() {
-    const auto look = [&] {
+  void check_lens() {
+    const auto visit = [&] {
       const BudgetMoment& moment = moments_.front();
       renderer_.apply(moment.time_s);
       renderer_.set_quality({coarse_px(), order_.lens, first_quality_.filter});
       const auto lens = renderer_.lens_of(moment.pose, moment.projection, {moment.time_s});
       automatic_is_direct_ = order_.lens == LensChoice::automatic && std::string_view(lens->name()) == "direct";
     };
-    deadline_.run(StartWork::lens, look);
+    deadline_.run(StartWork::lens, visit);
   }
 
   //! Measures the times of pictures for each kind of lens and filter; a lens's budget hardly
@@ -301,12 +301,12 @@ std::vector<double> budget_times(const Show& show, int count) {
   if (!camera_moves(show) && show.timeline.animations.empty()) {
     return {0.5 * show.duration_s};
   }
-  constexpr int looked_at = 400;
+  constexpr int sample_count = 400;
   // Near the smaller horizon of a fast spin, light bending has finer detail.
   double nearest_s = 0.0;
   double nearest = std::numeric_limits<double>::infinity();
-  for (int i = 0; i <= looked_at; ++i) {
-    const double time_s = show.duration_s * i / looked_at;
+  for (int i = 0; i <= sample_count; ++i) {
+    const double time_s = show.duration_s * i / sample_count;
     const double height = camera_pose(show, time_s).r + horizon_radius(spacetime_at(show, time_s));
     if (height < nearest) {
       nearest = height;

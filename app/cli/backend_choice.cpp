@@ -36,9 +36,9 @@ Backend choose_backend(const std::string& word) {
   if (word == "cuda") {
     throw Error("--backend cuda", reason, "use --backend cpu");
   }
-  static bool said = false;
-  if (!said) {
-    said = true;
+  static bool reported = false;
+  if (!reported) {
+    reported = true;
     print_note("rendering on {}: {}", describe(Backend::cpu), reason);
   }
   return Backend::cpu;

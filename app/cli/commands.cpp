@@ -15,7 +15,7 @@
 #include "content/files/console.h"
 #include "content/files/toml_table.h"
 #include "kernels/core/error.h"
-#include "render/backend/kept_memory.h"
+#include "render/backend/cached_memory.h"
 
 namespace ergodome {
 

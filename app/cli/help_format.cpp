@@ -53,13 +53,13 @@ std::string choices_of(const std::string& type, const std::string& text) {
 std::string range_of_type(const std::string& type) {
   constexpr double practically_unlimited = 1e6;
   const std::size_t from = type.find('[');
-  double least = 0.0;
-  double most = 0.0;
-  if (from == std::string::npos || std::sscanf(type.c_str() + from, "[%lf - %lf]", &least, &most) != 2 ||
-      most >= practically_unlimited) {
+  double minimum = 0.0;
+  double maximum = 0.0;
+  if (from == std::string::npos || std::sscanf(type.c_str() + from, "[%lf - %lf]", &minimum, &maximum) != 2 ||
+      maximum >= practically_unlimited) {
     return "";
   }
-  return fmt::format("{:g} to {:g}", least, most);
+  return fmt::format("{:g} to {:g}", minimum, maximum);
 }
 
 }  // namespace

@@ -29,13 +29,13 @@ Projection projection_of(const Show& show, int size_px) {
 }
 
 std::shared_ptr<StationStream> open(const Show& show, const std::filesystem::path& file, const LensOptions& options,
-                                    Backend backend, const Tell& tell) {
+                                    Backend backend, const NoteSink& report) {
   TrajectoryReader trajectory(file);
   require_path_of(show, trajectory);
   const std::size_t memory = static_cast<std::size_t>(options.stream_memory_mib.value_or(usual_stream_memory_mib))
                              << 20U;
   return std::make_shared<StationStream>(backend, std::move(trajectory), memory,
-                                         [tell](const std::string& problem) { tell(problem + " (skipped)"); });
+                                         [report](const std::string& problem) { report(problem + " (skipped)"); });
 }
 
 //! Returns the default path of a show's trajectory.
@@ -54,7 +54,7 @@ const char* stand_in_for_stream(const Projection& projection, const LensOptions&
 
 }  // namespace
 
-void add_lens_options(CLI::App& command, LensOptions& options, IdleOptions& idle) {
+void add_lens_options(CLI::App& command, LensOptions& options, IgnoredOptions& ignored) {
   command
       .add_option("--lens", options.lens,
                   "lenses: streamed (from a trajectory), live (grid), direct (ray per pixel), auto")
@@ -68,12 +68,12 @@ void add_lens_options(CLI::App& command, LensOptions& options, IdleOptions& idle
       .add_option("--stream-memory", options.stream_memory_mib,
                   fmt::format("memory limit for streamed stations in MiB (default: {})", usual_stream_memory_mib))
       ->check(CLI::Range(1, 1 << 20));
-  idle.add("with --lens live or direct",
-           [&options] {
-             const LensChoice choice = lens_choice(options);
-             return choice == LensChoice::live || choice == LensChoice::direct;
-           },
-           {"--trajectory", "--stream-memory"});
+  ignored.add("with --lens live or direct",
+              [&options] {
+                const LensChoice choice = lens_choice(options);
+                return choice == LensChoice::live || choice == LensChoice::direct;
+              },
+              {"--trajectory", "--stream-memory"});
 }
 
 LensChoice lens_choice(const LensOptions& options) {
@@ -83,22 +83,23 @@ LensChoice lens_choice(const LensOptions& options) {
                                     : LensChoice::automatic;
 }
 
-void tell_on_terminal(const std::string& note) {
+void print_note_once(const std::string& note) {
   static std::mutex mutex;
-  static std::set<std::string> told;
+  static std::set<std::string> printed;
   const std::scoped_lock lock(mutex);
-  if (told.insert(note).second) {
+  if (printed.insert(note).second) {
     print_note("{}", note);
   }
 }
 
-std::shared_ptr<StationStream> open_stream(const Show& show, const LensOptions& options, Backend backend, Tell tell) {
+std::shared_ptr<StationStream> open_stream(const Show& show, const LensOptions& options, Backend backend,
+                                           NoteSink report) {
   const LensChoice choice = lens_choice(options);
   if (choice == LensChoice::live || choice == LensChoice::direct) {
     return nullptr;
   }
   if (!options.trajectory.empty()) {
-    return open(show, options.trajectory, options, backend, tell);
+    return open(show, options.trajectory, options, backend, report);
   }
   const std::filesystem::path beside = trajectory_beside(show);
   std::error_code problem;
@@ -110,12 +111,12 @@ std::shared_ptr<StationStream> open_stream(const Show& show, const LensOptions& 
     return nullptr;
   }
   try {
-    return open(show, beside, options, backend, tell);
+    return open(show, beside, options, backend, report);
   } catch (const Error& error) {
     if (choice == LensChoice::streamed) {
       throw;
     }
-    tell(std::string(error.what()) + " (trajectory ignored)");
+    report(std::string(error.what()) + " (trajectory ignored)");
     return nullptr;
   }
 }
@@ -180,7 +181,7 @@ void print_statistics(const StreamStatistics& s) {
   print_out("streamed: {} ({} delayed, {} given up); {} read ({} damaged{}); peak memory {:.1f} MiB\n",
             counted(s.asked, "lens", "lenses"), s.waits, s.missed, counted(s.read, "station"), s.bad,
             s.lost_disks > 0 ? fmt::format(", {} without disk", s.lost_disks) : "",
-            static_cast<double>(s.most_bytes_held) / (1 << 20));
+            static_cast<double>(s.max_bytes_held) / (1 << 20));
 }
 
 void add_budget_option(CLI::App& command, std::vector<std::string>& words) {

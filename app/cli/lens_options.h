@@ -28,22 +28,22 @@ constexpr int usual_stream_memory_mib = 256;
 
 //! Adds --lens, --trajectory and --stream-memory to a command, and registers when they have no
 //! effect. `options` must outlive both.
-void add_lens_options(CLI::App& command, LensOptions& options, IdleOptions& idle);
+void add_lens_options(CLI::App& command, LensOptions& options, IgnoredOptions& ignored);
 
 LensChoice lens_choice(const LensOptions& options);
 
 //! A function that receives a note for the user.
-using Tell = std::function<void(const std::string&)>;
+using NoteSink = std::function<void(const std::string&)>;
 
 //! Prints a note on the terminal unless it was printed before. Thread-safe.
-void tell_on_terminal(const std::string& note);
+void print_note_once(const std::string& note);
 
 //! Opens the stream of a show's baked stations. Returns null if there is no trajectory or the
 //! choice needs none. Throws Error if a requested trajectory cannot be used; one that was merely
-//! found in the show's folder is skipped with a note. `tell` is also called from the stream's
+//! found in the show's folder is skipped with a note. `report` is also called from the stream's
 //! thread, for stations that cannot be read.
 std::shared_ptr<StationStream> open_stream(const Show& show, const LensOptions& options, Backend backend,
-                                           Tell tell = tell_on_terminal);
+                                           NoteSink report = print_note_once);
 
 //! Throws UsageError if a memory limit for streamed stations is given but the show has no
 //! trajectory to stream.

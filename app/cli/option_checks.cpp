@@ -32,37 +32,38 @@ CLI::Validator one_of(std::span<const char* const> names) {
   return CLI::IsMember(std::vector<std::string>(names.begin(), names.end()));
 }
 
-CLI::Validator number_between(double least, double most) {
-  return {[least, most](std::string& text) {
+CLI::Validator number_between(double minimum, double maximum) {
+  return {[minimum, maximum](std::string& text) {
             double value = 0.0;
-            const bool good = CLI::detail::lexical_cast(text, value) && value >= least && value <= most;
-            return good ? std::string() : fmt::format("\"{}\" is not a number from {:g} to {:g}", text, least, most);
+            const bool good = CLI::detail::lexical_cast(text, value) && value >= minimum && value <= maximum;
+            return good ? std::string()
+                        : fmt::format("\"{}\" is not a number from {:g} to {:g}", text, minimum, maximum);
           },
-          fmt::format("FLOAT in [{:g} - {:g}]", least, most)};
+          fmt::format("FLOAT in [{:g} - {:g}]", minimum, maximum)};
 }
 
-CLI::Validator frame_rate_between(double least, double most) {
-  return {[least, most](std::string& text) {
+CLI::Validator frame_rate_between(double minimum, double maximum) {
+  return {[minimum, maximum](std::string& text) {
             const std::size_t slash = text.find('/');
             double frames = 0.0;
             double seconds = 1.0;
             const bool good =
                 CLI::detail::lexical_cast(text.substr(0, slash), frames) &&
                 (slash == std::string::npos || CLI::detail::lexical_cast(text.substr(slash + 1), seconds)) &&
-                frames / seconds >= least && frames / seconds <= most;
+                frames / seconds >= minimum && frames / seconds <= maximum;
             if (!good) {
               return fmt::format("\"{}\" is not a number from {:g} to {:g}, nor a fraction like 30000/1001", text,
-                                 least, most);
+                                 minimum, maximum);
             }
             text = fmt::format("{:.17g}", exact_rate_hz(frames / seconds));
             return std::string();
           },
-          fmt::format("FLOAT in [{:g} - {:g}]", least, most)};
+          fmt::format("FLOAT in [{:g} - {:g}]", minimum, maximum)};
 }
 
 CLI::Validator show_time() { return number_between(-1e12, 1e12); }
 
-void IdleOptions::add(const char* where, std::function<bool()> holds, std::initializer_list<const char*> options) {
+void IgnoredOptions::add(const char* where, std::function<bool()> holds, std::initializer_list<const char*> options) {
   Rule rule{where, std::move(holds), {}};
   for (const char* const option : options) {
     rule.options.push_back(command_->get_option(option));
@@ -70,7 +71,7 @@ void IdleOptions::add(const char* where, std::function<bool()> holds, std::initi
   rules_.push_back(std::move(rule));
 }
 
-void IdleOptions::refuse() const {
+void IgnoredOptions::refuse() const {
   for (const Rule& rule : rules_) {
     const auto given = std::ranges::find_if(rule.options, [](const CLI::Option* each) { return each->count() > 0; });
     if (given != rule.options.end() && rule.holds()) {

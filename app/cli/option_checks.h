@@ -21,24 +21,24 @@ double pixels_of(const std::string& option, const std::string& text);
 //! Returns a check for an option that is one of some names.
 CLI::Validator one_of(std::span<const char* const> names);
 
-//! Returns a check for an option with a number from `least` to `most`. Unlike CLI::Range, it
+//! Returns a check for an option with a number from `minimum` to `maximum`. Unlike CLI::Range, it
 //! rejects "nan" and prints the limits in full.
-CLI::Validator number_between(double least, double most);
+CLI::Validator number_between(double minimum, double maximum);
 
 //! Returns a check for an option with a frame rate, as a number or as a fraction ("30000/1001").
 //! Converts it to a number, which is exact if it is an abbreviation of 1000/1001 of an integer
 //! rate. For transform(), because check() cannot change the value.
-CLI::Validator frame_rate_between(double least, double most);
+CLI::Validator frame_rate_between(double minimum, double maximum);
 
 //! Returns a check for show times [s] without limits.
 CLI::Validator show_time();
 
 //! Options of a command that have no effect, given the value of another option or the kind of a
 //! file. If it only matters whether another option is given, use CLI::Option::needs and excludes.
-class IdleOptions {
+class IgnoredOptions {
  public:
   //! `command` must outlive this.
-  explicit IdleOptions(CLI::App& command) : command_(&command) {}
+  explicit IgnoredOptions(CLI::App& command) : command_(&command) {}
 
   //! Registers options that have no effect while `holds` returns true; it is called after parsing.
   //! `where` is part of the message: "without --method grid", "of a test pattern".

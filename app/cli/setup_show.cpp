@@ -21,10 +21,10 @@ namespace ergodome {
 namespace {
 
 //! Converts a position to axes tilted to the front by an angle.
-Vector3<double> leaned(const Vector3<double>& place, double angle_deg) {
+Vector3<double> leaned(const Vector3<double>& position, double angle_deg) {
   const double cosine = std::cos(angle_deg * one_degree);
   const double sine = std::sin(angle_deg * one_degree);
-  return {place.x, cosine * place.y + sine * place.z, cosine * place.z - sine * place.y};
+  return {position.x, cosine * position.y + sine * position.z, cosine * position.z - sine * position.y};
 }
 
 //! Returns the setup's viewer in radii of the dome, in the axes of a view tilted by `tilt_deg`.
@@ -121,10 +121,8 @@ int write_pattern_frames(const ProjectedPatterns& asked, const DomeSetup& setup)
   const std::vector<std::string> names = plain_names(setup);
   for (std::size_t i = 0; all && i < names.size(); ++i) {
     const ProjectorPicture& raster = pictures[i];
-    const Picture sheet =
-        draw_projector_number(static_cast<int>(i) + 1, raster.name, raster.width_px, raster.height_px);
-    write_png(asked.out / fmt::format("number_{}.png", names[i]), tone_mapped(sheet), raster.width_px,
-              raster.height_px);
+    const Picture page = draw_projector_number(static_cast<int>(i) + 1, raster.name, raster.width_px, raster.height_px);
+    write_png(asked.out / fmt::format("number_{}.png", names[i]), tone_mapped(page), raster.width_px, raster.height_px);
   }
   return static_cast<int>(names.size() * (parts.size() * patterns.size() + (all ? 1 : 0)));
 }
@@ -149,7 +147,7 @@ std::vector<std::filesystem::path> ProjectorFrames::paths_of(const std::filesyst
 bool ProjectorFrames::are_there(const std::filesystem::path& frame, const std::string& request) const {
   return std::ranges::all_of(rasters_, [&](const Raster& raster) {
     const std::filesystem::path path = path_of(frame, raster);
-    return fact_of_image(path, "request") == request && is_complete_image(path, raster.width_px, raster.height_px);
+    return metadata_of_image(path, "request") == request && is_complete_image(path, raster.width_px, raster.height_px);
   });
 }
 

@@ -8,7 +8,7 @@
 #include "calibration/dome/dome_setup.h"
 #include "content/show/show.h"
 #include "render/output/image_writer.h"
-#include "render/patterns/pattern_place.h"
+#include "render/patterns/pattern_position.h"
 #include "render/present/projectors/headless_projectors.h"
 
 namespace ergodome {

@@ -40,8 +40,8 @@ Show read_set_show(const std::filesystem::path& path, const ShowSettings& settin
   try {
     return read_show_with_settings(path, settings);
   } catch (const Error& error) {
-    if (error.place().starts_with(show_setting_option)) {
-      throw UsageError(error.place(), error.problem(), error.remedy());
+    if (error.location().starts_with(show_setting_option)) {
+      throw UsageError(error.location(), error.problem(), error.remedy());
     }
     throw;
   }
@@ -70,7 +70,7 @@ void require_two_eyes(const Show& show, const std::string& option, bool given) {
   }
 }
 
-void tell_equal_eyes(const Show& show) {
+void report_equal_eyes(const Show& show) {
   if (eye_count(show.stereo) > 1 && !(show_at_most(show).stereo.baseline > 0.0)) {
     print_note("both eyes see the same picture, because stereo.baseline of the show is 0; set it with --baseline");
   }

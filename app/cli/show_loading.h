@@ -14,7 +14,7 @@ Show load_show(const std::string& name_or_path, const ShowSettings& settings = {
 void require_two_eyes(const Show& show, const std::string& option, bool given);
 
 //! Prints a note if a show's two eyes always see the same.
-void tell_equal_eyes(const Show& show);
+void report_equal_eyes(const Show& show);
 
 //! Throws Error if a time is outside the show; `option` names it in the message.
 void require_time(const std::string& option, const Show& show, double time_s);

@@ -16,7 +16,7 @@ namespace {
 //! Returns a check for the limits of an animatable key of shows.
 CLI::Validator within_limits_of(const char* path) {
   const auto limits = limits_of(path);
-  return number_between(limits.least, limits.greatest);
+  return number_between(limits.minimum, limits.maximum);
 }
 
 void override_view(Show& show, const std::string& projection, const std::string& stereo) {

@@ -56,8 +56,8 @@ std::string duration_text(double seconds) {
                        : two(minutes / day, "d", minutes % day / hour, "h");
 }
 
-std::string json_text(const nlohmann::json& facts) {
-  return facts.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+std::string json_text(const nlohmann::json& summary) {
+  return summary.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 }  // namespace ergodome

@@ -19,6 +19,6 @@ std::string size_text(std::uintmax_t bytes);
 std::string duration_text(double seconds);
 
 //! Formats a summary as JSON. Invalid UTF-8, such as in file names, becomes replacement characters.
-std::string json_text(const nlohmann::json& facts);
+std::string json_text(const nlohmann::json& summary);
 
 }  // namespace ergodome

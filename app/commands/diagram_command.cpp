@@ -40,8 +40,8 @@ struct DiagramOptions {
   int rays = 24;
 };
 
-constexpr int least_diagram_px = 64;
-constexpr int most_diagram_px = 8192;
+constexpr int min_diagram_px = 64;
+constexpr int max_diagram_px = 8192;
 //! Number of times of a film at which the scene must fit into the picture.
 constexpr int framed_moments = 9;
 
@@ -69,13 +69,13 @@ std::vector<double> numbers_of(const std::string& text, char between) {
 std::pair<int, int> size_of(const std::string& text) {
   const std::vector<double> sides = numbers_of(text, 'x');
   const auto fits = [](double side) {
-    return side == std::floor(side) && side >= least_diagram_px && side <= most_diagram_px;
+    return side == std::floor(side) && side >= min_diagram_px && side <= max_diagram_px;
   };
   const double height = sides.size() == 2 ? sides[1] : sides.size() == 1 ? std::round(sides[0] * 9.0 / 16.0) : 0.0;
   if (sides.empty() || !fits(sides[0]) || !fits(height)) {
     throw UsageError(
         "--size " + text, "is not a picture size",
-        fmt::format("write WIDTHxHEIGHT or a width, with sides of {} to {} pixels", least_diagram_px, most_diagram_px));
+        fmt::format("write WIDTHxHEIGHT or a width, with sides of {} to {} pixels", min_diagram_px, max_diagram_px));
   }
   return {static_cast<int>(sides[0]), static_cast<int>(height)};
 }
@@ -89,13 +89,13 @@ std::vector<int> images_of(const std::string& text) {
   }
   const std::vector<double> numbers = numbers_of(text, ',');
   for (const double number : numbers) {
-    if (number == std::floor(number) && number >= 1.0 && number <= most_polygon_images) {
+    if (number == std::floor(number) && number >= 1.0 && number <= max_polygon_images) {
       images.push_back(static_cast<int>(number));
     }
   }
   if (numbers.empty() || images.size() != numbers.size()) {
     throw UsageError("--images " + text, "is not a list of image orders",
-                     fmt::format("write numbers from 1 to {}, separated by commas", most_polygon_images));
+                     fmt::format("write numbers from 1 to {}, separated by commas", max_polygon_images));
   }
   std::ranges::sort(images);
   images.erase(std::unique(images.begin(), images.end()), images.end());

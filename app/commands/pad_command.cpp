@@ -175,7 +175,7 @@ fs::path calibration_file(const PadOptions& options) {
 
 void report(const PadProfile& profile, const std::vector<std::string>& unmoved) {
   for (const auto& [name, range] : profile.calibration) {
-    print_out("{:>16}: {} to {}, center {}\n", name, range.least, range.greatest, range.centre);
+    print_out("{:>16}: {} to {}, center {}\n", name, range.minimum, range.maximum, range.centre);
   }
   print_out("dead zones: left stick {}, right stick {}\n", profile.left_stick.dead_zone, profile.right_stick.dead_zone);
   if (!unmoved.empty()) {
@@ -259,10 +259,10 @@ void add_pad_command(CLI::App& app) {
       ->excludes(live);
   command->add_option("--fixture", options->fixture,
                       "replay recorded reports from this file instead of reading controllers");
-  IdleOptions idle(*command);
-  idle.add("without --live or --calibrate", [options] { return !options->live && !options->calibrate; }, {"--for"});
-  command->callback([options, idle] {
-    idle.refuse();
+  IgnoredOptions ignored(*command);
+  ignored.add("without --live or --calibrate", [options] { return !options->live && !options->calibrate; }, {"--for"});
+  command->callback([options, ignored] {
+    ignored.refuse();
     run(*options);
   });
 }

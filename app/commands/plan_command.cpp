@@ -157,7 +157,7 @@ nlohmann::json json_of(const Show& show, const FramePlan& plan) {
                               {"bytes", known(buffer.bytes)},
                               {"why", buffer.why}});
   }
-  all["idle"] = facts_of_idle_lines(show);
+  all["idle"] = summary_of_unused_keys(show);
   return all;
 }
 
@@ -186,7 +186,7 @@ void print(const nlohmann::json& plan) {
               buffer["when"].get<std::string>(), text_of(buffer["bytes"]), buffer["why"].get<std::string>());
   }
   print_out("\n-: not known in advance\n");
-  print_idle_lines(plan["idle"]);
+  print_unused_keys(plan["idle"]);
 }
 
 void print(const Measured& measured) {
@@ -220,11 +220,11 @@ void run(const PlanOptions& options) {
   const Backend backend = choose_backend(options.backend);
   std::shared_ptr<StationStream> stream = open_stream(show, options.lens, backend);
   for (const std::string& note : stream_notes(stream.get(), show, options.lens, backend, options.size_px)) {
-    tell_on_terminal(note);
+    print_note_once(note);
   }
-  const std::optional<NarrowedPath> narrowed = narrowed_path(show);
-  if (narrowed) {
-    tell_on_terminal(note_of(show, *narrowed));
+  const std::optional<BaselineReductions> reduced = baseline_reductions(show);
+  if (reduced) {
+    print_note_once(note_of(show, *reduced));
   }
   const FrameRequest request = {
       backend,
@@ -238,7 +238,7 @@ void run(const PlanOptions& options) {
       has_objects(show, ObjectMethod::polygon) ? ObjectPass::mesh_bytes(show) : 0};
   const FramePlan planned = plan_frame(show, request);
   nlohmann::json plan = json_of(show, planned);
-  plan["narrowed_eyes"] = narrowed ? facts_of(*narrowed) : nlohmann::json(nullptr);
+  plan["narrowed_eyes"] = reduced ? summary_of(*reduced) : nlohmann::json(nullptr);
   std::optional<Measured> measured;
   if (options.measure) {
     measured = measure(options, show, backend, stream);
@@ -300,10 +300,10 @@ void add_plan_command(CLI::App& app) {
   add_method_option(*command, options->method);
   add_stereo_options(*command, *options);
   add_backend_option(*command, options->backend);
-  IdleOptions idle(*command);
-  add_lens_options(*command, options->lens, idle);
-  command->callback([options, idle] {
-    idle.refuse();
+  IgnoredOptions ignored(*command);
+  add_lens_options(*command, options->lens, ignored);
+  command->callback([options, ignored] {
+    ignored.refuse();
     run(*options);
   });
 }

@@ -18,8 +18,8 @@
 #include "app/cli/show_loading.h"
 #include "app/cli/show_options.h"
 #include "app/cli/usage_error.h"
-#include "app/exhibit/kept_settings.h"
 #include "app/exhibit/log_file.h"
+#include "app/exhibit/saved_settings.h"
 #include "app/exhibit/supervisor.h"
 #include "app/playback/midi_time_code.h"
 #include "app/player/outputs/dome_output.h"
@@ -148,12 +148,12 @@ std::shared_ptr<ShowRenderer> use_budget(PlayArguments& arguments, const Show& s
   }
   PlayOptions& options = arguments.options;
   std::shared_ptr<ShowRenderer> renderer = make(show);
-  const ToldPlan told = plan_play(*renderer, show,
-                                  {budget, options.size_px, arguments.size_given, lens_choice(arguments.lens),
-                                   options.free_flight || arguments.exhibit});
-  print_out("{}\n", told.line);
+  const PlanWithText planned = plan_play(*renderer, show,
+                                         {budget, options.size_px, arguments.size_given, lens_choice(arguments.lens),
+                                          options.free_flight || arguments.exhibit});
+  print_out("{}\n", planned.line);
   std::fflush(stdout);
-  options.budget = told.plan;
+  options.budget = planned.plan;
   return renderer;
 }
 
@@ -170,7 +170,7 @@ void run(PlayArguments arguments) {
   require_output_file("--record", options.record, {arguments.show, arguments.setup, options.controls});
   options.free_flight = options.free_flight || arguments.show.empty();
   if (const std::filesystem::path state = state_folder(); !state.empty()) {
-    options.services.remote.kept_token_file = state / "web-token";
+    options.services.remote.saved_token_file = state / "web-token";
   }
   if (!arguments.setup.empty()) {
     use_setup(arguments);
@@ -188,7 +188,7 @@ void run(PlayArguments arguments) {
   if (!arguments.exhibit) {
     require_used_memory(show, arguments.lens);
   }
-  tell_equal_eyes(show);
+  report_equal_eyes(show);
   if (keeps_eyes_apart(show.stereo.layout) && !arguments.projectors) {
     print_note("the window shows stereo layout {} side by side; only render writes separate images",
                stereo_layout_names[static_cast<std::size_t>(show.stereo.layout)]);
@@ -238,7 +238,7 @@ void add_picture_options(CLI::App& command, PlayArguments& arguments) {
   command.add_flag("--tint-eyes", arguments.tint_eyes, "tint the left eye's image red and the right eye's cyan");
 }
 
-void add_dome_options(CLI::App& command, PlayArguments& arguments, IdleOptions& idle) {
+void add_dome_options(CLI::App& command, PlayArguments& arguments, IgnoredOptions& ignored) {
   command.option_defaults()->group("Domes");
   CLI::Option* const setup =
       command.add_option("--setup", arguments.setup, "dome setup (.toml): also open a window for each projector")
@@ -247,8 +247,8 @@ void add_dome_options(CLI::App& command, PlayArguments& arguments, IdleOptions& 
       .add_flag("--no-control", arguments.hide_control,
                 "with --setup: open only the projectors' windows; keys work in them")
       ->needs(setup);
-  idle.add("with --setup, which fixes the projection",
-           [&arguments] { return !arguments.setup.empty() && arguments.projection != "dome"; }, {"--projection"});
+  ignored.add("with --setup, which fixes the projection",
+              [&arguments] { return !arguments.setup.empty() && arguments.projection != "dome"; }, {"--projection"});
 }
 
 void add_control_options(CLI::App& command, PlayArguments& arguments) {
@@ -263,7 +263,7 @@ void add_control_options(CLI::App& command, PlayArguments& arguments) {
       ->type_name("FILE");
 }
 
-void add_clock_and_sound_options(CLI::App& command, PlayArguments& arguments, IdleOptions& idle) {
+void add_clock_and_sound_options(CLI::App& command, PlayArguments& arguments, IgnoredOptions& ignored) {
   command.option_defaults()->group("Clock and sound");
   ServiceOptions& services = arguments.options.services;
   command
@@ -287,10 +287,10 @@ void add_clock_and_sound_options(CLI::App& command, PlayArguments& arguments, Id
   command.add_option("--sound-later", services.sound_later_s, "delay sound by N seconds, for slow displays")
       ->check(number_between(-1.0, 1.0))
       ->excludes(no_sound);
-  idle.add("without --clock mtc", [&services] { return !services.clock.starts_with("mtc"); }, {"--clock-start"});
+  ignored.add("without --clock mtc", [&services] { return !services.clock.starts_with("mtc"); }, {"--clock-start"});
 }
 
-void add_exhibit_options(CLI::App& command, PlayArguments& arguments, IdleOptions& idle) {
+void add_exhibit_options(CLI::App& command, PlayArguments& arguments, IgnoredOptions& ignored) {
   command.option_defaults()->group("Exhibits");
   ExhibitOptions& exhibit = arguments.exhibit_options;
   CLI::Option* const locked = command.add_flag(
@@ -308,8 +308,8 @@ void add_exhibit_options(CLI::App& command, PlayArguments& arguments, IdleOption
       ->check(number_between(0.0, 86400.0))
       ->needs(locked)
       ->capture_default_str();
-  idle.add("with --exhibit, which starts free flight for each visitor", [&arguments] { return arguments.exhibit; },
-           {"--fly"});
+  ignored.add("with --exhibit, which starts free flight for each visitor", [&arguments] { return arguments.exhibit; },
+              {"--fly"});
 }
 
 }  // namespace
@@ -334,19 +334,19 @@ void add_play_command(CLI::App& app) {
       ->type_name("FILE");
   command->add_option("--screenshot", arguments->options.screenshot, "save the last picture of the window to this PNG")
       ->type_name("FILE");
-  IdleOptions idle(*command);
+  IgnoredOptions ignored(*command);
   add_picture_options(*command, *arguments);
-  add_dome_options(*command, *arguments, idle);
+  add_dome_options(*command, *arguments, ignored);
   add_backend_option(*command, arguments->backend);
-  add_lens_options(*command, arguments->lens, idle);
+  add_lens_options(*command, arguments->lens, ignored);
   add_budget_option(*command, arguments->budget);
   add_control_options(*command, *arguments);
-  add_clock_and_sound_options(*command, *arguments, idle);
+  add_clock_and_sound_options(*command, *arguments, ignored);
   command->option_defaults()->group("Remote control");
   add_remote_options(*command, arguments->options.services.remote);
-  add_exhibit_options(*command, *arguments, idle);
-  command->callback([arguments, size, idle] {
-    idle.refuse();
+  add_exhibit_options(*command, *arguments, ignored);
+  command->callback([arguments, size, ignored] {
+    ignored.refuse();
     require_osc_port(arguments->options.services);
     arguments->size_given = size->count() > 0;
     run_logged(*arguments);

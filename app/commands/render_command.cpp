@@ -96,14 +96,14 @@ void require_used_options(const RenderOptions& options, const Show& show) {
   }
 }
 
-void tell_language(const RenderOptions& options, const Show& show) {
+void report_language(const RenderOptions& options, const Show& show) {
   Timeline heard;
   heard.captions = show.timeline.captions;
   if (!options.movie.empty()) {
     heard.audio = show.timeline.audio;
   }
   if (const std::string note = language_note(show.name, heard, options.language); !note.empty()) {
-    tell_on_terminal(note);
+    print_note_once(note);
   }
 }
 
@@ -117,13 +117,13 @@ int write_patterns(const RenderOptions& options, const Show& show, const std::op
 
 //! Writes the metadata summary of frames [first, last]. Writes none for projectors or an empty
 //! range.
-void write_facts(const RenderOptions& options, const FrameWriter& writer, int first, int last) {
+void write_metadata(const RenderOptions& options, const FrameWriter& writer, int first, int last) {
   if (options.setup.empty() && last >= first) {
-    writer.files().write_facts(first, last);
+    writer.files().write_metadata(first, last);
   }
 }
 
-void tell_frames(const RenderOptions& options, const FrameWriter& writer) {
+void report_frames(const RenderOptions& options, const FrameWriter& writer) {
   const int there = writer.resumed();
   const std::string again =
       writer.renewed() > 0 ? fmt::format(" ({} replaced, rendered with other options before)", writer.renewed()) : "";
@@ -136,7 +136,7 @@ void tell_frames(const RenderOptions& options, const FrameWriter& writer) {
   std::string unwritten;
   try {
     // The summary of an earlier run may describe other frames.
-    write_facts(options, writer, first, last);
+    write_metadata(options, writer, first, last);
   } catch (const Error& problem) {
     unwritten = fmt::format(" (and {})", problem.what());
   }
@@ -160,8 +160,8 @@ void write_frames(const RenderOptions& options, FrameWriter& writer, int first, 
     }
     progress.advance_to(frame - first + 1);
   }
-  write_facts(options, writer, first, last);
-  tell_frames(options, writer);
+  write_metadata(options, writer, first, last);
+  report_frames(options, writer);
   if (const std::vector<int> others = writer.files().asked_otherwise(first, last); !others.empty()) {
     print_out("the folder also contains {} rendered with other options ({})\n", counted(others.size(), "frame"),
               frame_ranges(others));
@@ -195,11 +195,11 @@ void run(RenderOptions options) {
   if (!options.channels.empty()) {
     return write_channels(options, show);
   }
-  tell_equal_eyes(show);
+  report_equal_eyes(show);
   require_file_layout(options, show);
   require_movie(options, show);
-  tell_movie_losses(options, show);
-  tell_language(options, show);
+  report_movie_losses(options, show);
+  report_language(options, show);
   // Files store the title in one language.
   show.title = {{"", text_in(show.title, options.language)}};
   const auto [first, last] = options.frames.empty() ? frames_between(options.from, options.to, show)
@@ -233,25 +233,25 @@ void run(RenderOptions options) {
 }
 
 //! Registers the options that have no effect on projector frames, test patterns or checks.
-void add_idle_options(const std::shared_ptr<RenderOptions>& options, IdleOptions& idle) {
-  idle.add("with --setup, which fixes the view", [options] { return !options->setup.empty(); }, {"--from-outside"});
-  idle.add("with --setup, which fixes the projection",
-           [options] { return !options->setup.empty() && options->projection != "dome"; }, {"--projection"});
-  idle.add("with --pattern", [options] { return !options->pattern.empty(); },
-           {"--frames", "--from", "--to", "--movie", "--delete-frames", "--fps", "--view", "--view-range", "--method",
-            "--budget", "--check", "--resume", "--baseline", "--language", "--objects", "--backend", "--lens",
-            "--trajectory", "--stream-memory"});
-  idle.add("without a show", [options] { return options->show.empty(); }, {"--set"});
-  idle.add("with --pattern for one eye",
-           [options] {
-             const bool mono = options->stereo.empty() ? options->show.empty() : options->stereo == "mono";
-             return !options->pattern.empty() && mono;
-           },
-           {"--tint-eyes"});
-  idle.add("without --format exr", [options] { return options->format != "exr"; }, {"--compression"});
-  idle.add("with --check, which writes no frames", [options] { return options->checked_moments > 0; },
-           {"--frames", "--from", "--to", "--movie", "--delete-frames", "--format", "--compression", "--alpha",
-            "--resume", "--language"});
+void add_ignored_options(const std::shared_ptr<RenderOptions>& options, IgnoredOptions& ignored) {
+  ignored.add("with --setup, which fixes the view", [options] { return !options->setup.empty(); }, {"--from-outside"});
+  ignored.add("with --setup, which fixes the projection",
+              [options] { return !options->setup.empty() && options->projection != "dome"; }, {"--projection"});
+  ignored.add("with --pattern", [options] { return !options->pattern.empty(); },
+              {"--frames", "--from", "--to", "--movie", "--delete-frames", "--fps", "--view", "--view-range",
+               "--method", "--budget", "--check", "--resume", "--baseline", "--language", "--objects", "--backend",
+               "--lens", "--trajectory", "--stream-memory"});
+  ignored.add("without a show", [options] { return options->show.empty(); }, {"--set"});
+  ignored.add("with --pattern for one eye",
+              [options] {
+                const bool mono = options->stereo.empty() ? options->show.empty() : options->stereo == "mono";
+                return !options->pattern.empty() && mono;
+              },
+              {"--tint-eyes"});
+  ignored.add("without --format exr", [options] { return options->format != "exr"; }, {"--compression"});
+  ignored.add("with --check, which writes no frames", [options] { return options->checked_moments > 0; },
+              {"--frames", "--from", "--to", "--movie", "--delete-frames", "--format", "--compression", "--alpha",
+               "--resume", "--language"});
 }
 
 //! Returns the values that --pattern accepts.
@@ -341,18 +341,18 @@ void add_render_command(CLI::App& app) {
       ->add_option("--pattern", options->pattern, "write a test pattern, or all of them, instead of the show's frames")
       ->check(CLI::IsMember(pattern_choices()));
   add_backend_option(*command, options->backend);
-  IdleOptions idle(*command);
-  add_lens_options(*command, options->lens, idle);
+  IgnoredOptions ignored(*command);
+  add_lens_options(*command, options->lens, ignored);
   add_budget_option(*command, options->budget);
   command
       ->add_option("--check", options->checked_moments,
                    "with --budget: measure the error at N random times of the show, and write no frames")
       ->check(CLI::Range(1, 1000));
-  add_idle_options(options, idle);
-  add_channel_rules(options, idle);
-  command->callback([options, idle, format] {
+  add_ignored_options(options, ignored);
+  add_channel_rules(options, ignored);
+  command->callback([options, ignored, format] {
     choose_number_format(*options, format->count() > 0);
-    idle.refuse();
+    ignored.refuse();
     run(*options);
   });
 }

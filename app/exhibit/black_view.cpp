@@ -5,7 +5,7 @@
 namespace ergodome {
 
 void BlackView::note(double now_s, double lit_part) {
-  if (!(lit_part < least_lit_part)) {
+  if (!(lit_part < min_lit_part)) {
     since_s_.reset();
   } else if (!since_s_) {
     since_s_ = now_s;

@@ -12,7 +12,7 @@ class BlackView {
   static constexpr double return_after_s = 20.0;
   //! A frame counts as black if a smaller fraction of it is lit. A window has more lit pixels than
   //! this as soon as one star is in view.
-  static constexpr double least_lit_part = 1e-3;
+  static constexpr double min_lit_part = 1e-3;
 
   //! Resets the state at the start of a new scene.
   void begin() { since_s_.reset(); }

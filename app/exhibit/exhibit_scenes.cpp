@@ -16,11 +16,11 @@ namespace {
 constexpr double chord_s = 3.0;
 constexpr double between_writes_s = 1.0;
 constexpr double retry_s = 10.0;
-const std::string kept_settings_file = "settings.toml";
+const std::string saved_settings_file = "settings.toml";
 
 Caption caption_at(double elevation_deg, double letter_deg, LocalText text) {
   Caption caption;
-  caption.place.elevation_deg = elevation_deg;
+  caption.position.elevation_deg = elevation_deg;
   caption.letter_deg = letter_deg;
   caption.width_deg = 70.0;
   caption.text = std::move(text);
@@ -28,7 +28,8 @@ Caption caption_at(double elevation_deg, double letter_deg, LocalText text) {
 }
 
 //! Copies the setting that a command changed; refused commands change nothing.
-void take_over(const TransportCommand& command, const PlayerStatus& status, bool baseline_set, KeptSettings& settings) {
+void take_over(const TransportCommand& command, const PlayerStatus& status, bool baseline_set,
+               SavedSettings& settings) {
   using Kind = TransportCommand::Kind;
   const bool any = command.kind == Kind::reset;
   if (any || command.kind == Kind::exposure) {
@@ -77,9 +78,9 @@ ExhibitScenes::ExhibitScenes(ExhibitOptions options, Show visitor, Show attract)
       exhibit_(options_.times),
       chord_(chord_s) {
   if (!options_.state.empty()) {
-    kept_ = read_kept_settings(options_.state / kept_settings_file, damage_);
+    saved_ = read_saved_settings(options_.state / saved_settings_file, damage_);
   }
-  noted_ = kept_;
+  noted_ = saved_;
 }
 
 bool ExhibitScenes::advance(double now_s, bool touched, bool chord_held) {
@@ -164,7 +165,7 @@ double ExhibitScenes::opacity() const {
   return exhibit_.ending_in_s() || black_view_.back_in_s(now_s_) ? 1.0 : exhibit_.welcome();
 }
 
-std::vector<TransportCommand> ExhibitScenes::kept_commands() const {
+std::vector<TransportCommand> ExhibitScenes::saved_commands() const {
   using Kind = TransportCommand::Kind;
   std::vector<TransportCommand> commands = {{Kind::exposure, noted_.exposure_stops, {}},
                                             {Kind::volume, noted_.volume, {}},
@@ -198,14 +199,14 @@ std::string ExhibitScenes::state_text(const PlayerStatus& status) const {
 }
 
 void ExhibitScenes::keep(const PlayerStatus& status, bool baseline_set) {
-  KeptSettings now = noted_;
+  SavedSettings now = noted_;
   for (const TransportCommand& command : std::exchange(asked_, {})) {
     take_over(command, status, baseline_set, now);
   }
   if (now != noted_) {
     noted_ = now;
   }
-  if (noted_ == kept_ || options_.state.empty()) {
+  if (noted_ == saved_ || options_.state.empty()) {
     problem_.clear();
   } else if (now_s_ - wrote_s_ >= between_writes_s && now_s_ - refused_s_ >= retry_s) {
     write_settings();
@@ -213,16 +214,16 @@ void ExhibitScenes::keep(const PlayerStatus& status, bool baseline_set) {
 }
 
 void ExhibitScenes::keep_last() {
-  if (noted_ != kept_ && !options_.state.empty()) {
+  if (noted_ != saved_ && !options_.state.empty()) {
     write_settings();
   }
 }
 
 void ExhibitScenes::write_settings() {
-  const std::filesystem::path file = options_.state / kept_settings_file;
+  const std::filesystem::path file = options_.state / saved_settings_file;
   try {
-    write_kept_settings(file, noted_);
-    kept_ = noted_;
+    write_saved_settings(file, noted_);
+    saved_ = noted_;
     wrote_s_ = now_s_;
     problem_.clear();
   } catch (const std::exception& error) {

@@ -6,7 +6,7 @@
 
 #include "app/exhibit/black_view.h"
 #include "app/exhibit/exhibit.h"
-#include "app/exhibit/kept_settings.h"
+#include "app/exhibit/saved_settings.h"
 #include "app/playback/transport.h"
 #include "content/show/show.h"
 
@@ -61,7 +61,7 @@ class ExhibitScenes {
   [[nodiscard]] bool is_ending() const { return exhibit_.ending_in_s().has_value(); }
 
   //! Return the settings saved by the last run as commands, and why they could not be read, if so.
-  [[nodiscard]] std::vector<TransportCommand> kept_commands() const;
+  [[nodiscard]] std::vector<TransportCommand> saved_commands() const;
   [[nodiscard]] const std::string& damage() const { return damage_; }
   //! Returns why the current settings cannot be saved, and the remedy; empty if they are saved or
   //! about to be.
@@ -96,8 +96,8 @@ class ExhibitScenes {
   BlackView black_view_;
   bool left_ = false;
   double now_s_ = 0.0;
-  KeptSettings kept_;   //!< settings as stored in the file
-  KeptSettings noted_;  //!< current settings
+  SavedSettings saved_;  //!< settings as stored in the file
+  SavedSettings noted_;  //!< current settings
   std::vector<TransportCommand> asked_;
   double wrote_s_ = -1e300;
   double refused_s_ = -1e300;  //!< time of the last failed write

@@ -39,8 +39,8 @@ std::shared_ptr<spdlog::logger> open_log(const std::filesystem::path& file, std:
   // A full disk must not stop a show. If one sink fails, the others continue. The failure is
   // printed on stderr, which may be a file on the same disk, so nothing is thrown if that fails
   // too.
-  log->set_error_handler([file, told = std::make_shared<std::atomic_flag>()](const std::string& failure) {
-    if (!told->test_and_set()) {
+  log->set_error_handler([file, reported = std::make_shared<std::atomic_flag>()](const std::string& failure) {
+    if (!reported->test_and_set()) {
       const std::string line =
           fmt::format("ergodome: {}: cannot write the log: {}; free disk space or make the folder writable\n",
                       file.string(), failure);

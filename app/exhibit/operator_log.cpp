@@ -54,7 +54,7 @@ void OperatorLog::note(const std::vector<TransportCommand>& commands, double now
       same->last_s = now_s;
       continue;
     }
-    if (waiting_.size() >= most_waiting) {
+    if (waiting_.size() >= max_waiting) {
       ready_.push_back(line_of_change(waiting_.front().command, waiting_.front().count));
       waiting_.erase(waiting_.begin());
     }

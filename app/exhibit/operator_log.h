@@ -14,7 +14,7 @@ namespace ergodome {
 class OperatorLog {
  public:
   //! Maximum number of waiting commands. Beyond it, the oldest line is released at once.
-  static constexpr std::size_t most_waiting = 32;
+  static constexpr std::size_t max_waiting = 32;
 
   //! Adds commands at a time of a monotonic clock. Commands without a source come from the program
   //! and produce no line.

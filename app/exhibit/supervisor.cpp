@@ -19,22 +19,22 @@
 
 namespace ergodome {
 
-void tell_supervisor_ready() { sd_notify(0, "READY=1"); }
+void notify_supervisor_ready() { sd_notify(0, "READY=1"); }
 
-void tell_supervisor_alive(double now_s) {
-  static double said_s = -1.0;
-  if (said_s < 0.0 || std::abs(now_s - said_s) >= 1.0) {
-    said_s = now_s;
+void notify_supervisor_alive(double now_s) {
+  static double notified_s = -1.0;
+  if (notified_s < 0.0 || std::abs(now_s - notified_s) >= 1.0) {
+    notified_s = now_s;
     sd_notify(0, "WATCHDOG=1");
   }
 }
 
-void tell_supervisor(std::string status) {
-  static std::string said;
+void notify_supervisor(std::string status) {
+  static std::string notified;
   // A newline would start another message.
   std::ranges::replace(status, '\n', ' ');
-  if (status != said) {
-    said = status;
+  if (status != notified) {
+    notified = status;
     sd_notify(0, ("STATUS=" + status).c_str());
   }
 }

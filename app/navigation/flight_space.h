@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/navigation/camera_place.h"
+#include "app/navigation/camera_placement.h"
 #include "content/show/show.h"
 
 namespace ergodome {
@@ -37,18 +37,19 @@ class FlightSpace {
 
   //! Moves a camera without rotation for `seconds`, at a velocity [distances/s] in the local space
   //! of the zero-angular-momentum observer, whose e_r, e_θ, e_φ are `towards`, south and east.
-  void move(CameraPlace& place, const glm::dvec3& velocity, double seconds) const;
+  void move(CameraPlacement& placement, const glm::dvec3& velocity, double seconds) const;
 
   //! Returns the velocity [distances/s] of a camera whose radius and direction change at these
   //! rates.
-  [[nodiscard]] glm::dvec3 velocity(const CameraPlace& place, double r_rate, const glm::dvec3& towards_rate) const;
+  [[nodiscard]] glm::dvec3 velocity(const CameraPlacement& placement, double r_rate,
+                                    const glm::dvec3& towards_rate) const;
 
  private:
   FlightSpace(Spacetime spacetime, const FlightSettings& settings, double guard_r, bool through_horizon);
 
   Spacetime spacetime_;
   double guard_r_;
-  double most_r_;
+  double max_r_;
   double fastest_;  //!< maximum speed [distances/s]
   bool through_horizon_;
 };

@@ -26,8 +26,8 @@ bool same(const CameraPose& a, const CameraPose& b) {
 //! the former changes fast for infalling cameras, the latter for others.
 bool leapt(Spacetime spacetime, const CameraPose& from, const CameraPose& to) {
   const double way =
-      std::min(glm::distance(place_of(from).towards, place_of(to).towards),
-               glm::distance(ingoing_place(from, spacetime).towards, ingoing_place(to, spacetime).towards));
+      std::min(glm::distance(placement_of(from).towards, placement_of(to).towards),
+               glm::distance(ingoing_placement(from, spacetime).towards, ingoing_placement(to, spacetime).towards));
   return std::abs(std::log(to.r / from.r)) > 0.5 || way > 0.5;
 }
 
@@ -40,13 +40,13 @@ Navigator::Navigator(const Show& show)
       motion_(show.flight),
       kept_outside_(kept_outside(show)),
       leads_through_(may_fall_through_horizon(show)),
-      start_(place_of(in_zamo_frame(camera_pose(show, show.camera.keys.front().time_s), spacetime_of(show)))),
-      place_(start_),
+      start_(placement_of(in_zamo_frame(camera_pose(show, show.camera.keys.front().time_s), spacetime_of(show)))),
+      placement_(start_),
       mode_(show.flight.mode),
       path_falls_(show.camera.orbit != nullptr),
       path_(camera_pose(show, show.camera.keys.front().time_s)),
       path_before_(path_),
-      before_(place_) {
+      before_(placement_) {
   take_east_from_view();
 }
 
@@ -67,12 +67,12 @@ void Navigator::advance(double seconds, const SteeringInput& input, const Camera
       start_return();
     }
   }
-  const CameraPlace from = place_;
+  const CameraPlacement from = placement_;
   const Vector3<double> velocity_from = ride_ ? ride_->velocity() : Vector3<double>{};
   switch (course_) {
     case Course::path:
-      place_ = place_of(path_);
-      before_ = place_of(path_before_);
+      placement_ = placement_of(path_);
+      before_ = placement_of(path_before_);
       break;
     case Course::returning:
       advance_return(frame_s);
@@ -103,7 +103,7 @@ void Navigator::set_spacetime(Spacetime spacetime) {
   spacetime_ = spacetime;
   space_ = FlightSpace(spacetime, settings_);
   if (course_ != Course::path && !falls_through()) {
-    place_.r = std::max(place_.r, space_.guard_r());
+    placement_.r = std::max(placement_.r, space_.guard_r());
   }
 }
 
@@ -111,9 +111,9 @@ void Navigator::step(const Steering& steering, double seconds) {
   // Near the axis, a step to the east is only a rotation. It fades out, and becomes a step to the
   // west on the other side.
   constexpr double near_axis = 0.15;
-  const double sine = glm::dot(place_.towards, glm::cross(east_, axis_of_spin));
-  motion_.follow_steering(steering, mode_, place_.view, sine / std::hypot(sine, near_axis), seconds);
-  glm::dvec3 turn = place_.view * motion_.head();
+  const double sine = glm::dot(placement_.towards, glm::cross(east_, axis_of_spin));
+  motion_.follow_steering(steering, mode_, placement_.view, sine / std::hypot(sine, near_axis), seconds);
+  glm::dvec3 turn = placement_.view * motion_.head();
   if (mode_ != FlightMode::geodesic) {
     asked_velocity_.reset();
   } else if (!ride_) {
@@ -123,7 +123,7 @@ void Navigator::step(const Steering& steering, double seconds) {
     move_on_orbit(steering.faster, seconds, turn);
   } else {
     move_around(seconds, turn);
-    space_.move(place_, motion_.fly(), seconds);
+    space_.move(placement_, motion_.fly(), seconds);
     level_east();
   }
   turn_view(turn, seconds);
@@ -133,32 +133,32 @@ void Navigator::move_around(double seconds, glm::dvec3& turn) {
   const glm::dvec3& around = motion_.around();
   const glm::dvec3 axis = around.x * axis_of_spin - around.y * east_;
   const glm::dquat turned = rotation(seconds * axis);
-  place_.towards = glm::normalize(turned * place_.towards);
+  placement_.towards = glm::normalize(turned * placement_.towards);
   east_ = rotation(seconds * around.x * axis_of_spin) * east_;
   turn += axis;
-  place_.r = space_.moved_radius(place_.r, around.z * space_.distance(place_.r), seconds);
+  placement_.r = space_.moved_radius(placement_.r, around.z * space_.distance(placement_.r), seconds);
 }
 
 void Navigator::move_on_orbit(double hurry, double seconds, glm::dvec3& turn) {
-  const CameraPlace before = place_;
-  ride_->advance(seconds, hurry, place_);
-  turn += turn_of(shortest_rotation(before.towards, place_.towards)) / seconds;
+  const CameraPlacement before = placement_;
+  ride_->advance(seconds, hurry, placement_);
+  turn += turn_of(shortest_rotation(before.towards, placement_.towards)) / seconds;
   level_east();
-  const glm::dvec3 way = (place_.towards - before.towards) / seconds;
+  const glm::dvec3 way = (placement_.towards - before.towards) / seconds;
   motion_.set_fly(
-      shortened(ride_->space().velocity(before, (place_.r - before.r) / seconds, way), settings_.max_speed));
+      shortened(ride_->space().velocity(before, (placement_.r - before.r) / seconds, way), settings_.max_speed));
 }
 
 //! Turns the view within the limits of comfort.
 void Navigator::turn_view(const glm::dvec3& wanted, double seconds) {
   const glm::dvec3 missing = shortened(wanted, motion_.limits().total) - turn_;
   turn_ += shortened(missing, motion_.limits().acceleration * seconds);
-  place_.view = glm::normalize(rotation(seconds * turn_) * place_.view);
+  placement_.view = glm::normalize(rotation(seconds * turn_) * placement_.view);
 }
 
 //! Makes `east_` horizontal and perpendicular to the direction to the camera.
 void Navigator::level_east() {
-  const glm::dvec3 east = glm::cross(axis_of_spin, place_.towards);
+  const glm::dvec3 east = glm::cross(axis_of_spin, placement_.towards);
   const double sine = glm::length(east);
   if (sine > 1e-9) {
     east_ = (glm::dot(east, east_) < 0.0 ? -1.0 : 1.0) * east / sine;
@@ -167,15 +167,15 @@ void Navigator::level_east() {
 
 //! Sets `east_` so that east is to the right, or north is up, in the view of the hole.
 void Navigator::take_east_from_view() {
-  east_ = east_at(place_.towards);
-  const double upright = glm::dot(place_.view * glm::dvec3(0.0, 1.0, 0.0), glm::cross(place_.towards, east_));
-  const double right = glm::dot(place_.view * glm::dvec3(1.0, 0.0, 0.0), east_);
+  east_ = east_at(placement_.towards);
+  const double upright = glm::dot(placement_.view * glm::dvec3(0.0, 1.0, 0.0), glm::cross(placement_.towards, east_));
+  const double right = glm::dot(placement_.view * glm::dvec3(1.0, 0.0, 0.0), east_);
   if ((std::abs(upright) > 0.1 ? upright : right) < 0.0) {
     east_ = -east_;
   }
 }
 
-void Navigator::take_velocity_of(const CameraPlace& before, const CameraPlace& now, double seconds,
+void Navigator::take_velocity_of(const CameraPlacement& before, const CameraPlacement& now, double seconds,
                                  const FlightSpace& space) {
   glm::dvec3 fly(0.0);
   turn_ = glm::dvec3(0.0);
@@ -206,11 +206,11 @@ void Navigator::leave_path() {
     // From here on the view's axes are boosted from the ZAMO.
     path_ = in_zamo_frame(path_, spacetime_);
     path_before_ = in_zamo_frame(path_before_, spacetime_);
-    place_ = place_of(path_);
-    before_ = place_of(path_before_);
+    placement_ = placement_of(path_);
+    before_ = placement_of(path_before_);
     asked_velocity_ = path_.velocity;
   }
-  take_velocity_of(before_, place_, frame_s_, space_);
+  take_velocity_of(before_, placement_, frame_s_, space_);
   course_ = Course::free;
   return_.reset();
   motion_.forget_mouse();
@@ -220,13 +220,13 @@ void Navigator::leave_path() {
 void Navigator::reset() {
   ride_.reset();
   clock_lead_ = path_.clock_lead;
-  place_ = before_ = start_;
+  placement_ = before_ = start_;
   course_ = Course::free;
   mode_ = settings_.mode;
   orbit_sense_ = 1.0;
   return_.reset();
   asked_velocity_.reset();
-  take_velocity_of(place_, place_, 0.0, space_);
+  take_velocity_of(placement_, placement_, 0.0, space_);
   motion_.forget_mouse();
   take_east_from_view();
 }
@@ -234,7 +234,7 @@ void Navigator::reset() {
 void Navigator::start_return() {
   const double seconds = frame_s_ > 0.0 ? frame_s_ : 1.0;
   const bool known = frame_s_ > 0.0;
-  const CameraPlace camera[2] = {known ? before_ : place_, place_};
+  const CameraPlacement camera[2] = {known ? before_ : placement_, placement_};
   const CameraPose path[2] = {in_zamo_frame(known ? path_before_ : path_, spacetime_),
                               in_zamo_frame(path_, spacetime_)};
   return_.emplace(space_, settings_, camera, path, seconds);
@@ -257,7 +257,7 @@ void Navigator::return_to_path() {
 }
 
 void Navigator::advance_return(double seconds) {
-  place_ = return_->advance(seconds, in_zamo_frame(path_, spacetime_));
+  placement_ = return_->advance(seconds, in_zamo_frame(path_, spacetime_));
   // The clock converges to the path's within the remaining time of the way.
   const double left_s = std::max(return_->left_s(), 0.0);
   clock_lead_ += (path_.clock_lead - clock_lead_) * (seconds / std::max(left_s + seconds, 1e-9));
@@ -309,7 +309,7 @@ void Navigator::ride(const Vector3<double>& velocity) {
   asked_velocity_ = velocity;
 }
 
-std::optional<ObserverView> Navigator::own_observer(std::string_view language) const {
+std::optional<ObserverView> Navigator::flight_observer(std::string_view language) const {
   if (course_ != Course::free) {
     return std::nullopt;
   }
@@ -334,7 +334,7 @@ std::string_view Navigator::mode_name(std::string_view language) const {
 }
 
 bool Navigator::committed() const {
-  return course_ == Course::free && falls_through() && is_beyond_return(spacetime_, place_.r);
+  return course_ == Course::free && falls_through() && is_beyond_return(spacetime_, placement_.r);
 }
 
 CameraPose Navigator::pose() const {
@@ -342,11 +342,11 @@ CameraPose Navigator::pose() const {
     return path_;
   }
   if (!falls_through()) {
-    CameraPose pose = pose_of(place_);
+    CameraPose pose = pose_of(placement_);
     pose.clock_lead = clock_lead_;
     return pose;
   }
-  CameraPose pose = pose_of_ingoing(place_, spacetime_);
+  CameraPose pose = pose_of_ingoing(placement_, spacetime_);
   pose.velocity = ride_->velocity();
   pose.velocity_in_rain = true;
   pose.clock_lead = outer_lag(spacetime_, pose.r) + lead_over_lag_;
@@ -356,7 +356,7 @@ CameraPose Navigator::pose() const {
 //! Returns how fast ingoing azimuths rotate relative to Boyer-Lindquist azimuths during a ride
 //! outside the horizon [rad/s].
 glm::dvec3 Navigator::turn_of_azimuth() const {
-  const KerrFunctions f = kerr_functions(spacetime_, place_.r, 0.0);
+  const KerrFunctions f = kerr_functions(spacetime_, placement_.r, 0.0);
   return {0.0, 0.0, spacetime_.spin / f.delta * ride_->radial_speed()};
 }
 
@@ -366,11 +366,11 @@ void Navigator::begin_ride() {
   if (motion_.coasts() && !(asked_velocity_ && at_rest(motion_.around()))) {
     return;
   }
-  const CameraPose here = pose_of(place_);
+  const CameraPose here = pose_of(placement_);
   const Vector3<double> velocity =
       asked_velocity_.value_or(circular_velocity(spacetime_, here.r, here.theta, orbit_sense_));
-  OrbitRide ride(space_, settings_, place_, velocity);
-  if (!ride.take_over(place_, motion_.fly()) && motion_.coasts()) {
+  OrbitRide ride(space_, settings_, placement_, velocity);
+  if (!ride.take_over(placement_, motion_.fly()) && motion_.coasts()) {
     return;
   }
   ride_ = ride;
@@ -382,7 +382,7 @@ void Navigator::begin_ride() {
     ride_ = OrbitRide::through_horizon(spacetime_, settings_, falls);
     ride_->take_clock_of(ride);
     lead_over_lag_ = clock_lead_ - outer_lag(spacetime_, falls.r);
-    place_ = before_ = ingoing_place(falls, spacetime_);
+    placement_ = before_ = ingoing_placement(falls, spacetime_);
     ride_before_ = ride_->velocity();
     turn_ += turn_of_azimuth();
     take_east_from_view();
@@ -396,9 +396,9 @@ void Navigator::end_ride() {
     CameraPose before = pose_of_ingoing(before_, spacetime_);
     before.velocity = ride_before_;
     before.velocity_in_rain = true;
-    place_ = place_of(in_zamo_frame(pose(), spacetime_));
-    before_ = place_of(in_zamo_frame(before, spacetime_));
-    take_velocity_of(before_, place_, frame_s_, space_);
+    placement_ = placement_of(in_zamo_frame(pose(), spacetime_));
+    before_ = placement_of(in_zamo_frame(before, spacetime_));
+    take_velocity_of(before_, placement_, frame_s_, space_);
     take_east_from_view();
   }
   ride_.reset();
@@ -416,13 +416,13 @@ bool Navigator::may_fall_on() const {
 //! Continues along the orbit of a path that falls through the horizon, as fast as the path, inside
 //! or outside.
 void Navigator::fall_on() {
-  place_ = ingoing_place(path_, spacetime_);
-  before_ = ingoing_place(in_rain_frame(path_before_, spacetime_), spacetime_);
+  placement_ = ingoing_placement(path_, spacetime_);
+  before_ = ingoing_placement(in_rain_frame(path_before_, spacetime_), spacetime_);
   ride_ = OrbitRide::through_horizon(spacetime_, settings_, path_);
   ride_before_ = ride_->velocity();
   lead_over_lag_ = path_.clock_lead - outer_lag(spacetime_, path_.r);
-  take_velocity_of(before_, place_, frame_s_, ride_->space());
-  ride_->go_as(place_, motion_.fly());
+  take_velocity_of(before_, placement_, frame_s_, ride_->space());
+  ride_->match_motion(placement_, motion_.fly());
   course_ = Course::free;
   mode_ = FlightMode::geodesic;
   return_.reset();

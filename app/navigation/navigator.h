@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-#include "app/navigation/camera_place.h"
+#include "app/navigation/camera_placement.h"
 #include "app/navigation/controls/steering.h"
 #include "app/navigation/flight_space.h"
 #include "app/navigation/observer_mode.h"
@@ -58,8 +58,8 @@ class Navigator {
   [[nodiscard]] CameraPose pose() const;
   //! Returns the camera's proper time since it began to fall through the horizon, or was taken from
   //! a path that does [M]; nothing if it does not.
-  [[nodiscard]] std::optional<double> own_time() const {
-    return course_ != Course::path && falls_through() ? std::optional(ride_->own_time()) : std::nullopt;
+  [[nodiscard]] std::optional<double> proper_time() const {
+    return course_ != Course::path && falls_through() ? std::optional(ride_->proper_time()) : std::nullopt;
   }
   [[nodiscard]] Course course() const { return course_; }
   [[nodiscard]] FlightMode mode() const { return mode_; }
@@ -68,7 +68,7 @@ class Navigator {
 
   //! Returns how the camera itself moves, if that determines the observer: on an orbit, or hovering
   //! in free flight.
-  [[nodiscard]] std::optional<ObserverView> own_observer(std::string_view language = "en") const;
+  [[nodiscard]] std::optional<ObserverView> flight_observer(std::string_view language = "en") const;
 
   //! Returns whether the camera, off its path, cannot escape: inside the horizon or very close to
   //! it. Only `reset` and `return_to_path` can then move it elsewhere.
@@ -97,7 +97,8 @@ class Navigator {
   void turn_view(const glm::dvec3& wanted, double seconds);
   void level_east();
   void take_east_from_view();
-  void take_velocity_of(const CameraPlace& before, const CameraPlace& now, double seconds, const FlightSpace& space);
+  void take_velocity_of(const CameraPlacement& before, const CameraPlacement& now, double seconds,
+                        const FlightSpace& space);
   void advance_return(double seconds);
   void start_return();
 
@@ -108,22 +109,22 @@ class Navigator {
   //! Reason why visitors cannot fall through the horizon; empty if they can.
   std::optional<LocalText> kept_outside_;
   bool leads_through_;  //!< whether infalling orbits lead through the horizon
-  CameraPlace start_;
-  CameraPlace place_;
+  CameraPlacement start_;
+  CameraPlacement placement_;
   Course course_ = Course::path;
   FlightMode mode_;
   bool path_falls_;
   double orbit_sense_ = 1.0;
   CameraPose path_;         //!< pose on the show's path in the last frame
   CameraPose path_before_;  //!< pose on the path in the frame before
-  CameraPlace before_;
+  CameraPlacement before_;
   double frame_s_ = 0.0;  //!< time between the last two frames
   bool begun_ = false;
   bool moved_ = true;
   glm::dvec3 turn_{0.0};
   //! Horizontal and perpendicular to `towards`; keeps its direction across the axis.
   glm::dvec3 east_{0.0, 1.0, 0.0};
-  //! A ride through the horizon has `place_` and `before_` in ingoing azimuths.
+  //! A ride through the horizon has `placement_` and `before_` in ingoing azimuths.
   std::optional<OrbitRide> ride_;
   Vector3<double> ride_before_{};  //!< velocity of the ride at `before_`
   double clock_lead_ = 0.0;        //!< pose.clock_lead while not falling through the horizon [M]

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/navigation/camera_place.h"
+#include "app/navigation/camera_placement.h"
 #include "content/show/show.h"
 
 namespace ergodome {

@@ -17,7 +17,7 @@ constexpr double round_s = 40.0;
 //! Viewer's time in which the remaining proper time of a fall through the horizon decreases to 1/e.
 constexpr double fall_s = 6.0;
 //! Proper time that is added to the remaining one, so that the fall reaches its end [M].
-constexpr double last_own_time = 0.01;
+constexpr double last_proper_time = 0.01;
 //! Fraction of the comfortable acceleration that the orbit itself may take.
 constexpr double bend_part = 0.3;
 constexpr double tolerance = 1e-11;
@@ -29,8 +29,8 @@ glm::dvec3 direction_of(const OrbitState& s) {
   return glm::normalize(glm::dvec3(c * s.m.x - d * s.m.y, d * s.m.x + c * s.m.y, s.m.z));
 }
 
-OrbitState orbit_at(Spacetime spacetime, const CameraPlace& place, const Vector3<double>& velocity) {
-  const CameraPose pose = pose_of(place);
+OrbitState orbit_at(Spacetime spacetime, const CameraPlacement& placement, const Vector3<double>& velocity) {
+  const CameraPose pose = pose_of(placement);
   return make_orbit(spacetime, pose.r, pose.theta, pose.phi, velocity);
 }
 
@@ -42,14 +42,14 @@ double ingoing_turn_of_pose(Spacetime spacetime, double r) {
 
 }  // namespace
 
-CameraPlace ingoing_place(const CameraPose& pose, Spacetime spacetime) {
+CameraPlacement ingoing_placement(const CameraPose& pose, Spacetime spacetime) {
   CameraPose turned = pose;
   turned.phi += ingoing_turn_of_pose(spacetime, pose.r);
-  return place_of(turned);
+  return placement_of(turned);
 }
 
-CameraPose pose_of_ingoing(const CameraPlace& place, Spacetime spacetime) {
-  CameraPose pose = pose_of(place);
+CameraPose pose_of_ingoing(const CameraPlacement& placement, Spacetime spacetime) {
+  CameraPose pose = pose_of(placement);
   pose.phi -= ingoing_turn_of_pose(spacetime, pose.r);
   return pose;
 }
@@ -69,17 +69,18 @@ OrbitRide::OrbitRide(const FlightSpace& space, const FlightSettings& settings, d
       fastest_(settings.max_speed),
       accel_(settings.comfort.accel) {}
 
-OrbitRide::OrbitRide(const FlightSpace& space, const FlightSettings& settings, const CameraPlace& place,
+OrbitRide::OrbitRide(const FlightSpace& space, const FlightSettings& settings, const CameraPlacement& placement,
                      const Vector3<double>& velocity)
-    : OrbitRide(space, settings, place.r, {}, orbit_at(space.spacetime(), place, velocity)) {
+    : OrbitRide(space, settings, placement.r, {}, orbit_at(space.spacetime(), placement, velocity)) {
   constants_ = orbit_constants(space.spacetime(), orbit_);
 }
 
 OrbitRide OrbitRide::through_horizon(Spacetime spacetime, const FlightSettings& settings, const CameraPose& pose) {
-  const CameraPose place = pose_of(ingoing_place(pose, spacetime));
-  const RainOrbit orbit = make_rain_orbit(spacetime, place.r, place.theta, place.phi, *pose.velocity);
-  OrbitRide ride(FlightSpace::through_horizon(spacetime, settings), settings, place.r, orbit.constants, orbit.state);
-  ride.tell_left(place.r);
+  const CameraPose placement = pose_of(ingoing_placement(pose, spacetime));
+  const RainOrbit orbit = make_rain_orbit(spacetime, placement.r, placement.theta, placement.phi, *pose.velocity);
+  OrbitRide ride(FlightSpace::through_horizon(spacetime, settings), settings, placement.r, orbit.constants,
+                 orbit.state);
+  ride.estimate_left(placement.r);
   return ride;
 }
 
@@ -95,31 +96,31 @@ double OrbitRide::radial_speed() const { return -rate().u / (orbit_.u * orbit_.u
 
 bool OrbitRide::falls_into_hole() const { return falls_in(space_.spacetime(), constants_, orbit_); }
 
-glm::dvec3 OrbitRide::way(const CameraPlace& place) const {
+glm::dvec3 OrbitRide::way(const CameraPlacement& placement) const {
   const OrbitState now = rate();
   const double r = 1.0 / orbit_.u;
   const glm::dvec3 axis(0.0, 0.0, 1.0);
   const glm::dvec3 turned = glm::angleAxis(orbit_.drag, axis) * glm::dvec3(now.m.x, now.m.y, now.m.z);
-  return space_.velocity(place, -now.u * r * r, turned + now.drag * glm::cross(axis, place.towards));
+  return space_.velocity(placement, -now.u * r * r, turned + now.drag * glm::cross(axis, placement.towards));
 }
 
-double OrbitRide::clock_along(const CameraPlace& place, const glm::dvec3& velocity) const {
-  const glm::dvec3 along = way(place);
+double OrbitRide::clock_along(const CameraPlacement& placement, const glm::dvec3& velocity) const {
+  const glm::dvec3 along = way(placement);
   return std::max(glm::dot(velocity, along) / std::max(glm::dot(along, along), 1e-12), 0.0);
 }
 
-bool OrbitRide::take_over(const CameraPlace& place, const glm::dvec3& velocity) {
+bool OrbitRide::take_over(const CameraPlacement& placement, const glm::dvec3& velocity) {
   // Maximum change of the camera's velocity that remains invisible [distances/s].
   constexpr double across_at_most = 0.02;
-  if (!(glm::length(velocity - clock_along(place, velocity) * way(place)) <= across_at_most)) {
+  if (!(glm::length(velocity - clock_along(placement, velocity) * way(placement)) <= across_at_most)) {
     return false;
   }
-  go_as(place, velocity);
+  match_motion(placement, velocity);
   return true;
 }
 
-void OrbitRide::go_as(const CameraPlace& place, const glm::dvec3& velocity) {
-  clock_ = clock_along(place, velocity);
+void OrbitRide::match_motion(const CameraPlacement& placement, const glm::dvec3& velocity) {
+  clock_ = clock_along(placement, velocity);
   taken_over_ = true;
 }
 
@@ -131,7 +132,7 @@ void OrbitRide::take_clock_of(const OrbitRide& other) {
 double OrbitRide::usual_clock() const {
   // A fall through the horizon slows down in proportion to the remaining time: near its end, most
   // is to be seen in the least proper time.
-  return left_ ? (*left_ + last_own_time) / fall_s : 2.0 * pi * begin_r_ * std::sqrt(begin_r_) / round_s;
+  return left_ ? (*left_ + last_proper_time) / fall_s : 2.0 * pi * begin_r_ * std::sqrt(begin_r_) / round_s;
 }
 
 double OrbitRide::comfortable_clock(double reach, double usual) const {
@@ -155,20 +156,20 @@ double OrbitRide::slowed(double clock) const {
   return clock * space_.slowing(r, -rate().u * r * r * clock);
 }
 
-void OrbitRide::tell_left(double r) {
+void OrbitRide::estimate_left(double r) {
   left_ = time_to_deepest();
-  left_told_r_ = r;
+  left_estimated_at_r_ = r;
 }
 
 //! Integrates the orbit ahead with a coarse tolerance to the smallest radius. Returns nothing if
 //! that takes too many steps.
 std::optional<double> OrbitRide::time_to_deepest() const {
   constexpr double coarse = 1e-8;
-  constexpr int most_steps = 2000;
+  constexpr int max_steps = 2000;
   OrbitState ahead = orbit_;
   double time = 0.0;
   double h = 0.01 / orbit_.u;
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < max_steps; ++step) {
     const OrbitStep next = orbit_step(space_.spacetime(), constants_, h, ahead);
     const bool over = 1.0 / next.end.u < space_.guard_r();
     if (next.error <= coarse && !over) {
@@ -183,9 +184,9 @@ std::optional<double> OrbitRide::time_to_deepest() const {
   return std::nullopt;
 }
 
-void OrbitRide::advance(double seconds, double hurry, CameraPlace& place) {
-  const double least_way = 1e-6 / space_.distance(place.r);
-  const double reach = 1.0 / std::max(glm::length(way(place)), least_way);
+void OrbitRide::advance(double seconds, double hurry, CameraPlacement& placement) {
+  const double min_way = 1e-6 / space_.distance(placement.r);
+  const double reach = 1.0 / std::max(glm::length(way(placement)), min_way);
   const double usual = usual_clock();
   const double change = (1.0 - 2.0 * bend_part) * accel_ * seconds * reach;
   const double comfortable = comfortable_clock(reach, usual);
@@ -197,7 +198,7 @@ void OrbitRide::advance(double seconds, double hurry, CameraPlace& place) {
   const OrbitState before = orbit_;
   advance_orbit(space_.spacetime(), constants_, clock_ * seconds, tolerance, step_limit, orbit_);
   const double r = 1.0 / orbit_.u;
-  const bool inside = !(r > space_.guard_r()) && r < place.r;
+  const bool inside = !(r > space_.guard_r()) && r < placement.r;
   if (inside || !std::isfinite(r + orbit_.drag + orbit_.m.x + orbit_.m.y + orbit_.m.z)) {
     orbit_ = before;
     clock_ = 0.0;
@@ -206,13 +207,13 @@ void OrbitRide::advance(double seconds, double hurry, CameraPlace& place) {
     left_ = std::max(*left_ - clock_ * seconds, 0.0);
     // Recomputed on the way, because a small relative error of a long time is large near its end.
     constexpr double nearer = 0.7;
-    if (1.0 / orbit_.u < nearer * left_told_r_) {
-      tell_left(1.0 / orbit_.u);
+    if (1.0 / orbit_.u < nearer * left_estimated_at_r_) {
+      estimate_left(1.0 / orbit_.u);
     }
   }
-  own_time_ += clock_ * seconds;
-  place.r = 1.0 / orbit_.u;
-  place.towards = direction_of(orbit_);
+  proper_time_ += clock_ * seconds;
+  placement.r = 1.0 / orbit_.u;
+  placement.towards = direction_of(orbit_);
 }
 
 }  // namespace ergodome

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "app/navigation/camera_place.h"
+#include "app/navigation/camera_placement.h"
 #include "app/navigation/flight_space.h"
 #include "kernels/spacetime/geodesic/timelike_orbit.h"
 
@@ -10,12 +10,12 @@ namespace ergodome {
 
 //! A camera in free fall along a timelike geodesic. Its clock runs as fast as comfort allows.
 //!
-//! A ride through the horizon uses ingoing Kerr azimuths, also in its CameraPlace. Its velocity is
-//! in the rain frame, from which the axes are boosted (CameraPose::velocity_in_rain).
+//! A ride through the horizon uses ingoing Kerr azimuths, also in its CameraPlacement. Its velocity
+//! is in the rain frame, from which the axes are boosted (CameraPose::velocity_in_rain).
 class OrbitRide {
  public:
   //! Starts a ride outside the horizon; `velocity` is in the ZAMO frame and slower than light.
-  OrbitRide(const FlightSpace& space, const FlightSettings& settings, const CameraPlace& place,
+  OrbitRide(const FlightSpace& space, const FlightSettings& settings, const CameraPlacement& placement,
             const Vector3<double>& velocity);
 
   //! Returns a ride through the horizon or inside it, from a pose with a velocity in the rain
@@ -24,17 +24,17 @@ class OrbitRide {
 
   //! Starts at the camera's velocity [distances/s] of `space()`, if that is along the orbit.
   //! Otherwise returns false and does not start.
-  [[nodiscard]] bool take_over(const CameraPlace& place, const glm::dvec3& velocity);
+  [[nodiscard]] bool take_over(const CameraPlacement& placement, const glm::dvec3& velocity);
 
   //! Starts with the component of the camera's velocity along the orbit.
-  void go_as(const CameraPlace& place, const glm::dvec3& velocity);
+  void match_motion(const CameraPlacement& placement, const glm::dvec3& velocity);
 
   //! Starts with the clock rate of another OrbitRide that describes the same ride.
   void take_clock_of(const OrbitRide& other);
 
   //! Advances by a time of the visitor's clock; `hurry` from 0 to 1 speeds up the orbit's clock.
   //! Changes the position but not the view.
-  void advance(double seconds, double hurry, CameraPlace& place);
+  void advance(double seconds, double hurry, CameraPlacement& placement);
 
   //! Returns the velocity in the ZAMO frame; for a ride through the horizon, in the rain frame.
   [[nodiscard]] Vector3<double> velocity() const;
@@ -49,7 +49,7 @@ class OrbitRide {
   [[nodiscard]] bool falls_into_hole() const;
 
   //! Returns the camera's proper time since the ride began [M].
-  [[nodiscard]] double own_time() const { return own_time_; }
+  [[nodiscard]] double proper_time() const { return proper_time_; }
 
   //! Returns the camera's proper time to the smallest radius of a ride through the horizon [M];
   //! nothing if that is too far ahead to compute.
@@ -71,11 +71,11 @@ class OrbitRide {
   //! Slows down a clock near the border of the space for visitors.
   [[nodiscard]] double slowed(double clock) const;
   //! Returns the clock rate at which the motion along the orbit matches a velocity [distances/s].
-  [[nodiscard]] double clock_along(const CameraPlace& place, const glm::dvec3& velocity) const;
+  [[nodiscard]] double clock_along(const CameraPlacement& placement, const glm::dvec3& velocity) const;
   //! Returns the motion along the orbit per proper time [distances/M].
-  [[nodiscard]] glm::dvec3 way(const CameraPlace& place) const;
+  [[nodiscard]] glm::dvec3 way(const CameraPlacement& placement) const;
   [[nodiscard]] OrbitState rate() const { return orbit_rate(space_.spacetime(), constants_, orbit_); }
-  void tell_left(double r);
+  void estimate_left(double r);
   [[nodiscard]] std::optional<double> time_to_deepest() const;
 
   FlightSpace space_;
@@ -83,12 +83,12 @@ class OrbitRide {
   OrbitConstants constants_;
   double begin_r_;      //!< radius at the start of the ride [M]
   double clock_ = 0.0;  //!< orbit time per second of the visitor's clock [M/s]
-  double own_time_ = 0.0;
+  double proper_time_ = 0.0;
   double fastest_turn_;
   double fastest_;
   double accel_;
-  std::optional<double> left_;  //!< result of left() [M]
-  double left_told_r_ = 0.0;    //!< radius at which `left_` was last computed by integration [M]
+  std::optional<double> left_;        //!< result of left() [M]
+  double left_estimated_at_r_ = 0.0;  //!< radius at which `left_` was last computed by integration [M]
   bool held_ = false;
   bool taken_over_ = false;  //!< continues a path faster than comfortable, and is slowing down
 };
@@ -97,9 +97,9 @@ class OrbitRide {
 //! along +φ if `sense` is positive.
 Vector3<double> circular_velocity(Spacetime spacetime, double r, double theta, double sense);
 
-//! Convert between a pose and a CameraPlace with the ingoing Kerr azimuth. Inside the horizon,
+//! Convert between a pose and a CameraPlacement with the ingoing Kerr azimuth. Inside the horizon,
 //! poses already have that azimuth.
-CameraPlace ingoing_place(const CameraPose& pose, Spacetime spacetime);
-CameraPose pose_of_ingoing(const CameraPlace& place, Spacetime spacetime);
+CameraPlacement ingoing_placement(const CameraPose& pose, Spacetime spacetime);
+CameraPose pose_of_ingoing(const CameraPlacement& placement, Spacetime spacetime);
 
 }  // namespace ergodome

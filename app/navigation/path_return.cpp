@@ -37,7 +37,7 @@ double height_above(double horizon_r, double r) { return std::max(r - horizon_r,
 
 }  // namespace
 
-PathReturn::Offset PathReturn::offset(const CameraPlace& camera, const CameraPose& path) {
+PathReturn::Offset PathReturn::offset(const CameraPlacement& camera, const CameraPose& path) {
   const glm::dquat frame = spherical_frame(path.theta, path.phi);
   const glm::dvec3 outward(1.0, 0.0, 0.0);
   const glm::dquat direction = shortest_rotation(outward, glm::conjugate(frame) * camera.towards);
@@ -46,7 +46,7 @@ PathReturn::Offset PathReturn::offset(const CameraPlace& camera, const CameraPos
   return {turn_of(direction), turn_of(glm::normalize(view))};
 }
 
-PathReturn::PathReturn(const FlightSpace& space, const FlightSettings& settings, const CameraPlace (&camera)[2],
+PathReturn::PathReturn(const FlightSpace& space, const FlightSettings& settings, const CameraPlacement (&camera)[2],
                        const CameraPose (&path)[2], double seconds)
     : space_(space),
       horizon_r_(horizon_radius(space.spacetime())),
@@ -64,10 +64,10 @@ PathReturn::PathReturn(const FlightSpace& space, const FlightSettings& settings,
   duration_s_ = std::clamp(needed_s, settings.return_s, std::max(longest_s, settings.return_s));
 }
 
-CameraPlace PathReturn::advance(double seconds, const CameraPose& path) {
+CameraPlacement PathReturn::advance(double seconds, const CameraPose& path) {
   elapsed_s_ = std::min(elapsed_s_ + seconds, duration_s_);
   if (arrived()) {
-    return place_of(path);
+    return placement_of(path);
   }
   const double s = elapsed_s_ / duration_s_;
   const double left = fading(s);

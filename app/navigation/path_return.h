@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/navigation/camera_place.h"
+#include "app/navigation/camera_placement.h"
 #include "app/navigation/flight_space.h"
 
 namespace ergodome {
@@ -14,11 +14,11 @@ class PathReturn {
  public:
   //! Takes camera and path at two instants that are `seconds` apart. If the camera is at rest, both
   //! of its positions are equal.
-  PathReturn(const FlightSpace& space, const FlightSettings& settings, const CameraPlace (&camera)[2],
+  PathReturn(const FlightSpace& space, const FlightSettings& settings, const CameraPlacement (&camera)[2],
              const CameraPose (&path)[2], double seconds);
 
   //! Advances by a time toward the path's current pose. Returns the new position.
-  CameraPlace advance(double seconds, const CameraPose& path);
+  CameraPlacement advance(double seconds, const CameraPose& path);
 
   [[nodiscard]] bool arrived() const { return elapsed_s_ >= duration_s_; }
   [[nodiscard]] double duration_s() const { return duration_s_; }
@@ -31,7 +31,7 @@ class PathReturn {
     glm::dvec3 direction{0.0};
     glm::dvec3 view{0.0};
   };
-  [[nodiscard]] static Offset offset(const CameraPlace& camera, const CameraPose& path);
+  [[nodiscard]] static Offset offset(const CameraPlacement& camera, const CameraPose& path);
 
   FlightSpace space_;
   double horizon_r_;

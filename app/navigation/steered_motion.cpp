@@ -18,26 +18,29 @@ constexpr double head_part = 0.4;
 constexpr double around_part = 0.3;
 
 //! Returns the rate that covers the remaining way and comes to rest at its end.
-glm::dvec3 braked(const glm::dvec3& left, double most, double acceleration) {
+glm::dvec3 braked(const glm::dvec3& left, double maximum, double acceleration) {
   constexpr double delay_s = 0.3;
   const double distance = glm::length(left);
   if (!(distance > 0.0)) {
     return glm::dvec3(0.0);
   }
-  return left * (std::min({most, distance / delay_s, std::sqrt(1.2 * acceleration * distance)}) / distance);
+  return left * (std::min({maximum, distance / delay_s, std::sqrt(1.2 * acceleration * distance)}) / distance);
 }
 
-double limited(double value, double most) { return std::isfinite(value) ? std::clamp(value, -most, most) : 0.0; }
+double limited(double value, double maximum) {
+  return std::isfinite(value) ? std::clamp(value, -maximum, maximum) : 0.0;
+}
 
 //! Returns a turn about the view's axes: up, right and clockwise are about x, -y and -z.
 glm::dvec3 head_turn(const Steering& s) { return {s.pitch, -s.yaw, -s.roll}; }
 
 }  // namespace
 
-Steering limited_steering(const Steering& s, double most) {
-  return {
-      limited(s.right, most), limited(s.up, most),   limited(s.forward, most), limited(s.yaw, most),
-      limited(s.pitch, most), limited(s.roll, most), limited(s.zoom, most),    std::max(limited(s.faster, 1.0), 0.0)};
+Steering limited_steering(const Steering& s, double maximum) {
+  return {limited(s.right, maximum),   limited(s.up, maximum),
+          limited(s.forward, maximum), limited(s.yaw, maximum),
+          limited(s.pitch, maximum),   limited(s.roll, maximum),
+          limited(s.zoom, maximum),    std::max(limited(s.faster, 1.0), 0.0)};
 }
 
 void SteeredMotion::add_mouse(const Steering& amounts) {
@@ -83,10 +86,10 @@ void SteeredMotion::follow_steering(const Steering& s, FlightMode mode, const gl
   glm::dvec3 angles(around_.x, around_.y, 0.0);
   follow(angles, {around.x, around.y, 0.0}, seconds, around_part * turn_change);
   glm::dvec3 outward(0.0, 0.0, around_.z);
-  const double most = max_acceleration_ * seconds;
-  const double used = follow(outward, {0.0, 0.0, around.z}, seconds, most);
+  const double maximum = max_acceleration_ * seconds;
+  const double used = follow(outward, {0.0, 0.0, around.z}, seconds, maximum);
   around_ = {angles.x, angles.y, outward.z};
-  follow(fly_, fly, seconds, most - used);
+  follow(fly_, fly, seconds, maximum - used);
 }
 
 void SteeredMotion::move_as_ship(const glm::dvec3& fly) {

@@ -8,8 +8,9 @@
 
 namespace ergodome {
 
-//! Returns the steering with each value limited to ±`most` and `faster` to 0 to 1; NaN becomes 0.
-Steering limited_steering(const Steering& steering, double most);
+//! Returns the steering with each value limited to ±`maximum` and `faster` to 0 to 1; NaN becomes
+//! 0.
+Steering limited_steering(const Steering& steering, double maximum);
 
 //! The motion that a visitor steers: rates that follow keys, sticks and mouse within the limits of
 //! comfort.

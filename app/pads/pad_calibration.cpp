@@ -11,19 +11,19 @@ namespace {
 
 //! A larger fraction of an axis' range is motion, a smaller one is noise.
 constexpr double motion = 0.04;
-constexpr double least_travel = 0.5;
+constexpr double min_travel = 0.5;
 
 }  // namespace
 
 void PadCalibrator::Range::take(std::int32_t value) {
-  least = std::min(least, value);
-  greatest = std::max(greatest, value);
+  minimum = std::min(minimum, value);
+  maximum = std::max(maximum, value);
 }
 
 PadCalibrator::PadCalibrator(RawLayout layout, double rest_s) : layout_(std::move(layout)), rest_s_(rest_s) {}
 
 double PadCalibrator::nominal(std::size_t axis) const {
-  return std::max(1.0, static_cast<double>(layout_.axes[axis].greatest) - layout_.axes[axis].least);
+  return std::max(1.0, static_cast<double>(layout_.axes[axis].maximum) - layout_.axes[axis].minimum);
 }
 
 void PadCalibrator::take(const RawPad& pad, double now_s) {
@@ -54,7 +54,7 @@ void PadCalibrator::take(const RawPad& pad, double now_s) {
 }
 
 bool PadCalibrator::is_moved(std::size_t axis) const {
-  return static_cast<double>(all_[axis].greatest) - all_[axis].least >= least_travel * nominal(axis);
+  return static_cast<double>(all_[axis].maximum) - all_[axis].minimum >= min_travel * nominal(axis);
 }
 
 bool PadCalibrator::is_done(double now_s) const {
@@ -84,9 +84,9 @@ std::vector<std::string> PadCalibrator::unmoved() const {
 double PadCalibrator::wander(std::size_t axis) const {
   const double middle = rest_[axis].middle();
   const double farthest =
-      std::max(std::abs(first_rest_[axis].least - middle),
-               std::max(std::abs(first_rest_[axis].greatest - middle), rest_[axis].greatest - middle));
-  return farthest / (0.5 * std::max(1.0, static_cast<double>(all_[axis].greatest) - all_[axis].least));
+      std::max(std::abs(first_rest_[axis].minimum - middle),
+               std::max(std::abs(first_rest_[axis].maximum - middle), rest_[axis].maximum - middle));
+  return farthest / (0.5 * std::max(1.0, static_cast<double>(all_[axis].maximum) - all_[axis].minimum));
 }
 
 void PadCalibrator::set_dead_zone(PadCurve& curve, PadAxis x, PadAxis y) const {
@@ -114,8 +114,8 @@ PadProfile PadCalibrator::applied_to(PadProfile profile) const {
     const auto middle = static_cast<std::int32_t>(std::lround(rest_[i].middle()));
     const RawAxis& axis = layout_.axes[i];
     profile.calibration[axis.name] = axis.axis && is_trigger(*axis.axis)
-                                         ? AxisCalibration{middle, middle, std::max(middle + 1, all_[i].greatest)}
-                                         : AxisCalibration{all_[i].least, middle, all_[i].greatest};
+                                         ? AxisCalibration{middle, middle, std::max(middle + 1, all_[i].maximum)}
+                                         : AxisCalibration{all_[i].minimum, middle, all_[i].maximum};
   }
   set_dead_zone(profile.left_stick, PadAxis::left_x, PadAxis::left_y);
   set_dead_zone(profile.right_stick, PadAxis::right_x, PadAxis::right_y);

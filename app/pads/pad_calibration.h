@@ -27,13 +27,13 @@ class PadCalibrator {
  private:
   //! The range of values of an axis.
   struct Range {
-    std::int32_t least = 0;
-    std::int32_t greatest = 0;
+    std::int32_t minimum = 0;
+    std::int32_t maximum = 0;
 
     void take(std::int32_t value);
-    [[nodiscard]] double middle() const { return 0.5 * (static_cast<double>(least) + greatest); }
+    [[nodiscard]] double middle() const { return 0.5 * (static_cast<double>(minimum) + maximum); }
   };
-  using Ranges = std::array<Range, most_raw_axes>;
+  using Ranges = std::array<Range, max_raw_axes>;
 
   [[nodiscard]] bool is_moved(std::size_t axis) const;
   [[nodiscard]] double nominal(std::size_t axis) const;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double scan_every_s = 1.0;
 constexpr std::size_t longest_report = 65'536;
-constexpr std::size_t most_pads = 16;
+constexpr std::size_t max_pads = 16;
 //! Waiting times for reports. With several controllers they are short, so that none delays another.
 constexpr int one_pad_wait_ms = 8;
 constexpr int several_pads_wait_ms = 2;
@@ -167,15 +167,15 @@ void PadHub::rescan(double now_s) {
     listed_ = api_->enumerate();
     mark_ = mark;
   }
-  look_for_pads(now_s);
+  find_pads(now_s);
 }
 
-void PadHub::look_for_pads(double now_s) {
+void PadHub::find_pads(double now_s) {
   denied_.clear();
   for (const HidDeviceInfo& info : listed_) {
     const bool is_open = std::any_of(sessions_.begin(), sessions_.end(),
                                      [&](const auto& session) { return session->identity()->path == info.path; });
-    if (!is_open && sessions_.size() < most_pads && is_pad(info)) {
+    if (!is_open && sessions_.size() < max_pads && is_pad(info)) {
       open(info, now_s);
     }
   }
@@ -188,7 +188,7 @@ void PadHub::open(const HidDeviceInfo& info, double now_s) {
   }
   HidOpening opening = api_->open_path(info.path);
   if (opening.device == nullptr) {
-    if (denied_.size() < most_pads) {
+    if (denied_.size() < max_pads) {
       PadView view;
       view.identity = std::make_shared<const PadIdentity>(identity_of(info, ""));
       view.problem = opening.denied ? permission_remedy(info) : opening.problem;
@@ -271,7 +271,7 @@ void PadHub::publish(double now_s) {
   }
   views_.insert(views_.end(), denied_.begin(), denied_.end());
   // If no snapshots are taken, removed controllers must not accumulate.
-  while (views_.size() > 4 * most_pads) {
+  while (views_.size() > 4 * max_pads) {
     const auto gone = std::find_if(views_.begin(), views_.end(), [](const PadView& view) { return !view.connected; });
     if (gone == views_.end()) {
       break;

@@ -70,7 +70,7 @@ class PadHub {
  private:
   void run();
   void rescan(double now_s);
-  void look_for_pads(double now_s);
+  void find_pads(double now_s);
   void open(const HidDeviceInfo& info, double now_s);
   bool pump(int wait_ms);
   void publish(double now_s);

@@ -55,14 +55,15 @@ PadResponse::PadResponse(const RawLayout& layout, const PadProfile& profile)
     const bool remapped = target != profile.axes.end();
     const std::optional<PadAxis> axis = remapped ? target->second.axis : raw.axis;
     const auto measured = profile.calibration.find(raw.name);
-    const AxisCalibration range =
-        measured != profile.calibration.end() ? measured->second : AxisCalibration{raw.least, raw.centre, raw.greatest};
+    const AxisCalibration range = measured != profile.calibration.end()
+                                      ? measured->second
+                                      : AxisCalibration{raw.minimum, raw.centre, raw.maximum};
     axes_.push_back({.axis = axis.value_or(PadAxis::left_x),
                      .moves = axis.has_value(),
                      .inverted = remapped ? target->second.inverted : raw.inverted,
-                     .least = static_cast<double>(range.least),
+                     .minimum = static_cast<double>(range.minimum),
                      .centre = static_cast<double>(range.centre),
-                     .greatest = static_cast<double>(range.greatest)});
+                     .maximum = static_cast<double>(range.maximum)});
   }
 }
 
@@ -72,20 +73,19 @@ double PadResponse::position(std::size_t raw_axis, std::int32_t value) const {
   }
   const Mapped& mapped = axes_[raw_axis];
   if (is_trigger(mapped.axis)) {
-    const double part = (value - mapped.least) / std::max(1.0, mapped.greatest - mapped.least);
+    const double part = (value - mapped.minimum) / std::max(1.0, mapped.maximum - mapped.minimum);
     const double inside = std::clamp(part, 0.0, 1.0);
     return mapped.inverted ? 1.0 - inside : inside;
   }
   const double from_centre = value - mapped.centre;
-  const double whole = from_centre > 0.0 ? mapped.greatest - mapped.centre : mapped.centre - mapped.least;
+  const double whole = from_centre > 0.0 ? mapped.maximum - mapped.centre : mapped.centre - mapped.minimum;
   const double inside = std::clamp(from_centre / std::max(1.0, whole), -1.0, 1.0);
   return mapped.inverted ? -inside : inside;
 }
 
-PadState PadResponse::apply(const RawPad& raw, const std::bitset<most_raw_axes>& ignored,
-                            const PadState& before) const {
+PadState PadResponse::apply(const RawPad& raw, const std::bitset<max_raw_axes>& ignored, const PadState& before) const {
   PadState state;
-  for (std::size_t i = 0; i < axes_.size() && i < most_raw_axes; ++i) {
+  for (std::size_t i = 0; i < axes_.size() && i < max_raw_axes; ++i) {
     float& axis = state.axes[static_cast<std::size_t>(axes_[i].axis)];
     const auto here = static_cast<float>(ignored[i] ? 0.0 : position(i, raw.values[i]));
     if (std::abs(here) > std::abs(axis)) {
@@ -106,7 +106,7 @@ PadState PadResponse::apply(const RawPad& raw, const std::bitset<most_raw_axes>&
   shape_radially(axes.subspan(9, 3), puck_);
 
   state.buttons = raw.buttons;
-  for (std::size_t i = 0; i < numbered_.size() && i < most_numbered_buttons; ++i) {
+  for (std::size_t i = 0; i < numbered_.size() && i < max_numbered_buttons; ++i) {
     if (raw.numbered[i] && numbered_[i]) {
       state.buttons.set(static_cast<std::size_t>(*numbered_[i]));
     }

@@ -21,7 +21,7 @@ class PadResponse {
 
   //! Converts raw values. `ignored` raw axes count as at rest. Triggers also count as buttons:
   //! pressed from one half, released below 0.4; `before` is the last state.
-  [[nodiscard]] PadState apply(const RawPad& raw, const std::bitset<most_raw_axes>& ignored,
+  [[nodiscard]] PadState apply(const RawPad& raw, const std::bitset<max_raw_axes>& ignored,
                                const PadState& before) const;
 
   //! Returns the position of a raw axis before dead zones: -1 to 1, triggers 0 to 1; 0 if it
@@ -33,9 +33,9 @@ class PadResponse {
     PadAxis axis = PadAxis::left_x;
     bool moves = false;
     bool inverted = false;
-    double least = 0.0;
+    double minimum = 0.0;
     double centre = 0.0;
-    double greatest = 1.0;
+    double maximum = 1.0;
   };
 
   std::vector<Mapped> axes_;

@@ -47,7 +47,7 @@ void PadSession::switch_mode() {
 
 int PadSession::pump(std::span<std::uint8_t> buffer, const std::function<double()>& now_s, int wait_ms) {
   int count = 0;
-  while (count < most_reports) {
+  while (count < max_reports) {
     const int got = device_->read_timeout(buffer, count == 0 ? wait_ms : 0);
     if (got < 0) {
       return -1;
@@ -85,7 +85,7 @@ void PadSession::take(ReportBytes report, double now_s) {
 }
 
 void PadSession::note_motion(double now_s) {
-  for (std::size_t i = 0; i < std::min(layout().axes.size(), most_raw_axes); ++i) {
+  for (std::size_t i = 0; i < std::min(layout().axes.size(), max_raw_axes); ++i) {
     Still& still = still_[i];
     if (raw_.values[i] == still.value) {
       continue;
@@ -113,7 +113,7 @@ void PadSession::update(double now_s) {
   }
 }
 
-bool PadSession::look_after(std::size_t axis, double now_s) {
+bool PadSession::check_axis(std::size_t axis, double now_s) {
   const Still& still = still_[axis];
   if (ignored_[axis] || now_s - still.since_s < stuck_after_s_ ||
       std::abs(response_.position(axis, still.value)) < deflected) {
@@ -135,8 +135,8 @@ void PadSession::watch(double now_s) {
     return;
   }
   bool any = false;
-  for (std::size_t i = 0; i < std::min(layout().axes.size(), most_raw_axes); ++i) {
-    any = look_after(i, now_s) || any;
+  for (std::size_t i = 0; i < std::min(layout().axes.size(), max_raw_axes); ++i) {
+    any = check_axis(i, now_s) || any;
   }
   if (any) {
     // The state changes because an axis is now ignored. This must not count as input of a user.

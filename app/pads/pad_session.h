@@ -20,7 +20,7 @@ class PadSession {
   PadSession(PadIdentity identity, std::unique_ptr<HidDevice> device, std::unique_ptr<PadDecoder> decoder,
              const PadProfile& profile, double stuck_after_s, double now_s);
 
-  //! Reads the pending reports, at most `most_reports`, and waits up to `wait_ms` for the first.
+  //! Reads the pending reports, at most `max_reports`, and waits up to `wait_ms` for the first.
   //! Returns their number; -1 if the device is gone. `buffer` is for one report.
   int pump(std::span<std::uint8_t> buffer, const std::function<double()>& now_s, int wait_ms);
 
@@ -44,14 +44,14 @@ class PadSession {
   [[nodiscard]] long reports() const { return reports_; }
   [[nodiscard]] long refused() const { return refused_; }
 
-  static constexpr int most_reports = 256;
+  static constexpr int max_reports = 256;
 
  private:
   void switch_mode();
   void take(ReportBytes report, double now_s);
   void note_motion(double now_s);
   void update(double now_s);
-  bool look_after(std::size_t axis, double now_s);
+  bool check_axis(std::size_t axis, double now_s);
 
   //! The value of a raw axis, and since when it is unchanged.
   struct Still {
@@ -67,8 +67,8 @@ class PadSession {
   PadResponse response_;
   RawPad raw_;
   PadState state_;
-  std::array<Still, most_raw_axes> still_{};
-  std::bitset<most_raw_axes> ignored_;
+  std::array<Still, max_raw_axes> still_{};
+  std::bitset<max_raw_axes> ignored_;
   PadPresses presses_{};
   bool absent_ = false;
   bool silent_ = false;

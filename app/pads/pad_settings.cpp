@@ -107,8 +107,8 @@ std::string body_of(const PadProfile& profile, std::string_view table) {
   }
   fmt::format_to(std::back_inserter(text), "[{}.calibration]\n", table);
   for (const auto& [name, range] : profile.calibration) {
-    fmt::format_to(std::back_inserter(text), "{} = [{}, {}, {}]\n", in_quotes(name), range.least, range.centre,
-                   range.greatest);
+    fmt::format_to(std::back_inserter(text), "{} = [{}, {}, {}]\n", in_quotes(name), range.minimum, range.centre,
+                   range.maximum);
   }
   return text;
 }

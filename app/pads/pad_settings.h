@@ -27,9 +27,9 @@ struct PadCurve {
 
 //! Raw values of an axis at its ends and at rest.
 struct AxisCalibration {
-  std::int32_t least = 0;
+  std::int32_t minimum = 0;
   std::int32_t centre = 0;
-  std::int32_t greatest = 0;
+  std::int32_t maximum = 0;
 
   bool operator==(const AxisCalibration&) const = default;
 };

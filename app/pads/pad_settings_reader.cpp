@@ -12,7 +12,7 @@ namespace ergodome {
 
 namespace {
 
-constexpr std::size_t most_profiles = 64;
+constexpr std::size_t max_profiles = 64;
 
 class ProfileReader {
  public:
@@ -88,15 +88,15 @@ class ProfileReader {
   }
 
   //! Reads a list of texts.
-  std::vector<std::string> words(std::string_view key, std::size_t most) {
+  std::vector<std::string> words(std::string_view key, std::size_t limit) {
     std::vector<std::string> found;
     const toml::node* const node = table_.node(key);
     if (node == nullptr) {
       return found;
     }
     const toml::array* const list = node->as_array();
-    if (list == nullptr || list->size() > most) {
-      throw table_.error_at(key, "is not a list of names", fmt::format("write at most {} names in brackets", most));
+    if (list == nullptr || list->size() > limit) {
+      throw table_.error_at(key, "is not a list of names", fmt::format("write at most {} names in brackets", limit));
     }
     for (const toml::node& item : *list) {
       const auto word = item.value_exact<std::string>();
@@ -136,7 +136,7 @@ class ProfileReader {
       return;
     }
     profile_.buttons.clear();
-    for (const std::string& word : words("buttons", most_numbered_buttons)) {
+    for (const std::string& word : words("buttons", max_numbered_buttons)) {
       const auto button = pad_button_named(word);
       if (!button && word != "none") {
         std::vector<std::string> known = pad_button_names();
@@ -150,8 +150,8 @@ class ProfileReader {
   //! Returns the subtable whose keys are names of raw axes; nullptr if it is missing.
   const toml::table* table_of_axes(std::string_view key) {
     const toml::table* const found = table_.table(key);
-    if (found != nullptr && found->size() > most_raw_axes) {
-      throw table_.error_at(key, "has too many axes", fmt::format("a controller has at most {}", most_raw_axes));
+    if (found != nullptr && found->size() > max_raw_axes) {
+      throw table_.error_at(key, "has too many axes", fmt::format("a controller has at most {}", max_raw_axes));
     }
     if (found != nullptr) {
       refuse_unknown_axes(*found, key);
@@ -204,12 +204,12 @@ class ProfileReader {
     profile_.calibration.clear();
     TomlTable table(*found, file_, table_.path_of("calibration"));
     for (const auto& [key, value] : *found) {
-      constexpr double most = 2147483647.0;
-      const std::vector<double> range = table.numbers(key.str(), 3, 3, -most, most);
+      constexpr double limit = 2147483647.0;
+      const std::vector<double> range = table.numbers(key.str(), 3, 3, -limit, limit);
       const AxisCalibration calibration{static_cast<std::int32_t>(range[0]), static_cast<std::int32_t>(range[1]),
                                         static_cast<std::int32_t>(range[2])};
-      if (calibration.least > calibration.centre || calibration.centre > calibration.greatest ||
-          calibration.least == calibration.greatest) {
+      if (calibration.minimum > calibration.centre || calibration.centre > calibration.maximum ||
+          calibration.minimum == calibration.maximum) {
         throw table.error_at(key.str(), "is not in rising order", "write [minimum, center, maximum]");
       }
       profile_.calibration[std::string(key.str())] = calibration;
@@ -231,7 +231,7 @@ PadSettings parse_pad_settings(std::string_view text, const std::string& file) {
   if (const toml::table* const otherwise = table.table("default")) {
     settings.otherwise = ProfileReader(*otherwise, file, "default", settings.otherwise).read();
   }
-  const std::vector<const toml::table*> pads = table.tables("pad", most_profiles);
+  const std::vector<const toml::table*> pads = table.tables("pad", max_profiles);
   settings.pads.reserve(pads.size());
   for (std::size_t i = 0; i < pads.size(); ++i) {
     ProfileReader reader(*pads[i], file, fmt::format("pad[{}]", i + 1), settings.otherwise);

@@ -67,8 +67,8 @@ void ClockChaser::follow_running(ShowClock& clock, const ClockFix& fix) const {
       clock.seek_by(error);
     }
   } else {
-    const double most = settings_.most_slew * std::abs(fix.speed);
-    speed += std::clamp(seconds_of(error) / seconds_of(settings_.slew), -most, most);
+    const double maximum = settings_.max_slew * std::abs(fix.speed);
+    speed += std::clamp(seconds_of(error) / seconds_of(settings_.slew), -maximum, maximum);
   }
   clock.set_speed(speed);
   const bool at_end = !clock.loop() && clock.duration() > ShowTime{} &&

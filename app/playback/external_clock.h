@@ -52,7 +52,7 @@ struct ChaseSettings {
   //! Time constant with which errors up to `jump` are corrected by changing the speed.
   std::chrono::nanoseconds slew = std::chrono::milliseconds(500);
   //! Maximum relative change of speed for such a correction.
-  double most_slew = 0.1;
+  double max_slew = 0.1;
 };
 
 //! State of following a clock: nothing received yet; following; running on alone for a moment;

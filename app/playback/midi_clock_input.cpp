@@ -14,7 +14,7 @@ namespace ergodome {
 
 namespace {
 
-void say_nothing(RtMidiError::Type /*type*/, const std::string& /*text*/, void* /*nothing*/) {}
+void ignore_message(RtMidiError::Type /*type*/, const std::string& /*text*/, void* /*nothing*/) {}
 
 //! Returns whether the machine has a MIDI sequencer. RtMidi would print an error without one,
 //! before it can be silenced.
@@ -34,7 +34,7 @@ std::unique_ptr<RtMidiIn> open_midi() {
   }
   try {
     auto input = std::make_unique<RtMidiIn>(RtMidi::LINUX_ALSA, "Ergodome");
-    input->setErrorCallback(say_nothing);
+    input->setErrorCallback(ignore_message);
     return input;
   } catch (const RtMidiError&) {
     return nullptr;

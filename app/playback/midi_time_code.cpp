@@ -152,7 +152,7 @@ std::optional<MidiTimeCodeReader::Reading> MidiTimeCodeReader::finish_code() {
   } else if (!passed_over) {
     code_ = frame_number(code);
     rate_ = code.rate;
-    place_ = code_;
+    position_ = code_;
   }
   return code_ ? std::optional(Reading{4 * *code_ + piece_, rate_, direction_}) : std::nullopt;
 }
@@ -163,7 +163,7 @@ bool MidiTimeCodeReader::follows_from_the_codes_before(std::int64_t code, CodeRa
   }
   // Between two runs of quarter frames the tape may have moved a little; wrong codes deviate by
   // more.
-  return !place_ || (rate == rate_ && 2 * std::abs(code - *place_) < frames_a_second(rate));
+  return !position_ || (rate == rate_ && 2 * std::abs(code - *position_) < frames_a_second(rate));
 }
 
 std::optional<MidiTimeCodeReader::Reading> MidiTimeCodeReader::read_full_frame() {
@@ -179,9 +179,9 @@ std::optional<MidiTimeCodeReader::Reading> MidiTimeCodeReader::read_full_frame()
   }
   lose_code();
   rate_ = code.rate;
-  place_ = frame_number(code);
+  position_ = frame_number(code);
   doubted_ = false;
-  return Reading{4 * *place_, code.rate, 0};
+  return Reading{4 * *position_, code.rate, 0};
 }
 
 ClockFix TimeCodeFilter::filter(const MidiTimeCodeReader::Reading& reading, MonotonicTime received) {
@@ -211,8 +211,8 @@ ClockFix TimeCodeFilter::filter(const MidiTimeCodeReader::Reading& reading, Mono
   direction_ = reading.direction;
   rate_ = reading.rate;
   points_.push_back({received, time});
-  constexpr std::size_t most = 256;
-  while (points_.size() > most || received - points_.front().received > window) {
+  constexpr std::size_t maximum = 256;
+  while (points_.size() > maximum || received - points_.front().received > window) {
     points_.pop_front();
   }
   return line(reading.direction);

@@ -84,7 +84,7 @@ class MidiTimeCodeReader {
   //! Frame number of the code that is being received, computed from the code before.
   std::optional<std::int64_t> code_;
   //! Frame number of the last accepted code or full frame message.
-  std::optional<std::int64_t> place_;
+  std::optional<std::int64_t> position_;
   bool doubted_ = false;  //!< the last code did not follow from those before
   CodeRate rate_ = CodeRate::fps25;
 };

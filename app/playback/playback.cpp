@@ -34,7 +34,7 @@ const char* name_of(ChaseState state) {
 }
 
 //! Returns the fallback language when the requested one is unavailable.
-std::string spoken_instead(const std::vector<std::string>& languages) {
+std::string fallback_language(const std::vector<std::string>& languages) {
   return has_language(languages, "en") ? "en" : languages.front();
 }
 
@@ -48,7 +48,7 @@ std::string language_note(const std::string& show, const Timeline& heard, const 
     return "";
   }
   return fmt::format("{} has no captions or sound in \"{}\"; available: {}; using {}", show, language,
-                     fmt::join(spoken, ", "), spoken_instead(spoken));
+                     fmt::join(spoken, ", "), fallback_language(spoken));
 }
 
 Playback::Playback(const Show& show, PlaybackSettings settings)
@@ -68,7 +68,7 @@ void Playback::set_show(const Show& show) {
   chapters_ = show.timeline.chapters;
   languages_ = languages(show);
   if (!has_language(languages_, language_) && !languages_.empty()) {
-    language_ = has_language(languages_, wider(language_)) ? wider(language_) : spoken_instead(languages_);
+    language_ = has_language(languages_, wider(language_)) ? wider(language_) : fallback_language(languages_);
   }
   clock_.set_show(show.duration_s, show.frame_rate_hz);
 }

@@ -31,11 +31,11 @@ void require_version(const std::filesystem::path& file) {
 }  // namespace
 
 std::optional<FileStamp> stamp_of(const std::filesystem::path& path) {
-  struct stat facts {};
-  if (::stat(path.c_str(), &facts) != 0 || !S_ISREG(facts.st_mode)) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) {
     return std::nullopt;
   }
-  return FileStamp{nanoseconds_of(facts.st_mtim), nanoseconds_of(facts.st_ctim), facts.st_size, facts.st_ino};
+  return FileStamp{nanoseconds_of(status.st_mtim), nanoseconds_of(status.st_ctim), status.st_size, status.st_ino};
 }
 
 void FileWatch::watch(const std::vector<std::filesystem::path>& paths, WallTime read_at) {
@@ -56,7 +56,7 @@ void FileWatch::watch(const std::vector<std::filesystem::path>& paths, WallTime 
   files_ = std::move(files);
 }
 
-bool FileWatch::look(File& file, MonotonicTime now) const {
+bool FileWatch::check(File& file, MonotonicTime now) const {
   const auto stamp = stamp_of(file.path);
   if (stamp != file.seen || !file.since) {
     file.seen = stamp;
@@ -71,13 +71,13 @@ bool FileWatch::look(File& file, MonotonicTime now) const {
 }
 
 bool FileWatch::changed(MonotonicTime now) {
-  if (looked_at_ && now - *looked_at_ < settings_.look_every) {
+  if (checked_ && now - *checked_ < settings_.check_interval) {
     return false;
   }
-  looked_at_ = now;
+  checked_ = now;
   bool any = false;
   for (File& file : files_) {
-    any = look(file, now) || any;
+    any = check(file, now) || any;
   }
   return any;
 }

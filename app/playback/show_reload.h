@@ -37,7 +37,7 @@ std::optional<FileStamp> stamp_of(const std::filesystem::path& path);
 class FileWatch {
  public:
   struct Settings {
-    std::chrono::nanoseconds look_every = std::chrono::milliseconds(250);
+    std::chrono::nanoseconds check_interval = std::chrono::milliseconds(250);
     //! How long a new version must stay unchanged before it is reported.
     std::chrono::nanoseconds settle = std::chrono::milliseconds(200);
     //! How long a file must be missing or empty before that counts as a change.
@@ -62,11 +62,11 @@ class FileWatch {
     std::optional<FileStamp> seen;       //!< version seen when last polled
     std::optional<MonotonicTime> since;  //!< when the seen version appeared
   };
-  bool look(File& file, MonotonicTime now) const;
+  bool check(File& file, MonotonicTime now) const;
 
   Settings settings_;
   std::vector<File> files_;
-  std::optional<MonotonicTime> looked_at_;
+  std::optional<MonotonicTime> checked_;
 };
 
 //! Rereads a running show after its file, or one of the files it names, was saved. It reads on a

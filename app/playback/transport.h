@@ -73,9 +73,9 @@ constexpr bool moves_time(TransportCommand::Kind kind) {
 class CommandQueue {
  public:
   void push(TransportCommand command) {
-    constexpr std::size_t most = 1024;
+    constexpr std::size_t maximum = 1024;
     const std::lock_guard lock(mutex_);
-    if (commands_.size() >= most) {
+    if (commands_.size() >= maximum) {
       commands_.pop_front();
     }
     commands_.push_back(std::move(command));

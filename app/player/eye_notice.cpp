@@ -4,7 +4,7 @@
 
 namespace ergodome {
 
-std::string line_of(const NarrowedEyes& eyes, const std::string& language) {
+std::string line_of(const ReducedBaseline& eyes, const std::string& language) {
   return language == "de"
              ? fmt::format(
                    "Der Augenabstand von {:.3g} M ist hier nicht möglich; er wurde auf den größten möglichen Wert "
@@ -15,7 +15,7 @@ std::string line_of(const NarrowedEyes& eyes, const std::string& language) {
                    eyes.asked);
 }
 
-std::string note_of(const Show& show, double time_s, const NarrowedEyes& eyes, const std::optional<double>& chosen) {
+std::string note_of(const Show& show, double time_s, const ReducedBaseline& eyes, const std::optional<double>& chosen) {
   if (!chosen) {
     return note_of(show, time_s, eyes);
   }

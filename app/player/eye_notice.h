@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "content/show/show.h"
-#include "render/stereo/narrowed_eyes.h"
+#include "render/stereo/reduced_baseline.h"
 
 namespace ergodome {
 
@@ -15,23 +15,23 @@ namespace ergodome {
 class EyeNotice {
  public:
   //! Forgets all reports at the start of another show.
-  void begin() { told_.clear(); }
+  void begin() { reported_.clear(); }
 
   //! Returns whether to report the eyes of a frame. `chosen` is the operator's baseline instead of
   //! the show's [M].
-  bool tells(const std::optional<NarrowedEyes>& eyes, const std::optional<double>& chosen) {
-    return eyes && told_.emplace(eyes->model, chosen).second;
+  bool is_news(const std::optional<ReducedBaseline>& eyes, const std::optional<double>& chosen) {
+    return eyes && reported_.emplace(eyes->model, chosen).second;
   }
 
  private:
-  std::set<std::pair<decltype(NarrowedEyes::model), std::optional<double>>> told_;
+  std::set<std::pair<decltype(ReducedBaseline::model), std::optional<double>>> reported_;
 };
 
 //! Returns the line for the screen, in a language (tag).
-std::string line_of(const NarrowedEyes& eyes, const std::string& language);
+std::string line_of(const ReducedBaseline& eyes, const std::string& language);
 
 //! Returns the sentence for the log, with the line of the show file if the baseline is the show's.
 //! `time_s` is the show time.
-std::string note_of(const Show& show, double time_s, const NarrowedEyes& eyes, const std::optional<double>& chosen);
+std::string note_of(const Show& show, double time_s, const ReducedBaseline& eyes, const std::optional<double>& chosen);
 
 }  // namespace ergodome

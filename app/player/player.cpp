@@ -76,22 +76,22 @@ Player::Player(const Show& show, const RendererLoader::Make& make, std::unique_p
     pictures_.renderers().prepare(ExhibitScene::visitor, show);
     services_.watch(show, options_.read_at, options_.load);
     inputs_.set_lock(InputLock::visitors);
-    services_.tell(spdlog::level::warn, exhibit_->damage());
-    services_.tell(spdlog::level::warn, attract_mismatch(show, exhibit_->show()));
+    services_.report(spdlog::level::warn, exhibit_->damage());
+    services_.report(spdlog::level::warn, attract_mismatch(show, exhibit_->show()));
     for (const std::string& damage : damage_) {
-      services_.tell(spdlog::level::warn, damage);
+      services_.report(spdlog::level::warn, damage);
     }
   }
   pictures_.renderers().prepare(ExhibitScene::attract, first);
   pictures_.renderers().enter(ExhibitScene::attract, first);
   begin(first, options_.free_flight && !exhibit_);
   if (first.stereo.layout == StereoLayout::quad_buffer && !output_->has_eye_buffers()) {
-    services_.tell(spdlog::level::warn,
-                   "the graphics driver does not support quad-buffer stereo; the eyes are shown side by side");
+    services_.report(spdlog::level::warn,
+                     "the graphics driver does not support quad-buffer stereo; the eyes are shown side by side");
   }
   pads_.start();
   if (exhibit_) {
-    services_.tell(spdlog::level::info, start_text());
+    services_.report(spdlog::level::info, start_text());
   }
 }
 
@@ -111,7 +111,7 @@ void Player::begin(const Show& show, bool free_flight) {
   services_.drive(session_->playback());
   services_.set_show(show, options_.read_at, options_.load);
   if (exhibit_) {
-    for (const TransportCommand& command : exhibit_->kept_commands()) {
+    for (const TransportCommand& command : exhibit_->saved_commands()) {
       session_->playback().apply(command);
     }
   }
@@ -127,7 +127,7 @@ void Player::run() {
       output_->show();
     }
     end_in_time();
-    tell_supervisor_alive(session_->now_s());
+    notify_supervisor_alive(session_->now_s());
   }
   if (exhibit_) {
     // Logs the end even if the disk is full.
@@ -144,7 +144,7 @@ void Player::run() {
     output_->save_screenshot(options_.screenshot);
   }
   if (exhibit_) {
-    services_.tell(spdlog::level::info, end_text());
+    services_.report(spdlog::level::info, end_text());
   }
 }
 
@@ -160,9 +160,9 @@ void Player::advance() {
   session_->advance(input);
   answer_requests();
   reload(false);
-  services_.look_at_waiting_shows();
+  services_.report_waiting_shows();
   take_renderer();
-  tell_notes();
+  report_notes();
   update_picture();
   output_->set_light(session_->frame().light);
   services_.follow(session_->playback());
@@ -189,9 +189,9 @@ void Player::answer_requests() {
   }
 }
 
-void Player::tell_notes() {
+void Player::report_notes() {
   for (const std::string& note : options_.notes->take()) {
-    services_.tell(spdlog::level::warn, note);
+    services_.report(spdlog::level::warn, note);
   }
 }
 
@@ -214,27 +214,27 @@ void Player::note(PictureNews news) {
   if (news == PictureNews::picture) {
     session_->playback().note_shown(session_->playback().instant());
     note_light();
-    tell_narrowed_eyes();
+    report_reduced_baseline();
   }
   if (!first_answer_) {
     first_answer_ = Clock::now();
-    tell_supervisor_ready();
+    notify_supervisor_ready();
   }
-  services_.tell(spdlog::level::err, pictures_.report().problem);
+  services_.report(spdlog::level::err, pictures_.report().problem);
   output_->set_title(title_text(pictures_.report(), *session_, pictures_.renderers().backend()));
 }
 
-void Player::tell_narrowed_eyes() {
-  const std::optional<NarrowedEyes>& eyes = pictures_.report().narrowed;
+void Player::report_reduced_baseline() {
+  const std::optional<ReducedBaseline>& eyes = pictures_.report().reduced;
   const std::optional<double> chosen = session_->playback().baseline();
-  if (!eye_notice_.tells(eyes, chosen)) {
+  if (!eye_notice_.is_news(eyes, chosen)) {
     return;
   }
   // Visitors of an exhibit do not see this notice, because they cannot change the baseline.
   if (!exhibit_) {
     session_->say(line_of(*eyes, session_->playback().language()));
   }
-  services_.tell(spdlog::level::warn, note_of(session_->show(), session_->frame().time_s, *eyes, chosen));
+  services_.report(spdlog::level::warn, note_of(session_->show(), session_->frame().time_s, *eyes, chosen));
 }
 
 void Player::keep_recording(RecordingMoment moment) {
@@ -248,10 +248,10 @@ void Player::keep_recording(RecordingMoment moment) {
   // Logs each problem once, because saving is retried. Only a written flight proves that it works
   // again.
   if (!problem.empty() && problem != recording_problem_) {
-    services_.tell(spdlog::level::err, problem);
+    services_.report(spdlog::level::err, problem);
     recording_problem_ = problem;
   } else if (written && !recording_problem_.empty()) {
-    services_.tell(spdlog::level::info, "recording of flights works again");
+    services_.report(spdlog::level::info, "recording of flights works again");
     recording_problem_.clear();
   }
 }
@@ -277,7 +277,7 @@ void Player::reload(bool now) {
     // The current version runs until the new one is loaded completely.
     pictures_.renderers().renew(*result->show);
   } else {
-    services_.tell(spdlog::level::err, result->problem);
+    services_.report(spdlog::level::err, result->problem);
     refuse_version(result->problem);
   }
 }
@@ -288,7 +288,7 @@ void Player::take_version(const Show& show) {
   if (exhibit_) {
     exhibit_->renew(show);
   }
-  services_.tell(spdlog::level::info, fmt::format("{} was reloaded", show.name));
+  services_.report(spdlog::level::info, fmt::format("{} was reloaded", show.name));
 }
 
 void Player::refuse_version(const std::string& problem) {
@@ -300,7 +300,7 @@ void Player::refuse_version(const std::string& problem) {
 
 void Player::take_renderer() {
   const SceneRenderers::News news = pictures_.take_renderer(session_->show());
-  services_.tell(spdlog::level::err, news.problem);
+  services_.report(spdlog::level::err, news.problem);
   if (news.another) {
     if (news.version) {
       take_version(*news.version);
@@ -346,8 +346,9 @@ std::string Player::help_text(HelpForm form) const {
 void Player::update_texts() {
   if (session_->playback().dark()) {
     // A blackout hides all text.
-    for (const PanelPlace place : {PanelPlace::top_left, PanelPlace::bottom_middle, PanelPlace::middle}) {
-      output_->set_text(place, "");
+    for (const PanelPosition position :
+         {PanelPosition::top_left, PanelPosition::bottom_middle, PanelPosition::middle}) {
+      output_->set_text(position, "");
     }
     return;
   }
@@ -360,13 +361,13 @@ void Player::update_texts() {
     times += text_in(readout_text(session_->spacetime(), pose.r, pose.theta), session_->playback().language());
     times += pictures_.budget() ? fmt::format("\n{}", pictures_.budget()->display_text()) : "";
   }
-  output_->set_text(PanelPlace::top_left, times);
+  output_->set_text(PanelPosition::top_left, times);
   // Captions for visitors use the same location and have priority. Nothing is shown in the attract
   // show, nor before the first picture of a flight, while the attract show's last picture remains.
   const bool quiet = options_.quiet || !words_.empty() ||
                      (exhibit_ && (exhibit_->scene() == ExhibitScene::attract || !pictures_.renderers().current()));
-  output_->set_text(PanelPlace::bottom_middle, quiet ? "" : session_->caption());
-  output_->set_text(PanelPlace::middle, session_->help_shown() ? help_text(HelpForm::cells) : "");
+  output_->set_text(PanelPosition::bottom_middle, quiet ? "" : session_->caption());
+  output_->set_text(PanelPosition::middle, session_->help_shown() ? help_text(HelpForm::cells) : "");
 }
 
 void Player::post_status() {
@@ -379,7 +380,7 @@ void Player::post_status() {
   status.frames = report.pictures;
   status.problem = report.problem;
   frame_times_.note(session_->now_s(), report.frame_time_ms);
-  status.baseline_used = report.narrowed ? report.narrowed->baseline : status.baseline;
+  status.baseline_used = report.reduced ? report.reduced->baseline : status.baseline;
   status.worst_frame_ms = frame_times_.worst_ms();
   for (const PadView& pad : pad_snapshot_.pads) {
     status.pads.push_back(
@@ -391,7 +392,7 @@ void Player::post_status() {
   services_.fill(status);
   if (exhibit_) {
     keep_settings(status);
-    tell_supervisor(exhibit_->state_text(status));
+    notify_supervisor(exhibit_->state_text(status));
   }
   services_.post(std::move(status));
 }
@@ -427,7 +428,7 @@ void Player::advance_exhibit(PlayerInput& input) {
   services_.log_changes(operator_log_.take(session_->now_s()));
   if (exhibit_->take_return()) {
     input.actions.push_back(KeyAction::reset);
-    services_.tell(spdlog::level::info, "the view was completely black; the camera was reset to the start");
+    services_.report(spdlog::level::info, "the view was completely black; the camera was reset to the start");
   }
   if (std::erase(input.actions, KeyAction::reset) > 0) {
     const std::vector<TransportCommand> reset = exhibit_->reset_commands();
@@ -464,7 +465,7 @@ void Player::change_scene() {
   pictures_.renderers().enter(exhibit_->scene(), exhibit_->show());
   begin(exhibit_->show(), visitor);
   light_watch_.begin(session_->now_s());
-  services_.tell(spdlog::level::info, visitor ? "a visitor arrived: free flight starts" : "the attract show starts");
+  services_.report(spdlog::level::info, visitor ? "a visitor arrived: free flight starts" : "the attract show starts");
 }
 
 void Player::keep_settings(PlayerStatus& status) {
@@ -473,7 +474,7 @@ void Player::keep_settings(PlayerStatus& status) {
   const std::string& now = exhibit_->problem();
   if (now != before) {
     const bool kept = now.empty();
-    services_.tell(kept ? spdlog::level::info : spdlog::level::err, kept ? "settings are saved again" : now);
+    services_.report(kept ? spdlog::level::info : spdlog::level::err, kept ? "settings are saved again" : now);
   }
   if (status.problem.empty()) {
     status.problem = now;

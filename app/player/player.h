@@ -74,10 +74,10 @@ class Player {
   //! Handles a new version of the show's file that has become current, or that cannot be used.
   void take_version(const Show& show);
   void refuse_version(const std::string& problem);
-  void tell_notes();
+  void report_notes();
   void update_picture();
   void note(PictureNews news);
-  void tell_narrowed_eyes();
+  void report_reduced_baseline();
   void advance_exhibit(PlayerInput& input);
   void change_scene();
   //! Requests the lit part of a visitor's view if it is due. Returns whether it is.

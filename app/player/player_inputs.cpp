@@ -14,8 +14,8 @@ namespace {
 constexpr float deliberate = 0.15F;
 
 bool is_for_visitors(KeyAction action) {
-  const auto facts = std::ranges::find(all_actions(), action, &ActionFacts::action);
-  return facts != all_actions().end() && facts->user == ActionUser::visitor && action != KeyAction::quit;
+  const auto named = std::ranges::find(all_actions(), action, &ActionNames::action);
+  return named != all_actions().end() && named->user == ActionUser::visitor && action != KeyAction::quit;
 }
 
 bool is_moved(const PadState& pad) {

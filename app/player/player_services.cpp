@@ -42,20 +42,20 @@ PlayerServices::PlayerServices(const ServiceOptions& options, const Show& show)
     // The rate of the time code is not known yet, so frames are parsed at the highest rate.
     const std::optional<TimeCode> start = parse_time_code(options.clock_start, CodeRate::fps30);
     midi_ = std::make_unique<MidiClockInput>(clock_, port, start);
-    tell(spdlog::level::info, fmt::format("the show follows MIDI time code on {}", midi_->port()));
+    report(spdlog::level::info, fmt::format("the show follows MIDI time code on {}", midi_->port()));
   }
   if (options.sound) {
     sound_ = std::make_unique<AudioPlayer>(options.sound_later_s);
     sound_->set_soundtrack(soundtrack_of(show));
   }
-  tell_of_the_show(show);
+  report_show(show);
   OscListeners listeners;
   listeners.warning = [log = log_](const std::string& line) { log->warn("{}", line); };
   if (options.clock == "osc") {
     listeners.clock = [clock = clock_](const ClockFix& fix) { clock->post(fix); };
   }
   remote_ = std::make_unique<RemoteControl>(options.remote, queue_, board_, ring_, std::move(listeners));
-  tell(spdlog::level::warn, remote_->warning());
+  report(spdlog::level::warn, remote_->warning());
   for (const std::string& line : remote_->greeting()) {
     // For the user who started the show; may contain the token, so it must not be logged.
     print_out("{}\n", line);
@@ -63,7 +63,7 @@ PlayerServices::PlayerServices(const ServiceOptions& options, const Show& show)
   std::fflush(stdout);
 }
 
-void PlayerServices::tell_of_the_show(const Show& show) {
+void PlayerServices::report_show(const Show& show) {
   Playback playback(show);
   drive(playback);
   PlayerStatus status;
@@ -94,7 +94,7 @@ void PlayerServices::follow(const Playback& playback) {
   }
   sound_->follow(playback.audio_cue());
   for (const std::string& problem : sound_->take_problems()) {
-    tell(spdlog::level::warn, problem);
+    report(spdlog::level::warn, problem);
   }
 }
 
@@ -115,15 +115,15 @@ std::optional<ShowReload::Result> PlayerServices::reloaded(bool now) {
   return shows_.poll(steady_time());
 }
 
-void PlayerServices::look_at_waiting_shows() {
+void PlayerServices::report_waiting_shows() {
   const auto waiting = shows_.poll_waiting(steady_time());
   if (!waiting) {
     return;
   }
   if (waiting->problem.empty()) {
-    tell(spdlog::level::info, waiting->file + " was saved; it will be reloaded when its scene starts");
+    report(spdlog::level::info, waiting->file + " was saved; it will be reloaded when its scene starts");
   } else {
-    tell(spdlog::level::err, waiting->problem);
+    report(spdlog::level::err, waiting->problem);
   }
 }
 
@@ -136,15 +136,15 @@ std::string PlayerServices::remote_text() const {
 void PlayerServices::log_changes(const std::vector<std::string>& lines) {
   for (const std::string& line : lines) {
     log_->info("{}", line);
-    told_ = line;
+    reported_ = line;
   }
 }
 
-void PlayerServices::tell(spdlog::level::level_enum level, const std::string& message) {
-  if (!message.empty() && message != told_) {
+void PlayerServices::report(spdlog::level::level_enum level, const std::string& message) {
+  if (!message.empty() && message != reported_) {
     log_->log(level, "{}", message);
   }
-  told_ = message;
+  reported_ = message;
 }
 
 }  // namespace ergodome

@@ -73,22 +73,22 @@ class PlayerServices {
   //! `now` reads it even if it has not changed.
   [[nodiscard]] std::optional<ShowReload::Result> reloaded(bool now);
   //! Checks the files of waiting shows and logs the result; called once per frame.
-  void look_at_waiting_shows();
+  void report_waiting_shows();
 
   //! Writes lines to the log, even if they repeat.
   void log_changes(const std::vector<std::string>& lines);
 
   //! Writes a line to the log unless it equals the last one.
-  void tell(spdlog::level::level_enum level, const std::string& message);
+  void report(spdlog::level::level_enum level, const std::string& message);
 
  private:
   //! Publishes the chapters and languages of a show before the first frame, because commands may
   //! arrive earlier.
-  void tell_of_the_show(const Show& show);
+  void report_show(const Show& show);
 
   std::shared_ptr<LogRing> ring_;
   std::shared_ptr<spdlog::logger> log_;
-  std::string told_;
+  std::string reported_;
   CommandQueue queue_;
   StatusBoard board_;
   std::shared_ptr<ExternalClock> clock_;  //!< null: the show's own clock

@@ -9,7 +9,7 @@
 #include "app/player/stereo_controls.h"
 #include "content/show/animated_show.h"
 #include "content/show/stereo_eyes.h"
-#include "render/passes/overlay/overlay_place.h"
+#include "render/passes/overlay/overlay_position.h"
 
 namespace ergodome {
 
@@ -61,7 +61,7 @@ PlayerSession::PlayerSession(const Show& show, SessionOptions options)
   if (options_.free_flight) {
     navigator_->leave_path();
   }
-  look(0.0, 0.0);
+  update_frame(0.0, 0.0);
 }
 
 void PlayerSession::set_show(const Show& show) {
@@ -100,9 +100,9 @@ void PlayerSession::advance(const PlayerInput& input) {
   playback_.advance();
   const double seconds = std::max(now_s() - before_s, 0.0);
   navigate(input, seconds);
-  tell_of_replaced_eyes();
+  report_replaced_eyes();
   const PlayerFrame before = std::exchange(frame_, {});
-  look(seconds, before.time_s);
+  update_frame(seconds, before.time_s);
   changed_ = !begun_ || !same_picture(before, frame_);
   begun_ = true;
   if (recording_.note(now_s(), frame_, *navigator_, show_, spacetime())) {
@@ -246,14 +246,14 @@ void PlayerSession::adjust_stereo(KeyAction action) {
   stereo_ = after;
 }
 
-void PlayerSession::tell_of_replaced_eyes() {
+void PlayerSession::report_replaced_eyes() {
   const bool replaced = eye_count(stereo_) > 1 && stereo_now().model != chosen_stereo().model;
-  if (replaced && !told_of_replaced_eyes_) {
+  if (replaced && !reported_replaced_eyes_) {
     say(playback_.language() == "de"
             ? "Das Stereomodell flat ist beim Fall durch den Horizont nicht möglich; verwendet wird physical."
             : "Stereo model flat is not possible in a fall through the horizon; using physical.");
   }
-  told_of_replaced_eyes_ = replaced;
+  reported_replaced_eyes_ = replaced;
 }
 
 std::vector<KeyAction> PlayerSession::take_requests() { return std::exchange(requests_, {}); }
@@ -283,7 +283,7 @@ bool PlayerSession::has_words_at(double time_s) const {
          std::ranges::any_of(timeline.overlays, is_there);
 }
 
-void PlayerSession::look(double seconds, double shown_time_s) {
+void PlayerSession::update_frame(double seconds, double shown_time_s) {
   const double time_s = picture_time_s();
   const std::string& language = playback_.language();
   // Off the show's path, a picture need not be rendered again if nothing in the scene changes with

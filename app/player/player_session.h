@@ -88,12 +88,12 @@ class PlayerSession {
   void press(KeyAction action);
   void press_view(KeyAction action);
   void adjust_stereo(KeyAction action);
-  void tell_of_replaced_eyes();
+  void report_replaced_eyes();
   void navigate(const PlayerInput& input, double seconds);
   //! Returns the show time for which the next picture is rendered: 0 if the show has no duration.
   [[nodiscard]] double picture_time_s() const;
   //! Updates the frame. `shown_time_s` is the show time of the previous frame.
-  void look(double seconds, double shown_time_s);
+  void update_frame(double seconds, double shown_time_s);
   //! Returns whether a visible caption or an overlay is present at a show time.
   [[nodiscard]] bool has_words_at(double time_s) const;
   //! Ends the recording of a flight in this scene, which a fall has ended.
@@ -122,7 +122,7 @@ class PlayerSession {
   bool times_shown_ = false;
   std::string message_;
   double message_until_s_ = -1.0;
-  bool told_of_replaced_eyes_ = false;
+  bool reported_replaced_eyes_ = false;
 
   PlayerFrame frame_;
   bool begun_ = false;

@@ -13,10 +13,10 @@ std::string times_text(const PictureReport& report, const StereoSettings& stereo
       report.frame_time_ms, report.size_px, report.lens, backend);
   if (eye_count(stereo) > 1) {
     text += fmt::format("\n{}", disparity_caption(stereo, report.disparity, language));
-    if (report.narrowed) {
+    if (report.reduced) {
       text += fmt::format(
           fmt::runtime(language == "de" ? "\nBasis hier auf {:.4g} M begrenzt" : "\nbaseline limited to {:.4g} M here"),
-          report.narrowed->baseline);
+          report.reduced->baseline);
     }
   }
   return text;
@@ -34,7 +34,7 @@ std::string title_text(const PictureReport& report, const PlayerSession& session
 
 Caption help_caption(const std::string& help) {
   Caption caption;
-  caption.place.elevation_deg = 32.0;
+  caption.position.elevation_deg = 32.0;
   caption.letter_deg = 1.6;
   caption.width_deg = 80.0;
   caption.text = {{"en", help}};

@@ -9,7 +9,7 @@ namespace ergodome {
 namespace {
 
 constexpr std::chrono::seconds interval{10};
-constexpr std::size_t most_records = 1000;
+constexpr std::size_t max_records = 1000;
 
 }  // namespace
 
@@ -34,7 +34,7 @@ bool RecordingFile::save(const PlayerSession& session) {
   }
   if (names_ == Names::numbered) {
     // Makes room first, and removes partial files left by a killed program.
-    remove_oldest_records(path_, most_records - 1);
+    remove_oldest_records(path_, max_records - 1);
     remove_abandoned_files(path_.has_parent_path() ? path_.parent_path() : std::filesystem::path("."));
   }
   const std::filesystem::path file = names_ == Names::numbered ? next_record(path_) : path_;

@@ -12,10 +12,10 @@ namespace {
 bool is_within(const CameraPose& pose, Spacetime spacetime) { return !(pose.r > horizon_radius(spacetime)); }
 
 //! Returns how the camera itself moves, if that determines the observer; `in_zamo` is its pose.
-std::optional<ObserverView> own_observer(const ObserverScene& scene, const CameraPose& in_zamo) {
+std::optional<ObserverView> flight_observer(const ObserverScene& scene, const CameraPose& in_zamo) {
   const Navigator& navigator = scene.navigator;
   if (navigator.course() == Navigator::Course::free) {
-    return navigator.own_observer(scene.language);
+    return navigator.flight_observer(scene.language);
   }
   if (is_within(in_zamo, scene.spacetime)) {
     return falling_within(scene.language);
@@ -44,16 +44,16 @@ void SessionObserver::observe(double seconds, const ObserverScene& scene, Player
   const bool within = is_within(frame.pose, scene.spacetime);
   const ObserverMode mode = within ? ObserverMode::natural : mode_;
   const CameraPose in_zamo = in_zamo_frame(frame.pose, scene.spacetime);
-  const ObserverView wanted = observer_view(mode, scene.show.camera, own_observer(scene, in_zamo), scene.spacetime,
+  const ObserverView wanted = observer_view(mode, scene.show.camera, flight_observer(scene, in_zamo), scene.spacetime,
                                             frame.pose.r, frame.pose.theta, scene.language);
   frame.observer = fade_.advance(seconds, wanted, scene.spacetime, frame.pose);
   if (!frame.pose.velocity_in_rain) {
-    other_eyes_from_r_ = frame.pose.r;
+    plunge_start_r_ = frame.pose.r;
   }
   const bool on_path = scene.navigator.course() == Navigator::Course::path;
   const bool falls_off_path = !on_path && frame.pose.velocity_in_rain;
   if (mode != ObserverMode::natural || (falls_off_path && !within && fade_.fading())) {
-    use_other_observer(scene, in_zamo, frame);
+    replace_observer(scene, in_zamo, frame);
   } else if (on_path) {
     // Baked lenses are for the show's observer.
     frame.observer.motion = scene.show.camera.motion;
@@ -61,11 +61,11 @@ void SessionObserver::observe(double seconds, const ObserverScene& scene, Player
   }
 }
 
-void SessionObserver::use_other_observer(const ObserverScene& scene, const CameraPose& in_zamo,
-                                         PlayerFrame& frame) const {
+void SessionObserver::replace_observer(const ObserverScene& scene, const CameraPose& in_zamo,
+                                       PlayerFrame& frame) const {
   const double horizon = horizon_radius(scene.spacetime);
   const double nearest = 1.002 * horizon;
-  const double farthest = std::min(1.3 * horizon, other_eyes_from_r_);
+  const double farthest = std::min(1.3 * horizon, plunge_start_r_);
   const double r = in_zamo.r;
   const double nearness = !frame.pose.velocity_in_rain || r >= farthest ? 0.0
                           : r <= nearest                                ? 1.0

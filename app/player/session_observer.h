@@ -33,11 +33,11 @@ class SessionObserver {
  private:
   //! Changes a frame to another observer than the infalling one. Toward the horizon, blends into
   //! the infalling observer, because no other can cross it and the view must not jump there.
-  void use_other_observer(const ObserverScene& scene, const CameraPose& in_zamo, PlayerFrame& frame) const;
+  void replace_observer(const ObserverScene& scene, const CameraPose& in_zamo, PlayerFrame& frame) const;
 
   ObserverMode mode_ = ObserverMode::natural;
   ObserverFade fade_;
-  double other_eyes_from_r_ = 1e300;  //!< radius at which the camera began to fall through the horizon [M]
+  double plunge_start_r_ = 1e300;  //!< radius at which the camera began to fall through the horizon [M]
 };
 
 }  // namespace ergodome

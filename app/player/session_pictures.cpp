@@ -13,7 +13,7 @@ SessionPictures::SessionPictures(const RendererLoader::Make& make, Output& outpu
 }
 
 PictureNews SessionPictures::advance(const PlayerSession& session, PictureRequest wish, bool changed) {
-  constexpr int most_failures = 5;
+  constexpr int max_failures = 5;
   wish.renderer = renderers_.current();
   wish.disparity_asked = session.times_shown();
   add_budget(wish, session.now_s());
@@ -24,7 +24,7 @@ PictureNews SessionPictures::advance(const PlayerSession& session, PictureReques
     return news;
   }
   failures_ = news == PictureNews::problem ? failures_ + 1 : 0;
-  if (news == PictureNews::hang || failures_ >= most_failures) {
+  if (news == PictureNews::hang || failures_ >= max_failures) {
     failures_ = 0;
     renderers_.lose(session.show());
   }

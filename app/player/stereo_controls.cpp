@@ -13,8 +13,8 @@ namespace ergodome {
 namespace {
 
 constexpr double step = 1.25;
-constexpr double least_baseline = 1e-4;
-constexpr double most_baseline = 100.0;
+constexpr double min_baseline = 1e-4;
+constexpr double max_baseline = 100.0;
 //! Values of the first step from 0 and from infinity, large enough to be seen.
 constexpr double first_baseline = 0.01;
 constexpr double first_convergence = 3.0;
@@ -45,11 +45,11 @@ StereoSettings adjusted(const StereoSettings& stereo, KeyAction action, const St
   StereoSettings made = stereo;
   switch (action) {
     case KeyAction::baseline_larger:
-      made.baseline = stereo.baseline > 0.0 ? std::clamp(step * stereo.baseline, least_baseline * r, most_baseline * r)
+      made.baseline = stereo.baseline > 0.0 ? std::clamp(step * stereo.baseline, min_baseline * r, max_baseline * r)
                                             : first_baseline * r;
       break;
     case KeyAction::baseline_smaller:
-      made.baseline = stereo.baseline / step < least_baseline * r ? 0.0 : stereo.baseline / step;
+      made.baseline = stereo.baseline / step < min_baseline * r ? 0.0 : stereo.baseline / step;
       break;
     case KeyAction::baseline_reset:
       made = shown;
@@ -103,10 +103,9 @@ std::string disparity_caption(const StereoSettings& stereo, const std::optional<
   }
   const bool german = language == "de";
   const char* const to = german ? "bis" : "to";
-  caption +=
-      fmt::format("\n{} {:+.1f} {} {:+.1f} px, {:+.1f} {} {:+.1f} {}", german ? "Disparität" : "disparity",
-                  tenths(disparity->least_px), to, tenths(disparity->greatest_px), tenths(disparity->least_arcmin), to,
-                  tenths(disparity->greatest_arcmin), german ? "Bogenminuten" : "arcmin");
+  caption += fmt::format("\n{} {:+.1f} {} {:+.1f} px, {:+.1f} {} {:+.1f} {}", german ? "Disparität" : "disparity",
+                         tenths(disparity->min_px), to, tenths(disparity->max_px), tenths(disparity->min_arcmin), to,
+                         tenths(disparity->max_arcmin), german ? "Bogenminuten" : "arcmin");
   // One degree is the usual limit (Lambooij, IJsselsteijn, Fortuin & Heynderickx, Journal of
   // Imaging Science and Technology 53 (2009) 030201), after Percival's zone of comfort.
   if (disparity->range_deg() > stereo.comfort_deg) {

@@ -46,7 +46,7 @@ std::vector<NetAddress> subscribers_of(const RemoteOptions& options, const NetAd
 
 //! Returns the token saved by earlier runs, or a new one if it cannot be saved; `warning` gives the
 //! reason. Never throws, because a show must start.
-std::string kept_token(const std::filesystem::path& file, std::string& warning) {
+std::string saved_token(const std::filesystem::path& file, std::string& warning) {
   if (file.empty()) {
     return new_web_token();
   }
@@ -73,7 +73,7 @@ std::string token_of(const RemoteOptions& options, const NetAddress& address, st
     warning = web_token_exposure(options.web_token_file);
     return token;
   }
-  return address.is_loopback() ? "" : kept_token(options.kept_token_file, warning);
+  return address.is_loopback() ? "" : saved_token(options.saved_token_file, warning);
 }
 
 //! Returns addresses that a user can type: all of the machine's if the server listens on any.

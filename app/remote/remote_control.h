@@ -27,7 +27,7 @@ struct RemoteOptions {
   std::string web_token_file;
   //! File that saves the token between runs if the other two are empty; empty: each run makes a new
   //! one.
-  std::filesystem::path kept_token_file;
+  std::filesystem::path saved_token_file;
   std::optional<int> osc_port;
   std::string osc_bind = "127.0.0.1";
   std::vector<std::string> osc_subscribers;  //!< HOST:PORT

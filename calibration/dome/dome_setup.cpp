@@ -16,7 +16,7 @@ namespace ergodome {
 namespace {
 
 constexpr std::size_t largest_mib = 4;
-constexpr std::size_t most_projectors = 64;
+constexpr std::size_t max_projectors = 64;
 
 void read_dome(TomlTable& root, const std::string& file, DomeSetup& setup) {
   const toml::table* const node = root.table("dome");
@@ -40,7 +40,7 @@ void read_viewer(TomlTable& root, const std::string& file, DomeSetup& setup) {
     return;
   }
   TomlTable viewer(*node, file, "viewer");
-  setup.viewer_m = read_place(viewer, "position_m");
+  setup.viewer_m = read_position(viewer, "position_m");
   if (!(std::sqrt(dot(setup.viewer_m, setup.viewer_m)) < setup.radius_m)) {
     throw viewer.error_at("position_m", "lies outside the dome",
                           fmt::format("keep it within {} m of the center", setup.radius_m));
@@ -72,7 +72,7 @@ void check_apart(const TomlTable& table, const ProjectorSetup& projector, const 
 }
 
 //! Throws Error for projectors and mirrors far outside the dome, which indicate a wrong unit.
-void check_places(const TomlTable& table, const ProjectorSetup& projector, double radius_m) {
+void check_positions(const TomlTable& table, const ProjectorSetup& projector, double radius_m) {
   constexpr double farthest_radii = 10.0;
   if (!(std::sqrt(dot(projector.position_m, projector.position_m)) <= farthest_radii * radius_m)) {
     throw table.error_at("position_m", "is more than ten dome radii away from the center", "write positions in meters");
@@ -160,7 +160,7 @@ toml::table projector_of(const ProjectorSetup& projector) {
 
 }  // namespace
 
-std::string place_of(const ProjectorSetup& projector) {
+std::string location_of(const ProjectorSetup& projector) {
   return fmt::format("{}{}projector {}", projector.read_from, projector.read_from.empty() ? "" : ", ", projector.name);
 }
 
@@ -171,7 +171,7 @@ DomeSetup parse_dome_setup(std::string_view text, const std::string& file, Named
   TomlTable root(parsed, file, "");
   read_dome(root, file, setup);
   read_viewer(root, file, setup);
-  const auto tables = root.tables("projector", most_projectors);
+  const auto tables = root.tables("projector", max_projectors);
   if (tables.empty()) {
     throw root.error_at("projector", "is missing", "write a [[projector]] for each projector of the dome");
   }
@@ -179,7 +179,7 @@ DomeSetup parse_dome_setup(std::string_view text, const std::string& file, Named
     TomlTable table(*tables[i], file, fmt::format("projector[{}]", i));
     ProjectorSetup projector = read_projector(table, file, setup.folder, named_files);
     projector.read_from = fmt::format("{}:{}", file, tables[i]->source().begin.line);
-    check_places(table, projector, setup.radius_m);
+    check_positions(table, projector, setup.radius_m);
     for (const ProjectorSetup& other : setup.projectors) {
       check_apart(table, projector, other);
     }

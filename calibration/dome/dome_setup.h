@@ -71,7 +71,7 @@ struct ProjectorSetup {
 };
 
 //! Returns the name of a projector for messages: "dome.toml:12, projector north".
-std::string place_of(const ProjectorSetup& projector);
+std::string location_of(const ProjectorSetup& projector);
 
 struct DomeSetup {
   double radius_m = 5.0;

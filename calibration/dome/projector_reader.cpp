@@ -25,7 +25,7 @@ class ProjectorReader {
     if (projector_.name.empty()) {
       throw table_.error_at("name", "is missing", "name the projector; messages use this name");
     }
-    projector_.position_m = read_place(table_, "position_m");
+    projector_.position_m = read_position(table_, "position_m");
     projector_.orientation = {table_.number("yaw_deg", 0.0, -360.0, 360.0),
                               table_.number("pitch_deg", 0.0, -180.0, 180.0),
                               table_.number("roll_deg", 0.0, -360.0, 360.0)};
@@ -116,7 +116,8 @@ class ProjectorReader {
     if (!mirror.has("position_m") || !mirror.has("radius_m")) {
       throw mirror.error_at("position_m", "or radius_m is missing", "write both, in meters");
     }
-    projector_.mirror = SphericalMirror{read_place(mirror, "position_m"), mirror.number("radius_m", 0.3, 0.001, 100.0)};
+    projector_.mirror =
+        SphericalMirror{read_position(mirror, "position_m"), mirror.number("radius_m", 0.3, 0.001, 100.0)};
     mirror.refuse_unknown_keys();
     const Vector3<double> apart = projector_.mirror->position_m - projector_.position_m;
     if (!(std::sqrt(dot(apart, apart)) > projector_.mirror->radius_m)) {
@@ -129,7 +130,7 @@ class ProjectorReader {
   }
 
   void read_output() {
-    const auto size = table_.numbers("resolution_px", 2, 2, 2.0, most_mesh_side);
+    const auto size = table_.numbers("resolution_px", 2, 2, 2.0, max_mesh_side);
     if (size.empty()) {
       throw table_.error_at("resolution_px", "is missing", "write resolution_px = [width, height]");
     }
@@ -211,7 +212,7 @@ class ProjectorReader {
     only_for("texture", warp.format == WarpFormat::pfm, "pfm");
     only_for("region", warp.format == WarpFormat::mpcdi, "mpcdi");
     only_for("x_range", warp.format == WarpFormat::bourke, "bourke");
-    only_for("source", tells_no_source(warp.format),
+    only_for("source", has_no_source_size(warp.format),
              "bourke, pfm, domeprojection, obj, simcad and easyblend, whose files do not name the source");
     warp.rows = static_cast<RowOrder>(table.choice("rows", 0, {"bottom_up", "top_down"}));
     warp.texture = static_cast<TextureDirection>(table.choice("texture", 0, {"downwards", "upwards"}));
@@ -261,16 +262,16 @@ class ProjectorReader {
   }
 
   //! Reads one number for all colors, or three.
-  Vector3<double> read_colour_of(std::string_view key, const Vector3<double>& otherwise, double greatest) {
+  Vector3<double> read_colour_of(std::string_view key, const Vector3<double>& otherwise, double maximum) {
     const toml::node* const node = table_.node(key);
     if (node == nullptr) {
       return otherwise;
     }
     if (!node->is_array()) {
-      const double grey = table_.number(key, 0.0, 0.0, greatest);
+      const double grey = table_.number(key, 0.0, 0.0, maximum);
       return {grey, grey, grey};
     }
-    const auto colour = table_.numbers(key, 3, 3, 0.0, greatest);
+    const auto colour = table_.numbers(key, 3, 3, 0.0, maximum);
     return {colour[0], colour[1], colour[2]};
   }
 
@@ -283,9 +284,9 @@ class ProjectorReader {
 
 }  // namespace
 
-Vector3<double> read_place(TomlTable& table, std::string_view key) {
-  const auto place = table.numbers(key, 3, 3, -farthest_m, farthest_m);
-  return place.empty() ? Vector3<double>{0.0, 0.0, 0.0} : Vector3<double>{place[0], place[1], place[2]};
+Vector3<double> read_position(TomlTable& table, std::string_view key) {
+  const auto position = table.numbers(key, 3, 3, -farthest_m, farthest_m);
+  return position.empty() ? Vector3<double>{0.0, 0.0, 0.0} : Vector3<double>{position[0], position[1], position[2]};
 }
 
 ProjectorSetup read_projector(TomlTable& table, const std::string& file, const std::filesystem::path& folder,

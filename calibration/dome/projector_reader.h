@@ -14,6 +14,6 @@ ProjectorSetup read_projector(TomlTable& table, const std::string& file, const s
                               NamedFiles named_files);
 
 //! Reads a position in meters, [right, up, back]; returns (0, 0, 0) if the key is absent.
-Vector3<double> read_place(TomlTable& table, std::string_view key);
+Vector3<double> read_position(TomlTable& table, std::string_view key);
 
 }  // namespace ergodome

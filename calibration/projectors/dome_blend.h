@@ -26,11 +26,11 @@ class DomeBlend {
   DomeBlend(std::vector<ProjectorOptics> projectors, const DomeScreen& screen, const BlendSettings& settings);
 
   //! Returns a projector's share of the light at a position of its raster, 0 to 1.
-  [[nodiscard]] double part(std::size_t projector, const RasterPlace& place) const;
+  [[nodiscard]] double part(std::size_t projector, const RasterPosition& position) const;
 
   //! Returns the factor for linear values at a position of the raster, 0 to 1: the share times the
   //! equalization.
-  [[nodiscard]] double intensity(std::size_t projector, const RasterPlace& place) const;
+  [[nodiscard]] double intensity(std::size_t projector, const RasterPosition& position) const;
 
   //! Returns the intensities of all pixels of a raster, for linear values (blend_mask_gamma 1), as
   //! a gray mask of 16 bits.
@@ -45,7 +45,7 @@ class DomeBlend {
   [[nodiscard]] const std::vector<ProjectorOptics>& projectors() const { return projectors_; }
 
  private:
-  [[nodiscard]] double evened_light(std::size_t projector, const RasterPlace& place) const;
+  [[nodiscard]] double evened_light(std::size_t projector, const RasterPosition& position) const;
 
   std::vector<ProjectorOptics> projectors_;
   DomeScreen screen_;

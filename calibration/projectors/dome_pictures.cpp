@@ -32,7 +32,7 @@ bool is_computed_warp(const ProjectorOptics& optics, const DomeScreen& screen, c
     const auto point = optics.dome_point({static_cast<double>(node.x), static_cast<double>(node.y)});
     double u = 0.0;
     double v = 0.0;
-    if (!point || !master_place_near_rim(screen, *point, u, v) ||
+    if (!point || !master_position_near_rim(screen, *point, u, v) ||
         std::hypot(u - static_cast<double>(node.u), v - static_cast<double>(node.v)) > node_tolerance) {
       return false;
     }

@@ -25,13 +25,13 @@ Projection master_of(const DomeScreen& screen) {
 //! rim.
 double rim_part(double u, double v) { return 2.0 * std::hypot(u - 0.5, v - 0.5); }
 
-WarpNode node_at(const ProjectorOptics& projector, const Projection& master, const RasterPlace& place) {
+WarpNode node_at(const ProjectorOptics& projector, const Projection& master, const RasterPosition& position) {
   WarpNode node;
-  node.x = static_cast<float>(place.x);
-  node.y = static_cast<float>(place.y);
+  node.x = static_cast<float>(position.x);
+  node.y = static_cast<float>(position.y);
   double u = 0.0;
   double v = 0.0;
-  const auto point = projector.dome_point(place);
+  const auto point = projector.dome_point(position);
   node.valid = point && pixel_from_direction(master, (1.0 / projector.dome_radius_m()) * *point, u, v) &&
                rim_part(u, v) < beyond_rim;
   node.u = static_cast<float>(u);
@@ -80,12 +80,12 @@ double worst_error_px(const WarpMesh& mesh, const WarpMesh& finer, int master_px
 
 }  // namespace
 
-bool master_place(const DomeScreen& screen, const Vector3<double>& point, double& u, double& v) {
+bool master_position(const DomeScreen& screen, const Vector3<double>& point, double& u, double& v) {
   const double inverse = 1.0 / std::sqrt(dot(point, point));
   return pixel_from_direction(master_of(screen), inverse * point, u, v) && rim_part(u, v) <= 1.0;
 }
 
-bool master_place_near_rim(const DomeScreen& screen, const Vector3<double>& point, double& u, double& v) {
+bool master_position_near_rim(const DomeScreen& screen, const Vector3<double>& point, double& u, double& v) {
   const double inverse = 1.0 / std::sqrt(dot(point, point));
   return pixel_from_direction(master_of(screen), inverse * point, u, v) && rim_part(u, v) < beyond_rim;
 }
@@ -104,7 +104,7 @@ WarpMesh dome_warp(const ProjectorOptics& projector, const DomeScreen& screen, i
   const bool lit = std::ranges::any_of(
       mesh.nodes, [](const WarpNode& node) { return node.valid && rim_part(node.u, node.v) <= 1.0; });
   if (!lit) {
-    throw Error(projector.place(), "lights no part of the dome",
+    throw Error(projector.location(), "lights no part of the dome",
                 "check its position_m and its angles, and radius_m and tilt_deg of the dome");
   }
   return mesh;

@@ -14,11 +14,11 @@ struct DomeScreen {
 
 //! Computes the position in the domemaster of a point of the dome's sphere: u to the right, v down,
 //! 0 to 1. Returns false beyond the rim.
-bool master_place(const DomeScreen& screen, const Vector3<double>& point, double& u, double& v);
+bool master_position(const DomeScreen& screen, const Vector3<double>& point, double& u, double& v);
 
-//! Computes the same as master_place(), also for points beyond the rim, up to a quarter of the
+//! Computes the same as master_position(), also for points beyond the rim, up to a quarter of the
 //! domemaster's radius. Cells of a mesh that cross the rim need such nodes.
-bool master_place_near_rim(const DomeScreen& screen, const Vector3<double>& point, double& u, double& v);
+bool master_position_near_rim(const DomeScreen& screen, const Vector3<double>& point, double& u, double& v);
 
 //! Returns the warp with which a projector shows a domemaster of `master_px` undistorted on the
 //! dome: a mesh over the whole raster, as coarse as `tolerance_px` allows, but with at most 1,025

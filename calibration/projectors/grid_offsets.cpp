@@ -8,10 +8,10 @@ namespace ergodome {
 namespace {
 
 //! Returns the offset at a position, bilinear between the four points around it.
-double between(const GridOffsets& grid, const std::vector<double>& offsets, const RasterPlace& place) {
+double between(const GridOffsets& grid, const std::vector<double>& offsets, const RasterPosition& position) {
   const int cells = grid.points - 1;
-  const double x = std::clamp(place.x, 0.0, 1.0) * cells;
-  const double y = std::clamp(place.y, 0.0, 1.0) * cells;
+  const double x = std::clamp(position.x, 0.0, 1.0) * cells;
+  const double y = std::clamp(position.y, 0.0, 1.0) * cells;
   const int column = std::min(static_cast<int>(x), cells - 1);
   const int row = std::min(static_cast<int>(y), cells - 1);
   const double across = x - column;
@@ -25,25 +25,25 @@ double clamped(const GridOffsets& grid, const std::vector<double>& offsets, std:
   const double slack = GridOffsets::slack / (grid.points - 1);
   const int column = static_cast<int>(point) % grid.points;
   const int row = static_cast<int>(point) / grid.points;
-  double least = -GridOffsets::farthest;
-  double most = GridOffsets::farthest;
+  double minimum = -GridOffsets::farthest;
+  double maximum = GridOffsets::farthest;
   for (int j = std::max(row - 1, 0); j <= std::min(row + 1, grid.points - 1); ++j) {
     for (int i = std::max(column - 1, 0); i <= std::min(column + 1, grid.points - 1); ++i) {
       if (i == column && j == row) {
         continue;
       }
       const double neighbor = offsets[grid.index(i, j)];
-      least = std::max(least, neighbor - slack);
-      most = std::min(most, neighbor + slack);
+      minimum = std::max(minimum, neighbor - slack);
+      maximum = std::min(maximum, neighbor + slack);
     }
   }
-  return std::clamp(offset, least, std::max(least, most));
+  return std::clamp(offset, minimum, std::max(minimum, maximum));
 }
 
 //! Returns a channel of a mask at a position, bilinear between its samples, which fill the raster.
-float read(const BlendMap& mask, const RasterPlace& place, int channel) {
-  const double x = std::clamp(place.x * mask.width - 0.5, 0.0, mask.width - 1.0);
-  const double y = std::clamp(place.y * mask.height - 0.5, 0.0, mask.height - 1.0);
+float read(const BlendMap& mask, const RasterPosition& position, int channel) {
+  const double x = std::clamp(position.x * mask.width - 0.5, 0.0, mask.width - 1.0);
+  const double y = std::clamp(position.y * mask.height - 0.5, 0.0, mask.height - 1.0);
   const int left = std::min(static_cast<int>(x), mask.width - 2);
   const int top = std::min(static_cast<int>(y), mask.height - 2);
   const auto at = [&](int column, int row) {
@@ -110,33 +110,33 @@ GridOffsets GridOffsets::resized(int new_points) const {
   grid.down.clear();
   for (int row = 0; row < new_points; ++row) {
     for (int column = 0; column < new_points; ++column) {
-      const RasterPlace place = {column / (new_points - 1.0), row / (new_points - 1.0)};
-      grid.right.push_back(between(*this, right, place));
-      grid.down.push_back(between(*this, down, place));
+      const RasterPosition position = {column / (new_points - 1.0), row / (new_points - 1.0)};
+      grid.right.push_back(between(*this, right, position));
+      grid.down.push_back(between(*this, down, position));
     }
   }
   return grid;
 }
 
-RasterPlace moved_place(const GridOffsets& grid, const RasterPlace& place) {
-  return {place.x + between(grid, grid.right, place), place.y + between(grid, grid.down, place)};
+RasterPosition moved_position(const GridOffsets& grid, const RasterPosition& position) {
+  return {position.x + between(grid, grid.right, position), position.y + between(grid, grid.down, position)};
 }
 
-RasterPlace moved_back(const GridOffsets& grid, const RasterPlace& place) {
+RasterPosition moved_back(const GridOffsets& grid, const RasterPosition& position) {
   // Newton's method with finite differences; the map is bilinear in each cell and close to the
   // identity.
   constexpr double step = 1e-6;
   const double longest = 0.5 / (grid.points - 1);
-  RasterPlace back = place;
+  RasterPosition back = position;
   for (int round = 0; round < 50; ++round) {
-    const RasterPlace at = moved_place(grid, back);
-    const double miss_x = place.x - at.x;
-    const double miss_y = place.y - at.y;
+    const RasterPosition at = moved_position(grid, back);
+    const double miss_x = position.x - at.x;
+    const double miss_y = position.y - at.y;
     if (std::hypot(miss_x, miss_y) < 1e-12) {
       break;
     }
-    const RasterPlace aside = moved_place(grid, {back.x + step, back.y});
-    const RasterPlace below = moved_place(grid, {back.x, back.y + step});
+    const RasterPosition aside = moved_position(grid, {back.x + step, back.y});
+    const RasterPosition below = moved_position(grid, {back.x, back.y + step});
     const double xx = (aside.x - at.x) / step;
     const double yx = (aside.y - at.y) / step;
     const double xy = (below.x - at.x) / step;
@@ -153,9 +153,9 @@ RasterPlace moved_back(const GridOffsets& grid, const RasterPlace& place) {
 WarpMesh moved_warp(const GridOffsets& grid, const WarpMesh& mesh) {
   WarpMesh shifted = refined_for(grid, mesh);
   for (WarpNode& node : shifted.nodes) {
-    const RasterPlace place = moved_place(grid, RasterPlace{node.x, node.y});
-    node.x = static_cast<float>(place.x);
-    node.y = static_cast<float>(place.y);
+    const RasterPosition position = moved_position(grid, RasterPosition{node.x, node.y});
+    node.x = static_cast<float>(position.x);
+    node.y = static_cast<float>(position.y);
   }
   return shifted;
 }
@@ -187,7 +187,8 @@ BlendMap moved_mask(const GridOffsets& grid, const BlendMap& mask) {
   std::size_t value = 0;
   for (int row = 0; row < mask.height; ++row) {
     for (int column = 0; column < mask.width; ++column) {
-      const RasterPlace from = moved_back(grid, {fill_position(column, mask.width), fill_position(row, mask.height)});
+      const RasterPosition from =
+          moved_back(grid, {fill_position(column, mask.width), fill_position(row, mask.height)});
       for (int channel = 0; channel < mask.channels; ++channel) {
         shifted.values[value++] = read(mask, from, channel);
       }

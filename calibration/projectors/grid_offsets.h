@@ -47,10 +47,10 @@ struct GridOffsets {
 
 //! Returns the displaced position of a position on the raster. Positions outside the raster are
 //! displaced like the nearest one on its edge.
-RasterPlace moved_place(const GridOffsets& grid, const RasterPlace& place);
+RasterPosition moved_position(const GridOffsets& grid, const RasterPosition& position);
 
-//! Inverts moved_place() to 1e-9, for positions on the raster.
-RasterPlace moved_back(const GridOffsets& grid, const RasterPlace& place);
+//! Inverts moved_position() to 1e-9, for positions on the raster.
+RasterPosition moved_back(const GridOffsets& grid, const RasterPosition& position);
 
 //! Returns a warp with moved nodes, after refining it with refined_for().
 WarpMesh moved_warp(const GridOffsets& grid, const WarpMesh& mesh);

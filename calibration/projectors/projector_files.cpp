@@ -99,7 +99,8 @@ auto read_for(const ProjectorSetup& projector, const char* key, const Read& read
   try {
     return read();
   } catch (const Error& error) {
-    throw Error(error.place(), fmt::format("{} ({} of {})", error.problem(), key, place_of(projector)), error.remedy());
+    throw Error(error.location(), fmt::format("{} ({} of {})", error.problem(), key, location_of(projector)),
+                error.remedy());
   }
 }
 

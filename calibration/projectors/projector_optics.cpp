@@ -32,7 +32,7 @@ FisheyeLens<double> law_of(const ProjectorFisheye& lens) {
 }  // namespace
 
 ProjectorOptics::ProjectorOptics(const DomeSetup& setup, const ProjectorSetup& projector)
-    : place_(place_of(projector)),
+    : location_(location_of(projector)),
       dome_radius_m_(setup.radius_m),
       zenith_{0.0, std::cos(one_degree * setup.tilt_deg), -std::sin(one_degree * setup.tilt_deg)},
       position_m_(projector.position_m),
@@ -46,12 +46,12 @@ ProjectorOptics::ProjectorOptics(const DomeSetup& setup, const ProjectorSetup& p
     fisheye_ = *fisheye;
     law_ = law_of(*fisheye);
   } else {
-    throw Error(place_, "has no lens, so the direction of its light is unknown",
+    throw Error(location_, "has no lens, so the direction of its light is unknown",
                 "give it a frustum or a fisheye, position_m and its angles");
   }
   if (outside() && dot(position_m_, zenith_) > 0.0) {
     throw Error(
-        place_, "is outside the dome, whose shell blocks its light",
+        location_, "is outside the dome, whose shell blocks its light",
         fmt::format(
             "correct its position_m, in meters from the dome's center: inside is within {:g} m, and a projector "
             "outside must be below the rim",
@@ -73,21 +73,21 @@ bool ProjectorOptics::is_stopped_outside(const Vector3<double>& way) const {
   return room > 0.0 && distance > 0.0 && dot(position_m_ + distance * way, zenith_) > 0.0;
 }
 
-double ProjectorOptics::circle_radius(const RasterPlace& place, double& to_right, double& upwards) const {
+double ProjectorOptics::circle_radius(const RasterPosition& position, double& to_right, double& upwards) const {
   // Position relative to the fisheye's axis, in half-widths of the raster.
-  to_right = 2.0 * place.x - 1.0 - fisheye_->offset_x;
-  upwards = (1.0 - 2.0 * place.y - fisheye_->offset_y) / aspect_;
+  to_right = 2.0 * position.x - 1.0 - fisheye_->offset_x;
+  upwards = (1.0 - 2.0 * position.y - fisheye_->offset_y) / aspect_;
   const double radius = std::hypot(to_right, upwards);
   return fisheye_->polynomial.empty() ? radius * aspect_ / fisheye_->circle : radius;
 }
 
-Vector3<double> ProjectorOptics::lens_direction(const RasterPlace& place) const {
+Vector3<double> ProjectorOptics::lens_direction(const RasterPosition& position) const {
   if (!fisheye_) {
-    return normalized(direction_from_raster(axes_, frustum_, place.x, place.y));
+    return normalized(direction_from_raster(axes_, frustum_, position.x, position.y));
   }
   double to_right = 0.0;
   double upwards = 0.0;
-  const double radius = circle_radius(place, to_right, upwards);
+  const double radius = circle_radius(position, to_right, upwards);
   double slope = 0.0;
   double angle = radius * law_.half_angle;
   if (law_.law == LensLaw::polynomial) {
@@ -100,7 +100,7 @@ Vector3<double> ProjectorOptics::lens_direction(const RasterPlace& place) const 
   return std::cos(angle) * axes_.forward + (sine * to_right) * axes_.right + (sine * upwards) * axes_.up;
 }
 
-std::optional<RasterPlace> ProjectorOptics::lens_place(const Vector3<double>& direction) const {
+std::optional<RasterPosition> ProjectorOptics::lens_position(const Vector3<double>& direction) const {
   const double to_right = dot(direction, axes_.right);
   const double upwards = dot(direction, axes_.up);
   const double forward = dot(direction, axes_.forward);
@@ -112,7 +112,7 @@ std::optional<RasterPlace> ProjectorOptics::lens_place(const Vector3<double>& di
     const double right = std::tan(one_degree * frustum_.right_deg);
     const double up = std::tan(one_degree * frustum_.up_deg);
     const double down = std::tan(one_degree * frustum_.down_deg);
-    return RasterPlace{(to_right / forward - left) / (right - left), (upwards / forward - up) / (down - up)};
+    return RasterPosition{(to_right / forward - left) / (right - left), (upwards / forward - up) / (down - up)};
   }
   const double sine = std::hypot(to_right, upwards);
   double radius = 0.0;
@@ -121,8 +121,8 @@ std::optional<RasterPlace> ProjectorOptics::lens_place(const Vector3<double>& di
   }
   const double half_widths = fisheye_->polynomial.empty() ? radius * fisheye_->circle / aspect_ : radius;
   const double scale = sine > 0.0 ? half_widths / sine : 0.0;
-  return RasterPlace{0.5 * (scale * to_right + fisheye_->offset_x + 1.0),
-                     0.5 * (1.0 - scale * upwards * aspect_ - fisheye_->offset_y)};
+  return RasterPosition{0.5 * (scale * to_right + fisheye_->offset_x + 1.0),
+                        0.5 * (1.0 - scale * upwards * aspect_ - fisheye_->offset_y)};
 }
 
 std::optional<Vector3<double>> ProjectorOptics::sphere_point(const Vector3<double>& from,
@@ -136,8 +136,8 @@ std::optional<Vector3<double>> ProjectorOptics::sphere_point(const Vector3<doubl
   return from + distance * way;
 }
 
-std::optional<Vector3<double>> ProjectorOptics::dome_point(const RasterPlace& place) const {
-  const Vector3<double> way = lens_direction(place);
+std::optional<Vector3<double>> ProjectorOptics::dome_point(const RasterPosition& position) const {
+  const Vector3<double> way = lens_direction(position);
   if (is_stopped_outside(way)) {
     return std::nullopt;
   }
@@ -180,7 +180,7 @@ Vector3<double> ProjectorOptics::mirror_point(const Vector3<double>& point) cons
   return mirror_->position_m + met;
 }
 
-std::optional<RasterPlace> ProjectorOptics::raster_place(const Vector3<double>& point) const {
+std::optional<RasterPosition> ProjectorOptics::raster_position(const Vector3<double>& point) const {
   const Vector3<double> met = mirror_ ? mirror_point(point) : point;
   const Vector3<double> last = point - (mirror_ ? met : position_m_);
   if (!(dot(last, point) > 0.0)) {
@@ -193,33 +193,33 @@ std::optional<RasterPlace> ProjectorOptics::raster_place(const Vector3<double>& 
   if (is_stopped_outside(way)) {
     return std::nullopt;
   }
-  const std::optional<RasterPlace> place = lens_place(way);
-  return place && depth(*place) > 0.0 ? place : std::nullopt;
+  const std::optional<RasterPosition> position = lens_position(way);
+  return position && depth(*position) > 0.0 ? position : std::nullopt;
 }
 
-double ProjectorOptics::depth(const RasterPlace& place) const {
+double ProjectorOptics::depth(const RasterPosition& position) const {
   const auto inside = [](double t) { return t > 0.0 && t < 1.0 ? 4.0 * t * (1.0 - t) : 0.0; };
-  double depth = inside(place.x) * inside(place.y);
+  double depth = inside(position.x) * inside(position.y);
   if (fisheye_) {
     double to_right = 0.0;
     double upwards = 0.0;
-    const double part = circle_radius(place, to_right, upwards) / law_.rim;
+    const double part = circle_radius(position, to_right, upwards) / law_.rim;
     depth *= std::max(1.0 - part * part, 0.0);
   }
   return depth;
 }
 
-double ProjectorOptics::spread_m2(const RasterPlace& place) const {
+double ProjectorOptics::spread_m2(const RasterPosition& position) const {
   // The third-order error of this step is far below a pixel.
   constexpr double step = 1e-4;
-  const auto here = dome_point(place);
+  const auto here = dome_point(position);
   if (!here) {
     return 0.0;
   }
   // Near the edge of the lit sphere, a one-sided difference is used.
   const auto rate = [&](double dx, double dy) {
-    const auto before = dome_point({place.x - dx, place.y - dy});
-    const auto after = dome_point({place.x + dx, place.y + dy});
+    const auto before = dome_point({position.x - dx, position.y - dy});
+    const auto after = dome_point({position.x + dx, position.y + dy});
     const double way = (before ? step : 0.0) + (after ? step : 0.0);
     return way > 0.0 ? (1.0 / way) * (after.value_or(*here) - before.value_or(*here)) : Vector3<double>{0.0, 0.0, 0.0};
   };

@@ -21,11 +21,11 @@ DomeScreen screen_of(const DomeSetup& setup) { return {setup.tilt_deg, 180.0}; }
 
 //! Sets a node's texture coordinates to the position in the domemaster of a point or direction.
 //! Makes the node invalid if there is no such position.
-void set_place(const DomeScreen& screen, const Vector3<double>& point, WarpNode& node) {
+void set_position(const DomeScreen& screen, const Vector3<double>& point, WarpNode& node) {
   double u = 0.0;
   double v = 0.0;
   const bool finite = std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
-  node.valid = node.valid && finite && dot(point, point) > 0.0 && master_place_near_rim(screen, point, u, v);
+  node.valid = node.valid && finite && dot(point, point) > 0.0 && master_position_near_rim(screen, point, u, v);
   node.u = static_cast<float>(u);
   node.v = static_cast<float>(v);
 }
@@ -41,7 +41,7 @@ WarpMesh warp_of_surface(const DomeScreen& screen, const SurfaceMesh& surface) {
       node.x = static_cast<float>(fill_position(column, mesh.columns));
       node.y = static_cast<float>(fill_position(row, mesh.rows));
       const Vector3<float>& point = surface.points[static_cast<std::size_t>(&node - mesh.nodes.data())];
-      set_place(screen, {point.x, point.y, point.z}, node);
+      set_position(screen, {point.x, point.y, point.z}, node);
     }
   }
   return with_rim(mesh);
@@ -67,8 +67,8 @@ int steps_through_lens(const WarpMesh& warp, const Frustum& frustum) {
       measure(warp.at(column, row), warp.at(column, std::min(row + 1, warp.rows - 1)));
     }
   }
-  constexpr double most_steps = 128.0;
-  return static_cast<int>(std::ceil(std::clamp(longest / longest_step, 1.0, most_steps)));
+  constexpr double max_steps = 128.0;
+  return static_cast<int>(std::ceil(std::clamp(longest / longest_step, 1.0, max_steps)));
 }
 
 WarpMesh unturned_warp(const DomeSetup& setup, const ProjectorSetup& projector, const LoadedProjector& loaded,
@@ -84,7 +84,7 @@ WarpMesh unturned_warp(const DomeSetup& setup, const ProjectorSetup& projector, 
     if (const auto* const frustum = std::get_if<Frustum>(&loaded.lens)) {
       return through_lens(setup.tilt_deg, *warp, loaded.orientation, *frustum);
     }
-    throw Error(place_of(projector), "has a warp of the lens image, but no flat lens",
+    throw Error(location_of(projector), "has a warp of the lens image, but no flat lens",
                 "write its frustum, or use a warp of the domemaster (MPCDI profile 2d, or source = \"domemaster\")");
   }
   ProjectorSetup placed = projector;
@@ -170,7 +170,7 @@ WarpMesh through_lens(double tilt_deg, const WarpMesh& warp, const Orientation& 
   WarpMesh mesh = refined_warp(warp, steps_through_lens(warp, frustum));
   const ProjectorAxes axes = axes_of(orientation);
   for (WarpNode& node : mesh.nodes) {
-    set_place(screen, direction_from_raster(axes, frustum, node.u, node.v), node);
+    set_position(screen, direction_from_raster(axes, frustum, node.u, node.v), node);
   }
   return mesh;
 }
@@ -197,7 +197,7 @@ WarpMesh master_warp(const DomeSetup& setup, const ProjectorSetup& projector, co
     return node.valid && node.u >= 0.0F && node.u <= 1.0F && node.v >= 0.0F && node.v <= 1.0F;
   });
   if (!shows_master) {
-    throw Error(place_of(projector), "has a warp that shows no part of the domemaster",
+    throw Error(location_of(projector), "has a warp that shows no part of the domemaster",
                 "check that it was made for this dome, and check rows, texture and x_range");
   }
   turn(warp, one_degree * setup.rotation_deg);

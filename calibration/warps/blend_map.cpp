@@ -14,7 +14,7 @@ namespace ergodome {
 
 namespace {
 
-constexpr std::size_t most_bytes = std::size_t{1} << 30U;
+constexpr std::size_t max_bytes = std::size_t{1} << 30U;
 
 long pixels_of(const ImageShape& shape) { return static_cast<long>(shape.width) * shape.height; }
 
@@ -23,10 +23,10 @@ void check_shape(const ImageShape& shape, const std::string& name) {
     throw Error(name, fmt::format("is a mask of {} x {} pixels, too small", shape.width, shape.height),
                 "use at least 2 x 2 pixels");
   }
-  if (shape.width > most_mesh_side || shape.height > most_mesh_side ||
-      pixels_of(shape) > static_cast<long>(most_mesh_nodes)) {
+  if (shape.width > max_mesh_side || shape.height > max_mesh_side ||
+      pixels_of(shape) > static_cast<long>(max_mesh_nodes)) {
     throw Error(name, fmt::format("is a mask of {} x {} pixels, too large", shape.width, shape.height),
-                fmt::format("use at most {} pixels a side and {} in total", most_mesh_side, most_mesh_nodes));
+                fmt::format("use at most {} pixels a side and {} in total", max_mesh_side, max_mesh_nodes));
   }
   if (shape.channels != 1 && shape.channels != 3) {
     throw Error(name, fmt::format("has {} channels", shape.channels), "save it as gray or RGB, without transparency");
@@ -65,7 +65,7 @@ BlendMap in_shape_of(const BlendMap& map, int width_px, int height_px) {
   }
   BlendMap shaped{width_px, height_px, map.channels, map.bit_depth, {}};
   // Samples are at the centers of their parts of the raster.
-  const auto place = [](int at, int count, int samples) {
+  const auto position = [](int at, int count, int samples) {
     return std::clamp((at + 0.5) / count * samples - 0.5, 0.0, samples - 1.0);
   };
   const auto sample = [&](int x, int y, int channel) {
@@ -74,10 +74,10 @@ BlendMap in_shape_of(const BlendMap& map, int width_px, int height_px) {
         map.values[at * static_cast<std::size_t>(map.channels) + static_cast<std::size_t>(channel)]);
   };
   for (int row = 0; row < height_px; ++row) {
-    const double y = place(row, height_px, map.height);
+    const double y = position(row, height_px, map.height);
     const int top = std::min(static_cast<int>(y), map.height - 2);
     for (int column = 0; column < width_px; ++column) {
-      const double x = place(column, width_px, map.width);
+      const double x = position(column, width_px, map.width);
       const int left = std::min(static_cast<int>(x), map.width - 2);
       for (int c = 0; c < map.channels; ++c) {
         const double above = std::lerp(sample(left, top, c), sample(left + 1, top, c), x - left);
@@ -90,7 +90,7 @@ BlendMap in_shape_of(const BlendMap& map, int width_px, int height_px) {
 }
 
 BlendMap read_blend_map(const std::filesystem::path& path) {
-  const std::string bytes = read_whole_file(path, most_bytes, "give a mask as a PNG with 8 or 16 bits per channel");
+  const std::string bytes = read_whole_file(path, max_bytes, "give a mask as a PNG with 8 or 16 bits per channel");
   return parse_blend_map(std::as_bytes(std::span(bytes)), path.string());
 }
 

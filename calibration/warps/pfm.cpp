@@ -19,14 +19,14 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "floats are stored as a little-endian machine has them");
 
-constexpr std::size_t most_header_bytes = 256;
+constexpr std::size_t max_header_bytes = 256;
 constexpr std::size_t sample_bytes = 3 * sizeof(float);
-constexpr std::size_t most_pfm_bytes = most_header_bytes + most_mesh_nodes * sample_bytes;
+constexpr std::size_t max_pfm_bytes = max_header_bytes + max_mesh_nodes * sample_bytes;
 
 struct Header {
   int width;
   int height;
-  bool least_byte_first;
+  bool little_endian_first;
   std::size_t bytes;  //!< size of the header, including the line end
 };
 
@@ -37,7 +37,7 @@ Header parse_header(std::string_view text, const std::string& name) {
   if (!text.starts_with("PF")) {
     throw Error(name, "is not a portable float map", "name a file that begins with \"PF\"");
   }
-  std::string_view rest = text.substr(2, most_header_bytes);
+  std::string_view rest = text.substr(2, max_header_bytes);
   const auto width = whole_number_of(take_word(rest));
   const auto height = whole_number_of(take_word(rest));
   const auto scale = number_of(take_word(rest));
@@ -88,7 +88,7 @@ FloatMap parse_float_map(std::span<const std::byte> bytes, const std::string& na
                 bytes.data() + header.bytes + static_cast<std::size_t>(row) * row_floats * sizeof(float),
                 row_floats * sizeof(float));
   }
-  if (!header.least_byte_first) {
+  if (!header.little_endian_first) {
     std::transform(map.samples.begin(), map.samples.end(), map.samples.begin(), swapped);
   }
   if (known_samples(map) == 0) {
@@ -98,7 +98,7 @@ FloatMap parse_float_map(std::span<const std::byte> bytes, const std::string& na
 }
 
 FloatMap read_float_map(const std::filesystem::path& path, RowOrder order) {
-  const std::string bytes = read_whole_file(path, most_pfm_bytes, "name a portable float map (.pfm)");
+  const std::string bytes = read_whole_file(path, max_pfm_bytes, "name a portable float map (.pfm)");
   return parse_float_map(std::as_bytes(std::span(bytes)), path.string(), order);
 }
 

@@ -28,7 +28,7 @@ WarpMesh resampled_warp(const WarpMesh& mesh, int width, int height);
 
 //! Returns a mesh that draws the same image, with each cell divided into `steps` x `steps` cells,
 //! for nonlinear conversions. Uses fewer steps if the mesh would exceed 2^23 nodes or
-//! most_mesh_side. Returns a polar mesh unchanged.
+//! max_mesh_side. Returns a polar mesh unchanged.
 WarpMesh refined_warp(const WarpMesh& mesh, int steps);
 
 //! Returns a mesh in fill layout with nodes added at the raster's edge, extrapolated linearly from

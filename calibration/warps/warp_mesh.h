@@ -16,8 +16,8 @@ namespace ergodome {
 
 //! Maximum number of columns or rows of a mesh, and of its nodes: one for each pixel of an 8K UHD
 //! projector.
-inline constexpr int most_mesh_side = 16'384;
-inline constexpr std::size_t most_mesh_nodes = std::size_t{1} << 25U;
+inline constexpr int max_mesh_side = 16'384;
+inline constexpr std::size_t max_mesh_nodes = std::size_t{1} << 25U;
 
 //! One node of a warp.
 struct WarpNode {
@@ -61,9 +61,9 @@ struct SurfaceMesh {
   std::vector<Vector3<float>> points;  //!< [m], x right, y up, z back for a viewer who faces the front; NaN if unknown
 };
 
-//! Throws Error, which names `place`, unless both sides are 2 to most_mesh_side and there are at
-//! most most_mesh_nodes nodes.
-void check_mesh_size(long long columns, long long rows, const std::string& place);
+//! Throws Error, which names `location`, unless both sides are 2 to max_mesh_side and there are at
+//! most max_mesh_nodes nodes.
+void check_mesh_size(long long columns, long long rows, const std::string& location);
 
 //! Returns the position of sample `index` in a row of `count` samples that fill the raster: (index
 //! + 1/2) / count (MPCDI's "fill" layout, VESA MPCDI 2.0, 3.6).

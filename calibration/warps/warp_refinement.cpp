@@ -34,8 +34,8 @@ WarpMesh refined_warp(const WarpMesh& mesh, int steps) {
   const auto fits = [&](int by) {
     const std::size_t columns = static_cast<std::size_t>(mesh.columns - 1) * static_cast<std::size_t>(by) + 1;
     const std::size_t rows = static_cast<std::size_t>(mesh.rows - 1) * static_cast<std::size_t>(by) + 1;
-    constexpr std::size_t most_refined_nodes = std::size_t{1} << 23U;
-    return columns <= most_mesh_side && rows <= most_mesh_side && columns * rows <= most_refined_nodes;
+    constexpr std::size_t max_refined_nodes = std::size_t{1} << 23U;
+    return columns <= max_mesh_side && rows <= max_mesh_side && columns * rows <= max_refined_nodes;
   };
   while (steps > 1 && !fits(steps)) {
     --steps;

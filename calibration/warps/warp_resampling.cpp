@@ -34,7 +34,7 @@ class Resampler {
       }
     }
     tests_left_ =
-        most_layers * static_cast<double>(filled_.nodes.size()) + 16.0 * static_cast<double>(mesh.nodes.size());
+        max_layers * static_cast<double>(filled_.nodes.size()) + 16.0 * static_cast<double>(mesh.nodes.size());
   }
 
   WarpMesh resample() {
@@ -51,7 +51,7 @@ class Resampler {
  private:
   //! Maximum number of tests per sample on average: cells that overlap more do not form an image
   //! and would take hours.
-  static constexpr double most_layers = 64.0;
+  static constexpr double max_layers = 64.0;
 
   [[nodiscard]] Corner corner(const WarpNode& node) const {
     return {node.x * static_cast<double>(filled_.columns) - 0.5, node.y * static_cast<double>(filled_.rows) - 0.5,

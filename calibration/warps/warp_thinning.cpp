@@ -11,36 +11,36 @@ namespace ergodome {
 
 namespace {
 
-struct MasterPlace {
+struct MasterPosition {
   double u = 0.0;
   double v = 0.0;
 };
 
-MasterPlace operator-(const MasterPlace& a, const MasterPlace& b) { return {a.u - b.u, a.v - b.v}; }
+MasterPosition operator-(const MasterPosition& a, const MasterPosition& b) { return {a.u - b.u, a.v - b.v}; }
 
 //! Returns a + s (b - a) + t (c - a).
-MasterPlace between(const MasterPlace& a, const MasterPlace& b, const MasterPlace& c, double s, double t) {
+MasterPosition between(const MasterPosition& a, const MasterPosition& b, const MasterPosition& c, double s, double t) {
   return {a.u + s * (b.u - a.u) + t * (c.u - a.u), a.v + s * (b.v - a.v) + t * (c.v - a.v)};
 }
 
 //! The four samples of a map around a pixel, and the pixel's position between them: 0 to 1, or
 //! beyond at the raster's edge.
 struct Cell {
-  MasterPlace top_left;
-  MasterPlace top_right;
-  MasterPlace bottom_left;
-  MasterPlace bottom_right;
+  MasterPosition top_left;
+  MasterPosition top_right;
+  MasterPosition bottom_left;
+  MasterPosition bottom_right;
   double x = 0.0;
   double y = 0.0;
 
-  [[nodiscard]] MasterPlace bilinear() const {
-    const MasterPlace top = between(top_left, top_right, top_left, x, 0.0);
-    const MasterPlace bottom = between(bottom_left, bottom_right, bottom_left, x, 0.0);
+  [[nodiscard]] MasterPosition bilinear() const {
+    const MasterPosition top = between(top_left, top_right, top_left, x, 0.0);
+    const MasterPosition bottom = between(bottom_left, bottom_right, bottom_left, x, 0.0);
     return between(top, bottom, top, y, 0.0);
   }
   //! Interpolates in one of the two triangles into which the diagonal from the top left divides the
   //! cell.
-  [[nodiscard]] MasterPlace triangular() const {
+  [[nodiscard]] MasterPosition triangular() const {
     return x >= y ? between(top_right, top_left, bottom_right, 1.0 - x, y)
                   : between(bottom_left, bottom_right, top_left, x, 1.0 - y);
   }
@@ -54,7 +54,7 @@ Cell cell_of(const FloatMap& map, double x, double y) {
   const auto sample = [&](int i, int j) {
     const std::size_t first =
         3 * (static_cast<std::size_t>(j) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(i));
-    return MasterPlace{map.samples[first], map.samples[first + 1]};
+    return MasterPosition{map.samples[first], map.samples[first + 1]};
   };
   return {sample(left, top),         sample(left + 1, top), sample(left, top + 1),
           sample(left + 1, top + 1), column - left,         row - top};
@@ -64,8 +64,8 @@ bool sees_master(const WarpNode& node) { return node.valid && std::hypot(node.u 
 
 //! Returns the derivative of a warp per pixel along one axis, at a pixel: from both neighbors if
 //! they are drawn, otherwise from the pixel and the drawn neighbor.
-MasterPlace slope_at(const WarpMesh& exact, int column, int row, int right, int down) {
-  const auto place = [](const WarpNode& node) { return MasterPlace{node.u, node.v}; };
+MasterPosition slope_at(const WarpMesh& exact, int column, int row, int right, int down) {
+  const auto position = [](const WarpNode& node) { return MasterPosition{node.u, node.v}; };
   int from = 0;
   int to = 0;
   const auto drawn = [&](int steps) {
@@ -75,16 +75,16 @@ MasterPlace slope_at(const WarpMesh& exact, int column, int row, int right, int 
   };
   from = drawn(-1) ? -1 : 0;
   to = drawn(1) ? 1 : 0;
-  const MasterPlace change =
-      place(exact.at(column + to * right, row + to * down)) - place(exact.at(column + from * right, row + from * down));
+  const MasterPosition change = position(exact.at(column + to * right, row + to * down)) -
+                                position(exact.at(column + from * right, row + from * down));
   const int steps = std::max(to - from, 1);
   return {change.u / steps, change.v / steps};
 }
 
 //! Converts a displacement in the domemaster to pixels of the raster.
-double in_pixels(const WarpMesh& exact, int column, int row, const MasterPlace& error) {
-  const MasterPlace along_x = slope_at(exact, column, row, 1, 0);
-  const MasterPlace along_y = slope_at(exact, column, row, 0, 1);
+double in_pixels(const WarpMesh& exact, int column, int row, const MasterPosition& error) {
+  const MasterPosition along_x = slope_at(exact, column, row, 1, 0);
+  const MasterPosition along_y = slope_at(exact, column, row, 0, 1);
   const double area = along_x.u * along_y.v - along_x.v * along_y.u;
   const double x = error.u * along_y.v - error.v * along_y.u;
   const double y = error.v * along_x.u - error.u * along_x.v;
@@ -102,9 +102,9 @@ double map_error_px(const WarpMesh& exact, const FloatMap& map, double enough_px
         continue;
       }
       const Cell cell = cell_of(map, fill_position(column, exact.columns), fill_position(row, exact.rows));
-      const MasterPlace place = {node.u, node.v};
-      for (const MasterPlace& read : {cell.bilinear(), cell.triangular()}) {
-        const double error = in_pixels(exact, column, row, read - place);
+      const MasterPosition position = {node.u, node.v};
+      for (const MasterPosition& read : {cell.bilinear(), cell.triangular()}) {
+        const double error = in_pixels(exact, column, row, read - position);
         if (!(error <= enough_px)) {
           return std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
         }

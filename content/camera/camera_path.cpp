@@ -151,7 +151,7 @@ glm::dquat orientation_at(CameraKeys keys, double time_s) {
 }
 
 //! Returns the camera's position and, if keys have one, its velocity, without the orientation.
-CameraPose place_at(CameraKeys keys, double time_s) {
+CameraPose key_pose_at(CameraKeys keys, double time_s) {
   const OnTheWay now = on_the_way(keys, time_s);
   if (now.held) {
     const CameraKey& key = keys[*now.held];
@@ -182,7 +182,7 @@ Vector3<double> between_observer_and_fall(const Show& show, double time_s, const
 //! Returns the camera before its fall, without an orientation.
 CameraPose pose_before_fall(const Show& show, double time_s) {
   const FreeFall& orbit = *show.camera.orbit;
-  CameraPose pose = place_at(keys_until(show.camera.keys, orbit.begin_s()), time_s);
+  CameraPose pose = key_pose_at(keys_until(show.camera.keys, orbit.begin_s()), time_s);
   if (time_s > orbit.begin_s() - orbit.ease_s()) {
     const double part = eased(1.0 + (time_s - orbit.begin_s()) / orbit.ease_s());
     pose.velocity = between_observer_and_fall(show, time_s, pose, orbit.start().velocity, part);
@@ -192,19 +192,19 @@ CameraPose pose_before_fall(const Show& show, double time_s) {
 
 //! Returns the fraction of the roll around e_r that a fall has caused and that still remains after
 //! it. The roll is removed on the way to the next key.
-double roll_left(CameraKeys places, double time_s) {
-  if (places.size() < 2 || !(time_s > leave_s(places[0]))) {
+double roll_left(CameraKeys path, double time_s) {
+  if (path.size() < 2 || !(time_s > leave_s(path[0]))) {
     return 1.0;
   }
-  return 1.0 - eased(std::min((time_s - leave_s(places[0])) / span_s(places, 0), 1.0));
+  return 1.0 - eased(std::min((time_s - leave_s(path[0])) / span_s(path, 0), 1.0));
 }
 
 //! Returns the camera after its fall. `orientation` is relative to the frame that was transported
 //! along the fall.
 CameraPose pose_after_fall(const Show& show, double time_s, const glm::dquat& orientation) {
   const FreeFall& orbit = *show.camera.orbit;
-  const FallPlace end = orbit.at(time_s);
-  CameraPose pose = place_at(show.camera.after_fall, time_s);
+  const FallPosition end = orbit.at(time_s);
+  CameraPose pose = key_pose_at(show.camera.after_fall, time_s);
   const glm::dvec3 roll = logarithm(nearer(end.frame, glm::dquat(1.0, 0.0, 0.0, 0.0)));
   pose.orientation = glm::normalize(exponential(roll_left(show.camera.after_fall, time_s) * roll) * orientation);
   const double since_s = time_s - *orbit.until_s();
@@ -221,11 +221,11 @@ CameraPose pose_on_path(const Show& show, double time_s) {
     return pose_after_fall(show, time_s, orientation);
   }
   if (orbit != nullptr && time_s >= orbit->begin_s()) {
-    const FallPlace place = orbit->at(time_s);
-    const glm::dquat turned = glm::normalize(place.frame * orientation);
-    return {place.r, place.theta, place.phi, turned, place.velocity, orbit->leads_within()};
+    const FallPosition position = orbit->at(time_s);
+    const glm::dquat turned = glm::normalize(position.frame * orientation);
+    return {position.r, position.theta, position.phi, turned, position.velocity, orbit->leads_within()};
   }
-  CameraPose pose = orbit != nullptr ? pose_before_fall(show, time_s) : place_at(show.camera.keys, time_s);
+  CameraPose pose = orbit != nullptr ? pose_before_fall(show, time_s) : key_pose_at(show.camera.keys, time_s);
   pose.orientation = orientation;
   return pose;
 }
@@ -260,7 +260,7 @@ std::vector<CameraKey> keys_after_fall(const Show& show) {
   }
   const double until_s = *orbit->until_s();
   const CameraKeys during = keys_until(show.camera.keys, until_s);
-  const FallPlace end = orbit->at(until_s);
+  const FallPosition end = orbit->at(until_s);
   CameraKey first;
   first.time_s = until_s;
   first.r = end.r;
@@ -270,12 +270,12 @@ std::vector<CameraKey> keys_after_fall(const Show& show) {
     first.hold_s = during.back().hold_s;
     first.ease = during.back().ease;
   }
-  std::vector<CameraKey> places = {first};
-  places.insert(places.end(), show.camera.keys.begin() + std::ssize(during), show.camera.keys.end());
-  for (std::size_t i = places.size(); i-- > 1;) {
-    places[i].phi += 2.0 * pi * std::round((first.phi - places[1].phi) / (2.0 * pi));
+  std::vector<CameraKey> path = {first};
+  path.insert(path.end(), show.camera.keys.begin() + std::ssize(during), show.camera.keys.end());
+  for (std::size_t i = path.size(); i-- > 1;) {
+    path[i].phi += 2.0 * pi * std::round((first.phi - path[1].phi) / (2.0 * pi));
   }
-  return places;
+  return path;
 }
 
 bool leads_within(const Show& show) { return show.camera.orbit != nullptr && show.camera.orbit->leads_within(); }

@@ -41,10 +41,10 @@ struct CameraPose {
 //! Velocities of keys are interpolated by such quintics as proper velocities (proper_velocity.h).
 //!
 //! During a fall, the orbit defines position and velocity. The keys define the orientation relative
-//! to a frame that is transported along the orbit (FallPlace::frame). During FallSettings::ease_s
-//! before the fall, the velocity changes from the observer's to the fall's initial one. After the
-//! fall the keys define the path again (keys_after_fall()), and the velocity changes back in the
-//! same way.
+//! to a frame that is transported along the orbit (FallPosition::frame). During
+//! FallSettings::ease_s before the fall, the velocity changes from the observer's to the fall's
+//! initial one. After the fall the keys define the path again (keys_after_fall()), and the velocity
+//! changes back in the same way.
 CameraPose camera_pose(const Show& show, double time_s);
 
 //! Returns the orientation of a key.

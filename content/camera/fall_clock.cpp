@@ -13,7 +13,7 @@ namespace ergodome {
 namespace {
 
 struct GaussNode {
-  double place;
+  double position;
   double weight;
 };
 
@@ -58,7 +58,7 @@ double FallClock::rate(double time_s) const {
 double FallClock::integral(double from_s, double to_s) const {
   double sum = 0.0;
   for (const GaussNode& node : gauss_nodes) {
-    sum += node.weight * rate(from_s + node.place * (to_s - from_s));
+    sum += node.weight * rate(from_s + node.position * (to_s - from_s));
   }
   return (to_s - from_s) * sum;
 }

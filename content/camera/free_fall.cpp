@@ -12,14 +12,14 @@ namespace ergodome {
 namespace {
 
 constexpr double step_error = 1e-13;
-constexpr std::size_t most_steps = 200'000;
+constexpr std::size_t max_steps = 200'000;
 //! Distance from the horizon at which a fall ends if it may not cross the horizon [M].
 constexpr double horizon_gap = 1e-6;
 //! Maximum time for which clocks are evaluated.
 constexpr double end_of_time_s = 1e12;
 //! Minimum relative change of the radius, or change of the polar angle [rad], at a turning point.
 //! Smaller ones are rounding errors of a circle.
-constexpr double least_swing = 1e-7;
+constexpr double min_swing = 1e-7;
 
 double radius_of(const OrbitState& s) { return 1.0 / s.u; }
 
@@ -38,7 +38,7 @@ double azimuth_of(const OrbitState& s, double on_axis) {
 
 //! Returns the rotation by the smallest angle that turns one unit vector into another. The vectors
 //! must not be opposite.
-glm::dquat least_turn(const glm::dvec3& from, const glm::dvec3& to) {
+glm::dquat min_turn(const glm::dvec3& from, const glm::dvec3& to) {
   const glm::dvec3 axis = glm::cross(from, to);
   return glm::normalize(glm::dquat(1.0 + glm::dot(from, to), axis.x, axis.y, axis.z));
 }
@@ -52,7 +52,7 @@ FreeFall::FreeFall(Spacetime spacetime, const FallStart& start, const FallSettin
       settings_(settings),
       leads_within_(settings.least_r > 0.0 && settings.least_r < horizon_radius(spacetime)),
       clock_(settings, clock),
-      least_r_(start.r),
+      min_r_(start.r),
       followed_s_(settings.time_s) {
   begin();
   const double latest_s = std::max(end_s, settings.time_s);
@@ -72,7 +72,7 @@ FreeFall::FreeFall(Spacetime spacetime, const FallStart& start, const FallSettin
   note_turns();
   for (FallTurn& turn : turns_) {
     turn.time_s = clock_.time_s(turn.time_s, latest_s).value_or(latest_s);
-    least_r_ = std::min(least_r_, turn.r);
+    min_r_ = std::min(min_r_, turn.r);
   }
 }
 
@@ -101,7 +101,7 @@ FreeFall::Station FreeFall::station_after(const Station& from, double proper_tim
   const glm::dvec3 before = direction_in_space(from.state);
   const glm::dvec3 after = direction_in_space(to.state);
   to.swept = from.swept + std::atan2(glm::length(glm::cross(before, after)), glm::dot(before, after));
-  to.frame = least_turn(before, after) * from.frame;
+  to.frame = min_turn(before, after) * from.frame;
   return to;
 }
 
@@ -114,7 +114,7 @@ FreeFall::Station FreeFall::station_at(double proper_time) const {
 void FreeFall::follow(double proper_time) {
   const double horizon = horizon_radius(spacetime_);
   double h = 0.01 * start_.r;
-  for (std::size_t step = 0; step < most_steps && stations_.back().proper_time < proper_time; ++step) {
+  for (std::size_t step = 0; step < max_steps && stations_.back().proper_time < proper_time; ++step) {
     const Station& from = stations_.back();
     const OrbitStep next = orbit_step(spacetime_, constants_, h, from.state);
     if (next.error <= step_error) {
@@ -169,7 +169,7 @@ struct FreeFall::Swing {
 //! show time, which is computed later.
 void FreeFall::note_turn(const Station& from, const Station& to, Swing& swing) {
   const bool rises = swing.rate(from.state) > 0.0;
-  const bool has_swung = std::abs(swing.measure(from.state) - swing.last) > 0.5 * least_swing;
+  const bool has_swung = std::abs(swing.measure(from.state) - swing.last) > 0.5 * min_swing;
   if (!has_swung || rises == (swing.rate(to.state) > 0.0)) {
     return;
   }
@@ -180,7 +180,7 @@ void FreeFall::note_turn(const Station& from, const Station& to, Swing& swing) {
     ((swing.rate(station_after(from, middle).state) > 0.0) == rises ? before : after) = middle;
   }
   const OrbitState turn = station_after(from, after).state;
-  if (std::abs(swing.measure(turn) - swing.last) > least_swing) {
+  if (std::abs(swing.measure(turn) - swing.last) > min_swing) {
     turns_.push_back({rises ? swing.after_rise : swing.after_fall, after, radius_of(turn), polar_angle_of(turn)});
     swing.last = swing.measure(turn);
   }
@@ -196,7 +196,7 @@ void FreeFall::note_turns() {
   for (std::size_t i = 1; i < stations_.size(); ++i) {
     note_turn(stations_[i - 1], stations_[i], radial);
     note_turn(stations_[i - 1], stations_[i], polar);
-    least_r_ = std::min(least_r_, radius_of(stations_[i].state));
+    min_r_ = std::min(min_r_, radius_of(stations_[i].state));
   }
   std::ranges::sort(turns_, {}, &FallTurn::time_s);
 }
@@ -207,7 +207,7 @@ double FreeFall::proper_time(double time_s) const {
 
 double FreeFall::swept_angle(double time_s) const { return station_at(clock_.proper_time(time_s)).swept; }
 
-FallPlace FreeFall::at(double time_s) const {
+FallPosition FreeFall::at(double time_s) const {
   const Station now = station_at(clock_.proper_time(time_s));
   const double r = radius_of(now.state);
   const double theta = polar_angle_of(now.state);

@@ -18,7 +18,7 @@ struct FallStart {
 };
 
 //! A falling camera at one instant.
-struct FallPlace {
+struct FallPosition {
   double r;      //!< [M]
   double theta;  //!< [rad]
   double phi;    //!< [rad]; continues over many turns; inside the horizon that of ingoing Kerr coordinates
@@ -58,13 +58,13 @@ class FreeFall {
   [[nodiscard]] const FallStart& start() const { return start_; }
 
   //! Returns the camera at a show time: before the fall its start, after it its end.
-  [[nodiscard]] FallPlace at(double time_s) const;
+  [[nodiscard]] FallPosition at(double time_s) const;
 
   //! Returns the turning points of the orbit in order of time.
   [[nodiscard]] const std::vector<FallTurn>& turns() const { return turns_; }
 
   //! Returns the minimum radius of the orbit [M].
-  [[nodiscard]] double least_r() const { return least_r_; }
+  [[nodiscard]] double least_r() const { return min_r_; }
 
   //! Returns true if the fall's settings allow it to cross the horizon and it does.
   [[nodiscard]] bool leads_within() const { return leads_within_; }
@@ -92,7 +92,7 @@ class FreeFall {
     OrbitState state;
     double phi;        //!< continuous azimuth [rad]
     double swept;      //!< angle [rad]
-    glm::dquat frame;  //!< FallPlace::frame as a rotation from fixed axes (z along the spin axis)
+    glm::dquat frame;  //!< FallPosition::frame as a rotation from fixed axes (z along the spin axis)
   };
 
   struct Swing;
@@ -114,7 +114,7 @@ class FreeFall {
   OrbitConstants constants_{};
   std::vector<Station> stations_;
   std::vector<FallTurn> turns_;
-  double least_r_;
+  double min_r_;
   std::optional<double> crossing_;  //!< proper time of crossing the horizon [M]
   std::optional<double> horizon_s_;
   std::optional<double> stop_s_;

@@ -10,7 +10,7 @@ namespace {
 
 //! Maximum error of a step along the orbit, as an angle [rad].
 constexpr double clock_step_error = 1e-12;
-constexpr std::size_t most_clock_steps = 1'000'000;
+constexpr std::size_t max_clock_steps = 1'000'000;
 
 //! Returns the difference between the time of ingoing Kerr coordinates, t + ∫ (r² + a²) / Δ dr, and
 //! that of ingoing_lag(), t + ∫ 2 r_+ / Δ dr, up to a constant [M]: ∫ (r + r_+) / (r - r_-) dr.
@@ -48,7 +48,7 @@ void HoleClock::follow() {
   stations_.push_back({0.0, first});
   const double wanted = orbit_->proper_time(orbit_->followed_s());
   double h = 0.01 * start.r;
-  for (std::size_t step = 0; step < most_clock_steps && stations_.back().proper_time < wanted; ++step) {
+  for (std::size_t step = 0; step < max_clock_steps && stations_.back().proper_time < wanted; ++step) {
     const Station& from = stations_.back();
     const OrbitStep next = orbit_step(spacetime_, constants_, h, from.state);
     if (next.error <= clock_step_error) {

@@ -18,7 +18,7 @@ bool has_polygon_objects(const Show& show) {
 
 }  // namespace
 
-double deepest_rest(Spacetime spacetime) { return std::ceil(1e5 * least_interior_radius(spacetime)) * 1e-5; }
+double deepest_rest(Spacetime spacetime) { return std::ceil(1e5 * min_interior_radius(spacetime)) * 1e-5; }
 
 bool has_inside(Spacetime spacetime) { return deepest_rest(spacetime) < horizon_radius(spacetime) / nearest_rest; }
 

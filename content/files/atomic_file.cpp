@@ -107,12 +107,12 @@ class PartialFile {
 }  // namespace
 
 std::filesystem::path behind_links(const std::filesystem::path& path) {
-  constexpr int most_links = 40;  // the limit of the operating system
+  constexpr int max_links = 40;  // the limit of the operating system
   std::error_code problem;
   std::filesystem::path at = path;
   // The target of the last link may not exist, so functions that resolve all links at once would
   // fail.
-  for (int i = 0; i < most_links && std::filesystem::is_symlink(at, problem); ++i) {
+  for (int i = 0; i < max_links && std::filesystem::is_symlink(at, problem); ++i) {
     const std::filesystem::path target = std::filesystem::read_symlink(at, problem);
     at = target.is_absolute() ? target : at.parent_path() / target;
   }

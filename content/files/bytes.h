@@ -44,10 +44,10 @@ class ByteWriter {
   Bytes bytes_;
 };
 
-//! Reads what ByteWriter wrote. Throws Error, which names `place`, if the bytes are truncated.
+//! Reads what ByteWriter wrote. Throws Error, which names `location`, if the bytes are truncated.
 class ByteReader {
  public:
-  ByteReader(std::span<const std::byte> bytes, std::string place) : rest_(bytes), place_(std::move(place)) {}
+  ByteReader(std::span<const std::byte> bytes, std::string location) : rest_(bytes), location_(std::move(location)) {}
 
   template <class T>
   T number() {
@@ -64,7 +64,7 @@ class ByteReader {
 
   std::span<const std::byte> take(std::size_t count) {
     if (count > rest_.size()) {
-      throw Error(place_, "is truncated", "bake it again");
+      throw Error(location_, "is truncated", "bake it again");
     }
     const std::span<const std::byte> taken = rest_.first(count);
     rest_ = rest_.subspan(count);
@@ -75,7 +75,7 @@ class ByteReader {
 
  private:
   std::span<const std::byte> rest_;
-  std::string place_;
+  std::string location_;
 };
 
 // Storage of four-byte numbers as byte planes, which compress better.

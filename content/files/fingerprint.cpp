@@ -26,7 +26,7 @@ std::string fingerprint_of_file(const std::filesystem::path& file) {
   if (size_problem || time_problem) {
     return "";
   }
-  if (bytes > most_hashed_bytes) {
+  if (bytes > max_hashed_bytes) {
     return fmt::format("{} {}", bytes, time.time_since_epoch().count());
   }
   return fingerprint_of_start(file, bytes);

@@ -12,7 +12,7 @@ namespace ergodome {
 std::string fingerprint(std::string_view text);
 
 //! Returns the fingerprint of a file's bytes, read one mebibyte at a time (about 20 ms for 100 MB
-//! in the file cache). For files above `most_hashed_bytes`, size and modification time replace the
+//! in the file cache). For files above `max_hashed_bytes`, size and modification time replace the
 //! bytes. Returns an empty text if the file is missing or unreadable.
 std::string fingerprint_of_file(const std::filesystem::path& file);
 
@@ -21,6 +21,6 @@ std::string fingerprint_of_file(const std::filesystem::path& file);
 std::string fingerprint_of_start(const std::filesystem::path& file, std::uintmax_t bytes);
 
 //! Larger files would take more than some seconds to read from a disk.
-inline constexpr std::uintmax_t most_hashed_bytes = std::uintmax_t{1} << 30U;
+inline constexpr std::uintmax_t max_hashed_bytes = std::uintmax_t{1} << 30U;
 
 }  // namespace ergodome

@@ -14,11 +14,11 @@ std::size_t find_control(std::string_view text);
 std::string printable(std::string_view text);
 
 //! Truncates a text to a number of bytes, without splitting a UTF-8 character.
-inline std::string_view shortened(std::string_view text, std::size_t most_bytes) {
-  if (text.size() <= most_bytes) {
+inline std::string_view shortened(std::string_view text, std::size_t max_bytes) {
+  if (text.size() <= max_bytes) {
     return text;
   }
-  std::size_t end = most_bytes;
+  std::size_t end = max_bytes;
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) {
     --end;
   }

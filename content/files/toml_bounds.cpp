@@ -39,7 +39,7 @@ class TomlScan {
         begin_line();
         break;
       case '.':
-        require(++dots_ < most_toml_key_parts, "has a key of more than {} parts", most_toml_key_parts);
+        require(++dots_ < max_toml_key_parts, "has a key of more than {} parts", max_toml_key_parts);
         break;
       case '=':
         count_dotted(dots_);
@@ -94,17 +94,17 @@ class TomlScan {
     if (line != header_) {
       header_ = line;
       // The parser rejects headers with more parts.
-      count_dotted(1 + std::min<long>(std::ranges::count(line, '.'), most_toml_key_parts));
+      count_dotted(1 + std::min<long>(std::ranges::count(line, '.'), max_toml_key_parts));
     }
   }
 
   void count_dotted(long parts) {
     dotted_ += parts;
-    require(dotted_ <= most_toml_dotted_parts, "has more than {} parts in dotted keys and table headers",
-            most_toml_dotted_parts);
+    require(dotted_ <= max_toml_dotted_parts, "has more than {} parts in dotted keys and table headers",
+            max_toml_dotted_parts);
   }
 
-  void count_value() { require(++values_ <= most_toml_values, "has more than {} values", most_toml_values); }
+  void count_value() { require(++values_ <= max_toml_values, "has more than {} values", max_toml_values); }
 
   //! Goes to the last character of a string; if it is not closed, to the end of the text or line.
   void skip_string(char quote) {

@@ -45,18 +45,18 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
   const std::string_view bounded = word.substr(0, 100);
   std::string nearest;
   // A less similar word would be a guess, not a correction.
-  std::size_t least = bounded.size() / 3 + 2;
+  std::size_t minimum = bounded.size() / 3 + 2;
   for (const std::string& candidate : words) {
     const std::size_t distance = edit_distance(bounded, candidate);
-    if (distance < least) {
-      least = distance;
+    if (distance < minimum) {
+      minimum = distance;
       nearest = candidate;
     }
   }
   // An abbreviation has a large edit distance to its word.
-  constexpr std::size_t least_letters = 3;
+  constexpr std::size_t min_letters = 3;
   const auto begins = [&](const std::string& candidate) { return candidate.starts_with(bounded); };
-  if (nearest.empty() && bounded.size() >= least_letters && std::ranges::count_if(words, begins) == 1) {
+  if (nearest.empty() && bounded.size() >= min_letters && std::ranges::count_if(words, begins) == 1) {
     nearest = *std::ranges::find_if(words, begins);
   }
   return nearest;
@@ -69,8 +69,8 @@ std::string TomlTable::path_of(std::string_view key) const {
 Error TomlTable::error_at(std::string_view key, const std::string& problem, const std::string& remedy) const {
   const toml::node* at = table_.get(key);
   const toml::source_region& source = at != nullptr ? at->source() : table_.source();
-  const std::string place = source.begin.line > 0 ? fmt::format("{}:{}", file_, source.begin.line) : file_;
-  return {is_from(source, file_) ? place : *source.path, fmt::format("{} {}", path_of(key), problem), remedy};
+  const std::string location = source.begin.line > 0 ? fmt::format("{}:{}", file_, source.begin.line) : file_;
+  return {is_from(source, file_) ? location : *source.path, fmt::format("{} {}", path_of(key), problem), remedy};
 }
 
 bool is_from(const toml::source_region& source, const std::string& file) {
@@ -82,7 +82,7 @@ const toml::node* TomlTable::node(std::string_view key) {
   return table_.get(key);
 }
 
-double TomlTable::number(std::string_view key, double otherwise, double least, double greatest) {
+double TomlTable::number(std::string_view key, double otherwise, double minimum, double maximum) {
   const toml::node* at = node(key);
   if (at == nullptr) {
     return otherwise;
@@ -91,32 +91,32 @@ double TomlTable::number(std::string_view key, double otherwise, double least, d
   if (!at->is_number() || !value) {
     throw error_at(key, "is not a number", "write a number such as 1.5");
   }
-  if (!(*value >= least && *value <= greatest)) {
-    throw error_at(key, fmt::format("is {}, outside {} to {}", *value, least, greatest),
+  if (!(*value >= minimum && *value <= maximum)) {
+    throw error_at(key, fmt::format("is {}, outside {} to {}", *value, minimum, maximum),
                    "choose a value in that range");
   }
   return *value;
 }
 
-std::vector<double> TomlTable::numbers(std::string_view key, std::size_t fewest, std::size_t most, double least,
-                                       double greatest) {
+std::vector<double> TomlTable::numbers(std::string_view key, std::size_t min_count, std::size_t max_count,
+                                       double minimum, double maximum) {
   std::vector<double> found;
   const toml::node* at = node(key);
   if (at == nullptr) {
     return found;
   }
   const toml::array* list = at->as_array();
-  if (list == nullptr || list->size() < fewest || list->size() > most) {
+  if (list == nullptr || list->size() < min_count || list->size() > max_count) {
     throw error_at(key,
-                   fewest == most ? fmt::format("is not a list of {} numbers", most)
-                                  : fmt::format("is not a list of {} to {} numbers", fewest, most),
-                   fewest == most ? fmt::format("write {} numbers in brackets", most)
-                                  : fmt::format("write {} to {} numbers in brackets", fewest, most));
+                   min_count == max_count ? fmt::format("is not a list of {} numbers", max_count)
+                                          : fmt::format("is not a list of {} to {} numbers", min_count, max_count),
+                   min_count == max_count ? fmt::format("write {} numbers in brackets", max_count)
+                                          : fmt::format("write {} to {} numbers in brackets", min_count, max_count));
   }
   for (const toml::node& item : *list) {
     const auto value = item.value<double>();
-    if (!item.is_number() || !value || !(*value >= least && *value <= greatest)) {
-      throw error_at(key, fmt::format("contains an entry that is not a number from {} to {}", least, greatest),
+    if (!item.is_number() || !value || !(*value >= minimum && *value <= maximum)) {
+      throw error_at(key, fmt::format("contains an entry that is not a number from {} to {}", minimum, maximum),
                      "correct that entry");
     }
     found.push_back(*value);
@@ -124,14 +124,14 @@ std::vector<double> TomlTable::numbers(std::string_view key, std::size_t fewest,
   return found;
 }
 
-int TomlTable::integer(std::string_view key, int otherwise, int least, int greatest) {
+int TomlTable::integer(std::string_view key, int otherwise, int minimum, int maximum) {
   const toml::node* at = node(key);
   if (at == nullptr) {
     return otherwise;
   }
   const auto value = at->value_exact<int64_t>();
-  if (!value || *value < least || *value > greatest) {
-    throw error_at(key, fmt::format("is not a whole number from {} to {}", least, greatest),
+  if (!value || *value < minimum || *value > maximum) {
+    throw error_at(key, fmt::format("is not a whole number from {} to {}", minimum, maximum),
                    "choose one in that range");
   }
   return static_cast<int>(*value);
@@ -198,16 +198,16 @@ const toml::table* TomlTable::table(std::string_view key) {
   return at->as_table();
 }
 
-std::vector<const toml::table*> TomlTable::tables(std::string_view key, std::size_t most) {
+std::vector<const toml::table*> TomlTable::tables(std::string_view key, std::size_t max_count) {
   std::vector<const toml::table*> found;
   const toml::node* at = node(key);
   if (at == nullptr) {
     return found;
   }
   const toml::array* list = at->as_array();
-  if (list == nullptr || list->size() > most) {
+  if (list == nullptr || list->size() > max_count) {
     throw error_at(key, "is not a list of tables, or is too long",
-                   fmt::format("write [[{}]], at most {} times", path_of(key), most));
+                   fmt::format("write [[{}]], at most {} times", path_of(key), max_count));
   }
   for (const toml::node& item : *list) {
     if (!item.is_table()) {

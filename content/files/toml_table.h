@@ -22,11 +22,12 @@ class TomlTable {
       : table_(table), file_(std::move(file)), path_(std::move(path)) {}
 
   //! Reads a finite number within [least, greatest]; returns `otherwise` if the key is absent.
-  double number(std::string_view key, double otherwise, double least, double greatest);
-  //! Reads a list of `fewest` to `most` such numbers; returns an empty list if the key is absent.
-  std::vector<double> numbers(std::string_view key, std::size_t fewest, std::size_t most, double least,
-                              double greatest);
-  int integer(std::string_view key, int otherwise, int least, int greatest);
+  double number(std::string_view key, double otherwise, double minimum, double maximum);
+  //! Reads a list of `min_count` to `max_count` such numbers; returns an empty list if the key is
+  //! absent.
+  std::vector<double> numbers(std::string_view key, std::size_t min_count, std::size_t max_count, double minimum,
+                              double maximum);
+  int integer(std::string_view key, int otherwise, int minimum, int maximum);
   bool boolean(std::string_view key, bool otherwise);
   //! Reads a single line without control characters, of at most 4096 bytes.
   std::string text(std::string_view key, const std::string& otherwise);
@@ -42,7 +43,7 @@ class TomlTable {
   //! Returns a table below this one, or nullptr.
   const toml::table* table(std::string_view key);
   //! Returns the tables of an array of tables; empty if the key is absent.
-  std::vector<const toml::table*> tables(std::string_view key, std::size_t most);
+  std::vector<const toml::table*> tables(std::string_view key, std::size_t max_count);
   //! Returns the node of a key, or nullptr; marks the key as known.
   const toml::node* node(std::string_view key);
 

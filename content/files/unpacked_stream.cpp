@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t packed_chunk_bytes = 1U << 16U;
 //! Maximum compression ratio. Text tables compress by a factor of 3 to 20; a much larger factor
 //! indicates a decompression bomb.
-constexpr std::uint64_t most_unpacked_ratio = 200;
+constexpr std::uint64_t max_unpacked_ratio = 200;
 //! Below this size any ratio is harmless [bytes].
 constexpr std::uint64_t harmless_unpacked_bytes = std::uint64_t{64} << 20U;
 //! 15 bits of window, plus 16: zlib reads the gzip header and checks the trailer's CRC.
@@ -38,7 +38,8 @@ struct UnpackedStream::Inflater {
   z_stream state{};
 };
 
-UnpackedStream::UnpackedStream(std::istream& stream, std::string place) : stream_(stream), place_(std::move(place)) {
+UnpackedStream::UnpackedStream(std::istream& stream, std::string location)
+    : stream_(stream), location_(std::move(location)) {
   if (refill() && begins_as_gzip(packed_, 0)) {
     inflater_ = std::make_unique<Inflater>();
     in_member_ = true;
@@ -51,7 +52,7 @@ bool UnpackedStream::refill() {
   packed_.resize(packed_chunk_bytes);
   stream_.read(packed_.data(), static_cast<std::streamsize>(packed_.size()));
   if (stream_.bad()) {
-    throw Error(place_, "cannot be read", "check the disk");
+    throw Error(location_, "cannot be read", "check the disk");
   }
   packed_.resize(static_cast<std::size_t>(stream_.gcount()));
   packed_bytes_ += packed_.size();
@@ -80,7 +81,7 @@ std::size_t UnpackedStream::unpack(std::span<char> out) {
   while (state.avail_out > 0) {
     if (next_ == packed_.size() && !refill()) {
       if (in_member_) {
-        throw Error(place_, "is truncated: its gzip data ends too early", "copy or download it again");
+        throw Error(location_, "is truncated: its gzip data ends too early", "copy or download it again");
       }
       break;
     }
@@ -102,7 +103,7 @@ std::size_t UnpackedStream::unpack(std::span<char> out) {
     } else if (result == Z_MEM_ERROR) {
       throw std::bad_alloc();
     } else if (result != Z_OK && result != Z_BUF_ERROR) {
-      throw Error(place_, "is damaged: its gzip data cannot be unpacked", "copy or download it again");
+      throw Error(location_, "is damaged: its gzip data cannot be unpacked", "copy or download it again");
     }
   }
   const std::size_t written = room - state.avail_out;
@@ -112,8 +113,8 @@ std::size_t UnpackedStream::unpack(std::span<char> out) {
 }
 
 void UnpackedStream::require_plausible_size() const {
-  if (unpacked_bytes_ > harmless_unpacked_bytes && unpacked_bytes_ / most_unpacked_ratio > packed_bytes_) {
-    throw Error(place_, "unpacks to more than 200 times its size, which no real table does",
+  if (unpacked_bytes_ > harmless_unpacked_bytes && unpacked_bytes_ / max_unpacked_ratio > packed_bytes_) {
+    throw Error(location_, "unpacks to more than 200 times its size, which no real table does",
                 "check where the file comes from");
   }
 }

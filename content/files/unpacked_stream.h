@@ -13,8 +13,8 @@ namespace ergodome {
 //! members), whatever the file's name.
 class UnpackedStream {
  public:
-  //! `place` is the name in errors. The stream must outlive this object.
-  UnpackedStream(std::istream& stream, std::string place);
+  //! `location` is the name in errors. The stream must outlive this object.
+  UnpackedStream(std::istream& stream, std::string location);
   ~UnpackedStream();
   UnpackedStream(const UnpackedStream&) = delete;
   UnpackedStream& operator=(const UnpackedStream&) = delete;
@@ -33,7 +33,7 @@ class UnpackedStream {
   void require_plausible_size() const;
 
   std::istream& stream_;
-  std::string place_;
+  std::string location_;
   std::string packed_;                  //!< bytes read from the stream
   std::size_t next_ = 0;                //!< index of the first unused byte in `packed_`
   std::uint64_t packed_bytes_ = 0;      //!< total number of bytes read

@@ -7,9 +7,9 @@
 namespace ergodome {
 
 //! Returns a file's bytes. Throws Error if it is missing, not a regular file, unreadable, or larger
-//! than `most_bytes`, so that no memory is allocated for files too large for their format. `remedy`
+//! than `max_bytes`, so that no memory is allocated for files too large for their format. `remedy`
 //! states what kind of file is expected.
-std::string read_whole_file(const std::filesystem::path& path, std::size_t most_bytes, const std::string& remedy);
+std::string read_whole_file(const std::filesystem::path& path, std::size_t max_bytes, const std::string& remedy);
 
 //! Makes all file readers stop, on all threads, because the program is about to end. Safe in a
 //! signal handler.
@@ -17,6 +17,6 @@ void stop_reading() noexcept;
 
 //! Throws Error after stop_reading() was called. Readers call it in long loops; it costs one atomic
 //! load.
-void require_reading_goes_on(const std::string& place);
+void throw_if_reading_stopped(const std::string& location);
 
 }  // namespace ergodome

@@ -123,12 +123,12 @@ struct ImageCanvas {
 };
 
 //! The point of a text's box that is put at the requested position.
-enum class TextPlace { baseline_start, top_centre, centre };
+enum class TextAnchor { baseline_start, top_centre, centre };
 
 struct TextStyle {
   int font_px;
   std::span<const float> colour;  //!< one number per channel
-  TextPlace place = TextPlace::baseline_start;
+  TextAnchor anchor = TextAnchor::baseline_start;
   int shadow_px = 0;
 };
 

@@ -71,8 +71,8 @@ TriangleMesh make_sphere(const SphereShape& shape) {
   TriangleMesh mesh;
   add_grid(mesh, shape.segments, shape.rings, [](double u, double v) {
     const double south = pi * v;  // from the south pole
-    const Vector3<double> place = std::sin(south) * round_axis(u) + Vector3<double>{0.0, 0.0, -std::cos(south)};
-    return vertex_of(place, place, u, v);
+    const Vector3<double> position = std::sin(south) * round_axis(u) + Vector3<double>{0.0, 0.0, -std::cos(south)};
+    return vertex_of(position, position, u, v);
   });
   end_part(mesh, {1.0F, 1.0F, 1.0F});
   // Cells that touch a pole have one triangle, not two.

@@ -13,8 +13,8 @@ namespace ergodome {
 
 //! Limits of mesh files. Larger files are refused before memory is allocated for them.
 inline constexpr std::size_t largest_mesh_bytes = std::size_t{1} << 30U;
-inline constexpr std::size_t most_mesh_triangles = 20'000'000;
-inline constexpr std::size_t most_mesh_vertices = 3 * most_mesh_triangles;
+inline constexpr std::size_t max_mesh_triangles = 20'000'000;
+inline constexpr std::size_t max_mesh_vertices = 3 * max_mesh_triangles;
 
 //! Maximum light of a surface that only emits; display white is 1. More is clamped.
 inline constexpr float brightest_glow = 60'000.0F;
@@ -25,10 +25,10 @@ inline constexpr const char* wanted_meshes = "use a Wavefront OBJ (.obj) or glTF
 //! Builds a mesh from triangles whose materials come in any order: each material becomes one part.
 class MeshBuilder {
  public:
-  //! `place` is the name of the mesh in messages.
-  explicit MeshBuilder(std::string place) : place_(std::move(place)) {}
+  //! `location` is the name of the mesh in messages.
+  explicit MeshBuilder(std::string location) : location_(std::move(location)) {}
 
-  [[nodiscard]] const std::string& place() const { return place_; }
+  [[nodiscard]] const std::string& location() const { return location_; }
 
   //! Throws Error if this many more triangles and vertices exceed the limits. Call it before adding
   //! them.
@@ -41,11 +41,11 @@ class MeshBuilder {
   //! repeated sentences.
   void remark(const std::string& sentence);
 
-  //! Returns the mesh; `look(material)` returns the part of a material without its triangles.
-  template <class Look>
-  TriangleMesh take(const Look& look) {
+  //! Returns the mesh; `part_of(material)` returns the part of a material without its triangles.
+  template <class PartOf>
+  TriangleMesh take(const PartOf& part_of) {
     for (const auto& [material, indices] : indices_) {
-      MeshPart part = look(material);
+      MeshPart part = part_of(material);
       part.first_index = static_cast<std::uint32_t>(mesh_.indices.size());
       part.index_count = static_cast<std::uint32_t>(indices.size());
       mesh_.indices.insert(mesh_.indices.end(), indices.begin(), indices.end());
@@ -55,11 +55,11 @@ class MeshBuilder {
   }
 
   [[nodiscard]] Error error(const std::string& problem, const std::string& remedy) const {
-    return {place_, problem, remedy};
+    return {location_, problem, remedy};
   }
 
  private:
-  std::string place_;
+  std::string location_;
   TriangleMesh mesh_;
   std::map<int, std::vector<std::uint32_t>> indices_;
   std::size_t triangles_ = 0;
@@ -67,9 +67,9 @@ class MeshBuilder {
 
 //! Returns the image with this name in a mesh's file. Throws Error if it is outside the mesh's
 //! folder or missing.
-MeshImage image_beside_mesh(const std::string& name, const std::string& place, const std::filesystem::path& folder);
+MeshImage image_beside_mesh(const std::string& name, const std::string& location, const std::filesystem::path& folder);
 
 //! Returns the error for a mesh that names a file that is not in its folder.
-Error missing_file(const std::string& place, const std::string& name);
+Error missing_file(const std::string& location, const std::string& name);
 
 }  // namespace ergodome

@@ -28,8 +28,8 @@ struct DiskShape {
 };
 
 //! Limits of the numbers of segments and rings above.
-inline constexpr int fewest_segments = 3;
-inline constexpr int most_segments = 4096;
-inline constexpr int most_rings = 4096;
+inline constexpr int min_segments = 3;
+inline constexpr int max_segments = 4096;
+inline constexpr int max_rings = 4096;
 
 }  // namespace ergodome

@@ -15,8 +15,8 @@ constexpr std::uint32_t leaf_triangles = 4;
 constexpr int bin_count = 16;
 //! Number of subtrees that are built in parallel: enough to keep all threads equally busy, but so
 //! few that each is large enough.
-constexpr std::size_t most_parts = 256;
-constexpr std::size_t least_part = 4096;
+constexpr std::size_t max_parts = 256;
+constexpr std::size_t min_part = 4096;
 //! From this depth on, nodes are halved by triangle count, which keeps any mesh within
 //! `deepest_tree`.
 constexpr int deepest_by_area = deepest_tree - 34;
@@ -65,8 +65,8 @@ struct Binning {
   float low;
   float scale;
 
-  [[nodiscard]] int bin(float place) const {
-    return std::clamp(static_cast<int>((place - low) * scale), 0, bin_count - 1);
+  [[nodiscard]] int bin(float position) const {
+    return std::clamp(static_cast<int>((position - low) * scale), 0, bin_count - 1);
   }
 };
 
@@ -209,7 +209,7 @@ void put_in_place(const std::vector<TreeNode>& tree, std::size_t node, std::vect
 //! Builds the top of the tree serially and its subtrees on all threads. The order of the nodes is
 //! deterministic.
 std::vector<TreeNode> make_nodes(std::vector<Item>& items) {
-  const std::size_t part = std::max(least_part, items.size() / most_parts);
+  const std::size_t part = std::max(min_part, items.size() / max_parts);
   std::vector<TreeNode> nodes(1);
   std::vector<Open> parts;
   make_nodes_below(items, {0, 0, items.size(), 0}, nodes, [&](const Open& open) {

@@ -77,13 +77,13 @@ void drop_degenerate_triangles(TriangleMesh& mesh) {
 }
 
 double radius_of(const TriangleMesh& mesh) {
-  double greatest = 0.0;
+  double maximum = 0.0;
   for (const std::uint32_t index : mesh.indices) {
     const float(&p)[3] = mesh.vertices[index].position;
-    greatest =
-        std::max(greatest, std::hypot(static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])));
+    maximum =
+        std::max(maximum, std::hypot(static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])));
   }
-  return greatest;
+  return maximum;
 }
 
 void repair_normals(TriangleMesh& mesh) {
@@ -111,8 +111,8 @@ void repair_normals(TriangleMesh& mesh) {
     }
   }
   for (std::size_t i = 0; i < sums.size(); ++i) {
-    constexpr double least_part = 1e-12;
-    const bool cancelled = dot(sums[i], sums[i]) <= least_part * dot(firsts[i], firsts[i]);
+    constexpr double min_part = 1e-12;
+    const bool cancelled = dot(sums[i], sums[i]) <= min_part * dot(firsts[i], firsts[i]);
     const Vector3<double>& sum = cancelled ? firsts[i] : sums[i];
     const double length = std::sqrt(dot(sum, sum));
     if (wanting[i] && length > 0.0) {

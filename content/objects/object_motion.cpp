@@ -10,7 +10,7 @@ namespace ergodome {
 namespace {
 
 //! Returns the position on an orbit at a show time, advanced by the angle `ahead` [rad].
-Vector3<double> place_on(const ObjectOrbit& orbit, double time_s, double ahead) {
+Vector3<double> position_on(const ObjectOrbit& orbit, double time_s, double ahead) {
   const double turns = orbit_rate(orbit) * std::abs(orbit.speed) * time_s / full_turn;
   // Subtracts whole turns first, which keeps the angle accurate in shows that run for years.
   const double angle = orbit.phi + full_turn * (turns - std::floor(turns)) + ahead;
@@ -23,7 +23,7 @@ Vector3<double> place_on(const ObjectOrbit& orbit, double time_s, double ahead) 
 
 Vector3<double> position_at(const ObjectSettings& object, double time_s) {
   if (object.orbit) {
-    return place_on(*object.orbit, time_s, 0.0);
+    return position_on(*object.orbit, time_s, 0.0);
   }
   if (const auto& keys = object.keys; !keys.empty()) {
     const auto coordinate = [&](double Vector3<double>::*const part) {
@@ -58,7 +58,7 @@ ObjectPlacement placement_at(const ObjectSettings& object, double time_s) {
                                 {sz * cy, sz * sy * sx + cz * cx, sz * sy * cx - cz * sx},
                                 {-sy, cy * sx, cy * cx}}};
   if (object.orbit && object.orbit->speed != 0.0) {
-    placement.ahead = place_on(*object.orbit, time_s, 0.25 * full_turn);
+    placement.ahead = position_on(*object.orbit, time_s, 0.25 * full_turn);
     placement.rate = orbit_rate(*object.orbit);
   }
   return placement;

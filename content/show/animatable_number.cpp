@@ -26,7 +26,7 @@ bool has_number(const ShowKey& key) { return key.changes || std::ranges::any_of(
 void add_numbers(std::span<const ShowKey> keys, const std::string& path, Steps steps,
                  std::vector<AnimatableNumber>& numbers) {
   for (const ShowKey& key : keys) {
-    for (std::size_t i = 0; has_number(key) && i < std::max<std::size_t>(key.most, 1); ++i) {
+    for (std::size_t i = 0; has_number(key) && i < std::max<std::size_t>(key.max_tables, 1); ++i) {
       AnimatableNumber number{path + std::string(key.name), key.limits, key.changes.value_or(NumberChange{}), {}};
       number.steps.assign(steps.begin(), steps.end());
       number.steps.push_back({&key, i});

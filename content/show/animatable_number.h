@@ -21,8 +21,8 @@ struct NumberChange {
 
 //! The range of a number, both ends included.
 struct NumberLimits {
-  double least;
-  double greatest;
+  double minimum;
+  double maximum;
 };
 
 struct ShowKey;

@@ -101,17 +101,17 @@ Spacetime spacetime_at(const Show& show, double time_s) {
 }
 
 NumberLimits range_of(const Animation& animation) {
-  const auto [least, greatest] = std::ranges::minmax(animation.keys, {}, &NumberKey::value);
-  return {least.value, greatest.value};
+  const auto [minimum, maximum] = std::ranges::minmax(animation.keys, {}, &NumberKey::value);
+  return {minimum.value, maximum.value};
 }
 
 Show show_at_least(Show show) {
-  put_values(show, [](const Animation& animation) { return range_of(animation).least; });
+  put_values(show, [](const Animation& animation) { return range_of(animation).minimum; });
   return show;
 }
 
 Show show_at_most(Show show) {
-  put_values(show, [](const Animation& animation) { return range_of(animation).greatest; });
+  put_values(show, [](const Animation& animation) { return range_of(animation).maximum; });
   return show;
 }
 

@@ -33,7 +33,7 @@ void read_tables(const ShowKey& key, TomlTable& table, void* settings) {
     return;
   }
   std::size_t i = 0;
-  for (const toml::table* const each : table.tables(key.name, key.most)) {
+  for (const toml::table* const each : table.tables(key.name, key.max_tables)) {
     read_whole_table(key, table.below(*each, fmt::format("{}[{}]", key.name, i++)), key.make(settings));
   }
 }
@@ -43,7 +43,7 @@ double unit_of(const ShowKey& key) { return key.degrees ? one_degree : 1.0; }
 //! Returns a number as it is written to a file: an angle in degrees, limited to its range, because
 //! rounding could exceed that.
 double written_number(const ShowKey& key, double value) {
-  return key.degrees ? std::clamp(value * radian_deg, key.limits.least, key.limits.greatest) : value;
+  return key.degrees ? std::clamp(value * radian_deg, key.limits.minimum, key.limits.maximum) : value;
 }
 
 //! Reads a value that is not a table.
@@ -62,11 +62,11 @@ void read_value(const ShowKey& key, TomlTable& table, void* settings) {
   const NumberLimits limits = limits_of(key, settings);
   switch (key.kind) {
     case KeyKind::number:
-      *static_cast<double*>(value) = unit_of(key) * table.number(key.name, 0.0, limits.least, limits.greatest);
+      *static_cast<double*>(value) = unit_of(key) * table.number(key.name, 0.0, limits.minimum, limits.maximum);
       break;
     case KeyKind::integer:
       *static_cast<int*>(value) =
-          table.integer(key.name, 0, static_cast<int>(limits.least), static_cast<int>(limits.greatest));
+          table.integer(key.name, 0, static_cast<int>(limits.minimum), static_cast<int>(limits.maximum));
       break;
     case KeyKind::boolean:
       *static_cast<bool*>(value) = table.boolean(key.name, false);
@@ -75,12 +75,12 @@ void read_value(const ShowKey& key, TomlTable& table, void* settings) {
       *static_cast<std::string*>(value) = table.text(key.name, "");
       break;
     case KeyKind::vector: {
-      const auto parts = table.numbers(key.name, 3, 3, limits.least, limits.greatest);
+      const auto parts = table.numbers(key.name, 3, 3, limits.minimum, limits.maximum);
       *static_cast<Vector3<double>*>(value) = unit_of(key) * Vector3<double>{parts[0], parts[1], parts[2]};
       break;
     }
     case KeyKind::color:
-      std::ranges::copy(table.numbers(key.name, 3, 3, limits.least, limits.greatest),
+      std::ranges::copy(table.numbers(key.name, 3, 3, limits.minimum, limits.maximum),
                         static_cast<std::array<double, 3>*>(value)->begin());
       break;
     default: {

@@ -6,7 +6,7 @@
 
 #include "content/mesh/mesh_shapes.h"
 #include "content/timeline/timeline.h"
-#include "kernels/objects/lamp_place.h"
+#include "kernels/objects/lamp_source.h"
 #include "kernels/spacetime/schwarzschild/tessellation.h"
 #include "kernels/spacetime/spacetime.h"
 
@@ -95,7 +95,7 @@ struct PointLight {
 
 //! Maximum number of images that polygons draw. The fifth is 10^-6 as wide as the first, which
 //! float tables barely distinguish from the edge of the shadow.
-inline constexpr int most_polygon_images = 5;
+inline constexpr int max_polygon_images = 5;
 
 //! Radii that the triangles of objects may reach [M], and minimum radius of observers and lights.
 inline constexpr double nearest_of_objects = 2.1;

@@ -7,11 +7,11 @@
 namespace ergodome {
 
 //! Maximum number of shells in a show.
-inline constexpr std::size_t most_shells = 16;
+inline constexpr std::size_t max_shells = 16;
 
 //! Minimum distance of a shell from the horizon, as a fraction of the horizon's radius, because
 //! rendering uses floats.
-inline constexpr double least_shell_gap = 1e-3;
+inline constexpr double min_shell_gap = 1e-3;
 
 //! A sphere r = const around the hole, with a grid of parallels and meridians: one of a show's
 //! [[shells]].

@@ -16,7 +16,7 @@
 #include "content/timeline/timeline.h"
 #include "kernels/image/tone_curve.h"
 #include "kernels/projection/lens_law.h"
-#include "kernels/sky/sky_look.h"
+#include "kernels/sky/sky_sampling.h"
 #include "kernels/spacetime/kerr/observer.h"
 
 namespace ergodome {
@@ -198,7 +198,7 @@ enum class StereoModel { physical, flat, omni };
 inline constexpr std::array stereo_model_names = {"physical", "flat", "omni"};
 
 //! Minimum elevation range over which the baseline of StereoModel::omni fades [deg].
-inline constexpr double least_fade_deg = 1.0;
+inline constexpr double min_fade_deg = 1.0;
 
 struct StereoSettings {
   StereoLayout layout = StereoLayout::mono;
@@ -268,7 +268,7 @@ inline constexpr int key_set_outside = 0;
 
 //! Display of spin and camera position as a line of text on the dome.
 struct ReadoutSettings {
-  DomePlace place = {.elevation_deg = 8.0};
+  DomePosition position = {.elevation_deg = 8.0};
   double letter_deg = 2.0;  //!< height of a line
 };
 

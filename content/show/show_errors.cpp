@@ -4,7 +4,7 @@
 
 namespace ergodome {
 
-std::string place_of(const Show& show, const std::string& key) {
+std::string location_of(const Show& show, const std::string& key) {
   const auto line = show.lines.find(key);
   if (line == show.lines.end()) {
     return show.name + ".toml";
@@ -13,11 +13,11 @@ std::string place_of(const Show& show, const std::string& key) {
 }
 
 Error named_by(const Show& show, const std::string& key, const Error& error) {
-  std::string place = key;
+  std::string location = key;
   if (!show.name.empty()) {
-    place += ", " + place_of(show, key);
+    location += ", " + location_of(show, key);
   }
-  return {error.place(), fmt::format("{} ({})", error.problem(), place), error.remedy()};
+  return {error.location(), fmt::format("{} ({})", error.problem(), location), error.remedy()};
 }
 
 void require_no_pipe(const std::filesystem::path& path) {

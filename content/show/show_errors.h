@@ -9,7 +9,7 @@
 namespace ergodome {
 
 //! Returns where a show sets a key: "evening.toml:12" or "--set"; "evening.toml" if it does not.
-std::string place_of(const Show& show, const std::string& key);
+std::string location_of(const Show& show, const std::string& key);
 
 //! Returns the error of a file that `show` names under `key` ("sky.stars", "shells[1].texture"),
 //! with the key, the show and the line added to its problem.

@@ -61,7 +61,7 @@ struct ShowKey {
   std::span<const char* const> words;  //!< allowed words, in the order of the enumeration's values
   std::int32_t first_word = 0;         //!< enumeration value of the first word
   std::span<const ShowKey> keys;       //!< keys of the table, for a table or a list of tables
-  std::size_t most = 0;                //!< maximum number of tables in a list
+  std::size_t max_tables = 0;          //!< maximum number of tables in a list
   bool degrees = false;                //!< the file has degrees, the member radians
   const char* missing = nullptr;       //!< remedy if the key is absent; nullptr: the key is optional
   //! What an animation of the number changes; absent: it cannot be animated.
@@ -114,15 +114,15 @@ template <class Settings>
 struct KeyOf {
   ShowKey key;
 
-  constexpr KeyOf range(double least, double greatest, std::string_view unit = "") {
-    key.limits = {least, greatest};
+  constexpr KeyOf range(double minimum, double maximum, std::string_view unit = "") {
+    key.limits = {minimum, maximum};
     key.page.unit = unit;
     return *this;
   }
   //! Sets the range in degrees, as in the file; the struct's member is in radians.
-  constexpr KeyOf degrees(double least, double greatest) {
+  constexpr KeyOf degrees(double minimum, double maximum) {
     key.degrees = true;
-    return range(least, greatest, "deg");
+    return range(minimum, maximum, "deg");
   }
   //! Sets a function that returns the range for given settings, if that is narrower than range().
   template <class Function>
@@ -301,14 +301,14 @@ requires(is_optional<Value> || is_vector<Value>) struct TableOf<Value> {
 };
 
 //! Declares the table of a member that is a struct, an optional struct or a vector of at most
-//! `most` structs.
+//! `max_tables` structs.
 template <auto Member, class Types = MemberTypes<decltype(Member)>>
 constexpr KeyOf<typename Types::Settings> table(std::string_view name,
                                                 KeyTable<typename TableOf<typename Types::Value>::Type> keys,
-                                                std::string_view meaning = "", std::size_t most = 0) {
+                                                std::string_view meaning = "", std::size_t max_tables = 0) {
   auto made = key<Member>(name, meaning);
   made.key.keys = keys.keys;
-  made.key.most = most;
+  made.key.max_tables = max_tables;
   return made;
 }
 
@@ -364,7 +364,7 @@ constexpr KeyList<Settings, sizeof...(Keys)> keys_of(const Keys&... keys) {
   const auto complete = [](const ShowKey& key) {
     const bool number = key.kind == KeyKind::number || key.kind == KeyKind::integer || key.kind == KeyKind::color ||
                         key.kind == KeyKind::vector;
-    return (!number || key.limits.least < key.limits.greatest) && (key.kind != KeyKind::word || !key.words.empty()) &&
+    return (!number || key.limits.minimum < key.limits.maximum) && (key.kind != KeyKind::word || !key.words.empty()) &&
            (!key.keys.empty() || !key.meaning.empty());
   };
   if (!(complete(keys.key) && ...)) {

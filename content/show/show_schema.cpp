@@ -32,9 +32,9 @@ constexpr auto quality_keys = keys_of<QualitySettings>(
         .fixed("a show is baked for a single budget"));
 
 constexpr auto readout_keys = keys_of<ReadoutSettings>(
-    key<&ReadoutSettings::place, &DomePlace::azimuth_deg>("azimuth_deg", "As for captions.")
+    key<&ReadoutSettings::position, &DomePosition::azimuth_deg>("azimuth_deg", "As for captions.")
         .range(-360.0, 360.0, "deg"),
-    key<&ReadoutSettings::place, &DomePlace::elevation_deg>("elevation_deg", "As for captions.")
+    key<&ReadoutSettings::position, &DomePosition::elevation_deg>("elevation_deg", "As for captions.")
         .range(-90.0, 90.0, "deg"),
     key<&ReadoutSettings::letter_deg>("letter_deg", "Height of the line.").range(0.05, 45.0, "deg"));
 
@@ -58,7 +58,7 @@ constexpr auto write_title = [](toml::table& root, const Show& show) {
   }
 };
 
-constexpr std::size_t most_objects = 256;
+constexpr std::size_t max_objects = 256;
 
 constexpr auto unused_light = [](const Show& show, const Show& /*settings*/) {
   return std::ranges::none_of(show.objects, &ObjectSettings::lit) ? "is used only by objects with light = \"lambert\""
@@ -95,10 +95,10 @@ std::span<const ShowKey> show_keys() {
       group<Show>("hole", hole_keys), table<&Show::sky>("sky", sky_keys), table<&Show::sky>("stars", star_keys),
       table<&Show::disk>("disk", disk_keys), table<&Show::effects>("effects", effect_keys),
       table<&Show::view>("view", view_keys), table<&Show::stereo>("stereo", stereo_keys),
-      table<&Show::tone>("tone", tone_keys), table<&Show::shells>("shells", shell_keys, "", most_shells),
+      table<&Show::tone>("tone", tone_keys), table<&Show::shells>("shells", shell_keys, "", max_shells),
       table<&Show::flight>("flight", flight_keys), group<Show>("grid", grid_keys),
       table<&Show::quality>("quality", quality_keys), table<&Show::readout>("readout", readout_keys),
-      part<&Show::timeline>(timeline_keys), table<&Show::objects>("objects", object_keys, "", most_objects),
+      part<&Show::timeline>(timeline_keys), table<&Show::objects>("objects", object_keys, "", max_objects),
       table<&Show::light>("light", light_keys).unused_if(unused_light));
   return all.keys;
 }

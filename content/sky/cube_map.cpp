@@ -48,7 +48,7 @@ FacePoint face_point(const ViewDirection& d) {
   return d.forward > 0.0 ? point(front_face, d.right, -d.up, z) : point(back_face, -d.right, -d.up, z);
 }
 
-FacePosition place_in_cross(const FacePoint& point, bool vertical) {
+FacePosition position_in_cross(const FacePoint& point, bool vertical) {
   switch (point.face) {
     case right_face:
       return {2, 1, point.s, point.t};
@@ -68,7 +68,7 @@ FacePosition place_in_cross(const FacePoint& point, bool vertical) {
 
 //! Converts a position on a face to OpenEXR's layout, whose X axis points to the left of a viewer
 //! facing along Z, and whose side faces are turned by 90°.
-FacePosition place_in_openexr(const FacePoint& point) {
+FacePosition position_in_openexr(const FacePoint& point) {
   switch (point.face) {
     case left_face:  // +X
       return {0, 0, point.s, point.t};
@@ -94,12 +94,12 @@ FacePosition face_position(const ViewDirection& direction, CubeMapLayout layout)
     case CubeMapLayout::column:
       return {0, point.face, point.s, point.t};
     case CubeMapLayout::openexr:
-      return place_in_openexr(point);
+      return position_in_openexr(point);
     case CubeMapLayout::horizontal_cross:
     case CubeMapLayout::vertical_cross:
       break;
   }
-  return place_in_cross(point, layout == CubeMapLayout::vertical_cross);
+  return position_in_cross(point, layout == CubeMapLayout::vertical_cross);
 }
 
 //! Writes the bilinear color at a position; beyond the edge of the face, edge texels are repeated.
@@ -127,19 +127,19 @@ void put_color(const EnvironmentImage& cube, int side, const FacePosition& at, f
 bool is_plain_cell(const EnvironmentImage& image, int side, int column, int row) {
   constexpr float tolerance = 0.02F;
   const int margin = std::min(side / 8 + 1, side / 2);
-  float least[3] = {1e30F, 1e30F, 1e30F};
-  float most[3] = {-1e30F, -1e30F, -1e30F};
+  float minimum[3] = {1e30F, 1e30F, 1e30F};
+  float maximum[3] = {-1e30F, -1e30F, -1e30F};
   for (int y = row * side + margin; y < (row + 1) * side - margin; ++y) {
     for (int x = column * side + margin; x < (column + 1) * side - margin; ++x) {
       const float* const texel = image.rgb.data() + 3 * (static_cast<std::ptrdiff_t>(y) * image.width + x);
       for (int c = 0; c < 3; ++c) {
-        least[c] = std::min(least[c], texel[c]);
-        most[c] = std::max(most[c], texel[c]);
+        minimum[c] = std::min(minimum[c], texel[c]);
+        maximum[c] = std::max(maximum[c], texel[c]);
       }
     }
   }
   for (int c = 0; c < 3; ++c) {
-    if (most[c] - least[c] > tolerance) {
+    if (maximum[c] - minimum[c] > tolerance) {
       return false;
     }
   }

@@ -60,12 +60,12 @@ Error of_wrong_shape(const std::string& name, const ImageShape& shape) {
 
 //! Where the light of one texel in a row of `from` texels goes in a row of `to` texels, with to <=
 //! from: the fraction `part` of the texel is in texel `first`, the rest in the next one.
-struct TexelPlace {
+struct TexelPosition {
   int first;
   float part;
 };
 
-TexelPlace texel_place(std::int64_t texel, std::int64_t from, std::int64_t to) {
+TexelPosition texel_position(std::int64_t texel, std::int64_t from, std::int64_t to) {
   const std::int64_t first = texel * to / from;
   const std::int64_t inside = std::min(to, (first + 1) * from - texel * to);
   return {static_cast<int>(first), static_cast<float>(static_cast<double>(inside) / static_cast<double>(to))};
@@ -86,7 +86,7 @@ class MapReader {
     image_.rgb.reserve(floats_of_rows(image_.height));
     columns_.reserve(static_cast<std::size_t>(shape.width));
     for (int x = 0; x < shape.width; ++x) {
-      columns_.push_back(texel_place(x, shape.width, image_.width));
+      columns_.push_back(texel_position(x, shape.width, image_.width));
     }
     // Only channels that affect the light are read.
     read_channels_ = coding_.light_channels();
@@ -98,13 +98,13 @@ class MapReader {
     std::vector<float> rows(static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(read_channels_) *
                             rows_at_once);
     for (int begin = 0; begin < shape.height; begin += rows_at_once) {
-      require_reading_goes_on(name_);
+      throw_if_reading_stopped(name_);
       const int end = std::min(begin + rows_at_once, shape.height);
       if (!input_.read_rows(begin, end, read_channels_, rows.data())) {
         throw Error(name_, fmt::format("cannot be read at row {}: {}", begin, input_.error()),
                     "the file seems to be truncated or damaged; save it again");
       }
-      make_rows(texel_place(end - 1, shape.height, image_.height).first + 2);
+      make_rows(texel_position(end - 1, shape.height, image_.height).first + 2);
       for (int y = begin; y < end; ++y) {
         add_row(
             rows.data() + static_cast<std::size_t>(y - begin) * static_cast<std::size_t>(shape.width * read_channels_),
@@ -131,13 +131,13 @@ class MapReader {
   void add_row(const float* row, int y, const ImageShape& shape) {
     const double scale = static_cast<double>(image_.width) / shape.width;
     const auto whole = static_cast<float>(scale * scale);
-    const TexelPlace down = texel_place(y, shape.height, image_.height);
+    const TexelPosition down = texel_position(y, shape.height, image_.height);
     for (int x = 0; x < shape.width; ++x) {
       const float* const pixel = row + static_cast<std::ptrdiff_t>(x) * read_channels_;
       float colour[3];
       coding_.put_light(pixel, colour);
       repair(colour);
-      const TexelPlace& across = columns_[static_cast<std::size_t>(x)];
+      const TexelPosition& across = columns_[static_cast<std::size_t>(x)];
       add_texel(across.first, down, colour, whole * across.part);
       if (across.part < 1.0F) {
         add_texel(across.first + 1, down, colour, whole * (1.0F - across.part));
@@ -145,7 +145,7 @@ class MapReader {
     }
   }
 
-  void add_texel(int x, const TexelPlace& down, const float (&colour)[3], float share) {
+  void add_texel(int x, const TexelPosition& down, const float (&colour)[3], float share) {
     const auto add = [&](int y, float part) {
       if (part > 0.0F) {
         float* const to = image_.rgb.data() + 3 * (static_cast<std::ptrdiff_t>(y) * image_.width + x);
@@ -182,7 +182,7 @@ class MapReader {
   LightCoding coding_;
   int read_channels_ = 3;  //!< number of channels read per pixel
   //! For each texel of a row of the file, its position in the smaller image.
-  std::vector<TexelPlace> columns_;
+  std::vector<TexelPosition> columns_;
   EnvironmentImage image_;
 };
 

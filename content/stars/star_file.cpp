@@ -24,8 +24,8 @@ constexpr std::size_t header_bytes = 40;
 constexpr std::size_t bytes_a_star = 20;
 //! Maximum compression ratio that is accepted, so that a false header cannot cause a large
 //! allocation.
-constexpr std::uint64_t most_packing = 4096;
-constexpr std::uint32_t most_file_stars = 100'000'000;
+constexpr std::uint64_t max_packing = 4096;
+constexpr std::uint32_t max_file_stars = 100'000'000;
 constexpr double units_a_degree = 1e7;
 constexpr double units_a_magnitude = 1e3;
 constexpr std::int32_t no_colour = std::numeric_limits<std::int32_t>::min();
@@ -63,13 +63,13 @@ struct PackedColumns {
     b_v[i] = std::abs(colour) < 1e9 ? static_cast<std::int32_t>(std::lround(colour)) : no_colour;
   }
 
-  [[nodiscard]] CatalogueStar star(std::size_t i, const std::string& place) const {
+  [[nodiscard]] CatalogueStar star(std::size_t i, const std::string& location) const {
     const double ra_deg = right_ascension[i] / units_a_degree;
     const double dec_deg = declination[i] / units_a_degree;
     const double magnitude = v_mag[i] / units_a_magnitude;
     if (ra_deg > 360.0 || std::abs(dec_deg) > 90.0 || std::abs(magnitude) > 60.0 ||
         (i > 0 && v_mag[i - 1] > v_mag[i])) {
-      throw Error(place, fmt::format("is damaged (star {})", i + 1),
+      throw Error(location, fmt::format("is damaged (star {})", i + 1),
                   "create it again with ergodome catalogue TABLE --out FILE");
     }
     const float colour =
@@ -88,10 +88,10 @@ Bytes packed(std::span<const std::byte> raw) {
   return bytes;
 }
 
-Bytes unpacked_stars(std::span<const std::byte> bytes, std::size_t size, const std::string& place) {
+Bytes unpacked_stars(std::span<const std::byte> bytes, std::size_t size, const std::string& location) {
   Bytes raw(size);
   if (ZSTD_decompress(raw.data(), raw.size(), bytes.data(), bytes.size()) != size) {
-    throw Error(place, "is damaged (compressed part)", "create it again with ergodome catalogue TABLE --out FILE");
+    throw Error(location, "is damaged (compressed part)", "create it again with ergodome catalogue TABLE --out FILE");
   }
   return raw;
 }
@@ -105,37 +105,37 @@ bool is_star_file(const std::filesystem::path& path) {
   return stream && std::equal(std::begin(begin), std::end(begin), std::begin(star_magic));
 }
 
-StarCatalogue parse_star_file(std::span<const std::byte> bytes, const std::string& place) {
+StarCatalogue parse_star_file(std::span<const std::byte> bytes, const std::string& location) {
   if (bytes.size() < header_bytes ||
       !std::ranges::equal(bytes.first(sizeof star_magic), std::as_bytes(std::span(star_magic)))) {
-    throw Error(place, "is not a star file of Ergodome", "create one with ergodome catalogue TABLE --out FILE");
+    throw Error(location, "is not a star file of Ergodome", "create one with ergodome catalogue TABLE --out FILE");
   }
-  ByteReader header(bytes.first(header_bytes).subspan(sizeof star_magic), place);
+  ByteReader header(bytes.first(header_bytes).subspan(sizeof star_magic), location);
   const auto written = header.number<std::uint32_t>();
   const auto count = header.number<std::uint32_t>();
   const auto packed_bytes = header.number<std::uint64_t>();
   const auto packed_sum = header.number<std::uint64_t>();
   if (header.number<std::uint64_t>() != checksum(bytes.first(summed_bytes))) {
-    throw Error(place, "is damaged (header)", "create it again with ergodome catalogue TABLE --out FILE");
+    throw Error(location, "is damaged (header)", "create it again with ergodome catalogue TABLE --out FILE");
   }
   if (written > version) {
-    throw Error(place, fmt::format("has format version {}, but this program reads version {}", written, version),
+    throw Error(location, fmt::format("has format version {}, but this program reads version {}", written, version),
                 "create it again with ergodome catalogue TABLE --out FILE, or use a newer Ergodome");
   }
   const std::span<const std::byte> body = bytes.subspan(header_bytes);
-  if (body.size() != packed_bytes || count > most_file_stars || bytes_a_star * count > most_packing * body.size() ||
+  if (body.size() != packed_bytes || count > max_file_stars || bytes_a_star * count > max_packing * body.size() ||
       checksum(body) != packed_sum) {
-    throw Error(place, "is damaged or truncated", "create it again with ergodome catalogue TABLE --out FILE");
+    throw Error(location, "is damaged or truncated", "create it again with ergodome catalogue TABLE --out FILE");
   }
-  const Bytes raw = unpacked_stars(body, bytes_a_star * count, place);
-  ByteReader from(raw, place);
+  const Bytes raw = unpacked_stars(body, bytes_a_star * count, location);
+  ByteReader from(raw, location);
   PackedColumns columns(count);
   columns.each([&](auto& column) { read_planes(from, column, 0, 1); });
   StarCatalogue catalogue;
-  catalogue.name = place;
+  catalogue.name = location;
   catalogue.stars.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
-    catalogue.stars.push_back(columns.star(i, place));
+    catalogue.stars.push_back(columns.star(i, location));
   }
   return catalogue;
 }
@@ -144,7 +144,7 @@ StarCatalogue read_star_file(const std::filesystem::path& path) {
   std::error_code problem;
   const std::uintmax_t size = std::filesystem::file_size(path, problem);
   std::ifstream stream(path, std::ios::binary);
-  if (problem || !stream || size > bytes_a_star * std::uintmax_t{most_file_stars}) {
+  if (problem || !stream || size > bytes_a_star * std::uintmax_t{max_file_stars}) {
     throw Error(path.string(), "cannot be opened", "check the path and its permissions");
   }
   Bytes bytes(size);

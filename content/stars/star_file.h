@@ -23,9 +23,9 @@ namespace ergodome {
 //!                missing B-V. Brightest first.
 StarCatalogue read_star_file(const std::filesystem::path& path);
 
-//! Parses such a file from memory; `place` is its name in messages. Throws Error if it is damaged,
-//! truncated, of a newer version, or of another format.
-StarCatalogue parse_star_file(std::span<const std::byte> bytes, const std::string& place);
+//! Parses such a file from memory; `location` is its name in messages. Throws Error if it is
+//! damaged, truncated, of a newer version, or of another format.
+StarCatalogue parse_star_file(std::span<const std::byte> bytes, const std::string& location);
 
 //! Writes a catalog atomically. Positions are rounded to 1e-7 deg, magnitudes to 0.001.
 void write_star_file(const StarCatalogue& catalogue, const std::filesystem::path& path);

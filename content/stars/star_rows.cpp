@@ -20,16 +20,16 @@ namespace ergodome {
 
 namespace {
 
-constexpr std::size_t most_stars = 100'000'000;
+constexpr std::size_t max_stars = 100'000'000;
 
 //! Magnitude of an object at distance 0 below which it is the Sun, for which catalogs have a
 //! distance of 0.
 constexpr double brightest_but_the_sun = -20.0;
 
 //! Maximum absolute color; catalogs write 99 for an unknown one.
-constexpr double most_colour = 20.0;
+constexpr double max_colour = 20.0;
 
-constexpr double most_hours = 24.0;
+constexpr double max_hours = 24.0;
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
 //! Returns true if a cell marks an unknown number in Gaia's archive, VizieR, SIMBAD or AstroPy.
@@ -45,7 +45,7 @@ std::string_view trimmed(std::string_view text) {
   return first == std::string_view::npos ? "" : text.substr(first, text.find_last_not_of(spaces) - first + 1);
 }
 
-double known_colour(double colour) { return std::abs(colour) <= most_colour ? colour : missing; }
+double known_colour(double colour) { return std::abs(colour) <= max_colour ? colour : missing; }
 
 }  // namespace
 
@@ -54,16 +54,16 @@ void StarRows::begin(TableColumns columns, char separator) {
   separator_ = separator;
 }
 
-std::string StarRows::place(std::size_t line) const { return fmt::format("{}:{}", file_, line); }
+std::string StarRows::location(std::size_t line) const { return fmt::format("{}:{}", file_, line); }
 
 void StarRows::refuse(const std::string& cell, Quantity quantity, std::size_t line) const {
   if (cell.find('\n') != std::string::npos) {
-    throw Error(place(line),
+    throw Error(location(line),
                 fmt::format("has a cell that spans several lines where {} is expected", words_of(quantity)),
                 "close its quotation marks");
   }
   const bool coordinate = quantity == right_ascension || quantity == declination;
-  throw Error(place(line),
+  throw Error(location(line),
               fmt::format("has \"{}\" where {} is expected", printable(std::string_view(cell).substr(0, 40)),
                           words_of(quantity)),
               coordinate
@@ -116,12 +116,12 @@ double StarRows::right_ascension_of(const std::string& text, const std::string& 
   const bool in_degrees = columns_.ra.unit == AngleUnit::degrees && columns_.ra.source == UnitSource::units_row;
   const bool named_degrees = plain_column_name(columns_.names[right_ascension]).ends_with("deg");
   if (angle->mark == AngleMark::none && (in_degrees || named_degrees)) {
-    throw Error(place(line), fmt::format("has \"{}\" in a column of degrees", printable(cell.substr(0, 40))),
+    throw Error(location(line), fmt::format("has \"{}\" in a column of degrees", printable(cell.substr(0, 40))),
                 "write decimal degrees, or mark the units as in 05h14m32.27s or 78d38m04s");
   }
   const double ra_deg = angle->mark == AngleMark::degrees ? angle->value : 15.0 * angle->value;
   if (std::abs(ra_deg) > 360.0) {
-    throw Error(place(line), fmt::format("has a right ascension of {}", printable(cell.substr(0, 40))),
+    throw Error(location(line), fmt::format("has a right ascension of {}", printable(cell.substr(0, 40))),
                 "write at most 24 hours or 360 degrees");
   }
   return ra_deg;
@@ -135,7 +135,7 @@ double StarRows::declination_of(const std::string& text, const std::string& cell
   }
   const double dec_deg = radians ? angle->value * radian_deg : angle->value;
   if (std::isfinite(dec_deg) && std::abs(dec_deg) > 90.0) {
-    throw Error(place(line), fmt::format("has a declination of {} deg", dec_deg), "write -90 to 90 degrees");
+    throw Error(location(line), fmt::format("has a declination of {} deg", dec_deg), "write -90 to 90 degrees");
   }
   return dec_deg;
 }
@@ -203,19 +203,19 @@ void StarRows::take(const RowCells& cells, std::size_t line) {
     return leave_out({"for the Sun", 1, line, true});
   }
   const bool in_hours = columns_.ra.unit == AngleUnit::hours && columns_.ra.source != UnitSource::program;
-  if (std::abs(at.ra) > 360.0 || (in_hours && decimal_ && std::abs(at.ra) > most_hours)) {
-    throw Error(place(line), fmt::format("has a right ascension of {} {}", at.ra, in_hours ? "h" : "deg"),
+  if (std::abs(at.ra) > 360.0 || (in_hours && decimal_ && std::abs(at.ra) > max_hours)) {
+    throw Error(location(line), fmt::format("has a right ascension of {} {}", at.ra, in_hours ? "h" : "deg"),
                 "write at most 24 hours or 360 degrees, and name the column ra_hours or ra_deg");
   }
   if (sexagesimal_ && decimal_) {
-    throw Error(place(line), "mixes decimal and sexagesimal right ascensions in one column",
+    throw Error(location(line), "mixes decimal and sexagesimal right ascensions in one column",
                 "write all of them in one form");
   }
   if (v_mag < -30.0 || v_mag > 60.0) {
-    throw Error(place(line), fmt::format("has a magnitude of {}", v_mag), "write -30 to 60");
+    throw Error(location(line), fmt::format("has a magnitude of {}", v_mag), "write -30 to 60");
   }
-  if (catalogue_.stars.size() >= most_stars) {
-    throw Error(place(line), "has more than 100 million stars", "remove the faintest ones");
+  if (catalogue_.stars.size() >= max_stars) {
+    throw Error(location(line), "has more than 100 million stars", "remove the faintest ones");
   }
   const double own = number(cells, catalogue_number, line);
   const bool counted = own >= 0.0 && own <= 4e9;
@@ -231,7 +231,7 @@ bool StarRows::take_units(const RowCells& cells, std::size_t line) {
   for (int quantity = 0; quantity < quantity_count; ++quantity) {
     if (columns_.has(static_cast<Quantity>(quantity))) {
       apply_unit(columns_, static_cast<Quantity>(quantity), unit(static_cast<Quantity>(quantity)),
-                 UnitSource::units_row, place(line));
+                 UnitSource::units_row, location(line));
     }
   }
   return true;
@@ -248,7 +248,7 @@ void StarRows::leave_out(const RowsLeftOut& rows) {
 
 void StarRows::decide_unit() {
   const bool undecided = columns_.ra.unit == AngleUnit::open || columns_.ra.source == UnitSource::program;
-  if (undecided && largest_ra_ > most_hours) {
+  if (undecided && largest_ra_ > max_hours) {
     columns_.ra = {AngleUnit::degrees, UnitSource::values};
   } else if (columns_.ra.unit == AngleUnit::open) {
     columns_.ra = {AngleUnit::hours, UnitSource::values};

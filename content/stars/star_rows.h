@@ -43,7 +43,7 @@ class StarRows {
     double dec_deg = 0.0;
   };
 
-  [[nodiscard]] std::string place(std::size_t line) const;
+  [[nodiscard]] std::string location(std::size_t line) const;
   [[noreturn]] void refuse(const std::string& cell, Quantity quantity, std::size_t line) const;
   //! Returns a cell without surrounding spaces and with a decimal point in place of a comma; empty
   //! for words such as null.

@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t longest_cell = 65'536;
 //! Maximum size of the header and of lines before it [bytes].
 constexpr std::size_t longest_kept_line = 1U << 20U;
-constexpr std::size_t most_described_columns = 4096;
+constexpr std::size_t max_described_columns = 4096;
 
 //! Owns a libcsv parser.
 class CsvParser {
@@ -69,11 +69,11 @@ class CsvParser {
 //! Returns the character between the cells of a header: the most frequent of comma, semicolon, tab
 //! and bar, or otherwise a space.
 char separator_of(std::string_view header) {
-  char most = ',';
+  char maximum = ',';
   for (const char separator : {';', '\t', '|'}) {
-    most = std::ranges::count(header, separator) > std::ranges::count(header, most) ? separator : most;
+    maximum = std::ranges::count(header, separator) > std::ranges::count(header, maximum) ? separator : maximum;
   }
-  return header.find(most) == std::string_view::npos && header.find(' ') != std::string_view::npos ? ' ' : most;
+  return header.find(maximum) == std::string_view::npos && header.find(' ') != std::string_view::npos ? ' ' : maximum;
 }
 
 std::string_view without_blanks(std::string_view line) {
@@ -150,7 +150,7 @@ class TableLines {
       return table_.skip_line(kept_.back());
     }
     if (line.starts_with("sep=") && line.size() == 5) {
-      told_separator_ = line[4];
+      declared_separator_ = line[4];
       return table_.skip_line(kept_.back());
     }
     if (line.empty() && kept_.find('\t') == std::string::npos) {
@@ -170,7 +170,7 @@ class TableLines {
                   "name the columns in the first line; convert a fixed-width table to CSV first");
     }
     const std::string header = data ? last_comment_ : std::string(line);
-    separator_ = told_separator_.value_or(separator_of(header));
+    separator_ = declared_separator_.value_or(separator_of(header));
     parser_.set_separator(separator_);
     table_.begin(separator_, std::move(units_));
     header_found_ = true;
@@ -187,7 +187,7 @@ class TableLines {
     comment.remove_prefix(std::min(comment.find_first_not_of("# \t"), comment.size()));
     if (const std::string_view name = ecsv_value(comment, "name: "); !name.empty()) {
       const std::string_view unit = ecsv_value(comment, "unit: ");
-      if (!unit.empty() && units_.size() < most_described_columns) {
+      if (!unit.empty() && units_.size() < max_described_columns) {
         units_.emplace(plain_column_name(name), unit);
       }
     }
@@ -230,8 +230,8 @@ class TableLines {
   TableBuilder table_;
   CsvParser parser_;
   char separator_ = ',';
-  std::optional<char> told_separator_;  //!< separator stated in a spreadsheet's line `sep=`
-  std::string kept_;                    //!< beginning of an incomplete line before the rows
+  std::optional<char> declared_separator_;  //!< separator stated in a spreadsheet's line `sep=`
+  std::string kept_;                        //!< beginning of an incomplete line before the rows
   std::string last_comment_;
   UnitsByName units_;
   bool header_found_ = false;

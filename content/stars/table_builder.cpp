@@ -9,7 +9,7 @@ namespace ergodome {
 
 namespace {
 
-constexpr std::size_t most_columns = 4096;
+constexpr std::size_t max_columns = 4096;
 
 bool is_dashes(std::string_view cell) { return cell.find_first_not_of("- ") == std::string_view::npos; }
 
@@ -29,7 +29,7 @@ void TableBuilder::take_cell(std::string_view cell) {
   }
   only_dashes_ = only_dashes_ && is_dashes(cell);
   if (in_header_) {
-    if (names_.size() < most_columns) {
+    if (names_.size() < max_columns) {
       names_.emplace_back(cell);
     }
   } else if (const auto& quantities = rows_.columns().quantities; cell_ < quantities.size() && quantities[cell_]) {

@@ -59,7 +59,7 @@ class TableBuilder {
   bool only_dashes_ = true;  //!< the cells of this row contain only dashes
   char separator_ = ',';
   UnitsByName units_;
-  std::vector<std::string> names_;  //!< names of the header's columns, at most `most_columns`
+  std::vector<std::string> names_;  //!< names of the header's columns, at most `max_columns`
   std::size_t named_ = 0;           //!< number of columns in the header
   RowCells cells_;
   std::optional<Error> problem_;

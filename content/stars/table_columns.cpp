@@ -92,7 +92,7 @@ void find_program(TableColumns& columns, const std::vector<std::string>& names) 
 }
 
 void require_coordinates_and_magnitude(const TableColumns& columns, const std::vector<std::string>& names,
-                                       const std::string& place) {
+                                       const std::string& location) {
   std::string missing;
   std::string instead;
   std::string names_to_use;
@@ -107,7 +107,7 @@ void require_coordinates_and_magnitude(const TableColumns& columns, const std::v
   require(columns.has(declination), declination);
   require(columns.has(v_magnitude) || columns.has(g_magnitude) || columns.has(vt_magnitude), v_magnitude);
   if (!missing.empty()) {
-    throw Error(place, fmt::format("has no column for {}{}", missing, instead),
+    throw Error(location, fmt::format("has no column for {}{}", missing, instead),
                 fmt::format("name the columns in the first line, for example {}; other names: see "
                             "reference/star-tables.md in the documentation",
                             names_to_use));
@@ -131,26 +131,27 @@ bool is_supported_unit(Quantity quantity, std::string_view unit) {
 const char* words_of(Quantity quantity) { return quantity_words[quantity]; }
 
 void apply_unit(TableColumns& columns, Quantity quantity, std::string_view unit, UnitSource source,
-                const std::string& place) {
+                const std::string& location) {
   if (quantity == right_ascension || quantity == declination) {
     if (const auto known = angle_unit_named(unit)) {
       (quantity == right_ascension ? columns.ra : columns.dec) = {*known, source};
     } else if (!unit.empty() && unit != "J2000" && unit != "J2000.0" && unit != "2000" && unit != "ICRS") {
-      throw Error(place,
+      throw Error(location,
                   fmt::format("gives {} in the unsupported unit or equinox \"{}\"", words_of(quantity),
                               printable(unit.substr(0, 40))),
                   "convert the column to degrees (deg), hours (h) or radians (rad), equinox J2000");
     }
   } else if (!is_supported_unit(quantity, unit)) {
     throw Error(
-        place,
+        location,
         fmt::format("gives {} in the unsupported unit \"{}\"", words_of(quantity), printable(unit.substr(0, 40))),
         quantity == star_temperature_k ? "convert the column to kelvins (K)"
                                        : "convert the column to magnitudes (mag)");
   }
 }
 
-TableColumns choose_columns(const std::vector<std::string>& names, const UnitsByName& units, const std::string& place) {
+TableColumns choose_columns(const std::vector<std::string>& names, const UnitsByName& units,
+                            const std::string& location) {
   std::vector<std::string> plain;
   plain.reserve(names.size());
   for (const std::string& name : names) {
@@ -167,7 +168,7 @@ TableColumns choose_columns(const std::vector<std::string>& names, const UnitsBy
     const Quantity quantity = chosen.known->quantity;
     const std::string& name = plain[chosen.column];
     if (std::ranges::count(plain, name) > 1) {
-      throw Error(place, fmt::format("has two columns for {} named {}", words_of(quantity), name),
+      throw Error(location, fmt::format("has two columns for {} named {}", words_of(quantity), name),
                   "remove or rename one of them");
     }
     columns.quantities[chosen.column] = quantity;
@@ -175,9 +176,9 @@ TableColumns choose_columns(const std::vector<std::string>& names, const UnitsBy
     if (quantity == right_ascension && chosen.known->unit != AngleUnit::open) {
       columns.ra = {chosen.known->unit, UnitSource::name};
     }
-    apply_unit(columns, quantity, bracketed_unit(names[chosen.column]), UnitSource::units_row, place);
+    apply_unit(columns, quantity, bracketed_unit(names[chosen.column]), UnitSource::units_row, location);
     if (const auto unit = units.find(name); unit != units.end()) {
-      apply_unit(columns, quantity, unit->second, UnitSource::units_row, place);
+      apply_unit(columns, quantity, unit->second, UnitSource::units_row, location);
     }
   };
   for (const auto& coordinate : choose_coordinates(plain)) {
@@ -193,7 +194,7 @@ TableColumns choose_columns(const std::vector<std::string>& names, const UnitsBy
     }
   }
   find_program(columns, plain);
-  require_coordinates_and_magnitude(columns, plain, place);
+  require_coordinates_and_magnitude(columns, plain, location);
   return columns;
 }
 

@@ -59,12 +59,13 @@ struct TableColumns {
 using UnitsByName = std::map<std::string, std::string, std::less<>>;
 
 //! Chooses the columns to read. If several hold the same quantity, the order of preference decides;
-//! both coordinates come from one pair. Throws Error at `place` if a quantity is missing, a name
+//! both coordinates come from one pair. Throws Error at `location` if a quantity is missing, a name
 //! occurs twice, or a unit is not supported.
-TableColumns choose_columns(const std::vector<std::string>& names, const UnitsByName& units, const std::string& place);
+TableColumns choose_columns(const std::vector<std::string>& names, const UnitsByName& units,
+                            const std::string& location);
 
 //! Applies the unit of one column. Throws Error if it is not supported.
 void apply_unit(TableColumns& columns, Quantity quantity, std::string_view unit, UnitSource source,
-                const std::string& place);
+                const std::string& location);
 
 }  // namespace ergodome

@@ -94,7 +94,7 @@ TableText::TableText(std::istream& stream, std::string file) : bytes_(stream, fi
 
 std::string_view TableText::next() {
   do {
-    require_reading_goes_on(file_);
+    throw_if_reading_stopped(file_);
     const std::size_t kept = raw_.size();
     raw_.resize(kept + text_chunk_bytes);
     const std::size_t count = bytes_.read(std::span(raw_).subspan(kept));

@@ -13,7 +13,7 @@ namespace ergodome {
 namespace {
 
 constexpr std::size_t longest_line = 65'536;
-constexpr std::size_t most_rows = 50'000'000;
+constexpr std::size_t max_rows = 50'000'000;
 
 //! Reads the next line without its end. A line that is too long is cut after one character more
 //! than the maximum.
@@ -66,7 +66,7 @@ double TableLine::number(std::size_t column, std::string_view name) const {
     return 0.0;
   }
   if (problem != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
-    throw Error(place, fmt::format("{} is \"{}\", not a number", name, text.substr(0, 40)), "write a finite number");
+    throw Error(location, fmt::format("{} is \"{}\", not a number", name, text.substr(0, 40)), "write a finite number");
   }
   return value;
 }
@@ -107,15 +107,15 @@ bool NumberTable::next(TableLine& line) {
     if (text_.empty() || text_ == "\r") {
       continue;
     }
-    line.place = fmt::format("{}:{}", file_, line_number_);
-    if (text_.size() > longest_line || rows_ >= most_rows) {
-      throw Error(line.place, "exceeds the limits of a table: lines of 64 KiB, 50 million rows", "split the file");
+    line.location = fmt::format("{}:{}", file_, line_number_);
+    if (text_.size() > longest_line || rows_ >= max_rows) {
+      throw Error(line.location, "exceeds the limits of a table: lines of 64 KiB, 50 million rows", "split the file");
     }
     ++rows_;
     line.cells = split(text_);
     const auto extra = line.cells.begin() + static_cast<std::ptrdiff_t>(std::min(names_.size(), line.cells.size()));
     if (std::any_of(extra, line.cells.end(), [](std::string_view cell) { return !cell.empty(); })) {
-      throw Error(line.place,
+      throw Error(line.location,
                   fmt::format("has {} cells, but the first line names {} columns", line.cells.size(), names_.size()),
                   "name every column, and write numbers with a decimal point, not a comma");
     }

@@ -14,7 +14,7 @@ namespace ergodome {
 //! The cells of one line of a number table.
 struct TableLine {
   std::vector<std::string_view> cells;  //!< refer to the table's text; valid until the next line is read
-  std::string place;                    //!< file and line, for messages
+  std::string location;                 //!< file and line, for messages
 
   //! Returns a cell without surrounding spaces and quotes; empty if the line is too short.
   [[nodiscard]] std::string_view cell(std::size_t column) const {

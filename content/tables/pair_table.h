@@ -11,7 +11,7 @@ namespace ergodome {
 //! between them; M = 1.
 struct PairRow {
   std::string text;         //!< the four numbers as written, between commas
-  std::string place;        //!< file and line, for messages
+  std::string location;     //!< file and line, for messages
   double r_observer = 0.0;  //!< [M]
   double r = 0.0;           //!< [M]
   double phi = 0.0;         //!< azimuth of the point; the observer's is 0 [rad]

@@ -49,10 +49,10 @@ EitherColumn either(const NumberTable& table, const std::string& file, std::stri
 //! Reads the polar angle, from 0 to pi [rad].
 double theta_of(const TableLine& line, const EitherColumn& theta) {
   const double angle = line.number(theta.column, theta.name);
-  const double most = theta.second ? 180.0 : 3.1415926535897936;
-  if (!(angle >= 0.0 && angle <= most)) {
+  const double maximum = theta.second ? 180.0 : 3.1415926535897936;
+  if (!(angle >= 0.0 && angle <= maximum)) {
     throw Error(
-        line.place, fmt::format("{} is {}, out of range", theta.name, angle),
+        line.location, fmt::format("{} is {}, out of range", theta.name, angle),
         theta.second ? "choose an angle from 0 to 180" : "choose an angle from 0 to pi, or name the column theta_deg");
   }
   return theta.second ? angle * one_degree : angle;
@@ -71,7 +71,7 @@ ObserverMotion motion_of(const TableLine& line, std::string_view word) {
       return motion;
     }
   }
-  throw Error(line.place, fmt::format("observer is \"{}\", which does not exist", word.substr(0, 40)),
+  throw Error(line.location, fmt::format("observer is \"{}\", which does not exist", word.substr(0, 40)),
               "choose one of zamo, static, geodesic, retrograde, rain, boost, rain_boost");
 }
 
@@ -90,17 +90,17 @@ Vector3<double> vector_of(const TableLine& line, const std::optional<std::size_t
 
 void check(const RayRow& row, const TableLine& line, std::string_view spin_name) {
   if (!(std::abs(row.spacetime.spin) <= 1.0)) {
-    throw Error(line.place, fmt::format("{} is {}, outside -1 to 1", spin_name, row.spacetime.spin),
+    throw Error(line.location, fmt::format("{} is {}, outside -1 to 1", spin_name, row.spacetime.spin),
                 "choose a spin in that range");
   }
   const double horizon = horizon_radius(row.spacetime);
   const bool falls = row.motion == ObserverMotion::rain || row.motion == ObserverMotion::rain_boost;
-  const double least = falls ? std::min(least_interior_radius(row.spacetime), horizon) : horizon;
-  if (!(row.r > least && row.r <= 1e12)) {
+  const double minimum = falls ? std::min(min_interior_radius(row.spacetime), horizon) : horizon;
+  if (!(row.r > minimum && row.r <= 1e12)) {
     throw Error(
-        line.place, fmt::format("r is {}, out of range for this observer", row.r),
-        falls || !(row.r > least_interior_radius(row.spacetime))
-            ? fmt::format("choose a radius above {:.6g} and up to 1e12", least)
+        line.location, fmt::format("r is {}, out of range for this observer", row.r),
+        falls || !(row.r > min_interior_radius(row.spacetime))
+            ? fmt::format("choose a radius above {:.6g} and up to 1e12", minimum)
             : fmt::format(
                   "choose a radius above the horizon at {:.6g} and up to 1e12, or the observer rain or rain_boost",
                   horizon));
@@ -109,7 +109,7 @@ void check(const RayRow& row, const TableLine& line, std::string_view spin_name)
                                 ? row.velocity
                                 : observer_velocity(row.motion, row.spacetime, row.r, row.theta, row.velocity);
   if (row.motion != ObserverMotion::rain && !(dot(v, v) < 1.0)) {
-    throw Error(line.place, "this observer would have to move faster than light at this radius",
+    throw Error(line.location, "this observer would have to move faster than light at this radius",
                 "choose another observer or a larger radius");
   }
 }
@@ -120,7 +120,7 @@ void need_velocity(const TableLine& line, const Columns& columns) {
   constexpr std::string_view names[3] = {"beta_r", "beta_theta", "beta_phi"};
   for (std::size_t i = 0; i < 3; ++i) {
     if (!columns.beta[i]) {
-      throw Error(line.place,
+      throw Error(line.location,
                   fmt::format("observer is {}, but the table has no column {}", line.cell(columns.observer), names[i]),
                   "name beta_r, beta_theta and beta_phi in the first line");
     }
@@ -140,7 +140,7 @@ void check_velocity(const RayRow& row, const TableLine& line, const Columns& col
     const bool given = columns.beta[i] && !line.cell(*columns.beta[i]).empty();
     const double beta = given ? line.number(*columns.beta[i], "beta") : 0.0;
     if (beta != 0.0 && !(std::abs(beta - own[i]) < same)) {
-      throw Error(line.place,
+      throw Error(line.location,
                   fmt::format("has a velocity that differs from that of the observer {} ({:.6g}, {:.6g}, {:.6g})",
                               line.cell(columns.observer), own[0], own[1], own[2]),
                   "write the observer \"boost\", or leave the beta_* cells empty");
@@ -182,7 +182,7 @@ std::vector<RayRow> read_ray_table(std::istream& stream, const std::string& file
       const Vector3<double> n = vector_of(line, columns.direction, "n");
       const double largest = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
       if (!(largest > 0.0)) {
-        throw Error(line.place, "n_r, n_theta and n_phi are all 0, so the direction is undefined",
+        throw Error(line.location, "n_r, n_theta and n_phi are all 0, so the direction is undefined",
                     "write a vector of any length that points to where the light seems to come from");
       }
       const Vector3<double> scaled = (1.0 / largest) * n;

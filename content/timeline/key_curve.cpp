@@ -33,8 +33,8 @@ KeyMotion straight_on(const Chord& other, const Chord& own) {
 
 //! Allowed range of a second derivative.
 struct Limits {
-  double least;
-  double greatest;
+  double minimum;
+  double maximum;
 };
 
 //! Returns the allowed range of the second derivative for a span that begins with the slope m.
@@ -85,17 +85,17 @@ KeyMotion shared_motion(const Chord& before, const Chord& after) {
   KeyMotion motion;
   if (before.rate * after.rate > 0.0) {
     const double parabola = (after.span_s / both_s) * before.rate + (before.span_s / both_s) * after.rate;
-    const double most = steepest * std::min(std::abs(before.rate), std::abs(after.rate));
-    motion.rate = same_sign(std::min(std::abs(parabola), most), parabola);
+    const double limit = steepest * std::min(std::abs(before.rate), std::abs(after.rate));
+    motion.rate = same_sign(std::min(std::abs(parabola), limit), parabola);
   } else if (before.rate == 0.0 || after.rate == 0.0) {
     return motion;
   }
   const Limits one = limits_at_end(motion.rate, before);
   const Limits other = limits_at_begin(motion.rate, after);
-  const double least = std::max(one.least, other.least);
-  const double greatest = std::min(one.greatest, other.greatest);
+  const double minimum = std::max(one.minimum, other.minimum);
+  const double maximum = std::min(one.maximum, other.maximum);
   const double parabola = 2.0 * (after.rate - before.rate) / both_s;
-  motion.change = least <= greatest ? std::clamp(parabola, least, greatest) : 0.0;
+  motion.change = minimum <= maximum ? std::clamp(parabola, minimum, maximum) : 0.0;
   return motion;
 }
 

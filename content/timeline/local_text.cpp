@@ -8,7 +8,7 @@ namespace ergodome {
 
 namespace {
 
-constexpr std::size_t most_languages = 64;
+constexpr std::size_t max_languages = 64;
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
@@ -50,9 +50,9 @@ LocalText read_local_text(TomlTable& table, std::string_view key) {
     return {{"", read_words(table, key)}};
   }
   const toml::table& languages = *node->as_table();
-  if (languages.empty() || languages.size() > most_languages) {
+  if (languages.empty() || languages.size() > max_languages) {
     throw table.error_at(key, languages.empty() ? "has no language" : "has too many languages",
-                         fmt::format("give it 1 to {} languages", most_languages));
+                         fmt::format("give it 1 to {} languages", max_languages));
   }
   TomlTable reader = table.below(languages, key);
   LocalText text;

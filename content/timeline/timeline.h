@@ -19,7 +19,7 @@ enum class Ease { smooth, linear, in, out, in_out, hold };
 inline constexpr std::array ease_names = {"smooth", "linear", "in", "out", "in_out", "hold"};
 
 //! Minimum distance of two keys of a number, or of the camera [s].
-inline constexpr double least_key_gap_s = 1e-6;
+inline constexpr double min_key_gap_s = 1e-6;
 
 //! The value of an animated number at one instant.
 struct NumberKey {
@@ -53,18 +53,18 @@ struct Presence {
 };
 
 //! Position on the dome for a viewer who faces the dome's front. The view's tilt does not move it.
-struct DomePlace {
+struct DomePosition {
   double azimuth_deg = 0.0;     //!< azimuth to the right of the front
   double elevation_deg = 20.0;  //!< elevation of the center above the horizon
   double roll_deg = 0.0;        //!< clockwise rotation
 
-  bool operator==(const DomePlace&) const = default;
+  bool operator==(const DomePosition&) const = default;
 };
 
 //! A text on the dome.
 struct Caption {
   Presence presence;
-  DomePlace place;
+  DomePosition position;
   double letter_deg = 2.0;                        //!< height of a line
   double width_deg = 60.0;                        //!< maximum width of lines
   std::array<double, 3> color = {1.0, 1.0, 1.0};  //!< linear light, relative to white
@@ -76,7 +76,7 @@ struct Overlay {
   std::string image;  //!< path relative to the show
   Presence presence;
   bool fisheye = false;
-  DomePlace place;
+  DomePosition position;
   double width_deg = 30.0;  //!< width of a flat image
   double fov_deg = 180.0;   //!< field of view of a fisheye image
   double opacity = 1.0;

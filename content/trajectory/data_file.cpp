@@ -16,11 +16,11 @@ namespace ergodome {
 
 DataFile DataFile::open(const std::filesystem::path& path) {
   DataFile file(path, ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  struct stat facts {};
-  if (file.handle_ < 0 || ::fstat(file.handle_, &facts) != 0) {
+  struct stat status {};
+  if (file.handle_ < 0 || ::fstat(file.handle_, &status) != 0) {
     file.fail("cannot be opened", "check the path and its permissions");
   }
-  if (!S_ISREG(facts.st_mode)) {
+  if (!S_ISREG(status.st_mode)) {
     throw Error(path.string(), "is not a regular file", "choose a trajectory made by ergodome bake");
   }
   return file;
@@ -47,17 +47,17 @@ DataFile::~DataFile() {
 }
 
 std::uint64_t DataFile::size() const {
-  struct stat facts {};
-  if (::fstat(handle_, &facts) != 0) {
+  struct stat status {};
+  if (::fstat(handle_, &status) != 0) {
     fail("cannot be read", "check the disk");
   }
-  return static_cast<std::uint64_t>(facts.st_size);
+  return static_cast<std::uint64_t>(status.st_size);
 }
 
-Bytes DataFile::read(std::uint64_t offset, std::uint64_t count, const std::string& place) const {
+Bytes DataFile::read(std::uint64_t offset, std::uint64_t count, const std::string& location) const {
   // A damaged file can claim any size.
   if (const std::uint64_t all = size(); offset > all || count > all - offset) {
-    throw Error(place, "is truncated", "bake it again");
+    throw Error(location, "is truncated", "bake it again");
   }
   Bytes bytes(count);
   std::uint64_t done = 0;
@@ -67,7 +67,7 @@ Bytes DataFile::read(std::uint64_t offset, std::uint64_t count, const std::strin
       fail("cannot be read", "check the disk");
     }
     if (got == 0) {
-      throw Error(place, "is truncated", "bake it again");
+      throw Error(location, "is truncated", "bake it again");
     }
     done += got > 0 ? static_cast<std::uint64_t>(got) : 0;
   }

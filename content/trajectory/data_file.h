@@ -26,8 +26,9 @@ class DataFile {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] std::uint64_t size() const;
 
-  //! Reads `count` bytes at an offset. Throws Error, which names `place`, if the file is too short.
-  [[nodiscard]] Bytes read(std::uint64_t offset, std::uint64_t count, const std::string& place) const;
+  //! Reads `count` bytes at an offset. Throws Error, which names `location`, if the file is too
+  //! short.
+  [[nodiscard]] Bytes read(std::uint64_t offset, std::uint64_t count, const std::string& location) const;
 
   //! Appends bytes and flushes them to the disk. An interruption may leave a part of them, which
   //! cut() can remove.

@@ -47,16 +47,16 @@ Bytes to_bytes(const TrajectoryHeader& header) {
   return to.take();
 }
 
-TrajectoryHeader parse_trajectory_header(std::span<const std::byte> bytes, const std::string& place) {
-  ByteReader from(bytes, place);
+TrajectoryHeader parse_trajectory_header(std::span<const std::byte> bytes, const std::string& location) {
+  ByteReader from(bytes, location);
   const std::span<const std::byte> first = from.take(std::min(bytes.size(), sizeof frame_magic));
   if (!std::ranges::equal(first, std::as_bytes(std::span(frame_magic)))) {
-    throw Error(place, "is not a trajectory", "create one with ergodome bake");
+    throw Error(location, "is not a trajectory", "create one with ergodome bake");
   }
   const auto version = from.number<std::uint32_t>();
   if (version > trajectory_version) {
     throw Error(
-        place,
+        location,
         fmt::format("is a trajectory of version {}, but this program reads version {}", version, trajectory_version),
         "bake it again, or use a newer Ergodome");
   }
@@ -70,7 +70,7 @@ TrajectoryHeader parse_trajectory_header(std::span<const std::byte> bytes, const
   header.station_count = from.number<std::uint32_t>();
   from.take(12);
   if (from.number<std::uint64_t>() != checksum_of(bytes.first(header_summed_bytes)) || version == 0 || state > 1) {
-    throw Error(place, "has a damaged header", "bake it again");
+    throw Error(location, "has a damaged header", "bake it again");
   }
   return header;
 }
@@ -87,8 +87,8 @@ Bytes make_frame(FrameKind kind, std::uint32_t number, std::span<const std::byte
   return to.take();
 }
 
-FrameHeader parse_frame_header(std::span<const std::byte> bytes, const std::string& place) {
-  ByteReader from(bytes, place);
+FrameHeader parse_frame_header(std::span<const std::byte> bytes, const std::string& location) {
+  ByteReader from(bytes, location);
   FrameHeader header;
   header.kind = static_cast<FrameKind>(from.number<std::uint32_t>());
   header.number = from.number<std::uint32_t>();
@@ -96,17 +96,18 @@ FrameHeader parse_frame_header(std::span<const std::byte> bytes, const std::stri
   header.unpacked_bytes = from.number<std::uint64_t>();
   header.checksum = from.number<std::uint64_t>();
   if (header.payload_bytes > largest_frame_bytes || header.unpacked_bytes > largest_frame_bytes) {
-    throw Error(place, "is damaged (impossible size)", "bake it again");
+    throw Error(location, "is damaged (impossible size)", "bake it again");
   }
   return header;
 }
 
-std::span<const std::byte> checked_payload(std::span<const std::byte> frame, FrameKind kind, const std::string& place) {
-  const FrameHeader header = parse_frame_header(frame, place);
+std::span<const std::byte> checked_payload(std::span<const std::byte> frame, FrameKind kind,
+                                           const std::string& location) {
+  const FrameHeader header = parse_frame_header(frame, location);
   const std::span<const std::byte> payload = frame.subspan(frame_header_bytes);
   if (header.kind != kind || header.payload_bytes != payload.size() ||
       header.checksum != checksum_of(frame.first(frame_summed_bytes), payload)) {
-    throw Error(place, "is damaged (checksum)", "bake it again");
+    throw Error(location, "is damaged (checksum)", "bake it again");
   }
   return payload;
 }

@@ -60,7 +60,7 @@ Bytes to_bytes(const TrajectoryHeader& header);
 
 //! Parses the header of a trajectory file. Throws Error if the file is damaged, of another format,
 //! or of a newer version.
-TrajectoryHeader parse_trajectory_header(std::span<const std::byte> bytes, const std::string& place);
+TrajectoryHeader parse_trajectory_header(std::span<const std::byte> bytes, const std::string& location);
 
 //! Returns a complete frame with its header and checksum.
 Bytes make_frame(FrameKind kind, std::uint32_t number, std::span<const std::byte> payload,
@@ -70,10 +70,11 @@ inline Bytes make_frame(FrameKind kind, std::span<const std::byte> payload) {
 }
 
 //! Parses a frame header. Throws Error if its sizes are impossible; does not verify the checksum.
-FrameHeader parse_frame_header(std::span<const std::byte> bytes, const std::string& place);
+FrameHeader parse_frame_header(std::span<const std::byte> bytes, const std::string& location);
 
 //! Returns the payload of a complete frame. Throws Error unless the frame has this kind, exactly
 //! this length and a correct checksum.
-std::span<const std::byte> checked_payload(std::span<const std::byte> frame, FrameKind kind, const std::string& place);
+std::span<const std::byte> checked_payload(std::span<const std::byte> frame, FrameKind kind,
+                                           const std::string& location);
 
 }  // namespace ergodome

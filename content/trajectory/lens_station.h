@@ -32,8 +32,8 @@ struct LensStation {
   std::vector<float> traced_nodes;
   std::vector<float> leaf_displacements;
   //! Derivatives of the nodes with respect to the camera's position at fixed (γ, s), without the
-  //! rotation that place_turn() describes: along r [1/M] and θ [1/rad], shaped as `nodes`. Empty if
-  //! not requested.
+  //! rotation that frame_rotation() describes: along r [1/M] and θ [1/rad], shaped as `nodes`.
+  //! Empty if not requested.
   std::vector<float> nodes_along_r;
   std::vector<float> nodes_along_theta;
 

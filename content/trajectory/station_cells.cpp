@@ -13,7 +13,7 @@ namespace ergodome {
 namespace {
 
 constexpr int compression_level = 9;
-constexpr std::uint32_t most_root_cells = 1 << 16;
+constexpr std::uint32_t max_root_cells = 1 << 16;
 
 void write_vector(ByteWriter& to, const Vector3<float>& v) {
   to.number(v.x);
@@ -27,11 +27,11 @@ Vector3<float> read_vector(ByteReader& from) {
   return {x, y, from.number<float>()};
 }
 
-bool is_place(const LensStation& s) {
+bool is_position(const LensStation& s) {
   if (!(std::abs(s.spacetime.spin) <= 1.0)) {
     return false;
   }
-  const double deepest = std::min(least_interior_radius(s.spacetime), horizon_radius(s.spacetime));
+  const double deepest = std::min(min_interior_radius(s.spacetime), horizon_radius(s.spacetime));
   return s.r > deepest && s.r < 1e9 && s.theta >= 0.0 && s.theta <= 3.1416;
 }
 
@@ -81,9 +81,9 @@ bool all_finite(const std::vector<float>& numbers) {
   return std::ranges::all_of(numbers, [](float x) { return std::isfinite(x); });
 }
 
-void require_whole(bool good, const char* what, const std::string& place) {
+void require_whole(bool good, const char* what, const std::string& location) {
   if (!good) {
-    throw Error(place, std::string("is damaged (") + what + ")", "bake it again");
+    throw Error(location, std::string("is damaged (") + what + ")", "bake it again");
   }
 }
 
@@ -97,11 +97,11 @@ PackedBytes pack_bytes(std::span<const std::byte> raw) {
   return {std::move(small), raw.size()};
 }
 
-Bytes unpack_bytes(std::span<const std::byte> packed, std::uint64_t unpacked_bytes, const std::string& place) {
-  require_whole(ZSTD_getFrameContentSize(packed.data(), packed.size()) == unpacked_bytes, "compressed size", place);
+Bytes unpack_bytes(std::span<const std::byte> packed, std::uint64_t unpacked_bytes, const std::string& location) {
+  require_whole(ZSTD_getFrameContentSize(packed.data(), packed.size()) == unpacked_bytes, "compressed size", location);
   Bytes raw(unpacked_bytes);
   const std::size_t size = ZSTD_decompress(raw.data(), raw.size(), packed.data(), packed.size());
-  require_whole(ZSTD_isError(size) == 0 && size == raw.size(), "cannot be decompressed", place);
+  require_whole(ZSTD_isError(size) == 0 && size == raw.size(), "cannot be decompressed", location);
   return raw;
 }
 
@@ -126,7 +126,7 @@ void write_cells(ByteWriter& to, const LensStation& station, std::uint32_t flags
   write_planes(to, station.leaf_error_px, 0, 1);
 }
 
-StationCells read_cells(ByteReader& from, std::size_t stored_floats, const std::string& place) {
+StationCells read_cells(ByteReader& from, std::size_t stored_floats, const std::string& location) {
   LensStation station;
   station.spacetime = Spacetime{from.number<double>()};
   station.r = from.number<double>();
@@ -143,10 +143,10 @@ StationCells read_cells(ByteReader& from, std::size_t stored_floats, const std::
   }
   const auto [columns, rows, edge, tree, leaves, nodes] = sizes;
   const std::size_t numbers = from.left() / bytes_a_number;
-  require_whole(columns > 0 && rows > 0 && columns <= most_root_cells && rows <= most_root_cells / columns &&
+  require_whole(columns > 0 && rows > 0 && columns <= max_root_cells && rows <= max_root_cells / columns &&
                     edge >= 16 && edge <= numbers && tree <= numbers && leaves <= numbers / 5 &&
                     nodes <= numbers / stored_floats,
-                "impossible size", place);
+                "impossible size", location);
   station.columns = static_cast<int>(columns);
   station.rows = static_cast<int>(rows);
   station.edge.resize(edge);
@@ -159,9 +159,9 @@ StationCells read_cells(ByteReader& from, std::size_t stored_floats, const std::
     read_planes(from, station.leaves, corner, 4);
   }
   read_planes(from, station.leaf_error_px, 0, 1);
-  require_whole(is_place(station), "position", place);
-  require_whole(is_chart(station), "chart", place);
-  require_whole(is_tree(station, nodes), "cells", place);
+  require_whole(is_position(station), "position", location);
+  require_whole(is_chart(station), "chart", location);
+  require_whole(is_tree(station, nodes), "cells", location);
   return {std::move(station), flags, nodes};
 }
 

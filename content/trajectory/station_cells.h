@@ -26,9 +26,9 @@ struct StationCells {
 };
 
 //! Reads what write_cells() wrote. `stored_floats` is the minimum number of floats per node that
-//! follow. Throws Error, which names `place`, if the data cannot be read safely or no camera can be
-//! there.
-StationCells read_cells(ByteReader& from, std::size_t stored_floats, const std::string& place);
+//! follow. Throws Error, which names `location`, if the data cannot be read safely or no camera can
+//! be there.
+StationCells read_cells(ByteReader& from, std::size_t stored_floats, const std::string& location);
 
 //! A losslessly compressed payload of a frame.
 struct PackedBytes {
@@ -37,12 +37,12 @@ struct PackedBytes {
 };
 PackedBytes pack_bytes(std::span<const std::byte> raw);
 
-//! Decompresses a payload. Throws Error, which names `place`, if its size differs from
+//! Decompresses a payload. Throws Error, which names `location`, if its size differs from
 //! `unpacked_bytes`.
-Bytes unpack_bytes(std::span<const std::byte> packed, std::uint64_t unpacked_bytes, const std::string& place);
+Bytes unpack_bytes(std::span<const std::byte> packed, std::uint64_t unpacked_bytes, const std::string& location);
 
 //! Throws Error for a damaged station unless `good`.
-void require_whole(bool good, const char* what, const std::string& place);
+void require_whole(bool good, const char* what, const std::string& location);
 
 //! Returns true if all numbers are finite.
 bool all_finite(const std::vector<float>& numbers);

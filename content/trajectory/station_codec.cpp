@@ -91,23 +91,24 @@ Bytes station_layout(const LensStation& station) {
 
 PackedBytes pack_station(const LensStation& station) { return pack_bytes(station_layout(station)); }
 
-LensStation unpack_station(std::span<const std::byte> packed, std::uint64_t unpacked_bytes, const std::string& place) {
-  return parse_station_layout(unpack_bytes(packed, unpacked_bytes, place), place);
+LensStation unpack_station(std::span<const std::byte> packed, std::uint64_t unpacked_bytes,
+                           const std::string& location) {
+  return parse_station_layout(unpack_bytes(packed, unpacked_bytes, location), location);
 }
 
-LensStation parse_station_layout(std::span<const std::byte> raw, const std::string& place) {
-  ByteReader from(raw, place);
-  auto [station, flags, nodes] = read_cells(from, std::size(stored_components), place);
+LensStation parse_station_layout(std::span<const std::byte> raw, const std::string& location) {
+  ByteReader from(raw, location);
+  auto [station, flags, nodes] = read_cells(from, std::size(stored_components), location);
   read_nodes(from, nodes, station.nodes);
   if ((flags & station_has_derivatives) != 0) {
     require_whole(from.left() >= 2 * nodes * std::size(stored_components) * bytes_a_number, "missing derivatives",
-                  place);
+                  location);
     read_nodes(from, nodes, station.nodes_along_r);
     read_nodes(from, nodes, station.nodes_along_theta);
   }
-  require_whole(from.left() == 0, "surplus data", place);
+  require_whole(from.left() == 0, "surplus data", location);
   require_whole(all_finite(station.nodes) && all_finite(station.nodes_along_r) && all_finite(station.nodes_along_theta),
-                "a non-finite number", place);
+                "a non-finite number", location);
   return std::move(station);
 }
 
@@ -127,32 +128,32 @@ Bytes disk_layout(const DiskStation& station) {
 
 PackedBytes pack_disk(const DiskStation& station) { return pack_bytes(disk_layout(station)); }
 
-DiskStation unpack_disk(std::span<const std::byte> packed, std::uint64_t unpacked_bytes, const std::string& place) {
-  return parse_disk_layout(unpack_bytes(packed, unpacked_bytes, place), place);
+DiskStation unpack_disk(std::span<const std::byte> packed, std::uint64_t unpacked_bytes, const std::string& location) {
+  return parse_disk_layout(unpack_bytes(packed, unpacked_bytes, location), location);
 }
 
-DiskStation parse_disk_layout(std::span<const std::byte> raw, const std::string& place) {
-  ByteReader from(raw, place);
-  StationCells cells = read_cells(from, 4 * stored_parts(false), place);
+DiskStation parse_disk_layout(std::span<const std::byte> raw, const std::string& location) {
+  ByteReader from(raw, location);
+  StationCells cells = read_cells(from, 4 * stored_parts(false), location);
   DiskStation station;
   station.cells = std::move(cells.station);
   station.pattern = (cells.flags & station_has_pattern) != 0;
   station.inner_r = from.number<double>();
   station.outer_r = from.number<double>();
-  require_whole(are_edges(station), "disk edges", place);
+  require_whole(are_edges(station), "disk edges", location);
   const std::span<const std::byte> orders = from.take(station.cells.leaf_count());
   station.orders.resize(orders.size());
   std::ranges::transform(orders, station.orders.begin(),
                          [](std::byte order) { return std::to_integer<unsigned char>(order); });
   const bool derivatives = (cells.flags & station_has_derivatives) != 0;
   require_whole(from.left() == (derivatives ? 3 : 1) * cells.nodes * stored_floats(station) * bytes_a_number,
-                "unexpected size", place);
+                "unexpected size", location);
   make_room(station, cells.nodes, derivatives);
   for_each_component(station, [&](std::vector<float>& nodes, std::size_t component) {
     read_planes(from, nodes, component, floats_a_node);
   });
   for (const DiskStation::NodeSets* sets : {&station.nodes, &station.nodes_along_r, &station.nodes_along_theta}) {
-    require_whole(std::ranges::all_of(*sets, all_finite), "a non-finite number", place);
+    require_whole(std::ranges::all_of(*sets, all_finite), "a non-finite number", location);
   }
   return station;
 }
@@ -177,34 +178,35 @@ Bytes make_disk_frame(std::uint32_t number, double time_s, const DiskStation& di
   return make_frame(FrameKind::disk, number, payload.bytes(), packed.unpacked_bytes);
 }
 
-Bytes renumbered(std::span<const std::byte> frame, std::uint32_t number, const std::string& place) {
-  const FrameHeader header = parse_frame_header(frame, place);
-  return make_frame(header.kind, number, checked_payload(frame, header.kind, place), header.unpacked_bytes);
+Bytes renumbered(std::span<const std::byte> frame, std::uint32_t number, const std::string& location) {
+  const FrameHeader header = parse_frame_header(frame, location);
+  return make_frame(header.kind, number, checked_payload(frame, header.kind, location), header.unpacked_bytes);
 }
 
-StationSummary parse_summary(std::span<const std::byte> frame, const std::string& place) {
-  ByteReader from(checked_payload(frame, FrameKind::station, place), place);
+StationSummary parse_summary(std::span<const std::byte> frame, const std::string& location) {
+  ByteReader from(checked_payload(frame, FrameKind::station, location), location);
   return read_summary(from);
 }
 
-LensStation parse_station(std::span<const std::byte> frame, const std::string& place) {
-  ByteReader from(checked_payload(frame, FrameKind::station, place), place);
+LensStation parse_station(std::span<const std::byte> frame, const std::string& location) {
+  ByteReader from(checked_payload(frame, FrameKind::station, location), location);
   const StationSummary summary = read_summary(from);
-  LensStation station = unpack_station(from.take(from.left()), parse_frame_header(frame, place).unpacked_bytes, place);
+  LensStation station =
+      unpack_station(from.take(from.left()), parse_frame_header(frame, location).unpacked_bytes, location);
   if (station.r != summary.r || station.theta != summary.theta) {
-    throw Error(place, "is damaged (position)", "bake it again");
+    throw Error(location, "is damaged (position)", "bake it again");
   }
   return station;
 }
 
-double parse_disk_time(std::span<const std::byte> frame, const std::string& place) {
-  return ByteReader(checked_payload(frame, FrameKind::disk, place), place).number<double>();
+double parse_disk_time(std::span<const std::byte> frame, const std::string& location) {
+  return ByteReader(checked_payload(frame, FrameKind::disk, location), location).number<double>();
 }
 
-DiskStation parse_disk(std::span<const std::byte> frame, const std::string& place) {
-  ByteReader from(checked_payload(frame, FrameKind::disk, place), place);
+DiskStation parse_disk(std::span<const std::byte> frame, const std::string& location) {
+  ByteReader from(checked_payload(frame, FrameKind::disk, location), location);
   from.number<double>();
-  return unpack_disk(from.take(from.left()), parse_frame_header(frame, place).unpacked_bytes, place);
+  return unpack_disk(from.take(from.left()), parse_frame_header(frame, location).unpacked_bytes, location);
 }
 
 }  // namespace ergodome

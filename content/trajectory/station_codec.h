@@ -15,12 +15,13 @@ namespace ergodome {
 //! Returns a station as the compressed payload of its frame.
 PackedBytes pack_station(const LensStation& station);
 
-//! Decodes a station from a payload. Accepts untrusted data: throws Error, which names `place`, for
-//! anything that kernels could not read safely.
-LensStation unpack_station(std::span<const std::byte> packed, std::uint64_t unpacked_bytes, const std::string& place);
+//! Decodes a station from a payload. Accepts untrusted data: throws Error, which names `location`,
+//! for anything that kernels could not read safely.
+LensStation unpack_station(std::span<const std::byte> packed, std::uint64_t unpacked_bytes,
+                           const std::string& location);
 
 //! Decodes a station from uncompressed bytes in the same way.
-LensStation parse_station_layout(std::span<const std::byte> raw, const std::string& place);
+LensStation parse_station_layout(std::span<const std::byte> raw, const std::string& location);
 
 //! Returns the uncompressed bytes of a station.
 Bytes station_layout(const LensStation& station);
@@ -28,12 +29,12 @@ Bytes station_layout(const LensStation& station);
 //! Returns a station's disk layers as the compressed payload of their frame.
 PackedBytes pack_disk(const DiskStation& station);
 
-//! Decodes disk layers from a payload. Accepts untrusted data: throws Error, which names `place`,
-//! for anything that kernels could not read safely.
-DiskStation unpack_disk(std::span<const std::byte> packed, std::uint64_t unpacked_bytes, const std::string& place);
+//! Decodes disk layers from a payload. Accepts untrusted data: throws Error, which names
+//! `location`, for anything that kernels could not read safely.
+DiskStation unpack_disk(std::span<const std::byte> packed, std::uint64_t unpacked_bytes, const std::string& location);
 
 //! Decodes disk layers from uncompressed bytes in the same way.
-DiskStation parse_disk_layout(std::span<const std::byte> raw, const std::string& place);
+DiskStation parse_disk_layout(std::span<const std::byte> raw, const std::string& location);
 
 //! Returns the uncompressed bytes of disk layers.
 Bytes disk_layout(const DiskStation& station);
@@ -54,13 +55,13 @@ Bytes make_station_frame(std::uint32_t number, double time_s, const LensStation&
 Bytes make_disk_frame(std::uint32_t number, double time_s, const DiskStation& disk);
 
 //! Returns a station's or disk's frame with another number and an unchanged payload.
-Bytes renumbered(std::span<const std::byte> frame, std::uint32_t number, const std::string& place);
+Bytes renumbered(std::span<const std::byte> frame, std::uint32_t number, const std::string& location);
 
-//! Parse frames. Throw Error, which names `place`, if the frame is damaged. parse_summary() and
+//! Parse frames. Throw Error, which names `location`, if the frame is damaged. parse_summary() and
 //! parse_disk_time() do not decompress it.
-StationSummary parse_summary(std::span<const std::byte> frame, const std::string& place);
-LensStation parse_station(std::span<const std::byte> frame, const std::string& place);
-double parse_disk_time(std::span<const std::byte> frame, const std::string& place);
-DiskStation parse_disk(std::span<const std::byte> frame, const std::string& place);
+StationSummary parse_summary(std::span<const std::byte> frame, const std::string& location);
+LensStation parse_station(std::span<const std::byte> frame, const std::string& location);
+double parse_disk_time(std::span<const std::byte> frame, const std::string& location);
+DiskStation parse_disk(std::span<const std::byte> frame, const std::string& location);
 
 }  // namespace ergodome

@@ -32,7 +32,7 @@ MissedGaps missed_gaps(const std::vector<StationEntry>& stations, double limit_p
   return missed;
 }
 
-std::string station_place(const std::filesystem::path& file, std::size_t station) {
+std::string station_position(const std::filesystem::path& file, std::size_t station) {
   return fmt::format("{}: station {}", file.string(), station + 1);
 }
 
@@ -47,8 +47,8 @@ Bytes to_bytes(const TrajectoryProvenance& provenance) {
   return to.take();
 }
 
-TrajectoryProvenance parse_provenance(std::span<const std::byte> payload, const std::string& place) {
-  ByteReader from(payload, place);
+TrajectoryProvenance parse_provenance(std::span<const std::byte> payload, const std::string& location) {
+  ByteReader from(payload, location);
   TrajectoryProvenance provenance;
   provenance.spacetime = Spacetime{from.number<double>()};
   provenance.pixel = from.number<double>();
@@ -59,7 +59,7 @@ TrajectoryProvenance parse_provenance(std::span<const std::byte> payload, const 
   provenance.code_version = from.text();
   provenance.show_text = from.text();
   if (!(std::abs(provenance.spacetime.spin) <= 1.0 && provenance.pixel > 0.0 && provenance.budget_px > 0.0)) {
-    throw Error(place, "is damaged (provenance)", "bake it again");
+    throw Error(location, "is damaged (provenance)", "bake it again");
   }
   return provenance;
 }
@@ -73,8 +73,8 @@ Bytes to_bytes(const Gap& gap) {
   return to.take();
 }
 
-Gap parse_gap(std::span<const std::byte> payload, const std::string& place) {
-  ByteReader from(payload, place);
+Gap parse_gap(std::span<const std::byte> payload, const std::string& location) {
+  ByteReader from(payload, location);
   const auto begin_s = from.number<double>();
   const auto end_s = from.number<double>();
   const auto error_px = from.number<float>();
@@ -99,8 +99,8 @@ Bytes to_bytes(const std::vector<StationEntry>& index) {
   return to.take();
 }
 
-std::vector<StationEntry> parse_index(std::span<const std::byte> payload, const std::string& place) {
-  ByteReader from(payload, place);
+std::vector<StationEntry> parse_index(std::span<const std::byte> payload, const std::string& location) {
+  ByteReader from(payload, location);
   std::vector<StationEntry> index(payload.size() / entry_bytes);
   double before_s = -INFINITY;
   for (StationEntry& entry : index) {
@@ -117,7 +117,7 @@ std::vector<StationEntry> parse_index(std::span<const std::byte> payload, const 
     entry.disk_gap_error_px = from.number<float>();
     if (!(entry.time_s > before_s && std::isfinite(entry.time_s) && entry.r > 0.0 && entry.r < 1e9 &&
           std::isfinite(entry.theta))) {
-      throw Error(place, "is damaged (index)", "bake it again");
+      throw Error(location, "is damaged (index)", "bake it again");
     }
     before_s = entry.time_s;
   }

@@ -69,15 +69,15 @@ struct MissedGaps {
 MissedGaps missed_gaps(const std::vector<StationEntry>& stations, double limit_px);
 
 //! Returns the name of a station in a trajectory file for messages.
-std::string station_place(const std::filesystem::path& file, std::size_t station);
+std::string station_position(const std::filesystem::path& file, std::size_t station);
 
 Bytes to_bytes(const TrajectoryProvenance& provenance);
-TrajectoryProvenance parse_provenance(std::span<const std::byte> payload, const std::string& place);
+TrajectoryProvenance parse_provenance(std::span<const std::byte> payload, const std::string& location);
 
 Bytes to_bytes(const Gap& gap);
-Gap parse_gap(std::span<const std::byte> payload, const std::string& place);
+Gap parse_gap(std::span<const std::byte> payload, const std::string& location);
 
 Bytes to_bytes(const std::vector<StationEntry>& index);
-std::vector<StationEntry> parse_index(std::span<const std::byte> payload, const std::string& place);
+std::vector<StationEntry> parse_index(std::span<const std::byte> payload, const std::string& location);
 
 }  // namespace ergodome

@@ -61,24 +61,24 @@ void TrajectoryJournal::scan() {
 }
 
 bool TrajectoryJournal::take_frame(std::uint64_t offset, std::uint64_t end, std::uint64_t& next) {
-  const std::string place = fmt::format("{}: byte {}", file_.path().string(), offset);
+  const std::string location = fmt::format("{}: byte {}", file_.path().string(), offset);
   if (end - offset < frame_header_bytes) {
     return false;
   }
   try {
-    const FrameHeader header = parse_frame_header(file_.read(offset, frame_header_bytes, place), place);
+    const FrameHeader header = parse_frame_header(file_.read(offset, frame_header_bytes, location), location);
     const std::uint64_t bytes = frame_header_bytes + header.payload_bytes;
     if (bytes > end - offset) {
       return false;
     }
-    const Bytes frame = file_.read(offset, bytes, place);
+    const Bytes frame = file_.read(offset, bytes, location);
     if (header.kind == FrameKind::gap) {
-      const Gap gap = parse_gap(checked_payload(frame, FrameKind::gap, place), place);
+      const Gap gap = parse_gap(checked_payload(frame, FrameKind::gap, location), location);
       gaps_.try_emplace({gap.begin_s, gap.end_s}, gap);
     } else if (header.kind == FrameKind::disk) {
-      disks_.try_emplace(parse_disk_time(frame, place), Place{offset, bytes});
+      disks_.try_emplace(parse_disk_time(frame, location), FileRange{offset, bytes});
     } else {
-      stations_.try_emplace(parse_summary(frame, place).time_s, Place{offset, bytes});
+      stations_.try_emplace(parse_summary(frame, location).time_s, FileRange{offset, bytes});
     }
     next = offset + bytes;
     return true;
@@ -91,8 +91,8 @@ std::string TrajectoryJournal::station_name(double time_s) const {
   return fmt::format("{}: station at {} s", file_.path().string(), time_s);
 }
 
-Bytes TrajectoryJournal::frame_at(const Place& place) const {
-  return file_.read(place.offset, place.bytes, file_.path().string());
+Bytes TrajectoryJournal::frame_at(const FileRange& position) const {
+  return file_.read(position.offset, position.bytes, file_.path().string());
 }
 
 LensStation TrajectoryJournal::read(double time_s) const {
@@ -103,10 +103,10 @@ DiskStation TrajectoryJournal::read_disk(double time_s) const {
   return parse_disk(frame_at(disks_.at(time_s)), station_name(time_s));
 }
 
-void TrajectoryJournal::append_to(Places& places, double time_s, const Bytes& frame) {
+void TrajectoryJournal::append_to(FileRanges& ranges, double time_s, const Bytes& frame) {
   const std::uint64_t offset = file_.size();
   file_.append(frame);
-  places.try_emplace(time_s, Place{offset, frame.size()});
+  ranges.try_emplace(time_s, FileRange{offset, frame.size()});
 }
 
 void TrajectoryJournal::add(double time_s, const LensStation& station) {
@@ -128,10 +128,10 @@ void TrajectoryJournal::add(const Gap& gap) {
 }
 
 void TrajectoryJournal::absorb(const TrajectoryJournal& other) {
-  const auto take = [&](const Places& from, Places& to) {
-    for (const auto& [time_s, place] : from) {
+  const auto take = [&](const FileRanges& from, FileRanges& to) {
+    for (const auto& [time_s, location] : from) {
       if (!to.contains(time_s)) {
-        append_to(to, time_s, other.frame_at(place));
+        append_to(to, time_s, other.frame_at(location));
       }
     }
   };
@@ -145,9 +145,9 @@ void TrajectoryJournal::absorb(const TrajectoryJournal& other) {
 }
 
 StationEntry TrajectoryJournal::entry_at(double time_s, const double* next_s) const {
-  const std::string place = station_name(time_s);
+  const std::string location = station_name(time_s);
   const Bytes frame = frame_at(stations_.at(time_s));
-  const StationSummary summary = parse_summary(frame, place);
+  const StationSummary summary = parse_summary(frame, location);
   StationEntry entry;
   entry.time_s = time_s;
   entry.r = summary.r;
@@ -162,7 +162,7 @@ StationEntry TrajectoryJournal::entry_at(double time_s, const double* next_s) co
   if (const auto disk = disks_.find(time_s); disk != disks_.end()) {
     const Bytes layers = frame_at(disk->second);
     entry.disk_bytes = static_cast<std::uint32_t>(layers.size());
-    entry.disk_memory_bytes = static_cast<std::uint32_t>(parse_frame_header(layers, place).unpacked_bytes);
+    entry.disk_memory_bytes = static_cast<std::uint32_t>(parse_frame_header(layers, location).unpacked_bytes);
   }
   return entry;
 }
@@ -177,8 +177,8 @@ void TrajectoryJournal::seal(const std::filesystem::path& path, const std::vecto
       StationEntry& entry =
           index.emplace_back(entry_at(times_s[i], i + 1 < times_s.size() ? &times_s[i + 1] : nullptr));
       entry.offset = to.bytes;
-      for (const Places* places : {&stations_, &disks_}) {
-        if (const auto found = places->find(times_s[i]); found != places->end()) {
+      for (const FileRanges* ranges : {&stations_, &disks_}) {
+        if (const auto found = ranges->find(times_s[i]); found != ranges->end()) {
           to.write(renumbered(frame_at(found->second), static_cast<std::uint32_t>(i), station_name(times_s[i])));
         }
       }

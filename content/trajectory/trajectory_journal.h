@@ -43,23 +43,23 @@ class TrajectoryJournal {
   void seal(const std::filesystem::path& path, const std::vector<double>& times_s) const;
 
  private:
-  struct Place {
+  struct FileRange {
     std::uint64_t offset;
     std::uint64_t bytes;
   };
-  using Places = std::map<double, Place>;
+  using FileRanges = std::map<double, FileRange>;
 
   void scan();
   bool take_frame(std::uint64_t offset, std::uint64_t end, std::uint64_t& next);
   [[nodiscard]] std::string station_name(double time_s) const;
-  [[nodiscard]] Bytes frame_at(const Place& place) const;
+  [[nodiscard]] Bytes frame_at(const FileRange& position) const;
   [[nodiscard]] StationEntry entry_at(double time_s, const double* next_s) const;
-  void append_to(Places& places, double time_s, const Bytes& frame);
+  void append_to(FileRanges& ranges, double time_s, const Bytes& frame);
 
   DataFile file_;
   TrajectoryProvenance provenance_;
-  Places stations_;
-  Places disks_;
+  FileRanges stations_;
+  FileRanges disks_;
   std::map<std::pair<double, double>, Gap> gaps_;
 };
 

@@ -30,7 +30,7 @@ class TrajectoryReader {
   [[nodiscard]] DiskStation read_disk(std::size_t station) const;
 
  private:
-  [[nodiscard]] Bytes frame_at(std::uint64_t offset, std::uint64_t bytes, const std::string& place) const;
+  [[nodiscard]] Bytes frame_at(std::uint64_t offset, std::uint64_t bytes, const std::string& location) const;
 
   DataFile file_;
   TrajectoryProvenance provenance_;

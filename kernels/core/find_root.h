@@ -13,7 +13,7 @@ namespace ergodome::inline ERGO_TARGET {
 //! Engineering Software 28 (1997) 145.
 template <class Function>
 ERGO_HD double find_root(double low, double high, const Function& function) {
-  constexpr int most_rounds = 120;
+  constexpr int max_rounds = 120;
   double a = low;
   double b = high;
   double value_a = function(a);
@@ -26,7 +26,7 @@ ERGO_HD double find_root(double low, double high, const Function& function) {
   }
   double share = 0.5;
   double best = a;
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < max_rounds; ++round) {
     const double x = a + share * (b - a);
     const double value = function(x);
     const bool with_a = (value > 0.0) == (value_a > 0.0);

@@ -31,23 +31,23 @@ struct CheckDiskGrid {
     const bool over = cells.mirrored != 0 && gamma_turns > 0.5F;
     const float turns = over ? 1.0F - gamma_turns : gamma_turns;
     const Leaf leaf = find_leaf(cells, turns, s);
-    const LeafPlace at = place_in(leaf, turns, s);
+    const LeafPosition at = position_in(leaf, turns, s);
     const unsigned orders = batch.grid.orders[leaf.number];
     const DiskMiss<WithPattern> miss = {batch.camera, batch.span};
     bool near = false;
     for (int order = 0; order < crossing_orders; ++order) {
       const float u = lane(rays.layers[order].u, i);
       const bool seen = u > batch.span.outer_u && u < batch.span.inner_u;
-      const bool told = (orders >> static_cast<unsigned>(order) & 1U) != 0U;
-      near = near || seen || told;
-      if (told && !leaf.flagged) {
+      const bool crossed = (orders >> static_cast<unsigned>(order) & 1U) != 0U;
+      near = near || seen || crossed;
+      if (crossed && !leaf.flagged) {
         PatchValue value = patch_value(batch.grid.nodes[WithPattern ? order : 0], cells.leaves + 4 * leaf.number, at.u,
                                        at.v, leaf.width_turns, leaf.height);
         // The grid covers only half a turn; in the other half, which is its mirror image, γ
         // increases in the opposite direction.
         value.along_gamma = (over ? -1.0F : 1.0F) * value.along_gamma;
         error_px = maximum(error_px, miss.of(value, order, rays.layers[order], i, rays.screen(i)));
-      } else if (seen && !told) {
+      } else if (seen && !crossed) {
         error_px = unknown_disk_error;
       }
     }

@@ -133,9 +133,9 @@ ERGO_HD NearRay<T> off_the_plane(const NearRay<T>& ray) {
   using S = ScalarOf<T>;
   using Real = RealOf<T>;
   const Real zero(S(0));
-  const Real least = S(sizeof(S) == 4 ? 1e-2 : 1e-4) * safe_sqrt(maximum(value_of(ray.polar_constant), zero));
+  const Real min_value = S(sizeof(S) == 4 ? 1e-2 : 1e-4) * safe_sqrt(maximum(value_of(ray.polar_constant), zero));
   const Real rate = value_of(ray.m_rate.z);
-  const Real lift = select(rate < zero, minimum(rate, -least), maximum(rate, least)) - rate;
+  const Real lift = select(rate < zero, minimum(rate, -min_value), maximum(rate, min_value)) - rate;
   const auto within = absolute(value_of(ray.m.z)) < Real(std::numeric_limits<S>::min());
   NearRay<T> lifted = ray;
   lifted.m_rate.z = ray.m_rate.z + select(within, lift, zero);

@@ -21,7 +21,7 @@ struct EquatorialCrossing {
 namespace detail {
 
 constexpr NearParts disk_parts(bool with_delay) {
-  return with_delay ? NearParts::azimuth_and_delay : NearParts::place_alone;
+  return with_delay ? NearParts::azimuth_and_delay : NearParts::position_alone;
 }
 
 //! Stores a crossing in the lanes of a mask.

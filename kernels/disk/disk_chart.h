@@ -17,17 +17,17 @@ namespace ergodome::inline ERGO_TARGET {
 
 //! Position of a direction in the chart, with its derivatives.
 template <class T>
-struct DiskPlace {
+struct DiskPosition {
   Dual<T> gamma_turns;  //!< in [0, 1)
   Dual<T> s;
 };
 
 //! Returns the position in the chart of a unit direction in the rain frame.
 template <class T>
-ERGO_HD DiskPlace<T> disk_place(const EdgeCurve& edge, const Vector3<Dual<T>>& n) {
+ERGO_HD DiskPosition<T> disk_position(const EdgeCurve& edge, const Vector3<Dual<T>>& n) {
   using S = ScalarOf<T>;
   using D = Dual<T>;
-  const auto [gamma, alpha, edge_alpha] = polar_place(edge, n);
+  const auto [gamma, alpha, edge_alpha] = polar_position(edge, n);
   const D half_turn(T(S(3.14159265358979323846)));
   const D from_centre = alpha * (half_turn - edge_alpha);
   const D s = from_centre / (from_centre + edge_alpha * (half_turn - alpha));
@@ -55,7 +55,7 @@ ERGO_HD MixedDual<T> disk_polar_angle(const EdgeCurve& edge, const T& gamma_turn
 
 //! Position of one lane in the cells of a disk's grid, with its derivatives along the image's rows
 //! and columns.
-struct DiskLanePlace {
+struct DiskLanePosition {
   float gamma_turns;
   float s;
   float gamma_along_x, gamma_along_y;
@@ -74,16 +74,16 @@ struct DiskLanePlace {
 //! Returns the position of lane `i`. If the grid covers only half of the sky, positions in the
 //! other half are mirrored to -γ.
 template <class T>
-ERGO_HD DiskLanePlace disk_lane_place(const LensGrid& cells, const DiskPlace<T>& place, int i) {
-  const float turns = lane(place.gamma_turns.value, i);
+ERGO_HD DiskLanePosition disk_lane_position(const LensGrid& cells, const DiskPosition<T>& position, int i) {
+  const float turns = lane(position.gamma_turns.value, i);
   const bool over = cells.mirrored != 0 && turns > 0.5F;
   const float side = over ? -1.0F : 1.0F;
   return {over ? 1.0F - turns : turns,
-          lane(place.s.value, i),
-          side * lane(place.gamma_turns.along_x, i),
-          side * lane(place.gamma_turns.along_y, i),
-          lane(place.s.along_x, i),
-          lane(place.s.along_y, i)};
+          lane(position.s.value, i),
+          side * lane(position.gamma_turns.along_x, i),
+          side * lane(position.gamma_turns.along_y, i),
+          lane(position.s.along_x, i),
+          lane(position.s.along_y, i)};
 }
 
 }  // namespace ergodome::inline ERGO_TARGET

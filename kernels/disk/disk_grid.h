@@ -33,9 +33,9 @@ struct DiskSpanOnScreen {
   float inner_u;
   //! An error of 1/r is converted to pixels by dividing it by the change of 1/r across a pixel, but
   //! at least by this.
-  float least_change;
+  float min_change;
   //! The same for the pattern: minimum change of its azimuth across a pixel [rad].
-  float least_turn;
+  float min_turn;
 };
 
 //! The camera of all kernels that trace a disk's grid, in the rain frame at φ = 0.

@@ -65,8 +65,8 @@ struct TraceDiskNodes {
 
   //! Discards the crossing of a node whose distance is unknown; the checks then detect the error.
   ERGO_HD void forget(int node, int order) const {
-    float* const place = batch.nodes[WithPattern ? order : 0] + floats_a_node * static_cast<long>(node);
-    put(place + (WithPattern ? 0 : order), M(T(0.0F)), 0, batch.camera.limits.lowest_u);
+    float* const position = batch.nodes[WithPattern ? order : 0] + floats_a_node * static_cast<long>(node);
+    put(position + (WithPattern ? 0 : order), M(T(0.0F)), 0, batch.camera.limits.lowest_u);
   }
 
   ERGO_HD static bool is_number(const M& a, int i) {
@@ -107,7 +107,7 @@ struct CheckDiskCells {
     T gamma_turns(0.0F);
     T s(0.0F);
     for (int i = 0; i < lanes; ++i) {
-      const CellPlace at = place_of(first + i < batch.count ? first + i : batch.count - 1);
+      const CellPosition at = position_of(first + i < batch.count ? first + i : batch.count - 1);
       set_lane(gamma_turns, i, at.gamma_turns);
       set_lane(s, i, at.s);
     }
@@ -126,14 +126,14 @@ struct CheckDiskCells {
   static constexpr float noise = 4e-7F;
 
   //! Position of a check in its cell and in the chart.
-  struct CellPlace {
+  struct CellPosition {
     float u;
     float v;
     float gamma_turns;
     float s;
   };
 
-  ERGO_HD CellPlace place_of(int check) const {
+  ERGO_HD CellPosition position_of(int check) const {
     const GridCell& cell = batch.cells[check / checks_a_cell];
     const int which = check % checks_a_cell;
     const float inner = which == 0 ? inner_check : 1.0F - inner_check;
@@ -147,7 +147,7 @@ struct CheckDiskCells {
   //! over all orders.
   ERGO_HD float compare(int check, int i, const RaysOfDiskChart<T, WithPattern>& rays) const {
     const GridCell& cell = batch.cells[check / checks_a_cell];
-    const CellPlace at = place_of(check);
+    const CellPosition at = position_of(check);
     const auto patch = [&](const float* nodes) {
       return patch_value(nodes, cell.corners, at.u, at.v, cell.width_turns, cell.height);
     };

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/disk/disk_look.h"
+#include "kernels/disk/disk_appearance.h"
 #include "kernels/disk/equatorial_crossings.h"
 
 // Light of the disk as a pixel sees it.
@@ -10,8 +10,8 @@ namespace detail {
 
 //! Returns ln T at a radius.
 ERGO_HD float log_temperature_at(const DiskProfileTable& table, float r) {
-  const float place = sqrt(maximum(1.0F - table.first_r / r, 0.0F)) / table.step;
-  const float clamped = minimum(place, static_cast<float>(table.count - 1));
+  const float position = sqrt(maximum(1.0F - table.first_r / r, 0.0F)) / table.step;
+  const float clamped = minimum(position, static_cast<float>(table.count - 1));
   const int i = static_cast<int>(clamped) < table.count - 1 ? static_cast<int>(clamped) : table.count - 2;
   const float t = clamped - static_cast<float>(i);
   const float temperature = table.temperature[i] + t * (table.temperature[i + 1] - table.temperature[i]);
@@ -42,9 +42,9 @@ ERGO_HD DiskSpan disk_span(float inner_r, float outer_r, float u, float width) {
 //! Returns whether a pixel may contain images that are finer than itself. `change`: of 1/r across
 //! the pixel. Next to the critical curve the image of each order is thinner than that of the order
 //! before, by a factor of about e^π without spin.
-ERGO_HD bool holds_finer(const DiskLook& look, float change) {
+ERGO_HD bool holds_finer(const DiskAppearance& appearance, float change) {
   constexpr float fine_change = 0.25F;  // fraction of the disk's whole range of 1/r
-  return change > fine_change * (1.0F / look.inner_r - 1.0F / look.outer_r);
+  return change > fine_change * (1.0F / appearance.inner_r - 1.0F / appearance.outer_r);
 }
 
 //! A crossing as one pixel sees it.
@@ -69,26 +69,28 @@ struct PhotonConstants {
 //!
 //! Intensity over the cube of the frequency is constant along a ray, so a blackbody of temperature
 //! T is seen as one of temperature g T; this includes both shift and beaming.
-ERGO_HD Vector3<float> disk_light(const DiskLook& look, const PhotonConstants& photon, const SeenCrossing& at) {
+ERGO_HD Vector3<float> disk_light(const DiskAppearance& appearance, const PhotonConstants& photon,
+                                  const SeenCrossing& at) {
   const float r = at.r;
-  const float frequency =
-      disk_frequency(look.flow, {r, photon.energy, photon.axial_angular_momentum, photon.shear_constant, at.outwards});
+  const float frequency = disk_frequency(
+      appearance.flow, {r, photon.energy, photon.axial_angular_momentum, photon.shear_constant, at.outwards});
   // Linear extrapolation across a pixel may give a radius at which this light cannot exist. The
   // frequency is then 0 or too small, and the light is treated as dark.
   const float g = frequency > 1e-30F ? 1.0F / frequency : 0.0F;
-  const float shift = look.shifted ? ::logf(maximum(g, 1e-30F)) : 0.0F;
-  const Vector3<float> seen = read_blackbody(look.colours, detail::log_temperature_at(look.profile, r) + shift);
-  float luminance = look.exposure * ::expf(minimum(seen.x - look.log_unit, 80.0F));
-  if (look.limb_darkened) {
+  const float shift = appearance.shifted ? ::logf(maximum(g, 1e-30F)) : 0.0F;
+  const Vector3<float> seen =
+      read_blackbody(appearance.colours, detail::log_temperature_at(appearance.profile, r) + shift);
+  float luminance = appearance.exposure * ::expf(minimum(seen.x - appearance.log_unit, 80.0F));
+  if (appearance.limb_darkened) {
     // Cosine of the emission angle: p_θ over the emitted energy. I = (1 + 2.06 μ) / 2.37 of the
     // mean (Chandrasekhar 1950).
     const float cosine = minimum(g * safe_sqrt(photon.carter) / r, 1.0F);
     luminance *= (1.0F + 2.06F * cosine) / (1.0F + 2.06F * 2.0F / 3.0F);
   }
-  if (look.contrast > 0.0F) {
-    const float rotation = 1.0F / (r * sqrt(r) + look.flow.spin);
-    const float clouds = disk_pattern(look.pattern, r, at.phi, rotation, at.delay, at.blur);
-    luminance *= ::expf(look.contrast * clouds);
+  if (appearance.contrast > 0.0F) {
+    const float rotation = 1.0F / (r * sqrt(r) + appearance.flow.spin);
+    const float clouds = disk_pattern(appearance.pattern, r, at.phi, rotation, at.delay, at.blur);
+    luminance *= ::expf(appearance.contrast * clouds);
   }
   return displayable(linear_srgb(Vector3<float>{seen.y, 1.0F, seen.z}), luminance);
 }

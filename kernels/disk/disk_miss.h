@@ -68,12 +68,12 @@ struct RaysOfDiskChart {
     sine_cosine(alpha.value, sine, cosine);
     done = detail::trace_grid_layers<detail::disk_parts(WithPattern)>(camera, direction, layers);
     // At the chart's poles, derivatives along γ are only rounding errors.
-    least_sine_ = 0.02F * camera.grid.chart.edge.smallest;
+    min_sine_ = 0.02F * camera.grid.chart.edge.smallest;
   }
 
   [[nodiscard]] ERGO_HD DiskScreen screen(int i) const {
     return {lane(scale, i), lane(alpha.along_x, i), 1.0F / lane(alpha.along_y, i),
-            0.159154943F / maximum(::fabsf(lane(sine, i)), least_sine_)};
+            0.159154943F / maximum(::fabsf(lane(sine, i)), min_sine_)};
   }
 
   //! Returns the area on the screen [px²] of a chart area of one turn of γ times one unit of s,
@@ -83,7 +83,7 @@ struct RaysOfDiskChart {
   }
 
  private:
-  float least_sine_;
+  float min_sine_;
 };
 
 //! Compares a grid's values for the crossing of one order with those of a traced ray.
@@ -116,7 +116,7 @@ struct DiskMiss {
     if ((u < low && traced < low) || (u > high && traced > high)) {
       return 0.0F;
     }
-    float error = ::fabsf(u - traced) / maximum(across, span.least_change);
+    float error = ::fabsf(u - traced) / maximum(across, span.min_change);
     if constexpr (WithPattern) {
       error = maximum(error, pattern_error(read, layer, i, screen));
     }
@@ -150,7 +150,7 @@ struct DiskMiss {
              wound * winding_rate(horizon, u) * quad_part(along, 0);
     };
     const float change = screen.across_pixel(rate(read.along_gamma), rate(read.along_s));
-    return missed / maximum(change, span.least_turn);
+    return missed / maximum(change, span.min_turn);
   }
 };
 

@@ -17,15 +17,16 @@ class DiskSight {
   using Mask = MaskOf<T>;
 
   //! `pixel`: width of what each ray represents, as a fraction of a pixel.
-  ERGO_HD DiskSight(const CameraStationOf<S>& camera, const DiskLook& look, const NearLimits<S>& limits,
+  ERGO_HD DiskSight(const CameraStationOf<S>& camera, const DiskAppearance& appearance, const NearLimits<S>& limits,
                     const NearRay<D>& ray, S pixel)
-      : camera_(camera), look_(look), limits_(limits), ray_(ray), pixel_(pixel) {}
+      : camera_(camera), appearance_(appearance), limits_(limits), ray_(ray), pixel_(pixel) {}
 
   //! Finds the crossings that the lanes of a mask see.
   ERGO_HD void trace(const Mask& lanes) {
-    const Mask wanted = lanes & may_reach(camera_.spin, ray_, look_.outer_r);
+    const Mask wanted = lanes & may_reach(camera_.spin, ray_, appearance_.outer_r);
     // No light turns back to the hole from beyond its photon orbits.
-    const CrossingLimits<S> limits = {minimum(S(0.5) / look_.outer_r, S(0.22)), limits_.tolerance, limits_.step_limit};
+    const CrossingLimits<S> limits = {minimum(S(0.5) / appearance_.outer_r, S(0.22)), limits_.tolerance,
+                                      limits_.step_limit};
     trace_crossings<near_order, false>(camera_.spin, ray_, limits, wanted, crossings_);
     if constexpr (WithPattern) {
       trace_pattern(limits, wanted);
@@ -42,7 +43,7 @@ class DiskSight {
   //! seen so far.
   ERGO_HD void compose(int order, int i, SeenLanes<T>& seen) const {
     SeenCrossing at = seen_at(crossings_[order], i);
-    const float opacity = look_.opacity * at.coverage;
+    const float opacity = appearance_.opacity * at.coverage;
     // Also true for a NaN opacity, which then hides nothing.
     if (!(opacity > 0.0F)) {
       return;
@@ -58,14 +59,14 @@ class DiskSight {
                ::atan2f(camera_.sine_phi, camera_.cosine_phi);
       at.delay = lane(there.delay, i);
     }
-    put_behind(opacity * disk_light(look_, photon, at), opacity, i, seen);
+    put_behind(opacity * disk_light(appearance_, photon, at), opacity, i, seen);
   }
 
   //! Returns whether images may be finer than what the ray of lane `i` represents.
   ERGO_HD bool is_fine(int i) const {
     bool fine = false;
     for (const EquatorialCrossing<D>& crossing : crossings_) {
-      fine = fine || (is_crossing(crossing, i) && holds_finer(look_, change(crossing, i)));
+      fine = fine || (is_crossing(crossing, i) && holds_finer(appearance_, change(crossing, i)));
     }
     return fine;
   }
@@ -86,7 +87,8 @@ class DiskSight {
   //! Returns the part of the disk that lane `i` sees at a crossing.
   ERGO_HD SeenCrossing seen_at(const EquatorialCrossing<D>& crossing, int i) const {
     const float width = pixel_ * change(crossing, i);
-    const detail::DiskSpan span = detail::disk_span(look_.inner_r, look_.outer_r, lane(crossing.u.value, i), width);
+    const detail::DiskSpan span =
+        detail::disk_span(appearance_.inner_r, appearance_.outer_r, lane(crossing.u.value, i), width);
     return {span.coverage, span.r, width * span.r, lane(crossing.u_rate.value, i) > 0.0F, 0.0F, 0.0F};
   }
 
@@ -94,9 +96,10 @@ class DiskSight {
   //! its pixel sees (by linear extrapolation) is at a radius where its light cannot exist. Only
   //! happens with disks that reach inside the innermost stable orbit.
   ERGO_HD bool comes_from_behind(int order, int i, const PhotonConstants& photon, const SeenCrossing& at) const {
-    return look_.inner_r < look_.flow.stable_r && lane(crossings_[order].u.value, i) * camera_.horizon_r > S(1) &&
-           !can_be_there<float>(look_.flow.spin, {at.r, photon.energy, photon.axial_angular_momentum,
-                                                  photon.shear_constant, at.outwards});
+    return appearance_.inner_r < appearance_.flow.stable_r &&
+           lane(crossings_[order].u.value, i) * camera_.horizon_r > S(1) &&
+           !can_be_there<float>(appearance_.flow.spin, {at.r, photon.energy, photon.axial_angular_momentum,
+                                                        photon.shear_constant, at.outwards});
   }
 
   //! Traces azimuth and time at the crossings of those lanes that see the disk.
@@ -113,7 +116,7 @@ class DiskSight {
   }
 
   const CameraStationOf<S>& camera_;
-  const DiskLook& look_;
+  const DiskAppearance& appearance_;
   NearLimits<S> limits_;
   const NearRay<D>& ray_;
   S pixel_;

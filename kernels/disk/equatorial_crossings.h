@@ -25,8 +25,8 @@ namespace detail {
 template <class S>
 struct CrossingBounds {
   S horizon_r;
-  S least_u;  //!< only crossings with u between least_u and greatest_u count
-  S greatest_u;
+  S min_u;  //!< only crossings with u between min_u and max_u count
+  S max_u;
   S innermost_u;  //!< rays end at this u
   S outermost_u;  //!< outgoing rays end at this u
 };
@@ -102,8 +102,8 @@ ERGO_HD MaskOf<RealOf<T>> trace_crossings(ScalarOf<T> spin, const NearRay<T>& ra
       const auto leaving = (value_of(s.u[1]) < zero) & (value_of(s.u[0]) < Real(limits.outermost_u));
       const auto back = leaving & (value_of(crossing.u_rate) > zero);
       const auto out_of_hole = fell & (value_of(crossing.u_rate) < zero);
-      const Real greatest_u = select(emerging, out_of_horizon, Real(bounds.greatest_u));
-      const auto outside = crossed & (!(back | out_of_hole)) & (u > Real(bounds.least_u)) & (u < greatest_u);
+      const Real max_u = select(emerging, out_of_horizon, Real(bounds.max_u));
+      const auto outside = crossed & (!(back | out_of_hole)) & (u > Real(bounds.min_u)) & (u < max_u);
       for (int order = 0; order < crossing_orders; ++order) {
         const Real beyond = count - static_cast<S>(order);
         detail::keep_crossing(outside & (absolute(beyond) < Real(S(0.5))), crossing, crossings[order]);
@@ -122,7 +122,7 @@ ERGO_HD MaskOf<RealOf<T>> trace_crossings(ScalarOf<T> spin, const NearRay<T>& ra
     emerging = within & outwards;
     fallen = fallen | (within & !outwards);
     const auto gone = (outwards & (u < Real(bounds.outermost_u))) | ((!outwards) & (u < zero)) | (fallen & outwards);
-    const auto going = (u > Real(bounds.least_u)) & ((u < Real(bounds.innermost_u)) | emerging) & !gone;
+    const auto going = (u > Real(bounds.min_u)) & ((u < Real(bounds.innermost_u)) | emerging) & !gone;
     active = active & going & (count < Real(S(crossing_orders - 0.5)));
   }
   return !active;

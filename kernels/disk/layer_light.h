@@ -23,10 +23,10 @@ struct SeenLayer {
 
 //! Composites the disk's light at a crossing behind everything that lane `i` has seen so far.
 template <bool WithPattern, class T>
-ERGO_HD void put_layer_behind(const CameraStationOf<float>& camera, const DiskLook& look, const SeenLayer& layer,
-                              const PhotonConstants& photon, int i, SeenLanes<T>& seen) {
-  const detail::DiskSpan span = detail::disk_span(look.inner_r, look.outer_r, layer.u, layer.width);
-  const float opacity = look.opacity * span.coverage;
+ERGO_HD void put_layer_behind(const CameraStationOf<float>& camera, const DiskAppearance& appearance,
+                              const SeenLayer& layer, const PhotonConstants& photon, int i, SeenLanes<T>& seen) {
+  const detail::DiskSpan span = detail::disk_span(appearance.inner_r, appearance.outer_r, layer.u, layer.width);
+  const float opacity = appearance.opacity * span.coverage;
   // Also true for a NaN opacity, which then hides nothing.
   if (!(opacity > 0.0F)) {
     return;
@@ -39,7 +39,7 @@ ERGO_HD void put_layer_behind(const CameraStationOf<float>& camera, const DiskLo
              ::atan2f(camera.sine_phi, camera.cosine_phi);
     at.delay = layer.delay + winding_delay(horizon) * wound;
   }
-  put_behind(opacity * disk_light(look, photon, at), opacity, i, seen);
+  put_behind(opacity * disk_light(appearance, photon, at), opacity, i, seen);
 }
 
 //! Returns the constants of motion of lane `i` of a pack of rays.

@@ -18,9 +18,9 @@ ERGO_HD Vector3<float> heat_color(float value) {
   if (!(value == value)) {
     return {1.0F, 0.0F, 1.0F};
   }
-  const float place = 8.0F * ::fminf(::fmaxf(value, 0.0F), 1.0F);
-  const int below = place < 7.0F ? static_cast<int>(place) : 7;
-  const float part = place - static_cast<float>(below);
+  const float position = 8.0F * ::fminf(::fmaxf(value, 0.0F), 1.0F);
+  const int below = position < 7.0F ? static_cast<int>(position) : 7;
+  const float part = position - static_cast<float>(below);
   const float* low = stops[below];
   const float* high = stops[below + 1];
   return {low[0] + part * (high[0] - low[0]), low[1] + part * (high[1] - low[1]), low[2] + part * (high[2] - low[2])};

@@ -9,7 +9,7 @@
 namespace ergodome {
 
 //! Maximum number of levels. No usable warp averages over more than 2^5 pixels.
-inline constexpr int most_light_levels = 6;
+inline constexpr int max_light_levels = 6;
 
 //! Side of the tiles in which light is computed on demand [texels].
 inline constexpr int light_tile_px = 64;
@@ -26,7 +26,7 @@ struct LightLevel {
 //! Light and its averages: each level has half the width and height of the one before, rounded
 //! down.
 struct LightLevels {
-  LightLevel level[most_light_levels];
+  LightLevel level[max_light_levels];
   std::int32_t count;
 };
 

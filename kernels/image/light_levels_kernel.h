@@ -85,12 +85,12 @@ struct AverageTiles {
   ERGO_HD void operator()(int index) const {
     const detail::TileBounds tile = detail::tile_bounds(batch.to, batch.tiles[index]);
     for (int row = tile.top; row < tile.bottom; ++row) {
-      const detail::FinerPlace y = detail::finer_place(row, batch.to.height, batch.from.height);
+      const detail::FinerPosition y = detail::finer_position(row, batch.to.height, batch.from.height);
       const float* const upper = batch.from.rgba + 4 * (static_cast<long>(y.first) * batch.from.width);
       const float* const lower = batch.from.rgba + 4 * (static_cast<long>(y.second) * batch.from.width);
       float* const to = batch.to.rgba + 4 * (static_cast<long>(row) * batch.to.width);
       for (int column = tile.left; column < tile.right; ++column) {
-        const detail::FinerPlace x = detail::finer_place(column, batch.to.width, batch.from.width);
+        const detail::FinerPosition x = detail::finer_position(column, batch.to.width, batch.from.width);
         store_quad(to + 4 * column, (1.0F - y.part) * detail::between(upper, x) + y.part * detail::between(lower, x));
       }
     }

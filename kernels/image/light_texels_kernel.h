@@ -10,14 +10,14 @@ namespace ergodome::inline ERGO_TARGET {
 
 namespace detail {
 //! Two adjacent texels of a finer level, and the position between them.
-struct FinerPlace {
+struct FinerPosition {
   int first;
   int second;
   float part;
 };
 
 //! Returns the position of the center of texel `at` of `size` in the finer level.
-ERGO_HD FinerPlace finer_place(int at, int size, int finer_size) {
+ERGO_HD FinerPosition finer_position(int at, int size, int finer_size) {
   const float exact =
       (static_cast<float>(at) + 0.5F) * (static_cast<float>(finer_size) / static_cast<float>(size)) - 0.5F;
   const int first = static_cast<int>(exact);
@@ -26,19 +26,19 @@ ERGO_HD FinerPlace finer_place(int at, int size, int finer_size) {
 }
 
 //! Interpolates between two texels of a row.
-ERGO_HD Quad between(const float* row, const FinerPlace& x) {
+ERGO_HD Quad between(const float* row, const FinerPosition& x) {
   return (1.0F - x.part) * load_quad(row + 4 * x.first) + x.part * load_quad(row + 4 * x.second);
 }
 
 //! Position of a texel in a level.
-struct LevelPlace {
+struct LevelPosition {
   int column;
   int row;
 };
 
 //! Returns the texel of an index. Every listed tile has light_tile_texels indices; where a tile
 //! extends beyond the level, the texel is outside the level.
-ERGO_HD LevelPlace place_in_tiles(const LightLevel& level, const std::int32_t* tiles, int index) {
+ERGO_HD LevelPosition position_in_tiles(const LightLevel& level, const std::int32_t* tiles, int index) {
   const int tile = tiles[index / light_tile_texels];
   const int texel = index % light_tile_texels;
   const int across = light_tiles(level.width);
@@ -46,11 +46,11 @@ ERGO_HD LevelPlace place_in_tiles(const LightLevel& level, const std::int32_t* t
   return {(tile - row * across) * light_tile_px + texel % light_tile_px, row * light_tile_px + texel / light_tile_px};
 }
 
-ERGO_HD bool is_within(const LightLevel& level, const LevelPlace& at) {
+ERGO_HD bool is_within(const LightLevel& level, const LevelPosition& at) {
   return at.column < level.width && at.row < level.height;
 }
 
-ERGO_HD long first_float(const LightLevel& level, const LevelPlace& at) {
+ERGO_HD long first_float(const LightLevel& level, const LevelPosition& at) {
   return 4 * (static_cast<long>(at.row) * level.width + at.column);
 }
 }  // namespace detail
@@ -61,7 +61,7 @@ struct ToneTexels {
   ToneBatch batch;
 
   ERGO_HD void operator()(int index) const {
-    const detail::LevelPlace at = detail::place_in_tiles(batch.to, batch.tiles, index);
+    const detail::LevelPosition at = detail::position_in_tiles(batch.to, batch.tiles, index);
     if (!detail::is_within(batch.to, at)) {
       return;
     }
@@ -83,12 +83,12 @@ struct AverageTexels {
   AverageBatch batch;
 
   ERGO_HD void operator()(int index) const {
-    const detail::LevelPlace at = detail::place_in_tiles(batch.to, batch.tiles, index);
+    const detail::LevelPosition at = detail::position_in_tiles(batch.to, batch.tiles, index);
     if (!detail::is_within(batch.to, at)) {
       return;
     }
-    const detail::FinerPlace x = detail::finer_place(at.column, batch.to.width, batch.from.width);
-    const detail::FinerPlace y = detail::finer_place(at.row, batch.to.height, batch.from.height);
+    const detail::FinerPosition x = detail::finer_position(at.column, batch.to.width, batch.from.width);
+    const detail::FinerPosition y = detail::finer_position(at.row, batch.to.height, batch.from.height);
     const float* const upper = batch.from.rgba + detail::first_float(batch.from, {0, y.first});
     const float* const lower = batch.from.rgba + detail::first_float(batch.from, {0, y.second});
     store_quad(batch.to.rgba + detail::first_float(batch.to, at),

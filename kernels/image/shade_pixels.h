@@ -7,7 +7,7 @@
 #include "kernels/projection/projection.h"
 #include "kernels/sky/blackbody.h"
 #include "kernels/sky/cube_map.h"
-#include "kernels/sky/sky_look.h"
+#include "kernels/sky/sky_sampling.h"
 
 // Batches of pixels to shade.
 namespace ergodome {

@@ -55,7 +55,7 @@ struct ShadeSky {
     if constexpr (Brightened) {
       scale = scale * magnification(first);
     }
-    const SkyLight<T> light = look(first, scale);
+    const SkyLight<T> light = seen_at(first, scale);
     for (int i = 0; i < lanes && first + i < batch.count; ++i) {
       float* to = batch.rgba + 4 * static_cast<long>(first + i);
       if constexpr (Shift == SkyShift::blackbody_fit) {
@@ -74,7 +74,7 @@ struct ShadeSky {
   }
 
   //! Returns the map's light over the pixels, times a factor.
-  ERGO_HD SkyLight<T> look(int first, const T& factor) const {
+  ERGO_HD SkyLight<T> seen_at(int first, const T& factor) const {
     if constexpr (Filter == SkyFilter::ewa) {
       return filter_sky(batch.sky, vectors(batch.lens.sky, first), vectors(batch.lens.sky_along_x, first),
                         vectors(batch.lens.sky_along_y, first), factor);
@@ -185,8 +185,8 @@ struct ShadeHeatMap {
 
   ERGO_HD void operator()(int index) const {
     const float coverage = batch.lens.coverage[index];
-    const float place = (value(index) - batch.range_low) / (batch.range_high - batch.range_low);
-    const Vector3<float> shown = batch.mode == ViewMode::frequency_ratio ? shift_color(place) : heat_color(place);
+    const float position = (value(index) - batch.range_low) / (batch.range_high - batch.range_low);
+    const Vector3<float> shown = batch.mode == ViewMode::frequency_ratio ? shift_color(position) : heat_color(position);
     // The renderer's output is linear, but the color map is in display values.
     const Vector3<float> linear = {srgb_decoded(shown.x), srgb_decoded(shown.y), srgb_decoded(shown.z)};
     detail::store_rgba(batch, index, coverage * linear, coverage);

@@ -22,12 +22,12 @@ struct WarpPixel {
   //! blue.
   ERGO_HD std::uint32_t sent(int x, int y) const {
     const int group = y * warp_groups(batch.width_px) + x / warp_group_px;
-    const int place = x % warp_group_px;
-    const Quad light = light_of(group, place);
+    const int position = x % warp_group_px;
+    const Quad light = light_of(group, position);
     std::uint32_t rgb = 0;
     ERGO_UNROLL
     for (int channel = 0; channel < 3; ++channel) {
-      rgb |= value_of(group, place, channel, quad_part(light, channel)) << (8U * static_cast<unsigned>(channel));
+      rgb |= value_of(group, position, channel, quad_part(light, channel)) << (8U * static_cast<unsigned>(channel));
     }
     return rgb;
   }
@@ -43,8 +43,8 @@ struct WarpPixel {
  private:
   //! Returns the first of the two of `size` texels around a position; `part` receives the fraction
   //! between them.
-  ERGO_HD static int first_of_two(float place, int size, float& part) {
-    const float within = ::fminf(::fmaxf(place, 0.0F), static_cast<float>(size - 1));
+  ERGO_HD static int first_of_two(float position, int size, float& part) {
+    const float within = ::fminf(::fmaxf(position, 0.0F), static_cast<float>(size - 1));
     const int last_pair = size > 1 ? size - 2 : 0;
     const int whole = static_cast<int>(within);
     const int first = whole < last_pair ? whole : last_pair;
@@ -69,12 +69,12 @@ struct WarpPixel {
 
   ERGO_HD static Quad between(const Quad& a, const Quad& b, float part) { return (1.0F - part) * a + part * b; }
 
-  ERGO_HD Quad light_of(int group_number, int place) const {
+  ERGO_HD Quad light_of(int group_number, int position) const {
     const WarpGroup& group = batch.groups[group_number];
     if (group.levels == 0) {
       return quad_of(0.0F);
     }
-    const long at = static_cast<long>(warp_group_px) * group_number + place;
+    const long at = static_cast<long>(warp_group_px) * group_number + position;
     const float x = static_cast<float>(batch.x[at]) * group.step_x + group.x;
     const float y = static_cast<float>(batch.y[at]) * group.step_y + group.y;
     const int chosen = batch.level[at];
@@ -92,9 +92,9 @@ struct WarpPixel {
   ERGO_HD static float square_of(std::uint16_t root) { return static_cast<float>(root) * static_cast<float>(root); }
 
   //! Applies blending and lift to light.
-  ERGO_HD std::uint32_t value_of(int group, int place, int channel, float light) const {
+  ERGO_HD std::uint32_t value_of(int group, int position, int channel, float light) const {
     constexpr int kinds = Coloured ? 6 : 1;
-    const std::uint16_t* const factor = batch.factor + static_cast<long>(warp_group_px * kinds) * group + place;
+    const std::uint16_t* const factor = batch.factor + static_cast<long>(warp_group_px * kinds) * group + position;
     float sent = 0.0F;
     if constexpr (Coloured) {
       sent = light * square_of(factor[channel * warp_group_px]) * batch.factor_scale[channel] +
@@ -102,7 +102,7 @@ struct WarpPixel {
     } else {
       sent = light * square_of(*factor) * batch.factor_scale[channel] + batch.lift_scale[channel];
     }
-    return detail::eight_bit_power(::fminf(::fmaxf(sent, batch.least), 1.0F), batch.exponent);
+    return detail::eight_bit_power(::fminf(::fmaxf(sent, batch.minimum), 1.0F), batch.exponent);
   }
 };
 

@@ -53,7 +53,7 @@ struct WarpBatch {
   float exponent;         //!< exponent of the projector's curve: value = light ^ exponent
   //! Minimum light: smaller values are replaced by this one, which is still black. It is 2^-100, or
   //! 2^(-100 / exponent) if the exponent is above 1.
-  float least;
+  float minimum;
   std::uint8_t* rgb;  //!< three bytes per pixel, top row first
 };
 

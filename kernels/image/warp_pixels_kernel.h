@@ -87,7 +87,7 @@ struct WarpPixels {
       std::memset(light, 0, sizeof light);
     }
     for (unsigned levels = group.levels; levels != 0; levels &= levels - 1) {
-      look(index, __builtin_ctz(levels), light);
+      seen_at(index, __builtin_ctz(levels), light);
     }
     Channels channels;
     take_apart(light, channels);
@@ -100,7 +100,7 @@ struct WarpPixels {
 
   //! For each pixel of a group: the upper left of the four texels around its position, and the
   //! position between them as fractions.
-  struct Places {
+  struct TexelPositions {
     alignas(64) std::int32_t texel[warp_group_px];
     alignas(64) float across[warp_group_px];
     alignas(64) float down[warp_group_px];
@@ -113,14 +113,14 @@ struct WarpPixels {
 
   //! Returns the first of the two of `size` texels around a position; `part` receives the fraction
   //! between them.
-  static T first_of_two(const T& place, int size, T& part) {
-    const T within = minimum(maximum(place, T(0.0F)), T(static_cast<float>(size - 1)));
+  static T first_of_two(const T& position, int size, T& part) {
+    const T within = minimum(maximum(position, T(0.0F)), T(static_cast<float>(size - 1)));
     const T first = real_of<T>(truncated(minimum(within, T(static_cast<float>(size > 1 ? size - 2 : 0)))));
     part = within - first;
     return first;
   }
 
-  void find(int index, const LightLevel& level, Places& places) const {
+  void find(int index, const LightLevel& level, TexelPositions& positions) const {
     const WarpGroup& group = batch.groups[index];
     const LightLevel& finest = batch.light.level[0];
     const float scale_x = static_cast<float>(level.width) / static_cast<float>(finest.width);
@@ -134,47 +134,47 @@ struct WarpPixels {
       const auto column = truncated(first_of_two((x + 0.5F) * scale_x - 0.5F, level.width, across));
       const auto line = truncated(first_of_two((y + 0.5F) * scale_y - 0.5F, level.height, down));
       const IntegerOf<T> texel = line * level.width + column;
-      std::memcpy(places.texel + i, &texel, sizeof texel);
-      std::memcpy(places.across + i, &across, sizeof across);
-      std::memcpy(places.down + i, &down, sizeof down);
+      std::memcpy(positions.texel + i, &texel, sizeof texel);
+      std::memcpy(positions.across + i, &across, sizeof across);
+      std::memcpy(positions.down + i, &down, sizeof down);
     }
   }
 
   //! Interpolates light between four texels.
-  static Quad light_at(const LightLevel& level, const Places& places, int i) {
-    const float* const upper = level.rgba + 4 * static_cast<long>(places.texel[i]);
+  static Quad light_at(const LightLevel& level, const TexelPositions& positions, int i) {
+    const float* const upper = level.rgba + 4 * static_cast<long>(positions.texel[i]);
     const float* const lower = level.height > 1 ? upper + 4 * static_cast<long>(level.width) : upper;
     const auto above = detail::load_quad_pair(upper);
-    const auto middle = above + places.down[i] * (detail::load_quad_pair(lower) - above);
+    const auto middle = above + positions.down[i] * (detail::load_quad_pair(lower) - above);
     Quad left;
     Quad right;
     std::memcpy(&left, &middle, sizeof left);
     std::memcpy(&right, reinterpret_cast<const char*>(&middle) + sizeof left, sizeof right);
-    return {left.part + places.across[i] * (right.part - left.part)};
+    return {left.part + positions.across[i] * (right.part - left.part)};
   }
 
   //! Computes the light of the pixels that sample a level and the next.
-  void look(int index, int finer, Quad* light) const {
+  void seen_at(int index, int finer, Quad* light) const {
     const LightLevel& level = batch.light.level[finer];
     const bool alone = (batch.groups[index].levels & (batch.groups[index].levels - 1)) == 0;
     const std::uint8_t* const chosen = batch.level + warp_group_px * static_cast<long>(index);
-    Places places;
-    find(index, level, places);
+    TexelPositions positions;
+    find(index, level, positions);
     if (alone && batch.groups[index].blended == 0) {
       for (int i = 0; i < warp_group_px; ++i) {
-        light[i] = light_at(level, places, i);
+        light[i] = light_at(level, positions, i);
       }
       return;
     }
     const LightLevel& next = batch.light.level[finer + 1 < batch.light.count ? finer + 1 : finer];
-    Places wider;
+    TexelPositions wider;
     find(index, next, wider);
     for (int i = 0; i < warp_group_px; ++i) {
       if (!alone && chosen[i] / warp_level_steps != finer) {
         continue;
       }
       const float part = static_cast<float>(chosen[i] % warp_level_steps) * (1.0F / warp_level_steps);
-      const Quad fine = light_at(level, places, i);
+      const Quad fine = light_at(level, positions, i);
       const Quad coarse = light_at(next, wider, i);
       light[i] = {fine.part + part * (coarse.part - fine.part)};
     }
@@ -218,7 +218,7 @@ struct WarpPixels {
         } else {
           sent = shown * square_of(factor + i) * batch.factor_scale[channel] + batch.lift_scale[channel];
         }
-        const T value = minimum(maximum(sent, T(batch.least)), T(1.0F));
+        const T value = minimum(maximum(sent, T(batch.minimum)), T(1.0F));
         const Bytes narrow = __builtin_convertvector(detail::eight_bit_power(value, batch.exponent), Bytes);
         std::memcpy(reinterpret_cast<char*>(&bytes[channel]) + i, &narrow, sizeof narrow);
       }

@@ -94,8 +94,8 @@ cudaMemPool_t kept_pool() {
     }
     check_cuda(cudaDeviceGetDefaultMemPool(&found, device), "finding the GPU memory pool");
     // Limited, because other programs and OpenGL need device memory, too.
-    std::uint64_t most_bytes = std::uint64_t{1} << 30;
-    check_cuda(cudaMemPoolSetAttribute(found, cudaMemPoolAttrReleaseThreshold, &most_bytes),
+    std::uint64_t max_bytes = std::uint64_t{1} << 30;
+    check_cuda(cudaMemPoolSetAttribute(found, cudaMemPoolAttrReleaseThreshold, &max_bytes),
                "setting up the GPU memory pool");
     return found;
   }();
@@ -190,20 +190,20 @@ class HostStage {
 //! Objects kept for reuse, because making them takes longer than most uses. They are never
 //! destroyed: when the process ends, the driver may be gone before them.
 template <class T>
-class Idle {
+class ReusePool {
  public:
   //! Takes one of the objects for exclusive use, and gives it back in the destructor.
   class Taken {
    public:
-    Taken() : thing_(idle().take()) {}
-    ~Taken() { idle().give_back(std::move(thing_)); }
+    Taken() : thing_(instance().take()) {}
+    ~Taken() { instance().give_back(std::move(thing_)); }
     Taken(const Taken&) = delete;
     Taken& operator=(const Taken&) = delete;
     T* operator->() const { return thing_.get(); }
 
    private:
-    static Idle& idle() {
-      static Idle& all = *new Idle;
+    static ReusePool& instance() {
+      static ReusePool& all = *new ReusePool;
       return all;
     }
     std::unique_ptr<T> thing_;
@@ -241,7 +241,7 @@ void copy_to_cuda(void* to, const void* from, std::size_t bytes) {
     check_cuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyHostToDevice, current_stream()), "copying to the GPU");
     return finish_launch("copying to the GPU");
   }
-  const Idle<CopyStream>::Taken stream;
+  const ReusePool<CopyStream>::Taken stream;
   check_cuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyHostToDevice, stream->handle()), "copying to the GPU");
   check_cuda(cudaStreamSynchronize(stream->handle()), "copying to the GPU");
 }
@@ -256,17 +256,17 @@ void copy_from_cuda(void* to, const void* from, std::size_t bytes) {
   if (works_in_order()) {
     finish_launch("copying from the GPU");
   }
-  const Idle<HostStage>::Taken stage;
+  const ReusePool<HostStage>::Taken stage;
   stage->copy(static_cast<std::byte*>(to), static_cast<const std::byte*>(from), bytes);
 }
 
 void* begin_urgent_cuda() {
   static const cudaStream_t urgent = [] {
-    int least = 0;
-    int greatest = 0;
-    check_cuda(cudaDeviceGetStreamPriorityRange(&least, &greatest), "querying the GPU");
+    int minimum = 0;
+    int maximum = 0;
+    check_cuda(cudaDeviceGetStreamPriorityRange(&minimum, &maximum), "querying the GPU");
     cudaStream_t stream = nullptr;
-    check_cuda(cudaStreamCreateWithPriority(&stream, cudaStreamNonBlocking, greatest), "creating a CUDA stream");
+    check_cuda(cudaStreamCreateWithPriority(&stream, cudaStreamNonBlocking, maximum), "creating a CUDA stream");
     return stream;
   }();
   return std::exchange(current_stream(), urgent);

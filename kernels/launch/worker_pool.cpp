@@ -42,18 +42,18 @@ WorkerPool::WorkerPool(int helpers) {
   }
 }
 
-void WorkerPool::run(int most_helpers, const std::function<void()>& work) {
-  if (most_helpers <= 0 || forked) {
+void WorkerPool::run(int max_helpers, const std::function<void()>& work) {
+  if (max_helpers <= 0 || forked) {
     work();
     return;
   }
-  Job job{&work, most_helpers};
+  Job job{&work, max_helpers};
   {
     const std::lock_guard lock(mutex_);
     jobs_.push_back(&job);
     ++waiting_;
   }
-  for (int i = 0; i < most_helpers; ++i) {
+  for (int i = 0; i < max_helpers; ++i) {
     asked_.notify_one();
   }
   work();

@@ -23,10 +23,10 @@ class WorkerPool {
   WorkerPool(const WorkerPool&) = delete;
   WorkerPool& operator=(const WorkerPool&) = delete;
 
-  //! Calls `work` on the calling thread and on up to `most_helpers` free helpers at the same time;
+  //! Calls `work` on the calling thread and on up to `max_helpers` free helpers at the same time;
   //! returns when all calls have returned. `work` must not throw, and must return at once if
   //! nothing is left to do.
-  void run(int most_helpers, const std::function<void()>& work);
+  void run(int max_helpers, const std::function<void()>& work);
 
  private:
   //! A call of run() that is in progress.

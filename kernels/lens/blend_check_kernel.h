@@ -26,7 +26,7 @@ struct CheckBlend {
     MaskOf<T> reached;
     const Vector3<T> sky = detail::grid_sky(batch.camera, direction, reached);
     const GridSky<T> read =
-        read_blended(batch.lens, ChartPlace<D>{{gamma_turns, one, zero}, {s, zero, one}, D(zero)}, one > zero);
+        read_blended(batch.lens, ChartPosition<D>{{gamma_turns, one, zero}, {s, zero, one}, D(zero)}, one > zero);
     const Vector3<D>& v = read.sky;
     T sine;
     T cosine;

@@ -19,7 +19,7 @@ struct LensChart {
 
 //! Position of a direction in the chart.
 template <class T>
-struct ChartPlace {
+struct ChartPosition {
   T gamma_turns;  //!< in [0, 1)
   T s;            //!< at most 1; below 0 beyond the cut-off
   //! Angle from the shadow's edge along the circle through the chart's center; negative in the
@@ -45,7 +45,7 @@ ERGO_HD void edge_lanes(const EdgeCurve& edge, const T& gamma, T& alpha, T& slop
 //! A direction in polar coordinates about the shadow's center, and the shadow's edge at its position
 //! angle, with their derivatives [rad].
 template <class T>
-struct PolarPlace {
+struct PolarPosition {
   Dual<T> gamma;       //!< position angle
   Dual<T> alpha;       //!< angle from the center
   Dual<T> edge_alpha;  //!< of the edge
@@ -54,7 +54,7 @@ struct PolarPlace {
 //! Returns the polar coordinates of a unit direction in the rain frame. Always inlined: its callers
 //! use the results at once, and a call would return nine registers in memory.
 template <class T>
-[[gnu::always_inline]] ERGO_HD PolarPlace<T> polar_place(const EdgeCurve& edge, const Vector3<Dual<T>>& n) {
+[[gnu::always_inline]] ERGO_HD PolarPosition<T> polar_position(const EdgeCurve& edge, const Vector3<Dual<T>>& n) {
   using S = ScalarOf<T>;
   using D = Dual<T>;
   const auto along = [&](const Vector3<float>& axis) { return n.x * S(axis.x) + n.y * S(axis.y) + n.z * S(axis.z); };
@@ -78,10 +78,10 @@ template <class T>
 
 //! Returns the position in the chart of a unit direction in the rain frame.
 template <class T>
-ERGO_HD ChartPlace<Dual<T>> chart_place(const LensChart& chart, const Vector3<Dual<T>>& n) {
+ERGO_HD ChartPosition<Dual<T>> chart_position(const LensChart& chart, const Vector3<Dual<T>>& n) {
   using S = ScalarOf<T>;
   using D = Dual<T>;
-  const auto [gamma, alpha, edge_alpha] = polar_place(chart.edge, n);
+  const auto [gamma, alpha, edge_alpha] = polar_position(chart.edge, n);
   const D distance = alpha - edge_alpha;
   const D fraction = distance / (T(S(3.14159265358979323846)) - edge_alpha);
   const T x = maximum(fraction.value, T(S(1e-30)));

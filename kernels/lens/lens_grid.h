@@ -75,12 +75,12 @@ ERGO_HD Leaf find_leaf(const LensGrid& grid, float gamma_turns, float s) {
 }
 
 //! A position in a leaf: in [0, 1] along γ and s.
-struct LeafPlace {
+struct LeafPosition {
   float u;
   float v;
 };
 
-ERGO_HD LeafPlace place_in(const Leaf& leaf, float gamma_turns, float s) {
+ERGO_HD LeafPosition position_in(const Leaf& leaf, float gamma_turns, float s) {
   const auto part = [](float value, float begin, float extent) {
     return minimum(maximum((value - begin) / extent, 0.0F), 1.0F);
   };
@@ -211,7 +211,7 @@ ERGO_HD void read_patches(const LensGrid& grid, const T& gamma_turns, const T& s
     if (!holds(leaf, x, y)) {
       leaf = find_leaf(grid, x, y);
     }
-    const LeafPlace at = place_in(leaf, x, y);
+    const LeafPosition at = position_in(leaf, x, y);
     into.set(i, patch_value(grid.nodes, grid.leaves + 4 * leaf.number, at.u, at.v, leaf.width_turns, leaf.height),
              leaf.flagged);
   }
@@ -222,21 +222,21 @@ ERGO_HD void read_patches(const LensGrid& grid, const T& gamma_turns, const T& s
 //! Reads the grid at a position of its chart (camera at φ = 0), for the wanted lanes; the others
 //! are undefined.
 template <class T>
-ERGO_HD GridSky<T> read_grid(const LensGrid& grid, const ChartPlace<Dual<T>>& place, const MaskOf<T>& wanted) {
+ERGO_HD GridSky<T> read_grid(const LensGrid& grid, const ChartPosition<Dual<T>>& position, const MaskOf<T>& wanted) {
   using S = ScalarOf<T>;
   using D = Dual<T>;
   // A mirrored grid is read at -γ, backwards in γ, and its sky is mirrored.
   const T one(S(1));
-  const T whole = place.gamma_turns.value;
+  const T whole = position.gamma_turns.value;
   const auto over = (whole > T(S(0.5))) & (T(S(grid.mirrored)) > T(S(0)));
   const T mirror = select(over, -one, one);
   detail::PatchLanes<T> patches;
-  detail::read_patches(grid, select(over, one - whole, whole), place.s.value, wanted, patches);
+  detail::read_patches(grid, select(over, one - whole, whole), position.s.value, wanted, patches);
   const auto chained = [&](int i, const T& side) {
     const T turned = patches.component(3 + i) * mirror * side;
     const T upward = patches.component(6 + i) * side;
-    return D(patches.component(i) * side, turned * place.gamma_turns.along_x + upward * place.s.along_x,
-             turned * place.gamma_turns.along_y + upward * place.s.along_y);
+    return D(patches.component(i) * side, turned * position.gamma_turns.along_x + upward * position.s.along_x,
+             turned * position.gamma_turns.along_y + upward * position.s.along_y);
   };
   const Vector3<D> v = {chained(0, one), chained(1, one), chained(2, mirror)};
   // The small term prevents 0 / 0 where no corner has a sky.
@@ -246,8 +246,8 @@ ERGO_HD GridSky<T> read_grid(const LensGrid& grid, const ChartPlace<Dual<T>>& pl
 
 //! Reads the grid for all lanes.
 template <class T>
-ERGO_HD GridSky<T> read_grid(const LensGrid& grid, const ChartPlace<Dual<T>>& place) {
-  return read_grid(grid, place, T(ScalarOf<T>(0)) < T(ScalarOf<T>(1)));
+ERGO_HD GridSky<T> read_grid(const LensGrid& grid, const ChartPosition<Dual<T>>& position) {
+  return read_grid(grid, position, T(ScalarOf<T>(0)) < T(ScalarOf<T>(1)));
 }
 
 }  // namespace ERGO_TARGET

@@ -15,7 +15,7 @@ struct LensBlend {
   LensChart chart;  //!< chart for the camera position itself
   LensGrid grids[2];
   //! Rotations from each station's sky to that of the camera position, as motion in r and θ causes
-  //! them (render/lens/stations/place_turn.h).
+  //! them (render/lens/stations/lens_position.h).
   float turn[2][3][3];
   float second_weight;  //!< weight of the second grid; 0: only the first is used
 };
@@ -25,14 +25,15 @@ inline namespace ERGO_TARGET {
 //! Reads the lens at a position of its chart, for the wanted lanes: both grids at the same (γ, s),
 //! rotated and mixed by the weight of the second. Flagged where either grid is.
 template <class T>
-ERGO_HD GridSky<T> read_blended(const LensBlend& lens, const ChartPlace<Dual<T>>& place, const MaskOf<T>& wanted) {
+ERGO_HD GridSky<T> read_blended(const LensBlend& lens, const ChartPosition<Dual<T>>& position,
+                                const MaskOf<T>& wanted) {
   using S = ScalarOf<T>;
   using D = Dual<T>;
-  const GridSky<T> first = read_grid(lens.grids[0], place, wanted);
+  const GridSky<T> first = read_grid(lens.grids[0], position, wanted);
   if (!(lens.second_weight > 0.0F)) {
     return first;
   }
-  const GridSky<T> second = read_grid(lens.grids[1], place, wanted);
+  const GridSky<T> second = read_grid(lens.grids[1], position, wanted);
   const S w = S(lens.second_weight);
   const auto component = [&](int i) {
     const float(&p)[3] = lens.turn[0][i];

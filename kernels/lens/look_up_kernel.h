@@ -23,7 +23,7 @@ struct LookUpPixels {
 
   //! Reads pixels whose viewing directions are known.
   ERGO_HD void look_up(const ViewedPixels<T>& viewed) const {
-    const Looked at(batch, viewed);
+    const GridValues at(batch, viewed);
     Vector3<Ray> sky = part_of<Ray>(at.read.sky);
     T steps(S(0));
     T estimate(S(0));
@@ -37,21 +37,21 @@ struct LookUpPixels {
   //! Reads pixels without tracing, for a device, which traces rays separately. Returns whether
   //! there are rays to trace.
   ERGO_HD bool look_up_alone(int index) const {
-    const Looked at(batch, ViewedPixels<T>(batch.pixels, index));
+    const GridValues at(batch, ViewedPixels<T>(batch.pixels, index));
     store(at, part_of<Ray>(at.read.sky), T(S(0)), T(S(0)));
     return any(at.wanted & at.read.flagged);
   }
 
  private:
   //! Values read from the grid, for the register of pixels that one index covers.
-  struct Looked {
+  struct GridValues {
     int first;
     Vector3<D> n;
     T lit;
     MaskOf<T> wanted;
     GridSky<T> read;
 
-    ERGO_HD Looked(const Batch& batch, const ViewedPixels<T>& viewed) : first(viewed.first) {
+    ERGO_HD GridValues(const Batch& batch, const ViewedPixels<T>& viewed) : first(viewed.first) {
       const PixelBatch& pixels = batch.pixels;
       const T one(S(1));
       const T zero(S(0));
@@ -59,24 +59,24 @@ struct LookUpPixels {
       T y_px = viewed.y_px;
       n = turned_from_view(pixels, viewed.view);
       Vector3<D> in_rain = rain_direction(batch.aberration, n);
-      ChartPlace<D> place = chart_place(batch.lens.chart, in_rain);
-      T sky_lit = select(place.edge_distance.value > zero, one, zero);
-      if (cover_lanes(batch.lens.chart.edge, in_rain, near_edge(in_rain, place), x_px, y_px, sky_lit)) {
+      ChartPosition<D> position = chart_position(batch.lens.chart, in_rain);
+      T sky_lit = select(position.edge_distance.value > zero, one, zero);
+      if (cover_lanes(batch.lens.chart.edge, in_rain, near_edge(in_rain, position), x_px, y_px, sky_lit)) {
         n = observed_direction(pixels, x_px, y_px);
         in_rain = rain_direction(batch.aberration, n);
-        place = chart_place(batch.lens.chart, in_rain);
+        position = chart_position(batch.lens.chart, in_rain);
       }
       lit = sky_lit * viewed.inside;
       wanted = lit > zero;
-      read = read_blended(batch.lens, place, wanted);
+      read = read_blended(batch.lens, position, wanted);
     }
   };
 
   //! Returns the lanes within three pixels of the edge, or of a shadow smaller than that.
-  static ERGO_HD MaskOf<T> near_edge(const Vector3<D>& n, const ChartPlace<D>& place) {
+  static ERGO_HD MaskOf<T> near_edge(const Vector3<D>& n, const ChartPosition<D>& position) {
     const T square = maximum(n.x.along_x * n.x.along_x + n.y.along_x * n.y.along_x + n.z.along_x * n.z.along_x,
                              n.x.along_y * n.x.along_y + n.y.along_y * n.y.along_y + n.z.along_y * n.z.along_y);
-    const T d = place.edge_distance.value;
+    const T d = position.edge_distance.value;
     return d * d < square * S(9);
   }
 
@@ -93,7 +93,7 @@ struct LookUpPixels {
     estimate = select(reached, value_of(end.error_estimate), estimate);
   }
 
-  ERGO_HD void store(const Looked& at, const Vector3<Ray>& sky, const T& steps, const T& estimate) const {
+  ERGO_HD void store(const GridValues& at, const Vector3<Ray>& sky, const T& steps, const T& estimate) const {
     const LensPixels& out = batch.pixels.out;
     const int first = at.first;
     const int count = pixel_count(batch.pixels);
@@ -140,10 +140,11 @@ struct LookUpRays {
                           load_lanes<T>(rays.direction[1], first, count),
                           load_lanes<T>(rays.direction[2], first, count)};
     const Vector3<T> in_rain = rain_direction(batch.aberration, n);
-    const ChartPlace<D> place = chart_place(batch.lens.chart, Vector3<D>{D(in_rain.x), D(in_rain.y), D(in_rain.z)});
+    const ChartPosition<D> position =
+        chart_position(batch.lens.chart, Vector3<D>{D(in_rain.x), D(in_rain.y), D(in_rain.z)});
     const RayStart<T> start = start_ray(rays.camera, n);
     const auto bright = comes_from_sky(rays.camera.spin, rays.camera.horizon_r, start);
-    const GridSky<T> read = read_blended(batch.lens, place, bright);
+    const GridSky<T> read = read_blended(batch.lens, position, bright);
     const auto traced = bright & read.flagged;
     T steps = zero;
     MaskOf<T> reached = traced;

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "kernels/disk/disk_look.h"
+#include "kernels/disk/disk_appearance.h"
 #include "kernels/launch/kernel.h"
 #include "kernels/objects/lay_objects.h"
-#include "kernels/shells/shell_look.h"
+#include "kernels/shells/shell_appearance.h"
 #include "kernels/spacetime/trace/omni_camera.h"
 #include "kernels/spacetime/trace/trace_pixels.h"
 
@@ -19,8 +19,8 @@ enum class DiskDrawing { none, plain, pattern };
 struct NearFieldBatch {
   PixelBatch pixels;  //!< pixels to draw over; the members for outputs and the edge are not used
   DiskDrawing drawing;
-  DiskLook disk;      //!< only used if the disk is drawn
-  ShellTable shells;  //!< none are drawn if it is empty
+  DiskAppearance disk;  //!< only used if the disk is drawn
+  ShellTable shells;    //!< none are drawn if it is empty
   float* rgba;
   //! Composited with disk and shells in the order of distance, if there are any.
   ObjectLayer objects;
@@ -30,7 +30,7 @@ struct NearFieldBatch {
   //! Camera of an omnidirectional eye, used if it has coefficients. It then replaces the camera of
   //! `pixels`, which is the head's and only supplies spin and azimuth. Directions are then in the
   //! view's axes.
-  OmniCameraOf<float> turning;
+  OmniCameraOf<float> omni;
 };
 
 //! Calls action(functor) for a batch with objects. The disk is always drawn by the variant with a

@@ -21,12 +21,12 @@ struct DrawNearField {
   NearFieldBatch batch;
 
   ERGO_HD void operator()(int index) const {
-    const Place at(batch, index);
+    const PixelGroup at(batch, index);
     Mask fine = at.inside > T(S(0));
     if (leaves(at, fine)) {
       return;
     }
-    SeenLanes<T> seen = look(at.x_px, at.y_px, S(1), at.objects, fine);
+    SeenLanes<T> seen = seen_at(at.x_px, at.y_px, S(1), at.objects, fine);
     if (any(fine)) {
       average(at, fine, seen);
     }
@@ -36,12 +36,12 @@ struct DrawNearField {
   //! First of two steps for GPUs, whose threads wait for one another: draws what is seen at the
   //! pixel's center. If the pixel contains finer images, draws nothing and returns true.
   ERGO_HD bool draw_middle(int index) const {
-    const Place at(batch, index);
+    const PixelGroup at(batch, index);
     Mask fine = at.inside > T(S(0));
     if (leaves(at, fine)) {
       return false;
     }
-    const SeenLanes<T> seen = look(at.x_px, at.y_px, S(1), at.objects, fine);
+    const SeenLanes<T> seen = seen_at(at.x_px, at.y_px, S(1), at.objects, fine);
     if (!any(fine)) {
       lay(at, seen);
     }
@@ -50,15 +50,15 @@ struct DrawNearField {
 
   //! Returns what one of a pixel's samples sees.
   [[nodiscard]] ERGO_HD SeenLanes<T> see_sample(int index, int sample) const {
-    const Place at(batch, index);
+    const PixelGroup at(batch, index);
     Mask wanted = at.inside > T(S(0));
     const NearSample<S> part = near_sample<S>(sample);
-    return look(at.x_px + part.along, at.y_px + part.down, part.width, at.objects, wanted);
+    return seen_at(at.x_px + part.along, at.y_px + part.down, part.width, at.objects, wanted);
   }
 
   //! Second step: draws the mean of the samples over the pixel.
   ERGO_HD void lay_mean(int index, const SeenLanes<T>& sum) const {
-    const Place at(batch, index);
+    const PixelGroup at(batch, index);
     SeenLanes<T> mean = sum;
     take_mean(at.inside > T(S(0)), sum, mean);
     lay(at, mean);
@@ -66,14 +66,14 @@ struct DrawNearField {
 
  private:
   //! The register of pixels that one index draws.
-  struct Place {
+  struct PixelGroup {
     int first;
     T x_px;
     T y_px;
     T inside;
     LayerSight<T, Objects> objects;
 
-    ERGO_HD Place(const NearFieldBatch& batch, int index)
+    ERGO_HD PixelGroup(const NearFieldBatch& batch, int index)
         : first(index * RealTraits<T>::lane_count), objects(batch.objects, first, pixel_count(batch.pixels)) {
       pixel_middles(batch.pixels, first, x_px, y_px);
       inside = image_coverage(batch.pixels.projection, x_px, y_px);
@@ -81,7 +81,7 @@ struct DrawNearField {
   };
 
   //! Returns true if nothing is to be drawn; otherwise reduces `wanted` to the lanes that are.
-  ERGO_HD bool leaves(const Place& at, Mask& wanted) const {
+  ERGO_HD bool leaves(const PixelGroup& at, Mask& wanted) const {
     if constexpr (Objects) {
       if (batch.objects_alone) {
         wanted = wanted & at.objects.waiting();
@@ -91,18 +91,18 @@ struct DrawNearField {
     return false;
   }
 
-  ERGO_HD void lay(const Place& at, const SeenLanes<T>& seen) const {
+  ERGO_HD void lay(const PixelGroup& at, const SeenLanes<T>& seen) const {
     lay_over(seen, at.inside, at.first, pixel_count(batch.pixels), batch.rgba);
   }
 
   //! Averages many samples within the pixels of the mask.
-  ERGO_HD void average(const Place& place, const Mask& fine, SeenLanes<T>& seen) const {
+  ERGO_HD void average(const PixelGroup& group, const Mask& fine, SeenLanes<T>& seen) const {
     const T zero(S(0));
     SeenLanes<T> sum = {zero, zero, zero, zero};
     for (int i = 0; i < near_samples * near_samples; ++i) {
       const NearSample<S> at = near_sample<S>(i);
       Mask wanted = fine;
-      sum = sum + look(place.x_px + at.along, place.y_px + at.down, at.width, place.objects, wanted);
+      sum = sum + seen_at(group.x_px + at.along, group.y_px + at.down, at.width, group.objects, wanted);
     }
     take_mean(fine, sum, seen);
   }
@@ -110,14 +110,15 @@ struct DrawNearField {
   //! Returns what is seen at positions of the image. `pixel`: width of a sample, as a fraction of a
   //! pixel. `lanes`: lanes to evaluate; afterwards, those where images may be finer than the
   //! sample.
-  ERGO_HD SeenLanes<T> look(const T& x_px, const T& y_px, S pixel, LayerSight<T, Objects> objects, Mask& lanes) const {
+  ERGO_HD SeenLanes<T> seen_at(const T& x_px, const T& y_px, S pixel, LayerSight<T, Objects> objects,
+                               Mask& lanes) const {
     const PixelBatch& pixels = batch.pixels;
-    const NearRay<D> ray = start_near_ray(pixels.camera, batch.turning, observed_direction(pixels, x_px, y_px));
+    const NearRay<D> ray = start_near_ray(pixels.camera, batch.omni, observed_direction(pixels, x_px, y_px));
     SeenLanes<T> seen = nothing_seen<T>();
     const Mask wanted = lanes & may_see(ray);
     Mask fine = lanes & !lanes;
     if (any(wanted)) {
-      fine = look_near(ray, pixel, wanted, objects, seen);
+      fine = draw_near(ray, pixel, wanted, objects, seen);
     }
     if constexpr (Objects) {
       const Mask waiting = lanes & objects.waiting();
@@ -134,7 +135,7 @@ struct DrawNearField {
 
   //! Evaluates lanes that may see disk or shells. Returns those where images may be finer than the
   //! sample.
-  ERGO_HD Mask look_near(const NearRay<D>& ray, S pixel, const Mask& wanted, LayerSight<T, Objects>& objects,
+  ERGO_HD Mask draw_near(const NearRay<D>& ray, S pixel, const Mask& wanted, LayerSight<T, Objects>& objects,
                          SeenLanes<T>& seen) const {
     const PixelBatch& pixels = batch.pixels;
     const NearLimits<S> limits = {static_cast<S>(pixels.settings.tolerance), pixels.settings.step_limit};
@@ -143,7 +144,7 @@ struct DrawNearField {
         objects.until(
             i, time, [](int, S) {}, seen);
       };
-      return wanted & look_at_shells(ray, limits, pixel, wanted, before, seen);
+      return wanted & draw_shells(ray, limits, pixel, wanted, before, seen);
     } else {
       DiskSight<T, Disk == DiskDrawing::pattern> disk(pixels.camera, batch.disk, limits, ray, pixel);
       disk.trace(wanted);
@@ -159,7 +160,7 @@ struct DrawNearField {
       };
       Mask fine = wanted & !wanted;
       if constexpr (Shells) {
-        fine = look_at_shells(ray, limits, pixel, wanted, before, seen);
+        fine = draw_shells(ray, limits, pixel, wanted, before, seen);
       }
       T fine_disk(S(0));
       for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
@@ -174,11 +175,11 @@ struct DrawNearField {
 
   //! Adds the shells. Returns the lanes where images may be finer than the sample.
   template <class Before>
-  ERGO_HD Mask look_at_shells(const NearRay<D>& ray, const NearLimits<S>& limits, S pixel, const Mask& wanted,
-                              const Before& before, SeenLanes<T>& seen) const {
+  ERGO_HD Mask draw_shells(const NearRay<D>& ray, const NearLimits<S>& limits, S pixel, const Mask& wanted,
+                           const Before& before, SeenLanes<T>& seen) const {
     const ShellTable& shells = batch.shells;
     ShellSight<T, Before> sight(batch.pixels.camera, shells, ray, pixel, before, seen);
-    const Mask reached = wanted & may_reach(batch.pixels.camera.spin, ray, shells.looks[0].r);
+    const Mask reached = wanted & may_reach(batch.pixels.camera.spin, ray, shells.appearances[0].r);
     trace_shells<near_order, NearParts::azimuth>(batch.pixels.camera.spin, ray, {shells.u, shells.count},
                                                  {limits.tolerance, limits.step_limit}, reached, sight);
     return sight.fine();
@@ -192,7 +193,7 @@ struct DrawNearField {
       r = batch.disk.outer_r;
     }
     if constexpr (Shells) {
-      r = maximum(r, batch.shells.looks[0].r);
+      r = maximum(r, batch.shells.appearances[0].r);
     }
     return may_reach(spin, ray, r);
   }

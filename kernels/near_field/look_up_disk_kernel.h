@@ -31,7 +31,7 @@ struct LookUpDisk {
     if (batch.near_field.objects.rgba != nullptr) {
       fine = fine & !LayerSight<T, true>(batch.near_field.objects, first, pixel_count(pixels)).waiting();
     }
-    SeenLanes<T> seen = look(x_px, y_px, 1.0F, fine);
+    SeenLanes<T> seen = seen_at(x_px, y_px, 1.0F, fine);
     if (any(fine)) {
       average(x_px, y_px, fine, seen);
     }
@@ -46,7 +46,7 @@ struct LookUpDisk {
     for (int i = 0; i < near_samples * near_samples; ++i) {
       const NearSample<float> at = near_sample<float>(i);
       Mask wanted = fine;
-      sum = sum + look(x_px + at.along, y_px + at.down, at.width, wanted);
+      sum = sum + seen_at(x_px + at.along, y_px + at.down, at.width, wanted);
     }
     take_mean(fine, sum, seen);
   }
@@ -54,7 +54,7 @@ struct LookUpDisk {
   //! Returns what is seen at positions of the image. `pixel`: width of a sample, as a fraction of a
   //! pixel. `lanes`: lanes to evaluate; afterwards, those where images may be finer than the
   //! sample.
-  ERGO_HD SeenLanes<T> look(const T& x_px, const T& y_px, float pixel, Mask& lanes) const {
+  ERGO_HD SeenLanes<T> seen_at(const T& x_px, const T& y_px, float pixel, Mask& lanes) const {
     const PixelBatch& pixels = batch.near_field.pixels;
     const Vector3<D> n = observed_direction(pixels, x_px, y_px);
     SeenLanes<T> seen = nothing_seen<T>();
@@ -64,7 +64,7 @@ struct LookUpDisk {
     if (!any(wanted)) {
       return seen;
     }
-    const DiskPlace<T> place = disk_place(batch.grid.cells.chart.edge, rain_direction(batch.aberration, n));
+    const DiskPosition<T> position = disk_position(batch.grid.cells.chart.edge, rain_direction(batch.aberration, n));
     T fine(0.0F);
     T traced(0.0F);
     Leaf leaf{};
@@ -72,7 +72,7 @@ struct LookUpDisk {
       if (!mask_lane(wanted, i)) {
         continue;
       }
-      const DiskLanePlace at = disk_lane_place(batch.grid.cells, place, i);
+      const DiskLanePosition at = disk_lane_position(batch.grid.cells, position, i);
       if (!holds(leaf, at.gamma_turns, at.s)) {
         leaf = find_leaf(batch.grid.cells, at.gamma_turns, at.s);
       }
@@ -93,16 +93,16 @@ struct LookUpDisk {
   }
 
   //! A sample: its width as a fraction of a pixel's, and its lane.
-  struct Look {
+  struct Sample {
     float pixel;
     int lane;
   };
 
   //! Adds what a lane sees according to a leaf. Returns whether images may be finer than the
   //! sample.
-  ERGO_HD bool read(const Leaf& leaf, const DiskLanePlace& at, unsigned orders, const Look& look, const NearRay<T>& ray,
-                    SeenLanes<T>& seen) const {
-    const LeafPlace within = place_in(leaf, at.gamma_turns, at.s);
+  ERGO_HD bool read(const Leaf& leaf, const DiskLanePosition& at, unsigned orders, const Sample& seen_at,
+                    const NearRay<T>& ray, SeenLanes<T>& seen) const {
+    const LeafPosition within = position_in(leaf, at.gamma_turns, at.s);
     const int* const corners = batch.grid.cells.leaves + 4 * leaf.number;
     const auto patch = [&](int set) {
       return patch_value(batch.grid.nodes[set], corners, within.u, within.v, leaf.width_turns, leaf.height);
@@ -126,7 +126,7 @@ struct LookUpDisk {
       const float y = at.along_y(along_gamma, along_s);
       const float change = ::sqrtf(x * x + y * y);
       fine = fine || holds_finer(batch.near_field.disk, change);
-      compose(quad_part(value.sky, part), look.pixel * change, value, look.lane, ray, seen);
+      compose(quad_part(value.sky, part), seen_at.pixel * change, value, seen_at.lane, ray, seen);
     }
     return fine;
   }

@@ -7,7 +7,7 @@ namespace ergodome::inline ERGO_TARGET {
 
 //! Quantities that are carried along a ray in addition to 1/r and m_z = cosθ.
 enum class NearParts {
-  place_alone,
+  position_alone,
   distance,
   azimuth,
   azimuth_and_delay,

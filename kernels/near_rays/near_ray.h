@@ -97,12 +97,12 @@ ERGO_HD NearRay<T> start_near_ray(const OmniCameraOf<ScalarOf<T>>& camera, const
   return ray;
 }
 
-//! Returns the ray of a picture: all directions are seen by one camera or, if `turning` has
+//! Returns the ray of a picture: all directions are seen by one camera or, if `omni` has
 //! coefficients, each by its own.
 template <class T>
-ERGO_HD NearRay<T> start_near_ray(const CameraStationOf<ScalarOf<T>>& camera, const OmniCameraOf<ScalarOf<T>>& turning,
+ERGO_HD NearRay<T> start_near_ray(const CameraStationOf<ScalarOf<T>>& camera, const OmniCameraOf<ScalarOf<T>>& omni,
                                   const Vector3<T>& n) {
-  return turning.coefficients != nullptr ? start_near_ray(turning, n) : start_near_ray(camera, n);
+  return omni.coefficients != nullptr ? start_near_ray(omni, n) : start_near_ray(camera, n);
 }
 
 //! Returns the lanes with light that only comes in to the camera, whose azimuth and time are in

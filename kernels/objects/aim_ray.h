@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/objects/lamp_place.h"
+#include "kernels/objects/lamp_source.h"
 #include "kernels/objects/local_frame.h"
 #include "kernels/objects/ray_arrival.h"
 #include "kernels/spacetime/shadow/shadow_chart.h"
@@ -13,8 +13,8 @@ namespace detail {
 //! Start and target of a ray. `near_enough`: miss [rad about the hole] below which the next step is
 //! the last.
 struct RayEnds {
-  Vector3<double> from;   //!< pseudo-Cartesian [M]
-  Vector3<double> place;  //!< the target, at least as far from the hole as `from`
+  Vector3<double> from;      //!< pseudo-Cartesian [M]
+  Vector3<double> position;  //!< the target, at least as far from the hole as `from`
   double near_enough;
 };
 
@@ -22,7 +22,7 @@ struct RayEnds {
 //! false if it does not, or goes another way round the hole.
 ERGO_HD bool aim_at(const CameraStation& camera, const RayTarget& target, Vector3<double>& direction, Miss& miss) {
   constexpr double longest_step = 0.3;
-  for (int round = 0; round < most_aim_rounds; ++round) {
+  for (int round = 0; round < max_aim_rounds; ++round) {
     Vector3<double> axes[2];
     const Vector3<double>& d = direction;
     axes_across(d, axes[0], axes[1]);
@@ -47,7 +47,7 @@ ERGO_HD bool aim_at(const CameraStation& camera, const RayTarget& target, Vector
 ERGO_HD bool aim_with_spin(const LocalFrame& frame, const RayEnds& ends, Vector3<double>& direction,
                            RayCorrection& correction, Miss& miss) {
   constexpr int raises = 6;
-  const RayTarget target = ray_target(ends.from, ends.place, ends.near_enough);
+  const RayTarget target = ray_target(ends.from, ends.position, ends.near_enough);
   const Vector3<double> start = direction;
   direction = normalized(start + correction.direction);
   bool found = aim_at(frame.camera, target, direction, miss);

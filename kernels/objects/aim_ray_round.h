@@ -1,7 +1,7 @@
 #pragma once
 
 #include "kernels/objects/aim_ray.h"
-#include "kernels/spacetime/schwarzschild/apparent_place.h"
+#include "kernels/spacetime/schwarzschild/apparent_position.h"
 #include "kernels/spacetime/shadow/critical_curve.h"
 
 // Finds the ray from a point to another point that is at least as far from the hole, either on the
@@ -17,7 +17,7 @@ namespace detail {
 
 //! A direction of a camera relative to the shadow: α = α_e + (π - α_e) / (1 + e^-x), where α_e(γ)
 //! is the edge [rad].
-struct EdgePlace {
+struct EdgePosition {
   double gamma;
   double x;
 };
@@ -25,12 +25,12 @@ struct EdgePlace {
 //! Returns the position in the chart of a direction, for a hole without spin, in closed form. The
 //! chart is centered on the hole, and the edge has sinα = √27 u √(1 - 2u),
 //! cosα = (1 - 3u) √(1 + 6u), u = 1/r.
-ERGO_HD EdgePlace place_without_spin(double u, const Vector3<double>& direction) {
-  constexpr double least = 1e-15;  // for rays that rounding puts into the shadow
+ERGO_HD EdgePosition position_without_spin(double u, const Vector3<double>& direction) {
+  constexpr double minimum = 1e-15;  // for rays that rounding puts into the shadow
   const double aside = ::sqrt(direction.y * direction.y + direction.z * direction.z);
   const double alpha = ::atan2(aside, -direction.x);
   const double edge = ::atan2(::sqrt(27.0 * (1.0 - 2.0 * u)) * u, (1.0 - 3.0 * u) * ::sqrt(1.0 + 6.0 * u));
-  return {::atan2(direction.y, direction.z), ::log(::fmax(alpha - edge, least) / ::fmax(pi - alpha, least))};
+  return {::atan2(direction.y, direction.z), ::log(::fmax(alpha - edge, minimum) / ::fmax(pi - alpha, minimum))};
 }
 
 //! Returns a direction of a chart for dual angles.
@@ -53,7 +53,8 @@ ERGO_HD Vector3<Dual<double>> dual_direction(const ShadowChart& chart, const Dua
 }
 
 //! Returns the direction of a position, with its derivatives by γ and x.
-ERGO_HD Vector3<Dual<double>> direction_at(const CameraStation& camera, const ShadowChart& chart, const EdgePlace& at) {
+ERGO_HD Vector3<Dual<double>> direction_at(const CameraStation& camera, const ShadowChart& chart,
+                                           const EdgePosition& at) {
   const double edge = edge_along_circle(camera, chart, at.gamma, pi);
   // darkness() is 0 all along the edge, so its derivatives give the slope dα_e/dγ.
   const RayStart<Dual<double>> on_edge =
@@ -69,12 +70,12 @@ ERGO_HD Vector3<Dual<double>> direction_at(const CameraStation& camera, const Sh
 //! Adjusts a direction outside the shadow by Newton's method until its ray meets the target.
 //! Returns false if it does not, or if it meets the target on a way round the hole of another
 //! order: images of the first way are upright, those of the second are mirrored.
-ERGO_HD bool aim_round(const CameraStation& camera, const RayTarget& target, int order, EdgePlace& at,
+ERGO_HD bool aim_round(const CameraStation& camera, const RayTarget& target, int order, EdgePosition& at,
                        Vector3<double>& direction, Miss& miss) {
   constexpr double longest_turn = 0.5;
   constexpr double longest_step = 1.0;
   const ShadowChart chart = make_shadow_chart(camera);
-  for (int round = 0; round < most_aim_rounds; ++round) {
+  for (int round = 0; round < max_aim_rounds; ++round) {
     const Vector3<Dual<double>> n = direction_at(camera, chart, at);
     if (!miss_of(camera, target, n, miss)) {
       return false;
@@ -106,7 +107,8 @@ ERGO_HD Vector3<double> turned_about_axis(const Vector3<double>& v, double angle
 ERGO_HD double carried_round(const RayEnds& ends) {
   constexpr double behind = 0.2;
   constexpr double all_round = 1.3;
-  const double cosine = dot(ends.from, ends.place) / ::sqrt(dot(ends.from, ends.from) * dot(ends.place, ends.place));
+  const double cosine =
+      dot(ends.from, ends.position) / ::sqrt(dot(ends.from, ends.from) * dot(ends.position, ends.position));
   const double from_behind = pi - ::acos(::fmax(-1.0, ::fmin(1.0, cosine)));
   return behind + (all_round - behind) * from_behind / pi;
 }
@@ -114,23 +116,23 @@ ERGO_HD double carried_round(const RayEnds& ends) {
 //! Finds the ray by raising the spin to the frame's in steps; the first step tries all of it. The
 //! target is turned back, against the spin, by the angle that light is dragged, so that it stays on
 //! its side of the focus.
-ERGO_HD bool raise_spin(const LocalFrame& frame, const RayEnds& ends, int order, EdgePlace& at,
+ERGO_HD bool raise_spin(const LocalFrame& frame, const RayEnds& ends, int order, EdgePosition& at,
                         Vector3<double>& direction, Miss& miss) {
   constexpr double smallest_part = 1.0 / 16.0;
   const double spin = frame.camera.spin;
   const double carried = spin * carried_round(ends);
-  const ApparentPlace still = apparent_place(ends.from, turned_about_axis(ends.place, carried), order);
-  at = place_without_spin(frame.camera.u, in_axes(frame, still.direction));
-  EdgePlace rate = {0.0, 0.0};
+  const ApparentPosition still = apparent_position(ends.from, turned_about_axis(ends.position, carried), order);
+  at = position_without_spin(frame.camera.u, in_axes(frame, still.direction));
+  EdgePosition rate = {0.0, 0.0};
   double raised = 0.0;
   double part = 1.0;
   while (raised < 1.0) {
     const double next = ::fmin(raised + part, 1.0);
-    EdgePlace aimed = {at.gamma + (next - raised) * rate.gamma, at.x + (next - raised) * rate.x};
-    const EdgePlace expected = aimed;
+    EdgePosition aimed = {at.gamma + (next - raised) * rate.gamma, at.x + (next - raised) * rate.x};
+    const EdgePosition expected = aimed;
     const CameraStation camera = next < 1.0 ? local_frame(Spacetime{next * spin}, ends.from).camera : frame.camera;
     const RayTarget target =
-        ray_target(ends.from, turned_about_axis(ends.place, (1.0 - next) * carried), ends.near_enough);
+        ray_target(ends.from, turned_about_axis(ends.position, (1.0 - next) * carried), ends.near_enough);
     // A result far from the expected one is another image.
     if (aim_round(camera, target, order, aimed, direction, miss) && ::fabs(aimed.gamma - expected.gamma) < 1.0 &&
         ::fabs(aimed.x - expected.x) < 2.0) {
@@ -155,10 +157,10 @@ ERGO_HD bool raise_spin(const LocalFrame& frame, const RayEnds& ends, int order,
 //! is found: next to caustics, where it may have merged with another.
 ERGO_HD bool aim_round_with_spin(const LocalFrame& frame, const RayEnds& ends, int order, Vector3<double>& direction,
                                  RayCorrection& correction, Miss& miss) {
-  const EdgePlace start = place_without_spin(frame.camera.u, direction);
-  EdgePlace at = {start.gamma + correction.gamma, start.x + correction.x};
+  const EdgePosition start = position_without_spin(frame.camera.u, direction);
+  EdgePosition at = {start.gamma + correction.gamma, start.x + correction.x};
   const bool known = frame.camera.spin == 0.0 || correction.gamma != 0.0 || correction.x != 0.0;
-  const RayTarget target = ray_target(ends.from, ends.place, ends.near_enough);
+  const RayTarget target = ray_target(ends.from, ends.position, ends.near_enough);
   bool found = known && aim_round(frame.camera, target, order, at, direction, miss);
   if (!found && frame.camera.spin != 0.0) {
     found = raise_spin(frame, ends, order, at, direction, miss);

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "kernels/launch/kernel.h"
-#include "kernels/objects/lamp_place.h"
+#include "kernels/objects/lamp_source.h"
 #include "kernels/objects/mesh_rays.h"
 #include "kernels/objects/surface.h"
 #include "kernels/projection/projection.h"
@@ -20,8 +20,8 @@ struct ObjectScene {
   //! Rows: the observer's frame (e_r, e_θ, e_φ); columns: the view's x (right), y (up), z (back).
   double frame_from_view[3][3];
   MeshScene scene;
-  const SurfaceLook* looks;  //!< one per mesh
-  LampPlace lamp;            //!< strength 0: no lamp
+  const SurfaceAppearance* appearances;  //!< one per mesh
+  LampSource lamp;                       //!< strength 0: no lamp
   //! First guesses, one per mesh: corrections of the lamp's rays to its middle.
   const LampCorrections* guesses;
   MeshLimits limits;
@@ -30,7 +30,7 @@ struct ObjectScene {
   //! Camera of an omnidirectional eye, used if it has coefficients. It then replaces `camera`,
   //! which is the head's and only supplies spin and azimuth. Directions are then in the view's
   //! axes.
-  OmniCameraOf<double> turning;
+  OmniCameraOf<double> omni;
 };
 
 //! The objects that pixels of a square tile may see.
@@ -96,10 +96,10 @@ inline void dispatch_objects(const Batch& batch, const Action& action) {
 //! head's flat space (kernels/eyes/flat/eye_path.h).
 struct FlatEyeSight {
   Vector3<double> eye;  //!< relative to the head, in the observer's frame [M]; not 0
-  double most_w;        //!< nothing that is nearer to the eye than 1 / most_w is drawn [1/M]
+  double max_w;         //!< nothing that is nearer to the eye than 1 / max_w is drawn [1/M]
   //! Maximum nearness of the region around the hole, in which neighboring rays separate: all light
-  //! from there comes from farther than 1 / most_hole_w [1/M].
-  double most_hole_w;
+  //! from there comes from farther than 1 / max_hole_w [1/M].
+  double max_hole_w;
   double pixel;         //!< angle of a pixel of the picture [rad]
   double tolerance_px;  //!< maximum error of the positions of neighbors that a ray predicts
   FlatHorizon horizon;
@@ -109,12 +109,12 @@ struct FlatEyeSight {
 //! and the maximum sweep of these lines [px] for which slices are used. The sweep is the angle
 //! between a line's ends as the head sees them.
 inline constexpr double parts_of_slices = 2.0;
-inline constexpr double most_way_of_slices = 4.0;
+inline constexpr double max_way_of_slices = 4.0;
 
 //! The part of an eye's lines of sight on which objects may be.
 struct FlatReach {
-  float least_w;  //!< minimum nearness [1/M]
-  float most_w;
+  float min_w;  //!< minimum nearness [1/M]
+  float max_w;
   float width;  //!< width of a pixel there, over r
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/objects/lamp_place.h"
+#include "kernels/objects/lamp_source.h"
 #include "kernels/objects/light_ray.h"
 
 // Illuminates surfaces by a lamp, about a hole of any spin.
@@ -31,9 +31,9 @@ ERGO_HD bool in_shadow(const LocalFrame& from, const LightRay& ray, const MeshSc
 namespace detail {
 
 //! Returns the energy that a lamp at rest measures of a photon with energy 1 at infinity.
-ERGO_HD double energy_at_rest(Spacetime spacetime, const Vector3<double>& place) {
-  const double r2 = dot(place, place);
-  const double a_cosine_squared = spacetime.spin * spacetime.spin * (place.z * place.z) / r2;
+ERGO_HD double energy_at_rest(Spacetime spacetime, const Vector3<double>& position) {
+  const double r2 = dot(position, position);
+  const double a_cosine_squared = spacetime.spin * spacetime.spin * (position.z * position.z) / r2;
   return 1.0 / ::sqrt(1.0 - 2.0 * ::sqrt(r2) / (r2 + a_cosine_squared));
 }
 
@@ -41,7 +41,7 @@ ERGO_HD double energy_at_rest(Spacetime spacetime, const Vector3<double>& place)
 //! where e_L and e_R are the photon's energies that the lamp and an observer at the surface
 //! measure, and `spread` is that of LightRay. Without shift only the number of photons counts:
 //! strength / (e_L² · spread).
-ERGO_HD double strength_of(const LampPlace& lamp, const LocalFrame& frame, const LightRay& ray) {
+ERGO_HD double strength_of(const LampSource& lamp, const LocalFrame& frame, const LightRay& ray) {
   // Behind the hole, next to the axis, only the size of a lamp would keep its light finite, but
   // this lamp is a point. So the brightening is limited, as for stars.
   constexpr double brightest = 1000.0;
@@ -97,7 +97,7 @@ ERGO_HD double illuminance(const LampLight& light, const Vector3<double>& normal
 }
 
 //! A lit point of a surface.
-struct LitPlace {
+struct LitSurfacePoint {
   Vector3<double> point;     //!< pseudo-Cartesian [M]
   Vector3<double> normal;    //!< of unit length
   Vector3<double> velocity;  //!< dx/dt
@@ -108,7 +108,7 @@ namespace detail {
 
 //! Finds the ray of one way from a lamp to a point. Returns false if there is none, or if, without
 //! spin, the closed form shows that the surface faces away.
-ERGO_HD bool lamp_ray(const LampPlace& lamp, const LampLight& light, const LitPlace& at, const LocalFrame& from,
+ERGO_HD bool lamp_ray(const LampSource& lamp, const LampLight& light, const LitSurfacePoint& at, const LocalFrame& from,
                       int way, RayCorrection& correction, LightRay& ray) {
   const Spacetime spacetime = spacetime_of(from.camera);
   const auto find = [&](LightRayParts parts) {
@@ -129,7 +129,7 @@ ERGO_HD bool lamp_ray(const LampPlace& lamp, const LampLight& light, const LitPl
 //! shadows. `limits.delay`: delay of the point. The rays are those to `start`: a ray that goes
 //! round the hole and is turned by a tiny angle ends far from the lamp, and would meet objects that
 //! it should pass.
-ERGO_HD_CALLED LampLight lamp_light(Spacetime spacetime, const LampPlace& lamp, const LitPlace& at,
+ERGO_HD_CALLED LampLight lamp_light(Spacetime spacetime, const LampSource& lamp, const LitSurfacePoint& at,
                                     const MeshScene& scene, const MeshLimits& limits, LampCorrections& corrections) {
   // Light below this fraction of what has been found already is left out, as no display shows it.
   constexpr double negligible = 1.0 / 4096.0;

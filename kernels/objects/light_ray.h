@@ -1,7 +1,7 @@
 #pragma once
 
 #include "kernels/objects/aim_ray_round.h"
-#include "kernels/spacetime/schwarzschild/apparent_place.h"
+#include "kernels/spacetime/schwarzschild/apparent_position.h"
 
 // Finds the light from a lamp to a point, about a hole of any spin.
 namespace ergodome {
@@ -83,8 +83,8 @@ ERGO_HD_CALLED bool light_ray(Spacetime spacetime, const LocalFrame& frame, cons
     return false;
   }
   const ConnectingRay flat = connecting_ray(plane.r_observer, plane.r, image_angle(plane.phi, order));
-  const ApparentPlace place = apparent_place(plane, order, flat.xi, flat.travel_time, flat.emission_angle);
-  ray = {in_axes(frame, place.emission_direction), place.travel_time, 0.0};
+  const ApparentPosition position = apparent_position(plane, order, flat.xi, flat.travel_time, flat.emission_angle);
+  ray = {in_axes(frame, position.emission_direction), position.travel_time, 0.0};
   if (spacetime.spin == 0.0 && parts == LightRayParts::way) {
     return true;
   }
@@ -99,12 +99,12 @@ ERGO_HD_CALLED bool light_ray(Spacetime spacetime, const LocalFrame& frame, cons
     // belongs to the ray before the last Newton step, so near_enough is smaller here.
     constexpr double near_enough = 1e-5;
     const LocalFrame at_lamp = local_frame(Spacetime{-spacetime.spin}, lamp);
-    Vector3<double> direction = in_axes(at_lamp, place.direction);
+    Vector3<double> direction = in_axes(at_lamp, position.direction);
     found = detail::aim(at_lamp, {lamp, point, near_enough}, order, plane.phi, direction, correction, miss);
     ray = {detail::seen_from(frame, plane.r, miss.arrival), miss.arrival.delay, miss.spread};
   }
   if (order == 1 && detail::is_next_to(point, lamp)) {
-    ray = found ? ray : LightRay{in_axes(frame, place.emission_direction), place.travel_time, 0.0};
+    ray = found ? ray : LightRay{in_axes(frame, position.emission_direction), position.travel_time, 0.0};
     ray.spread = detail::spread_nearby(frame, ray);
     return true;
   }

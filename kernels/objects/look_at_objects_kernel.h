@@ -11,20 +11,20 @@ inline constexpr int object_order = 10;
 //! Finds the objects that rays of a camera, or of omnidirectional stereo, meet.
 template <class T, NearParts Parts>
 struct ObjectRaysOfEye {
-  static constexpr int most_quads = 1;
+  static constexpr int max_quads = 1;
 
   const ObjectPixelBatch& batch;
 
   [[nodiscard]] ERGO_HD PixelSlices slice(int at) const {
     const ObjectScene& objects = batch.objects;
-    return slice_pixel(objects.camera, start_near_ray(objects.camera, objects.turning, middle_of_pixel(batch, at)));
+    return slice_pixel(objects.camera, start_near_ray(objects.camera, objects.omni, middle_of_pixel(batch, at)));
   }
 
   ERGO_HD void find(int, const Vector3<T>* n, int count, SampleHits<T>* met) const {
     const ObjectScene& objects = batch.objects;
     const CameraStation& camera = objects.camera;
     for (int k = 0; k < count; ++k) {
-      const NearRay<T> ray = start_near_ray(camera, objects.turning, n[k]);
+      const NearRay<T> ray = start_near_ray(camera, objects.omni, n[k]);
       met[k].energy = ray.energy;
       met[k].momentum = ray.axial_angular_momentum;
       const T square = dot(n[k], n[k]);

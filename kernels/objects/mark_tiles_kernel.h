@@ -25,25 +25,25 @@ struct MarkTiles {
       const std::int32_t* const at = batch.tiles + 2 * (first + i < batch.count ? first + i : batch.count - 1);
       const Vector3<Dual<double>> one = observed_footprint(objects, at[0] + half, at[1] + half);
       const double size = dot(plain_vector(one), plain_vector(one));
-      const bool looks = size > 0.5 && size < 2.0;
+      const bool sees = size > 0.5 && size < 2.0;
       // If the tile's middle has no direction, all its pixels are drawn.
-      marks[i] = looks ? TileMark::nothing : TileMark::fine;
-      set_lane(inside, i, looks ? 1.0 : 0.0);
-      set_vector_lane(n, i, looks ? one : Vector3<Dual<double>>{1.0, 0.0, 0.0});
+      marks[i] = sees ? TileMark::nothing : TileMark::fine;
+      set_lane(inside, i, sees ? 1.0 : 0.0);
+      set_vector_lane(n, i, sees ? one : Vector3<Dual<double>>{1.0, 0.0, 0.0});
     }
     const CameraStation& camera = objects.camera;
-    const auto start = [&objects](const auto& at) { return start_near_ray(objects.camera, objects.turning, at); };
-    const T edge_px(::fmax(half, least_edge_px));
+    const auto start = [&objects](const auto& at) { return start_near_ray(objects.camera, objects.omni, at); };
+    const T edge_px(::fmax(half, min_edge_px));
     const auto by_edge = (inside > T(0.0)) & is_by_edge(camera.spin, start, n, edge_px, edge_px);
     for (int i = 0; i < lanes; ++i) {
       marks[i] = mask_lane(by_edge, i) ? TileMark::edge : marks[i];
     }
     const auto decided = follow_path<mark_order, Parts>(
         camera.spin, camera.cosine_phi, camera.sine_phi, start(n),
-        {objects.scene.least_r, greatest_r_of_tiles(objects, n, T(half))},
+        {objects.scene.min_r, max_r_of_tiles(objects, n, T(half))},
         {mark_tolerance, objects.limits.step_limit, objects.limits.delay}, (inside > T(0.0)) & !by_edge,
         [&](int i, const PathStep<mark_order, Parts, Dual<double>>& step) {
-          marks[i] = look_through(step, marks[i]);
+          marks[i] = mark_along(step, marks[i]);
           return marks[i] == TileMark::thin;
         });
     for (int i = 0; i < lanes && first + i < batch.count; ++i) {
@@ -52,7 +52,7 @@ struct MarkTiles {
   }
 
  private:
-  ERGO_HD TileMark look_through(const PathStep<mark_order, Parts, Dual<double>>& step, TileMark mark) const {
+  ERGO_HD TileMark mark_along(const PathStep<mark_order, Parts, Dual<double>>& step, TileMark mark) const {
     visit_tile_pieces(batch.objects.scene, step, {0.5 * batch.side_px, batch.turn_per_px, NeighbourTimes::any},
                       [&](const PathPiece&, double radius, const PixelOnPath& pixel) {
                         const TileMark own = mark_of(radius, pixel);

@@ -19,8 +19,8 @@ ERGO_HD MaskOf<T> trace_meshes(ScalarOf<T> spin, double cosine_phi, double sine_
   for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
     hits[i] = MeshHit{};
   }
-  return follow_path<Order, Parts>(spin, cosine_phi, sine_phi, ray, {scene.least_r, scene.greatest_r}, limits,
-                                   active_at_start, [&](int i, const PathStep<Order, Parts, double>& step) {
+  return follow_path<Order, Parts>(spin, cosine_phi, sine_phi, ray, {scene.min_r, scene.max_r}, limits, active_at_start,
+                                   [&](int i, const PathStep<Order, Parts, double>& step) {
                                      detail::StepSearch<Order, Parts> search = {step, scene, 0.0, {}};
                                      const bool found = search.run();
                                      if (found) {

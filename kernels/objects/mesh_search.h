@@ -8,9 +8,9 @@ namespace ergodome {
 
 //! Where light leaves a mesh.
 struct MeshHit {
-  int mesh = -1;            //!< -1: no mesh
-  std::uint32_t place = 0;  //!< number of the triangle in the tree
-  double weight_1 = 0.0;    //!< weights of the second and the third corner; the first has the rest
+  int mesh = -1;                 //!< -1: no mesh
+  std::uint32_t tree_index = 0;  //!< number of the triangle in the tree
+  double weight_1 = 0.0;         //!< weights of the second and the third corner; the first has the rest
   double weight_2 = 0.0;
   Vector3<double> point;  //!< pseudo-Cartesian [M]
   //! Coordinate time from the hit to the camera [M]; only with azimuth_and_delay.
@@ -66,8 +66,8 @@ struct PieceCrossings {
   //! none yet.
   ERGO_HD double first_s() const { return (first_h - piece.from_h) / (piece.to_h - piece.from_h); }
 
-  ERGO_HD void operator()(std::uint32_t place) {
-    const TriangleSides sides = triangle_sides(path.mesh.tree, place);
+  ERGO_HD void operator()(std::uint32_t tree_index) {
+    const TriangleSides sides = triangle_sides(path.mesh.tree, tree_index);
     const PlaneDistance<Path> f = {path, sides.corner, cross(sides.side_1, sides.side_2)};
     const double at_from = f.of(piece.from);
     const double at_middle = f.of(piece.middle);
@@ -76,7 +76,7 @@ struct PieceCrossings {
       return;
     }
     if ((at_from < 0.0) != (at_to < 0.0)) {
-      keep(f, sides, place, piece.from_h, piece.to_h, at_from);
+      keep(f, sides, tree_index, piece.from_h, piece.to_h, at_from);
       return;
     }
     // A path that bends may pass the plane and come back; the parabola through three points gives
@@ -89,14 +89,14 @@ struct PieceCrossings {
     const double turn = piece.from_h + share * (piece.to_h - piece.from_h);
     const double at_turn = f(turn);
     if ((at_turn < 0.0) != (at_from < 0.0)) {
-      keep(f, sides, place, piece.from_h, turn, at_from);
-      keep(f, sides, place, turn, piece.to_h, at_turn);
+      keep(f, sides, tree_index, piece.from_h, turn, at_from);
+      keep(f, sides, tree_index, turn, piece.to_h, at_turn);
     }
   }
 
   //! Keeps the crossing of a triangle's plane between two times if it lies within the triangle and
   //! is the first so far.
-  ERGO_HD void keep(const PlaneDistance<Path>& f, const TriangleSides& sides, std::uint32_t place, double from_h,
+  ERGO_HD void keep(const PlaneDistance<Path>& f, const TriangleSides& sides, std::uint32_t tree_index, double from_h,
                     double to_h, double at_from) {
     if (!(from_h < first_h)) {
       return;
@@ -115,7 +115,7 @@ struct PieceCrossings {
     if (weight_1 >= -seam && weight_2 >= -seam && weight_1 + weight_2 <= 1.0 + seam) {
       first_h = h;
       hit.mesh = index;
-      hit.place = place;
+      hit.tree_index = tree_index;
       hit.weight_1 = weight_1;
       hit.weight_2 = weight_2;
     }
@@ -205,7 +205,7 @@ struct StepSearch {
   //! Finds the first triangle on the step's path. Returns false if there is none.
   ERGO_HD bool run() {
     visit_pieces(
-        step.length, 1e-9 * scene.greatest_r, even_enough, [this](double h) { return step.point(h); }, *this);
+        step.length, 1e-9 * scene.max_r, even_enough, [this](double h) { return step.point(h); }, *this);
     if (hit.mesh < 0) {
       return false;
     }

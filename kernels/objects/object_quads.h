@@ -21,7 +21,7 @@ struct SampleHits {
 
 //! Computes the light of pixels in which objects may be seen, from several quads of positions each.
 //! rays.find(first, directions, count, met) finds what a pack of pixels meets in directions of up
-//! to rays.most_quads quads; rays.slice(number) cuts a pixel along the shadow's edge. Index i
+//! to rays.max_quads quads; rays.slice(number) cuts a pixel along the shadow's edge. Index i
 //! stands for the pixels i * lanes, i * lanes + 1, ...
 template <class T, class Rays>
 struct ObjectQuads {
@@ -32,11 +32,11 @@ struct ObjectQuads {
     const int first = index * lanes;
     PixelSum sums[lanes] = {};
     LampSight lamp;
-    const PixelPlaces<lanes> places(batch, first, [this](int at) { return rays.slice(at); });
+    const PixelPositions<lanes> positions(batch, first, [this](int at) { return rays.slice(at); });
     const int quads = batch.samples * batch.samples / quad_size;
-    for (int quad = 0; quad < quads; quad += Rays::most_quads) {
+    for (int quad = 0; quad < quads; quad += Rays::max_quads) {
       const int left = quads - quad;
-      look_at_quads(first, places, quad, left < Rays::most_quads ? left : Rays::most_quads, lamp, sums);
+      look_at_quads(first, positions, quad, left < Rays::max_quads ? left : Rays::max_quads, lamp, sums);
     }
     for (int i = 0; i < lanes && first + i < batch.count; ++i) {
       store(first + i, sums[i]);
@@ -81,12 +81,12 @@ struct ObjectQuads {
   }
 
   //! Returns each pixel's direction at a position of a quad.
-  ERGO_HD Vector3<T> direction(int first, const PixelPlaces<lanes>& places, int quad, int k) const {
+  ERGO_HD Vector3<T> direction(int first, const PixelPositions<lanes>& positions, int quad, int k) const {
     Vector3<T> n = {T(0.0), T(0.0), T(0.0)};
     for (int i = 0; i < lanes; ++i) {
       const std::int32_t* const at = pixel_of_batch(batch, first + i);
-      const PixelPlace place = places.at(i, quad, k);
-      const Vector3<double> one = observed_by(batch.objects, at[0] + place.along_px, at[1] + place.down_px);
+      const PixelPosition position = positions.at(i, quad, k);
+      const Vector3<double> one = observed_by(batch.objects, at[0] + position.along_px, at[1] + position.down_px);
       set_lane(n.x, i, one.x);
       set_lane(n.y, i, one.y);
       set_lane(n.z, i, one.z);
@@ -95,14 +95,14 @@ struct ObjectQuads {
   }
 
   //! Traces the rays of some quads of each pixel.
-  ERGO_HD void look_at_quads(int first, const PixelPlaces<lanes>& places, int quad, int count, LampSight& lamp,
+  ERGO_HD void look_at_quads(int first, const PixelPositions<lanes>& positions, int quad, int count, LampSight& lamp,
                              PixelSum (&sums)[lanes]) const {
-    constexpr int most = Rays::most_quads * quad_size;
-    Vector3<T> n[most];
-    SampleHits<T> met[most];
+    constexpr int maximum = Rays::max_quads * quad_size;
+    Vector3<T> n[maximum];
+    SampleHits<T> met[maximum];
     const T zero(0.0);
-    for (int k = 0; k < most; ++k) {
-      n[k] = k < count * quad_size ? direction(first, places, quad + k / quad_size, k % quad_size)
+    for (int k = 0; k < maximum; ++k) {
+      n[k] = k < count * quad_size ? direction(first, positions, quad + k / quad_size, k % quad_size)
                                    : Vector3<T>{zero, zero, zero};
     }
     rays.find(first, n, count * quad_size, met);
@@ -114,28 +114,28 @@ struct ObjectQuads {
         }
         for (int corner = 0; corner < quad_size; ++corner) {
           const SampleHits<T>& sample = met[k + corner];
-          const float weight = places.at(i, quad + k / quad_size, corner).weight;
+          const float weight = positions.at(i, quad + k / quad_size, corner).weight;
           add_sample(own, corner, weight, lane(sample.energy, i), lane(sample.momentum, i), lamp, lamp.lit[i], sums[i]);
         }
       }
     }
   }
 
-  ERGO_HD SurfacePlace place_of(const MeshHit& hit) const {
+  ERGO_HD SurfacePoint position_of(const MeshHit& hit) const {
     const ObjectScene& objects = batch.objects;
-    return surface_place(objects.looks[hit.mesh].surface, objects.scene.meshes[hit.mesh], hit.place, hit.weight_1,
-                         hit.weight_2);
+    return surface_point(objects.appearances[hit.mesh].surface, objects.scene.meshes[hit.mesh], hit.tree_index,
+                         hit.weight_1, hit.weight_2);
   }
 
   //! Returns the change of texture coordinates from a sample to its neighbors in the quad, if they
   //! are on the same mesh.
-  ERGO_HD OverlayFootprint footprint_of(const MeshHit (&quad)[quad_size], int k, const SurfacePlace& at) const {
+  ERGO_HD OverlayFootprint footprint_of(const MeshHit (&quad)[quad_size], int k, const SurfacePoint& at) const {
     OverlayFootprint footprint = {};
     const auto difference = [&](int other, float& along_u, float& along_v) {
       if (quad[other].mesh != quad[k].mesh) {
         return;
       }
-      const SurfacePlace beside = place_of(quad[other]);
+      const SurfacePoint beside = position_of(quad[other]);
       // A larger change means that the samples are on both sides of an image's seam.
       const float u = beside.u - at.u;
       const float v = beside.v - at.v;
@@ -157,26 +157,26 @@ struct ObjectQuads {
       return;
     }
     const ObjectScene& objects = batch.objects;
-    const SurfaceLook& look = objects.looks[hit.mesh];
+    const SurfaceAppearance& appearance = objects.appearances[hit.mesh];
     const PlacedMesh& mesh = objects.scene.meshes[hit.mesh];
-    const SurfacePlace at = place_of(hit);
-    const bool textured = look.surface.parts[at.part].textured;
-    Vector3<float> light = surface_color(look, at, textured ? footprint_of(quad, k, at) : OverlayFootprint{});
-    if (look.lit && objects.lamp.strength > 0.0) {
+    const SurfacePoint at = position_of(hit);
+    const bool textured = appearance.surface.parts[at.part].textured;
+    Vector3<float> light = surface_color(appearance, at, textured ? footprint_of(quad, k, at) : OverlayFootprint{});
+    if (appearance.lit && objects.lamp.strength > 0.0) {
       // The samples of a quad share the lamp's light, but not the surface.
       if (lit.mesh != hit.mesh) {
         MeshLimits limits = objects.limits;
         limits.delay = hit.delay;
         const double off_surface = 1e-5 * mesh.size * mesh.tree.radius;
-        const LitPlace place = {hit.point, at.normal, mesh_velocity(mesh, hit.delay),
-                                hit.point + at.lift + off_surface * at.normal};
+        const LitSurfacePoint position = {hit.point, at.normal, mesh_velocity(mesh, hit.delay),
+                                          hit.point + at.lift + off_surface * at.normal};
         lit.mesh = hit.mesh;
         if (lamp.corrected != hit.mesh) {
           lamp.corrected = hit.mesh;
           lamp.corrections = objects.guesses[hit.mesh];
         }
         lit.light =
-            lamp_light(spacetime_of(objects.camera), objects.lamp, place, objects.scene, limits, lamp.corrections);
+            lamp_light(spacetime_of(objects.camera), objects.lamp, position, objects.scene, limits, lamp.corrections);
       }
       light = static_cast<float>(illuminance(lit.light, at.normal)) * light;
     }
@@ -189,7 +189,7 @@ struct ObjectQuads {
     add_light(hit, at, light, weight, sum);
   }
 
-  ERGO_HD static void add_light(const MeshHit& hit, const SurfacePlace& at, const Vector3<float>& light, float weight,
+  ERGO_HD static void add_light(const MeshHit& hit, const SurfacePoint& at, const Vector3<float>& light, float weight,
                                 PixelSum& sum) {
     // If normals differ by more than this, or the mesh differs, an outline may pass through the
     // pixel.

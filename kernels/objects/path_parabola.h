@@ -52,23 +52,24 @@ inline constexpr double even_enough = 0.15;
 //! order. Pieces that bend are cut before the call; none is cut more than about twenty times.
 enum class PieceAnswer { finish, cut, stop };
 
-template <class Place, class Each>
-ERGO_HD void visit_pieces(double length, double smallest_chord, double most_uneven, const Place& place, Each&& each) {
+template <class Position, class Each>
+ERGO_HD void visit_pieces(double length, double smallest_chord, double max_unevenness, const Position& position,
+                          Each&& each) {
   constexpr int deepest = 24;
   PathPiece waiting[deepest + 1];
   int count = 0;
   const auto piece = [&](double from_h, const Vector3<double>& from, double to_h, const Vector3<double>& to) {
-    return PathPiece{from_h, to_h, from, place(0.5 * (from_h + to_h)), to};
+    return PathPiece{from_h, to_h, from, position(0.5 * (from_h + to_h)), to};
   };
   const double half = 0.5 * length;
-  const Vector3<double> middle = place(half);
-  waiting[count++] = piece(half, middle, length, place(length));
-  waiting[count++] = piece(0.0, place(0.0), half, middle);
+  const Vector3<double> middle = position(half);
+  waiting[count++] = piece(half, middle, length, position(length));
+  waiting[count++] = piece(0.0, position(0.0), half, middle);
   while (count > 0) {
     const PathPiece p = waiting[--count];
     const double chord = p.chord();
     const bool bent = p.stray() > straight_enough * chord + smallest_chord ||
-                      (::fabs(p.unevenness()) > most_uneven && chord > smallest_chord);
+                      (::fabs(p.unevenness()) > max_unevenness && chord > smallest_chord);
     const bool may_cut = count + 2 <= deepest + 1;
     const PieceAnswer answer = bent && may_cut ? PieceAnswer::cut : each(p);
     if (answer == PieceAnswer::stop) {
@@ -144,12 +145,12 @@ ERGO_HD bool is_within(const PlaneOnPiece& plane, const Vector3<double>& point, 
 ERGO_HD bool may_cross(const PathParabola& path, const PlaneOnPiece& plane, double first_s) {
   const double reach = path.off * ::sqrt(dot(plane.normal, plane.normal));
   const double bow = 2.0 * (plane.at_from + plane.at_to) - 4.0 * plane.at_middle;
-  const double least = ::fmin(::fabs(plane.at_from), ::fmin(::fabs(plane.at_middle), ::fabs(plane.at_to)));
+  const double minimum = ::fmin(::fabs(plane.at_from), ::fmin(::fabs(plane.at_middle), ::fabs(plane.at_to)));
   const bool below = plane.at_from < 0.0 && plane.at_middle < 0.0 && plane.at_to < 0.0;
   const bool above = plane.at_from > 0.0 && plane.at_middle > 0.0 && plane.at_to > 0.0;
   // Between neighboring points, the parabola deviates from their chord by at most |bow| / 16, where
   // `bow` is its quadratic coefficient.
-  if ((below || above) && least > reach + 0.0625 * ::fabs(bow)) {
+  if ((below || above) && minimum > reach + 0.0625 * ::fabs(bow)) {
     return false;
   }
   const double slope = plane.at_to - plane.at_from - bow;

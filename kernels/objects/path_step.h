@@ -9,8 +9,8 @@ namespace ergodome {
 
 //! Radii between which objects are [M].
 struct RadialBounds {
-  double least;  //!< outside the horizon
-  double greatest;
+  double minimum;  //!< outside the horizon
+  double maximum;
 };
 
 //! How far rays are followed, and how precisely.
@@ -27,7 +27,7 @@ template <int Order, NearParts Parts, class T>
 struct PathStep {
   detail::NearSeries<Order, T, Parts> series;
   Vector3<double> axes[2];  //!< directions of m's x and y, before frame dragging
-  double least_u;           //!< no objects are farther out: positions are clamped to this 1/r
+  double min_u;             //!< no objects are farther out: positions are clamped to this 1/r
   double length;            //!< length of the step, in h
   double scale;             //!< h over Mino time
   //! Mino time at h = 0, from the camera, for a photon seen with energy 1 [1/M].
@@ -48,7 +48,7 @@ struct PathStep {
   ERGO_HD Vector3<T> point(const T& h) const {
     const auto& s = series;
     const T u = series_value(s.u, h);
-    const T r = 1.0 / (value_of(u) > least_u ? u : T(least_u));
+    const T r = 1.0 / (value_of(u) > min_u ? u : T(min_u));
     return r * turned(series_value(s.drag, h), series_value(s.x, h), series_value(s.y, h), series_value(s.z, h));
   }
 
@@ -114,7 +114,7 @@ ERGO_HD void take_lane(const NearSeries<Order, T, Parts>& all, int i, NearSeries
 //! into many pieces.
 template <int Order, NearParts Parts, class T>
 ERGO_HD double length_within(const PathStep<Order, Parts, T>& step, double length) {
-  const auto is_beyond = [&](double h) { return value_of(series_value(step.series.u, T(h))) < step.least_u; };
+  const auto is_beyond = [&](double h) { return value_of(series_value(step.series.u, T(h))) < step.min_u; };
   if (!is_beyond(length) || is_beyond(0.0)) {
     return length;
   }
@@ -170,8 +170,8 @@ ERGO_HD MaskOf<RealOf<T>> follow_path(ScalarOf<T> spin, double cosine_phi, doubl
   using Real = RealOf<T>;
   using One = typename detail::OneLane<T>::Type;
   const Real zero(0.0);
-  const Real outermost(1.0 / bounds.greatest);
-  const Real innermost(1.0 / bounds.least);
+  const Real outermost(1.0 / bounds.maximum);
+  const Real innermost(1.0 / bounds.minimum);
   const RadialFate<Real> fate = radial_fate(spin, ray);
   const Real scale =
       safe_sqrt(maximum(value_of(ray.polar_constant), zero)) + maximum(absolute(value_of(ray.energy)), Real(1.0));
@@ -210,7 +210,7 @@ ERGO_HD MaskOf<RealOf<T>> follow_path(ScalarOf<T> spin, double cosine_phi, doubl
         continue;
       }
       detail::take_lane(s, i, step.series);
-      step.least_u = 0.5 * ::fmin(1.0 / bounds.greatest, lane(value_of(ray.u), i));
+      step.min_u = 0.5 * ::fmin(1.0 / bounds.maximum, lane(value_of(ray.u), i));
       step.length = detail::length_within(step, lane(length, i));
       step.scale = lane(scale, i);
       step.start = lane(time, i);

@@ -13,7 +13,7 @@ namespace ergodome::inline ERGO_TARGET {
 
 //! A position in a pixel, from its corner. Its weight is the fraction of the pixel that it
 //! represents, times the number of positions.
-struct PixelPlace {
+struct PixelPosition {
   double along_px, down_px;
   float weight;
 };
@@ -30,18 +30,18 @@ class PixelSlices {
 
   //! Returns the position of one of `count` slices, numbered from the dark side of the edge
   //! outwards.
-  ERGO_HD PixelPlace place(int slice, int count) const {
+  ERGO_HD PixelPosition position(int slice, int count) const {
     // Multiples of the golden ratio are spread evenly along the edge, for any number of slices.
     constexpr double golden = 0.61803398874989485;
     const double from = at(slice, count);
     const double to = at(slice + 1, count);
     const double across = at(slice + 0.5, count);
-    double least = -1.0;
-    double most = 1.0;
-    keep_within(-y_, x_ * across, least, most);
-    keep_within(x_, y_ * across, least, most);
+    double minimum = -1.0;
+    double maximum = 1.0;
+    keep_within(-y_, x_ * across, minimum, maximum);
+    keep_within(x_, y_ * across, minimum, maximum);
     const double turns = (slice + 0.5) * golden;
-    const double beside = least + (turns - ::floor(turns)) * (most - least);
+    const double beside = minimum + (turns - ::floor(turns)) * (maximum - minimum);
     return {0.5 + x_ * across - y_ * beside, 0.5 + y_ * across + x_ * beside,
             static_cast<float>(count * (area_before(to) - area_before(from)))};
   }
@@ -83,14 +83,14 @@ class PixelSlices {
   }
 
   //! Restricts a range of t to where a line is within the pixel: |rate t + start| <= 1/2.
-  ERGO_HD static void keep_within(double rate, double start, double& least, double& most) {
+  ERGO_HD static void keep_within(double rate, double start, double& minimum, double& maximum) {
     if (::fabs(rate) < 1e-9) {
       return;
     }
     const double one = (-0.5 - start) / rate;
     const double other = (0.5 - start) / rate;
-    least = ::fmax(least, ::fmin(one, other));
-    most = ::fmin(most, ::fmax(one, other));
+    minimum = ::fmax(minimum, ::fmin(one, other));
+    maximum = ::fmin(maximum, ::fmax(one, other));
   }
 
   double x_ = 1.0;
@@ -145,12 +145,12 @@ ERGO_HD const std::int32_t* pixel_of_batch(const ObjectPixelBatch& batch, int at
 
 //! Positions of the samples of some pixels of a batch, in quads of neighboring positions.
 template <int Pixels>
-class PixelPlaces {
+class PixelPositions {
  public:
   //! Computes the positions for the pixels from `first` on; slice(number) returns the slices of one
   //! pixel.
   template <class Slice>
-  ERGO_HD PixelPlaces(const ObjectPixelBatch& batch, int first, const Slice& slice)
+  ERGO_HD PixelPositions(const ObjectPixelBatch& batch, int first, const Slice& slice)
       : pattern_(batch.pattern), samples_(batch.samples) {
     for (int i = 0; i < Pixels && pattern_ == PixelPattern::slices; ++i) {
       slices_[i] = slice(first + i < batch.count ? first + i : batch.count - 1);
@@ -158,9 +158,9 @@ class PixelPlaces {
   }
 
   //! Returns position k of a quad.
-  ERGO_HD PixelPlace at(int pixel, int quad, int k) const {
+  ERGO_HD PixelPosition at(int pixel, int quad, int k) const {
     if (pattern_ == PixelPattern::slices) {
-      return slices_[pixel].place(4 * quad + k, samples_ * samples_);
+      return slices_[pixel].position(4 * quad + k, samples_ * samples_);
     }
     const int across = samples_ / 2;
     const int row = quad / across;

@@ -30,8 +30,8 @@ struct PlacedMesh {
 struct MeshScene {
   const PlacedMesh* meshes;
   int count;
-  double least_r;     //!< no mesh reaches farther in; outside the horizon [M]
-  double greatest_r;  //!< no mesh reaches farther out [M]
+  double min_r;  //!< no mesh reaches farther in; outside the horizon [M]
+  double max_r;  //!< no mesh reaches farther out [M]
 };
 
 inline namespace ERGO_TARGET {

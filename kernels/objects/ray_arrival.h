@@ -41,9 +41,9 @@ ERGO_HD bool follow_to_radius(const CameraStation& camera, const Vector3<Dual<do
     // If the ray goes inwards first, searches from its innermost point on.
     const double from = plain[1] > 0.0 ? value_of(time_to_turn(step.series.u, plain[1], step.length)) : 0.0;
     const Dual<double> h = time_to_zero(from_radius, 1.0, from, step.length);
-    const Vector3<Dual<double>> place = step.point(h);
+    const Vector3<Dual<double>> position = step.point(h);
     const Vector3<Dual<double>> momentum = step.polar_momentum(h);
-    arrival = {u * place,
+    arrival = {u * position,
                step.scale * value_of(series_rate(step.series.u, h)),
                {momentum.x.value, momentum.y.value, momentum.z.value},
                step.delay(value_of(h))};
@@ -75,12 +75,12 @@ struct RayTarget {
 
 //! Returns the target of rays from a point. `near_enough`: for distances of at least the target's
 //! radius; it is reduced for shorter ones.
-ERGO_HD RayTarget ray_target(const Vector3<double>& from, const Vector3<double>& place, double near_enough) {
+ERGO_HD RayTarget ray_target(const Vector3<double>& from, const Vector3<double>& position, double near_enough) {
   RayTarget target{};
-  target.r = ::sqrt(dot(place, place));
-  target.outward = (1.0 / target.r) * place;
+  target.r = ::sqrt(dot(position, position));
+  target.outward = (1.0 / target.r) * position;
   axes_across(target.outward, target.axes[0], target.axes[1]);
-  const Vector3<double> way = place - from;
+  const Vector3<double> way = position - from;
   target.near_enough = near_enough * ::fmin(1.0, ::sqrt(dot(way, way)) / target.r);
   return target;
 }
@@ -124,7 +124,7 @@ ERGO_HD bool miss_of(const CameraStation& camera, const RayTarget& target, const
 }
 
 //! Maximum number of Newton steps.
-inline constexpr int most_aim_rounds = 16;
+inline constexpr int max_aim_rounds = 16;
 
 }  // namespace detail
 

@@ -38,7 +38,7 @@ struct Surface {
 };
 
 //! How a placed mesh looks.
-struct SurfaceLook {
+struct SurfaceAppearance {
   Surface surface;
   Vector3<float> factor;  //!< multiplies all its colors
   float columns, rows;    //!< number of columns and rows of a checkerboard; 0: none
@@ -47,7 +47,7 @@ struct SurfaceLook {
 };
 
 //! A point of a surface.
-struct SurfacePlace {
+struct SurfacePoint {
   Vector3<double> normal;  //!< interpolated from its corners, of unit length, in space
   //! From the flat triangle to the smooth surface that its normals describe [M].
   Vector3<double> lift;
@@ -62,9 +62,9 @@ ERGO_HD Vector3<double> vector_of(const float (&v)[3]) {
   return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
 }
 
-ERGO_HD SurfacePlace surface_place(const Surface& surface, const PlacedMesh& mesh, std::uint32_t place, double weight_1,
-                                   double weight_2) {
-  const std::uint32_t triangle = mesh.tree.triangles[place];
+ERGO_HD SurfacePoint surface_point(const Surface& surface, const PlacedMesh& mesh, std::uint32_t tree_index,
+                                   double weight_1, double weight_2) {
+  const std::uint32_t triangle = mesh.tree.triangles[tree_index];
   const SurfaceVertex* corner[3];
   for (int i = 0; i < 3; ++i) {
     corner[i] =
@@ -124,11 +124,12 @@ ERGO_HD WrappedTexture wrapped_texture(float x, TextureWrap wrap) {
 //! Returns the linear light of a surface: its own light if it is not lit, otherwise the light that
 //! it reflects under white light of strength 1. `footprint`: of the texture, in a pixel or less; v
 //! counts upwards.
-ERGO_HD Vector3<float> surface_color(const SurfaceLook& look, const SurfacePlace& at,
+ERGO_HD Vector3<float> surface_color(const SurfaceAppearance& appearance, const SurfacePoint& at,
                                      const OverlayFootprint& footprint) {
-  const SurfacePart& part = look.surface.parts[at.part];
-  Vector3<float> color = {look.factor.x * part.color.x * at.color.x, look.factor.y * part.color.y * at.color.y,
-                          look.factor.z * part.color.z * at.color.z};
+  const SurfacePart& part = appearance.surface.parts[at.part];
+  Vector3<float> color = {appearance.factor.x * part.color.x * at.color.x,
+                          appearance.factor.y * part.color.y * at.color.y,
+                          appearance.factor.z * part.color.z * at.color.z};
   if (part.textured) {
     const WrappedTexture u = wrapped_texture(at.u, part.wrap_u);
     const WrappedTexture v = wrapped_texture(at.v, part.wrap_v);
@@ -141,10 +142,11 @@ ERGO_HD Vector3<float> surface_color(const SurfaceLook& look, const SurfacePlace
     const Quad texel = filtered_overlay(part.image, on_image);
     color = {color.x * quad_part(texel, 0), color.y * quad_part(texel, 1), color.z * quad_part(texel, 2)};
   }
-  if (look.columns > 0.0F) {
-    const auto cell = static_cast<long>(::floorf(at.u * look.columns)) + static_cast<long>(::floorf(at.v * look.rows));
+  if (appearance.columns > 0.0F) {
+    const auto cell =
+        static_cast<long>(::floorf(at.u * appearance.columns)) + static_cast<long>(::floorf(at.v * appearance.rows));
     if ((cell & 1L) != 0) {
-      color = look.dark * color;
+      color = appearance.dark * color;
     }
   }
   return color;

@@ -28,7 +28,7 @@ ERGO_HD void set_vector_lane(Vector3<Dual<T>>& v, int i, const Vector3<Dual<doub
 
 //! Minimum distance within which the edge is sought [px], as the ray in the middle does not predict
 //! footprints next to the edge either.
-inline constexpr double least_edge_px = 0.7;
+inline constexpr double min_edge_px = 0.7;
 
 //! Returns the lanes where the edge of a shadow is within `half_x_px` and `half_y_px` of a
 //! direction, if the shadow is larger than that. The ray in the middle does not predict what is
@@ -58,14 +58,14 @@ ERGO_HD MaskOf<T> is_by_edge(ScalarOf<T> spin, const Start& start, const Vector3
 //! ball about all objects, because some rays of a tile may enter the ball although the ray in the
 //! tile's middle, in direction n, does not.
 template <class T>
-ERGO_HD double greatest_r_of_tiles(const ObjectScene& objects, const Vector3<Dual<T>>& n, const T& half_px) {
+ERGO_HD double max_r_of_tiles(const ObjectScene& objects, const Vector3<Dual<T>>& n, const T& half_px) {
   double beside = 0.0;
   for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
     const Vector3<double> x = {lane(n.x.along_x, i), lane(n.y.along_x, i), lane(n.z.along_x, i)};
     const Vector3<double> y = {lane(n.x.along_y, i), lane(n.y.along_y, i), lane(n.z.along_y, i)};
     beside = ::fmax(beside, lane(half_px, i) * (length_of(x) + length_of(y)));
   }
-  const double r = objects.scene.greatest_r;
+  const double r = objects.scene.max_r;
   return r + footprint_slack * beside * (1.0 / objects.camera.u + r);
 }
 
@@ -86,9 +86,9 @@ inline constexpr double stretched_part = 4.0;
 //! time.
 enum class NeighbourTimes { same, any };
 
-ERGO_HD PixelOnPath pixel_on_path(const Vector3<Dual<double>>& place, const Vector3<double>& way) {
-  const Vector3<double> x = {place.x.along_x, place.y.along_x, place.z.along_x};
-  const Vector3<double> y = {place.x.along_y, place.y.along_y, place.z.along_y};
+ERGO_HD PixelOnPath pixel_on_path(const Vector3<Dual<double>>& position, const Vector3<double>& way) {
+  const Vector3<double> x = {position.x.along_x, position.y.along_x, position.z.along_x};
+  const Vector3<double> y = {position.x.along_y, position.y.along_y, position.z.along_y};
   const double square = ::fmax(dot(way, way), 1e-300);
   const double x_along = dot(x, way) / square;
   const double y_along = dot(y, way) / square;
@@ -170,10 +170,10 @@ ERGO_HD TileMark mark_of(double radius, const PixelOnPath& pixel) {
 template <NearParts Parts, class Each>
 ERGO_HD void visit_tile_pieces(const MeshScene& scene, const PathStep<mark_order, Parts, Dual<double>>& step,
                                const Neighbours& neighbours, const Each& each) {
-  constexpr double most_uneven = 0.05;
+  constexpr double max_unevenness = 0.05;
   const double within_px = footprint_slack * neighbours.half_px;
-  const auto place = [&](double h) { return plain_vector(step.point(Dual<double>(h))); };
-  visit_pieces(step.length, 1e-9 * scene.greatest_r, most_uneven, place, [&](const PathPiece& p) {
+  const auto position = [&](double h) { return plain_vector(step.point(Dual<double>(h))); };
+  visit_pieces(step.length, 1e-9 * scene.max_r, max_unevenness, position, [&](const PathPiece& p) {
     const PixelOnPath pixel = pixel_on_path(step.point(Dual<double>(p.middle_h())), p.to - p.from);
     // The footprint is computed in the middle of the piece, but changes along it.
     const double reach =

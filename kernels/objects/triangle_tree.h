@@ -38,8 +38,8 @@ struct TriangleSides {
 
 inline namespace ERGO_TARGET {
 
-ERGO_HD TriangleSides triangle_sides(const TriangleTree& tree, std::uint32_t place) {
-  const float* const c = tree.corners + 9 * static_cast<std::size_t>(place);
+ERGO_HD TriangleSides triangle_sides(const TriangleTree& tree, std::uint32_t position) {
+  const float* const c = tree.corners + 9 * static_cast<std::size_t>(position);
   const auto corner = [c](int i) {
     return Vector3<double>{static_cast<double>(c[3 * i]), static_cast<double>(c[3 * i + 1]),
                            static_cast<double>(c[3 * i + 2])};

@@ -4,7 +4,7 @@
 
 #include "kernels/image/tone_curve.h"
 #include "kernels/launch/kernel.h"
-#include "kernels/overlay/overlay_sheet.h"
+#include "kernels/overlay/overlay_surface.h"
 #include "kernels/overlay/overlay_texture.h"
 #include "kernels/projection/projection.h"
 
@@ -24,7 +24,7 @@ struct OverlayBatch {
   float* rgba;  //!< light and coverage of the whole picture
   ProjectionOf<float> projection;
   OverlayTexture texture;
-  OverlaySheet sheet;
+  OverlaySurface surface;
   float opacity;
   Tone tone;
   bool display_colours;       //!< the picture has a display's values already: no tone is applied

@@ -27,15 +27,15 @@ struct DrawOverlay {
     const T one(1.0F);
     const T zero(0.0F);
     const Vector3<D> view = direction_from_pixel(batch.projection, D(x_px, one, zero), D(y_px, zero, one));
-    const Vector3<float>& axis = batch.sheet.bound_axis;
+    const Vector3<float>& axis = batch.surface.bound_axis;
     const T ahead = view.x.value * T(axis.x) + view.y.value * T(axis.y) + view.z.value * T(axis.z);
-    const unsigned inside = mask_bits(ahead > T(batch.sheet.bound_cosine));
+    const unsigned inside = mask_bits(ahead > T(batch.surface.bound_cosine));
     if (inside == 0U) {
       return;
     }
     D s;
     D t;
-    place_on_sheet(batch.sheet, view, s, t);
+    project_to_surface(batch.surface, view, s, t);
     const T covered = image_coverage(batch.projection, x_px, y_px);
     for (int i = 0; i < lanes && x + i < batch.projection.width_px; ++i) {
       if (((inside >> static_cast<unsigned>(i)) & 1U) != 0U && lane(covered, i) > 0.0F) {
@@ -56,10 +56,10 @@ struct DrawOverlay {
     return maximum(from + to - 1.0F, 0.0F);
   }
 
-  //! Returns the fraction of a pixel that the sheet covers. A fisheye's circle covers pixels on its
-  //! rim completely, since the picture's own rim is softer.
-  ERGO_HD float sheet_part(const OverlayFootprint& f) const {
-    if (batch.sheet.shape == OverlayShape::fisheye) {
+  //! Returns the fraction of a pixel that the surface covers. A fisheye's circle covers pixels on
+  //! its rim completely, since the picture's own rim is softer.
+  ERGO_HD float surface_part(const OverlayFootprint& f) const {
+    if (batch.surface.shape == OverlayShape::fisheye) {
       const float x = f.s - 0.5F;
       const float y = f.t - 0.5F;
       const float radius = sqrt(x * x + y * y);
@@ -72,7 +72,7 @@ struct DrawOverlay {
   }
 
   ERGO_HD void cover(float* pixel, const OverlayFootprint& footprint, float picture_part) const {
-    const float part = batch.opacity * sheet_part(footprint);
+    const float part = batch.opacity * surface_part(footprint);
     if (!(part > 0.0F)) {
       return;
     }

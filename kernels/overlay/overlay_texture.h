@@ -63,7 +63,7 @@ ERGO_HD Quad overlay_between(const OverlayTexture& texture, int level, float s, 
 }
 
 //! Interpolates between two levels.
-ERGO_HD Quad overlay_look(const OverlayTexture& texture, float level, float s, float t) {
+ERGO_HD Quad overlay_sample(const OverlayTexture& texture, float level, float s, float t) {
   const float coarsest = static_cast<float>(texture.level_count - 1);
   const float at = minimum(maximum(level, 0.0F), coarsest);
   const int fine = static_cast<int>(at);
@@ -78,7 +78,7 @@ ERGO_HD Quad overlay_look(const OverlayTexture& texture, float level, float s, f
 //! whose texels have that spacing. A footprint of one texel's size, on that texel, yields exactly
 //! its value.
 ERGO_HD Quad filtered_overlay(const OverlayTexture& texture, const OverlayFootprint& footprint) {
-  constexpr float most_looks = 8.0F;
+  constexpr float max_samples = 8.0F;
   // A footprint wider than a texel by at most this still counts as one texel wide.
   constexpr float slack = 0.05F;
   const float width = static_cast<float>(texture.width);
@@ -100,8 +100,8 @@ ERGO_HD Quad filtered_overlay(const OverlayTexture& texture, const OverlayFootpr
   const float length = sqrt(axis_u * axis_u + axis_v * axis_v);
   const float u = length > 0.0F ? axis_u / length : 1.0F;
   const float v = length > 0.0F ? axis_v / length : 0.0F;
-  const float looks = ::ceilf(longer / maximum(0.5F * shorter, 1.0F) - slack);
-  const int along = static_cast<int>(minimum(maximum(looks, 1.0F), most_looks));
+  const float samples = ::ceilf(longer / maximum(0.5F * shorter, 1.0F) - slack);
+  const int along = static_cast<int>(minimum(maximum(samples, 1.0F), max_samples));
   const int across = shorter > 1.0F + slack ? 2 : 1;
   const float step = longer / static_cast<float>(along);
   const float side_step = shorter / static_cast<float>(across);
@@ -111,8 +111,8 @@ ERGO_HD Quad filtered_overlay(const OverlayTexture& texture, const OverlayFootpr
     const float beside = side_step * (static_cast<float>(k) - 0.5F * static_cast<float>(across - 1));
     for (int i = 0; i < along; ++i) {
       const float ahead = step * (static_cast<float>(i) - 0.5F * static_cast<float>(along - 1));
-      sum = sum + detail::overlay_look(texture, level, footprint.s + (ahead * u - beside * v) / width,
-                                       footprint.t + (ahead * v + beside * u) / height);
+      sum = sum + detail::overlay_sample(texture, level, footprint.s + (ahead * u - beside * v) / width,
+                                         footprint.t + (ahead * v + beside * u) / height);
     }
   }
   return (1.0F / (65535.0F * static_cast<float>(along * across))) * sum;

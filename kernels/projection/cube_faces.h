@@ -67,9 +67,9 @@ ERGO_HD CubeCell cube_cell(CubeLayout layout, CubeFace face) {
 //! Returns the integer part of a number, within [0, cells - 1]; at a border between cells, either
 //! one.
 template <class R>
-ERGO_HD R cell_of(const R& place, int cells) {
+ERGO_HD R cell_of(const R& position, int cells) {
   using S = ScalarOf<R>;
-  return minimum(maximum(round_to_nearest(place - S(0.5)), R(S(0))), R(static_cast<S>(cells - 1)));
+  return minimum(maximum(round_to_nearest(position - S(0.5)), R(S(0))), R(static_cast<S>(cells - 1)));
 }
 
 //! Returns the number of the face in a cell of a layout; the empty cells of the cross count as top

@@ -49,11 +49,11 @@ ERGO_HD Vector3<T> direction_from_fisheye(const DomeFisheye<ScalarOf<T>>& dome, 
   T outwards;
   T cosine;
   look_through_lens(dome.lens, x, y, outwards, cosine);
-  const Vector3<T> place = detail::tilted_down(dome, outwards, cosine, x, y);
+  const Vector3<T> position = detail::tilted_down(dome, outwards, cosine, x, y);
   if (dome.off_centre == 0) {
-    return place;
+    return position;
   }
-  const Vector3<T> way = {place.x - dome.viewer.x, place.y - dome.viewer.y, place.z - dome.viewer.z};
+  const Vector3<T> way = {position.x - dome.viewer.x, position.y - dome.viewer.y, position.z - dome.viewer.z};
   return (S(1) / sqrt(dot(way, way))) * way;
 }
 
@@ -74,7 +74,7 @@ ERGO_HD Vector3<T> direction_from_plain_fisheye(const DomeFisheye<ScalarOf<T>>& 
 
 //! Returns the point of the dome that a viewer sees in a direction: where the ray meets the sphere.
 //! Both have unit length.
-ERGO_HD Vector3<double> place_on_dome(const DomeFisheye<double>& dome, const Vector3<double>& view) {
+ERGO_HD Vector3<double> position_on_dome(const DomeFisheye<double>& dome, const Vector3<double>& view) {
   if (dome.off_centre == 0) {
     return view;
   }
@@ -88,16 +88,16 @@ ERGO_HD Vector3<double> place_on_dome(const DomeFisheye<double>& dome, const Vec
 //! direction.
 ERGO_HD bool fisheye_from_direction(const DomeFisheye<double>& dome, const Vector3<double>& view, double& x,
                                     double& y) {
-  const Vector3<double> place = place_on_dome(dome, view);
-  const double forward = -place.z;
-  const double zenith = dome.tilt_cosine * place.y + dome.tilt_sine * forward;
-  const double front = dome.tilt_cosine * forward - dome.tilt_sine * place.y;
-  const double across = ::sqrt(place.x * place.x + front * front);
+  const Vector3<double> position = position_on_dome(dome, view);
+  const double forward = -position.z;
+  const double zenith = dome.tilt_cosine * position.y + dome.tilt_sine * forward;
+  const double front = dome.tilt_cosine * forward - dome.tilt_sine * position.y;
+  const double across = ::sqrt(position.x * position.x + front * front);
   double radius = 0.0;
   if (!lens_radius(dome.lens, zenith, across, radius)) {
     return false;
   }
-  x = across > 0.0 ? radius * place.x / across : 0.0;
+  x = across > 0.0 ? radius * position.x / across : 0.0;
   y = across > 0.0 ? -radius * front / across : -radius;
   return true;
 }

@@ -45,14 +45,14 @@ template <class T>
 ERGO_HD T polynomial_angle(const FisheyeLens<ScalarOf<T>>& lens, const T& radius) {
   using R = RealOf<T>;
   using S = ScalarOf<T>;
-  constexpr int most_steps = sizeof(S) == 4 ? 24 : 54;
+  constexpr int max_steps = sizeof(S) == 4 ? 24 : 54;
   const R close(lens.half_angle * (sizeof(S) == 4 ? S(1e-6) : S(1e-15)));
   const R target = minimum(value_of(radius), R(lens.rim));
   R low(S(0));
   R high(lens.half_angle);
   R angle = target * (lens.half_angle / lens.rim);
   R slope;
-  for (int i = 0; i < most_steps; ++i) {
+  for (int i = 0; i < max_steps; ++i) {
     const R miss = polynomial_radius(lens, angle, slope) - target;
     const auto beyond = miss > R(S(0));
     high = select(beyond, angle, high);

@@ -93,7 +93,7 @@ ERGO_HD double pixel_angle(const Projection& projection) {
 //! along sixteen lines to the rim, where lenses that compress the rim have the maximum.
 ERGO_HD double largest_pixel_angle(const Projection& projection) {
   constexpr int lines = 16;
-  constexpr int places = 32;
+  constexpr int positions = 32;
   double largest = pixel_angle(projection);
   if (projection.kind == ProjectionKind::cylinder) {
     return maximum(largest, 2.0 * projection.cylinder.half_height / projection.height_px);
@@ -110,8 +110,8 @@ ERGO_HD double largest_pixel_angle(const Projection& projection) {
   const double rim = maximum(projection.dome.lens.rim * middle - 0.5, 0.0);
   for (int line = 0; line < lines; ++line) {
     const double turn = 6.28318530717958647692 * line / lines;
-    for (int place = 0; place <= places; ++place) {
-      const double radius = rim * place / places;
+    for (int position = 0; position <= positions; ++position) {
+      const double radius = rim * position / positions;
       largest = maximum(largest, pixel_side(projection, middle + radius * ::cos(turn), middle + radius * ::sin(turn)));
     }
   }

@@ -245,14 +245,14 @@ ERGO_HD SkyAngles read_quadtree_spline(const QuadtreeGrid& grid, float row, floa
 }
 
 //! Returns the camera direction of a grid position (row and column in finest cells). The inverse is
-//! quadtree_place().
+//! quadtree_position().
 ERGO_HD Vector3<double> quadtree_direction(int level, double row, double column) {
   const double step = 3.14159265358979323846 / static_cast<double>(1 << level);
   const double sine = ::sin(row * step);
   return {sine * ::sin(column * step), -::cos(row * step), sine * ::cos(column * step)};
 }
 
-ERGO_HD void quadtree_place(int level, const Vector3<double>& n, float& row, float& column) {
+ERGO_HD void quadtree_position(int level, const Vector3<double>& n, float& row, float& column) {
   const double per_radian = static_cast<double>(1 << level) / 3.14159265358979323846;
   const double azimuth = ::atan2(n.x, n.z);
   row = static_cast<float>(::atan2(::sqrt(n.x * n.x + n.z * n.z), -n.y) * per_radian);

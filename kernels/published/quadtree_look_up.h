@@ -44,9 +44,9 @@ inline namespace ERGO_TARGET {
 
 namespace detail {
 ERGO_HD float shadow_radius(const QuadtreeShadow& shadow, float angle) {
-  const float place = (angle < 0.0F ? angle + 6.28318531F : angle) * static_cast<float>(shadow.count) * 0.159154943F;
-  const int whole = static_cast<int>(place);
-  const float t = place - static_cast<float>(whole);
+  const float position = (angle < 0.0F ? angle + 6.28318531F : angle) * static_cast<float>(shadow.count) * 0.159154943F;
+  const int whole = static_cast<int>(position);
+  const float t = position - static_cast<float>(whole);
   return (1.0F - t) * shadow.radius[whole % shadow.count] + t * shadow.radius[(whole + 1) % shadow.count];
 }
 

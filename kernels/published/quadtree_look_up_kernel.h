@@ -20,7 +20,7 @@ struct ReadQuadtreeRays {
     // Vectors that are not unit vectors have no position in the tree.
     const double square = dot(n, n);
     const bool proper = square > 0.5 && square < 2.0;
-    quadtree_place(batch.look_up.grids[0].level, proper ? n : Vector3<double>{1.0, 0.0, 0.0}, row, column);
+    quadtree_position(batch.look_up.grids[0].level, proper ? n : Vector3<double>{1.0, 0.0, 0.0}, row, column);
     const SkyAngles angles = read_quadtree(batch.look_up, row, column);
     const bool bright = proper && !in_shadow(angles);
     const double theta = static_cast<double>(angles.theta);
@@ -58,7 +58,7 @@ struct ReadQuadtreePixels {
     const Vector3<float> along_y = {n.x.along_y, n.y.along_y, n.z.along_y};
     const Vector3<float> middle = {n.x.value, n.y.value, n.z.value};
     Vector3<float> sky{};
-    const bool bright = inside > 0.0F && look(middle, sky);
+    const bool bright = inside > 0.0F && seen_at(middle, sky);
     const Vector3<float> sky_x = bright ? change(middle, sky, 0.5F * along_x) : Vector3<float>{};
     const Vector3<float> sky_y = bright ? change(middle, sky, 0.5F * along_y) : Vector3<float>{};
     store_sky(pixels, index,
@@ -74,11 +74,11 @@ struct ReadQuadtreePixels {
 
  private:
   //! Reads the sky in a direction of any length. Returns false in the shadow.
-  ERGO_HD bool look(const Vector3<float>& n, Vector3<float>& sky) const {
+  ERGO_HD bool seen_at(const Vector3<float>& n, Vector3<float>& sky) const {
     float row = 0.0F;
     float column = 0.0F;
-    quadtree_place(batch.look_up.grids[0].level,
-                   {static_cast<double>(n.x), static_cast<double>(n.y), static_cast<double>(n.z)}, row, column);
+    quadtree_position(batch.look_up.grids[0].level,
+                      {static_cast<double>(n.x), static_cast<double>(n.y), static_cast<double>(n.z)}, row, column);
     const SkyAngles angles = read_quadtree(batch.look_up, row, column);
     const float sine = ::sinf(angles.theta);
     sky = {sine * ::cosf(angles.phi), sine * ::sinf(angles.phi), ::cosf(angles.theta)};
@@ -90,8 +90,8 @@ struct ReadQuadtreePixels {
   ERGO_HD Vector3<float> change(const Vector3<float>& n, const Vector3<float>& sky, const Vector3<float>& half) const {
     Vector3<float> after{};
     Vector3<float> before{};
-    const bool lit_after = look(n + half, after);
-    const bool lit_before = look(n - half, before);
+    const bool lit_after = seen_at(n + half, after);
+    const bool lit_before = seen_at(n - half, before);
     if (lit_after && lit_before) {
       return after - before;
     }

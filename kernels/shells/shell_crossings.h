@@ -16,7 +16,7 @@ struct ShellRadii {
 
 //! A position on a ray.
 template <class T>
-struct NearPlace {
+struct NearPosition {
   T u;           //!< 1 / r [1/M]
   T u_rate;      //!< du/dλ, backwards: positive for light emitted outwards
   Vector3<T> m;  //!< polar position without frame dragging
@@ -31,23 +31,23 @@ struct NearPlace {
 namespace detail {
 
 template <int Order, NearParts Parts, class T>
-ERGO_HD NearPlace<T> place_at(const SeriesReading<T>& reading, const NearSeries<Order, T, Parts>& s, const T& h,
-                              const RealOf<T>& start) {
-  NearPlace<T> place = {series_value(s.u, h),
-                        series_rate(s.u, h) * reading.scale,
-                        {series_value(s.x, h), series_value(s.y, h), series_value(s.z, h)},
-                        series_value(s.drag, h),
-                        T(ScalarOf<T>(0)),
-                        T(ScalarOf<T>(0)),
-                        start + value_of(h) / reading.scale};
+ERGO_HD NearPosition<T> position_at(const SeriesReading<T>& reading, const NearSeries<Order, T, Parts>& s, const T& h,
+                                    const RealOf<T>& start) {
+  NearPosition<T> position = {series_value(s.u, h),
+                              series_rate(s.u, h) * reading.scale,
+                              {series_value(s.x, h), series_value(s.y, h), series_value(s.z, h)},
+                              series_value(s.drag, h),
+                              T(ScalarOf<T>(0)),
+                              T(ScalarOf<T>(0)),
+                              start + value_of(h) / reading.scale};
   if constexpr (has_delay(Parts)) {
-    place.delay = series_value(s.delay, h);
+    position.delay = series_value(s.delay, h);
   }
-  reading.count_outside(place.u, place.drag, place.delay);
+  reading.count_outside(position.u, position.drag, position.delay);
   if constexpr (has_distance(Parts)) {
-    place.distance = series_value(s.distance, h);
+    position.distance = series_value(s.distance, h);
   }
-  return place;
+  return position;
 }
 
 //! Part of a step in which r only decreases or only increases.
@@ -81,7 +81,8 @@ ERGO_HD void visit_leg(const NearSeries<Order, T, Parts>& s, const ShellRadii<Sc
       for (int k = 1; k <= Order; ++k) {
         from_shell[k] = s.u[k];
       }
-      visitor.cross(shell, crossed, place_at(reading, s, time_to_zero(from_shell, side, leg.from_h, leg.to_h), start));
+      visitor.cross(shell, crossed,
+                    position_at(reading, s, time_to_zero(from_shell, side, leg.from_h, leg.to_h), start));
     }
   }
 }
@@ -142,11 +143,11 @@ ERGO_HD MaskOf<RealOf<T>> trace_shells(ScalarOf<T> spin, const NearRay<T>& ray, 
     detail::RadialLeg<Real> leg = {zero, length, u, end_u, active};
     if (any(turning)) {
       const T turn = detail::time_to_turn(s.u, rate, length);
-      const NearPlace<T> place = detail::place_at(reading, s, turn, time);
+      const NearPosition<T> position = detail::position_at(reading, s, turn, time);
       leg.to_h = select(turning, value_of(turn), length);
-      leg.to_u = select(turning, value_of(place.u), end_u);
+      leg.to_u = select(turning, value_of(position.u), end_u);
       detail::visit_leg(s, shells, leg, reading, time, visitor);
-      visitor.turn(turning, place);
+      visitor.turn(turning, position);
       leg = {leg.to_h, length, leg.to_u, end_u, turning};
     }
     detail::visit_leg(s, shells, leg, reading, time, visitor);

@@ -2,8 +2,8 @@
 
 #include "kernels/core/arithmetic.h"
 #include "kernels/core/vector3.h"
+#include "kernels/shells/shell_appearance.h"
 #include "kernels/shells/shell_emitter.h"
-#include "kernels/shells/shell_look.h"
 #include "kernels/sky/elliptic_filter.h"
 
 // Light of a shell as a pixel sees it.
@@ -72,18 +72,19 @@ struct CoveredLight {
 //! Returns what a pixel sees of a shell: lines over the fill between them. `g` is ν_observed /
 //! ν_emitted. Colors have no spectrum to shift, so only the brightness is multiplied by g⁴, as for
 //! the sky map.
-ERGO_HD CoveredLight shell_light(const ShellLook& look, const ShellFootprint& at, float g, bool shifted) {
-  const float coverage =
-      look.line_width > 0.0F && look.line_opacity > 0.0F ? grid_coverage(at, look.spacing, look.line_width) : 0.0F;
-  const float line = look.line_opacity * coverage;
-  const float fill = look.fill_opacity * (1.0F - line);
-  Vector3<float> between = look.fill;
-  if (look.textured && fill > 0.0F) {
-    const Quad texel = filter_sky<float>(look.texture, at.direction, at.along_x, at.along_y, 1.0F).pixel[0];
+ERGO_HD CoveredLight shell_light(const ShellAppearance& appearance, const ShellFootprint& at, float g, bool shifted) {
+  const float coverage = appearance.line_width > 0.0F && appearance.line_opacity > 0.0F
+                             ? grid_coverage(at, appearance.spacing, appearance.line_width)
+                             : 0.0F;
+  const float line = appearance.line_opacity * coverage;
+  const float fill = appearance.fill_opacity * (1.0F - line);
+  Vector3<float> between = appearance.fill;
+  if (appearance.textured && fill > 0.0F) {
+    const Quad texel = filter_sky<float>(appearance.texture, at.direction, at.along_x, at.along_y, 1.0F).pixel[0];
     between = {between.x * quad_part(texel, 0), between.y * quad_part(texel, 1), between.z * quad_part(texel, 2)};
   }
   const float g2 = shifted ? minimum(g * g, 1e6F) : 1.0F;
-  return {(g2 * g2) * (line * look.line + fill * between), line + fill};
+  return {(g2 * g2) * (line * appearance.line + fill * between), line + fill};
 }
 
 }  // namespace ergodome::inline ERGO_TARGET

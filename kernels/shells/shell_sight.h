@@ -21,27 +21,27 @@ class ShellSight {
                      const Before& before, SeenLanes<T>& seen)
       : camera_(camera), shells_(shells), ray_(ray), pixel_(pixel), before_(before), seen_(seen), fine_(S(0)) {}
 
-  ERGO_HD void cross(int shell, const Mask& lanes, const NearPlace<D>& place) {
+  ERGO_HD void cross(int shell, const Mask& lanes, const NearPosition<D>& position) {
     for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
       if (mask_lane(lanes, i)) {
-        before_(i, lane(place.time, i));
-        compose(shell, place, i);
+        before_(i, lane(position.time, i));
+        compose(shell, position, i);
       }
     }
   }
 
   //! Marks pixels that need more samples than the one in their middle: those next to the edge of a
   //! shell and to the critical curve.
-  ERGO_HD void turn(const Mask& lanes, const NearPlace<D>& place) {
+  ERGO_HD void turn(const Mask& lanes, const NearPosition<D>& position) {
     for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
       if (!mask_lane(lanes, i)) {
         continue;
       }
-      const float along_x = lane(place.u.along_x, i);
-      const float along_y = lane(place.u.along_y, i);
+      const float along_x = lane(position.u.along_x, i);
+      const float along_y = lane(position.u.along_y, i);
       const float change = pixel_ * sqrt(along_x * along_x + along_y * along_y);
-      const float u = lane(place.u.value, i);
-      bool fine = u < shells_.u[shells_.count - 1] && footprint_width(footprint_of(place, i)) > fine_width;
+      const float u = lane(position.u.value, i);
+      bool fine = u < shells_.u[shells_.count - 1] && footprint_width(footprint_of(position, i)) > fine_width;
       for (int shell = 0; shell < shells_.count; ++shell) {
         fine = fine || ::fabsf(u - shells_.u[shell]) < change;
       }
@@ -62,40 +62,40 @@ class ShellSight {
   static constexpr S opaque = S(1.0 / 4096.0);
 
   //! Returns the footprint of what the ray of lane `i` represents, with the camera's azimuth added.
-  ERGO_HD ShellFootprint footprint_of(const NearPlace<D>& place, int i) const {
-    const float drag = lane(place.drag.value, i);
+  ERGO_HD ShellFootprint footprint_of(const NearPosition<D>& position, int i) const {
+    const float drag = lane(position.drag.value, i);
     const float c = ::cosf(drag);
     const float s = ::sinf(drag);
     const float cosine = c * camera_.cosine_phi - s * camera_.sine_phi;
     const float sine = s * camera_.cosine_phi + c * camera_.sine_phi;
     const auto turned = [&](T D::*part) {
-      const float x = lane(place.m.x.*part, i);
-      const float y = lane(place.m.y.*part, i);
-      return Vector3<float>{cosine * x - sine * y, sine * x + cosine * y, lane(place.m.z.*part, i)};
+      const float x = lane(position.m.x.*part, i);
+      const float y = lane(position.m.y.*part, i);
+      return Vector3<float>{cosine * x - sine * y, sine * x + cosine * y, lane(position.m.z.*part, i)};
     };
     const Vector3<float> d = turned(&D::value);
     const auto derivative = [&](T D::*part) {
-      const float turn = lane(place.drag.*part, i);
+      const float turn = lane(position.drag.*part, i);
       const Vector3<float> plain = turned(part);
       return pixel_ * Vector3<float>{plain.x - turn * d.y, plain.y + turn * d.x, plain.z};
     };
     return {d, derivative(&D::along_x), derivative(&D::along_y)};
   }
 
-  ERGO_HD void compose(int shell, const NearPlace<D>& place, int i) {
-    const ShellLook& look = shells_.looks[shell];
-    const ShellFootprint at = footprint_of(place, i);
+  ERGO_HD void compose(int shell, const NearPosition<D>& position, int i) {
+    const ShellAppearance& appearance = shells_.appearances[shell];
+    const ShellFootprint at = footprint_of(position, i);
     if (!(footprint_width(at) < fine_width)) {
       set_lane(fine_, i, S(1));
     }
     float g = 1.0F;
     if (shells_.shifted) {
       const Vector3<float>& d = at.direction;
-      const float frequency = zamo_frequency(camera_.spin, look.r, sqrt(d.x * d.x + d.y * d.y), d.z,
+      const float frequency = zamo_frequency(camera_.spin, appearance.r, sqrt(d.x * d.x + d.y * d.y), d.z,
                                              lane(ray_.energy.value, i), lane(ray_.axial_angular_momentum.value, i));
       g = 1.0F / maximum(frequency, 1e-6F);
     }
-    const CoveredLight light = shell_light(look, at, g, shells_.shifted);
+    const CoveredLight light = shell_light(appearance, at, g, shells_.shifted);
     // False for a NaN opacity, which then hides nothing.
     if (light.opacity > 0.0F) {
       put_behind(light.light, light.opacity, i, seen_);

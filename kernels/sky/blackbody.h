@@ -76,14 +76,14 @@ ERGO_HD Vector3<T> linear_srgb(const Vector3<T>& xyz) {
 //! Interpolates the table at ln T: ln Y, X / Y and Z / Y. Beyond the ends, ln Y is extrapolated
 //! linearly, which is the Rayleigh-Jeans law for the hottest and darkness for the coldest bodies.
 ERGO_HD Vector3<float> read_blackbody(const BlackbodyTable& table, float log_temperature) {
-  const float place = (log_temperature - table.first) / table.step;
-  const float clamped = minimum(maximum(place, 0.0F), static_cast<float>(table.count - 1));
+  const float position = (log_temperature - table.first) / table.step;
+  const float clamped = minimum(maximum(position, 0.0F), static_cast<float>(table.count - 1));
   const int whole = static_cast<int>(clamped);
   const int i = whole < table.count - 1 ? whole : table.count - 2;
   const float* low = table.entries + 4 * i;
   const float* high = low + 4;
   const float t = clamped - static_cast<float>(i);
-  const float straight = place - static_cast<float>(i);
+  const float straight = position - static_cast<float>(i);
   return {low[0] + straight * (high[0] - low[0]), low[1] + t * (high[1] - low[1]), low[2] + t * (high[2] - low[2])};
 }
 
@@ -93,9 +93,9 @@ ERGO_HD Vector3<float> read_blackbody(const BlackbodyTable& table, float log_tem
 //! Colors redder than the display can show (blackbodies below about 1,900 K) are mixed with gray of
 //! the same luminance until they fit.
 ERGO_HD Vector3<float> displayable(const Vector3<float>& rgb, float luminance) {
-  const float least = minimum(rgb.x, minimum(rgb.y, rgb.z));
+  const float min_value = minimum(rgb.x, minimum(rgb.y, rgb.z));
   // Gray of the same luminance is 1: mix in as much as makes the smallest component 0.
-  const float grey = least < 0.0F ? -least / (1.0F - least) : 0.0F;
+  const float grey = min_value < 0.0F ? -min_value / (1.0F - min_value) : 0.0F;
   const float own = luminance * (1.0F - grey);
   return {own * rgb.x + luminance * grey, own * rgb.y + luminance * grey, own * rgb.z + luminance * grey};
 }

@@ -53,14 +53,14 @@ ERGO_HD double unwarped(double w) {
 
 //! A position on the cube: face (an integer) and warped coordinates in [-1, 1].
 template <class T>
-struct CubePlace {
+struct CubePosition {
   T face;
   T x;
   T y;
 };
 
 template <class T>
-ERGO_HD CubePlace<T> cube_place(const Vector3<T>& d) {
+ERGO_HD CubePosition<T> cube_position(const Vector3<T>& d) {
   const T zero(0.0F);
   const T ax = absolute(d.x);
   const T ay = absolute(d.y);
@@ -101,7 +101,7 @@ ERGO_HD long texel_index(const CubeMap& map, int level, int face, int x, int y) 
 //! The texels of a bilinear look-up at one level: a texel, its right, lower and lower right
 //! neighbors.
 template <class T>
-struct BilinearPlace {
+struct BilinearPosition {
   IntegerOf<T> texel;  //!< number of the upper left texel in its level
   T right;             //!< weight of the right pair, in [0, 1]
   T lower;
@@ -109,16 +109,16 @@ struct BilinearPlace {
 
 //! Finds the texels of a look-up. `size` is that of the level's faces in texels.
 template <class T>
-ERGO_HD BilinearPlace<T> bilinear_place(const CubePlace<T>& place, const T& size) {
+ERGO_HD BilinearPosition<T> bilinear_position(const CubePosition<T>& position, const T& size) {
   // Counted from the border, so that numbers are positive. Rounding can put a position slightly
   // outside the face, where only one border texel exists.
   const T half(0.5F);
-  const T x = minimum(maximum((place.x + 1.0F) * 0.5F * size + half, half), size + half);
-  const T y = minimum(maximum((place.y + 1.0F) * 0.5F * size + half, half), size + half);
+  const T x = minimum(maximum((position.x + 1.0F) * 0.5F * size + half, half), size + half);
+  const T y = minimum(maximum((position.y + 1.0F) * 0.5F * size + half, half), size + half);
   const IntegerOf<T> column = truncated(x);
   const IntegerOf<T> row = truncated(y);
   const IntegerOf<T> stride = truncated(size + 2.0F);
-  return {(truncated(place.face) * stride + row) * stride + column, x - real_of<T>(column), y - real_of<T>(row)};
+  return {(truncated(position.face) * stride + row) * stride + column, x - real_of<T>(column), y - real_of<T>(row)};
 }
 
 //! Returns the mean over the whole sky, from the coarsest level (one texel per face; by symmetry

@@ -140,9 +140,9 @@ ERGO_HD LevelLanes<T> level_lanes(const CubeMap& map, const IntegerOf<T>& level)
 
 //! Adds a bilinear look-up for each lane whose weight is positive.
 template <class T>
-ERGO_HD void add_probe(const LevelLanes<T>& level, const CubePlace<T>& place, const T& weight, SkyLight<T>& sum) {
+ERGO_HD void add_probe(const LevelLanes<T>& level, const CubePosition<T>& position, const T& weight, SkyLight<T>& sum) {
   constexpr int lanes = RealTraits<T>::lane_count;
-  const BilinearPlace<T> at = bilinear_place(place, level.size);
+  const BilinearPosition<T> at = bilinear_position(position, level.size);
   const T lower = weight * at.lower;
   const T upper = weight - lower;
   int texel[lanes];
@@ -184,12 +184,12 @@ ERGO_HD void add_line(const CubeMap& map, const ProbeLine<T>& line, const Vector
     T sine;
     T cosine;
     sine_cosine_octant(x * half_length, sine, cosine);
-    const CubePlace<T> place = cube_place(cosine * direction + sine * along);
+    const CubePosition<T> position = cube_position(cosine * direction + sine * along);
     const T weight = select(k < count, probe_weight(x), zero);
     weights = weights + weight;
-    add_probe(fine, place, weight * (one - coarse_part), sum);
+    add_probe(fine, position, weight * (one - coarse_part), sum);
     if (blended) {
-      add_probe(coarse, place, weight * coarse_part, sum);
+      add_probe(coarse, position, weight * coarse_part, sum);
     }
   }
   const T scale = factor / maximum(weights, T(1e-37F));
@@ -238,7 +238,7 @@ ERGO_HD SkyLight<T> sample_sky(const CubeMap& map, const Vector3<T>& direction, 
   const T seen = select(known, factor, zero);
   if (any(seen > zero)) {
     const Vector3<T> towards = {select(known, direction.x, T(1.0F)), direction.y, direction.z};
-    detail::add_probe(detail::level_lanes<T>(map, truncated(zero)), cube_place(towards), seen, light);
+    detail::add_probe(detail::level_lanes<T>(map, truncated(zero)), cube_position(towards), seen, light);
   }
   detail::add_mean(map, select(known, zero, factor), light);
   return light;

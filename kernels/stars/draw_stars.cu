@@ -32,11 +32,11 @@ __global__ void sort_tiles(const __grid_constant__ SortTile functor) {
   }
   __syncthreads();
   for (int i = static_cast<int>(threadIdx.x); i < count; i += static_cast<int>(blockDim.x)) {
-    int place = 0;
+    int position = 0;
     for (int other = 0; other < count; ++other) {
-      place += held[other] < held[i] || (held[other] == held[i] && other < i) ? 1 : 0;
+      position += held[other] < held[i] || (held[other] == held[i] && other < i) ? 1 : 0;
     }
-    list[place] = held[i];
+    list[position] = held[i];
   }
 }
 

@@ -45,7 +45,7 @@ struct StarLightBatch {
   ProjectionOf<float> projection;  //!< projection of the whole picture
   int first_row;
   int row_count;
-  PixelCell cells[cube_faces];  //!< part of the picture that each sheet covers
+  PixelCell cells[cube_faces];  //!< part of the picture that each region covers
   const StarPoint* points;
   int point_count;
   //! Index in `members` of each tile's first point, as in StarTileBatch.

@@ -16,8 +16,8 @@ namespace ergodome::inline ERGO_TARGET {
 //! thread `thread`.
 template <class Body>
 ERGO_HD void for_tiles_about(const StarTileBatch& batch, const StarPoint& point, int thread, const Body& body) {
-  const auto between = [](double place, double low, double high) {
-    return static_cast<int>(::fmin(::fmax(::floor(place), low), high));
+  const auto between = [](double position, double low, double high) {
+    return static_cast<int>(::fmin(::fmax(::floor(position), low), high));
   };
   const int top = between(point.y_px - batch.reach_px, 0.0, batch.height_px);
   const int bottom = between(point.y_px + batch.reach_px, -1.0, batch.height_px - 1);
@@ -108,9 +108,9 @@ struct DrawStars {
   }
 
   //! Returns the fraction of a point's light that falls on pixel column x; 0 outside the point's
-  //! sheet. A pixel receives the product of its column's and its row's fractions.
+  //! region. A pixel receives the product of its column's and its row's fractions.
   [[nodiscard]] ERGO_HD float part_of_column(const StarPoint& point, int x) const {
-    const PixelCell& cell = batch.cells[point.sheet];
+    const PixelCell& cell = batch.cells[point.region];
     if (x < cell.left_px || x >= cell.left_px + cell.width_px) {
       return 0.0F;
     }
@@ -123,7 +123,7 @@ struct DrawStars {
   }
 
   [[nodiscard]] ERGO_HD float part_of_row(const StarPoint& point, int y) const {
-    const PixelCell& cell = batch.cells[point.sheet];
+    const PixelCell& cell = batch.cells[point.region];
     return y < cell.top_px || y >= cell.top_px + cell.height_px ? 0.0F : part_of(y, point.y_px);
   }
 
@@ -136,7 +136,7 @@ struct DrawStars {
       light[2] += part * point.light.z;
       return;
     }
-    const PixelCell& cell = batch.cells[point.sheet];
+    const PixelCell& cell = batch.cells[point.region];
     if (x < cell.left_px || x >= cell.left_px + cell.width_px || y < cell.top_px || y >= cell.top_px + cell.height_px) {
       return;
     }

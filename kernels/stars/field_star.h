@@ -33,8 +33,8 @@ inline namespace ERGO_TARGET {
 
 //! Returns the class of a star; `log_temperature`: ln T [K].
 ERGO_HD int star_class(float log_temperature) {
-  const int place = static_cast<int>((log_temperature - log_coldest_class) / star_class_width);
-  return place < 0 ? 0 : place < star_classes ? place : star_classes - 1;
+  const int position = static_cast<int>((log_temperature - log_coldest_class) / star_class_width);
+  return position < 0 ? 0 : position < star_classes ? position : star_classes - 1;
 }
 
 }  // namespace ERGO_TARGET

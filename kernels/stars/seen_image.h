@@ -32,7 +32,7 @@ struct SeenImage {
 inline constexpr float longest_arc = 1.5F;
 
 //! How images of stars shine.
-struct StarLook {
+struct StarAppearance {
   float faintest;  //!< images of lower illuminance are left out [lx]
   bool redshift;   //!< light is shifted in frequency and beamed
   //! Images are as bright as the lens makes them; otherwise as bright as the star.
@@ -48,30 +48,31 @@ ERGO_HD float luminance_of(const Vector3<float>& light) {
 //! Computes the image of star `number`. Returns false if it is too faint. `solid_angle`: the sky's
 //! solid angle over the observer's, signed by parity; `capped`: its size, limited by the star's
 //! disk.
-ERGO_HD bool shining_image(const BlackbodyTable& colours, const StarLook& look, int number, const FieldStar& star,
-                           const Vector3<float>& direction, float frequency_ratio, float solid_angle, float capped,
-                           StarImage& image) {
+ERGO_HD bool shining_image(const BlackbodyTable& colours, const StarAppearance& appearance, int number,
+                           const FieldStar& star, const Vector3<float>& direction, float frequency_ratio,
+                           float solid_angle, float capped, StarImage& image) {
   const Vector3<float> light = star_light(colours, star.log_temperature, star.illuminance,
-                                          look.redshift ? frequency_ratio : 1.0F, 1.0F / capped);
-  if (!(luminance_of(light) >= look.faintest)) {
+                                          appearance.redshift ? frequency_ratio : 1.0F, 1.0F / capped);
+  if (!(luminance_of(light) >= appearance.faintest)) {
     return false;
   }
   image = {number, direction, (solid_angle < 0.0F ? -1.0F : 1.0F) / capped, frequency_ratio,
-           look.magnification ? light : capped * light};
+           appearance.magnification ? light : capped * light};
   return true;
 }
 
 //! Computes an image that needs no rays. Returns false if it is too faint. Away from folds, disks
 //! of stars are not resolved, and both singular values of the map are taken as equal.
-ERGO_HD bool exact_image(const BlackbodyTable& colours, const StarLook& look, int number, const FieldStar& star,
-                         const Vector3<float>& direction, float frequency_ratio, float solid_angle, SeenImage& found) {
+ERGO_HD bool exact_image(const BlackbodyTable& colours, const StarAppearance& appearance, int number,
+                         const FieldStar& star, const Vector3<float>& direction, float frequency_ratio,
+                         float solid_angle, SeenImage& found) {
   const float size = ::fabsf(solid_angle);
   const float root = ::sqrtf(size);
   const float capped = maximum(size, 0.5F * star.radius * root);
-  const float most = longest_arc;
-  found.arc = minimum(star.radius / maximum(root, 1e-15F), most);
+  const float max_value = longest_arc;
+  found.arc = minimum(star.radius / maximum(root, 1e-15F), max_value);
   found.capped = capped > size;
-  return shining_image(colours, look, number, star, direction, frequency_ratio, solid_angle, capped, found.image);
+  return shining_image(colours, appearance, number, star, direction, frequency_ratio, solid_angle, capped, found.image);
 }
 
 }  // namespace ERGO_TARGET

@@ -17,7 +17,7 @@ struct StarChartOf {
 };
 
 //! Newton's method ends once an image's magnification is known to within this fraction.
-inline constexpr double most_magnification_change = 0.005;
+inline constexpr double max_magnification_change = 0.005;
 
 //! Refines approximate images of stars by traced rays. Arrays have `count` elements.
 //!

@@ -38,7 +38,7 @@ struct FindStarImages {
             select(open, next.miss, at.miss),
             select(open, next.change, at.change)};
       // A ray that does not come from the sky will not do so in the next round either.
-      open = open & ((at.miss > T(S(batch.tolerance))) | (at.change > T(S(most_magnification_change)))) &
+      open = open & ((at.miss > T(S(batch.tolerance))) | (at.change > T(S(max_magnification_change)))) &
              (at.miss < T(S(1e29)));
     }
     const auto store = [&](S* to, const T& value) { store_lanes(to, first, batch.count, value); };
@@ -55,12 +55,12 @@ struct FindStarImages {
  private:
   //! Constants of the error estimates. With l the length of a step in units of the distance to the
   //! shadow's edge, and σ1 >= σ2 the singular values of the map, a step leaves a fraction of about
-  //! l (most_bent σ1 + 1) / σ2 of its length as an error. The first term is for images next to the
+  //! l (max_bend σ1 + 1) / σ2 of its length as an error. The first term is for images next to the
   //! edge (an upper limit for 6,000 images about a hole of spin 0.999), the second for images next
-  //! to caustics. The magnification is assumed to change by a fraction of most_changed l / min(σ2,
+  //! to caustics. The magnification is assumed to change by a fraction of max_changed l / min(σ2,
   //! 1) in a step. This is an upper limit for 99 % of the images; the largest factor found is 3.
-  static constexpr double most_bent = 0.04;
-  static constexpr double most_changed = 1.5;
+  static constexpr double max_bend = 0.04;
+  static constexpr double max_changed = 1.5;
   //! Factor of the damping of steps along directions that hardly change the sky; the damping is
   //! this times the square of the distance to the star. Without it, next to the shadow's edge, the
   //! first-order error across the edge would cause a much larger step along it. Values of 4 to 256
@@ -91,8 +91,8 @@ struct FindStarImages {
     constexpr double far_from_edge = 0.3;
     const Vector3<T> straight = n + x * e1 + y * e2;
     const Vector3<T> there = (T(S(1)) / sqrt(dot(straight, straight))) * straight;
-    const T least = scale * T(S(short_step));
-    const MaskOf<T> bent = (x * x + y * y > least * least) & (scale < T(S(far_from_edge)));
+    const T min_value = scale * T(S(short_step));
+    const MaskOf<T> bent = (x * x + y * y > min_value * min_value) & (scale < T(S(far_from_edge)));
     if (batch.chart.chart.edge.count == 0 || !any(bent)) {
       return there;
     }
@@ -105,14 +105,14 @@ struct FindStarImages {
   //! Makes the same step as moved(), but in the chart's coordinates. One of them is the logarithm
   //! of the distance to the edge, so no step crosses the edge.
   ERGO_HD Vector3<T> moved_in_chart(const Vector3<D>& n, const T& x, const T& y) const {
-    constexpr double most_e_folds = 1.0;
+    constexpr double max_e_folds = 1.0;
     const LensChart& chart = batch.chart.chart;
     const AberrationOf<S>& aberration = batch.chart.aberration;
-    const ChartPlace<D> place = chart_place(chart, rain_direction(aberration, n));
-    const T most(S(most_e_folds) / S(chart.range));
-    const T gamma = place.gamma_turns.value + place.gamma_turns.along_x * x + place.gamma_turns.along_y * y;
-    const T step = place.s.along_x * x + place.s.along_y * y;
-    const T s = minimum(place.s.value + minimum(maximum(step, -most), most), T(S(1)));
+    const ChartPosition<D> position = chart_position(chart, rain_direction(aberration, n));
+    const T max_value(S(max_e_folds) / S(chart.range));
+    const T gamma = position.gamma_turns.value + position.gamma_turns.along_x * x + position.gamma_turns.along_y * y;
+    const T step = position.s.along_x * x + position.s.along_y * y;
+    const T s = minimum(position.s.value + minimum(maximum(step, -max_value), max_value), T(S(1)));
     const Vector3<MixedDual<T>> rain = chart_direction_at(chart, gamma, chart_stretch(chart, gamma, s).alpha);
     return observed_direction(aberration, Vector3<T>{rain.x.value, rain.y.value, rain.z.value});
   }
@@ -171,8 +171,8 @@ struct FindStarImages {
     const T larger = sqrt(maximum(stretch, T(S(1e-30))));
     const T smaller = maximum(area, T(S(1e-30))) / larger;
     const T left =
-        minimum(part_of_way * (T(S(most_bent)) * larger + one) / smaller + damping / (smaller * smaller), one);
-    const T change = minimum(T(S(most_changed)) * part_of_way / minimum(smaller, one), one);
+        minimum(part_of_way * (T(S(max_bend)) * larger + one) / smaller + damping / (smaller * smaller), one);
+    const T change = minimum(T(S(max_changed)) * part_of_way / minimum(smaller, one), one);
     // An image whose step is below the tolerance cannot be improved.
     const auto close = length <= T(S(batch.tolerance));
     return {moved(n, e1, e2, x, y, scale),

@@ -1,5 +1,5 @@
 #include "kernels/launch/register.h"
-#include "kernels/stars/observed_places_kernel.h"
+#include "kernels/stars/observed_positions_kernel.h"
 #include "kernels/stars/search/part_halving_kernel.h"
 #include "kernels/stars/search/part_solving_kernel.h"
 #include "kernels/stars/search/patch_measure_kernel.h"
@@ -11,7 +11,7 @@ namespace ergodome {
 
 ERGO_CPU_KERNEL(StarImageBatch<float>);
 ERGO_CPU_KERNEL(StarImageBatch<double>);
-ERGO_CPU_KERNEL(ObservedPlaceBatch);
+ERGO_CPU_KERNEL(ObservedPositionBatch);
 ERGO_CPU_KERNEL(StarSearchBatch);
 ERGO_CPU_KERNEL(PatchMeasureBatch);
 ERGO_CPU_KERNEL(PatchSideBatch);

@@ -11,7 +11,7 @@ struct StarPoint {
   Vector3<float> light;   //!< picture value times pixels
   Vector3<float> spikes;  //!< light of the spikes, in the same unit
   //! Part of the picture on which it is drawn: 0, or the number of a cube's face.
-  int sheet = 0;
+  int region = 0;
 };
 
 }  // namespace ergodome

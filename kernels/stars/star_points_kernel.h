@@ -1,7 +1,7 @@
 #pragma once
 
 #include "kernels/core/shared_counter.h"
-#include "kernels/stars/star_sheet.h"
+#include "kernels/stars/star_region.h"
 
 // The kernel that converts images of stars to points of light on a picture.
 namespace ergodome::inline ERGO_TARGET {
@@ -12,17 +12,17 @@ struct PlaceImage {
 
   ERGO_HD void operator()(int index) const {
     const StarImage& image = batch.images[index];
-    const StarSheet& sheet = batch.sheet;
+    const StarRegion& region = batch.region;
     double x = 0.0;
     double y = 0.0;
     StarPoint point{};
-    const bool spiked = image.star >= 0 && has_spikes(sheet, image.illuminance);
+    const bool spiked = image.star >= 0 && has_spikes(region, image.illuminance);
     const bool seen = image.star >= 0 &&
-                      place_on_screen(image.direction, batch.frame_from_view, sheet.projection, x, y) &&
-                      point_on_sheet(sheet, x, y, image.illuminance, spiked, point);
+                      project_to_screen(image.direction, batch.frame_from_view, region.projection, x, y) &&
+                      point_in_region(region, x, y, image.illuminance, spiked, point);
     if (!seen) {
       constexpr double beside = -1e9;
-      point = {beside, beside, {}, {}, sheet.number};
+      point = {beside, beside, {}, {}, region.number};
     } else if (spiked) {
       count_up(batch.spiked);
     }

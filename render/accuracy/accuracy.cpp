@@ -137,7 +137,7 @@ std::vector<std::string> accuracy_axes(const Show& show, const AccuracySettings&
 
 AccuracySettings quick_settings() {
   AccuracySettings settings;
-  settings.most_px = 384;
+  settings.max_px = 384;
   settings.moments = 1;
   settings.rounds = 3;
   settings.lattice = 128;

@@ -19,8 +19,8 @@ double time_spread(const AccuracyReport& report) {
   for (const AccuracyAxis& axis : report.axes) {
     for (const Measurement& choice : axis.choices) {
       const Spread time = spread_of(choice.frame_ms);
-      if (time.runs >= 2 && time.least > 0.0) {
-        spreads.push_back(time.greatest / time.least);
+      if (time.runs >= 2 && time.minimum > 0.0) {
+        spreads.push_back(time.maximum / time.minimum);
       }
     }
   }
@@ -66,11 +66,12 @@ std::vector<double> runs_of(const Measurement& choice, FrameCost cost) {
 
 double cost_ms(const Measurement& choice, FrameCost cost) { return spread_of(runs_of(choice, cost)).median; }
 
-const Measurement* cheapest_within(const AccuracyAxis& axis, double most, FrameCost cost, const std::string& method) {
+const Measurement* cheapest_within(const AccuracyAxis& axis, double maximum, FrameCost cost,
+                                   const std::string& method) {
   const Measurement* best = nullptr;
   for (const Measurement& choice : axis.choices) {
     const bool asked = method.empty() || choice.method == method;
-    if (asked && choice.error.count > 0 && choice.error.p99 <= most &&
+    if (asked && choice.error.count > 0 && choice.error.p99 <= maximum &&
         (best == nullptr || cost_ms(choice, cost) < cost_ms(*best, cost))) {
       best = &choice;
     }
@@ -78,15 +79,15 @@ const Measurement* cheapest_within(const AccuracyAxis& axis, double most, FrameC
   return best;
 }
 
-std::vector<EqualErrorRow> compare_at(const AccuracyAxis& axis, double most, FrameCost cost) {
-  const Measurement* const base = cheapest_within(axis, most, cost, axis.base);
+std::vector<EqualErrorRow> compare_at(const AccuracyAxis& axis, double maximum, FrameCost cost) {
+  const Measurement* const base = cheapest_within(axis, maximum, cost, axis.base);
   std::vector<EqualErrorRow> rows;
   for (const Measurement& choice : axis.choices) {
     const auto known = [&](const EqualErrorRow& row) { return row.method == choice.method; };
     if (std::ranges::any_of(rows, known)) {
       continue;
     }
-    EqualErrorRow row{choice.method, cheapest_within(axis, most, cost, choice.method), {}};
+    EqualErrorRow row{choice.method, cheapest_within(axis, maximum, cost, choice.method), {}};
     if (row.choice != nullptr && base != nullptr) {
       row.ratio = ratio_of(runs_of(*row.choice, cost), runs_of(*base, cost));
     }

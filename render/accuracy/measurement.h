@@ -119,9 +119,9 @@ enum class FrameCost {
 //! Returns the median time of a measured method and setting [ms].
 double cost_ms(const Measurement& choice, FrameCost cost);
 
-//! Returns the cheapest measurement whose 99th percentile of errors (p99) is at most `most`, among
-//! those of `method`, or of all methods if `method` is empty; nullptr if there is none.
-const Measurement* cheapest_within(const AccuracyAxis& axis, double most, FrameCost cost,
+//! Returns the cheapest measurement whose 99th percentile of errors (p99) is at most `maximum`,
+//! among those of `method`, or of all methods if `method` is empty; nullptr if there is none.
+const Measurement* cheapest_within(const AccuracyAxis& axis, double maximum, FrameCost cost,
                                    const std::string& method = {});
 
 //! The cheapest measurement of a method at an error limit that applies to all methods.
@@ -133,8 +133,8 @@ struct EqualErrorRow {
   Spread ratio;
 };
 
-//! Compares the methods of an axis at the same error limit `most` (p99), in the order of the axis.
-//! Uses each method's cheapest precision and setting within the limit.
-std::vector<EqualErrorRow> compare_at(const AccuracyAxis& axis, double most, FrameCost cost);
+//! Compares the methods of an axis at the same error limit `maximum` (p99), in the order of the
+//! axis. Uses each method's cheapest precision and setting within the limit.
+std::vector<EqualErrorRow> compare_at(const AccuracyAxis& axis, double maximum, FrameCost cost);
 
 }  // namespace ergodome

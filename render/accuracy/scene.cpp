@@ -43,7 +43,7 @@ AccuracyMoment moment_at(const Show& show, double time_s, int size_px) {
 }  // namespace
 
 std::vector<AccuracyMoment> accuracy_moments(const Show& show, const AccuracySettings& settings) {
-  const int size_px = settings.size_px > 0 ? settings.size_px : std::min(show.view.size_px, settings.most_px);
+  const int size_px = settings.size_px > 0 ? settings.size_px : std::min(show.view.size_px, settings.max_px);
   const int count = stands_still(show) ? 1 : std::max(settings.moments, 1);
   std::vector<AccuracyMoment> moments;
   moments.reserve(static_cast<std::size_t>(count));

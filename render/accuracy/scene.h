@@ -14,11 +14,11 @@ namespace ergodome {
 
 //! Extent of a measurement.
 struct AccuracySettings {
-  int size_px = 0;     //!< width of the pictures; 0: the show's, but at most `most_px`
-  int most_px = 1024;  //!< see size_px
-  int moments = 3;     //!< number of instants of the show to measure; one if nothing moves
-  int rounds = 5;      //!< timed runs of each method; methods take turns
-  int lattice = 200;   //!< number of columns of the lattice; one pixel of each cell is compared
+  int size_px = 0;    //!< width of the pictures; 0: the show's, but at most `max_px`
+  int max_px = 1024;  //!< see size_px
+  int moments = 3;    //!< number of instants of the show to measure; one if nothing moves
+  int rounds = 5;     //!< timed runs of each method; methods take turns
+  int lattice = 200;  //!< number of columns of the lattice; one pixel of each cell is compared
   //! Measures fewer settings, moments and pixels, and omits methods that are relatively slow.
   bool quick = false;
   //! Names of the axes to measure; empty: all that apply to the show.

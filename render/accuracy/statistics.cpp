@@ -11,8 +11,8 @@ double quantile(const std::vector<double>& sorted, double share) {
     return 0.0;
   }
   const double rank = std::ceil(share * static_cast<double>(sorted.size()));
-  const auto place = static_cast<std::size_t>(std::max(rank, 1.0)) - 1;
-  return sorted[std::min(place, sorted.size() - 1)];
+  const auto position = static_cast<std::size_t>(std::max(rank, 1.0)) - 1;
+  return sorted[std::min(position, sorted.size() - 1)];
 }
 
 ErrorSummary summary_of(std::vector<double> errors) {

@@ -32,8 +32,8 @@ struct ErrorSummary {
 //! Several runs of the same work.
 struct Spread {
   double median = 0.0;
-  double least = 0.0;
-  double greatest = 0.0;
+  double minimum = 0.0;
+  double maximum = 0.0;
   int runs = 0;
 };
 

@@ -60,11 +60,11 @@ class Buffer {
   }
 
   //! Sets one element.
-  void write_at(std::size_t place, T value) {
+  void write_at(std::size_t position, T value) {
     if (data_.get_deleter().backend == Backend::cuda) {
-      copy_to_cuda(data() + place, &value, sizeof(T));
+      copy_to_cuda(data() + position, &value, sizeof(T));
     } else {
-      data()[place] = value;
+      data()[position] = value;
     }
   }
 

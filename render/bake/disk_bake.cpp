@@ -65,10 +65,10 @@ double DiskBake::gap_error(double begin_s, double end_s) const {
   double worst_px = 0.0;
   for (const double part : {0.5, 0.25, 0.75}) {
     const EyeCamera eye = eye_at(begin_s + part * (end_s - begin_s));
-    const LensPlace place = {eye.r, eye.theta};
-    const DiskLayers layers(joined, place);
-    worst_px = std::max(worst_px, gap_measure(measure_disk_error(layers.view(), eye.spacetime, place, settings_at(eye),
-                                                                 leaf_samples(joined->first.cells))));
+    const LensPosition position = {eye.r, eye.theta};
+    const DiskLayers layers(joined, position);
+    worst_px = std::max(worst_px, gap_measure(measure_disk_error(layers.view(), eye.spacetime, position,
+                                                                 settings_at(eye), leaf_samples(joined->first.cells))));
   }
   return worst_px;
 }

@@ -27,23 +27,23 @@ namespace {
 //! stations' own errors.
 constexpr double floor_slack = 1.1;
 //! Maximum number of parts into which a stretch is divided at once.
-constexpr int most_parts = 16;
-constexpr int most_halvings = 12;
+constexpr int max_parts = 16;
+constexpr int max_halvings = 12;
 //! A station whose error at its own position exceeds this fraction of the budget is rebuilt with
-//! half the budget, up to `most_finer_grids` times.
+//! half the budget, up to `max_finer_grids` times.
 constexpr double own_share = 0.8;
-constexpr int most_finer_grids = 2;
+constexpr int max_finer_grids = 2;
 //! A division of a stretch counts as a stall if the error of a part exceeds this fraction of the
-//! error of the whole. After `most_stalls` successive stalls the parts are not divided further.
+//! error of the whole. After `max_stalls` successive stalls the parts are not divided further.
 constexpr double stalled_share = 0.5;
-constexpr int most_stalls = 2;
+constexpr int max_stalls = 2;
 //! Stretches with fewer frames than this are not divided: at such distances, building a grid for
 //! each frame costs no more than reading stations.
-constexpr double fewest_frames = 4.0;
+constexpr double min_frames = 4.0;
 //! Maximum number of times that a stretch is halved because of errors of the disk layers. Layers
 //! are discontinuous where a camera crosses the disk's plane, and halving does not remove that
 //! error.
-constexpr int most_halvings_for_the_disk = 4;
+constexpr int max_halvings_for_the_disk = 4;
 
 class Baker {
  public:
@@ -106,7 +106,7 @@ class Baker {
     double range = 0.0;
     for (int i = 0; i <= samples; ++i) {
       const LensView view = view_at(show_.duration_s * i / samples);
-      range = std::max(range, chart_range(view.spacetime, view.place.r, view.place.theta, grid_settings(view)));
+      range = std::max(range, chart_range(view.spacetime, view.position.r, view.position.theta, grid_settings(view)));
     }
     return range;
   }
@@ -117,10 +117,10 @@ class Baker {
   [[nodiscard]] LensStation built_station(double time_s) const {
     const LensView view = view_at(time_s);
     GridSettings grid = grid_settings(view);
-    LensStation built = build_lens_station(view.spacetime, view.place.r, view.place.theta, grid);
-    for (int i = 0; i < most_finer_grids && own_error(built, time_s) > own_share * settings_.budget_px; ++i) {
+    LensStation built = build_lens_station(view.spacetime, view.position.r, view.position.theta, grid);
+    for (int i = 0; i < max_finer_grids && own_error(built, time_s) > own_share * settings_.budget_px; ++i) {
       grid.budget_px *= 0.5;
-      built = build_lens_station(view.spacetime, view.place.r, view.place.theta, grid);
+      built = build_lens_station(view.spacetime, view.position.r, view.position.theta, grid);
     }
     return built;
   }
@@ -166,16 +166,16 @@ class Baker {
     const Station first = station(begin_s);
     const Station last = station(end_s);
     const double error_px = gap_error(*first, *last, begin_s, end_s);
-    const double floor_px = error_px > settings_.budget_px ? least_error(*first, *last, begin_s, end_s) : 0.0;
+    const double floor_px = error_px > settings_.budget_px ? min_error(*first, *last, begin_s, end_s) : 0.0;
     const int stalls = error_px > stalled_share * depth.whole_px ? depth.stalls + 1 : 0;
-    const bool long_enough = (end_s - begin_s) * show_.frame_rate_hz > fewest_frames;
-    const bool may_help = long_enough && depth.lens < most_halvings && stalls < most_stalls;
+    const bool long_enough = (end_s - begin_s) * show_.frame_rate_hz > min_frames;
+    const bool may_help = long_enough && depth.lens < max_halvings && stalls < max_stalls;
     if (error_px > std::max(settings_.budget_px, floor_slack * floor_px) && may_help) {
       const int parts = stalls > 0 ? 2 : wished_parts(error_px);
       return divide(begin_s, end_s, parts, {depth.lens + 1, depth.disk, stalls, error_px});
     }
     const double disk_px = disk_.wanted() ? disk_.gap_error(begin_s, end_s) : 0.0;
-    if (disk_px > settings_.budget_px && long_enough && depth.disk < most_halvings_for_the_disk) {
+    if (disk_px > settings_.budget_px && long_enough && depth.disk < max_halvings_for_the_disk) {
       return divide(begin_s, end_s, 2, {depth.lens, depth.disk + 1, stalls, depth.whole_px});
     }
     const Gap gap = {begin_s, end_s, static_cast<float>(error_px), static_cast<float>(disk_px)};
@@ -188,7 +188,7 @@ class Baker {
   //! power.
   [[nodiscard]] int wished_parts(double error_px) const {
     const double wished = std::ceil(std::pow(error_px / settings_.budget_px, settings_.derivatives ? 0.25 : 0.5));
-    return static_cast<int>(std::clamp(wished, 2.0, 1.0 * most_parts));
+    return static_cast<int>(std::clamp(wished, 2.0, 1.0 * max_parts));
   }
 
   void divide(double begin_s, double end_s, int parts, Depth depth) {
@@ -236,7 +236,7 @@ class Baker {
   //! Returns the error of blending at one time [px].
   [[nodiscard]] double blending_error(const LensStation& first, const LensStation& last, double time_s) const {
     const LensView view = view_at(time_s);
-    const StationBlend blend(Backend::cpu, on_host(first), on_host(last), view.place);
+    const StationBlend blend(Backend::cpu, on_host(first), on_host(last), view.position);
     return error_of(blend, view, first.leaf_count() > last.leaf_count() ? first : last);
   }
 
@@ -249,8 +249,8 @@ class Baker {
   //! Returns the part of a stretch's error that no division can remove [px]: blends are no more
   //! accurate than the stations' grids, and if the shadow's edge is wrong at both ends, it is also
   //! wrong in between.
-  [[nodiscard]] double least_error(const LensStation& first, const LensStation& last, double begin_s,
-                                   double end_s) const {
+  [[nodiscard]] double min_error(const LensStation& first, const LensStation& last, double begin_s,
+                                 double end_s) const {
     return std::max({own_error(first, begin_s), own_error(last, end_s),
                      std::min(edge_error(first, begin_s), edge_error(last, end_s))});
   }

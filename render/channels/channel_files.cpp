@@ -18,19 +18,19 @@ Error channels_cannot_be_written(const std::filesystem::path& path, const std::s
   return {path.string(), "cannot be written: " + reason, "check the folder, its permissions and the free space"};
 }
 
-FrameMetadata texts_of_facts(const std::vector<ChannelFact>& facts) {
+FrameMetadata texts_of_metadata(const std::vector<MetadataEntry>& metadata) {
   FrameMetadata texts;
-  for (const ChannelFact& fact : facts) {
-    texts.emplace_back(fact.name, std::visit([](const auto& value) { return fmt::format("{}", value); }, fact.value));
+  for (const MetadataEntry& entry : metadata) {
+    texts.emplace_back(entry.name, std::visit([](const auto& value) { return fmt::format("{}", value); }, entry.value));
   }
   return texts;
 }
 
-std::vector<FitsCard> primary_cards(const std::vector<ChannelFact>& facts) {
+std::vector<FitsCard> primary_cards(const std::vector<MetadataEntry>& metadata) {
   std::vector<FitsCard> cards;
-  cards.reserve(facts.size());
-  for (const ChannelFact& fact : facts) {
-    cards.push_back({fact.keyword, fact.value, fact.comment});
+  cards.reserve(metadata.size());
+  for (const MetadataEntry& entry : metadata) {
+    cards.push_back({entry.keyword, entry.value, entry.comment});
   }
   return cards;
 }
@@ -79,17 +79,17 @@ std::vector<float> values_by_pixel(const std::vector<PixelChannel>& channels) {
 }  // namespace
 
 void write_channel_exr(const std::filesystem::path& path, ExrCompression compression, int width, int height,
-                       const std::vector<PixelChannel>& channels, const std::vector<ChannelFact>& facts) {
+                       const std::vector<PixelChannel>& channels, const std::vector<MetadataEntry>& metadata) {
   NumberImage image = {width, height, {}, values_by_pixel(channels)};
   for (const PixelChannel& channel : channels) {
     image.channels.emplace_back(channel.meaning.name);
   }
-  write_numbers(path, compression, image, texts_of_facts(facts));
+  write_numbers(path, compression, image, texts_of_metadata(metadata));
 }
 
 void write_channel_fits(const std::filesystem::path& path, int width, int height,
                         const std::vector<PixelChannel>& channels, const std::optional<PictureWcs>& wcs,
-                        const std::vector<ChannelFact>& facts) {
+                        const std::vector<MetadataEntry>& metadata) {
   write_atomically(path, [&](const std::filesystem::path& partial) {
     std::vector<FitsImage> images;
     images.reserve(channels.size());
@@ -97,7 +97,7 @@ void write_channel_fits(const std::filesystem::path& path, int width, int height
       images.push_back({image_cards(channel.meaning, wcs), width, height, channel.values});
     }
     std::string problem;
-    if (!image_library().write_fits(partial.string(), primary_cards(facts), images, problem)) {
+    if (!image_library().write_fits(partial.string(), primary_cards(metadata), images, problem)) {
       throw channels_cannot_be_written(path, problem);
     }
   });

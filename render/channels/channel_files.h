@@ -14,7 +14,7 @@
 namespace ergodome {
 
 //! A metadata entry of a frame of channels.
-struct ChannelFact {
+struct MetadataEntry {
   std::string name;     //!< name of the attribute in an EXR, after the prefix "ergodome:"
   std::string keyword;  //!< name of the keyword in a FITS header
   std::variant<std::string, double, int> value;
@@ -24,12 +24,12 @@ struct ChannelFact {
 //! Writes channels as one EXR of 32-bit floats; `compression` must be lossless. Facts become
 //! attributes. The file is complete or absent. Throws Error if it cannot be written.
 void write_channel_exr(const std::filesystem::path& path, ExrCompression compression, int width, int height,
-                       const std::vector<PixelChannel>& channels, const std::vector<ChannelFact>& facts);
+                       const std::vector<PixelChannel>& channels, const std::vector<MetadataEntry>& metadata);
 
 //! Writes channels as image extensions of one FITS file, in doubles, with checksums. Facts become
 //! keywords of the primary header. Rows run upwards. Otherwise like write_channel_exr().
 void write_channel_fits(const std::filesystem::path& path, int width, int height,
                         const std::vector<PixelChannel>& channels, const std::optional<PictureWcs>& wcs,
-                        const std::vector<ChannelFact>& facts);
+                        const std::vector<MetadataEntry>& metadata);
 
 }  // namespace ergodome

@@ -7,7 +7,7 @@
 
 #include "content/show/object_settings.h"
 #include "kernels/launch/parallel_for.h"
-#include "kernels/spacetime/schwarzschild/apparent_place.h"
+#include "kernels/spacetime/schwarzschild/apparent_position.h"
 
 namespace ergodome {
 
@@ -17,7 +17,7 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 constexpr std::uint32_t whole_edge = 0xFFFFFFFFU;
 //! Maximum number of triangles after edges are divided.
-constexpr std::size_t most_divided_triangles = 1'000'000;
+constexpr std::size_t max_divided_triangles = 1'000'000;
 
 double length_of(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
 
@@ -76,7 +76,7 @@ class EdgeDivider {
   //! Returns the vertex in the middle of an edge if the edge looks curved; otherwise nothing.
   [[nodiscard]] std::optional<ApparentVertex> bent_middle(const ApparentVertex& a, const ApparentVertex& b) const {
     const ApparentVertex middle =
-        apparent_vertex(observer_, 0.5 * (a.place + b.place), order_,
+        apparent_vertex(observer_, 0.5 * (a.position + b.position), order_,
                         {0.5 * (a.texture[0] + b.texture[0]), 0.5 * (a.texture[1] + b.texture[1])});
     const bool bent = a.connected && b.connected &&
                       !(length_of(middle.seen - 0.5 * (a.seen + b.seen)) <= tolerance_ && middle.connected);
@@ -138,8 +138,8 @@ bool torn_by_hole(const Vector3<double>& observer, const std::array<const Appare
     const ApparentVertex& one = *corners[i];
     const ApparentVertex& other = *corners[(i + 1) % 3];
     around += length_of(one.direction - other.direction);
-    const Vector3<double> flat = one.place - observer;
-    const Vector3<double> other_flat = other.place - observer;
+    const Vector3<double> flat = one.position - observer;
+    const Vector3<double> other_flat = other.position - observer;
     around_flat += length_of((1.0 / length_of(flat)) * flat - (1.0 / length_of(other_flat)) * other_flat);
     const Vector3<double> across = one.direction - dot(outward, one.direction) * outward;
     const Vector3<double> other_across = other.direction - dot(outward, other.direction) * outward;
@@ -168,9 +168,9 @@ ApparentVertex apparent_vertex(const Vector3<double>& observer, const Vector3<do
     return vertex;
   }
   const ConnectingRay ray = connecting_ray(plane.r_observer, plane.r, angle);
-  const ApparentPlace place = apparent_place(plane, order, ray.xi, ray.travel_time, ray.emission_angle);
-  vertex.direction = place.direction;
-  vertex.seen = observer + place.travel_time * place.direction;
+  const ApparentPosition position = apparent_position(plane, order, ray.xi, ray.travel_time, ray.emission_angle);
+  vertex.direction = position.direction;
+  vertex.seen = observer + position.travel_time * position.direction;
   vertex.connected = true;
   return vertex;
 }
@@ -200,8 +200,7 @@ ApparentMesh apparent_mesh(const Vector3<double>& observer, const TriangleMesh& 
     apparent.triangles.push_back({mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]});
   }
   EdgeDivider divider(observer, order, settings.tolerance, apparent);
-  for (int i = 0; i < settings.halvings && apparent.triangles.size() < most_divided_triangles && divider.divide();
-       ++i) {
+  for (int i = 0; i < settings.halvings && apparent.triangles.size() < max_divided_triangles && divider.divide(); ++i) {
   }
   leave_out_torn(observer, settings.torn, apparent);
   return apparent;

@@ -13,7 +13,7 @@ namespace ergodome {
 
 //! A corner of a mesh with its true position and the position where an observer sees it.
 struct ApparentVertex {
-  Vector3<double> place;  //!< true position, pseudo-Cartesian [M]
+  Vector3<double> position;  //!< true position, pseudo-Cartesian [M]
   //! Apparent position: from the observer in the direction of the incoming light, at the distance
   //! that the light has traveled in time [M].
   Vector3<double> seen;

@@ -9,7 +9,7 @@
 #include "content/show/animated_show.h"
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"
-#include "kernels/spacetime/schwarzschild/apparent_place.h"
+#include "kernels/spacetime/schwarzschild/apparent_position.h"
 #include "render/diagram/diagram_scene.h"
 #include "render/diagram/diagram_surroundings.h"
 #include "render/diagram/light_curve.h"
@@ -27,7 +27,7 @@ constexpr double other_ray_width_px = 1.0;
 constexpr double sight_width_px = 1.0;
 //! Maximum number of rays per object image for which a dashed line shows the apparent direction up
 //! to the apparent position.
-constexpr int most_sights = 6;
+constexpr int max_sights = 6;
 //! Length of a dash, as a fraction of the scene's extent.
 constexpr double dash_share = 0.012;
 //! Deviation from a straight line that is invisible, as a fraction of the scene's extent.
@@ -35,11 +35,11 @@ constexpr double finest_bend = 1.0 / 2000.0;
 //! Drawn length of the borders of the observer's view, as a fraction of the scene's extent.
 constexpr double view_share = 0.14;
 //! Maximum number of mesh corners among which the starting points of rays are selected.
-constexpr std::size_t most_candidates = 4096;
+constexpr std::size_t max_candidates = 4096;
 constexpr int coarse_width_px = 192;
 //! Limit for all objects together. Each image adds as many triangles again, or more if they are
 //! divided.
-constexpr long most_diagram_triangles = 2'000'000;
+constexpr long max_diagram_triangles = 2'000'000;
 
 double far_from_hole(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
 
@@ -49,18 +49,18 @@ std::string turns_of(int order) {
                       : fmt::format("{:.2g} to {:.2g} turns", 0.5 * (order - 1), 0.5 * order);
 }
 
-//! Length of the dashes and gaps of a dashed line [M]; `look` has the line's color and width.
-struct DashLook {
+//! Length of the dashes and gaps of a dashed line [M]; `style` has the line's color and width.
+struct DashStyle {
   Ink ink;
   double width_px;
 };
-void add_dashes(const Vector3<double>& from, const Vector3<double>& to, double dash, const DashLook& look,
+void add_dashes(const Vector3<double>& from, const Vector3<double>& to, double dash, const DashStyle& style,
                 DiagramScene& scene) {
   const Vector3<double> way = to - from;
   const double length = far_from_hole(way);
   for (double at = 0.0; at < length; at += 2.0 * dash) {
     scene.lines.push_back(
-        {{from + (at / length) * way, from + (std::min(at + dash, length) / length) * way}, look.ink, look.width_px});
+        {{from + (at / length) * way, from + (std::min(at + dash, length) / length) * way}, style.ink, style.width_px});
   }
 }
 
@@ -102,9 +102,9 @@ Diagram::Diagram(const Show& show, const DiagramSettings& settings) : show_(show
   for (const std::size_t mesh : meshes_.mesh_of) {
     triangles += meshes_.meshes[mesh].triangle_count();
   }
-  if (triangles > most_diagram_triangles) {
+  if (triangles > max_diagram_triangles) {
     throw Error("diagram", fmt::format("{} has {} triangles", show.name, triangles),
-                fmt::format("reduce its meshes to at most {} triangles", most_diagram_triangles));
+                fmt::format("reduce its meshes to at most {} triangles", max_diagram_triangles));
   }
   if (settings_.images.empty()) {
     settings_.images = {1, 2};
@@ -114,7 +114,7 @@ Diagram::Diagram(const Show& show, const DiagramSettings& settings) : show_(show
 DiagramScene Diagram::at(double time_s) const {
   const Show now = show_at(show_, time_s);
   const EyeCamera eye = eye_camera(now, camera_pose(now, time_s), 0.0);
-  Moment moment{now, time_s, eye, place_of(eye), {}, eye.r};
+  Moment moment{now, time_s, eye, position_of(eye), {}, eye.r};
   for (std::size_t i = 0; i < now.objects.size(); ++i) {
     const ObjectSettings& object = now.objects[i];
     moment.placements.push_back(placement_at(object, time_s));
@@ -135,7 +135,7 @@ DiagramScene Diagram::at(double time_s) const {
   }
   for (const std::vector<DiagramCorner>* corners : {&scene.solids, &scene.veils}) {
     for (const DiagramCorner& corner : *corners) {
-      scene.framed.push_back(corner.place);
+      scene.framed.push_back(corner.position);
     }
   }
   return scene;
@@ -179,7 +179,7 @@ std::vector<Vector3<double>> Diagram::ray_starts(const Moment& moment, std::size
   ObjectPlacement turn = placement;
   turn.position = {0.0, 0.0, 0.0};
   const double size = moment.show.objects[object].size;
-  const std::size_t stride = 1 + mesh.vertices.size() / most_candidates;
+  const std::size_t stride = 1 + mesh.vertices.size() / max_candidates;
   std::vector<Vector3<double>> facing;
   std::vector<Vector3<double>> averted;
   for (std::size_t i = 0; i < mesh.vertices.size(); i += stride) {
@@ -203,7 +203,7 @@ std::vector<Vector3<double>> Diagram::ray_starts(const Moment& moment, std::size
 void Diagram::add_connecting_rays(const Moment& moment, std::size_t object, int order, int count,
                                   DiagramScene& scene) const {
   const Ink ink = diagram_inks::of_image(order);
-  int sights = most_sights;
+  int sights = max_sights;
   for (const Vector3<double>& start : ray_starts(moment, object, order, static_cast<std::size_t>(count))) {
     std::vector<Vector3<double>> curve = light_curve(moment.observer, start, order);
     scene.framed.insert(scene.framed.end(), curve.begin(), curve.end());
@@ -225,17 +225,17 @@ void Diagram::add_traced_rays(const Moment& moment, DiagramScene& scene) const {
   const Projection coarse = make_projection(moment.show.view, coarse_width_px, 0.0);
   DelaysByOrder delays;
   const std::vector<TracedCurve> curves =
-      traced_curves(moment.eye, coarse, objects, {settings_.rays, most_polygon_images, 1.15 * moment.extent});
+      traced_curves(moment.eye, coarse, objects, {settings_.rays, max_polygon_images, 1.15 * moment.extent});
   bool others = false;
   for (const TracedCurve& curve : curves) {
     const bool meets = curve.end == CurveEnd::object;
     others = others || !meets;
-    scene.lines.push_back({curve.places, meets ? diagram_inks::of_image(curve.order) : diagram_inks::other_rays(),
+    scene.lines.push_back({curve.positions, meets ? diagram_inks::of_image(curve.order) : diagram_inks::other_rays(),
                            meets ? ray_width_px : other_ray_width_px});
     ++scene.ray_count;
     if (meets) {
       // Paths to objects must be inside the picture. Paths that continue to the sky may leave it.
-      scene.framed.insert(scene.framed.end(), curve.places.begin(), curve.places.end());
+      scene.framed.insert(scene.framed.end(), curve.positions.begin(), curve.positions.end());
       delays[curve.order][curve.object].push_back(curve.delay);
     }
   }

@@ -15,7 +15,7 @@ namespace ergodome {
 
 //! Which light rays a diagram shows.
 struct DiagramSettings {
-  //! Orders of the images whose rays are shown, 1 to most_polygon_images. Empty: orders 1 and 2, or
+  //! Orders of the images whose rays are shown, 1 to max_polygon_images. Empty: orders 1 and 2, or
   //! all orders that occur if rays are traced.
   std::vector<int> images;
   int rays = 24;  //!< approximate number of rays

@@ -18,10 +18,10 @@ namespace {
 //! Supersampling factor in each direction, in addition to the target's multisampling.
 constexpr int finer_each_way = 2;
 //! Picture height for which line widths are specified [px].
-constexpr double told_height_px = 720.0;
+constexpr double reference_height_px = 720.0;
 
 struct DrawnCorner {
-  float place[3];
+  float position[3];
   float normal[3];
   float color[4];
   float checker[3];
@@ -58,7 +58,7 @@ void put_vector(const Vector3<double>& v, float (&to)[3]) {
 
 DrawnCorner drawn_corner(const DiagramCorner& corner, const OutsideCamera& camera) {
   DrawnCorner out{};
-  put_vector(camera.in_view(corner.place), out.place);
+  put_vector(camera.in_view(corner.position), out.position);
   const Vector3<double> n = {static_cast<double>(corner.normal.x), static_cast<double>(corner.normal.y),
                              static_cast<double>(corner.normal.z)};
   put_vector({dot(camera.right, n), dot(camera.up, n), dot(camera.back, n)}, out.normal);
@@ -78,7 +78,7 @@ std::vector<DrawnCorner> painted_veils(const std::vector<DiagramCorner>& veils, 
     corners.push_back(drawn_corner(corner, camera));
   }
   for (std::size_t i = 0; i < count; ++i) {
-    depth[i] = corners[3 * i].place[2] + corners[3 * i + 1].place[2] + corners[3 * i + 2].place[2];
+    depth[i] = corners[3 * i].position[2] + corners[3 * i + 1].position[2] + corners[3 * i + 2].position[2];
   }
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -92,12 +92,12 @@ std::vector<DrawnCorner> painted_veils(const std::vector<DiagramCorner>& veils, 
   return sorted;
 }
 
-void add_pieces(const std::vector<Vector3<double>>& places, const Ink& ink, double width, const OutsideCamera& camera,
-                std::vector<DrawnLine>& pieces) {
-  for (std::size_t i = 1; i < places.size(); ++i) {
+void add_pieces(const std::vector<Vector3<double>>& positions, const Ink& ink, double width,
+                const OutsideCamera& camera, std::vector<DrawnLine>& pieces) {
+  for (std::size_t i = 1; i < positions.size(); ++i) {
     DrawnLine piece{};
-    put_vector(camera.in_view(places[i - 1]), piece.from);
-    put_vector(camera.in_view(places[i]), piece.to);
+    put_vector(camera.in_view(positions[i - 1]), piece.from);
+    put_vector(camera.in_view(positions[i]), piece.to);
     std::ranges::copy(ink, piece.color);
     piece.width = static_cast<float>(width);
     pieces.push_back(piece);
@@ -126,7 +126,7 @@ DiagramDrawing::DiagramDrawing()
   glCreateBuffers(1, &line_buffer_);
   glCreateVertexArrays(1, &surface_array_);
   glVertexArrayVertexBuffer(surface_array_, 0, surface_buffer_, 0, sizeof(DrawnCorner));
-  attribute(surface_array_, 0, 3, offsetof(DrawnCorner, place));
+  attribute(surface_array_, 0, 3, offsetof(DrawnCorner, position));
   attribute(surface_array_, 1, 3, offsetof(DrawnCorner, normal));
   attribute(surface_array_, 2, 4, offsetof(DrawnCorner, color));
   attribute(surface_array_, 3, 3, offsetof(DrawnCorner, checker));
@@ -158,7 +158,7 @@ DiagramDrawing::Uploaded DiagramDrawing::upload(const DiagramScene& scene, const
   corners.insert(corners.end(), veils.begin(), veils.end());
   std::vector<DrawnLine> pieces;
   for (const DiagramLine& line : scene.lines) {
-    add_pieces(line.places, line.ink, line.width_px, camera, pieces);
+    add_pieces(line.positions, line.ink, line.width_px, camera, pieces);
   }
   if (scene.photon_sphere > 0.0) {
     add_pieces(sphere_outline(scene.photon_sphere, camera), diagram_inks::photon_sphere(), 1.2, camera, pieces);
@@ -180,7 +180,7 @@ void DiagramDrawing::draw_tile(const Uploaded& uploaded, const OutsideCamera& ca
   const double scale_y = static_cast<double>(tile.whole_height) / tile.height;
   const double shift_x = (tile.whole_width - 2.0 * tile.left - tile.width) / tile.width;
   const double shift_y = -(tile.whole_height - 2.0 * tile.top - tile.height) / tile.height;
-  const double width_px = unit_height_px(tile.whole_width, tile.whole_height) / told_height_px;
+  const double width_px = unit_height_px(tile.whole_width, tile.whole_height) / reference_height_px;
   for (const unsigned program : {surface_program_, line_program_}) {
     glProgramUniform4f(program, uniform_diagram_screen, static_cast<float>(camera.half_width),
                        static_cast<float>(camera.half_height), static_cast<float>(camera.nearest),

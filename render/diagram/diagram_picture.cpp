@@ -21,7 +21,7 @@ int share_px(double share, int width_px, int height_px) {
 }
 
 //! A picture in linear light on which texts are drawn.
-struct Sheet {
+struct Page {
   int width;
   int height;
   std::vector<float>& rgb;
@@ -64,42 +64,42 @@ int legend_top(std::size_t lines, int width_px, int height_px) {
   return height_px - share_px(margin_share + line_share * static_cast<double>(lines), width_px, height_px);
 }
 
-void write_legend(const Sheet& sheet, const std::vector<LegendLine>& legend) {
-  const int line_px = sheet.pixels(line_share);
-  const int sign_px = sheet.pixels(sign_share);
-  const int margin_px = sheet.pixels(margin_share);
-  const int thick_px = sheet.pixels(0.004);
-  int y = legend_top(legend.size(), sheet.width, sheet.height) + line_px / 2;
+void write_legend(const Page& page, const std::vector<LegendLine>& legend) {
+  const int line_px = page.pixels(line_share);
+  const int sign_px = page.pixels(sign_share);
+  const int margin_px = page.pixels(margin_share);
+  const int thick_px = page.pixels(0.004);
+  int y = legend_top(legend.size(), page.width, page.height) + line_px / 2;
   for (const LegendLine& line : legend) {
     if (line.sign == LegendLine::Sign::line) {
-      sheet.fill(margin_px, y - thick_px / 2, sign_px, thick_px, line.ink);
+      page.fill(margin_px, y - thick_px / 2, sign_px, thick_px, line.ink);
     } else if (line.sign == LegendLine::Sign::field) {
       const int side = line_px / 2;
-      sheet.fill(margin_px + (sign_px - side) / 2, y - side / 2, side, side, line.ink);
+      page.fill(margin_px + (sign_px - side) / 2, y - side / 2, side, side, line.ink);
     }
     const int indent = line.sign == LegendLine::Sign::none ? 0 : sign_px + margin_px / 2;
-    const TextImage letters = text_image(line.text, sheet.pixels(letter_share));
+    const TextImage letters = text_image(line.text, page.pixels(letter_share));
     // Blends the picture behind a text with the color of the paper.
-    sheet.fill(margin_px + indent - margin_px / 4, y - line_px / 2, letters.width + margin_px / 2, line_px,
-               diagram_inks::paper(), 0.85F);
-    sheet.write(letters, margin_px + indent, y, diagram_inks::words());
+    page.fill(margin_px + indent - margin_px / 4, y - line_px / 2, letters.width + margin_px / 2, line_px,
+              diagram_inks::paper(), 0.85F);
+    page.write(letters, margin_px + indent, y, diagram_inks::words());
     y += line_px;
   }
 }
 
-void write_labels(const Sheet& sheet, const DiagramScene& scene, const OutsideCamera& camera) {
-  const int top_of_legend = legend_top(scene.legend.size(), sheet.width, sheet.height);
-  const int font_px = sheet.pixels(label_share);
+void write_labels(const Page& page, const DiagramScene& scene, const OutsideCamera& camera) {
+  const int top_of_legend = legend_top(scene.legend.size(), page.width, page.height);
+  const int font_px = page.pixels(label_share);
   for (const DiagramLabel& label : scene.labels) {
-    const Vector3<double> at = camera.in_view(label.place);
+    const Vector3<double> at = camera.in_view(label.position);
     if (!(-at.z > camera.nearest)) {
       continue;
     }
-    const double x = 0.5 * (1.0 - at.x / (at.z * camera.half_width)) * sheet.width;
-    const double y = 0.5 * (1.0 + at.y / (at.z * camera.half_height)) * sheet.height;
-    if (x > 0.0 && x < sheet.width && y > font_px && y < top_of_legend - font_px) {
-      sheet.write(text_image(label.text, font_px), static_cast<int>(x) + font_px / 4, static_cast<int>(y),
-                  diagram_inks::photon_sphere());
+    const double x = 0.5 * (1.0 - at.x / (at.z * camera.half_width)) * page.width;
+    const double y = 0.5 * (1.0 + at.y / (at.z * camera.half_height)) * page.height;
+    if (x > 0.0 && x < page.width && y > font_px && y < top_of_legend - font_px) {
+      page.write(text_image(label.text, font_px), static_cast<int>(x) + font_px / 4, static_cast<int>(y),
+                 diagram_inks::photon_sphere());
     }
   }
 }
@@ -120,18 +120,19 @@ DiagramPicture::~DiagramPicture() {
   gl_.run([this] { drawing_.reset(); });
 }
 
-OutsideCamera DiagramPicture::camera_for(const OutsideDirection& direction, const std::vector<Vector3<double>>& places,
+OutsideCamera DiagramPicture::camera_for(const OutsideDirection& direction,
+                                         const std::vector<Vector3<double>>& positions,
                                          std::size_t legend_lines) const {
   const double low = 1.0 - static_cast<double>(legend_top(legend_lines, width_px_, height_px_)) / height_px_;
-  return outside_camera(direction, places, static_cast<double>(width_px_) / height_px_, {std::min(low, 0.6), 1.0});
+  return outside_camera(direction, positions, static_cast<double>(width_px_) / height_px_, {std::min(low, 0.6), 1.0});
 }
 
 DiagramImage DiagramPicture::draw(const DiagramScene& scene, const OutsideCamera& camera) {
   std::vector<float> picture;
   gl_.run([&] { picture = drawing_->draw(scene, camera, width_px_, height_px_); });
-  const Sheet sheet{width_px_, height_px_, picture};
-  write_labels(sheet, scene, camera);
-  write_legend(sheet, scene.legend);
+  const Page page{width_px_, height_px_, picture};
+  write_labels(page, scene, camera);
+  write_legend(page, scene.legend);
   DiagramImage image{width_px_, height_px_, {}};
   image.rgb.reserve(picture.size());
   for (const float light : picture) {

@@ -28,8 +28,8 @@ class DiagramPicture {
   DiagramPicture& operator=(const DiagramPicture&) = delete;
 
   //! Returns a camera that shows positions in the part of the picture above the legend.
-  [[nodiscard]] OutsideCamera camera_for(const OutsideDirection& direction, const std::vector<Vector3<double>>& places,
-                                         std::size_t legend_lines) const;
+  [[nodiscard]] OutsideCamera camera_for(const OutsideDirection& direction,
+                                         const std::vector<Vector3<double>>& positions, std::size_t legend_lines) const;
 
   DiagramImage draw(const DiagramScene& scene, const OutsideCamera& camera);
 

@@ -70,18 +70,18 @@ namespace {
 constexpr float veil_cover = 0.6F;
 //! Minimum light factor of the dark checkerboard fields of translucent meshes, so that these keep
 //! their color there.
-constexpr double least_veil_dark = 0.55;
+constexpr double min_veil_dark = 0.55;
 
 Vector3<float> in_floats(const Vector3<double>& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-std::array<float, 3> checker_at(const ObjectSettings& object, double u, double v, double least_dark) {
+std::array<float, 3> checker_at(const ObjectSettings& object, double u, double v, double min_dark) {
   if (!object.checker) {
     return {0.0F, 0.0F, 1.0F};
   }
   return {static_cast<float>(u * object.checker->columns), static_cast<float>(v * object.checker->rows),
-          static_cast<float>(std::max(object.checker->dark, least_dark))};
+          static_cast<float>(std::max(object.checker->dark, min_dark))};
 }
 
 Vector3<double> turned_normal(const ObjectPlacement& placement, const SurfaceVertex& vertex) {
@@ -93,12 +93,11 @@ Vector3<double> turned_normal(const ObjectPlacement& placement, const SurfaceVer
 }
 
 DiagramCorner diagram_corner_of(const ObjectSettings& object, const ObjectPlacement& placement,
-                                const SurfaceVertex& vertex, double least_dark) {
-  return {
-      placed_point(placement, object.size, vertex.position),
-      in_floats(turned_normal(placement, vertex)),
-      {},
-      checker_at(object, static_cast<double>(vertex.texture[0]), static_cast<double>(vertex.texture[1]), least_dark)};
+                                const SurfaceVertex& vertex, double min_dark) {
+  return {placed_point(placement, object.size, vertex.position),
+          in_floats(turned_normal(placement, vertex)),
+          {},
+          checker_at(object, static_cast<double>(vertex.texture[0]), static_cast<double>(vertex.texture[1]), min_dark)};
 }
 
 //! Returns the normals of a mesh's corners, averaged over the adjacent triangles by their areas.
@@ -145,7 +144,7 @@ void add_veil(const ObjectSettings& object, const ApparentMesh& mesh, const Ink&
       corners.push_back({vertex.seen,
                          in_floats(normals[i]),
                          {ink[0], ink[1], ink[2], veil_cover},
-                         checker_at(object, vertex.texture[0], vertex.texture[1], least_veil_dark)});
+                         checker_at(object, vertex.texture[0], vertex.texture[1], min_veil_dark)});
     }
   }
 }
@@ -153,7 +152,7 @@ void add_veil(const ObjectSettings& object, const ApparentMesh& mesh, const Ink&
 void add_veil(const ObjectSettings& object, const TriangleMesh& mesh, const ObjectPlacement& placement, const Ink& ink,
               std::vector<DiagramCorner>& corners) {
   for (const std::uint32_t index : mesh.indices) {
-    DiagramCorner corner = diagram_corner_of(object, placement, mesh.vertices[index], least_veil_dark);
+    DiagramCorner corner = diagram_corner_of(object, placement, mesh.vertices[index], min_veil_dark);
     corner.color = {ink[0], ink[1], ink[2], veil_cover};
     corners.push_back(corner);
   }

@@ -19,7 +19,7 @@ Ink display_ink(unsigned rgb);
 
 //! A corner of a triangle; three successive corners form one.
 struct DiagramCorner {
-  Vector3<double> place;
+  Vector3<double> position;
   Vector3<float> normal;
   std::array<float, 4> color;  //!< linear light and opacity
   //! Checkerboard coordinates (two numbers; fields have size 1), and the factor on the light of
@@ -29,14 +29,14 @@ struct DiagramCorner {
 
 //! A polyline.
 struct DiagramLine {
-  std::vector<Vector3<double>> places;
+  std::vector<Vector3<double>> positions;
   Ink ink;
   double width_px = 1.0;  //!< width of the line in a picture 720 pixels high
 };
 
 //! A text beside a position.
 struct DiagramLabel {
-  Vector3<double> place;
+  Vector3<double> position;
   std::string text;
 };
 

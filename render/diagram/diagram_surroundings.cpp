@@ -17,7 +17,7 @@ constexpr double grid_width_px = 1.0;
 constexpr double axis_width_px = 1.3;
 constexpr double outline_width_px = 1.3;
 //! Minimum length of the drawn spin axis [M].
-constexpr double least_axis = 4.5;
+constexpr double min_axis = 4.5;
 
 }  // namespace
 
@@ -59,7 +59,7 @@ void add_grid(double extent, double label_azimuth, DiagramScene& scene) {
     scene.labels.push_back(
         {{r * std::cos(label_azimuth), r * std::sin(label_azimuth), 0.0}, fmt::format("{:.6g} M", r)});
   }
-  const Vector3<double> ends[3] = {{end, 0.0, 0.0}, {0.0, end, 0.0}, {0.0, 0.0, std::max(0.5 * step, least_axis)}};
+  const Vector3<double> ends[3] = {{end, 0.0, 0.0}, {0.0, end, 0.0}, {0.0, 0.0, std::max(0.5 * step, min_axis)}};
   constexpr const char* names[3] = {"x", "y", "z"};
   for (int i = 0; i < 3; ++i) {
     scene.lines.push_back({{-ends[i], ends[i]}, diagram_inks::axis(), axis_width_px});
@@ -68,22 +68,22 @@ void add_grid(double extent, double label_azimuth, DiagramScene& scene) {
 }
 
 void add_observer(const ViewSettings& view, const EyeCamera& eye, double length, DiagramScene& scene) {
-  const Vector3<double> place = place_of(eye);
+  const Vector3<double> position = position_of(eye);
   const Ink ink = diagram_inks::observer();
-  add_ball(scene.solids, place, 0.06 * length, ink);
+  add_ball(scene.solids, position, 0.06 * length, ink);
   const ViewOutline outline = view_outline(view, eye);
   std::vector<Vector3<double>> border;
   border.reserve(outline.border.size());
   for (const Vector3<double>& direction : outline.border) {
-    border.push_back(place + length * direction);
+    border.push_back(position + length * direction);
   }
   for (const Vector3<double>& direction : outline.corners) {
-    scene.lines.push_back({{place, place + length * direction}, ink, outline_width_px});
+    scene.lines.push_back({{position, position + length * direction}, ink, outline_width_px});
   }
   if (border.empty()) {
-    scene.lines.push_back({{place, place + length * forward_of(eye)}, ink, outline_width_px});
+    scene.lines.push_back({{position, position + length * forward_of(eye)}, ink, outline_width_px});
   }
-  scene.framed.push_back(place);
+  scene.framed.push_back(position);
   scene.framed.insert(scene.framed.end(), border.begin(), border.end());
   scene.lines.push_back({std::move(border), ink, outline_width_px});
   scene.legend.push_back({LegendLine::Sign::line, ink,

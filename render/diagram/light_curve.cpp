@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernels/spacetime/schwarzschild/apparent_place.h"
+#include "kernels/spacetime/schwarzschild/apparent_position.h"
 #include "kernels/spacetime/schwarzschild/ray_curve.h"
 
 namespace ergodome {
@@ -12,7 +12,7 @@ namespace {
 
 //! Maximum azimuth between adjacent points of a curve [rad].
 constexpr double finest_turn = 0.03;
-constexpr int fewest_pieces = 32;
+constexpr int min_pieces = 32;
 
 }  // namespace
 
@@ -23,22 +23,22 @@ std::vector<Vector3<double>> light_curve(const Vector3<double>& observer, const 
     return {};
   }
   const ConnectingRay ray = connecting_ray(plane.r_observer, plane.r, angle);
-  const int half = std::max(fewest_pieces, static_cast<int>(std::ceil(angle / finest_turn))) / 2 + 1;
+  const int half = std::max(min_pieces, static_cast<int>(std::ceil(angle / finest_turn))) / 2 + 1;
   const double step = 0.5 / half;
   const double side = order % 2 == 1 ? 1.0 : -1.0;
-  const auto place = [&](const RayPlace& at) {
+  const auto position = [&](const RayPosition& at) {
     const double phi = at.share * angle;
     return (1.0 / at.u) * (std::cos(phi) * plane.outward + side * std::sin(phi) * plane.across);
   };
-  RayPlace from_point = place_at_point(ray, plane.r_observer, plane.r, angle);
-  RayPlace from_observer = place_at_observer(ray, plane.r_observer, plane.r, angle);
-  std::vector<Vector3<double>> first = {place(from_point)};
-  std::vector<Vector3<double>> last = {place(from_observer)};
+  RayPosition from_point = position_at_point(ray, plane.r_observer, plane.r, angle);
+  RayPosition from_observer = position_at_observer(ray, plane.r_observer, plane.r, angle);
+  std::vector<Vector3<double>> first = {position(from_point)};
+  std::vector<Vector3<double>> last = {position(from_observer)};
   for (int i = 0; i < half; ++i) {
     from_point = moved_on(from_point, angle, -step);
-    first.push_back(place(from_point));
+    first.push_back(position(from_point));
     from_observer = moved_on(from_observer, angle, step);
-    last.push_back(place(from_observer));
+    last.push_back(position(from_observer));
   }
   // Both halves of the curve end at the point where they meet, which must appear once.
   first.insert(first.end(), last.rbegin() + 1, last.rend());

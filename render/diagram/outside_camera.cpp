@@ -28,7 +28,7 @@ struct FrustumBounds {
 
 }  // namespace
 
-OutsideCamera outside_camera(const OutsideDirection& direction, const std::vector<Vector3<double>>& places,
+OutsideCamera outside_camera(const OutsideDirection& direction, const std::vector<Vector3<double>>& positions,
                              double aspect, const PictureBand& band) {
   const double sine = std::sin(direction.elevation);
   const double cosine = std::cos(direction.elevation);
@@ -44,7 +44,7 @@ OutsideCamera outside_camera(const OutsideDirection& direction, const std::vecto
   const double tangent_up = camera.half_height * (2.0 * band.high - 1.0 - picture_margin);
   const double tangent_down = camera.half_height * (1.0 - 2.0 * band.low - picture_margin);
   FrustumBounds bounds;
-  for (const Vector3<double>& p : places) {
+  for (const Vector3<double>& p : positions) {
     const Vector3<double> at = camera.in_view(p);  // relative to the origin for now
     bounds.right = std::max(bounds.right, at.x + tangent * at.z);
     bounds.left = std::max(bounds.left, -at.x + tangent * at.z);
@@ -66,7 +66,7 @@ OutsideCamera outside_camera(const OutsideDirection& direction, const std::vecto
     x = 0.5 * (bounds.right - bounds.left);
     y = 0.5 * (bounds.up - tangent_up * z - bounds.down + tangent_down * z);
   }
-  camera.place = x * camera.right + y * camera.up + z * camera.back;
+  camera.position = x * camera.right + y * camera.up + z * camera.back;
   const double depth = bounds.nearest - bounds.farthest;
   camera.nearest = std::max(z - bounds.nearest - depth, 1e-3 * depth);
   camera.farthest = std::max(z - bounds.farthest + 2.0 * depth, 2.0 * camera.nearest);
@@ -75,12 +75,12 @@ OutsideCamera outside_camera(const OutsideDirection& direction, const std::vecto
 
 std::vector<Vector3<double>> sphere_outline(double radius, const OutsideCamera& camera) {
   constexpr int sides = 180;
-  const double distance = std::sqrt(dot(camera.place, camera.place));
+  const double distance = std::sqrt(dot(camera.position, camera.position));
   std::vector<Vector3<double>> circle;
   if (!(distance > radius)) {
     return circle;
   }
-  const Vector3<double> toward = (1.0 / distance) * camera.place;
+  const Vector3<double> toward = (1.0 / distance) * camera.position;
   Vector3<double> across = camera.up - dot(camera.up, toward) * toward;
   across = (1.0 / std::sqrt(dot(across, across))) * across;
   const Vector3<double> beside = cross(across, toward);

@@ -21,7 +21,7 @@ struct OutsideDirection {
 
 //! A camera with a flat screen in flat space.
 struct OutsideCamera {
-  Vector3<double> place;            //!< position of the camera [M]
+  Vector3<double> position;         //!< position of the camera [M]
   Vector3<double> right, up, back;  //!< unit vectors
   double half_width;                //!< half width of the screen at distance 1
   double half_height;
@@ -30,7 +30,7 @@ struct OutsideCamera {
   //! Returns the position of `p` relative to the camera, in components along right, up and back
   //! [M].
   [[nodiscard]] Vector3<double> in_view(const Vector3<double>& p) const {
-    return {dot(right, p - place), dot(up, p - place), dot(back, p - place)};
+    return {dot(right, p - position), dot(up, p - position), dot(back, p - position)};
   }
 };
 
@@ -43,7 +43,7 @@ struct PictureBand {
 
 //! Returns a camera that shows all positions in a band of its picture, as large as possible unless
 //! its distance is given. `aspect`: width over height.
-OutsideCamera outside_camera(const OutsideDirection& direction, const std::vector<Vector3<double>>& places,
+OutsideCamera outside_camera(const OutsideDirection& direction, const std::vector<Vector3<double>>& positions,
                              double aspect, const PictureBand& band);
 
 //! Returns the reference height that letter sizes and line widths are proportional to [px]: the

@@ -16,7 +16,7 @@ enum class CurveEnd { object, hole, sky };
 //! The path of a ray that an eye sees, for any spin of the hole.
 struct TracedCurve {
   //! Points of the path from the origin of the light to the eye, pseudo-Cartesian [M].
-  std::vector<Vector3<double>> places;
+  std::vector<Vector3<double>> positions;
   CurveEnd end = CurveEnd::sky;
   int object = -1;     //!< number of the object, for CurveEnd::object
   int order = 1;       //!< 1 plus the number of half turns around the hole
@@ -27,8 +27,8 @@ struct TracedCurve {
 struct TracedChoice {
   //! Approximate number of rays; two thirds of them end on objects, if there are any.
   int count = 24;
-  int most_order = 5;  //!< rays to objects of higher order are left out
-  double reach;        //!< paths to the sky end at this distance from the hole [M]
+  int max_order = 5;  //!< rays to objects of higher order are left out
+  double reach;       //!< paths to the sky end at this distance from the hole [M]
 };
 
 //! Computes the path of the ray that a camera sees in direction `n` (e_r, e_θ, e_φ), traced back

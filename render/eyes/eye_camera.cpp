@@ -40,7 +40,7 @@ EyeCamera eye_camera(const Show& show, const CameraPose& pose, const Vector3<dou
   const Spacetime spacetime = spacetime_of(show);
   const double horizon = horizon_radius(spacetime);
   const bool in_rain = pose.velocity && pose.velocity_in_rain;
-  const double deepest = in_rain ? std::min(least_interior_radius(spacetime), horizon) : horizon;
+  const double deepest = in_rain ? std::min(min_interior_radius(spacetime), horizon) : horizon;
   if (!(pose.r > deepest)) {
     throw Error(show.name, fmt::format("the camera is too close to the hole (r = {:.6g} M)", pose.r),
                 fmt::format("keep it farther out than r = {:.6g} M", deepest));
@@ -85,7 +85,7 @@ EyeCamera eye_camera(const Show& show, const CameraPose& pose, const Vector3<dou
   return eye;
 }
 
-Vector3<double> place_of(const EyeCamera& eye) {
+Vector3<double> position_of(const EyeCamera& eye) {
   return {eye.r * std::sin(eye.theta) * std::cos(eye.phi), eye.r * std::sin(eye.theta) * std::sin(eye.phi),
           eye.r * std::cos(eye.theta)};
 }

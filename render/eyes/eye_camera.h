@@ -35,7 +35,7 @@ inline EyeCamera eye_camera(const Show& show, const CameraPose& pose, double to_
 }
 
 //! Returns an eye's pseudo-Cartesian position [M].
-Vector3<double> place_of(const EyeCamera& eye);
+Vector3<double> position_of(const EyeCamera& eye);
 
 //! Transforms a vector of the observer's frame into the view's axes.
 inline Vector3<double> in_view(const EyeCamera& eye, const Vector3<double>& v) {

@@ -75,7 +75,7 @@ Numbers numbers_of(const EyeCamera& eye, const EyeCamera& head) {
 
 //! Returns a function that computes the numbers of the exact camera (omni_numbers) for a point on
 //! the disk of all eye positions.
-DiskNumbers exact_numbers(const EyePlace& eye_at, double reach, const EyeCamera& head) {
+DiskNumbers exact_numbers(const EyeAtOffset& eye_at, double reach, const EyeCamera& head) {
   return [&eye_at, reach, head](const DiskPoint& point) {
     const Numbers numbers = numbers_of(eye_at({reach * point.p, 0.0, reach * point.q}), head);
     return std::vector<double>(numbers.begin(), numbers.end());
@@ -84,7 +84,7 @@ DiskNumbers exact_numbers(const EyePlace& eye_at, double reach, const EyeCamera&
 
 //! Returns the largest error of a fit. The error of each number is relative to the largest number
 //! of its group.
-double fit_error(const EyePlace& eye_at, double reach, const EyeCamera& head, int degree,
+double fit_error(const EyeAtOffset& eye_at, double reach, const EyeCamera& head, int degree,
                  const std::vector<double>& coefficients) {
   const std::vector<DiskPoint> points = disk_points(3, 13, 0.37);
   const DiskNumbers numbers_at = exact_numbers(eye_at, reach, head);
@@ -119,7 +119,7 @@ OmniSettings omni_settings(const StereoSettings& stereo, double baseline, double
           tolerance};
 }
 
-OmniCamera::OmniCamera(Backend backend, const EyePlace& eye_at, const OmniSettings& settings) {
+OmniCamera::OmniCamera(Backend backend, const EyeAtOffset& eye_at, const OmniSettings& settings) {
   const EyeCamera head = eye_at({0.0, 0.0, 0.0});
   const double reach = settings.half_baseline;
   camera_.spin = head.spacetime.spin;
@@ -135,9 +135,9 @@ OmniCamera::OmniCamera(Backend backend, const EyePlace& eye_at, const OmniSettin
     camera_.turn = station.turn;
     camera_.lag = station.lag;
   }
-  const double tolerance = std::clamp(0.1 * settings.tolerance, finest_fit, omni_least_exact);
+  const double tolerance = std::clamp(0.1 * settings.tolerance, finest_fit, omni_min_exact);
   double error = 0.0;
-  for (int degree = reach > 0.0 ? 1 : 0; degree <= omni_most_degree; ++degree) {
+  for (int degree = reach > 0.0 ? 1 : 0; degree <= omni_max_degree; ++degree) {
     camera_.degree = degree;
     coefficients_ = fit_numbers(exact_numbers(eye_at, reach, head), degree);
     error = fit_error(eye_at, reach, head, degree, coefficients_);
@@ -145,18 +145,18 @@ OmniCamera::OmniCamera(Backend backend, const EyePlace& eye_at, const OmniSettin
       break;
     }
   }
-  if (!(error <= omni_least_exact)) {
+  if (!(error <= omni_min_exact)) {
     throw Error("stereo.baseline",
                 fmt::format("{:.6g} M is too large for the model omni at r = {:.6g} M", 2.0 * reach, head.r),
                 "choose a smaller baseline, or model = \"physical\"");
   }
-  narrowed_.assign(coefficients_.begin(), coefficients_.end());
-  for_kernels_ = Buffer<float>(backend, narrowed_, "omni cameras");
+  coefficients_as_float_.assign(coefficients_.begin(), coefficients_.end());
+  for_kernels_ = Buffer<float>(backend, coefficients_as_float_, "omni cameras");
 }
 
 OmniCameraOf<float> OmniCamera::on_host(double side) const {
   OmniCameraOf<float> camera = view(side);
-  camera.coefficients = narrowed_.data();
+  camera.coefficients = coefficients_as_float_.data();
   return camera;
 }
 
@@ -177,7 +177,7 @@ OmniCameraOf<double> OmniCamera::exact(double side) const {
   return camera;
 }
 
-ShadowChart omni_shadow_chart(const OmniCameraOf<double>& camera, const EyePlace& eye_at) {
+ShadowChart omni_shadow_chart(const OmniCameraOf<double>& camera, const EyeAtOffset& eye_at) {
   const EyeCamera head = eye_at({0.0, 0.0, 0.0});
   Vector3<double> middle = in_view(head, make_shadow_chart(station_of(head, 0.0)).centre);
   // Iterates: the shadow's center is that seen by the camera that looks in the direction of this

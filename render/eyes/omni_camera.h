@@ -14,7 +14,7 @@ namespace ergodome {
 
 //! Function that returns the camera of an eye at an offset from the head, in the view's axes
 //! (right, up, back) [M].
-using EyePlace = std::function<EyeCamera(const Vector3<double>& offset)>;
+using EyeAtOffset = std::function<EyeCamera(const Vector3<double>& offset)>;
 
 //! Settings of ODS eyes, which turn with the viewing azimuth.
 struct OmniSettings {
@@ -28,7 +28,7 @@ struct OmniSettings {
 
 //! Error [rad] up to which fitted ODS cameras count as drawable. It does not depend on the
 //! picture's size, so that the maximum baseline does not either.
-inline constexpr double omni_least_exact = 1e-5;
+inline constexpr double omni_min_exact = 1e-5;
 
 //! Returns the settings of ODS eyes for a show's stereo settings and a baseline [M].
 OmniSettings omni_settings(const StereoSettings& stereo, double baseline, double tolerance);
@@ -38,9 +38,9 @@ OmniSettings omni_settings(const StereoSettings& stereo, double baseline, double
 //! degree. One fit serves both eyes and all pixels.
 class OmniCamera {
  public:
-  //! Fits the polynomials. Throws Error if none reaches omni_least_exact: the baseline is too large
+  //! Fits the polynomials. Throws Error if none reaches omni_min_exact: the baseline is too large
   //! for this position.
-  OmniCamera(Backend backend, const EyePlace& eye_at, const OmniSettings& settings);
+  OmniCamera(Backend backend, const EyeAtOffset& eye_at, const OmniSettings& settings);
 
   //! Returns the cameras as kernels read them; `side` is -1 for the left eye, 1 for the right one.
   //! The result points into this object.
@@ -58,12 +58,12 @@ class OmniCamera {
  private:
   OmniCameraOf<double> camera_{};
   std::vector<double> coefficients_;
-  std::vector<float> narrowed_;
+  std::vector<float> coefficients_as_float_;
   Buffer<float> for_kernels_;
 };
 
 //! Returns a chart centered on the shadow that an ODS eye sees, in the view's axes.
-ShadowChart omni_shadow_chart(const OmniCameraOf<double>& camera, const EyePlace& eye_at);
+ShadowChart omni_shadow_chart(const OmniCameraOf<double>& camera, const EyeAtOffset& eye_at);
 
 //! Computes the shadow's edge in the chart, at `count` position angles [rad]. Throws Error if the
 //! chart's center is not inside the shadow.

@@ -40,22 +40,22 @@ EyeEvent eye_event(Spacetime spacetime, double r, double theta, double phi, cons
   };
   const double azimuth_here = phi + turn_at(r);
   const Axes here = axes_at(theta, azimuth_here);
-  double place[3];
+  double position[3];
   for (int j = 0; j < 3; ++j) {
-    place[j] = r * here.row[0][j];
+    position[j] = r * here.row[0][j];
     for (int i = 0; i < 3; ++i) {
       const double along =
           frame_from_view[i][0] * offset.x + frame_from_view[i][1] * offset.y + frame_from_view[i][2] * offset.z;
-      place[j] += along * scale[i] * here.row[i][j];
+      position[j] += along * scale[i] * here.row[i][j];
     }
   }
   EyeEvent eye{};
-  const double across = std::hypot(place[0], place[1]);
-  eye.r = std::max(std::hypot(across, place[2]), room.least_r);
-  eye.theta = std::atan2(across, place[2]);
+  const double across = std::hypot(position[0], position[1]);
+  eye.r = std::max(std::hypot(across, position[2]), room.min_r);
+  eye.theta = std::atan2(across, position[2]);
   // Chooses the azimuth within half a turn of the head's, so that it does not jump in a show with
   // many turns.
-  const double azimuth = across > 0.0 ? std::atan2(place[1], place[0]) : azimuth_here;
+  const double azimuth = across > 0.0 ? std::atan2(position[1], position[0]) : azimuth_here;
   const double azimuth_there = azimuth_here + std::remainder(azimuth - azimuth_here, full_turn);
   eye.phi = azimuth_there - turn_at(eye.r);
   const Axes there = axes_at(eye.theta, azimuth_there);

@@ -20,7 +20,7 @@ struct EyeEvent {
 
 //! Limits for eye positions, and the frame in which lengths are measured.
 struct EyeRoom {
-  double least_r;  //!< minimum radius; an eye closer to the hole is moved out to it [M]
+  double min_r;  //!< minimum radius; an eye closer to the hole is moved out to it [M]
   //! Lengths are measured in the rain frame instead of the ZAMO frame; eyes may be inside the
   //! horizon.
   bool in_rain = false;

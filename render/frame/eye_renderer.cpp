@@ -169,7 +169,7 @@ void EyeRenderer::finish_in_place(const EyePicture& wanted, const Drawings& draw
   }
 }
 
-PictureInPlace EyeRenderer::render_in_place(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
+BackendPicture EyeRenderer::render_in_place(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
                                             const PictureSettings& settings) {
   const DeviceWorkInOrder in_order(backend_);
   const EyePicture wanted{eye, projection, settings};

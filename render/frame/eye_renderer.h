@@ -60,7 +60,7 @@ class EyeRenderer {
 
   //! Renders a picture in one piece. It stays in the backend's memory until the next picture, and
   //! passes may draw on it.
-  PictureInPlace render_in_place(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
+  BackendPicture render_in_place(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
                                  const PictureSettings& settings);
 
   //! Keeps the last picture rendered in place while the next one is rendered, so that the pictures

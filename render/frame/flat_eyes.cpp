@@ -30,7 +30,7 @@ StereoPictures render_flat_eyes(EyeRenderer& renderer, const EyePicture& head, c
   std::shared_ptr<const FlatShadow> shadow;
   if (stereo.baseline > 0.0) {
     shadow = std::make_shared<const FlatShadow>(head.eye);
-    made.baseline = std::min(stereo.baseline, shadow->greatest_baseline());
+    made.baseline = std::min(stereo.baseline, shadow->max_baseline());
   }
   // Passes that spread light (bloom) come after the shadow and everything that has its own
   // parallax.

@@ -21,7 +21,7 @@ struct FittingPair {
   double baseline;
 };
 
-EyePlace eyes_at(const Show& show, const CameraPose& pose) {
+EyeAtOffset eyes_at(const Show& show, const CameraPose& pose) {
   return [&show, &pose](const Vector3<double>& offset) { return eye_camera(show, pose, offset); };
 }
 
@@ -79,9 +79,9 @@ StereoPictures OmniEyes::render(EyeRenderer& renderer, const CameraPose& pose, c
     const auto lens = lenses_.choose(eye, head.projection, settings.mode, settings.lens, settings.accuracy);
     settings.given = lens.get();
     if (turns) {
-      settings.turning = eye;
+      settings.omni = eye;
       if (needs_polygons(show, settings.mode)) {
-        settings.turning_view = std::make_shared<const TurningView>(turning_view(*eye, eyes_at(show, pose)));
+        settings.omni_view = std::make_shared<const OmniView>(omni_view(*eye, eyes_at(show, pose)));
       }
     }
     for (std::size_t i = 0; i < shutter_cameras.size(); ++i) {

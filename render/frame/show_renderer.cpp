@@ -22,7 +22,7 @@
 #include "render/passes/effects/exposure_pass.h"
 #include "render/passes/near_field/near_field_pass.h"
 #include "render/passes/objects/object_pass.h"
-#include "render/passes/overlay/overlay_place.h"
+#include "render/passes/overlay/overlay_position.h"
 #include "render/passes/stars/star_kind.h"
 #include "render/picture/picture.h"
 
@@ -33,7 +33,7 @@ namespace {
 //! Star images are followed in steps, in each of which the camera moves around the hole by at most
 //! this angle [rad].
 constexpr double longest_trail_step = 0.02;
-constexpr int most_trail_steps = 32;
+constexpr int max_trail_steps = 32;
 
 //! Returns whether two shows have the same map with the same settings, so that the map need not be
 //! read again.
@@ -148,7 +148,7 @@ std::vector<CameraPose> ShowRenderer::shutter_poses(const CameraPose& middle, do
   const double turn = 2.0 * std::acos(std::min(std::abs(glm::dot(open.orientation, close.orientation)), 1.0));
   const double way = std::abs(close.phi - open.phi) + std::abs(close.theta - open.theta) +
                      std::abs(std::log(close.r / open.r)) + 0.1 * turn;
-  const int steps = std::clamp(static_cast<int>(std::ceil(way / longest_trail_step)), 1, most_trail_steps);
+  const int steps = std::clamp(static_cast<int>(std::ceil(way / longest_trail_step)), 1, max_trail_steps);
   std::vector<CameraPose> poses;
   for (int i = -steps; i <= steps; ++i) {
     poses.push_back(camera_pose(show_, time_s + half * i / steps));
@@ -217,10 +217,10 @@ std::unique_ptr<LensSource> ShowRenderer::lens_of(const CameraPose& pose, const 
                             picture_settings(pose, ViewMode::sky, moment, 0.0));
 }
 
-PictureInPlace ShowRenderer::render_eye_in_place(const CameraPose& pose, double eye_offset,
+BackendPicture ShowRenderer::render_eye_in_place(const CameraPose& pose, double eye_offset,
                                                  const Projection& projection, ViewMode mode,
                                                  const ShowMoment& moment) {
-  const PictureInPlace made = renderer_.render_in_place(eye_camera(show_, pose, eye_offset), projection, sky_.cube(),
+  const BackendPicture made = renderer_.render_in_place(eye_camera(show_, pose, eye_offset), projection, sky_.cube(),
                                                         picture_settings(pose, mode, moment, eye_offset));
   FinishedFrame frame = {
       backend(), show_, mode, pose, projection, moment.time_s, 0.0, tone(), {{made.rgba, eye_offset, nullptr}}};
@@ -259,9 +259,9 @@ std::vector<Picture> ShowRenderer::render_eyes(const CameraPose& pose, const Pro
 void ShowRenderer::note_baseline(const CameraPose& pose, double baseline) {
   const StereoSettings& stereo = show_.stereo;
   baseline_ = baseline;
-  narrowed_.reset();
+  reduced_baseline_.reset();
   if (baseline < stereo.baseline) {
-    narrowed_ = {stereo.model, pose.r, stereo.baseline, baseline};
+    reduced_baseline_ = {stereo.model, pose.r, stereo.baseline, baseline};
   }
 }
 
@@ -278,7 +278,7 @@ bool ShowRenderer::may_stay_in_place(ViewMode mode) const {
                                    shows_eyes_whole(stereo.layout) && !stereo.tint_eyes);
 }
 
-EyesInPlace ShowRenderer::render_eyes_in_place(const CameraPose& pose, const Projection& projection, ViewMode mode,
+BackendEyes ShowRenderer::render_eyes_in_place(const CameraPose& pose, const Projection& projection, ViewMode mode,
                                                const ShowMoment& moment) {
   const StereoSettings& stereo = show_.stereo;
   note_baseline(pose, stereo.baseline);
@@ -290,10 +290,10 @@ EyesInPlace ShowRenderer::render_eyes_in_place(const CameraPose& pose, const Pro
     return render_eye_in_place(pose, offset, converged_projection(projection, offset, stereo.convergence), mode,
                                moment);
   };
-  const PictureInPlace left = render(-0.5);
+  const BackendPicture left = render(-0.5);
   renderer_.set_aside();
-  const PictureInPlace right = render(0.5);
-  return stereo.swap_eyes ? EyesInPlace{right, left} : EyesInPlace{left, right};
+  const BackendPicture right = render(0.5);
+  return stereo.swap_eyes ? BackendEyes{right, left} : BackendEyes{left, right};
 }
 
 LaidCaptions ShowRenderer::caption_layer(const Projection& projection, ViewMode mode, double time_s) {

@@ -17,7 +17,7 @@
 #include "render/passes/overlay/overlay_pass.h"
 #include "render/passes/sky/show_sky.h"
 #include "render/picture/picture.h"
-#include "render/stereo/narrowed_eyes.h"
+#include "render/stereo/reduced_baseline.h"
 
 // Renders the frames of a show.
 
@@ -43,9 +43,9 @@ struct FrameQuality {
 };
 
 //! Pictures that stay in the backend's memory until the next picture is rendered.
-struct EyesInPlace {
-  PictureInPlace first;                 //!< the only picture, or that of the left eye
-  std::optional<PictureInPlace> right;  //!< picture of the right eye, if there is one
+struct BackendEyes {
+  BackendPicture first;                 //!< the only picture, or that of the left eye
+  std::optional<BackendPicture> right;  //!< picture of the right eye, if there is one
 };
 
 //! Renders the frames of a show.
@@ -100,7 +100,7 @@ class ShowRenderer {
                      const ShowMoment& moment = {});
 
   //! Like render_eye, but leaves the picture in the backend's memory until the next one.
-  PictureInPlace render_eye_in_place(const CameraPose& pose, double eye_offset, const Projection& projection,
+  BackendPicture render_eye_in_place(const CameraPose& pose, double eye_offset, const Projection& projection,
                                      ViewMode mode, const ShowMoment& moment);
 
   //! Returns the counters of the stream of baked stations; nothing without a stream.
@@ -108,7 +108,7 @@ class ShowRenderer {
 
   //! Renders a window's picture for one or two eyes and leaves it in the backend's memory.
   //! may_stay_in_place() must be true.
-  EyesInPlace render_eyes_in_place(const CameraPose& pose, const Projection& projection, ViewMode mode,
+  BackendEyes render_eyes_in_place(const CameraPose& pose, const Projection& projection, ViewMode mode,
                                    const ShowMoment& moment);
 
   //! Returns whether pictures of a view mode may stay in GPU memory. They cannot with automatic
@@ -157,7 +157,7 @@ class ShowRenderer {
 
   //! Returns the reduced baseline of the last picture, if the show's baseline did not fit at the
   //! camera position.
-  [[nodiscard]] const std::optional<NarrowedEyes>& narrowed_eyes() const { return narrowed_; }
+  [[nodiscard]] const std::optional<ReducedBaseline>& reduced_baseline() const { return reduced_baseline_; }
 
   //! Returns the show with its animated numbers as last applied.
   [[nodiscard]] const Show& show() const { return show_; }
@@ -201,7 +201,7 @@ class ShowRenderer {
   EyeRenderer renderer_;
   OmniEyes omni_eyes_;
   double baseline_ = 0.0;  //!< baseline with which the last picture was rendered [M]
-  std::optional<NarrowedEyes> narrowed_;
+  std::optional<ReducedBaseline> reduced_baseline_;
   double exposure_stops_ = 0.0;
   double time_s_ = 0.0;                //!< show time of the current animated numbers
   std::optional<TraceMethod> method_;  //!< ViewChoice::method of the current pictures

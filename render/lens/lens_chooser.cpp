@@ -9,7 +9,7 @@
 #include "render/lens/grid/screen_error.h"
 #include "render/lens/lens_source.h"
 #include "render/lens/quadtree_source.h"
-#include "render/lens/stations/place_turn.h"
+#include "render/lens/stations/lens_position.h"
 
 namespace ergodome {
 
@@ -28,7 +28,7 @@ GridOrder order_for(const LensRequest& request) {
   const EyeCamera& eye = request.eye;
   GridOrder order;
   order.spacetime = eye.spacetime;
-  order.place = {eye.r, eye.theta};
+  order.position = {eye.r, eye.theta};
   order.settings.pixel = pixel_angle(request.projection);
   order.settings.budget_px = request.accuracy.budget_px;
   order.settings.observer = aberration_to_rain(eye.spacetime, eye.r, eye.theta, eye.motion, eye.velocity);
@@ -61,7 +61,7 @@ double allowed_unmeasured_px(const TrajectoryProvenance& baked, double budget_px
 
 const LensChooser::Grid* LensChooser::find(const GridOrder& order, const EyeCamera& eye) {
   const auto found = std::find_if(grids_.begin(), grids_.end(), [&](const Grid& grid) {
-    return grid.spacetime == order.spacetime && same_place({grid.r, grid.theta}, order.place) &&
+    return grid.spacetime == order.spacetime && same_position({grid.r, grid.theta}, order.position) &&
            grid.error <= 1.01 * error_of(order) && grid.error >= 0.5 * error_of(order) &&
            moves_alike(grid.motion, grid.velocity, eye);
   });
@@ -78,8 +78,8 @@ const LensChooser::Grid* LensChooser::find_near(const GridOrder& order, const Ey
   const auto found = std::find_if(grids_.begin(), grids_.end(), [&](const Grid& grid) {
     const double horizon = horizon_radius(order.spacetime);
     return grid.spacetime == order.spacetime &&
-           std::abs(grid.r - order.place.r) < 0.1 * std::abs(order.place.r - 1.0) &&
-           (grid.r > horizon) == (order.place.r > horizon) && std::abs(grid.theta - order.place.theta) < 0.1 &&
+           std::abs(grid.r - order.position.r) < 0.1 * std::abs(order.position.r - 1.0) &&
+           (grid.r > horizon) == (order.position.r > horizon) && std::abs(grid.theta - order.position.theta) < 0.1 &&
            grid.error <= 2.0 * error_of(order) && moves_alike(grid.motion, grid.velocity, eye);
   });
   return found != grids_.end() ? &*found : nullptr;
@@ -87,7 +87,7 @@ const LensChooser::Grid* LensChooser::find_near(const GridOrder& order, const Ey
 
 const LensChooser::Grid& LensChooser::keep(const GridOrder& order, const EyeCamera& eye, LensStation station,
                                            const GridStatistics& statistics) {
-  grids_.push_front({order.spacetime, order.place.r, order.place.theta, error_of(order), eye.motion, eye.velocity,
+  grids_.push_front({order.spacetime, order.position.r, order.position.theta, error_of(order), eye.motion, eye.velocity,
                      statistics.flagged_px, std::make_shared<StationBuffers>(backend_, std::move(station))});
   ++built_;
   if (grids_.size() > kept_grids) {
@@ -109,7 +109,7 @@ const LensChooser::Grid& LensChooser::grid_for(const LensRequest& request) {
     const EyeCamera earlier = ordered_eye_.value_or(eye);
     ordered_eye_ = eye;
     if (auto made = worker_->build(order, request.moment.patience_s)) {
-      const bool own = same_place(made->order.place, {eye.r, eye.theta});
+      const bool own = same_position(made->order.position, {eye.r, eye.theta});
       keep(made->order, own ? eye : earlier, std::move(made->station), made->statistics);
     }
     if (const Grid* kept = find(order, eye)) {
@@ -120,8 +120,8 @@ const LensChooser::Grid& LensChooser::grid_for(const LensRequest& request) {
     }
   }
   GridStatistics statistics;
-  LensStation station =
-      build_lens_station(order.spacetime, order.place.r, order.place.theta, order.settings, &statistics, &tracer_);
+  LensStation station = build_lens_station(order.spacetime, order.position.r, order.position.theta, order.settings,
+                                           &statistics, &tracer_);
   return keep(order, eye, std::move(station), statistics);
 }
 
@@ -136,7 +136,7 @@ std::unique_ptr<LensSource> LensChooser::live(const LensRequest& request) {
     return nullptr;
   }
   EyeCamera eye = request.eye;
-  const bool behind = !same_place({grid.r, grid.theta}, {eye.r, eye.theta});
+  const bool behind = !same_position({grid.r, grid.theta}, {eye.r, eye.theta});
   if (behind && eye.r > horizon_radius(eye.spacetime)) {
     // Adapts the azimuth, because the skies at two radii are similar in the azimuth of infalling
     // observers.
@@ -172,12 +172,12 @@ std::unique_ptr<LensSource> LensChooser::streamed(const LensRequest& request) {
   if (static_cast<double>(pair->gap_error_px) > 1.001 * allowed_px) {
     return nullptr;
   }
-  const LensPlace place = {eye.r, eye.theta};
-  StationBlend blend = pair->second                     ? StationBlend(backend_, pair->first, pair->second, place)
-                       : pair->first->has_derivatives() ? StationBlend(backend_, pair->first, place)
+  const LensPosition position = {eye.r, eye.theta};
+  StationBlend blend = pair->second                     ? StationBlend(backend_, pair->first, pair->second, position)
+                       : pair->first->has_derivatives() ? StationBlend(backend_, pair->first, position)
                                                         : StationBlend(pair->first);
   if (unmeasured) {
-    const LensView view = {eye.spacetime, place,
+    const LensView view = {eye.spacetime, position,
                            aberration_to_rain(eye.spacetime, eye.r, eye.theta, eye.motion, eye.velocity), pixel};
     const ChartSamples samples = pair->skips ? lattice_samples(64, 32) : lattice_samples(32, 16);
     const double error_px = measure_screen_error(blend.view(), view, samples).p99_px;
@@ -195,7 +195,7 @@ std::unique_ptr<LensSource> LensChooser::streamed(const LensRequest& request) {
 std::unique_ptr<LensSource> LensChooser::published(const LensRequest& request) {
   const EyeCamera& eye = request.eye;
   const bool same = quadtree_eye_ && quadtree_eye_->spacetime == eye.spacetime &&
-                    same_place({quadtree_eye_->r, quadtree_eye_->theta}, {eye.r, eye.theta}) &&
+                    same_position({quadtree_eye_->r, quadtree_eye_->theta}, {eye.r, eye.theta}) &&
                     quadtree_eye_->motion == eye.motion && quadtree_eye_->velocity.x == eye.velocity.x &&
                     quadtree_eye_->velocity.y == eye.velocity.y && quadtree_eye_->velocity.z == eye.velocity.z;
   if (!same) {

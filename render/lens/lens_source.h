@@ -50,14 +50,14 @@ class LensSource {
 
 //! Frames with fewer pixels are faster without a grid; compare dome_frame/direct and
 //! dome_frame/live_grid in tests/bench.
-inline constexpr double least_grid_pixels = 150'000.0;
+inline constexpr double min_grid_pixels = 150'000.0;
 
 //! Smallest error budget [rad] for which float rays are accurate enough to build a grid.
 inline constexpr double finest_float_budget = 2e-5;
 
 //! Returns whether building a grid is cheaper than one ray per pixel. On a GPU it never is.
 inline bool is_worth_a_grid(Backend backend, double pixels) {
-  return backend == Backend::cpu && pixels >= least_grid_pixels;
+  return backend == Backend::cpu && pixels >= min_grid_pixels;
 }
 
 //! Returns whether a view mode shows properties of the rays. In such modes every ray is traced,

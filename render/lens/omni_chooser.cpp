@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kept_omni_grids = 2;
 //! Minimum area of split cells. It is smaller than for a single camera, so that fewer pixels next
 //! to the shadow are left to rays.
-constexpr double least_cell_px = 8.0;
+constexpr double min_cell_px = 8.0;
 
 }  // namespace
 
@@ -42,7 +42,7 @@ std::unique_ptr<LensSource> OmniChooser::choose(const std::shared_ptr<const Omni
   settings.pixel = pixel_angle(projection);
   settings.budget_px = std::max(std::min(accuracy.budget_px, omni_budget_px), finest_float_budget / settings.pixel);
   settings.fine = false;
-  settings.least_area_px = least_cell_px;
+  settings.min_area_px = min_cell_px;
   const double pixels = static_cast<double>(projection.width_px) * projection.height_px;
   const bool asked = choice == LensChoice::live || choice == LensChoice::streamed;
   const bool worth_it = is_worth_a_grid(backend_, pixels) && settings.budget_px <= accuracy.budget_px;

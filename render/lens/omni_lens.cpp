@@ -16,7 +16,7 @@ namespace {
 bool omni_numbers_alike(double a, double b) { return std::abs(a - b) <= 1e-10 * (1.0 + std::abs(a)); }
 
 //! Returns the head with the view's axes as its frame.
-EyeCamera head_in_view(const EyePlace& eye_at) {
+EyeCamera head_in_view(const EyeAtOffset& eye_at) {
   EyeCamera head = eye_at({0.0, 0.0, 0.0});
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
@@ -29,7 +29,7 @@ EyeCamera head_in_view(const EyePlace& eye_at) {
 }  // namespace
 
 std::shared_ptr<const OmniEye> make_omni_eye(std::shared_ptr<const OmniCamera> cameras, double side,
-                                             const EyePlace& eye_at) {
+                                             const EyeAtOffset& eye_at) {
   const OmniCameraOf<double> exact = cameras->exact(side);
   const ShadowChart chart = omni_shadow_chart(exact, eye_at);
   std::vector<float> edge = solve_omni_edge(exact, chart, edge_points);
@@ -37,7 +37,7 @@ std::shared_ptr<const OmniEye> make_omni_eye(std::shared_ptr<const OmniCamera> c
       OmniEye{std::move(cameras), side, head_in_view(eye_at), chart, std::move(edge)});
 }
 
-std::optional<OmniPair> make_omni_pair(Backend backend, const EyePlace& eye_at, const OmniSettings& settings) {
+std::optional<OmniPair> make_omni_pair(Backend backend, const EyeAtOffset& eye_at, const OmniSettings& settings) {
   try {
     const auto cameras = std::make_shared<const OmniCamera>(backend, eye_at, settings);
     return OmniPair{make_omni_eye(cameras, -1.0, eye_at), make_omni_eye(cameras, 1.0, eye_at)};
@@ -47,7 +47,7 @@ std::optional<OmniPair> make_omni_pair(Backend backend, const EyePlace& eye_at, 
 }
 
 std::shared_ptr<const OmniEye> make_omni_eye_for_trails(std::shared_ptr<const OmniCamera> cameras, double side,
-                                                        const EyePlace& eye_at) {
+                                                        const EyeAtOffset& eye_at) {
   return std::make_shared<const OmniEye>(OmniEye{std::move(cameras), side, head_in_view(eye_at), {}, {}});
 }
 

@@ -31,18 +31,18 @@ struct OmniEye {
 //! Builds an eye and computes its shadow edge. Throws Error if the shadow is not a single connected
 //! region.
 std::shared_ptr<const OmniEye> make_omni_eye(std::shared_ptr<const OmniCamera> cameras, double side,
-                                             const EyePlace& eye_at);
+                                             const EyeAtOffset& eye_at);
 
 //! The left and the right ODS eye.
 using OmniPair = std::array<std::shared_ptr<const OmniEye>, 2>;
 
 //! Builds both eyes about a head. Returns nothing if their baseline is too large at this position.
-std::optional<OmniPair> make_omni_pair(Backend backend, const EyePlace& eye_at, const OmniSettings& settings);
+std::optional<OmniPair> make_omni_pair(Backend backend, const EyeAtOffset& eye_at, const OmniSettings& settings);
 
 //! Like make_omni_eye(), but without the shadow edge. Cheap; used to follow star images to another
 //! moment, for trails.
 std::shared_ptr<const OmniEye> make_omni_eye_for_trails(std::shared_ptr<const OmniCamera> cameras, double side,
-                                                        const EyePlace& eye_at);
+                                                        const EyeAtOffset& eye_at);
 
 //! Returns whether two eyes see the same, up to rounding and the azimuth of the head.
 bool see_alike(const OmniEye& first, const OmniEye& second);

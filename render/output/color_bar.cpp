@@ -36,10 +36,10 @@ void fill(Picture& picture, ViewMode mode, const ColorBarLayout& bar) {
 }
 
 //! Minimum letter height; smaller letters are unreadable.
-constexpr int least_letter_px = 9;
+constexpr int min_letter_px = 9;
 constexpr int largest_letter_px = 64;
 
-int color_bar_letter_px(int height_px) { return std::clamp(height_px / 64, least_letter_px, largest_letter_px); }
+int color_bar_letter_px(int height_px) { return std::clamp(height_px / 64, min_letter_px, largest_letter_px); }
 
 //! The title of a color bar: what the view shows and its unit, with a shorter form if there is less
 //! room.
@@ -162,7 +162,7 @@ void draw_color_bar(Picture& picture, ViewMode mode) {
   const float white[4] = {0.8F, 0.8F, 0.8F, 1.0F};
   for (const BarText& text : bar.texts) {
     image_library().draw_text(image, text.middle_x, text.top_y, text.text,
-                              {bar.letter_px, white, TextPlace::top_centre, 1});
+                              {bar.letter_px, white, TextAnchor::top_centre, 1});
   }
 }
 

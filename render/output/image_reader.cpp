@@ -14,14 +14,14 @@ Error unreadable(const std::filesystem::path& path, const std::string& reason) {
 }
 
 std::unique_ptr<ImageInput> opened(const std::filesystem::path& path, const ImageLibrary::Wishes& wishes = {}) {
-  constexpr int most_px = 65'535;
+  constexpr int max_px = 65'535;
   std::string problem;
   auto input = image_library().open(path.string(), wishes, problem);
   if (!input) {
     throw unreadable(path, problem);
   }
   const ImageShape& shape = input->shape();
-  if (shape.width < 1 || shape.height < 1 || shape.width > most_px || shape.height > most_px || shape.channels < 3) {
+  if (shape.width < 1 || shape.height < 1 || shape.width > max_px || shape.height > max_px || shape.channels < 3) {
     throw unreadable(path, fmt::format("{} x {} pixels with {} channels are not supported", shape.width, shape.height,
                                        shape.channels));
   }

@@ -23,7 +23,7 @@ namespace {
 constexpr float rec709[8] = {0.64F, 0.33F, 0.30F, 0.60F, 0.15F, 0.06F, 0.3127F, 0.3290F};
 
 //! Prefix of metadata names in files.
-const std::string fact_prefix = "ergodome:";
+const std::string metadata_prefix = "ergodome:";
 
 //! Returns the picture's light, with values clamped to the finite range of half floats.
 std::vector<float> bounded_rgb(const Picture& picture) {
@@ -56,7 +56,7 @@ ImageSample sample_of(ImageFormat format) {
 std::vector<std::pair<std::string, std::string>> texts_of(const FrameMetadata& metadata) {
   std::vector<std::pair<std::string, std::string>> texts;
   for (const auto& [name, value] : metadata) {
-    texts.emplace_back(fact_prefix + name, value);
+    texts.emplace_back(metadata_prefix + name, value);
   }
   return texts;
 }
@@ -103,7 +103,7 @@ ImagePlan make_plan(const FrameFormat& format, const Picture& picture, const Fra
 //! format has an alpha channel.
 template <class Value>
 std::vector<Value> with_alpha(const std::vector<Value>& rgb, const FrameFormat& format, const Picture& picture,
-                              float most) {
+                              float maximum) {
   if (!format.alpha) {
     return rgb;
   }
@@ -113,7 +113,7 @@ std::vector<Value> with_alpha(const std::vector<Value>& rgb, const FrameFormat& 
   for (std::size_t i = 0; i < coverage.size(); ++i) {
     rgba.insert(rgba.end(), rgb.begin() + static_cast<std::ptrdiff_t>(3 * i),
                 rgb.begin() + static_cast<std::ptrdiff_t>(3 * i + 3));
-    rgba.push_back(static_cast<Value>(most * coverage[i] + (most > 1.0F ? 0.5F : 0.0F)));
+    rgba.push_back(static_cast<Value>(maximum * coverage[i] + (maximum > 1.0F ? 0.5F : 0.0F)));
   }
   return rgba;
 }
@@ -190,8 +190,8 @@ bool needs_checksum(const std::filesystem::path& path) { return path.extension()
 
 Error cannot_be_written(const std::filesystem::path& path, ImageOutput* output) {
   // The library reports every failed row in a separate line, without the reason.
-  const std::string told = output != nullptr ? output->error() : "";
-  const std::string first = told.substr(0, told.find('\n'));
+  const std::string message = output != nullptr ? output->error() : "";
+  const std::string first = message.substr(0, message.find('\n'));
   const std::string reason = disk_is_full(path) ? "the disk is full"
                              : first.empty()    ? "the file system rejects it"
                                                 : first;
@@ -285,7 +285,7 @@ bool is_complete_image(const std::filesystem::path& path, int width, int height,
   return is_whole(path, width, height, parts) && (!needs_checksum(path) || has_right_checksum(path));
 }
 
-std::string fact_of_image(const std::filesystem::path& path, const std::string& name) {
+std::string metadata_of_image(const std::filesystem::path& path, const std::string& name) {
   std::error_code problem;
   std::string reason;
   const auto input = std::filesystem::is_regular_file(path, problem) && may_be_whole(path)
@@ -294,7 +294,7 @@ std::string fact_of_image(const std::filesystem::path& path, const std::string& 
   if (!input) {
     return {};
   }
-  std::string own = input->text(fact_prefix + name);
+  std::string own = input->text(metadata_prefix + name);
   if (!own.empty()) {
     return own;
   }

@@ -51,6 +51,6 @@ bool is_complete_image(const std::filesystem::path& path, int width, int height,
 
 //! Returns a metadata value of a file that this program wrote; empty if it has no such name or is
 //! not an image.
-std::string fact_of_image(const std::filesystem::path& path, const std::string& name);
+std::string metadata_of_image(const std::filesystem::path& path, const std::string& name);
 
 }  // namespace ergodome

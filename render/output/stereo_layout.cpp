@@ -35,7 +35,7 @@ Picture like(const Picture& picture, ImageSize size) {
   return made;
 }
 
-std::size_t place(const Picture& picture, int x, int y) {
+std::size_t position(const Picture& picture, int x, int y) {
   return channels *
          (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x));
 }
@@ -45,11 +45,11 @@ Picture squeezed(const Picture& picture, int across, int down) {
   Picture half = like(picture, {(picture.width + across - 1) / across, (picture.height + down - 1) / down});
   for (int y = 0; y < half.height; ++y) {
     for (int x = 0; x < half.width; ++x) {
-      const std::size_t first = place(picture, across * x, down * y);
-      const std::size_t second =
-          place(picture, std::min(across * (x + 1), picture.width) - 1, std::min(down * (y + 1), picture.height) - 1);
+      const std::size_t first = position(picture, across * x, down * y);
+      const std::size_t second = position(picture, std::min(across * (x + 1), picture.width) - 1,
+                                          std::min(down * (y + 1), picture.height) - 1);
       for (std::size_t c = 0; c < channels; ++c) {
-        half.rgba[place(half, x, y) + c] = 0.5F * (picture.rgba[first + c] + picture.rgba[second + c]);
+        half.rgba[position(half, x, y) + c] = 0.5F * (picture.rgba[first + c] + picture.rgba[second + c]);
       }
     }
   }
@@ -60,8 +60,8 @@ Picture squeezed(const Picture& picture, int across, int down) {
 void copy_to(Picture& whole, const Picture& eye, int left_px, int top_px) {
   parallel_for(eye.height, 64, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
-      std::copy_n(eye.rgba.data() + place(eye, 0, y), channels * static_cast<std::size_t>(eye.width),
-                  whole.rgba.data() + place(whole, left_px, top_px + y));
+      std::copy_n(eye.rgba.data() + position(eye, 0, y), channels * static_cast<std::size_t>(eye.width),
+                  whole.rgba.data() + position(whole, left_px, top_px + y));
     }
   });
 }
@@ -85,9 +85,9 @@ Picture above(const Picture& left, const Picture& right) {
 Picture interleaved(const Picture& left, const Picture& right) {
   Picture whole = left;
   for (int y = 1; y < whole.height; y += 2) {
-    std::copy_n(right.rgba.begin() + static_cast<long>(place(right, 0, y)),
+    std::copy_n(right.rgba.begin() + static_cast<long>(position(right, 0, y)),
                 channels * static_cast<std::size_t>(right.width),
-                whole.rgba.begin() + static_cast<long>(place(whole, 0, y)));
+                whole.rgba.begin() + static_cast<long>(position(whole, 0, y)));
   }
   return whole;
 }
@@ -114,7 +114,7 @@ Picture anaglyph(const Picture& left, const Picture& right, const AnaglyphMix& m
     return light > 0.0F ? std::min(light, 1.0F) : 0.0F;
   };
   parallel_for(mixed.height, 16, [&](int begin, int end) {
-    for (std::size_t at = place(mixed, 0, begin); at < place(mixed, 0, end); at += channels) {
+    for (std::size_t at = position(mixed, 0, begin); at < position(mixed, 0, end); at += channels) {
       const float l[3] = {shown(left, at), shown(left, at + 1), shown(left, at + 2)};
       const float r[3] = {shown(right, at), shown(right, at + 1), shown(right, at + 2)};
       for (std::size_t c = 0; c < 3; ++c) {
@@ -154,9 +154,9 @@ Picture arranged(const Picture& left, const Picture& right, StereoLayout layout)
 void dim(Picture& picture, const float (&factor)[3]) {
   for (std::size_t at = 0; at < picture.rgba.size(); at += channels) {
     // Black parts get a slight tint, so that the shadow and the frame are tinted as well.
-    const float least = 0.02F * picture.rgba[at + 3];
+    const float minimum = 0.02F * picture.rgba[at + 3];
     for (std::size_t c = 0; c < 3; ++c) {
-      picture.rgba[at + c] = factor[c] * (picture.rgba[at + c] + least);
+      picture.rgba[at + c] = factor[c] * (picture.rgba[at + c] + minimum);
     }
   }
 }

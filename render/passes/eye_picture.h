@@ -10,7 +10,7 @@
 #include "render/lens/follow_lens.h"
 #include "render/lens/lens_chooser.h"
 #include "render/lens/omni_lens.h"
-#include "render/passes/objects/polygons/turning_view.h"
+#include "render/passes/objects/polygons/omni_view.h"
 #include "render/passes/sky/polygon_filter.h"
 #include "render/passes/sky/sky_cube.h"
 #include "render/passes/stars/drawing/star_trails.h"
@@ -52,9 +52,9 @@ struct PictureSettings {
   ShowMoment moment{};
   GridScheme scheme = GridScheme::conforming;
   //! ODS eye that sees stars, disk, shells and traced objects, instead of the picture's camera.
-  std::shared_ptr<const OmniEye> turning;
+  std::shared_ptr<const OmniEye> omni;
   //! ODS view in which polygon objects are drawn, instead of the picture's camera.
-  std::shared_ptr<const TurningView> turning_view;
+  std::shared_ptr<const OmniView> omni_view;
   std::optional<SharedCameraEye> shared;  //!< if the picture's eye is the head's, for one of two eyes
   std::optional<Shutter> shutter;         //!< if given, stars leave trails
   double time_s = 0.0;                    //!< show time, for moving objects

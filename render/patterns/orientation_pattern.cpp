@@ -22,15 +22,15 @@ constexpr Vector3<float> white_label = {1.0F, 1.0F, 1.0F};
 constexpr Vector3<float> grey_label = {0.35F, 0.35F, 0.35F};
 
 //! Returns the light of the grid's lines at a position.
-float grid_light(const PatternView& projection, const PatternPlace& place) {
-  const DomeSteps steps = dome_steps(projection, place);
-  const bool crowded = std::abs(place.elevation_deg) > crowded_deg;
-  const double circles = 0.12 * line_at(place.elevation_deg, spacing_deg, steps.elevation_deg, 1.5);
+float grid_light(const PatternView& projection, const PatternPosition& position) {
+  const DomeSteps steps = dome_steps(projection, position);
+  const bool crowded = std::abs(position.elevation_deg) > crowded_deg;
+  const double circles = 0.12 * line_at(position.elevation_deg, spacing_deg, steps.elevation_deg, 1.5);
   const double lines =
-      0.12 * line_at(place.azimuth_deg, crowded ? 3.0 * spacing_deg : spacing_deg, steps.azimuth_deg, 1.5);
+      0.12 * line_at(position.azimuth_deg, crowded ? 3.0 * spacing_deg : spacing_deg, steps.azimuth_deg, 1.5);
   // A spacing of 180° yields only the horizon. The poles are points.
-  const double horizon = 0.4 * line_at(place.elevation_deg, 180.0, steps.elevation_deg, 2.5);
-  const double quarters = 0.4 * line_at(place.azimuth_deg, 90.0, steps.azimuth_deg, 2.0);
+  const double horizon = 0.4 * line_at(position.elevation_deg, 180.0, steps.elevation_deg, 2.5);
+  const double quarters = 0.4 * line_at(position.azimuth_deg, 90.0, steps.azimuth_deg, 2.0);
   return static_cast<float>(std::max({circles, lines, horizon, quarters}));
 }
 
@@ -59,9 +59,9 @@ std::vector<DomeLabel> orientation_labels() {
 
 Picture orientation_pattern(const PatternView& projection) {
   const std::vector<LabelStamp> stamps = stamps_of(orientation_labels());
-  return draw_pattern(projection, 1, [&](const PatternPlace& place) {
-    const float line = grid_light(projection, place);
-    return labelled({line, line, line}, stamps, place.direction);
+  return draw_pattern(projection, 1, [&](const PatternPosition& position) {
+    const float line = grid_light(projection, position);
+    return labelled({line, line, line}, stamps, position.direction);
   });
 }
 

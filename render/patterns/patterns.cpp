@@ -20,8 +20,8 @@ Vector3<float> grey_of(double value) {
   return {light, light, light};
 }
 
-//! A horizontal band of a pattern (PatternPlace's coordinates), with the display values at its left
-//! and right ends.
+//! A horizontal band of a pattern (PatternPosition's coordinates), with the display values at its
+//! left and right ends.
 struct Ramp {
   double bottom;
   double top;
@@ -35,7 +35,7 @@ constexpr Ramp ramps[] = {{0.12, 0.28, 0.0, 256.0, false, 0.0},
                           {0.30, 0.40, 0.0, 255.0, true, 0.0},
                           {0.52, 0.64, 0.0, 16.0, false, 0.0},
                           {0.74, 0.86, 239.0, 255.0, false, 255.0}};
-//! Range of PatternPlace::across that ramps fill; it is symmetric about the front.
+//! Range of PatternPosition::across that ramps fill; it is symmetric about the front.
 constexpr double ramp_left = 0.1;
 constexpr double ramp_right = 0.9;
 
@@ -44,16 +44,16 @@ double value_on(const Ramp& ramp, double part) {
   return std::min(ramp.first_value + at * (ramp.last_value - ramp.first_value), 255.0);
 }
 
-Vector3<float> ramp_light(const PatternPlace& place) {
+Vector3<float> ramp_light(const PatternPosition& position) {
   for (const Ramp& ramp : ramps) {
     // A bright background extends beyond its fields, so that it shows whether the brightest field
     // can be distinguished from it.
     const double margin = ramp.ground_value > 0.0 ? 0.03 : 0.0;
-    if (place.up < ramp.bottom - margin || place.up >= ramp.top + margin) {
+    if (position.up < ramp.bottom - margin || position.up >= ramp.top + margin) {
       continue;
     }
-    const double part = (place.across - ramp_left) / (ramp_right - ramp_left);
-    const bool field = part >= 0.0 && part < 1.0 && place.up >= ramp.bottom && place.up < ramp.top;
+    const double part = (position.across - ramp_left) / (ramp_right - ramp_left);
+    const bool field = part >= 0.0 && part < 1.0 && position.up >= ramp.bottom && position.up < ramp.top;
     return grey_of(field ? value_on(ramp, part) : ramp.ground_value);
   }
   return {0.0F, 0.0F, 0.0F};
@@ -67,9 +67,9 @@ std::vector<DomeLabel> ramp_labels(const PatternView& projection) {
       const double part = (i + 0.5) / steps;
       DomeLabel label;
       label.text = fmt::format("{:.0f}", value_on(ramp, part));
-      dome_place(projection, ramp_left + part * (ramp_right - ramp_left), ramp.bottom - 0.05, label.azimuth_deg,
-                 label.elevation_deg);
-      label.height_deg = sheet_degrees(projection, 0.016);
+      dome_position(projection, ramp_left + part * (ramp_right - ramp_left), ramp.bottom - 0.05, label.azimuth_deg,
+                    label.elevation_deg);
+      label.height_deg = surface_degrees(projection, 0.016);
       label.colour = pale_label;
       labels.push_back(label);
     }
@@ -81,8 +81,9 @@ std::vector<DomeLabel> ramp_labels(const PatternView& projection) {
 
 Picture grey_ramp_pattern(const PatternView& projection) {
   const std::vector<LabelStamp> stamps = stamps_of(ramp_labels(projection));
-  return draw_pattern(projection, 2,
-                      [&](const PatternPlace& place) { return labelled(ramp_light(place), stamps, place.direction); });
+  return draw_pattern(projection, 2, [&](const PatternPosition& position) {
+    return labelled(ramp_light(position), stamps, position.direction);
+  });
 }
 
 Picture colour_bar_pattern(const PatternView& projection) {
@@ -90,12 +91,12 @@ Picture colour_bar_pattern(const PatternView& projection) {
   constexpr Vector3<float> bars[] = {{1.0F, 1.0F, 1.0F}, {1.0F, 1.0F, 0.0F}, {0.0F, 1.0F, 1.0F}, {0.0F, 1.0F, 0.0F},
                                      {1.0F, 0.0F, 1.0F}, {1.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 1.0F}, {0.0F, 0.0F, 0.0F}};
   const double times_round = projection.kind == ProjectionKind::pinhole ? 1.0 : 4.0;
-  return draw_pattern(projection, 2, [&](const PatternPlace& place) {
-    const double turn = place.across * times_round + 0.5 * (times_round - 1.0);
+  return draw_pattern(projection, 2, [&](const PatternPosition& position) {
+    const double turn = position.across * times_round + 0.5 * (times_round - 1.0);
     const auto bar = static_cast<int>(8.0 * (turn - std::floor(turn)));
     // On a flat screen the bars fill the whole picture; on a dome they end where they become too
     // narrow to distinguish.
-    const double up = std::abs(place.up);
+    const double up = std::abs(position.up);
     if (up > 0.85 && times_round > 1.0) {
       return Vector3<float>{0.0F, 0.0F, 0.0F};
     }
@@ -115,15 +116,15 @@ Vector3<float> grey(double light) {
 
 //! Returns the light of lines every 5°, which are brighter every 10° and 30°. Near the poles there
 //! are fewer meridians, because they would merge.
-double polar_light(const PatternView& projection, const PatternPlace& place) {
-  const DomeSteps steps = dome_steps(projection, place);
-  const double elevation = std::abs(place.elevation_deg);
+double polar_light(const PatternView& projection, const PatternPosition& position) {
+  const DomeSteps steps = dome_steps(projection, position);
+  const double elevation = std::abs(position.elevation_deg);
   double light = 0.0;
   for (const auto& [spacing_deg, brightness, width_px, ends_deg] :
        {std::array{5.0, 0.1, 1.2, 60.0}, std::array{10.0, 0.25, 1.5, 80.0}, std::array{30.0, 0.7, 2.0, 90.0}}) {
-    light = std::max(light, brightness * line_at(place.elevation_deg, spacing_deg, steps.elevation_deg, width_px));
+    light = std::max(light, brightness * line_at(position.elevation_deg, spacing_deg, steps.elevation_deg, width_px));
     if (elevation <= ends_deg) {
-      light = std::max(light, brightness * line_at(place.azimuth_deg, spacing_deg, steps.azimuth_deg, width_px));
+      light = std::max(light, brightness * line_at(position.azimuth_deg, spacing_deg, steps.azimuth_deg, width_px));
     }
   }
   return light;
@@ -154,30 +155,30 @@ std::vector<DomeLabel> polar_labels() {
 
 Picture polar_grid_pattern(const PatternView& projection) {
   const std::vector<LabelStamp> stamps = stamps_of(polar_labels());
-  return draw_pattern(projection, 1, [&](const PatternPlace& place) {
-    return labelled(grey(polar_light(projection, place)), stamps, place.direction);
+  return draw_pattern(projection, 1, [&](const PatternPosition& position) {
+    return labelled(grey(polar_light(projection, position)), stamps, position.direction);
   });
 }
 
 Picture checker_pattern(const PatternView& projection) {
-  return draw_pattern(projection, 4, [](const PatternPlace& place) {
+  return draw_pattern(projection, 4, [](const PatternPosition& position) {
     constexpr double field_deg = 10.0;
     // Each ring has an even number of fields, so that white and black alternate all the way around.
-    const double ring = std::min(std::floor(std::abs(place.elevation_deg) / field_deg), 8.0);
+    const double ring = std::min(std::floor(std::abs(position.elevation_deg) / field_deg), 8.0);
     const double pairs = std::max(1.0, std::round(18.0 * std::cos((ring + 0.5) * field_deg * one_degree)));
-    const double field = std::floor((place.azimuth_deg + 180.0) / 360.0 * 2.0 * pairs);
-    const bool upper = place.elevation_deg >= 0.0;
+    const double field = std::floor((position.azimuth_deg + 180.0) / 360.0 * 2.0 * pairs);
+    const bool upper = position.elevation_deg >= 0.0;
     return grey(std::fmod(field + ring + (upper ? 0.0 : 1.0), 2.0) < 0.5 ? 0.0 : 1.0);
   });
 }
 
 Picture blend_check_pattern(const PatternView& projection) {
   const auto field = static_cast<double>(light_of_value(128.0));
-  return draw_pattern(projection, 1, [&](const PatternPlace& place) {
-    const DomeSteps steps = dome_steps(projection, place);
-    const bool crowded = std::abs(place.elevation_deg) > 75.0;
-    const double line = std::max(line_at(place.elevation_deg, 10.0, steps.elevation_deg, 1.5),
-                                 line_at(place.azimuth_deg, crowded ? 30.0 : 10.0, steps.azimuth_deg, 1.5));
+  return draw_pattern(projection, 1, [&](const PatternPosition& position) {
+    const DomeSteps steps = dome_steps(projection, position);
+    const bool crowded = std::abs(position.elevation_deg) > 75.0;
+    const double line = std::max(line_at(position.elevation_deg, 10.0, steps.elevation_deg, 1.5),
+                                 line_at(position.azimuth_deg, crowded ? 30.0 : 10.0, steps.azimuth_deg, 1.5));
     return grey(field + (1.0 - field) * line);
   });
 }
@@ -189,8 +190,8 @@ Picture left_right_pattern(const PatternView& projection, bool left, bool right)
   const auto write = [&](const char* text, double across, double up, double height, const Vector3<float>& colour) {
     double azimuth_deg = 0.0;
     double elevation_deg = 0.0;
-    dome_place(projection, across, up, azimuth_deg, elevation_deg);
-    labels.push_back({text, azimuth_deg, elevation_deg, sheet_degrees(projection, height), colour});
+    dome_position(projection, across, up, azimuth_deg, elevation_deg);
+    labels.push_back({text, azimuth_deg, elevation_deg, surface_degrees(projection, height), colour});
   };
   // The compass is drawn once on a flat screen, and in all four quarters of a dome.
   const bool screen = projection.kind == ProjectionKind::pinhole;
@@ -207,13 +208,13 @@ Picture left_right_pattern(const PatternView& projection, bool left, bool right)
     }
   }
   const std::vector<LabelStamp> stamps = stamps_of(labels);
-  return draw_pattern(projection, 1, [&](const PatternPlace& place) {
-    return labelled(grey(0.15 * polar_light(projection, place)), stamps, place.direction);
+  return draw_pattern(projection, 1, [&](const PatternPosition& position) {
+    return labelled(grey(0.15 * polar_light(projection, position)), stamps, position.direction);
   });
 }
 
 Picture even_pattern(const PatternView& projection, float light) {
-  return draw_pattern(projection, 1, [&](const PatternPlace&) { return grey(static_cast<double>(light)); });
+  return draw_pattern(projection, 1, [&](const PatternPosition&) { return grey(static_cast<double>(light)); });
 }
 
 }  // namespace ergodome

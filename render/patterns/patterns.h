@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "render/patterns/dome_label.h"
-#include "render/patterns/pattern_place.h"
+#include "render/patterns/pattern_position.h"
 
 // The patterns of test_pattern.h, one function each.
 

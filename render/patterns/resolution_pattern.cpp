@@ -79,10 +79,10 @@ Picture resolution_pattern(const PatternView& projection) {
   const std::vector<Patch> all = patches(projection);
   // Inside this radius, wedges and gaps are less than one pixel wide.
   const double finest_px = wedges * 2.0 / (2.0 * pi);
-  return draw_pattern(projection, 4, [&, finest_px](const PatternPlace& place) -> Vector3<float> {
+  return draw_pattern(projection, 4, [&, finest_px](const PatternPosition& position) -> Vector3<float> {
     for (const Patch& patch : all) {
-      const double dx = place.x_px - patch.x_px;
-      const double dy = place.y_px - patch.y_px;
+      const double dx = position.x_px - patch.x_px;
+      const double dy = position.y_px - patch.y_px;
       const float light = patch_light(dx, dy, size_px);
       if (light < 0.0F) {
         continue;

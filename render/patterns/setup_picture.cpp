@@ -9,7 +9,7 @@
 #include "kernels/core/angles.h"
 #include "kernels/projection/make_projection.h"
 #include "render/patterns/dome_label.h"
-#include "render/patterns/pattern_place.h"
+#include "render/patterns/pattern_position.h"
 
 namespace ergodome {
 
@@ -22,12 +22,12 @@ constexpr Vector3<float> colours[] = {{0.9F, 0.15F, 0.1F},  {0.1F, 0.5F, 1.0F}, 
                                       {0.9F, 0.3F, 0.6F},   {0.5F, 0.5F, 0.4F}};
 
 //! Returns the first channel of a mask at a position of the raster; 1 without a mask.
-float mask_at(const BlendMap& mask, const WarpNode& place) {
+float mask_at(const BlendMap& mask, const WarpNode& position) {
   if (mask.width == 0) {
     return 1.0F;
   }
-  const int column = std::min(static_cast<int>(place.u * static_cast<float>(mask.width)), mask.width - 1);
-  const int row = std::min(static_cast<int>(place.v * static_cast<float>(mask.height)), mask.height - 1);
+  const int column = std::min(static_cast<int>(position.u * static_cast<float>(mask.width)), mask.width - 1);
+  const int row = std::min(static_cast<int>(position.v * static_cast<float>(mask.height)), mask.height - 1);
   const std::size_t sample =
       static_cast<std::size_t>(row) * static_cast<std::size_t>(mask.width) + static_cast<std::size_t>(column);
   return mask.values[sample * static_cast<std::size_t>(mask.channels)];
@@ -80,9 +80,9 @@ std::vector<DomeLabel> numbers_of(const std::vector<WarpMesh>& rasters, const Pr
         const double off = std::hypot(static_cast<double>(node.u) - 0.5, static_cast<double>(node.v) - 0.5);
         if (node.valid && off < nearest) {
           nearest = off;
-          const PatternPlace place = pattern_place(projection, column + 0.5, row + 0.5);
-          label.azimuth_deg = place.azimuth_deg;
-          label.elevation_deg = place.elevation_deg;
+          const PatternPosition position = pattern_position(projection, column + 0.5, row + 0.5);
+          label.azimuth_deg = position.azimuth_deg;
+          label.elevation_deg = position.elevation_deg;
         }
       }
     }
@@ -93,12 +93,12 @@ std::vector<DomeLabel> numbers_of(const std::vector<WarpMesh>& rasters, const Pr
   return labels;
 }
 
-Vector3<float> grid_on_black(const Projection& projection, const PatternPlace& place) {
-  const DomeSteps steps = dome_steps(projection, place);
-  const double spacing_deg = std::abs(place.elevation_deg) > 75.0 ? 90.0 : 30.0;
+Vector3<float> grid_on_black(const Projection& projection, const PatternPosition& position) {
+  const DomeSteps steps = dome_steps(projection, position);
+  const double spacing_deg = std::abs(position.elevation_deg) > 75.0 ? 90.0 : 30.0;
   const auto light =
-      static_cast<float>(0.15 * std::max(line_at(place.elevation_deg, 30.0, steps.elevation_deg, 1.2),
-                                         line_at(place.azimuth_deg, spacing_deg, steps.azimuth_deg, 1.2)));
+      static_cast<float>(0.15 * std::max(line_at(position.elevation_deg, 30.0, steps.elevation_deg, 1.2),
+                                         line_at(position.azimuth_deg, spacing_deg, steps.azimuth_deg, 1.2)));
   return {light, light, light};
 }
 
@@ -145,9 +145,9 @@ Picture draw_setup(const std::vector<ProjectorPicture>& pictures, int size_px) {
   const Projection projection = make_dome_projection(size_px, pi, 0.0);
   const std::vector<WarpMesh> rasters = rasters_of(pictures, size_px);
   const std::vector<LabelStamp> numbers = stamps_of(numbers_of(rasters, projection));
-  return draw_pattern(projection, 1, [&](const PatternPlace& place) {
-    const int column = static_cast<int>(place.x_px);
-    const int row = static_cast<int>(place.y_px);
+  return draw_pattern(projection, 1, [&](const PatternPosition& position) {
+    const int column = static_cast<int>(position.x_px);
+    const int row = static_cast<int>(position.y_px);
     Vector3<float> light = {0.0F, 0.0F, 0.0F};
     bool dark = true;
     for (std::size_t i = 0; i < rasters.size(); ++i) {
@@ -160,7 +160,7 @@ Picture draw_setup(const std::vector<ProjectorPicture>& pictures, int size_px) {
         dark = false;
       }
     }
-    return labelled(dark ? grid_on_black(projection, place) : light, numbers, place.direction);
+    return labelled(dark ? grid_on_black(projection, position) : light, numbers, position.direction);
   });
 }
 

@@ -58,7 +58,7 @@ constexpr float amber_line[4] = {1.0F, 0.6F, 0.05F, 1.0F};
 constexpr float dim_line[4] = {0.3F, 0.3F, 0.3F, 1.0F};
 
 void write(const ImageCanvas& canvas, int x, int y, const std::string& text, int font_px, const float (&colour)[4]) {
-  image_library().draw_text(canvas, x, y, text, {std::max(font_px, 1), colour, TextPlace::centre});
+  image_library().draw_text(canvas, x, y, text, {std::max(font_px, 1), colour, TextAnchor::centre});
 }
 
 //! Draws a circle: all pixels whose center is at most 0.75 pixels from it.

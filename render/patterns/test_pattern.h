@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "render/patterns/pattern_place.h"
+#include "render/patterns/pattern_position.h"
 #include "render/picture/picture.h"
 
 // Pictures for setting up domes, projectors and stereo displays. All are in linear light that is

@@ -5,7 +5,7 @@
 #include "kernels/image/shade_pixels.h"
 #include "kernels/image/tone_curve.h"
 #include "kernels/projection/projection.h"
-#include "render/backend/kept_memory.h"
+#include "render/backend/cached_memory.h"
 
 // The pictures that renderers produce and outputs show or write.
 
@@ -42,7 +42,7 @@ struct Picture {
 };
 
 //! A picture in the backend's memory: four floats per pixel.
-struct PictureInPlace {
+struct BackendPicture {
   float* rgba = nullptr;
   const char* lens = "";  //!< source of the lens: LensSource::name()
   bool behind = false;

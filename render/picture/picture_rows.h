@@ -22,12 +22,12 @@ int rows_of_a_block(Backend backend, int width_px, int height_px);
 //! alternately.
 int rows_of_a_strip(int width_px);
 
-//! Divides a block into parts of at most `most` rows, and calls visit(rows) for each.
+//! Divides a block into parts of at most `maximum` rows, and calls visit(rows) for each.
 template <class Visit>
-void visit_rows(const RowBlock& block, int most, const Visit& visit) {
+void visit_rows(const RowBlock& block, int maximum, const Visit& visit) {
   const int end = block.first + block.count;
-  for (int row = block.first; row < end; row += most) {
-    visit(RowBlock{row, std::min(most, end - row)});
+  for (int row = block.first; row < end; row += maximum) {
+    visit(RowBlock{row, std::min(maximum, end - row)});
   }
 }
 

@@ -16,9 +16,9 @@ namespace ergodome {
 
 //! How often a pass runs or a buffer is allocated.
 enum class WorkMoment {
-  start,   //!< once, when the show is opened
-  place,   //!< at each new position of the camera
-  picture  //!< for each picture
+  start,     //!< once, when the show is opened
+  position,  //!< at each new position of the camera
+  picture    //!< for each picture
 };
 
 //! A pass, or a kernel that a pass runs. Its name is that of its work counter

@@ -13,23 +13,23 @@
 namespace ergodome {
 
 PlanWriter::PlanWriter(const Show& show, const FrameRequest& request, std::span<const PassKind> kinds)
-    : most_(show_at_most(show)),
-      least_(show_at_least(show)),
+    : maximum_(show_at_most(show)),
+      minimum_(show_at_least(show)),
       request_(request),
       kinds_(kinds),
-      projection_(make_projection(most_.view, request.size_px > 0 ? request.size_px : show.view.size_px, 0.0)),
+      projection_(make_projection(maximum_.view, request.size_px > 0 ? request.size_px : show.view.size_px, 0.0)),
       block_rows_(rows_of_a_block(request.backend, projection_.width_px, projection_.height_px)),
       shown_(eye_count(show.stereo)) {
   plan_.width_px = projection_.width_px;
   plan_.height_px = projection_.height_px;
-  plan_.eyes = drawn_pictures(most_.stereo);
+  plan_.eyes = drawn_pictures(maximum_.stereo);
 }
 
 FramePlan PlanWriter::finish() { return std::move(plan_); }
 
 int PlanWriter::blocks() const { return (height_px() + block_rows_ - 1) / block_rows_; }
 
-bool PlanWriter::eyes_are_together_at_times() const { return !(least_.stereo.baseline > 0.0); }
+bool PlanWriter::eyes_are_together_at_times() const { return !(minimum_.stereo.baseline > 0.0); }
 
 bool PlanWriter::needs_one_picture(const Show& show) const {
   return std::ranges::any_of(
@@ -37,14 +37,15 @@ bool PlanWriter::needs_one_picture(const Show& show) const {
 }
 
 bool PlanWriter::makes_eyes_in_turn() const {
-  return on_cpu() && shown_ > 1 && eye_cameras(most_.stereo.model) == EyeCameras::own && !needs_one_picture(least_);
+  return on_cpu() && shown_ > 1 && eye_cameras(maximum_.stereo.model) == EyeCameras::own &&
+         !needs_one_picture(minimum_);
 }
 
 int PlanWriter::strips() const {
   if (!makes_eyes_in_turn()) {
     return blocks();
   }
-  if (needs_one_picture(most_)) {
+  if (needs_one_picture(maximum_)) {
     return 0;
   }
   int strips = 0;
@@ -55,20 +56,20 @@ int PlanWriter::strips() const {
 }
 
 std::string PlanWriter::why(const std::string& key) const {
-  const auto line = most_.lines.find(key);
-  const std::string reason = line == most_.lines.end() ? fmt::format("{} (by default)", key)
+  const auto line = maximum_.lines.find(key);
+  const std::string reason = line == maximum_.lines.end() ? fmt::format("{} (by default)", key)
                              : line->second == key_set_outside
                                  ? fmt::format("{} ({})", key, show_setting_option)
-                                 : fmt::format("{} ({}.toml line {})", key, most_.name, line->second);
+                                 : fmt::format("{} ({}.toml line {})", key, maximum_.name, line->second);
   return reason + why_animated(key);
 }
 
 std::string PlanWriter::why_animated(const std::string& key) const {
   std::string lines;
-  for (const Animation& animation : most_.timeline.animations) {
-    const auto line = most_.lines.find("animate." + animation.path);
+  for (const Animation& animation : maximum_.timeline.animations) {
+    const auto line = maximum_.lines.find("animate." + animation.path);
     if ((animation.path == key || animation.path.starts_with(key + ".") || animation.path.starts_with(key + "[")) &&
-        line != most_.lines.end()) {
+        line != maximum_.lines.end()) {
       const std::string from =
           line->second == key_set_outside ? show_setting_option : fmt::format("line {}", line->second);
       lines += (lines.empty() ? ", animated from " : ", ") + from;
@@ -78,8 +79,8 @@ std::string PlanWriter::why_animated(const std::string& key) const {
 }
 
 bool PlanWriter::sky_turns() const {
-  return find_animation(most_, "sky.spin_axis.ra_deg") != nullptr ||
-         find_animation(most_, "sky.spin_axis.dec_deg") != nullptr;
+  return find_animation(maximum_, "sky.spin_axis.ra_deg") != nullptr ||
+         find_animation(maximum_, "sky.spin_axis.dec_deg") != nullptr;
 }
 
 std::string PlanWriter::why_view() const {
@@ -102,7 +103,7 @@ void PlanWriter::buffer(const std::string& name, WorkMoment moment, long bytes, 
 void PlanWriter::pixel_pass(const std::string& name, const std::string& reason, bool if_needed) {
   // At times when the baseline is 0, one picture is rendered for both eyes, so the number of runs
   // is not known.
-  const bool known = drawn_pictures(least_.stereo) == plan_.eyes;
+  const bool known = drawn_pictures(minimum_.stereo) == plan_.eyes;
   pass(name, WorkMoment::picture, known ? plan_.eyes * strips() : 0, known ? plan_.eyes * pixels() : 0, reason,
        if_needed);
 }

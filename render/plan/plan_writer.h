@@ -21,8 +21,8 @@ class PlanWriter {
   FramePlan finish();
 
   //! The show with each animated number at its maximum or at its minimum.
-  [[nodiscard]] const Show& most() const { return most_; }
-  [[nodiscard]] const Show& least() const { return least_; }
+  [[nodiscard]] const Show& maximum() const { return maximum_; }
+  [[nodiscard]] const Show& minimum() const { return minimum_; }
   [[nodiscard]] const FrameRequest& request() const { return request_; }
   //! Returns whether kernels run on the CPU.
   [[nodiscard]] bool on_cpu() const { return request_.backend == Backend::cpu; }
@@ -73,8 +73,8 @@ class PlanWriter {
   //! Returns whether a picture of a show needs a pass with PassKind::serves_one_picture.
   [[nodiscard]] bool needs_one_picture(const Show& show) const;
 
-  const Show most_;
-  const Show least_;
+  const Show maximum_;
+  const Show minimum_;
   const FrameRequest& request_;
   std::span<const PassKind> kinds_;
   const Projection projection_;

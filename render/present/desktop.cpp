@@ -31,8 +31,9 @@ std::string monitor_list(const std::vector<DesktopMonitor>& monitors) {
   return list;
 }
 
-std::optional<DesktopRectangle> free_place(const DesktopRectangle& window, const std::vector<DesktopMonitor>& monitors,
-                                           std::span<const DesktopRectangle> taken) {
+std::optional<DesktopRectangle> free_rectangle(const DesktopRectangle& window,
+                                               const std::vector<DesktopMonitor>& monitors,
+                                               std::span<const DesktopRectangle> taken) {
   for (const DesktopMonitor& monitor : monitors) {
     // If a window fits somewhere, it also fits after being pushed up and left against an edge of
     // the monitor or of a taken rectangle.
@@ -46,10 +47,10 @@ std::optional<DesktopRectangle> free_place(const DesktopRectangle& window, const
     std::ranges::sort(tops);
     for (const int top : tops) {
       for (const int left : lefts) {
-        const DesktopRectangle place = {left, top, window.width_px, window.height_px};
-        if (lies_within(place, monitor.work_area) &&
-            std::ranges::none_of(taken, [&](const DesktopRectangle& other) { return overlap(place, other); })) {
-          return place;
+        const DesktopRectangle position = {left, top, window.width_px, window.height_px};
+        if (lies_within(position, monitor.work_area) &&
+            std::ranges::none_of(taken, [&](const DesktopRectangle& other) { return overlap(position, other); })) {
+          return position;
         }
       }
     }

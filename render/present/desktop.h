@@ -31,7 +31,8 @@ std::string monitor_list(const std::vector<DesktopMonitor>& monitors);
 
 //! Returns a position at which a window fits on one monitor without covering taken rectangles, as
 //! far up and to the left as possible; nothing if there is none.
-std::optional<DesktopRectangle> free_place(const DesktopRectangle& window, const std::vector<DesktopMonitor>& monitors,
-                                           std::span<const DesktopRectangle> taken);
+std::optional<DesktopRectangle> free_rectangle(const DesktopRectangle& window,
+                                               const std::vector<DesktopMonitor>& monitors,
+                                               std::span<const DesktopRectangle> taken);
 
 }  // namespace ergodome

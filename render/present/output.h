@@ -108,10 +108,10 @@ class DisplayOutput : public Output {
   [[nodiscard]] virtual ImageSize size() const { return {0, 0}; }
   virtual void toggle_full_screen() {}
   virtual void set_title(const std::string& /*title*/) {}
-  //! Sets the text that is shown over the picture at a position; empty: none. PanelPlace::middle is
-  //! for help: a list whose cells are separated by tabs. While it is shown, other texts and
+  //! Sets the text that is shown over the picture at a position; empty: none. PanelPosition::middle
+  //! is for help: a list whose cells are separated by tabs. While it is shown, other texts and
   //! captions are hidden.
-  virtual void set_text(PanelPlace /*place*/, const std::string& /*text*/) {}
+  virtual void set_text(PanelPosition /*place*/, const std::string& /*text*/) {}
   //! Writes what is currently shown to a PNG file.
   virtual void save_screenshot(const std::string& /*file*/) {}
 };

@@ -44,16 +44,16 @@ struct PanelCorner {
 };
 
 //! Returns the position of the panel's lower left corner in the area; sizes are in pixels of text.
-PanelCorner corner_of(PanelPlace place, std::pair<double, double> area, std::pair<double, double> panel,
+PanelCorner corner_of(PanelPosition position, std::pair<double, double> area, std::pair<double, double> panel,
                       double raised) {
   const auto [width, height] = area;
   const double middle = 0.5 * (width - panel.first);
-  switch (place) {
-    case PanelPlace::top_left:
+  switch (position) {
+    case PanelPosition::top_left:
       return {0.0, height - panel.second};
-    case PanelPlace::middle:
+    case PanelPosition::middle:
       return {middle, 0.5 * (height - panel.second)};
-    case PanelPlace::bottom_middle:
+    case PanelPosition::bottom_middle:
       return {middle, std::max(height / 20.0, raised * height)};
     default:
       return {middle, height - height / 20.0 - panel.second};
@@ -108,12 +108,12 @@ void TextPanel::set(const std::string& text, int font_px, TextFace face, int wid
   glTextureParameteri(state_->texture, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
 }
 
-void TextPanel::draw(const PanelArea& area, PanelPlace place, double raised) {
+void TextPanel::draw(const PanelArea& area, PanelPosition position, double raised) {
   if (state_->texture == 0) {
     return;
   }
-  const PanelCorner at =
-      corner_of(place, {area.width / area.across, area.height / area.along}, {state_->width, state_->height}, raised);
+  const PanelCorner at = corner_of(position, {area.width / area.across, area.height / area.along},
+                                   {state_->width, state_->height}, raised);
   const auto px = [](double value) { return static_cast<int>(std::lround(value)); };
   glViewport(area.left + px(at.left * area.across), area.bottom + px(at.bottom * area.along),
              px(state_->width * area.across), px(state_->height * area.along));
@@ -131,8 +131,8 @@ void TextPanel::draw(const PanelArea& area, PanelPlace place, double raised) {
   glDisable(GL_SCISSOR_TEST);
 }
 
-void TextPanel::draw(int framebuffer_width, int framebuffer_height, PanelPlace place, double raised) {
-  draw({0, 0, framebuffer_width, framebuffer_height}, place, raised);
+void TextPanel::draw(int framebuffer_width, int framebuffer_height, PanelPosition position, double raised) {
+  draw({0, 0, framebuffer_width, framebuffer_height}, position, raised);
 }
 
 }  // namespace ergodome

@@ -11,7 +11,7 @@ namespace ergodome {
 
 //! The position of a panel in its framebuffer. At `top_left` a panel covers nothing of a dome's
 //! circular picture. `bottom_middle` may be raised, for example above the legend of a heat map.
-enum class PanelPlace { top_middle, top_left, middle, bottom_middle };
+enum class PanelPosition { top_middle, top_left, middle, bottom_middle };
 
 //! The background of letters and their dark rim: the picture itself, or a dark panel.
 enum class PanelGround { none, dark };
@@ -44,10 +44,10 @@ class TextPanel {
 
   //! Draws the panel in a part of the bound framebuffer. `raised`: distance from the bottom, as a
   //! fraction of the height.
-  void draw(const PanelArea& area, PanelPlace place, double raised = 0.0);
+  void draw(const PanelArea& area, PanelPosition position, double raised = 0.0);
 
   //! Draws the panel in a whole framebuffer of the given size.
-  void draw(int framebuffer_width, int framebuffer_height, PanelPlace place = PanelPlace::top_middle,
+  void draw(int framebuffer_width, int framebuffer_height, PanelPosition position = PanelPosition::top_middle,
             double raised = 0.0);
 
  private:

@@ -95,11 +95,11 @@ std::vector<WindowEvent> Window::events(double seconds) {
   since.swap(state_->events);
   for (WindowEvent& event : since) {
     if (event.kind == WindowEvent::Kind::pointer) {
-      const std::pair place(event.dx, event.dy);
-      const auto [x, y] = state_->pointer.value_or(place);
+      const std::pair position(event.dx, event.dy);
+      const auto [x, y] = state_->pointer.value_or(position);
       event.dx -= x;
       event.dy -= y;
-      state_->pointer = place;
+      state_->pointer = position;
     }
   }
   return since;
@@ -178,11 +178,11 @@ DesktopRectangle Window::rectangle() const {
   return {inside.x_px - left, inside.y_px - top, inside.width_px + left + right, inside.height_px + top + bottom};
 }
 
-void Window::move_to(const DesktopRectangle& place) {
+void Window::move_to(const DesktopRectangle& position) {
   int left = 0;
   int top = 0;
   glfwGetWindowFrameSize(state_->window, &left, &top, nullptr, nullptr);
-  glfwSetWindowPos(state_->window, place.x_px + left, place.y_px + top);
+  glfwSetWindowPos(state_->window, position.x_px + left, position.y_px + top);
 }
 
 void Window::make_current() { glfwMakeContextCurrent(state_->window); }

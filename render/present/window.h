@@ -72,9 +72,9 @@ class Window {
   //! Returns the window's rectangle, including the frame of the window manager.
   [[nodiscard]] DesktopRectangle rectangle() const;
 
-  //! Moves the top left corner of the window's frame to that of `place`. Does not move a
+  //! Moves the top left corner of the window's frame to that of `position`. Does not move a
   //! full-screen window.
-  void move_to(const DesktopRectangle& place);
+  void move_to(const DesktopRectangle& position);
 
   //! Makes the window's OpenGL context current again, for example after another window's was.
   void make_current();

@@ -12,25 +12,25 @@ namespace ergodome {
 namespace {
 
 void check(const ConnectionTableSettings& settings) {
-  const std::string place = "table of connecting rays";
+  const std::string location = "table of connecting rays";
   const auto is_range = [](double nearest, double farthest) {
     return nearest > 2.0 && farthest >= nearest && farthest <= farthest_of_table;
   };
   if (!is_range(settings.r_nearest, settings.r_farthest) || settings.r_nearest == settings.r_farthest ||
       !is_range(settings.r_observer_nearest, settings.r_observer_farthest)) {
-    throw Error(place, "has invalid radii", "choose radii above 2 and up to 1e6 (M = 1), the smallest first");
+    throw Error(location, "has invalid radii", "choose radii above 2 and up to 1e6 (M = 1), the smallest first");
   }
   const bool one_observer = settings.r_observer_nearest == settings.r_observer_farthest;
   if (one_observer ? settings.layers != 1 : settings.layers < 4) {
-    throw Error(place, "has a wrong number of layers",
+    throw Error(location, "has a wrong number of layers",
                 "choose 1 if all observers have the same radius, otherwise at least 4");
   }
-  if (settings.orders < 2 || settings.orders > most_connection_orders) {
-    throw Error(place, "has an unsupported number of orders", "choose 2 to 16");
+  if (settings.orders < 2 || settings.orders > max_connection_orders) {
+    throw Error(location, "has an unsupported number of orders", "choose 2 to 16");
   }
   if (settings.rows < 4 || settings.columns < 4 || settings.rows > 8192 || settings.columns > 8192 ||
       0.5 * settings.orders * settings.layers * settings.rows * settings.columns > 2e8) {
-    throw Error(place, "has an unsupported size", "choose 4 to 8192 rows and columns, and at most 2e8 nodes");
+    throw Error(location, "has an unsupported size", "choose 4 to 8192 rows and columns, and at most 2e8 nodes");
   }
 }
 
@@ -60,9 +60,9 @@ ConnectionTable::ConnectionTable(const ConnectionTableSettings& settings) {
   grid_.fan_rows = fan_rows_for(grid_.u_low, grid_.u_high);
   const auto layers = static_cast<std::size_t>(grid_.layers);
   const auto rows = static_cast<std::size_t>(grid_.rows);
-  std::vector<ConnectionPlace> fan(layers * static_cast<std::size_t>(grid_.fan_rows) *
-                                   static_cast<std::size_t>(fan_columns(grid_)));
-  std::vector<ConnectionPlace> spread(layers * rows * static_cast<std::size_t>(fan_columns(grid_)));
+  std::vector<UnroundedNode> fan(layers * static_cast<std::size_t>(grid_.fan_rows) *
+                                 static_cast<std::size_t>(fan_columns(grid_)));
+  std::vector<UnroundedNode> spread(layers * rows * static_cast<std::size_t>(fan_columns(grid_)));
   nodes_.resize(layers * rows * (static_cast<std::size_t>(grid_.columns) + 1));
   make_connection_table({grid_, fan.data(), spread.data(), nodes_.data()});
 }

@@ -10,7 +10,7 @@ namespace ergodome {
 
 //! Maximum number of image orders in a table. Images of higher orders are within about 10^-20 of a
 //! turn of the shadow's edge.
-inline constexpr int most_connection_orders = 16;
+inline constexpr int max_connection_orders = 16;
 
 //! Maximum radius in tables [M]. Larger radii are refused; the closed form can be used for them.
 inline constexpr double farthest_of_table = 1e6;
@@ -24,7 +24,7 @@ struct ConnectionTableSettings {
   double r_observer_farthest = 40.0;
   int rows = 256;     //!< number of nodes in 1/r
   int columns = 512;  //!< number of nodes in azimuth, per image order
-  int orders = 2;     //!< number of image orders: 2 to most_connection_orders
+  int orders = 2;     //!< number of image orders: 2 to max_connection_orders
   int layers = 1;     //!< number of observer radii, evenly spaced in 1/r: 1, or at least 4
 };
 

@@ -168,14 +168,14 @@ class QuadtreeBuilder {
 
   void repair_side(const QuadtreeGrid& grid, const QuadtreeCell& cell, bool along_row, int far_side) {
     const detail::SplineEnd end{grid};
-    const auto place = [&](int along) {
+    const auto position = [&](int along) {
       return along_row ? QuadtreeCell{cell.row + far_side, cell.column + along, 0}
                        : QuadtreeCell{cell.row + along, cell.column + far_side, 0};
     };
-    const auto sky_at = [&](int along) { return end(place(along).row, place(along).column); };
+    const auto sky_at = [&](int along) { return end(position(along).row, position(along).column); };
     std::vector<std::pair<QuadtreeCell, SkyAngles>> mended;
     for (int along = 1; along < cell.width; ++along) {
-      QuadtreeCell at = place(along);
+      QuadtreeCell at = position(along);
       SkyAngles sky{};
       at.column %= 2 << settings_.finest_level;
       if (!is_stored({at.row - 1, 0, 0}) || !find_vertex(grid, at.row, at.column, sky) || in_shadow(sky)) {
@@ -257,7 +257,7 @@ std::vector<EdgePoint> edge_points_of(const CameraStation& camera, int level) {
     const double alpha = edge_polar_angle(camera, chart, gamma);
     float row = 0.0F;
     float column = 0.0F;
-    quadtree_place(level, chart_direction<double>(chart, std::cos(alpha), std::sin(alpha), gamma), row, column);
+    quadtree_position(level, chart_direction<double>(chart, std::cos(alpha), std::sin(alpha), gamma), row, column);
     EdgePoint point = {static_cast<double>(row), static_cast<double>(column)};
     if (!points.empty()) {
       point.column = points.back().column + std::remainder(point.column - points.back().column, columns);

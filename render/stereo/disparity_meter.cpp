@@ -35,36 +35,36 @@ double pixels_per_turn(const Projection& image, const Vector3<double>& view) {
   if (!pixel_from_direction(image, view, x, y)) {
     return 0.0;
   }
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (const double side : {-small, small}) {
     double beside_x = 0.0;
     double beside_y = 0.0;
     if (pixel_from_direction(image, normalized(view + side * across), beside_x, beside_y)) {
       // Uses the shorter of the two distances, because the other one may cross a seam of the image.
-      least = std::min(least, std::hypot(beside_x - x, beside_y - y) / small);
+      minimum = std::min(minimum, std::hypot(beside_x - x, beside_y - y) / small);
     }
   }
-  return std::isfinite(least) ? least : 0.0;
+  return std::isfinite(minimum) ? minimum : 0.0;
 }
 
 //! Returns the minimum and maximum of a number over all things and over the samples of a surface
-//! (`sheet`), without the surface's outliers.
+//! (`layer`), without the surface's outliers.
 template <class Shift>
-std::pair<double, double> bounds_of(const std::vector<Shift>& things, const std::vector<Shift>& sheet,
+std::pair<double, double> bounds_of(const std::vector<Shift>& things, const std::vector<Shift>& layer,
                                     double Shift::*number) {
-  double least = std::numeric_limits<double>::infinity();
-  double greatest = -least;
+  double minimum = std::numeric_limits<double>::infinity();
+  double maximum = -minimum;
   const auto take = [&](double value) {
-    least = std::min(least, value);
-    greatest = std::max(greatest, value);
+    minimum = std::min(minimum, value);
+    maximum = std::max(maximum, value);
   };
   for (const Shift& thing : things) {
     take(thing.*number);
   }
-  if (!sheet.empty()) {
+  if (!layer.empty()) {
     std::vector<double> values;
-    values.reserve(sheet.size());
-    for (const Shift& direction : sheet) {
+    values.reserve(layer.size());
+    for (const Shift& direction : layer) {
       values.push_back(direction.*number);
     }
     std::ranges::sort(values);
@@ -72,7 +72,7 @@ std::pair<double, double> bounds_of(const std::vector<Shift>& things, const std:
     take(values[left_out]);
     take(values[values.size() - 1 - left_out]);
   }
-  return {least, greatest};
+  return {minimum, maximum};
 }
 
 }  // namespace
@@ -116,18 +116,17 @@ void DisparityMeter::add(const Vector3<double>& left, const Vector3<double>& rig
   }
 }
 
-void DisparityMeter::add_of_sheet(const Vector3<double>& left, const Vector3<double>& right) {
+void DisparityMeter::add_of_layer(const Vector3<double>& left, const Vector3<double>& right) {
   if (const auto shift = shift_of(left, right)) {
-    sheet_.push_back(*shift);
+    layer_.push_back(*shift);
   }
 }
 
 std::optional<Disparity> DisparityMeter::result() const {
-  const auto [least_px, greatest_px] = bounds_of(things_, sheet_, &Shift::pixels);
-  const auto [least_arcmin, greatest_arcmin] = bounds_of(things_, sheet_, &Shift::arcmin);
-  return things_.empty() && sheet_.empty()
-             ? std::nullopt
-             : std::optional(Disparity{least_px, greatest_px, least_arcmin, greatest_arcmin});
+  const auto [min_px, max_px] = bounds_of(things_, layer_, &Shift::pixels);
+  const auto [min_arcmin, max_arcmin] = bounds_of(things_, layer_, &Shift::arcmin);
+  return things_.empty() && layer_.empty() ? std::nullopt
+                                           : std::optional(Disparity{min_px, max_px, min_arcmin, max_arcmin});
 }
 
 }  // namespace ergodome

@@ -22,7 +22,7 @@ class DisparityMeter {
   //! Adds one of many sampled directions on a surface, such as the sky, whose disparity is
   //! unbounded in places (beside caustics). The extreme samples on either side, a fraction
   //! outlying_share of all, are ignored.
-  void add_of_sheet(const Vector3<double>& left, const Vector3<double>& right);
+  void add_of_layer(const Vector3<double>& left, const Vector3<double>& right);
 
   static constexpr double outlying_share = 0.05;
 
@@ -44,7 +44,7 @@ class DisparityMeter {
   Projection images_[2];
   Projection screen_;
   std::vector<Shift> things_;
-  std::vector<Shift> sheet_;
+  std::vector<Shift> layer_;
 };
 
 }  // namespace ergodome

@@ -18,7 +18,7 @@ namespace {
 using EdgeDual = Dual<double>;
 
 constexpr int order = 14;
-constexpr int most_rounds = 12;
+constexpr int max_rounds = 12;
 constexpr double found = 1e-7;
 //! Maximum angle between the images of a star in the two eyes [rad]. A larger angle means that they
 //! are different lensed images.
@@ -26,7 +26,7 @@ constexpr double farthest = 0.5;
 
 //! Computes the sky direction that an eye sees in a view direction, with its derivatives along two
 //! directions of the view. Returns false in the shadow.
-bool look(const StereoEye& from, const Vector3<EdgeDual>& seen, Vector3<EdgeDual>& sky) {
+bool sky_seen_by(const StereoEye& from, const Vector3<EdgeDual>& seen, Vector3<EdgeDual>& sky) {
   const Vector3<double> middle = {seen.x.value, seen.y.value, seen.z.value};
   const EyeCamera eye = from.camera(middle);
   const Vector3<double> turn = from.convergence_turn(middle);
@@ -55,14 +55,14 @@ Vector3<double> values(const Vector3<EdgeDual>& v) { return {v.x.value, v.y.valu
 //! `view`. Returns false if there is none.
 bool find_direction(const StereoEye& eye, const Vector3<double>& star, Vector3<double>& view) {
   const Vector3<double> first = view;
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < max_rounds; ++round) {
     const Vector3<double> across =
         normalized(cross(std::abs(view.y) < 0.9 ? Vector3<double>{0, 1, 0} : Vector3<double>{1, 0, 0}, view));
     const Vector3<double> up = cross(view, across);
     Vector3<EdgeDual> sky{};
-    if (!look(eye,
-              {EdgeDual(view.x, across.x, up.x), EdgeDual(view.y, across.y, up.y), EdgeDual(view.z, across.z, up.z)},
-              sky)) {
+    if (!sky_seen_by(
+            eye, {EdgeDual(view.x, across.x, up.x), EdgeDual(view.y, across.y, up.y), EdgeDual(view.z, across.z, up.z)},
+            sky)) {
       return false;
     }
     const Vector3<double> missing = star - values(sky);
@@ -97,7 +97,7 @@ void edge_sides(const StereoEye& eye, Vector3<double> (&sides)[2]) {
       make_camera_station(camera.spacetime, camera.r, camera.theta, 0.0, camera.motion, camera.velocity);
   const ShadowChart chart = make_shadow_chart(station);
   const Vector3<double> right = normalized(cross(in_view(camera, chart.centre), Vector3<double>{0.0, 1.0, 1e-9}));
-  double most[2] = {-2.0, -2.0};
+  double maximum[2] = {-2.0, -2.0};
   constexpr int points = 64;
   for (int i = 0; i < points; ++i) {
     const double gamma = 360.0 * one_degree * i / points;
@@ -107,8 +107,8 @@ void edge_sides(const StereoEye& eye, Vector3<double> (&sides)[2]) {
     const double side = dot(view, right);
     for (int k = 0; k < 2; ++k) {
       const double value = k == 0 ? -side : side;
-      if (value > most[k]) {
-        most[k] = value;
+      if (value > maximum[k]) {
+        maximum[k] = value;
         sides[k] = view;
       }
     }
@@ -125,8 +125,8 @@ void add_sky(const StereoEye& left, const StereoEye& right, std::span<const Seen
       const Vector3<double>& view = directions[i].view;
       Vector3<EdgeDual> sky{};
       Vector3<double> other = view;
-      if (directions[i].looked_for == LookedFor::sky && directions[i].shows_sky() &&
-          look(left, {EdgeDual(view.x), EdgeDual(view.y), EdgeDual(view.z)}, sky) &&
+      if (directions[i].disparity_of == DisparityOf::sky && directions[i].shows_sky() &&
+          sky_seen_by(left, {EdgeDual(view.x), EdgeDual(view.y), EdgeDual(view.z)}, sky) &&
           find_direction(right, values(sky), other)) {
         others[i] = other;
       }
@@ -134,7 +134,7 @@ void add_sky(const StereoEye& left, const StereoEye& right, std::span<const Seen
   });
   for (std::size_t i = 0; i < directions.size(); ++i) {
     if (others[i]) {
-      meter.add_of_sheet(directions[i].view, *others[i]);
+      meter.add_of_layer(directions[i].view, *others[i]);
     }
   }
 }

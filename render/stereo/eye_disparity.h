@@ -17,15 +17,15 @@ namespace ergodome {
 //! right eye's image than in the left eye's. Negative values are nearer than the convergence
 //! distance, in front of the screen.
 struct Disparity {
-  double least_px = 0.0;
-  double greatest_px = 0.0;
+  double min_px = 0.0;
+  double max_px = 0.0;
   //! Minimum of the disparity, for a viewer in the middle of the dome, or at the position from
   //! which a flat screen spans the view's angles.
-  double least_arcmin = 0.0;
-  double greatest_arcmin = 0.0;
+  double min_arcmin = 0.0;
+  double max_arcmin = 0.0;
 
   //! Returns the width of the range, which a viewer has to fuse at once [degrees].
-  [[nodiscard]] double range_deg() const { return (greatest_arcmin - least_arcmin) / 60.0; }
+  [[nodiscard]] double range_deg() const { return (max_arcmin - min_arcmin) / 60.0; }
 };
 
 //! Measures the disparities of a frame with rays in double precision (benchmark stereo_disparity)

@@ -29,18 +29,18 @@ double outwards_scale(Spacetime spacetime, double r, double theta, bool in_rain)
 
 //! Returns whether the cameras of both eyes can be fitted for a baseline [M].
 bool omni_eyes_fit(const Show& show, const CameraPose& pose, double baseline) {
-  const EyePlace eye_at = [&](const Vector3<double>& offset) { return eye_camera(show, pose, offset); };
-  return make_omni_pair(Backend::cpu, eye_at, omni_settings(show.stereo, baseline, omni_least_exact)).has_value();
+  const EyeAtOffset eye_at = [&](const Vector3<double>& offset) { return eye_camera(show, pose, offset); };
+  return make_omni_pair(Backend::cpu, eye_at, omni_settings(show.stereo, baseline, omni_min_exact)).has_value();
 }
 
-//! Returns the largest baseline up to `most` for which the cameras can be fitted, accurate to a
-//! thousandth of `most`.
-double greatest_omni_baseline(const Show& show, const CameraPose& pose, double most) {
-  if (omni_eyes_fit(show, pose, most)) {
-    return most;
+//! Returns the largest baseline up to `maximum` for which the cameras can be fitted, accurate to a
+//! thousandth of `maximum`.
+double max_omni_baseline(const Show& show, const CameraPose& pose, double maximum) {
+  if (omni_eyes_fit(show, pose, maximum)) {
+    return maximum;
   }
   double fits = 0.0;
-  double too_far = most;
+  double too_far = maximum;
   for (int round = 0; round < 10; ++round) {
     const double middle = 0.5 * (fits + too_far);
     (omni_eyes_fit(show, pose, middle) ? fits : too_far) = middle;
@@ -48,18 +48,18 @@ double greatest_omni_baseline(const Show& show, const CameraPose& pose, double m
   return fits;
 }
 
-//! Returns the largest baseline up to `most` that is possible with the show's stereo model.
-double greatest_up_to(const Show& show, const CameraPose& pose, double most) {
+//! Returns the largest baseline up to `maximum` that is possible with the show's stereo model.
+double max_baseline_up_to(const Show& show, const CameraPose& pose, double maximum) {
   switch (show.stereo.model) {
     case StereoModel::flat:
-      return std::min(most, FlatShadow(eye_camera(show, pose, 0.0)).greatest_baseline());
+      return std::min(maximum, FlatShadow(eye_camera(show, pose, 0.0)).max_baseline());
     case StereoModel::omni:
       static_cast<void>(eye_camera(show, pose, 0.0));  // throws errors that do not concern the eyes
-      return greatest_omni_baseline(show, pose, std::min(most, omni_room(spacetime_of(show), pose)));
+      return max_omni_baseline(show, pose, std::min(maximum, omni_room(spacetime_of(show), pose)));
     case StereoModel::physical:
       break;
   }
-  return most;
+  return maximum;
 }
 
 }  // namespace
@@ -72,17 +72,17 @@ double omni_room(Spacetime spacetime, const CameraPose& pose) {
   }
   const double above = near_horizon_radius(spacetime);
   const double room_above = room_outside(spacetime, above, outwards_scale(spacetime, above, pose.theta, true));
-  const double depth = pose.r - std::min(least_interior_radius(spacetime), horizon_radius(spacetime));
+  const double depth = pose.r - std::min(min_interior_radius(spacetime), horizon_radius(spacetime));
   return std::min({room_above, depth / outwards, share_of_r * pose.r / std::max(outwards, 1.0)});
 }
 
-double greatest_baseline(const Show& show, const CameraPose& pose) {
-  return greatest_up_to(show, pose, std::numeric_limits<double>::infinity());
+double max_baseline(const Show& show, const CameraPose& pose) {
+  return max_baseline_up_to(show, pose, std::numeric_limits<double>::infinity());
 }
 
 double fitting_baseline(const Show& show, const CameraPose& pose) {
   const double asked = show.stereo.baseline;
-  return asked > 0.0 ? greatest_up_to(show, pose, asked) : asked;
+  return asked > 0.0 ? max_baseline_up_to(show, pose, asked) : asked;
 }
 
 }  // namespace ergodome

@@ -13,16 +13,16 @@ namespace ergodome {
 //!
 //! The polynomials of ODS eyes (OmniCamera) converge where the cameras are regular: up to the
 //! horizon and to about r. If the head moves much faster than infalling observers, or is at rest
-//! next to the ergosphere, the possible baseline may be smaller; greatest_baseline() takes that
+//! next to the ergosphere, the possible baseline may be smaller; max_baseline() takes that
 //! into account.
 double omni_room(Spacetime spacetime, const CameraPose& pose);
 
 //! Returns the maximum baseline [M] of a show's stereo model at a pose. `physical`: infinity, as
 //! eyes are kept outside the hole. `flat`: the affine distance of the horizon. `omni`: omni_room(),
 //! or less if the ODS cameras cannot be fitted. Throws Error if eye_camera() does.
-double greatest_baseline(const Show& show, const CameraPose& pose);
+double max_baseline(const Show& show, const CameraPose& pose);
 
-//! Returns the baseline used at a pose [M]: the show's, limited to greatest_baseline().
+//! Returns the baseline used at a pose [M]: the show's, limited to max_baseline().
 double fitting_baseline(const Show& show, const CameraPose& pose);
 
 }  // namespace ergodome

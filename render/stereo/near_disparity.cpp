@@ -32,19 +32,19 @@ class NearThings {
     if (flat_) {
       add_flat(view, sight.distance);
     } else if (sight.first) {
-      add_thing({sight.place});
+      add_thing({sight.position});
     }
   }
 
   //! Adds an object. `by_distance`: some of its points, at least one, ordered by distance from the
   //! head.
   void add(const PlacedOutline& object, const std::vector<Vector3<double>>& by_distance) {
-    for (const Vector3<double>& place : ends_shown(by_distance)) {
-      const SeenThing thing = {place, &object};
+    for (const Vector3<double>& position : ends_shown(by_distance)) {
+      const SeenThing thing = {position, &object};
       if (!flat_) {
         add_thing(thing);
       } else if (const auto seen = seen_by_camera(head_, thing)) {
-        if (const auto distance = distance_of_place(head_, seen->view, seen->place)) {
+        if (const auto distance = distance_of_position(head_, seen->view, seen->position)) {
           add_flat(seen->view, *distance);
         }
       }
@@ -64,28 +64,29 @@ class NearThings {
     }
   }
 
-  //! Selects some of the points `places`, which are ordered by distance: the first and the last of
-  //! those that the picture would show if light traveled straight, and the outermost ones on all
+  //! Selects some of the points `positions`, which are ordered by distance: the first and the last
+  //! of those that the picture would show if light traveled straight, and the outermost ones on all
   //! sides, because lensed images are stretched towards their edges. If the picture would show
   //! none, selects the first and the last point.
-  [[nodiscard]] std::vector<Vector3<double>> ends_shown(const std::vector<Vector3<double>>& places) const {
+  [[nodiscard]] std::vector<Vector3<double>> ends_shown(const std::vector<Vector3<double>>& positions) const {
     struct Shown {
-      Vector3<double> place;
+      Vector3<double> position;
       Vector3<double> view;
     };
     std::vector<Shown> shown;
-    for (const Vector3<double>& place : places) {
-      const Vector3<double> view = straight_view(head_, place);
+    for (const Vector3<double>& position : positions) {
+      const Vector3<double> view = straight_view(head_, position);
       if (meter_.shows(view)) {
-        shown.push_back({place, view});
+        shown.push_back({position, view});
       }
     }
     if (shown.empty()) {
-      return {places.front(), places.back()};
+      return {positions.front(), positions.back()};
     }
     const auto [left, right] = std::ranges::minmax_element(shown, {}, [](const Shown& at) { return at.view.x; });
     const auto [low, high] = std::ranges::minmax_element(shown, {}, [](const Shown& at) { return at.view.y; });
-    return {shown.front().place, shown.back().place, left->place, right->place, low->place, high->place};
+    return {shown.front().position, shown.back().position, left->position,
+            right->position,        low->position,         high->position};
   }
 
   bool flat_;
@@ -100,7 +101,7 @@ class NearThings {
 struct RankedObject {
   const PlacedOutline* object;
   //! The nearest point of each of the object's triangles, ordered by distance from the head.
-  std::vector<Vector3<double>> places;
+  std::vector<Vector3<double>> positions;
   double square;  //!< squared distance of the nearest point
 };
 
@@ -113,11 +114,12 @@ RankedObject ranked(const PlacedOutline& object, const Vector3<double>& from) {
   RankedObject it{&object, {}, std::numeric_limits<double>::infinity()};
   const std::span<const Vector3<double>> corners = object.corners;
   for (std::size_t i = 0; i + 3 <= corners.size(); i += 3) {
-    it.places.push_back(nearest_of_triangle(from - moved, std::span<const Vector3<double>, 3>(corners.subspan(i, 3))));
+    it.positions.push_back(
+        nearest_of_triangle(from - moved, std::span<const Vector3<double>, 3>(corners.subspan(i, 3))));
   }
-  std::ranges::sort(it.places, {}, [&](const Vector3<double>& place) { return square(place + moved - from); });
-  if (!it.places.empty()) {
-    it.square = square(it.places.front() + moved - from);
+  std::ranges::sort(it.positions, {}, [&](const Vector3<double>& position) { return square(position + moved - from); });
+  if (!it.positions.empty()) {
+    it.square = square(it.positions.front() + moved - from);
   }
   return it;
 }
@@ -125,22 +127,22 @@ RankedObject ranked(const PlacedOutline& object, const Vector3<double>& from) {
 //! Returns the nearest objects that have any points. Objects that are farther away are not
 //! measured.
 std::vector<RankedObject> nearest_objects(std::span<const PlacedOutline> objects, const Vector3<double>& from) {
-  constexpr std::size_t most = 16;
+  constexpr std::size_t maximum = 16;
   std::vector<RankedObject> nearest;
   for (const PlacedOutline& object : objects) {
     RankedObject it = ranked(object, from);
-    if (!it.places.empty()) {
+    if (!it.positions.empty()) {
       nearest.push_back(std::move(it));
     }
   }
   std::ranges::sort(nearest, {}, &RankedObject::square);
-  nearest.resize(std::min(nearest.size(), most));
+  nearest.resize(std::min(nearest.size(), maximum));
   return nearest;
 }
 
 //! Finds the points of disk and shells that a head sees in a direction, and stores them in
 //! `direction`.
-void look(const Show& show, const EyeCamera& head, const PlacedMeshes& hiding, SeenDirection& direction) {
+void find_sights(const Show& show, const EyeCamera& head, const PlacedMeshes& hiding, SeenDirection& direction) {
   direction.sights = near_sights(show, head, direction.view);
   if (hiding.meshes.empty()) {
     return;
@@ -159,16 +161,16 @@ std::vector<SeenDirection> seen_directions(const Show& show, const CameraPose& p
                                            const PlacedMeshes& hiding) {
   std::vector<SeenDirection> directions;
   if (!is_black(show.sky)) {
-    visit_many(projection, [&](const Vector3<double>& view) { directions.push_back({view, LookedFor::sky, {}}); });
+    visit_many(projection, [&](const Vector3<double>& view) { directions.push_back({view, DisparityOf::sky, {}}); });
   }
   visit_lattice(projection, [&](const Vector3<double>& view) {
-    directions.push_back({view, LookedFor::disk_and_shells, {}});
+    directions.push_back({view, DisparityOf::disk_and_shells, {}});
   });
   if (show.disk || !show.shells.empty() || !hiding.meshes.empty()) {
     const EyeCamera head = eye_camera(show, pose, 0.0);
     parallel_for(static_cast<int>(directions.size()), 4, [&](int begin, int end) {
       for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
-        look(show, head, hiding, directions[i]);
+        find_sights(show, head, hiding, directions[i]);
       }
     });
   }
@@ -179,15 +181,15 @@ void add_near_things(const Show& show, const CameraPose& pose, std::span<const S
                      std::span<const PlacedOutline> objects, DisparityMeter& meter) {
   NearThings things(show, pose, meter);
   for (const SeenDirection& direction : directions) {
-    if (direction.looked_for != LookedFor::disk_and_shells) {
+    if (direction.disparity_of != DisparityOf::disk_and_shells) {
       continue;
     }
     for (const NearSight& sight : direction.sights) {
       things.add(sight, direction.view);
     }
   }
-  for (const RankedObject& near : nearest_objects(objects, place_of(things.head()))) {
-    things.add(*near.object, near.places);
+  for (const RankedObject& near : nearest_objects(objects, position_of(things.head()))) {
+    things.add(*near.object, near.positions);
   }
 }
 

@@ -46,13 +46,13 @@ void visit_many(const Projection& projection, Visit&& visit) {
 //! What is measured in a direction: disparities of the sky, or of disk and shells. Sky needs many
 //! directions, because it is stretched without bound beside its caustics. Disk and shells are found
 //! in all directions, because they hide the sky.
-enum class LookedFor : std::uint8_t { sky, disk_and_shells };
+enum class DisparityOf : std::uint8_t { sky, disk_and_shells };
 
 //! A direction across an image, in the view's axes, and the points of disk and shells that the head
 //! sees there.
 struct SeenDirection {
   Vector3<double> view;
-  LookedFor looked_for;
+  DisparityOf disparity_of;
   std::vector<NearSight> sights;  //!< points from near_sights(), without those that objects hide
   bool ends_at_object = false;
 

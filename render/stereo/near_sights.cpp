@@ -17,7 +17,7 @@ namespace ergodome {
 namespace {
 
 constexpr double ray_tolerance = 1e-7;
-constexpr int most_steps = 2000;
+constexpr int max_steps = 2000;
 //! Minimum distance from the horizon to which rays are traced, as a fraction of the horizon's
 //! radius.
 constexpr double horizon_margin = 1e-6;
@@ -33,11 +33,11 @@ void follow_until(const EyeCamera& head, const Vector3<double>& view, const Radi
   const CameraStation camera = station_of(head);
   const double(&m)[3][3] = head.frame_from_view;
   const auto row = [&](int i) { return m[i][0] * view.x + m[i][1] * view.y + m[i][2] * view.z; };
-  const RadialBounds outside = {std::max(bounds.least, camera.horizon_r * (1.0 + horizon_margin)),
-                                std::max(bounds.greatest, 1.01 * camera.horizon_r)};
+  const RadialBounds outside = {std::max(bounds.minimum, camera.horizon_r * (1.0 + horizon_margin)),
+                                std::max(bounds.maximum, 1.01 * camera.horizon_r)};
   follow_path<near_order, Parts>(camera.spin, camera.cosine_phi, camera.sine_phi,
                                  start_near_ray(camera, Vector3<double>{row(0), row(1), row(2)}), outside,
-                                 MeshLimits{ray_tolerance, most_steps, -head.clock_lead}, true,
+                                 MeshLimits{ray_tolerance, max_steps, -head.clock_lead}, true,
                                  [&](int, const StepWith<Parts>& step) { return visit(step); });
 }
 
@@ -84,26 +84,25 @@ void find_radius(const Step& step, std::span<const double> legs, double r, Found
 //! Collects the points where a ray meets one disk or shell, between two radii.
 class Meetings {
  public:
-  Meetings(double least_r, double greatest_r, double opacity)
-      : least_r_(least_r), greatest_r_(greatest_r), opaque_(opacity > 0.9) {}
+  Meetings(double least_r, double max_r, double opacity) : min_r_(least_r), max_r_(max_r), opaque_(opacity > 0.9) {}
 
   //! Adds a meeting point, unless it is at the start of the ray.
   void add(const Step& step, double h, std::vector<NearSight>& sights) {
-    const Vector3<double> place = step.point(h);
-    const double r = std::sqrt(dot(place, place));
+    const Vector3<double> position = step.point(h);
+    const double r = std::sqrt(dot(position, position));
     const double distance = step.distance(h);
     if (!(distance > 1e-9 * r)) {
       return;
     }
-    if (r >= least_r_ && r <= greatest_r_) {
-      sights.push_back({place, distance, !any_, opaque_});
+    if (r >= min_r_ && r <= max_r_) {
+      sights.push_back({position, distance, !any_, opaque_});
     }
     any_ = true;
   }
 
  private:
-  double least_r_;
-  double greatest_r_;
+  double min_r_;
+  double max_r_;
   bool opaque_;
   bool any_ = false;
 };
@@ -113,8 +112,8 @@ class Meetings {
 std::vector<NearSight> near_sights(const Show& show, const EyeCamera& head, const Vector3<double>& view) {
   constexpr double everywhere = std::numeric_limits<double>::infinity();
   RadialBounds bounds = {everywhere, 0.0};
-  const auto reach = [&](double least_r, double greatest_r) {
-    bounds = {std::min(bounds.least, least_r), std::max(bounds.greatest, greatest_r)};
+  const auto reach = [&](double least_r, double max_r) {
+    bounds = {std::min(bounds.minimum, least_r), std::max(bounds.maximum, max_r)};
   };
   std::optional<Meetings> disk;
   if (show.disk && show.disk->opacity > 0.0) {
@@ -132,7 +131,7 @@ std::vector<NearSight> near_sights(const Show& show, const EyeCamera& head, cons
     }
   }
   std::vector<NearSight> sights;
-  if (!(bounds.greatest > 0.0)) {
+  if (!(bounds.maximum > 0.0)) {
     return sights;
   }
   follow(head, view, bounds, [&](const Step& step) {
@@ -158,7 +157,7 @@ double distance_of_objects(const PlacedMeshes& meshes, const EyeCamera& head, co
   constexpr NearParts parts = NearParts::azimuth_delay_and_distance;
   double distance = std::numeric_limits<double>::infinity();
   const MeshScene scene = meshes.around(head.spacetime, meshes.meshes.data());
-  follow_until<parts>(head, view, {scene.least_r, scene.greatest_r}, [&](const StepWith<parts>& step) {
+  follow_until<parts>(head, view, {scene.least_r, scene.max_r}, [&](const StepWith<parts>& step) {
     detail::StepSearch<near_order, parts> search = {step, scene, 0.0, {}};
     const bool found = search.run();
     distance = found ? step.distance(search.found_h) : distance;
@@ -167,17 +166,17 @@ double distance_of_objects(const PlacedMeshes& meshes, const EyeCamera& head, co
   return distance;
 }
 
-std::optional<double> distance_of_place(const EyeCamera& head, const Vector3<double>& view,
-                                        const Vector3<double>& place) {
-  const double r = std::sqrt(dot(place, place));
-  double least_off = 1e-3 * r;
+std::optional<double> distance_of_position(const EyeCamera& head, const Vector3<double>& view,
+                                           const Vector3<double>& position) {
+  const double r = std::sqrt(dot(position, position));
+  double min_off = 1e-3 * r;
   std::optional<double> distance;
   follow(head, view, {0.99 * r, 1.01 * r}, [&](const Step& step) {
     const auto look_at = [&](double h) {
-      const Vector3<double> aside = step.point(h) - place;
+      const Vector3<double> aside = step.point(h) - position;
       const double off = std::sqrt(dot(aside, aside));
-      if (off < least_off) {
-        least_off = off;
+      if (off < min_off) {
+        min_off = off;
         distance = step.distance(h);
       }
     };

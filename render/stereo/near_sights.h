@@ -13,10 +13,10 @@ namespace ergodome {
 
 //! A point that a head sees in some direction: one that the light passes on its way to the head.
 struct NearSight {
-  Vector3<double> place;  //!< pseudo-Cartesian [M]
-  double distance;        //!< affine distance from the head [M]
-  bool first;             //!< true at the first crossing of this disk or shell by the light path
-  bool opaque;            //!< true if the disk or shell is almost opaque at this point
+  Vector3<double> position;  //!< pseudo-Cartesian [M]
+  double distance;           //!< affine distance from the head [M]
+  bool first;                //!< true at the first crossing of this disk or shell by the light path
+  bool opaque;               //!< true if the disk or shell is almost opaque at this point
 };
 
 //! Returns the points of a show's disk and shells that a head sees in a direction of its view,
@@ -29,7 +29,7 @@ double distance_of_objects(const PlacedMeshes& meshes, const EyeCamera& head, co
 
 //! Returns the affine distance [M] from a head to a point that it sees in a direction of its view;
 //! nothing if light from that direction does not pass the point.
-std::optional<double> distance_of_place(const EyeCamera& head, const Vector3<double>& view,
-                                        const Vector3<double>& place);
+std::optional<double> distance_of_position(const EyeCamera& head, const Vector3<double>& view,
+                                           const Vector3<double>& position);
 
 }  // namespace ergodome

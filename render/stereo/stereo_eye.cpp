@@ -12,7 +12,7 @@
 
 namespace ergodome {
 
-Vector3<double> StereoEye::place(const Vector3<double>& view) const {
+Vector3<double> StereoEye::position(const Vector3<double>& view) const {
   const StereoSettings& stereo = show_.stereo;
   const EyeCameras cameras = eye_cameras(stereo.model);
   if (cameras != EyeCameras::per_direction) {
@@ -28,7 +28,7 @@ Vector3<double> StereoEye::place(const Vector3<double>& view) const {
 Vector3<double> StereoEye::convergence_turn(const Vector3<double>& view) const {
   const StereoSettings& stereo = show_.stereo;
   const bool turns = eye_cameras(stereo.model) == EyeCameras::per_direction && stereo.convergence > 0.0;
-  return turns ? (1.0 / stereo.convergence) * place(view) : Vector3<double>{0.0, 0.0, 0.0};
+  return turns ? (1.0 / stereo.convergence) * position(view) : Vector3<double>{0.0, 0.0, 0.0};
 }
 
 Projection StereoEye::image(const Projection& projection) const {
@@ -72,10 +72,10 @@ constexpr double least_r = 2.0;
 
 //! Returns a camera's position. If the camera is on the spin axis, moves the position slightly off
 //! it, so that the azimuth stays defined.
-Vector3<double> place_beside_axis(EyeCamera eye) {
-  constexpr double least_angle = 1e-12;
-  eye.theta = std::max(eye.theta, least_angle);
-  return place_of(eye);
+Vector3<double> position_beside_axis(EyeCamera eye) {
+  constexpr double min_angle = 1e-12;
+  eye.theta = std::max(eye.theta, min_angle);
+  return position_of(eye);
 }
 
 //! Transforms a direction from the frame of the zero-angular-momentum observer to the view's axes
@@ -88,28 +88,28 @@ Vector3<double> seen_in_view(const EyeCamera& eye, const Vector3<double>& direct
 
 }  // namespace
 
-std::optional<SeenPlace> seen_by_camera(const EyeCamera& eye, const SeenThing& thing) {
-  const Vector3<double> at = place_beside_axis(eye);
+std::optional<SeenPosition> seen_by_camera(const EyeCamera& eye, const SeenThing& thing) {
+  const Vector3<double> at = position_beside_axis(eye);
   const LocalFrame frame = local_frame(eye.spacetime, at);
   // Iterates, because the light travel time depends on the position at emission. Things are slower
   // than light, so each round reduces the error.
   const int rounds = thing.moves() ? 8 : 1;
-  Vector3<double> place = thing.place;
+  Vector3<double> position = thing.position;
   RayCorrection correction = {};
   LightRay ray{};
   for (int round = 0; round < rounds; ++round) {
-    place = round > 0 ? thing.at(ray.travel_time) : place;
-    if (!(dot(place, place) > least_r * least_r) ||
-        !light_ray(eye.spacetime, frame, at, place, 1, LightRayParts::way, correction, ray)) {
+    position = round > 0 ? thing.at(ray.travel_time) : position;
+    if (!(dot(position, position) > least_r * least_r) ||
+        !light_ray(eye.spacetime, frame, at, position, 1, LightRayParts::way, correction, ray)) {
       return std::nullopt;
     }
   }
-  return SeenPlace{seen_in_view(eye, ray.direction), place};
+  return SeenPosition{seen_in_view(eye, ray.direction), position};
 }
 
-Vector3<double> straight_view(const EyeCamera& eye, const Vector3<double>& place) {
-  const Vector3<double> at = place_beside_axis(eye);
-  return seen_in_view(eye, normalized(in_axes(local_frame(eye.spacetime, at), place - at)));
+Vector3<double> straight_view(const EyeCamera& eye, const Vector3<double>& position) {
+  const Vector3<double> at = position_beside_axis(eye);
+  return seen_in_view(eye, normalized(in_axes(local_frame(eye.spacetime, at), position - at)));
 }
 
 }  // namespace ergodome

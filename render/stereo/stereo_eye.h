@@ -20,9 +20,9 @@ class StereoEye {
 
   //! Returns the eye's position relative to the head when it looks in direction `view`, in the
   //! view's axes [M].
-  [[nodiscard]] Vector3<double> place(const Vector3<double>& view) const;
+  [[nodiscard]] Vector3<double> position(const Vector3<double>& view) const;
 
-  [[nodiscard]] EyeCamera camera(const Vector3<double>& view) const { return eye_camera(show_, pose_, place(view)); }
+  [[nodiscard]] EyeCamera camera(const Vector3<double>& view) const { return eye_camera(show_, pose_, position(view)); }
 
   //! Returns the shift of a direction in an image that already includes convergence, as in the
   //! model omni.
@@ -43,18 +43,18 @@ class StereoEye {
 };
 
 //! A thing as seen by light on the short way round the hole.
-struct SeenPlace {
+struct SeenPosition {
   //! Unit vector toward the apparent position of the thing, in the view's axes.
   Vector3<double> view;
-  Vector3<double> place;  //!< point where the light left the thing, pseudo-Cartesian [M]
+  Vector3<double> position;  //!< point where the light left the thing, pseudo-Cartesian [M]
 };
 
 //! Returns the direction in which an eye sees a thing, and the point where the light left it.
 //! Returns nothing if no light on the short way round the hole is found, or if the eye or the thing
 //! is within 2 M of the hole.
-std::optional<SeenPlace> seen_by_camera(const EyeCamera& eye, const SeenThing& thing);
+std::optional<SeenPosition> seen_by_camera(const EyeCamera& eye, const SeenThing& thing);
 
 //! Returns the approximate direction of a point, as if light traveled straight.
-Vector3<double> straight_view(const EyeCamera& eye, const Vector3<double>& place);
+Vector3<double> straight_view(const EyeCamera& eye, const Vector3<double>& position);
 
 }  // namespace ergodome

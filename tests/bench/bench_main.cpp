@@ -1,6 +1,6 @@
 #include <benchmark/benchmark.h>
 
-#include "render/backend/kept_memory.h"
+#include "render/backend/cached_memory.h"
 #include "tests/bench/cuda_bench.h"
 
 //! Runs benchmarks with the same allocator settings as the program, which keeps freed memory.

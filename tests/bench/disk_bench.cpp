@@ -38,7 +38,7 @@ Show disk_show(Beside beside) {
 
 //! Returns the blend of the baked disk layers at two camera positions, r = 60 and 57 M. Their
 //! distance is typical for the trajectory file of the built-in show.
-std::shared_ptr<const JoinedDisk> baked_pair(const Show& show, const DiskLook& disk, double pixel) {
+std::shared_ptr<const JoinedDisk> baked_pair(const Show& show, const DiskAppearance& disk, double pixel) {
   const auto station = [&](double r) {
     CameraPose pose = camera_pose(show, 0.0);
     pose.r = r;
@@ -69,7 +69,7 @@ void disk_picture(benchmark::State& state, DiskLens lens, Beside beside) {
     const EyeCamera eye = eye_camera(show, pose, 0.0);
     NearField near_field{&pass, nullptr, objects.get(), {}};
     if (streamed) {
-      layers.emplace(baked, LensPlace{eye.r, eye.theta});
+      layers.emplace(baked, LensPosition{eye.r, eye.theta});
       near_field.disk_grid = layers->view();
     } else if (lens != DiskLens::rays) {
       near_field.disk_grid = grids.grid_for({eye, pass.look_at(0.0), pixel_angle(projection), 0.25, pixels, true});

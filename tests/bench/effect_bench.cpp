@@ -98,16 +98,16 @@ void effect_cost(benchmark::State& state, const char* scene, const char* added) 
   ShowRenderer renderer(show, Backend::cpu, LensChoice::direct);
   const ViewChoice choice = {ViewMode::sky, size_px};
   const auto whole = [&] { benchmark::DoNotOptimize(renderer.render(0.5, choice).front().picture.rgba.data()); };
-  const auto least = [&] { minimal.render(); };
+  const auto minimum = [&] { minimal.render(); };
   whole();
-  least();
+  minimum();
   std::vector<double> ratios;
   bool turn = false;
   for (auto _ : state) {
     turn = !turn;
-    double of_least = turn ? seconds_of(least) : 0.0;
+    double of_least = turn ? seconds_of(minimum) : 0.0;
     const double of_whole = seconds_of(whole);
-    of_least = turn ? of_least : seconds_of(least);
+    of_least = turn ? of_least : seconds_of(minimum);
     ratios.push_back(of_whole / of_least);
     state.SetIterationTime(of_whole);
   }

@@ -30,7 +30,7 @@ void traced_frame(benchmark::State& state, const std::string& name, int frames, 
     const double time_s = show.duration_s * (next % shown) / shown;
     const EyeCamera eye = eye_camera(show, camera_pose(show, time_s), 0.0);
     benchmark::DoNotOptimize(
-        objects.look({eye, nullptr, projection, 0.2 * show.quality.budget_px, time_s}, {0, projection.height_px}));
+        objects.draw({eye, nullptr, projection, 0.2 * show.quality.budget_px, time_s}, {0, projection.height_px}));
     ++next;
   }
   state.counters["frames"] = frames;

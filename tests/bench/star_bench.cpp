@@ -35,7 +35,7 @@ StarSettings settings_to(double faintest_mag, long thousandths_of_px = 250) {
   StarSettings settings;
   settings.pixel = pixel;
   settings.faintest = static_cast<float>(illuminance_of_magnitude_0 * std::pow(10.0, -0.4 * faintest_mag));
-  settings.least_cell_px = least_star_cell_px(1e-3 * static_cast<double>(thousandths_of_px));
+  settings.min_cell_px = min_star_cell_px(1e-3 * static_cast<double>(thousandths_of_px));
   return settings;
 }
 

@@ -22,7 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   try {
     const ergodome::TransportCommand command = ergodome::parse_json_command(text, status);
-    if (!(command.value >= -ergodome::greatest_show_time_s && command.value <= ergodome::greatest_show_time_s)) {
+    if (!(command.value >= -ergodome::max_show_time_s && command.value <= ergodome::max_show_time_s)) {
       __builtin_trap();
     }
   } catch (const ergodome::Error&) {

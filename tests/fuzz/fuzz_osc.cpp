@@ -15,7 +15,7 @@ ergodome::PlayerStatus show_with_chapters() {
 
 //! Ends the fuzzer with an error if a number is not a valid show time.
 void expect_finite(double number) {
-  if (!(number >= -ergodome::greatest_show_time_s && number <= ergodome::greatest_show_time_s)) {
+  if (!(number >= -ergodome::max_show_time_s && number <= ergodome::max_show_time_s)) {
     __builtin_trap();
   }
 }

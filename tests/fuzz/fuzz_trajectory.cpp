@@ -25,7 +25,7 @@ void read_all_over(const ergodome::LensStation& station) {
     const float gamma_turns = widest * static_cast<float>(i % 8) / 7.0F;
     const float s = static_cast<float>(i / 8) / 7.0F;
     const ergodome::Leaf leaf = ergodome::find_leaf(grid, gamma_turns, s);
-    const ergodome::LeafPlace at = ergodome::place_in(leaf, gamma_turns, s);
+    const ergodome::LeafPosition at = ergodome::position_in(leaf, gamma_turns, s);
     ergodome::patch_value(grid.nodes, grid.leaves + 4 * leaf.number, at.u, at.v, leaf.width_turns, leaf.height);
     float alpha = 0.0F;
     float slope = 0.0F;
@@ -42,7 +42,7 @@ void read_all_over(const ergodome::DiskStation& disk) {
     const float gamma_turns = (disk.cells.mirrored ? 0.5F : 1.0F) * static_cast<float>(i % 8) / 7.0F;
     const float s = static_cast<float>(i / 8) / 7.0F;
     const ergodome::Leaf leaf = ergodome::find_leaf(grid.cells, gamma_turns, s);
-    const ergodome::LeafPlace at = ergodome::place_in(leaf, gamma_turns, s);
+    const ergodome::LeafPosition at = ergodome::position_in(leaf, gamma_turns, s);
     for (int set = 0; set < disk.sets() && disk.orders[static_cast<std::size_t>(leaf.number)] != 0; ++set) {
       ergodome::patch_value(grid.nodes[set], grid.cells.leaves + 4 * leaf.number, at.u, at.v, leaf.width_turns,
                             leaf.height);

@@ -94,10 +94,10 @@ bool check_nodes(UniformGrid& grid) {
   const double host_error = compare(grid.nodes.host, exact.host, 0.95, 0.0).quantile;
   const bool good = report("trace_nodes", count, device_ms, host_ms,
                            compare(grid.nodes.download(), exact.host, 0.95, 2.0 * host_error));
-  constexpr double most = 5e-3;
-  std::printf("%-34s %56.2e %s\n", "  the processor's own", host_error, host_error < most ? "good" : "DIFFERS");
+  constexpr double maximum = 5e-3;
+  std::printf("%-34s %56.2e %s\n", "  the processor's own", host_error, host_error < maximum ? "good" : "DIFFERS");
   grid.nodes.upload();
-  return good && host_error < most;
+  return good && host_error < maximum;
 }
 
 bool check_checks(UniformGrid& grid) {

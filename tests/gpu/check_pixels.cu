@@ -29,7 +29,7 @@ CubeMap patterned_cube(Twin<float>& texels, int face_size) {
 }
 
 //! Settings of the sky filter for a check.
-struct SkyLook {
+struct SkySampling {
   SkyFilter filter = SkyFilter::ewa;
   SkyShift shift = SkyShift::none;
   bool brightening = false;
@@ -48,7 +48,8 @@ BlackbodyTable smooth_colours(Twin<float>& entries) {
   return {entries.host.data(), count, 5.7F, 0.01F};
 }
 
-bool check_shading(Twin<float>& lens, std::size_t pixels, ViewMode mode, const SkyLook& look, const char* name) {
+bool check_shading(Twin<float>& lens, std::size_t pixels, ViewMode mode, const SkySampling& sampling,
+                   const char* name) {
   Twin<float> texels(std::size_t{4} * 6 * 2 * 514 * 514);
   Twin<float> colours(4 * 512);
   Twin<float> rgba(4 * pixels);
@@ -56,9 +57,9 @@ bool check_shading(Twin<float>& lens, std::size_t pixels, ViewMode mode, const S
   on_host.lens = lens_at(lens.host.data(), pixels);
   on_host.sky = patterned_cube(texels, 512);
   on_host.mode = mode;
-  on_host.filter = look.filter;
-  on_host.shift = look.shift;
-  on_host.brightening = look.brightening;
+  on_host.filter = sampling.filter;
+  on_host.shift = sampling.shift;
+  on_host.brightening = sampling.brightening;
   on_host.colours = smooth_colours(colours);
   const int size = static_cast<int>(std::lround(std::sqrt(static_cast<double>(pixels))));
   on_host.projection = converted_projection<float>(make_dome_projection(size, 3.14159265358979, 0.5));
@@ -109,8 +110,8 @@ bool check_size(int size, bool compare_all) {
   lens.upload();
   good = check_shading(lens, pixels, ViewMode::sky, {}, "shade sky") && good;
   if (compare_all) {
-    const auto check = [&](const SkyLook& look, const char* name) {
-      good = check_shading(lens, pixels, ViewMode::sky, look, name) && good;
+    const auto check = [&](const SkySampling& sampling, const char* name) {
+      good = check_shading(lens, pixels, ViewMode::sky, sampling, name) && good;
     };
     check({SkyFilter::ewa, SkyShift::luminance, false}, "shade sky, luminance shift");
     check({SkyFilter::ewa, SkyShift::blackbody_fit, false}, "shade sky, blackbody shift");

@@ -39,14 +39,14 @@ inline EdgeCurve edge_curve(const ShadowChart& chart, const Twin<float>& edge_ta
   const auto narrow = [](const Vector3<double>& v) {
     return Vector3<float>{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
   };
-  const auto [least, most] = std::minmax_element(edge_table.host.begin(), edge_table.host.end());
+  const auto [minimum, maximum] = std::minmax_element(edge_table.host.begin(), edge_table.host.end());
   return {narrow(chart.centre),
           narrow(chart.first),
           narrow(chart.second),
           edge_table.host.data(),
           static_cast<int>(edge_table.host.size()),
-          *least,
-          *most};
+          *minimum,
+          *maximum};
 }
 
 //! Returns the batch of a dome picture at r = 5 M from a fast-spinning hole, as a show would

@@ -10,7 +10,7 @@
 #include "kernels/core/error.h"
 #include "kernels/launch/check_numbers.h"
 #include "render/frame/show_renderer.h"
-#include "tests/hard_cases/random_places.h"
+#include "tests/hard_cases/random_cameras.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/tiny_sky.h"
 
@@ -61,7 +61,7 @@ TEST_F(NumbersChecked, APlantedNanIsFoundWithItsKernelChannelAndIndex) {
     launch(Backend::cpu, rays.batch());
     FAIL() << "nothing was found";
   } catch (const Error& error) {
-    EXPECT_EQ(error.place(), "kernel trace_rays, double");
+    EXPECT_EQ(error.location(), "kernel trace_rays, double");
     EXPECT_NE(error.problem().find("frequency_ratio[17] of 100 is "), std::string::npos) << error.problem();
   }
 }

@@ -11,7 +11,7 @@
 namespace ergodome::test {
 
 //! The position and the motion of a camera.
-struct Place {
+struct CameraState {
   double spin;
   double r;      //!< [M]
   double theta;  //!< [rad]
@@ -19,8 +19,9 @@ struct Place {
   Vector3<double> beta{};
 };
 
-inline CameraStation station_at(const Place& place) {
-  return make_camera_station(Spacetime{place.spin}, place.r, place.theta, 0.0, place.motion, place.beta);
+inline CameraStation station_at(const CameraState& camera_state) {
+  return make_camera_station(Spacetime{camera_state.spin}, camera_state.r, camera_state.theta, 0.0, camera_state.motion,
+                             camera_state.beta);
 }
 
 using Directions = std::vector<Vector3<double>>;
@@ -53,7 +54,7 @@ inline constexpr double not_asked = -1.0;
 //! method.
 struct HardCase {
   const char* name;
-  Place place;
+  CameraState camera_state;
   Directions (*rays)(const CameraStation& camera);
   Allowed allowed;
   const char* why;  //!< the reason for the limits, for test messages

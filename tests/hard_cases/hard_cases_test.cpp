@@ -16,27 +16,27 @@ enum class Family { double_ray, float_ray, live_grid, streamed, quadtree };
 struct Method {
   const char* name;
   Family family;
-  SeenSky (*see)(const Place& place, const Directions& rays);
+  SeenSky (*see)(const CameraState& camera_state, const Directions& rays);
   double coarser;
 };
 
 const Method methods[] = {
     {"Taylor", Family::double_ray,
-     [](const Place& p, const Directions& n) { return by_rays(p, n, TraceMethod::taylor, 1e-12); }, 1.0},
+     [](const CameraState& p, const Directions& n) { return by_rays(p, n, TraceMethod::taylor, 1e-12); }, 1.0},
     {"CashKarp", Family::double_ray,
-     [](const Place& p, const Directions& n) { return by_rays(p, n, TraceMethod::cash_karp, 1e-9); }, 1e3},
+     [](const CameraState& p, const Directions& n) { return by_rays(p, n, TraceMethod::cash_karp, 1e-9); }, 1e3},
     {"RungeKutta34", Family::double_ray,
-     [](const Place& p, const Directions& n) { return by_rays(p, n, TraceMethod::rk34, 1e-7); }, 2e5},
+     [](const CameraState& p, const Directions& n) { return by_rays(p, n, TraceMethod::rk34, 1e-7); }, 2e5},
     {"TaylorInFloat", Family::float_ray,
-     [](const Place& p, const Directions& n) { return by_float_rays(p, n, TraceMethod::taylor, 1e-6); }, 1.0},
+     [](const CameraState& p, const Directions& n) { return by_float_rays(p, n, TraceMethod::taylor, 1e-6); }, 1.0},
     {"CashKarpInFloat", Family::float_ray,
-     [](const Place& p, const Directions& n) { return by_float_rays(p, n, TraceMethod::cash_karp, 1e-5); }, 10.0},
+     [](const CameraState& p, const Directions& n) { return by_float_rays(p, n, TraceMethod::cash_karp, 1e-5); }, 10.0},
     {"RungeKutta34InFloat", Family::float_ray,
-     [](const Place& p, const Directions& n) { return by_float_rays(p, n, TraceMethod::rk34, 1e-5); }, 50.0},
+     [](const CameraState& p, const Directions& n) { return by_float_rays(p, n, TraceMethod::rk34, 1e-5); }, 50.0},
     {"LiveGrid", Family::live_grid,
-     [](const Place& p, const Directions& n) { return by_live_grid(p, n, Nodes::in_double); }, 1.0},
+     [](const CameraState& p, const Directions& n) { return by_live_grid(p, n, Nodes::in_double); }, 1.0},
     {"LiveGridInFloat", Family::live_grid,
-     [](const Place& p, const Directions& n) { return by_live_grid(p, n, Nodes::in_float); }, 1.0},
+     [](const CameraState& p, const Directions& n) { return by_live_grid(p, n, Nodes::in_float); }, 1.0},
     {"StreamedStations", Family::streamed, by_streamed_stations, 1.0},
     {"Quadtree", Family::quadtree, by_quadtree, 1.0},
 };
@@ -100,13 +100,13 @@ class HardCases : public testing::TestWithParam<HardCase> {};
 
 TEST_P(HardCases, AreMetByEveryMethodWithinWhatTheRowAllowsOrToldOf) {
   const HardCase& hard = GetParam();
-  const Directions rays = hard.rays(station_at(hard.place));
-  const std::vector<ExactRay> exact = exact_rays(station_at(hard.place), rays);
+  const Directions rays = hard.rays(station_at(hard.camera_state));
+  const std::vector<ExactRay> exact = exact_rays(station_at(hard.camera_state), rays);
   SCOPED_TRACE(hard.why);
   for (const Method& method : methods) {
     if (limit_of(hard.allowed, method.family) != not_asked) {
       SCOPED_TRACE(method.name);
-      expect_allowed(hard, method, misses_of(exact, method.see(hard.place, rays)));
+      expect_allowed(hard, method, misses_of(exact, method.see(hard.camera_state, rays)));
     }
   }
 }

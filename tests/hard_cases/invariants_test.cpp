@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "kernels/launch/parallel_for.h"
-#include "tests/hard_cases/random_places.h"
+#include "tests/hard_cases/random_cameras.h"
 #include "tests/hard_cases/ray_walk.h"
 #include "tests/support/sanitized.h"
 
@@ -28,16 +28,16 @@ struct Found {
   std::string at;      //!< description of the ray with that error
 };
 
-std::string words_with(const Place& place, const Vector3<double>& n) {
+std::string words_with(const CameraState& camera_state, const Vector3<double>& n) {
   std::ostringstream words;
   words.precision(17);
-  words << words_of(place) << " n " << n.x << " " << n.y << " " << n.z;
+  words << words_of(camera_state) << " n " << n.x << " " << n.y << " " << n.z;
   return words.str();
 }
 
 //! Returns whether the hole is so close to extremal that light may wind along its horizon too often
 //! to count. All rays that random tests have lost so far were within 1e-7 of the extremal spin.
-bool is_extremal(const Place& place) { return 1.0 - std::abs(place.spin) < 1e-6; }
+bool is_extremal(const CameraState& camera_state) { return 1.0 - std::abs(camera_state.spin) < 1e-6; }
 
 //! Returns whether rounding decides on which side of the shadow's edge a ray is: the sign of
 //! darkness() decides, and its magnitude is only a few roundings of numbers near 1. Reason for the
@@ -49,8 +49,8 @@ bool is_on_edge(const CameraStationOf<S>& camera, const RayStart<S>& start) {
 }
 
 template <int Order, class S>
-void walk_all(const Place& place, const Directions& rays, S tolerance, Found& found) {
-  const auto camera = converted_station<S>(station_at(place));
+void walk_all(const CameraState& camera_state, const Directions& rays, S tolerance, Found& found) {
+  const auto camera = converted_station<S>(station_at(camera_state));
   for (const Vector3<double>& n : rays) {
     const Vector3<S> direction = {static_cast<S>(n.x), static_cast<S>(n.y), static_cast<S>(n.z)};
     const RayStart<S> start = start_ray(camera, direction);
@@ -60,23 +60,23 @@ void walk_all(const Place& place, const Directions& rays, S tolerance, Found& fo
     const Walk<S> walked = walk<Order>(camera.spin, start, tolerance, 5000);
     ++found.walked;
     found.lost += walked.reached ? 0 : 1;
-    if (!walked.reached && !is_extremal(place) && !is_on_edge(camera, start)) {
-      found.lost_at = words_with(place, n);
+    if (!walked.reached && !is_extremal(camera_state) && !is_on_edge(camera, start)) {
+      found.lost_at = words_with(camera_state, n);
     }
     // The comparison is negated so that NaN counts as the largest error.
     if (!(walked.misses.worst() <= found.worst)) {
       found.worst = walked.misses.worst();
       std::ostringstream at;
-      at << words_with(place, n) << ": radial " << walked.misses.radial << " polar " << walked.misses.polar << " unit "
-         << walked.misses.unit << " axial " << walked.misses.axial << " tangent " << walked.misses.tangent << " in "
-         << walked.steps << " steps";
+      at << words_with(camera_state, n) << ": radial " << walked.misses.radial << " polar " << walked.misses.polar
+         << " unit " << walked.misses.unit << " axial " << walked.misses.axial << " tangent " << walked.misses.tangent
+         << " in " << walked.steps << " steps";
       found.at = at.str();
     }
   }
 }
 
 template <int Order, class S>
-Found sweep(Seed seed, S tolerance, double least_height, double nearest) {
+Found sweep(Seed seed, S tolerance, double min_height, double nearest) {
   Found all;
   std::mutex lock;
   parallel_for(cameras, 4, [&](int begin, int end) {
@@ -84,9 +84,10 @@ Found sweep(Seed seed, S tolerance, double least_height, double nearest) {
       // Each camera has its own random numbers, so that the results do not depend on the number of
       // threads.
       std::mt19937_64 random(number_of(seed) + 1000003ULL * static_cast<std::uint64_t>(camera));
-      const Place place = random_place(random, least_height);
+      const CameraState camera_state = random_position(random, min_height);
       Found found;
-      walk_all<Order>(place, random_rays(random, station_at(place), rays_a_camera, nearest), tolerance, found);
+      walk_all<Order>(camera_state, random_rays(random, station_at(camera_state), rays_a_camera, nearest), tolerance,
+                      found);
       const std::lock_guard guard(lock);
       all.walked += found.walked;
       all.lost += found.lost;
@@ -102,7 +103,7 @@ Found sweep(Seed seed, S tolerance, double least_height, double nearest) {
 
 //! Returns how many rays may be lost along extremal horizons. The constant is for runs under
 //! sanitizers, which have only a few hundred rays and may well lose one of them.
-long most_lost(long walked) { return walked / 10'000 + 3; }
+long max_lost(long walked) { return walked / 10'000 + 3; }
 
 class Invariants : public testing::TestWithParam<Seed> {};
 
@@ -110,7 +111,7 @@ TEST_P(Invariants, HoldAllAlongRaysInDouble) {
   const Found found = sweep<20>(GetParam(), 1e-12, 1e-5, 1e-12);
   EXPECT_GT(found.walked, cameras * rays_a_camera / 3);
   EXPECT_EQ(found.lost_at, "");
-  EXPECT_LE(found.lost, most_lost(found.walked));
+  EXPECT_LE(found.lost, max_lost(found.walked));
   EXPECT_LT(found.worst, 1e-9 * room_of(GetParam())) << found.at;
 }
 
@@ -118,7 +119,7 @@ TEST_P(Invariants, HoldAllAlongRaysInFloat) {
   const Found found = sweep<10>(GetParam(), 1e-6F, 1e-2, 1e-3);
   EXPECT_GT(found.walked, cameras * rays_a_camera / 3);
   EXPECT_EQ(found.lost_at, "");
-  EXPECT_LE(found.lost, most_lost(found.walked));
+  EXPECT_LE(found.lost, max_lost(found.walked));
   EXPECT_LT(found.worst, 1e-3 * room_of(GetParam())) << found.at;
 }
 
@@ -129,8 +130,8 @@ INSTANTIATE_TEST_SUITE_P(Of, Invariants, testing::Values(Seed::fixed, Seed::by_c
 TEST(Walk, EndsWhereTheTracerDoes) {
   std::mt19937_64 random(7);
   for (int i = 0; i < 20; ++i) {
-    const Place place = random_place(random, 1e-2);
-    const CameraStation camera = station_at(place);
+    const CameraState camera_state = random_position(random, 1e-2);
+    const CameraStation camera = station_at(camera_state);
     for (const Vector3<double>& n : random_rays(random, camera, 16, 1e-3)) {
       const RayStart<double> start = start_ray(camera, n);
       if (!comes_from_sky(camera.spin, camera.horizon_r, start)) {
@@ -140,8 +141,8 @@ TEST(Walk, EndsWhereTheTracerDoes) {
       bool reached = false;
       const RayEnd<double> end = trace_taylor<20>(camera.spin, start, true, {1e-12, 5000}, steps, reached);
       const Walk<double> walked = walk<20>(camera.spin, start, 1e-12, 5000);
-      EXPECT_EQ(walked.steps, static_cast<int>(steps)) << words_of(place);
-      EXPECT_NEAR(dot(walked.sky, end.sky), 1.0, 1e-11) << words_of(place);
+      EXPECT_EQ(walked.steps, static_cast<int>(steps)) << words_of(camera_state);
+      EXPECT_NEAR(dot(walked.sky, end.sky), 1.0, 1e-11) << words_of(camera_state);
     }
   }
 }

@@ -56,15 +56,17 @@ struct Arrays {
 //! Maximum number of steps. No method needs as many, except next to an extremal horizon.
 constexpr int step_limit = 20'000;
 
-Aberration observer_of(const Place& p) { return aberration_to_rain(Spacetime{p.spin}, p.r, p.theta, p.motion, p.beta); }
+Aberration observer_of(const CameraState& p) {
+  return aberration_to_rain(Spacetime{p.spin}, p.r, p.theta, p.motion, p.beta);
+}
 
-LensStation built_station(const Place& place, Nodes nodes) {
+LensStation built_station(const CameraState& camera_state, Nodes nodes) {
   GridSettings settings;
   settings.pixel = dome_pixel;
   settings.budget_px = sanitized ? 1.0 : 0.1;
-  settings.observer = observer_of(place);
+  settings.observer = observer_of(camera_state);
   settings.fine = nodes == Nodes::in_double;
-  return build_lens_station(Spacetime{place.spin}, place.r, place.theta, settings);
+  return build_lens_station(Spacetime{camera_state.spin}, camera_state.r, camera_state.theta, settings);
 }
 
 std::shared_ptr<const StationBuffers> streamed(const LensStation& station) {
@@ -75,49 +77,49 @@ std::shared_ptr<const StationBuffers> streamed(const LensStation& station) {
 
 }  // namespace
 
-SeenSky by_rays(const Place& place, const Directions& rays, TraceMethod method, double tolerance) {
+SeenSky by_rays(const CameraState& camera_state, const Directions& rays, TraceMethod method, double tolerance) {
   Arrays<double> arrays(rays);
-  launch(Backend::cpu, arrays.batch(station_at(place), {tolerance, step_limit}, method));
+  launch(Backend::cpu, arrays.batch(station_at(camera_state), {tolerance, step_limit}, method));
   return arrays.seen();
 }
 
-SeenSky by_float_rays(const Place& place, const Directions& rays, TraceMethod method, double tolerance) {
+SeenSky by_float_rays(const CameraState& camera_state, const Directions& rays, TraceMethod method, double tolerance) {
   Arrays<float> arrays(rays);
   launch(Backend::cpu,
-         arrays.batch(converted_station<float>(station_at(place)), {tolerance, step_limit, true}, method));
+         arrays.batch(converted_station<float>(station_at(camera_state)), {tolerance, step_limit, true}, method));
   return arrays.seen();
 }
 
-SeenSky by_lens(const LensBlend& lens, const Place& place, const Directions& rays) {
+SeenSky by_lens(const LensBlend& lens, const CameraState& camera_state, const Directions& rays) {
   Arrays<double> arrays(rays);
   LookUpRaysBatch<double> batch{};
-  batch.rays = arrays.batch(station_at(place), {1e-10, step_limit}, TraceMethod::taylor);
+  batch.rays = arrays.batch(station_at(camera_state), {1e-10, step_limit}, TraceMethod::taylor);
   batch.lens = lens;
-  batch.aberration = observer_of(place);
+  batch.aberration = observer_of(camera_state);
   launch(Backend::cpu, batch);
   return arrays.seen();
 }
 
-SeenSky by_live_grid(const Place& place, const Directions& rays, Nodes nodes) {
-  const StationBlend lens(std::make_shared<StationBuffers>(Backend::cpu, built_station(place, nodes)));
-  return by_lens(lens.view(), place, rays);
+SeenSky by_live_grid(const CameraState& camera_state, const Directions& rays, Nodes nodes) {
+  const StationBlend lens(std::make_shared<StationBuffers>(Backend::cpu, built_station(camera_state, nodes)));
+  return by_lens(lens.view(), camera_state, rays);
 }
 
-SeenSky by_streamed_stations(const Place& place, const Directions& rays) {
+SeenSky by_streamed_stations(const CameraState& camera_state, const Directions& rays) {
   // Typical distance between baked stations at this position: a fraction of the height above the
   // horizon.
-  const double apart = 0.01 * (place.r - horizon_radius(Spacetime{place.spin}));
-  Place inner = place;
-  Place outer = place;
+  const double apart = 0.01 * (camera_state.r - horizon_radius(Spacetime{camera_state.spin}));
+  CameraState inner = camera_state;
+  CameraState outer = camera_state;
   inner.r -= 0.5 * apart;
   outer.r += 0.5 * apart;
   const StationBlend blend(Backend::cpu, streamed(built_station(inner, Nodes::in_double)),
-                           streamed(built_station(outer, Nodes::in_double)), {place.r, place.theta});
-  return by_lens(blend.view(), place, rays);
+                           streamed(built_station(outer, Nodes::in_double)), {camera_state.r, camera_state.theta});
+  return by_lens(blend.view(), camera_state, rays);
 }
 
-SeenSky by_quadtree(const Place& place, const Directions& rays) {
-  const CameraStation camera = station_at(place);
+SeenSky by_quadtree(const CameraState& camera_state, const Directions& rays) {
+  const CameraStation camera = station_at(camera_state);
   QuadtreeSettings settings;
   settings.coarsest_level = sanitized ? 4 : 6;
   settings.finest_level = sanitized ? 6 : 10;

@@ -15,25 +15,25 @@ struct SeenSky {
 
 //! Traces each ray in double, or in float. The directions are the same, except that they are
 //! rounded to float.
-SeenSky by_rays(const Place& place, const Directions& rays, TraceMethod method, double tolerance);
-SeenSky by_float_rays(const Place& place, const Directions& rays, TraceMethod method, double tolerance);
+SeenSky by_rays(const CameraState& camera_state, const Directions& rays, TraceMethod method, double tolerance);
+SeenSky by_float_rays(const CameraState& camera_state, const Directions& rays, TraceMethod method, double tolerance);
 
 //! The precision in which the nodes of a grid are traced.
 enum class Nodes { in_double, in_float };
 
 //! Interpolates the rays in a lens.
-SeenSky by_lens(const LensBlend& lens, const Place& place, const Directions& rays);
+SeenSky by_lens(const LensBlend& lens, const CameraState& camera_state, const Directions& rays);
 
 //! Interpolates the rays in a lens grid that is built for the camera's position, with a budget of
 //! 0.1 px of a 4096² dome.
-SeenSky by_live_grid(const Place& place, const Directions& rays, Nodes nodes);
+SeenSky by_live_grid(const CameraState& camera_state, const Directions& rays, Nodes nodes);
 
 //! Interpolates the rays between lens grids at a smaller and at a larger radius than the camera's.
 //! Both are encoded and decoded as in a trajectory file.
-SeenSky by_streamed_stations(const Place& place, const Directions& rays);
+SeenSky by_streamed_stations(const CameraState& camera_state, const Directions& rays);
 
 //! Interpolates the rays in the published quadtree grid, by its splines.
-SeenSky by_quadtree(const Place& place, const Directions& rays);
+SeenSky by_quadtree(const CameraState& camera_state, const Directions& rays);
 
 //! Angle of a pixel of a 4096² dome [rad].
 inline constexpr double dome_pixel = 7.67e-4;

@@ -12,7 +12,7 @@
 #include "kernels/spacetime/shadow/shadow_chart.h"
 #include "render/eyes/eye_camera.h"
 #include "tests/hard_cases/miss.h"
-#include "tests/hard_cases/random_places.h"
+#include "tests/hard_cases/random_cameras.h"
 #include "tests/support/sanitized.h"
 
 // Checks that no frame jumps, at 60 frames per second, for cameras that move for a long time or
@@ -212,13 +212,13 @@ TEST(LongRun, LiveGridsLeapByNoMoreThanTheirBudgetWhereTheyTurnIntoMirroredOnes)
   for (int frame = -3; frame <= 3; ++frame) {
     const EyeCamera eye = through_the_equator(frame * frame_s);
     ASSERT_EQ(eye.theta == 0.5 * pi, frame == 0);
-    const Place place = {eye.spacetime.spin, eye.r, eye.theta};
+    const CameraState camera_state = {eye.spacetime.spin, eye.r, eye.theta};
     Directions rays;
     for (const Vector3<double>& v : view_directions()) {
       rays.push_back(normalized(in_frame(eye, v)));
     }
-    const SeenSky seen = by_live_grid(place, rays, Nodes::in_double);
-    const std::vector<ExactRay> exact = exact_rays(station_at(place), rays);
+    const SeenSky seen = by_live_grid(camera_state, rays, Nodes::in_double);
+    const std::vector<ExactRay> exact = exact_rays(station_at(camera_state), rays);
     std::vector<Vector3<double>> misses(rays.size());
     for (std::size_t i = 0; i < rays.size(); ++i) {
       misses[i] = {seen.sky[0][i] - exact[i].sky.x, seen.sky[1][i] - exact[i].sky.y, seen.sky[2][i] - exact[i].sky.z};

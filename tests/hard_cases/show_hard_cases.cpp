@@ -8,7 +8,7 @@
 #include "kernels/core/angles.h"
 #include "kernels/spacetime/shadow/critical_curve.h"
 #include "render/output/image_writer.h"
-#include "tests/hard_cases/case_sheets.h"
+#include "tests/hard_cases/contact_sheets.h"
 #include "tests/hard_cases/miss.h"
 #include "tests/hard_cases/ray_sets.h"
 #include "tests/hard_cases/sky_window.h"
@@ -69,40 +69,40 @@ void write_pair(const std::filesystem::path& file, const Panel& left, const Pane
 }
 
 void show_axis(const std::filesystem::path& folder) {
-  const Place place = {0.9, 6.0, 1e-4};
+  const CameraState camera_state = {0.9, 6.0, 1e-4};
   const Directions rays = square_window({-1.0, 0.0, 0.0}, 2.4, panel_px);
-  write_pair(folder / "hard-axis.png", panel_of(by_rays(place, rays, TraceMethod::baseline_rk34, 1e-4)),
-             panel_of(by_rays(place, rays, TraceMethod::taylor, 1e-4)));
+  write_pair(folder / "hard-axis.png", panel_of(by_rays(camera_state, rays, TraceMethod::baseline_rk34, 1e-4)),
+             panel_of(by_rays(camera_state, rays, TraceMethod::taylor, 1e-4)));
 }
 
 void show_edge(const std::filesystem::path& folder) {
-  const Place place = {0.9, 8.0, 1.3};
-  const CameraStation camera = station_at(place);
+  const CameraState camera_state = {0.9, 8.0, 1.3};
+  const CameraStation camera = station_at(camera_state);
   const ShadowChart chart = make_shadow_chart(camera);
   const double gamma = 1.2;
   const double edge = edge_polar_angle(camera, chart, gamma) + 6e-6;
   const Directions rays =
       square_window(chart_direction<double>(chart, std::cos(edge), std::sin(edge), gamma), 1.6e-5, panel_px);
-  write_pair(folder / "hard-edge.png", panel_of(by_float_rays(place, rays, TraceMethod::taylor, 1e-6)),
-             panel_of(by_rays(place, rays, TraceMethod::taylor, 1e-9)));
+  write_pair(folder / "hard-edge.png", panel_of(by_float_rays(camera_state, rays, TraceMethod::taylor, 1e-6)),
+             panel_of(by_rays(camera_state, rays, TraceMethod::taylor, 1e-9)));
 }
 
 void show_grids(const std::filesystem::path& folder) {
-  const Place place = {0.999, 5.0, 0.5 * pi, ObserverMotion::geodesic};
-  const CameraStation camera = station_at(place);
+  const CameraState camera_state = {0.999, 5.0, 0.5 * pi, ObserverMotion::geodesic};
+  const CameraStation camera = station_at(camera_state);
   const ShadowChart chart = make_shadow_chart(camera);
   const double edge = edge_polar_angle(camera, chart, 0.6) + 0.04;
   const Directions rays =
       square_window(chart_direction<double>(chart, std::cos(edge), std::sin(edge), 0.6), 0.25, panel_px);
-  write_pair(folder / "hard-grids.png", panel_of(by_quadtree(place, rays)),
-             panel_of(by_live_grid(place, rays, Nodes::in_double)));
+  write_pair(folder / "hard-grids.png", panel_of(by_quadtree(camera_state, rays)),
+             panel_of(by_live_grid(camera_state, rays, Nodes::in_double)));
 }
 
 void show_poles(const std::filesystem::path& folder) {
-  const Place place = {0.9, 6.0, 0.0};
+  const CameraState camera_state = {0.9, 6.0, 0.0};
   const Directions rays = square_window({-1.0, 0.0, 0.0}, 2.4, panel_px);
-  write_pair(folder / "hard-poles.png", panel_of(by_quadtree(place, rays)),
-             panel_of(by_live_grid(place, rays, Nodes::in_double)));
+  write_pair(folder / "hard-poles.png", panel_of(by_quadtree(camera_state, rays)),
+             panel_of(by_live_grid(camera_state, rays, Nodes::in_double)));
 }
 
 //! Compares the edge of the shadow by textbook formulas with our edge, for a tiny spin. The
@@ -149,9 +149,9 @@ void show_textbook(const std::filesystem::path& folder) {
 //! Prints a row of the table about rays in float: the fraction that is bright instead of dark or
 //! dark instead of bright, the fraction that was not resolved, and the error of the others on the
 //! screen.
-void tell_float(const std::string& what, const Place& place, const Directions& rays) {
-  const Misses misses =
-      misses_of(exact_rays(station_at(place), rays), by_float_rays(place, rays, TraceMethod::taylor, 1e-6));
+void print_float(const std::string& what, const CameraState& camera_state, const Directions& rays) {
+  const Misses misses = misses_of(exact_rays(station_at(camera_state), rays),
+                                  by_float_rays(camera_state, rays, TraceMethod::taylor, 1e-6));
   const double part = 100.0 / static_cast<double>(rays.size());
   std::printf("| %s | %.1f %% | %.1f %% | ", what.c_str(), part * misses.wrong, part * misses.unresolved);
   if (misses.screen.empty()) {
@@ -161,38 +161,39 @@ void tell_float(const std::string& what, const Place& place, const Directions& r
   }
 }
 
-void tell_where_float_is_enough() {
+void print_where_float_is_enough() {
   std::puts("| rays in float | wrong | gave up | displacement on the screen: median, p99 [rad] |\n|---|---|---|---|");
-  const Place usual = {0.9, 8.0, 1.3};
-  tell_float("r = 8, whole sky", usual, whole_sky(station_at(usual)));
+  const CameraState usual = {0.9, 8.0, 1.3};
+  print_float("r = 8, whole sky", usual, whole_sky(station_at(usual)));
   for (int exponent = 1; exponent <= 8; ++exponent) {
-    tell_float("1e-" + std::to_string(exponent) + " rad from the edge", usual,
-               beside_edge(station_at(usual), std::pow(10.0, -exponent)));
+    print_float("1e-" + std::to_string(exponent) + " rad from the edge", usual,
+                beside_edge(station_at(usual), std::pow(10.0, -exponent)));
   }
   for (int exponent = 1; exponent <= 6; ++exponent) {
-    const Place falling = {0.9, horizon_radius(Spacetime{0.9}) + std::pow(10.0, -exponent), 1.2, ObserverMotion::rain};
-    tell_float("in free fall, 1e-" + std::to_string(exponent) + " M above the horizon", falling,
-               whole_sky(station_at(falling)));
+    const CameraState falling = {0.9, horizon_radius(Spacetime{0.9}) + std::pow(10.0, -exponent), 1.2,
+                                 ObserverMotion::rain};
+    print_float("in free fall, 1e-" + std::to_string(exponent) + " M above the horizon", falling,
+                whole_sky(station_at(falling)));
   }
   for (const int exponent : {2, 4, 6}) {
-    const Place far = {0.9, std::pow(10.0, exponent), 1.3};
-    tell_float("r = 1e" + std::to_string(exponent), far, whole_sky(station_at(far)));
+    const CameraState far = {0.9, std::pow(10.0, exponent), 1.3};
+    print_float("r = 1e" + std::to_string(exponent), far, whole_sky(station_at(far)));
   }
   for (const double beta : {0.9, 0.99, 0.999, 0.9999}) {
-    Place fast = usual;
+    CameraState fast = usual;
     fast.motion = ObserverMotion::velocity;
     fast.beta = {0.0, 0.0, beta};
-    tell_float("at " + std::to_string(beta) + " c", fast, whole_sky(station_at(fast)));
+    print_float("at " + std::to_string(beta) + " c", fast, whole_sky(station_at(fast)));
   }
 }
 
 //! Prints the errors of naive methods for a case, next to ours. The naive methods are the published
 //! ray tracer, which uses polar angles, and the published grid. Errors are 99th percentiles.
-void tell_case(const HardCase& hard) {
-  const Directions rays = hard.rays(station_at(hard.place));
-  const std::vector<ExactRay> exact = exact_rays(station_at(hard.place), rays);
+void print_case(const HardCase& hard) {
+  const Directions rays = hard.rays(station_at(hard.camera_state));
+  const std::vector<ExactRay> exact = exact_rays(station_at(hard.camera_state), rays);
   const double part = 100.0 / static_cast<double>(rays.size());
-  const auto tell = [&](const SeenSky& seen, bool in_px) {
+  const auto print = [&](const SeenSky& seen, bool in_px) {
     const Misses misses = misses_of(exact, seen);
     const double miss = misses.screen_at(0.99) / (in_px ? dome_pixel : 1.0);
     if (misses.wrong + misses.unresolved > 0) {
@@ -208,23 +209,23 @@ void tell_case(const HardCase& hard) {
     std::printf(" | ");
   };
   std::printf("| %s | ", hard.name);
-  tell(by_rays(hard.place, rays, TraceMethod::baseline_rk34, 1e-7), false);
+  print(by_rays(hard.camera_state, rays, TraceMethod::baseline_rk34, 1e-7), false);
   hard.allowed.quadtree_px == not_asked ? static_cast<void>(std::printf("- | "))
-                                        : tell(by_quadtree(hard.place, rays), true);
-  tell(by_float_rays(hard.place, rays, TraceMethod::taylor, 1e-6), false);
-  tell(by_rays(hard.place, rays, TraceMethod::taylor, 1e-12), false);
+                                        : print(by_quadtree(hard.camera_state, rays), true);
+  print(by_float_rays(hard.camera_state, rays, TraceMethod::taylor, 1e-6), false);
+  print(by_rays(hard.camera_state, rays, TraceMethod::taylor, 1e-12), false);
   hard.allowed.grid_px == not_asked ? static_cast<void>(std::printf("- | "))
-                                    : tell(by_live_grid(hard.place, rays, Nodes::in_double), true);
+                                    : print(by_live_grid(hard.camera_state, rays, Nodes::in_double), true);
   std::puts("");
 }
 
-void tell_cases() {
+void print_cases() {
   std::puts(
       "| case | polar angles (`baseline_rk34`, double) | published grid | Taylor series, float | Taylor series, double "
       "| conforming grid |");
   std::puts("|---|---|---|---|---|---|");
   for (const HardCase& hard : hard_cases()) {
-    tell_case(hard);
+    print_case(hard);
   }
 }
 
@@ -243,9 +244,9 @@ int main(int argc, char** argv) {
   show_grids(folder);
   show_poles(folder);
   show_textbook(folder);
-  write_case_sheets(folder);
-  tell_cases();
+  write_contact_sheets(folder);
+  print_cases();
   std::puts("");
-  tell_where_float_is_enough();
+  print_where_float_is_enough();
   return 0;
 }

@@ -27,38 +27,39 @@ void expect_no_sky_that_is_no_number(const SeenSky& seen) {
 }
 
 //! Returns a camera in which the number with the index `which` is replaced.
-Place wild_place(int which, double value) {
-  Place place = {0.9, 8.0, 1.0, ObserverMotion::velocity, {0.1, 0.1, 0.1}};
-  double* const numbers[] = {&place.spin, &place.r, &place.theta, &place.beta.x, &place.beta.y, &place.beta.z};
+CameraState wild_position(int which, double value) {
+  CameraState camera_state = {0.9, 8.0, 1.0, ObserverMotion::velocity, {0.1, 0.1, 0.1}};
+  double* const numbers[] = {&camera_state.spin,   &camera_state.r,      &camera_state.theta,
+                             &camera_state.beta.x, &camera_state.beta.y, &camera_state.beta.z};
   *numbers[which] = value;
-  return place;
+  return camera_state;
 }
 
 TEST(WildInputs, OfACameraMakeNoSkyThatIsNoNumber) {
   const Directions rays = whole_sky(station_at({0.9, 8.0, 1.0}));
   for (int which = 0; which < 6; ++which) {
     for (const double value : {nan_value, infinite, -infinite}) {
-      const Place place = wild_place(which, value);
+      const CameraState camera_state = wild_position(which, value);
       for (const TraceMethod method :
            {TraceMethod::taylor, TraceMethod::cash_karp, TraceMethod::rk34, TraceMethod::baseline_rk34}) {
         SCOPED_TRACE(which);
-        expect_no_sky_that_is_no_number(by_rays(place, rays, method, 1e-6));
-        expect_no_sky_that_is_no_number(by_float_rays(place, rays, method, 1e-5));
+        expect_no_sky_that_is_no_number(by_rays(camera_state, rays, method, 1e-6));
+        expect_no_sky_that_is_no_number(by_float_rays(camera_state, rays, method, 1e-5));
       }
-      expect_no_sky_that_is_no_number(by_rays(place, rays, TraceMethod::closed_form, 1e-6));
+      expect_no_sky_that_is_no_number(by_rays(camera_state, rays, TraceMethod::closed_form, 1e-6));
     }
   }
 }
 
 TEST(WildInputs, OfADirectionSpoilThatRayAlone) {
-  const Place place = {0.9, 8.0, 1.0};
+  const CameraState camera_state = {0.9, 8.0, 1.0};
   for (const double value : {nan_value, infinite, -infinite}) {
-    Directions rays = along_axes(station_at(place));
-    const SeenSky calm = by_rays(place, rays, TraceMethod::taylor, 1e-9);
+    Directions rays = along_axes(station_at(camera_state));
+    const SeenSky calm = by_rays(camera_state, rays, TraceMethod::taylor, 1e-9);
     rays[20].y = value;
     for (const TraceMethod method :
          {TraceMethod::taylor, TraceMethod::cash_karp, TraceMethod::rk34, TraceMethod::closed_form}) {
-      const SeenSky seen = by_rays(place, rays, method, 1e-9);
+      const SeenSky seen = by_rays(camera_state, rays, method, 1e-9);
       expect_no_sky_that_is_no_number(seen);
       EXPECT_NE(seen.status[20], 0.0);
       for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -68,8 +69,8 @@ TEST(WildInputs, OfADirectionSpoilThatRayAlone) {
         }
       }
     }
-    expect_no_sky_that_is_no_number(by_live_grid(place, rays, Nodes::in_float));
-    expect_no_sky_that_is_no_number(by_quadtree(place, rays));
+    expect_no_sky_that_is_no_number(by_live_grid(camera_state, rays, Nodes::in_float));
+    expect_no_sky_that_is_no_number(by_quadtree(camera_state, rays));
   }
 }
 
@@ -112,7 +113,7 @@ TEST(WildInputs, OfAShowAreRefusedWithTheirPlace) {
         ADD_FAILURE() << key << " = " << value << " was taken";
       } catch (const Error& error) {
         EXPECT_NE(std::string(error.what()).find(key), std::string::npos) << error.what();
-        EXPECT_NE(error.place().find("show.toml"), std::string::npos) << error.what();
+        EXPECT_NE(error.location().find("show.toml"), std::string::npos) << error.what();
       }
     }
   }

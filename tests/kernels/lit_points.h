@@ -24,14 +24,14 @@ struct LitPoint {
 inline std::vector<LitPoint> lit_points() {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> share(0.0, 1.0);
-  const auto place = [&](double least, double most) {
-    return point_at(least + (most - least) * share(random), std::acos(2.0 * share(random) - 1.0),
+  const auto position = [&](double minimum, double maximum) {
+    return point_at(minimum + (maximum - minimum) * share(random), std::acos(2.0 * share(random) - 1.0),
                     2.0 * pi * share(random));
   };
   std::vector<LitPoint> points;
   for (int i = 0; i < 40; ++i) {
-    const Vector3<double> point = place(3.5, 20.0);
-    points.push_back({point, place(3.5, 60.0)});
+    const Vector3<double> point = position(3.5, 20.0);
+    points.push_back({point, position(3.5, 60.0)});
   }
   return points;
 }

@@ -24,7 +24,7 @@ struct Placed {
         mesh{boxes.view(), position, {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}, size} {}
 };
 
-inline MeshHit look(const CameraStation& camera, const Vector3<double>& n, const MeshScene& scene) {
+inline MeshHit first_hit(const CameraStation& camera, const Vector3<double>& n, const MeshScene& scene) {
   MeshHit hit;
   EXPECT_TRUE((trace_meshes<20, NearParts::azimuth_and_delay>(camera.spin, camera.cosine_phi, camera.sine_phi,
                                                               start_near_ray(camera, n), scene, finest, hit)));

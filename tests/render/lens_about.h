@@ -12,7 +12,7 @@
 namespace ergodome::test {
 
 //! A position on the screen.
-struct PlaceOnScreen {
+struct ScreenPosition {
   double x_px;
   double y_px;
 };
@@ -26,28 +26,28 @@ inline Vector3<double> in_frame(const EyeCamera& eye, const Vector3<double>& vie
   return {along(0), along(1), along(2)};
 }
 
-inline PlaceOnScreen on_screen(const EyeCamera& eye, const Projection& projection, const Vector3<float>& direction) {
+inline ScreenPosition on_screen(const EyeCamera& eye, const Projection& projection, const Vector3<float>& direction) {
   const Vector3<double> n = unit_of(widened(direction));
   const auto along = [&](int axis) {
     return n.x * eye.frame_from_view[0][axis] + n.y * eye.frame_from_view[1][axis] + n.z * eye.frame_from_view[2][axis];
   };
-  PlaceOnScreen place{};
-  pixel_from_direction(projection, {along(0), along(1), along(2)}, place.x_px, place.y_px);
-  return place;
+  ScreenPosition position{};
+  pixel_from_direction(projection, {along(0), along(1), along(2)}, position.x_px, position.y_px);
+  return position;
 }
 
 //! The exact lens of an eye, for measurements around positions on the screen.
 class LensAbout {
  public:
   //! changes() returns infinity for positions that are closer to the edge of the shadow than
-  //! `least_edge_px`.
-  LensAbout(const EyeCamera& eye, const Projection& projection, double least_edge_px)
-      : eye_(eye), projection_(projection), shadow_(camera_of(eye)), least_edge_px_(least_edge_px) {}
+  //! `min_edge_px`.
+  LensAbout(const EyeCamera& eye, const Projection& projection, double min_edge_px)
+      : eye_(eye), projection_(projection), shadow_(camera_of(eye)), min_edge_px_(min_edge_px) {}
 
   //! Returns the variation of the magnification across a pixel around each position: maximum minus
   //! minimum, divided by the minimum. Infinite where the parity changes, and near the edge of the
   //! shadow.
-  [[nodiscard]] std::vector<double> changes(const std::vector<PlaceOnScreen>& asked) const {
+  [[nodiscard]] std::vector<double> changes(const std::vector<ScreenPosition>& asked) const {
     constexpr double step = 0.05;
     // Traces three rays at each corner of the pixel around a position: at the corner, to its right
     // and below it.
@@ -77,8 +77,8 @@ class LensAbout {
     launch(Backend::cpu, batch);
     std::vector<double> changes;
     changes.reserve(asked.size());
-    for (std::size_t place = 0; place < asked.size(); ++place) {
-      changes.push_back(change(values, count, rays * place));
+    for (std::size_t position = 0; position < asked.size(); ++position) {
+      changes.push_back(change(values, count, rays * position));
     }
     return changes;
   }
@@ -89,27 +89,27 @@ class LensAbout {
       return Vector3<double>{values[channel * count + ray], values[(channel + 1) * count + ray],
                              values[(channel + 2) * count + ray]};
     };
-    double least = 1e300;
-    double most = -1e300;
+    double minimum = 1e300;
+    double maximum = -1e300;
     for (std::size_t ray = first; ray < first + 12; ray += 3) {
       const Vector3<double> sky = at(3, ray);
       const Vector3<double> n = at(0, ray);
-      if (dot(sky, sky) < 0.5 || shadow_.of(n) < least_edge_px_ * pixel_angle(projection_)) {
+      if (dot(sky, sky) < 0.5 || shadow_.of(n) < min_edge_px_ * pixel_angle(projection_)) {
         return INFINITY;
       }
       // Ratio of the signed areas on the sky and on the screen.
       const double rate = dot(sky, cross(at(3, ray + 1) - sky, at(3, ray + 2) - sky)) /
                           dot(n, cross(at(0, ray + 1) - n, at(0, ray + 2) - n));
-      least = std::min(least, rate);
-      most = std::max(most, rate);
+      minimum = std::min(minimum, rate);
+      maximum = std::max(maximum, rate);
     }
-    return least * most > 0.0 ? (most - least) / std::min(std::abs(least), std::abs(most)) : INFINITY;
+    return minimum * maximum > 0.0 ? (maximum - minimum) / std::min(std::abs(minimum), std::abs(maximum)) : INFINITY;
   }
 
   EyeCamera eye_;
   Projection projection_;
   ShadowDistance shadow_;
-  double least_edge_px_;
+  double min_edge_px_;
 };
 
 }  // namespace ergodome::test

@@ -41,7 +41,7 @@ class ShadowDistance {
 //! its vertices. It starts at a minimum distance from the edge of the shadow.
 class RayMesh {
  public:
-  RayMesh(const EyeCamera& eye, double least_distance, int columns, int rows) : columns_(columns), rows_(rows) {
+  RayMesh(const EyeCamera& eye, double min_distance, int columns, int rows) : columns_(columns), rows_(rows) {
     const CameraStation camera = camera_of(eye);
     const ShadowDistance shadow(camera);
     const ShadowChart& chart = shadow.chart();
@@ -51,7 +51,7 @@ class RayMesh {
       const double edge = shadow.edge(gamma);
       for (int row = 0; row <= rows; ++row) {
         const double from_edge =
-            (pi - edge) * std::pow(least_distance / (pi - edge), 1.0 - static_cast<double>(row) / rows);
+            (pi - edge) * std::pow(min_distance / (pi - edge), 1.0 - static_cast<double>(row) / rows);
         const double alpha = edge + from_edge;
         const Vector3<double> n = std::cos(alpha) * chart.centre + (std::sin(alpha) * std::cos(gamma)) * chart.first +
                                   (std::sin(alpha) * std::sin(gamma)) * chart.second;

@@ -11,8 +11,8 @@ namespace ergodome::test {
 
 inline Show show_of_eyes(const std::string& stereo,
                          const std::string& view = "projection = \"pinhole\"\nfov_deg = 100\nsize_px = 400\n",
-                         const std::string& place = "r = 9\ntheta_deg = 70\n") {
-  Show show = parse_show("[hole]\nspin = 0.95\n[camera]\n[[camera.key]]\n" + place + "[view]\n" + view +
+                         const std::string& position = "r = 9\ntheta_deg = 70\n") {
+  Show show = parse_show("[hole]\nspin = 0.95\n[camera]\n[[camera.key]]\n" + position + "[view]\n" + view +
                              "[stereo]\nlayout = \"separate\"\n" + stereo,
                          "stereo.toml");
   show.sky.map = tiny_sky();

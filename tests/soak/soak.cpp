@@ -55,7 +55,7 @@ text = { en = "words", de = "Wörter" }
 )";
 
 constexpr int settled_frame = 20'000;  //!< resources must not grow after this frame
-constexpr double most_growth = 1.01;
+constexpr double max_growth = 1.01;
 constexpr int picture_px = 24;
 
 //! System resources that the process uses.
@@ -157,7 +157,7 @@ class Soak {
            damaged_ > 0;
   }
 
-  [[nodiscard]] std::string tell() const {
+  [[nodiscard]] std::string report() const {
     return fmt::format("{} pictures, {} visits, {} reloads, {} broken ones kept off, {} problems",
                        flow_.report().pictures, visits_, reloads_, refused_, problems_);
   }
@@ -267,13 +267,13 @@ int run(int frames) {
       if (i % std::max(frames / 10, 1) == 0) {
         const Held now = held_now();
         fmt::print("{:>8} frames  {:.1f} MiB  {} handles  {} threads  {}\n", i, now.resident_mib, now.handles,
-                   now.threads, soak.tell());
+                   now.threads, soak.report());
         std::fflush(stdout);
       }
     }
     const Held last = held_now();
     good = soak.good() && last.handles <= settled.handles && last.threads <= settled.threads &&
-           (frames < 2 * settled_frame || last.resident_mib <= most_growth * settled.resident_mib);
+           (frames < 2 * settled_frame || last.resident_mib <= max_growth * settled.resident_mib);
     std::uintmax_t log_bytes = 0;
     for (const auto& each : std::filesystem::directory_iterator(folder / "log")) {
       log_bytes += each.file_size();

@@ -41,9 +41,9 @@ ChildProcess::~ChildProcess() {
   }
 }
 
-std::string ChildProcess::output_until(const std::string& text, std::chrono::milliseconds most) {
+std::string ChildProcess::output_until(const std::string& text, std::chrono::milliseconds maximum) {
   std::string output;
-  const auto deadline = std::chrono::steady_clock::now() + most;
+  const auto deadline = std::chrono::steady_clock::now() + maximum;
   while (output.find(text) == std::string::npos && std::chrono::steady_clock::now() < deadline) {
     pollfd polled = {output_.get(), POLLIN, 0};
     if (::poll(&polled, 1, 100) <= 0) {

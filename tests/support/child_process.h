@@ -21,7 +21,7 @@ class ChildProcess {
 
   //! Waits until `text` has appeared in the output, the program has ended or the time has run out.
   //! Returns the output up to then.
-  std::string output_until(const std::string& text, std::chrono::milliseconds most);
+  std::string output_until(const std::string& text, std::chrono::milliseconds maximum);
 
  private:
   pid_t process_ = -1;

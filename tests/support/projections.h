@@ -72,34 +72,34 @@ inline std::vector<NamedProjection> every_projection() {
           {"Frustum", make_frustum_projection(900, 400, {-0.4, 1.3, 0.9, -0.1})}};
 }
 
-struct ImagePlace {
+struct ImagePosition {
   double x_px;
   double y_px;
 };
 
 //! Returns whether a position itself is inside the projection's image. This may differ from the
 //! pixel that contains the position.
-inline bool is_in_image(const Projection& p, const ImagePlace& place) {
+inline bool is_in_image(const Projection& p, const ImagePosition& position) {
   if (p.kind == ProjectionKind::dome_fisheye) {
-    return image_coverage(p, place.x_px, place.y_px) >= 0.5;
+    return image_coverage(p, position.x_px, position.y_px) >= 0.5;
   }
-  return place.x_px >= 0.0 && place.y_px >= 0.0 && place.x_px <= p.width_px && place.y_px <= p.height_px &&
-         image_coverage(p, place.x_px, place.y_px) > 0.0;
+  return position.x_px >= 0.0 && position.y_px >= 0.0 && position.x_px <= p.width_px && position.y_px <= p.height_px &&
+         image_coverage(p, position.x_px, position.y_px) > 0.0;
 }
 
 //! Returns positions in a picture: a lattice, the middle, and positions that are `inside` pixels
 //! away from the corners, the sides and, for a fisheye, the rim. Omits positions outside the
 //! projection's image.
-inline std::vector<ImagePlace> image_places(const Projection& p, double inside) {
+inline std::vector<ImagePosition> image_positions(const Projection& p, double inside) {
   const double right = p.width_px - inside;
   const double bottom = p.height_px - inside;
   // The middle of a cube picture would be exactly on the edge between two faces, so the position is
   // shifted.
   const double x = 0.5 * p.width_px + (p.kind == ProjectionKind::cube ? 0.7 : 0.0);
   const double y = 0.5 * p.height_px;
-  std::vector<ImagePlace> found = {{x, y},           {inside, inside},  {right, inside},
-                                   {inside, bottom}, {right, bottom},   {inside, y + 0.3},
-                                   {right, y + 0.3}, {x + 0.3, inside}, {x + 0.3, bottom}};
+  std::vector<ImagePosition> found = {{x, y},           {inside, inside},  {right, inside},
+                                      {inside, bottom}, {right, bottom},   {inside, y + 0.3},
+                                      {right, y + 0.3}, {x + 0.3, inside}, {x + 0.3, bottom}};
   for (int i = 0; i < 400; ++i) {
     const int row = i / 20;
     found.push_back({p.width_px * (0.013 + 0.05 * (i % 20)), p.height_px * (0.017 + 0.05 * row)});
@@ -110,7 +110,7 @@ inline std::vector<ImagePlace> image_places(const Projection& p, double inside) 
       found.push_back({x + rim * std::cos(0.3927 * i), y + rim * std::sin(0.3927 * i)});
     }
   }
-  std::erase_if(found, [&](const ImagePlace& place) { return !is_in_image(p, place); });
+  std::erase_if(found, [&](const ImagePosition& position) { return !is_in_image(p, position); });
   return found;
 }
 

@@ -24,8 +24,8 @@ class RawClient {
 
   //! Returns the data received until `text` has appeared, the server has closed the connection or
   //! the time has run out.
-  std::string receive_until(const std::string& text, std::chrono::milliseconds most = std::chrono::seconds(10)) {
-    const auto deadline = std::chrono::steady_clock::now() + most;
+  std::string receive_until(const std::string& text, std::chrono::milliseconds maximum = std::chrono::seconds(10)) {
+    const auto deadline = std::chrono::steady_clock::now() + maximum;
     std::string received;
     while ((text.empty() || received.find(text) == std::string::npos) && std::chrono::steady_clock::now() < deadline) {
       pollfd polled = {socket_.get(), POLLIN, 0};

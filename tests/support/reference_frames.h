@@ -35,8 +35,8 @@ inline void expect_like_reference(const std::filesystem::path& path, const SeenF
     GTEST_SKIP() << "written anew: " << path;
   }
   constexpr float visible = 0.1F;
-  constexpr double most_visible = 0.02;
-  constexpr double most_mean = 0.005;
+  constexpr double max_visible = 0.02;
+  constexpr double max_mean = 0.005;
   OIIO::ImageBuf reference(path.string());
   std::vector<std::uint8_t> bytes = frame.rgb;
   const OIIO::ImageBuf seen(OIIO::ImageSpec(frame.width, frame.height, 3, OIIO::TypeDesc::UINT8), bytes.data());
@@ -45,8 +45,8 @@ inline void expect_like_reference(const std::filesystem::path& path, const SeenF
   ASSERT_EQ(reference.spec().height, frame.height) << path;
   const auto difference = OIIO::ImageBufAlgo::compare(seen, reference, visible, visible);
   const double share = static_cast<double>(difference.nfail) / (static_cast<double>(frame.width) * frame.height);
-  EXPECT_LT(share, most_visible) << path;
-  EXPECT_LT(difference.meanerror, most_mean) << path;
+  EXPECT_LT(share, max_visible) << path;
+  EXPECT_LT(difference.meanerror, max_mean) << path;
 }
 
 }  // namespace ergodome::test

@@ -20,11 +20,11 @@ inline DomeSetup ring_of(int count, double half_width_deg, double up_deg, double
   DomeSetup setup;
   setup.radius_m = 7.0;
   setup.tilt_deg = 15.0;
-  const auto add = [&](const Vector3<double>& place, const Orientation& orientation, const Frustum& frustum) {
+  const auto add = [&](const Vector3<double>& position, const Orientation& orientation, const Frustum& frustum) {
     ProjectorSetup projector;
     projector.name = "p";
     projector.name += std::to_string(setup.projectors.size());
-    projector.position_m = place;
+    projector.position_m = position;
     projector.orientation = orientation;
     projector.lens = frustum;
     projector.width_px = raster_px;

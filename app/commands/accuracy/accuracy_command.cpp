@@ -114,10 +114,10 @@ void add_accuracy_command(CLI::App& app) {
       ->check(CLI::IsMember(std::vector<std::string>(accuracy_axis_names.begin(), accuracy_axis_names.end())));
   command->add_option("--at", options->at, "error at which methods are compared")->capture_default_str();
   command->add_flag("--json", options->json, "print JSON instead of the table");
-  IdleOptions idle(*command);
-  idle.add("with --json, without --out", [options] { return options->json && options->out.empty(); }, {"--at"});
-  command->callback([options, idle] {
-    idle.refuse();
+  IgnoredOptions ignored(*command);
+  ignored.add("with --json, without --out", [options] { return options->json && options->out.empty(); }, {"--at"});
+  command->callback([options, ignored] {
+    ignored.refuse();
     run(*options);
   });
 }

@@ -16,13 +16,14 @@ namespace {
 
 constexpr float nothing_grey = 0.16F;
 
-std::vector<std::uint8_t> colours_of(const ErrorMap& map, double least, double most) {
+std::vector<std::uint8_t> colours_of(const ErrorMap& map, double minimum, double maximum) {
   std::vector<std::uint8_t> rgb;
   rgb.reserve(3 * map.error.size());
   for (const float error : map.error) {
-    const double place = std::log(std::max(static_cast<double>(error), least) / least) / std::log(most / least);
+    const double position =
+        std::log(std::max(static_cast<double>(error), minimum) / minimum) / std::log(maximum / minimum);
     const Vector3<float> colour = std::isnan(error) ? Vector3<float>{nothing_grey, nothing_grey, nothing_grey}
-                                                    : heat_color(static_cast<float>(std::min(place, 1.0)));
+                                                    : heat_color(static_cast<float>(std::min(position, 1.0)));
     for (const float part : {colour.x, colour.y, colour.z}) {
       rgb.push_back(static_cast<std::uint8_t>(std::lround(255.0F * part)));
     }
@@ -30,7 +31,7 @@ std::vector<std::uint8_t> colours_of(const ErrorMap& map, double least, double m
   return rgb;
 }
 
-const Measurement* most_exact(const AccuracyAxis& axis, const std::string& method) {
+const Measurement* max_exact(const AccuracyAxis& axis, const std::string& method) {
   const Measurement* best = nullptr;
   for (const Measurement& choice : axis.choices) {
     if (choice.method == method && (best == nullptr || choice.error.p99 < best->error.p99)) {
@@ -42,12 +43,12 @@ const Measurement* most_exact(const AccuracyAxis& axis, const std::string& metho
 
 }  // namespace
 
-void draw_error_pictures(AccuracyReport& report, double most_px, const std::filesystem::path& folder) {
+void draw_error_pictures(AccuracyReport& report, double max_px, const std::filesystem::path& folder) {
   for (AccuracyAxis& axis : report.axes) {
     const bool light = axis.unit == ErrorUnit::light;
     std::set<const Measurement*> chosen;
-    for (const EqualErrorRow& row : compare_at(axis, light ? 0.01 : most_px, FrameCost::ready)) {
-      chosen.insert(row.choice != nullptr ? row.choice : most_exact(axis, row.method));
+    for (const EqualErrorRow& row : compare_at(axis, light ? 0.01 : max_px, FrameCost::ready)) {
+      chosen.insert(row.choice != nullptr ? row.choice : max_exact(axis, row.method));
     }
     int number = 0;
     for (Measurement& choice : axis.choices) {
@@ -56,10 +57,9 @@ void draw_error_pictures(AccuracyReport& report, double most_px, const std::file
         continue;
       }
       choice.picture = fmt::format("error-{}-{}.png", axis.name, ++number);
-      write_png(
-          folder / choice.picture,
-          colours_of(choice.map, light ? least_drawn_light : least_drawn_px, light ? most_drawn_light : most_drawn_px),
-          choice.map.width, choice.map.height);
+      write_png(folder / choice.picture,
+                colours_of(choice.map, light ? min_drawn_light : min_drawn_px, light ? max_drawn_light : max_drawn_px),
+                choice.map.width, choice.map.height);
     }
   }
 }

@@ -8,14 +8,14 @@ namespace ergodome {
 
 //! Draws error pictures of the report's choices as small PNG files in a folder, and stores their
 //! names in the report. Draws those on a Pareto front and, for each method, the cheapest choice
-//! within `most_px`, or its most exact one.
-void draw_error_pictures(AccuracyReport& report, double most_px, const std::filesystem::path& folder);
+//! within `max_px`, or its most exact one.
+void draw_error_pictures(AccuracyReport& report, double max_px, const std::filesystem::path& folder);
 
 //! Range of the logarithmic color scale of error pictures [px].
-inline constexpr double least_drawn_px = 1e-4;
-inline constexpr double most_drawn_px = 10.0;
+inline constexpr double min_drawn_px = 1e-4;
+inline constexpr double max_drawn_px = 10.0;
 //! The same range for light, relative to the mean of the picture.
-inline constexpr double least_drawn_light = 1e-5;
-inline constexpr double most_drawn_light = 1.0;
+inline constexpr double min_drawn_light = 1e-5;
+inline constexpr double max_drawn_light = 1.0;
 
 }  // namespace ergodome

@@ -83,7 +83,7 @@ std::string csv_line(const AccuracyReport& report, const AccuracyAxis& axis, con
   line += (choice.flicker ? number(*choice.flicker) : "") + ',';
   line += (choice.light_error ? number(choice.light_error->p99) : "") + ',';
   for (const double value :
-       {choice.lost, frame.median, frame.least, frame.greatest, prepare.median, prepare.least, prepare.greatest}) {
+       {choice.lost, frame.median, frame.minimum, frame.maximum, prepare.median, prepare.minimum, prepare.maximum}) {
     line += number(value) + ',';
   }
   line += fmt::format("{},{},{},{}\n", choice.memory_bytes,
@@ -157,7 +157,7 @@ std::string json_text(const AccuracyReport& report) {
   return json.dump(1) + '\n';
 }
 
-void write_report_folder(AccuracyReport& report, double most_px, const std::filesystem::path& folder) {
+void write_report_folder(AccuracyReport& report, double max_px, const std::filesystem::path& folder) {
   std::vector<ReportPlot> plots;
   bool has_gnuplot = true;
   for (const AccuracyAxis& axis : report.axes) {
@@ -176,10 +176,10 @@ void write_report_folder(AccuracyReport& report, double most_px, const std::file
   if (!has_gnuplot) {
     report.notes.emplace_back("gnuplot is not installed, so the page has no plots; install the package gnuplot-nox");
   }
-  draw_error_pictures(report, most_px, folder);
+  draw_error_pictures(report, max_px, folder);
   write_text_atomically(folder / "accuracy.csv", csv_text(report));
   write_text_atomically(folder / "accuracy.json", json_text(report));
-  write_text_atomically(folder / "report.html", page_text(report, plots, most_px));
+  write_text_atomically(folder / "report.html", page_text(report, plots, max_px));
 }
 
 }  // namespace ergodome

@@ -192,7 +192,7 @@ std::string table_of(const AccuracyReport& report, const AccuracyAxis& axis) {
   return text + "</table></div>\n" + columns_caption + "</details>\n";
 }
 
-std::string equal_error_text(const AccuracyAxis& axis, double most_px) {
+std::string equal_error_text(const AccuracyAxis& axis, double max_px) {
   if (axis.unit == ErrorUnit::light || axis.base.empty()) {
     return {};
   }
@@ -200,8 +200,8 @@ std::string equal_error_text(const AccuracyAxis& axis, double most_px) {
       "<p>The fastest setting of each method with an error of at most {} (99 % of the pixels), and its time relative "
       "to {}, compared in the same rounds:</p>\n<div class=\"wide\"><table><tr><th class=\"word\">method</th><th "
       "class=\"word\">published by</th><th class=\"word\">setting</th><th>ms {}</th><th>time ratio (range)</th></tr>\n",
-      error_text(axis, most_px), escaped(axis.base), escaped(axis.time));
-  for (const EqualErrorRow& row : compare_at(axis, most_px, FrameCost::ready)) {
+      error_text(axis, max_px), escaped(axis.base), escaped(axis.time));
+  for (const EqualErrorRow& row : compare_at(axis, max_px, FrameCost::ready)) {
     const Measurement* const choice = row.choice;
     text += "<tr><td class=\"word\">" + escaped(row.method) + "</td>";
     text += choice == nullptr
@@ -247,7 +247,7 @@ std::string in_short(const AccuracyReport& report) {
 }
 
 std::string axis_text(const AccuracyReport& report, const AccuracyAxis& axis, const std::vector<ReportPlot>& plots,
-                      double most_px) {
+                      double max_px) {
   std::string text = "<h2>" + escaped(axis.title) + "</h2>\n";
   const std::vector<std::string> sentences = axis_sentences(axis);
   if (!sentences.empty()) {
@@ -265,7 +265,7 @@ std::string axis_text(const AccuracyReport& report, const AccuracyAxis& axis, co
           escaped(plot.file), escaped(plot.caption));
     }
   }
-  text += equal_error_text(axis, most_px);
+  text += equal_error_text(axis, max_px);
   text += pictures_text(axis);
   text += "<p class=\"caption\">Errors are measured against " + escaped(axis.reference) + ".</p>\n";
   return text + table_of(report, axis) + passes_text(axis);
@@ -273,13 +273,13 @@ std::string axis_text(const AccuracyReport& report, const AccuracyAxis& axis, co
 
 }  // namespace
 
-std::string page_text(const AccuracyReport& report, const std::vector<ReportPlot>& plots, double most_px) {
+std::string page_text(const AccuracyReport& report, const std::vector<ReportPlot>& plots, double max_px) {
   std::string text = head_text(report);
   text += fmt::format("<p class=\"{}\">{}</p>\n", is_too_busy(report) ? "busy" : "facts",
                       escaped(repeatability_words(report)));
   text += in_short(report);
   for (const AccuracyAxis& axis : report.axes) {
-    text += axis_text(report, axis, plots, most_px);
+    text += axis_text(report, axis, plots, max_px);
   }
   if (!report.notes.empty()) {
     text += "<h2>Notes and limits</h2>\n<ul>\n";

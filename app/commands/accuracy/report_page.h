@@ -15,8 +15,8 @@ struct ReportPlot {
 };
 
 //! Returns the report as an HTML page for readers without prior knowledge. The files of pictures
-//! and plots are in its folder, under the names given in the report and in `plots`. `most_px` is
+//! and plots are in its folder, under the names given in the report and in `plots`. `max_px` is
 //! the error at which methods are compared.
-std::string page_text(const AccuracyReport& report, const std::vector<ReportPlot>& plots, double most_px);
+std::string page_text(const AccuracyReport& report, const std::vector<ReportPlot>& plots, double max_px);
 
 }  // namespace ergodome

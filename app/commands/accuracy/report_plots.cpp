@@ -43,12 +43,12 @@ const char* colour_of(const std::string& method, std::size_t number) {
 }
 
 //! Smaller errors are negligible and are drawn at these values.
-constexpr double least_px = 1e-4;
-constexpr double least_percent = 1e-3;
+constexpr double min_px = 1e-4;
+constexpr double min_percent = 1e-3;
 
 double drawn_error(const AccuracyAxis& axis, const Measurement& choice) {
-  return axis.unit == ErrorUnit::light ? std::max(100.0 * choice.error.p99, least_percent)
-                                       : std::max(choice.error.p99, least_px);
+  return axis.unit == ErrorUnit::light ? std::max(100.0 * choice.error.p99, min_percent)
+                                       : std::max(choice.error.p99, min_px);
 }
 
 std::string points_of(const AccuracyAxis& axis, FrameCost cost, const std::vector<const Measurement*>& choices) {
@@ -57,7 +57,7 @@ std::string points_of(const AccuracyAxis& axis, FrameCost cost, const std::vecto
     const Spread time = spread_of(cost == FrameCost::ready ? choice->frame_ms : choice->anew_ms());
     const double error = drawn_error(axis, *choice);
     if (time.runs > 0 && std::isfinite(error)) {
-      text += fmt::format("{:.6g} {:.6g} {:.6g} {:.6g}\n", time.median, error, time.least, time.greatest);
+      text += fmt::format("{:.6g} {:.6g} {:.6g} {:.6g}\n", time.median, error, time.minimum, time.maximum);
     }
   }
   return text;
@@ -198,16 +198,16 @@ bool draw_plot(const AccuracyAxis& axis, FrameCost cost, const std::filesystem::
   std::filesystem::path messages = picture;
   messages.replace_filename(".messages-" + picture.filename().string());
   int status = 0;
-  std::string said;
+  std::string message;
   const auto draw = [&](const std::filesystem::path& partial) {
     std::ofstream(script, std::ios::binary) << plot_script(axis, cost, partial);
     status = run_gnuplot(script, messages);
-    said = first_line_of(messages);
+    message = first_line_of(messages);
     std::error_code ignored;
     std::filesystem::remove(script, ignored);
     std::filesystem::remove(messages, ignored);
     if (status > 0) {
-      throw Error(picture.string(), "gnuplot could not draw it: " + said,
+      throw Error(picture.string(), "gnuplot could not draw it: " + message,
                   "check the folder and the gnuplot installation");
     }
     if (status < 0) {

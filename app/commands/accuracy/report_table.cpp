@@ -55,7 +55,7 @@ std::vector<std::string> row_of(const AccuracyReport& report, const AccuracyAxis
   row.push_back(choice.flicker ? error_number(axis, *choice.flicker) : "");
   row.push_back(choice.lost > 0.0 ? fmt::format("{} %", short_number(100.0 * choice.lost)) : "");
   row.push_back(short_number(frame.median));
-  row.push_back(fmt::format("{}-{}", short_number(frame.least), short_number(frame.greatest)));
+  row.push_back(fmt::format("{}-{}", short_number(frame.minimum), short_number(frame.maximum)));
   row.push_back(short_number(anew.median));
   row.push_back(choice.memory_bytes > 0 ? bytes_text(choice.memory_bytes) : "");
   row.push_back(choice.disk_bytes ? bytes_text(*choice.disk_bytes) : "");
@@ -78,11 +78,11 @@ std::string axis_table(const AccuracyReport& report, const AccuracyAxis& axis) {
                      columns_of(rows, 5));
 }
 
-std::string equal_error_table(const AccuracyAxis& axis, double most_px) {
+std::string equal_error_table(const AccuracyAxis& axis, double max_px) {
   std::vector<std::vector<std::string>> rows = {
       {"method", "fastest", "ms", "ratio (range)", "fastest with preparation", "ms", "ratio (range)"}};
-  const std::vector<EqualErrorRow> ready = compare_at(axis, most_px, FrameCost::ready);
-  const std::vector<EqualErrorRow> anew = compare_at(axis, most_px, FrameCost::anew);
+  const std::vector<EqualErrorRow> ready = compare_at(axis, max_px, FrameCost::ready);
+  const std::vector<EqualErrorRow> anew = compare_at(axis, max_px, FrameCost::anew);
   for (std::size_t i = 0; i < ready.size(); ++i) {
     std::vector<std::string> row = {ready[i].method};
     for (const auto& [entry, cost] : {std::pair(&ready[i], FrameCost::ready), std::pair(&anew[i], FrameCost::anew)}) {
@@ -95,7 +95,7 @@ std::string equal_error_table(const AccuracyAxis& axis, double most_px) {
     rows.push_back(std::move(row));
   }
   return fmt::format(
-      "\n{}: fastest setting with an error of at most {} (p99){}\n{}", axis.title, error_text(axis, most_px),
+      "\n{}: fastest setting with an error of at most {} (p99){}\n{}", axis.title, error_text(axis, max_px),
       axis.base.empty() ? std::string() : ", ratio = time relative to that of " + axis.base, columns_of(rows, 2));
 }
 
@@ -105,7 +105,7 @@ std::string arcmin_text(const AccuracyReport& report, double error_px) {
   return short_number(error_px * report.pixel_arcmin);
 }
 
-std::string table_text(const AccuracyReport& report, double most_px) {
+std::string table_text(const AccuracyReport& report, double max_px) {
   std::string text = fmt::format("{}: {} x {} pixels of {} arcmin; {}; {} UTC\n", report.title, report.width_px,
                                  report.height_px, short_number(report.pixel_arcmin), report.machine, report.date);
   text += fmt::format("{} of the show, {} compared at each, {} of each choice, took {:.0f} s\n",
@@ -121,7 +121,7 @@ std::string table_text(const AccuracyReport& report, double most_px) {
   }
   for (const AccuracyAxis& axis : report.axes) {
     if (axis.unit == ErrorUnit::pixels && !axis.base.empty()) {
-      text += equal_error_table(axis, most_px);
+      text += equal_error_table(axis, max_px);
     }
   }
   text += '\n';

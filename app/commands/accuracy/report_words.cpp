@@ -39,8 +39,8 @@ std::string error_text(const AccuracyAxis& axis, double error) {
 }
 
 std::string spread_text(const Spread& spread) {
-  return fmt::format("{} ({} to {})", short_number(spread.median), short_number(spread.least),
-                     short_number(spread.greatest));
+  return fmt::format("{} ({} to {})", short_number(spread.median), short_number(spread.minimum),
+                     short_number(spread.maximum));
 }
 
 std::string bytes_text(std::size_t bytes) {

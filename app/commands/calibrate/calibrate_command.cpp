@@ -88,7 +88,7 @@ void require_files(const CalibrateOptions& options, const DomeSetup& setup) {
 
 //! Prints how much of the dome each projector lights, from the computed meshes and masks (as
 //! `inspect` does).
-void tell_lit_parts(const std::vector<ProjectorPicture>& pictures) {
+void print_lit_parts(const std::vector<ProjectorPicture>& pictures) {
   const std::vector<double> lit = lit_parts(pictures);
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     const ProjectorPicture& picture = pictures[i];
@@ -131,7 +131,7 @@ std::vector<ComputedProjector> compute(const CalibrateOptions& options, const Do
     pictures.push_back(std::move(picture));
     progress.advance_to(static_cast<long>(i) + 1);
   }
-  tell_lit_parts(pictures);
+  print_lit_parts(pictures);
   return computed;
 }
 

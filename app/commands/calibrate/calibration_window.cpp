@@ -46,7 +46,7 @@ CalibrationWindow::CalibrationWindow(const LiveOptions& options)
   } catch (const Error& problem) {
     // Patterns can still be shown, but the operator has to know now that nothing can be saved.
     message_ = std::string("cannot save: ") + problem.what();
-    tell_refusal(problem.what());
+    report_refusal(problem.what());
   }
   renew_master();
   renew_text();
@@ -130,18 +130,18 @@ void CalibrationWindow::save() {
     for (std::size_t i = 0; i < pictures_.pictures().size(); ++i) {
       projectors_.replace(i, pictures_.pictures()[i]);
     }
-    told_refusal_.clear();
+    reported_refusal_.clear();
     print_out("{}\n", message_);
   } catch (const Error& problem) {
     // The adjustments are kept and can be saved once the cause is removed.
     message_ = std::string("cannot save: ") + problem.what();
-    tell_refusal(problem.what());
+    report_refusal(problem.what());
   }
   renew_text();
 }
 
-void CalibrationWindow::tell_refusal(const std::string& problem) {
-  if (std::exchange(told_refusal_, problem) != problem) {
+void CalibrationWindow::report_refusal(const std::string& problem) {
+  if (std::exchange(reported_refusal_, problem) != problem) {
     print_note("cannot save: {}", problem);
   }
 }
@@ -177,9 +177,9 @@ void CalibrationWindow::renew_master() {
   for (std::size_t i = 0; i < pictures_.pictures().size(); ++i) {
     if (numbers) {
       const ProjectorPicture& raster = pictures_.pictures()[i];
-      const Picture sheet =
+      const Picture page =
           draw_projector_number(static_cast<int>(i) + 1, raster.name, raster.width_px, raster.height_px);
-      projectors_.set_raster(i, &sheet);
+      projectors_.set_raster(i, &page);
     } else {
       projectors_.set_raster(i, nullptr);
     }
@@ -231,7 +231,7 @@ void CalibrationWindow::draw() {
     int height = 0;
     window_.framebuffer_size(width, height);
     presenter_.draw(width, height);
-    keys_panel_.draw(width, height, PanelPlace::top_left);
+    keys_panel_.draw(width, height, PanelPosition::top_left);
     window_.swap();
   }
 }

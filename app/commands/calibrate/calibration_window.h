@@ -45,7 +45,7 @@ class CalibrationWindow {
   void act(CalibrationAction action);
   void save();
   //! Prints why nothing can be saved, unless it is the message printed last.
-  void tell_refusal(const std::string& problem);
+  void report_refusal(const std::string& problem);
   //! Shows the changes that keys have made since the last call.
   void renew();
   //! Replaces one of the coarse masks that the window started with. Returns false if none is left.
@@ -66,7 +66,7 @@ class CalibrationWindow {
   ProjectorWindows projectors_;
   //! Result of the last save, or why a change cannot be shown.
   std::string message_;
-  std::string told_refusal_;            //!< reason last printed for a failed save
+  std::string reported_refusal_;        //!< reason last printed for a failed save
   Renewal renewal_ = Renewal::nothing;  //!< updates requested by keys since the last drawing
   KeyRepeat keys_;
 };

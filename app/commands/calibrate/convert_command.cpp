@@ -129,24 +129,24 @@ std::pair<int, int> map_size(const ConvertOptions& options, const WarpMesh& mesh
   // about 0.3 % of a circle as high as the raster is lost.
   constexpr double shorter_side = 720.0;
   const auto side = [](double samples) {
-    return static_cast<int>(std::lround(std::min(samples, static_cast<double>(most_mesh_side))));
+    return static_cast<int>(std::lround(std::min(samples, static_cast<double>(max_mesh_side))));
   };
   return {side(shorter_side * std::max(options.aspect, 1.0)), side(shorter_side * std::max(1.0 / options.aspect, 1.0))};
 }
 
 //! Prints a note if a mesh has intensities, which a map cannot store.
-void tell_lost_intensities(const ConvertOptions& options, const WarpMesh& mesh) {
-  float least = 1.0F;
-  float most = 1.0F;
+void report_lost_intensities(const ConvertOptions& options, const WarpMesh& mesh) {
+  float minimum = 1.0F;
+  float maximum = 1.0F;
   for (const WarpNode& node : mesh.nodes) {
-    least = node.valid ? std::min(least, node.intensity) : least;
-    most = node.valid ? std::max(most, node.intensity) : most;
+    minimum = node.valid ? std::min(minimum, node.intensity) : minimum;
+    maximum = node.valid ? std::max(maximum, node.intensity) : maximum;
   }
-  if (least < 1.0F || most > 1.0F) {
+  if (minimum < 1.0F || maximum > 1.0F) {
     print_note(
         "{}: a .pfm file stores no intensities, but {} contains some from {:.3g} to {:.3g}; to keep them, use "
         "{} as a warp in a dome setup and convert that to MPCDI or a folder",
-        options.to, options.from, least, most, options.from);
+        options.to, options.from, minimum, maximum, options.from);
   }
 }
 
@@ -162,7 +162,7 @@ void write_map(const ConvertOptions& options, const WarpMesh& mesh) {
           ? fmt::format(", with {} x {} samples, because {} mesh has no raster of its own; --size chooses another size",
                         columns, rows, mesh.topology == MeshTopology::polar ? "a polar" : "this")
           : "");
-  tell_lost_intensities(options, mesh);
+  report_lost_intensities(options, mesh);
 }
 
 FloatMap read_map(const std::filesystem::path& file) {
@@ -260,17 +260,17 @@ void add_convert_command(CLI::App& app) {
       ->delimiter('x')
       ->check(CLI::Range(2, 16384))
       ->type_name("WxH");
-  IdleOptions idle(*command);
-  idle.add("unless FROM is an MPCDI file", [options] { return kind_of_source(options->from) != FileKind::mpcdi; },
-           {"--radius"});
-  idle.add("unless FROM or TO is a .data mesh",
-           [options] {
-             return kind_of_source(options->from) != FileKind::bourke && kind_of(options->to) != FileKind::bourke;
-           },
-           {"--aspect"});
-  idle.add("unless TO is a .pfm file", [options] { return kind_of(options->to) != FileKind::map; }, {"--size"});
-  command->callback([options, idle] {
-    idle.refuse();
+  IgnoredOptions ignored(*command);
+  ignored.add("unless FROM is an MPCDI file", [options] { return kind_of_source(options->from) != FileKind::mpcdi; },
+              {"--radius"});
+  ignored.add("unless FROM or TO is a .data mesh",
+              [options] {
+                return kind_of_source(options->from) != FileKind::bourke && kind_of(options->to) != FileKind::bourke;
+              },
+              {"--aspect"});
+  ignored.add("unless TO is a .pfm file", [options] { return kind_of(options->to) != FileKind::map; }, {"--size"});
+  command->callback([options, ignored] {
+    ignored.refuse();
     run(*options);
   });
 }

@@ -11,17 +11,17 @@ namespace ergodome {
 
 namespace {
 
-constexpr double most_tilt_deg = 90.0;
-constexpr double least_gamma = 0.1;
-constexpr double most_gamma = 10.0;
-constexpr double most_lift = 0.5;
+constexpr double max_tilt_deg = 90.0;
+constexpr double min_gamma = 0.1;
+constexpr double max_gamma = 10.0;
+constexpr double max_lift = 0.5;
 //! Limit of the viewer's distance from the center, as a fraction of the dome's radius: beyond it, a
 //! domemaster has no direction for much of the dome.
 constexpr double farthest_viewer = 0.95;
 
-//! Range of gains that keys can set. Setups allow gains from 0 to most_gain.
-constexpr double least_gain = 0.05;
-constexpr double most_gain = 10.0;
+//! Range of gains that keys can set. Setups allow gains from 0 to max_gain.
+constexpr double min_gain = 0.05;
+constexpr double max_gain = 10.0;
 
 //! Names, units and default steps, in the order of Adjustable. Grid points move in pixels of the
 //! raster.
@@ -54,7 +54,7 @@ double turned(double angle_deg) {
   return within == -180.0 ? 180.0 : within;
 }
 
-bool same_place(const Vector3<double>& a, const Vector3<double>& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+bool same_values(const Vector3<double>& a, const Vector3<double>& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
 }  // namespace
 
@@ -200,7 +200,7 @@ Renewal LiveCalibration::adjust(const Way& way) {
   switch (adjustable_) {
     case Adjustable::tilt:
       setup_.tilt_known = true;
-      setup_.tilt_deg = std::clamp(tidy(setup_.tilt_deg + more, step()), -most_tilt_deg, most_tilt_deg);
+      setup_.tilt_deg = std::clamp(tidy(setup_.tilt_deg + more, step()), -max_tilt_deg, max_tilt_deg);
       return Renewal::master;
     case Adjustable::rotation:
       setup_.rotation_deg = turned(tidy(setup_.rotation_deg + more, step()));
@@ -209,12 +209,12 @@ Renewal LiveCalibration::adjust(const Way& way) {
     case Adjustable::viewer:
       return adjust_viewer(way, step());
     case Adjustable::gamma:
-      projector.gamma = std::clamp(tidy(projector.gamma + more, step()), least_gamma, most_gamma);
+      projector.gamma = std::clamp(tidy(projector.gamma + more, step()), min_gamma, max_gamma);
       return Renewal::colours;
     case Adjustable::black_level:
       for (double* const lift :
            {&projector.black_level_lift.x, &projector.black_level_lift.y, &projector.black_level_lift.z}) {
-        *lift = std::clamp(tidy(*lift + more, step()), 0.0, most_lift);
+        *lift = std::clamp(tidy(*lift + more, step()), 0.0, max_lift);
       }
       return Renewal::colours;
     case Adjustable::gain:
@@ -230,7 +230,7 @@ Renewal LiveCalibration::adjust_gain(double more) {
   double* const colors[] = {&gain.x, &gain.y, &gain.z};
   for (int color = 0; color < 3; ++color) {
     if (gain_color_ == all_colors || gain_color_ == color) {
-      *colors[color] = std::clamp(tidy(*colors[color] + more, step()), least_gain, most_gain);
+      *colors[color] = std::clamp(tidy(*colors[color] + more, step()), min_gain, max_gain);
     }
   }
   return Renewal::colours;
@@ -302,11 +302,11 @@ bool LiveCalibration::unsaved() const {
   for (std::size_t i = 0; i < setup_.projectors.size(); ++i) {
     const ProjectorSetup& now = setup_.projectors[i];
     const ProjectorSetup& before = saved_.projectors[i];
-    coloured = coloured || now.gamma != before.gamma || !same_place(now.gain, before.gain) ||
-               !same_place(now.black_level_lift, before.black_level_lift);
+    coloured = coloured || now.gamma != before.gamma || !same_values(now.gain, before.gain) ||
+               !same_values(now.black_level_lift, before.black_level_lift);
   }
   return moved || coloured || setup_.tilt_deg != saved_.tilt_deg || setup_.rotation_deg != saved_.rotation_deg ||
-         !same_place(setup_.viewer_m, saved_.viewer_m);
+         !same_values(setup_.viewer_m, saved_.viewer_m);
 }
 
 std::string LiveCalibration::value() const {

@@ -41,9 +41,9 @@ void write_black_level(const std::filesystem::path& folder, const std::string& n
                        ProjectorSetup& projector) {
   // The mask of an MPCDI calibration contains the light itself, but setups limit the lift to 0.5:
   // the remaining factor goes into the mask.
-  constexpr double most_of_setups = 0.5;
+  constexpr double max_of_setups = 0.5;
   const Vector3<double>& lift = picture.black_level_lift;
-  const double rest = std::max({1.0, lift.x / most_of_setups, lift.y / most_of_setups, lift.z / most_of_setups});
+  const double rest = std::max({1.0, lift.x / max_of_setups, lift.y / max_of_setups, lift.z / max_of_setups});
   BlendMap mask = picture.black_level;
   for (float& value : mask.values) {
     value = std::min(value * static_cast<float>(rest), 1.0F);

@@ -13,7 +13,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/lens_options.h"
 #include "app/cli/progress.h"
-#include "app/commands/channels/channel_facts.h"
+#include "app/commands/channels/channel_metadata.h"
 #include "content/camera/camera_path.h"
 #include "content/files/atomic_file.h"
 #include "content/files/console.h"
@@ -54,7 +54,7 @@ class ChannelWriter {
                                                  open_stream(show, options.lens, backend));
       renderer_->overlays().set_language(options.language);
       for (const std::string& note : renderer_->notes()) {
-        tell_on_terminal(note);
+        print_note_once(note);
       }
     }
   }
@@ -73,9 +73,9 @@ class ChannelWriter {
     const Show now = show_at(show_, time_s);
     const ChannelScene scene = scene_of(now, time_s);
     const std::vector<PixelChannel> channels = channels_at(scene, time_s);
-    std::vector<ChannelFact> facts = channel_facts(now, frame, scene);
-    facts.push_back({"request", "REQUEST", requests_.at(time_s), ""});
-    write(path, scene.projection, channels, facts);
+    std::vector<MetadataEntry> metadata = channel_metadata(now, frame, scene);
+    metadata.push_back({"request", "REQUEST", requests_.at(time_s), ""});
+    write(path, scene.projection, channels, metadata);
     return false;
   }
 
@@ -98,7 +98,7 @@ class ChannelWriter {
       return image_library().whole_fits_text(path.string(), "REQUEST", channel_count()) == request;
     }
     const Projection projection = projection_of(show_at(show_, time_s));
-    return fact_of_image(path, "request") == request &&
+    return metadata_of_image(path, "request") == request &&
            is_complete_image(path, projection.width_px, projection.height_px);
   }
 
@@ -159,13 +159,13 @@ class ChannelWriter {
   }
 
   void write(const fs::path& path, const Projection& projection, const std::vector<PixelChannel>& channels,
-             const std::vector<ChannelFact>& facts) const {
+             const std::vector<MetadataEntry>& metadata) const {
     if (options_.format == "fits") {
       return write_channel_fits(path, projection.width_px, projection.height_px, channels, picture_wcs(projection),
-                                facts);
+                                metadata);
     }
     const ExrCompression compression = frame_format("exr", exr_compression(options_), false).compression;
-    write_channel_exr(path, compression, projection.width_px, projection.height_px, channels, facts);
+    write_channel_exr(path, compression, projection.width_px, projection.height_px, channels, metadata);
   }
 
   const RenderOptions& options_;
@@ -186,7 +186,7 @@ void write_channel_frames(const RenderOptions& options, const Show& show, const 
   make_folder(options.out);
   ChannelWriter writer(options, show, requests);
   if (options.format == "fits" && !picture_wcs(make_projection(show.view, 1024, 0.0))) {
-    tell_on_terminal(
+    print_note_once(
         "FITS has no projection for these frames, so they have no world coordinates; "
         "add --channels direction for each pixel's direction");
   }

@@ -58,14 +58,14 @@ void add_channel_option(CLI::App& command, RenderOptions& options) {
       ->check(problem_of_channels);
 }
 
-void add_channel_rules(const std::shared_ptr<RenderOptions>& options, IdleOptions& idle) {
-  idle.add("with --channels, which writes values of one eye and no pictures",
-           [options] { return !options->channels.empty(); },
-           {"--view", "--view-range", "--method", "--alpha", "--movie", "--pattern", "--setup", "--budget", "--check",
-            "--tint-eyes", "--baseline"});
-  idle.add("with --channels without color",
-           [options] { return !options->channels.empty() && !asks_for_light(options->channels); },
-           {"--backend", "--lens", "--trajectory", "--stream-memory", "--objects", "--language"});
+void add_channel_rules(const std::shared_ptr<RenderOptions>& options, IgnoredOptions& ignored) {
+  ignored.add("with --channels, which writes values of one eye and no pictures",
+              [options] { return !options->channels.empty(); },
+              {"--view", "--view-range", "--method", "--alpha", "--movie", "--pattern", "--setup", "--budget",
+               "--check", "--tint-eyes", "--baseline"});
+  ignored.add("with --channels without color",
+              [options] { return !options->channels.empty() && !asks_for_light(options->channels); },
+              {"--backend", "--lens", "--trajectory", "--stream-memory", "--objects", "--language"});
 }
 
 void choose_number_format(RenderOptions& options, bool format_is_given) {

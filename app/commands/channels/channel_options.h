@@ -16,7 +16,7 @@ CLI::Option* add_format_option(CLI::App& command, RenderOptions& options);
 void add_channel_option(CLI::App& command, RenderOptions& options);
 
 //! Registers the options that have no effect with --channels.
-void add_channel_rules(const std::shared_ptr<RenderOptions>& options, IdleOptions& idle);
+void add_channel_rules(const std::shared_ptr<RenderOptions>& options, IgnoredOptions& ignored);
 
 //! Chooses the format of channels if none is given. Throws UsageError if images are to be written
 //! as FITS.

@@ -62,54 +62,54 @@ double shadow_width_deg(const Show& show, double time_s) {
   return radian_deg * (edge_polar_angle(camera, chart, 0.0) + edge_polar_angle(camera, chart, pi));
 }
 
-nlohmann::json facts_of(const Show& show) {
+nlohmann::json summary_of(const Show& show) {
   const ShowNotes notes = notes_of_files(show);
   constexpr const char* observers[] = {"zamo", "static", "geodesic", "retrograde", "rain", "velocity"};
   constexpr const char* projections[] = {"dome", "equirect", "cube", "cylinder", "pinhole"};
-  nlohmann::json facts;
+  nlohmann::json summary;
   const bool one_title = show.title.size() == 1 && show.title.contains("");
-  facts["title"] = one_title ? nlohmann::json(show.title.at("")) : nlohmann::json(show.title);
-  facts["duration_s"] = show.duration_s;
-  facts["frames"] = frame_count(show);
-  facts["spin"] = show.spin;
-  facts["horizon_r"] = horizon_radius(spacetime_of(show));
-  facts["observer"] = show.camera.keys.front().velocity ? "keys" : observers[static_cast<int>(show.camera.motion)];
-  facts["sky_map"] = show.sky.map;
-  facts["projection"] = projections[static_cast<int>(show.view.projection)];
-  facts["size_px"] = show.view.size_px;
-  facts["stereo"] = stereo_layout_names[static_cast<std::size_t>(show.stereo.layout)];
-  facts["stereo_model"] = stereo_model_names[static_cast<std::size_t>(show.stereo.model)];
-  facts["baseline"] = show.stereo.baseline;
-  facts["budget_px"] = show.quality.budget_px;
-  facts["not_drawn_yet"] = nlohmann::json::array();
+  summary["title"] = one_title ? nlohmann::json(show.title.at("")) : nlohmann::json(show.title);
+  summary["duration_s"] = show.duration_s;
+  summary["frames"] = frame_count(show);
+  summary["spin"] = show.spin;
+  summary["horizon_r"] = horizon_radius(spacetime_of(show));
+  summary["observer"] = show.camera.keys.front().velocity ? "keys" : observers[static_cast<int>(show.camera.motion)];
+  summary["sky_map"] = show.sky.map;
+  summary["projection"] = projections[static_cast<int>(show.view.projection)];
+  summary["size_px"] = show.view.size_px;
+  summary["stereo"] = stereo_layout_names[static_cast<std::size_t>(show.stereo.layout)];
+  summary["stereo_model"] = stereo_model_names[static_cast<std::size_t>(show.stereo.model)];
+  summary["baseline"] = show.stereo.baseline;
+  summary["budget_px"] = show.quality.budget_px;
+  summary["not_drawn_yet"] = nlohmann::json::array();
   for (const MissingFeature& missing : missing_features(show)) {
-    facts["not_drawn_yet"].push_back(missing.problem);
+    summary["not_drawn_yet"].push_back(missing.problem);
   }
-  facts["timeline"] = facts_of_timeline(show, notes.unusable);
-  facts["idle"] = facts_of_idle_lines(show);
-  facts["notes"] = notes.unseen;
-  facts["maps"] = notes.repaired;
-  facts["meshes"] = facts_of_meshes(show, notes.meshes);
+  summary["timeline"] = summary_of_timeline(show, notes.unusable);
+  summary["idle"] = summary_of_unused_keys(show);
+  summary["notes"] = notes.unseen;
+  summary["maps"] = notes.repaired;
+  summary["meshes"] = summary_of_meshes(show, notes.meshes);
   if (notes.stars) {
-    facts["stars"] = facts_of_stars(show, notes);
+    summary["stars"] = summary_of_stars(show, notes);
   }
-  if (const auto narrowed = narrowed_path(show)) {
-    facts["narrowed_eyes"] = facts_of(*narrowed);
-    facts["narrowed_eyes"]["note"] = note_of(show, *narrowed);
+  if (const auto reduced = baseline_reductions(show)) {
+    summary["narrowed_eyes"] = summary_of(*reduced);
+    summary["narrowed_eyes"]["note"] = note_of(show, *reduced);
   }
   if (show.camera.orbit) {
-    facts["fall"] = facts_of_fall(show);
+    summary["fall"] = summary_of_fall(show);
   }
   for (const CameraKey& key : show.camera.keys) {
     const CameraPose pose = camera_pose(show, key.time_s);
-    facts["keys"].push_back({{"t_s", key.time_s},
-                             {"r", pose.r},
-                             {"theta_deg", pose.theta * radian_deg},
-                             {"phi_deg", pose.phi * radian_deg},
-                             {"shadow_width_deg", shadow_width_deg(show, key.time_s)},
-                             {"after_end", key.time_s > show.duration_s}});
+    summary["keys"].push_back({{"t_s", key.time_s},
+                               {"r", pose.r},
+                               {"theta_deg", pose.theta * radian_deg},
+                               {"phi_deg", pose.phi * radian_deg},
+                               {"shadow_width_deg", shadow_width_deg(show, key.time_s)},
+                               {"after_end", key.time_s > show.duration_s}});
   }
-  return facts;
+  return summary;
 }
 
 void print_sentences(const char* heading, const nlohmann::json& sentences) {
@@ -130,8 +130,8 @@ std::string title_of(const nlohmann::json& titles) {
   return titles.empty() ? "" : titles.value("en", titles.front().get<std::string>());
 }
 
-void print_facts(const nlohmann::json& facts) {
-  for (const auto& [name, value] : facts.items()) {
+void print_summary(const nlohmann::json& summary) {
+  for (const auto& [name, value] : summary.items()) {
     // Parts of the summary that are printed separately.
     constexpr std::array apart = {"keys",  "fall",          "grid", "timeline", "idle",
                                   "notes", "narrowed_eyes", "maps", "meshes",   "stars"};
@@ -139,33 +139,33 @@ void print_facts(const nlohmann::json& facts) {
       print_out("{:<16}{}\n", name, name == "title" && value.is_object() ? title_of(value) : text_of_value(value));
     }
   }
-  if (facts.contains("stars")) {
-    print_stars(facts["stars"]);
+  if (summary.contains("stars")) {
+    print_stars(summary["stars"]);
   }
-  if (facts.contains("keys")) {
+  if (summary.contains("keys")) {
     print_out("\n{:>10} {:>12} {:>12} {:>12} {:>18}\n", "t [s]", "r [M]", "theta [deg]", "phi [deg]",
               "shadow width [deg]");
-    for (const auto& key : facts["keys"]) {
+    for (const auto& key : summary["keys"]) {
       print_out("{:>10.3f} {:>12.6g} {:>12.4f} {:>12.4f} {:>18.4f}{}\n", key["t_s"].get<double>(),
                 key["r"].get<double>(), key["theta_deg"].get<double>(), key["phi_deg"].get<double>(),
                 key["shadow_width_deg"].get<double>(), key["after_end"].get<bool>() ? "  AFTER THE END" : "");
     }
   }
-  if (facts.contains("fall")) {
-    print_fall(facts["fall"]);
+  if (summary.contains("fall")) {
+    print_fall(summary["fall"]);
   }
-  if (facts.contains("timeline")) {
-    print_timeline(facts["timeline"]);
+  if (summary.contains("timeline")) {
+    print_timeline(summary["timeline"]);
   }
-  if (facts.contains("idle")) {
-    print_idle_lines(facts["idle"]);
+  if (summary.contains("idle")) {
+    print_unused_keys(summary["idle"]);
   }
-  if (facts.contains("narrowed_eyes")) {
-    print_out("\nreduced baseline\n  {}\n", facts["narrowed_eyes"]["note"].get<std::string>());
+  if (summary.contains("narrowed_eyes")) {
+    print_out("\nreduced baseline\n  {}\n", summary["narrowed_eyes"]["note"].get<std::string>());
   }
-  print_sentences("not visible", facts.value("notes", nlohmann::json::array()));
-  print_sentences("maps", facts.value("maps", nlohmann::json::array()));
-  print_meshes(facts.value("meshes", nlohmann::json::array()));
+  print_sentences("not visible", summary.value("notes", nlohmann::json::array()));
+  print_sentences("maps", summary.value("maps", nlohmann::json::array()));
+  print_meshes(summary.value("meshes", nlohmann::json::array()));
 }
 
 void print_grid(const nlohmann::json& grid) {
@@ -181,25 +181,25 @@ void print_grid(const nlohmann::json& grid) {
   }
 }
 
-nlohmann::json facts_of(const EnvironmentImage& image) {
+nlohmann::json summary_of(const EnvironmentImage& image) {
   double sum[3] = {0.0, 0.0, 0.0};
   for (std::size_t i = 0; i < image.rgb.size(); ++i) {
     sum[i % 3] += image.rgb[i];
   }
   const double texels = static_cast<double>(image.width) * image.height;
-  nlohmann::json facts = {{"name", image.name},
-                          {"width", image.file_width},
-                          {"height", image.file_width / 2},
-                          {"read_width", image.width},
-                          {"repaired_texels", image.repaired.all()},
-                          {"mean_light", {sum[0] / texels, sum[1] / texels, sum[2] / texels}}};
+  nlohmann::json summary = {{"name", image.name},
+                            {"width", image.file_width},
+                            {"height", image.file_width / 2},
+                            {"read_width", image.width},
+                            {"repaired_texels", image.repaired.all()},
+                            {"mean_light", {sum[0] / texels, sum[1] / texels, sum[2] / texels}}};
   if (image.repaired.all() > 0) {
-    facts["repaired"] = repair_text(image.repaired);
-    facts["too_bright"] = image.repaired.too_bright;
-    facts["below_zero"] = image.repaired.below_zero;
-    facts["not_a_number"] = image.repaired.not_numbers;
+    summary["repaired"] = repair_text(image.repaired);
+    summary["too_bright"] = image.repaired.too_bright;
+    summary["below_zero"] = image.repaired.below_zero;
+    summary["not_a_number"] = image.repaired.not_numbers;
   }
-  return facts;
+  return summary;
 }
 
 //! Builds the lens grid for a picture of the show, at the show's budget and size.
@@ -212,9 +212,10 @@ LensStation grid_of(const Show& show, double time_s, GridSettings& settings, Gri
 }
 
 //! Draws the grid of a station and adds its statistics to the summary.
-void inspect_grid(const LensStation& station, double budget_px, const InspectOptions& options, nlohmann::json& facts) {
+void inspect_grid(const LensStation& station, double budget_px, const InspectOptions& options,
+                  nlohmann::json& summary) {
   write_png(options.picture, draw_grid(station, options.size_px, budget_px), options.size_px, options.size_px);
-  nlohmann::json& grid = facts["grid"];
+  nlohmann::json& grid = summary["grid"];
   const std::vector<bool> flagged = flagged_leaves(station);
   grid = {{"r", station.r},
           {"theta_deg", station.theta * radian_deg},
@@ -232,29 +233,31 @@ void inspect_grid(const LensStation& station, double budget_px, const InspectOpt
 bool is_image(const std::filesystem::path& file) { return file.has_extension() && file.extension() != ".toml"; }
 
 void run_for_trajectory(const InspectOptions& options) {
-  nlohmann::json facts = facts_of_trajectory(options.file);
+  nlohmann::json summary = summary_of_trajectory(options.file);
   if (!options.picture.empty()) {
-    inspect_grid(station_of_trajectory(options.file, options.time_s), facts["budget_px"].get<double>(), options, facts);
+    inspect_grid(station_of_trajectory(options.file, options.time_s), summary["budget_px"].get<double>(), options,
+                 summary);
   }
   if (options.json) {
-    print_out("{}\n", json_text(facts));
+    print_out("{}\n", json_text(summary));
   } else {
-    print_trajectory(facts);
-    if (facts.contains("grid")) {
-      print_grid(facts["grid"]);
+    print_trajectory(summary);
+    if (summary.contains("grid")) {
+      print_grid(summary["grid"]);
     }
   }
-  if (!facts["damaged"].empty()) {
-    throw Error(options.file,
-                fmt::format("{} of {} {} damaged", facts["damaged"].size(),
-                            counted(facts["stations"].size(), "station"), facts["damaged"].size() == 1 ? "is" : "are"),
-                "bake the show again; until then, playback interpolates across the damaged ones");
+  if (!summary["damaged"].empty()) {
+    throw Error(
+        options.file,
+        fmt::format("{} of {} {} damaged", summary["damaged"].size(), counted(summary["stations"].size(), "station"),
+                    summary["damaged"].size() == 1 ? "is" : "are"),
+        "bake the show again; until then, playback interpolates across the damaged ones");
   }
 }
 
 //! Throws Error if a show names files that cannot be used. The summary lists them.
-void require_usable_files(const std::string& show, const nlohmann::json& facts) {
-  const FaultyFiles files = facts.contains("timeline") ? faulty_files(facts["timeline"]) : FaultyFiles{};
+void require_usable_files(const std::string& show, const nlohmann::json& summary) {
+  const FaultyFiles files = summary.contains("timeline") ? faulty_files(summary["timeline"]) : FaultyFiles{};
   if (files.faulty > 0) {
     throw Error(show, fmt::format("{} of {} cannot be used", files.faulty, counted(files.all, "referenced file")),
                 "see the list above");
@@ -270,38 +273,38 @@ void run(const InspectOptions& options) {
   }
   require_inspectable(file);
   if (is_dome_setup(options.file)) {
-    const nlohmann::json facts = inspect_setup(options.file, options.picture, options.size_px);
+    const nlohmann::json summary = inspect_setup(options.file, options.picture, options.size_px);
     if (options.json) {
-      print_out("{}\n", json_text(facts));
+      print_out("{}\n", json_text(summary));
     } else {
-      print_setup(facts);
+      print_setup(summary);
     }
     return;
   }
-  nlohmann::json facts;
+  nlohmann::json summary;
   if (is_image(file)) {
-    facts = facts_of(read_environment_image(options.file));
+    summary = summary_of(read_environment_image(options.file));
   } else {
     const Show show = load_show(options.file, options.set);
-    facts = facts_of(show);
+    summary = summary_of(show);
     if (!options.picture.empty()) {
       require_time("inspect --time", show, options.time_s);
       GridSettings settings;
       GridStatistics statistics;
       const LensStation station = grid_of(show, options.time_s, settings, statistics);
-      inspect_grid(station, settings.budget_px, options, facts);
-      facts["grid"]["left_to_rays_px"] = std::round(statistics.flagged_px);
+      inspect_grid(station, settings.budget_px, options, summary);
+      summary["grid"]["left_to_rays_px"] = std::round(statistics.flagged_px);
     }
   }
   if (options.json) {
-    print_out("{}\n", json_text(facts));
+    print_out("{}\n", json_text(summary));
   } else {
-    print_facts(facts);
-    if (facts.contains("grid")) {
-      print_grid(facts["grid"]);
+    print_summary(summary);
+    if (summary.contains("grid")) {
+      print_grid(summary["grid"]);
     }
   }
-  require_usable_files(options.file, facts);
+  require_usable_files(options.file, summary);
 }
 
 }  // namespace
@@ -329,13 +332,13 @@ void add_inspect_command(CLI::App& app) {
       ->needs(picture)
       ->capture_default_str();
   command->add_flag("--json", options->json, "print JSON");
-  IdleOptions idle(*command);
-  idle.add("for a sky map", [options] { return !is_trajectory(options->file) && is_image(options->file); },
-           {"--picture", "--set"});
-  idle.add("for a dome setup", [options] { return is_dome_setup(options->file); }, {"--time", "--set"});
-  idle.add("for a trajectory", [options] { return is_trajectory(options->file); }, {"--set"});
-  command->callback([options, idle] {
-    idle.refuse();
+  IgnoredOptions ignored(*command);
+  ignored.add("for a sky map", [options] { return !is_trajectory(options->file) && is_image(options->file); },
+              {"--picture", "--set"});
+  ignored.add("for a dome setup", [options] { return is_dome_setup(options->file); }, {"--time", "--set"});
+  ignored.add("for a trajectory", [options] { return is_trajectory(options->file); }, {"--set"});
+  command->callback([options, ignored] {
+    ignored.refuse();
     run(*options);
   });
 }

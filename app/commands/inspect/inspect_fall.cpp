@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t most_turns_printed = 24;
+constexpr std::size_t max_turns_printed = 24;
 
 //! Returns the speed against the ZAMO; inside the horizon, where there is no ZAMO, against the rain
 //! frame.
@@ -29,77 +29,77 @@ double speed_at(const Show& show, double time_s) {
 
 }  // namespace
 
-json facts_of_fall(const Show& show) {
+json summary_of_fall(const Show& show) {
   constexpr const char* kinds[] = {"nearest", "farthest", "northernmost", "southernmost"};
   const FreeFall& orbit = *show.camera.orbit;
   const double begin_s = orbit.begin_s();
   const double end_s = orbit.until_s().value_or(show.duration_s);
-  const FallPlace end = orbit.at(end_s);
-  json facts = {{"t_s", begin_s},
-                {"until_s", end_s},
-                {"beta", speed_at(show, begin_s)},
-                {"own_time", orbit.proper_time(end_s)},
-                {"rounds", orbit.swept_angle(end_s) / (2.0 * pi)},
-                {"end", {{"r", end.r}, {"theta_deg", end.theta * radian_deg}, {"beta", speed_at(show, end_s)}}},
-                {"turns", json::array()}};
+  const FallPosition end = orbit.at(end_s);
+  json summary = {{"t_s", begin_s},
+                  {"until_s", end_s},
+                  {"beta", speed_at(show, begin_s)},
+                  {"own_time", orbit.proper_time(end_s)},
+                  {"rounds", orbit.swept_angle(end_s) / (2.0 * pi)},
+                  {"end", {{"r", end.r}, {"theta_deg", end.theta * radian_deg}, {"beta", speed_at(show, end_s)}}},
+                  {"turns", json::array()}};
   double least_r = std::min(orbit.start().r, end.r);
   for (const FallTurn& turn : orbit.turns()) {
     if (turn.time_s <= end_s) {
       least_r = std::min(least_r, turn.r);
-      facts["turns"].push_back({{"kind", kinds[static_cast<int>(turn.kind)]},
-                                {"t_s", turn.time_s},
-                                {"r", turn.r},
-                                {"theta_deg", turn.theta * radian_deg},
-                                {"beta", speed_at(show, turn.time_s)}});
+      summary["turns"].push_back({{"kind", kinds[static_cast<int>(turn.kind)]},
+                                  {"t_s", turn.time_s},
+                                  {"r", turn.r},
+                                  {"theta_deg", turn.theta * radian_deg},
+                                  {"beta", speed_at(show, turn.time_s)}});
     }
   }
-  facts["least_r"] = least_r;
+  summary["least_r"] = least_r;
   if (orbit.leads_within() && orbit.horizon_s() && *orbit.horizon_s() <= end_s) {
-    const FallPlace place = orbit.at(*orbit.horizon_s());
-    facts["horizon"] = {
-        {"t_s", *orbit.horizon_s()}, {"r", place.r}, {"theta_deg", place.theta * radian_deg}, {"beta", 1.0}};
+    const FallPosition position = orbit.at(*orbit.horizon_s());
+    summary["horizon"] = {
+        {"t_s", *orbit.horizon_s()}, {"r", position.r}, {"theta_deg", position.theta * radian_deg}, {"beta", 1.0}};
   }
   if (orbit.stop_s() && *orbit.stop_s() <= end_s) {
-    facts["stop_s"] = *orbit.stop_s();
+    summary["stop_s"] = *orbit.stop_s();
   }
-  return facts;
+  return summary;
 }
 
-void print_fall(const json& facts) {
+void print_fall(const json& summary) {
   print_out(
       "\nfree fall from {:.3f} s to {:.3f} s: initial speed {:.4f} c, proper time {:.6g} M, {:.2f} turns around the "
       "hole, smallest radius {:.6g} M\n",
-      facts["t_s"].get<double>(), facts["until_s"].get<double>(), facts["beta"].get<double>(),
-      facts["own_time"].get<double>(), facts["rounds"].get<double>(), facts["least_r"].get<double>());
+      summary["t_s"].get<double>(), summary["until_s"].get<double>(), summary["beta"].get<double>(),
+      summary["own_time"].get<double>(), summary["rounds"].get<double>(), summary["least_r"].get<double>());
   const auto line = [](double time_s, const json& at, const std::string& what) {
     print_out("{:>10.3f} {:>12.6g} {:>12.4f} {:>10.4f}  {}\n", time_s, at["r"].get<double>(),
               at["theta_deg"].get<double>(), at["beta"].get<double>(), what);
   };
-  if (facts["turns"].empty() && !facts.contains("stop_s") && !facts.contains("horizon")) {
+  if (summary["turns"].empty() && !summary.contains("stop_s") && !summary.contains("horizon")) {
     return;
   }
   print_out("{:>10} {:>12} {:>12} {:>10}\n", "t [s]", "r [M]", "theta [deg]", "speed [c]");
-  const double crossing_s = facts.contains("horizon") ? facts["horizon"]["t_s"].get<double>() : INFINITY;
-  bool crosses = facts.contains("horizon");
+  const double crossing_s = summary.contains("horizon") ? summary["horizon"]["t_s"].get<double>() : INFINITY;
+  bool crosses = summary.contains("horizon");
   const auto cross_before = [&](double time_s) {
     if (crosses && crossing_s < time_s) {
-      line(crossing_s, facts["horizon"], "crosses the horizon; from here on, speeds are relative to the rain frame");
+      line(crossing_s, summary["horizon"], "crosses the horizon; from here on, speeds are relative to the rain frame");
       crosses = false;
     }
   };
   std::size_t printed = 0;
-  for (const json& turn : facts["turns"]) {
+  for (const json& turn : summary["turns"]) {
     const auto time_s = turn["t_s"].get<double>();
     cross_before(time_s);
-    if (++printed > most_turns_printed) {
-      print_out("and {} more\n", counted(facts["turns"].size() - most_turns_printed, "turning point"));
+    if (++printed > max_turns_printed) {
+      print_out("and {} more\n", counted(summary["turns"].size() - max_turns_printed, "turning point"));
       break;
     }
     line(time_s, turn, turn["kind"].get<std::string>());
   }
   cross_before(INFINITY);
-  if (facts.contains("stop_s")) {
-    line(facts["stop_s"].get<double>(), facts["end"], "the fall stops: its clock is at rest");
+  if (summary.contains("stop_s")) {
+    line(summary["stop_s"].get<double>(), summary["end"], "the fall stops: its clock is at rest");
   }
 }
 

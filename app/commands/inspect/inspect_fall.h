@@ -9,9 +9,9 @@ namespace ergodome {
 //! Returns the summary of the free fall of a show's camera until it or the show ends: closest
 //! approach, revolutions, turning points and their times, and where proper time stops. The show
 //! must have a fall.
-nlohmann::json facts_of_fall(const Show& show);
+nlohmann::json summary_of_fall(const Show& show);
 
-//! Prints the summary that facts_of_fall() returns.
-void print_fall(const nlohmann::json& facts);
+//! Prints the summary that summary_of_fall() returns.
+void print_fall(const nlohmann::json& summary);
 
 }  // namespace ergodome

@@ -23,23 +23,23 @@ const char* lens_word(const Lens& lens) {
   return words[lens.index()];
 }
 
-nlohmann::json facts_of(const ProjectorSetup& projector, const ProjectorPicture& picture, double lit_part) {
-  nlohmann::json facts = {{"name", projector.name},
-                          {"width_px", projector.width_px},
-                          {"height_px", projector.height_px},
-                          {"lens", lens_word(projector.lens)},
-                          {"warp", projector.warp ? projector.warp->file : "from geometry"},
-                          {"columns", picture.warp.columns},
-                          {"rows", picture.warp.rows},
-                          {"blend_mask", picture.blend.width > 0},
-                          {"gamma", projector.gamma},
-                          {"lit_part", lit_part}};
+nlohmann::json summary_of(const ProjectorSetup& projector, const ProjectorPicture& picture, double lit_part) {
+  nlohmann::json summary = {{"name", projector.name},
+                            {"width_px", projector.width_px},
+                            {"height_px", projector.height_px},
+                            {"lens", lens_word(projector.lens)},
+                            {"warp", projector.warp ? projector.warp->file : "from geometry"},
+                            {"columns", picture.warp.columns},
+                            {"rows", picture.warp.rows},
+                            {"blend_mask", picture.blend.width > 0},
+                            {"gamma", projector.gamma},
+                            {"lit_part", lit_part}};
   if (projector.output.monitor) {
-    facts["monitor"] = *projector.output.monitor;
+    summary["monitor"] = *projector.output.monitor;
   } else {
-    facts["window_px"] = {projector.output.window_x_px, projector.output.window_y_px};
+    summary["window_px"] = {projector.output.window_x_px, projector.output.window_y_px};
   }
-  return facts;
+  return summary;
 }
 
 //! Returns a note if a rectangular Bourke mesh fills the height of its raster but not its width, or
@@ -113,29 +113,29 @@ nlohmann::json inspect_setup(const std::string& file, const std::string& picture
   const DomeSetup setup = read_dome_setup(file);
   const std::vector<ProjectorPicture> pictures = projector_pictures(setup);
   const std::vector<double> lit = lit_parts(pictures);
-  nlohmann::json facts = {{"radius_m", setup.radius_m},
-                          {"tilt_deg", setup.tilt_deg},
-                          {"rotation_deg", setup.rotation_deg},
-                          {"enough_master_px", enough_master_px(pictures)},
-                          {"dark_part", lit.back()}};
+  nlohmann::json summary = {{"radius_m", setup.radius_m},
+                            {"tilt_deg", setup.tilt_deg},
+                            {"rotation_deg", setup.rotation_deg},
+                            {"enough_master_px", enough_master_px(pictures)},
+                            {"dark_part", lit.back()}};
   for (std::size_t i = 0; i < pictures.size(); ++i) {
-    facts["projectors"].push_back(facts_of(setup.projectors[i], pictures[i], lit[i]));
+    summary["projectors"].push_back(summary_of(setup.projectors[i], pictures[i], lit[i]));
   }
-  facts["notes"] = remarks_on(setup, pictures);
+  summary["notes"] = remarks_on(setup, pictures);
   if (!picture.empty()) {
     write_picture(picture, {}, draw_setup(pictures, size_px), {});
   }
-  return facts;
+  return summary;
 }
 
-void print_setup(const nlohmann::json& facts) {
+void print_setup(const nlohmann::json& summary) {
   for (const char* name : {"radius_m", "tilt_deg", "rotation_deg", "enough_master_px"}) {
-    print_out("{:<18}{}\n", name, facts[name].dump());
+    print_out("{:<18}{}\n", name, summary[name].dump());
   }
   print_out("\n{:>3} {:<16} {:>11} {:>8} {:>11} {:>6} {:>8}  {}\n", "", "projector", "raster", "lens", "warp", "mask",
             "dome lit", "warp from");
   int number = 0;
-  for (const auto& projector : facts["projectors"]) {
+  for (const auto& projector : summary["projectors"]) {
     print_out("{:>3} {:<16} {:>11} {:>8} {:>11} {:>6} {:>6.1f} %  {}\n", ++number, projector["name"].get<std::string>(),
               fmt::format("{} x {}", projector["width_px"].get<int>(), projector["height_px"].get<int>()),
               projector["lens"].get<std::string>(),
@@ -143,8 +143,8 @@ void print_setup(const nlohmann::json& facts) {
               projector["blend_mask"].get<bool>() ? "yes" : "no", 100.0 * projector["lit_part"].get<double>(),
               projector["warp"].get<std::string>());
   }
-  print_out("{:.1f} % of the dome is lit by no projector\n", 100.0 * facts["dark_part"].get<double>());
-  for (const auto& note : facts["notes"]) {
+  print_out("{:.1f} % of the dome is lit by no projector\n", 100.0 * summary["dark_part"].get<double>());
+  for (const auto& note : summary["notes"]) {
     print_out("{}\n", note.get<std::string>());
   }
 }

@@ -18,6 +18,6 @@ inline constexpr const char* outside_note =
     " is outside the dome's sphere: only light that enters below the rim reaches the dome";
 
 //! Prints the summary that inspect_setup() returns.
-void print_setup(const nlohmann::json& facts);
+void print_setup(const nlohmann::json& summary);
 
 }  // namespace ergodome

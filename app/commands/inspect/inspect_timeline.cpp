@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-json file_facts(const Show& show, const NamedFile& file, const std::map<std::string, std::string>& unusable) {
+json file_summary(const Show& show, const NamedFile& file, const std::map<std::string, std::string>& unusable) {
   const auto problem = unusable.find(file.key);
   return {{"file", file.name},
           {"there", is_there(show, file.name)},
@@ -23,7 +23,7 @@ json file_facts(const Show& show, const NamedFile& file, const std::map<std::str
           {"problem", problem == unusable.end() ? "" : problem->second}};
 }
 
-json presence_facts(const Presence& presence) { return {{"from_s", presence.from_s}, {"to_s", presence.to_s}}; }
+json presence_summary(const Presence& presence) { return {{"from_s", presence.from_s}, {"to_s", presence.to_s}}; }
 
 //! Returns words as printed: on one line, of limited length.
 std::string shown(const LocalText& text) {
@@ -43,62 +43,62 @@ std::string shown(const LocalText& text) {
 
 std::string shown(const json& text) { return shown(text.get<LocalText>()); }
 
-void print_file(const json& facts, const std::string& more) {
-  const char* const missing = facts["there"].get<bool>()    ? ""
-                              : facts["folder"].get<bool>() ? "  IS A FOLDER, NOT A FILE"
-                                                            : "  MISSING";
-  print_out("  {:<40} {}{}\n", facts["file"].get<std::string>(), more, missing);
-  if (!facts["problem"].get<std::string>().empty()) {
-    print_out("    CANNOT BE USED: {}\n", facts["problem"].get<std::string>());
+void print_file(const json& summary, const std::string& more) {
+  const char* const missing = summary["there"].get<bool>()    ? ""
+                              : summary["folder"].get<bool>() ? "  IS A FOLDER, NOT A FILE"
+                                                              : "  MISSING";
+  print_out("  {:<40} {}{}\n", summary["file"].get<std::string>(), more, missing);
+  if (!summary["problem"].get<std::string>().empty()) {
+    print_out("    CANNOT BE USED: {}\n", summary["problem"].get<std::string>());
   }
 }
 
-std::string times(const json& facts) {
-  return fmt::format("{:>9.3f} s to {:>9.3f} s", facts["from_s"].get<double>(), facts["to_s"].get<double>());
+std::string times(const json& summary) {
+  return fmt::format("{:>9.3f} s to {:>9.3f} s", summary["from_s"].get<double>(), summary["to_s"].get<double>());
 }
 
 }  // namespace
 
-json facts_of_timeline(const Show& show, const std::map<std::string, std::string>& unusable) {
+json summary_of_timeline(const Show& show, const std::map<std::string, std::string>& unusable) {
   const Timeline& timeline = show.timeline;
-  json facts = {{"languages", languages(show)}, {"duration_s", show.duration_s}};
+  json summary = {{"languages", languages(show)}, {"duration_s", show.duration_s}};
   for (const NamedFile& file : files_of_pictures(show)) {
-    json& added = facts["files"].emplace_back(file_facts(show, file, unusable));
+    json& added = summary["files"].emplace_back(file_summary(show, file, unusable));
     added["key"] = file.key;
   }
   for (const Animation& animation : timeline.animations) {
     const NumberLimits range = range_of(animation);
-    facts["animated"].push_back({{"number", animation.path},
-                                 {"keys", animation.keys.size()},
-                                 {"from_s", animation.keys.front().time_s},
-                                 {"to_s", animation.keys.back().time_s},
-                                 {"ends_after_end", animation.keys.back().time_s > show.duration_s},
-                                 {"least", range.least},
-                                 {"greatest", range.greatest}});
+    summary["animated"].push_back({{"number", animation.path},
+                                   {"keys", animation.keys.size()},
+                                   {"from_s", animation.keys.front().time_s},
+                                   {"to_s", animation.keys.back().time_s},
+                                   {"ends_after_end", animation.keys.back().time_s > show.duration_s},
+                                   {"least", range.minimum},
+                                   {"greatest", range.maximum}});
   }
   for (const Chapter& chapter : timeline.chapters) {
-    facts["chapters"].push_back({{"t_s", chapter.time_s}, {"title", chapter.title}});
+    summary["chapters"].push_back({{"t_s", chapter.time_s}, {"title", chapter.title}});
   }
   for (const Caption& caption : timeline.captions) {
-    json& added = facts["captions"].emplace_back(presence_facts(caption.presence));
+    json& added = summary["captions"].emplace_back(presence_summary(caption.presence));
     added["text"] = caption.text;
   }
   for (std::size_t i = 0; i < timeline.overlays.size(); ++i) {
     const Overlay& overlay = timeline.overlays[i];
     const NamedFile file = {fmt::format("overlay[{}].image", i), overlay.image};
-    json& added = facts["overlays"].emplace_back(file_facts(show, file, unusable));
-    added.update(presence_facts(overlay.presence));
+    json& added = summary["overlays"].emplace_back(file_summary(show, file, unusable));
+    added.update(presence_summary(overlay.presence));
     added["fisheye"] = overlay.fisheye;
   }
   for (std::size_t i = 0; i < timeline.audio.size(); ++i) {
     const AudioTrack& track = timeline.audio[i];
     json& added =
-        facts["audio"].emplace_back(file_facts(show, {fmt::format("audio[{}].file", i), track.file}, unusable));
+        summary["audio"].emplace_back(file_summary(show, {fmt::format("audio[{}].file", i), track.file}, unusable));
     added.update({{"from_s", track.from_s}, {"language", track.language}, {"loop", track.loop}});
   }
   const auto mark_late = [&](const char* list, const char* start) {
-    if (facts.contains(list)) {
-      for (json& one : facts[list]) {
+    if (summary.contains(list)) {
+      for (json& one : summary[list]) {
         one["after_end"] = one[start].get<double>() > show.duration_s;
       }
     }
@@ -108,20 +108,20 @@ json facts_of_timeline(const Show& show, const std::map<std::string, std::string
   mark_late("captions", "from_s");
   mark_late("overlays", "from_s");
   mark_late("audio", "from_s");
-  return facts;
+  return summary;
 }
 
-void print_timeline(const json& facts) {
+void print_timeline(const json& summary) {
   const auto each = [&](const char* name, const auto& print_one) {
-    if (facts.contains(name)) {
+    if (summary.contains(name)) {
       print_out("\n{}\n", name);
-      for (const json& one : facts[name]) {
+      for (const json& one : summary[name]) {
         print_one(one);
       }
     }
   };
-  if (!facts["languages"].empty()) {
-    print_out("{:<16}{}\n", "languages", fmt::join(facts["languages"].get<std::vector<std::string>>(), ", "));
+  if (!summary["languages"].empty()) {
+    print_out("{:<16}{}\n", "languages", fmt::join(summary["languages"].get<std::vector<std::string>>(), ", "));
   }
   const auto late = [](const json& one) { return one["after_end"].get<bool>() ? "  AFTER THE END" : ""; };
   each("files", [](const json& one) { print_file(one, one["key"].get<std::string>()); });
@@ -146,10 +146,10 @@ void print_timeline(const json& facts) {
   });
 }
 
-FaultyFiles faulty_files(const json& facts) {
+FaultyFiles faulty_files(const json& summary) {
   FaultyFiles files;
   for (const char* const list : {"files", "overlays", "audio"}) {
-    for (const json& file : facts.value(list, json::array())) {
+    for (const json& file : summary.value(list, json::array())) {
       ++files.all;
       files.faulty += file["there"].get<bool>() && file["problem"].get<std::string>().empty() ? 0 : 1;
     }

@@ -17,7 +17,7 @@ namespace ergodome {
 
 namespace {
 
-nlohmann::json facts_of(const StationEntry& station) {
+nlohmann::json summary_of(const StationEntry& station) {
   return {{"t_s", station.time_s},
           {"r", station.r},
           {"theta_deg", station.theta * radian_deg},
@@ -49,47 +49,47 @@ void require_finished_trajectory(const std::filesystem::path& file) {
   }
 }
 
-nlohmann::json facts_of_trajectory(const std::filesystem::path& file) {
+nlohmann::json summary_of_trajectory(const std::filesystem::path& file) {
   const TrajectoryReader trajectory(file);
   const TrajectoryProvenance& from = trajectory.provenance();
-  nlohmann::json facts = {{"file", file.string()},
-                          {"bytes", trajectory.file_bytes()},
-                          {"spin", from.spacetime.spin},
-                          {"budget_px", from.budget_px},
-                          {"pixel_arcmin", from.pixel * radian_deg * 60.0},
-                          {"derivatives", from.derivatives},
-                          {"disk", from.disk},
-                          {"code_version", from.code_version},
-                          {"show", from.show_text},
-                          {"stations", nlohmann::json::array()},
-                          {"damaged", nlohmann::json::array()}};
+  nlohmann::json summary = {{"file", file.string()},
+                            {"bytes", trajectory.file_bytes()},
+                            {"spin", from.spacetime.spin},
+                            {"budget_px", from.budget_px},
+                            {"pixel_arcmin", from.pixel * radian_deg * 60.0},
+                            {"derivatives", from.derivatives},
+                            {"disk", from.disk},
+                            {"code_version", from.code_version},
+                            {"show", from.show_text},
+                            {"stations", nlohmann::json::array()},
+                            {"damaged", nlohmann::json::array()}};
   Progress progress("reading", static_cast<long>(trajectory.stations().size()));
   for (std::size_t i = 0; i < trajectory.stations().size(); ++i) {
-    facts["stations"].push_back(facts_of(trajectory.stations()[i]));
+    summary["stations"].push_back(summary_of(trajectory.stations()[i]));
     try {
       (void)trajectory.read(i);
       if (trajectory.stations()[i].disk_bytes > 0) {
         (void)trajectory.read_disk(i);
       }
     } catch (const Error& problem) {
-      facts["damaged"].push_back(problem.what());
+      summary["damaged"].push_back(problem.what());
     }
     progress.advance_to(static_cast<long>(i));
   }
-  return facts;
+  return summary;
 }
 
-void print_trajectory(const nlohmann::json& facts) {
-  constexpr std::size_t most_lines = 40;
+void print_trajectory(const nlohmann::json& summary) {
+  constexpr std::size_t max_lines = 40;
   for (const char* name :
        {"file", "bytes", "spin", "budget_px", "pixel_arcmin", "derivatives", "disk", "code_version"}) {
-    print_out("{:<16}{}\n", name, facts[name].is_string() ? facts[name].get<std::string>() : facts[name].dump());
+    print_out("{:<16}{}\n", name, summary[name].is_string() ? summary[name].get<std::string>() : summary[name].dump());
   }
-  const auto& stations = facts["stations"];
-  const bool disk = facts["disk"].get<bool>();
+  const auto& stations = summary["stations"];
+  const bool disk = summary["disk"].get<bool>();
   print_out("{:<16}{}\n\n{:>10} {:>12} {:>12} {:>8} {:>10} {:>14}{}\n", "stations", stations.size(), "t [s]", "r [M]",
             "theta [deg]", "nodes", "bytes", "gap error [px]", disk ? "   disk bytes disk gap [px]" : "");
-  for (std::size_t i = 0; i < stations.size(); i += std::max<std::size_t>(1, stations.size() / most_lines)) {
+  for (std::size_t i = 0; i < stations.size(); i += std::max<std::size_t>(1, stations.size() / max_lines)) {
     const auto& s = stations[i];
     const bool last = s["gap_error_px"].get<double>() < 0.0;
     const auto error = [&](const char* name) {
@@ -97,14 +97,14 @@ void print_trajectory(const nlohmann::json& facts) {
     };
     // If blending the disk between two stations exceeds the budget, the disk's grid is built live
     // instead.
-    const bool live = s["disk_gap_error_px"].get<double>() > facts["budget_px"].get<double>();
+    const bool live = s["disk_gap_error_px"].get<double>() > summary["budget_px"].get<double>();
     print_out(
         "{:>10.3f} {:>12.6g} {:>12.4f} {:>8} {:>10} {:>14}{}\n", s["t_s"].get<double>(), s["r"].get<double>(),
         s["theta_deg"].get<double>(), s["nodes"].get<int>(), s["bytes"].get<long>(), error("gap_error_px"),
         disk ? fmt::format(" {:>12} {:>13}", s["disk_bytes"].get<long>(), live ? "live" : error("disk_gap_error_px"))
              : "");
   }
-  for (const auto& problem : facts["damaged"]) {
+  for (const auto& problem : summary["damaged"]) {
     print_out("{}\n", problem.get<std::string>());
   }
 }

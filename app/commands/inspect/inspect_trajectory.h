@@ -15,9 +15,9 @@ void require_finished_trajectory(const std::filesystem::path& file);
 
 //! Reads all stations of a trajectory and returns a summary: its provenance, its stations, and
 //! which of them are damaged.
-nlohmann::json facts_of_trajectory(const std::filesystem::path& file);
+nlohmann::json summary_of_trajectory(const std::filesystem::path& file);
 
-void print_trajectory(const nlohmann::json& facts);
+void print_trajectory(const nlohmann::json& summary);
 
 //! Reads the last station at or before a show time [s]. Throws UsageError if the time is outside
 //! the trajectory.

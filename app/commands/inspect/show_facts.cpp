@@ -6,20 +6,20 @@
 #include <string>
 
 #include "content/files/console.h"
-#include "content/show/idle_lines.h"
+#include "content/show/unused_keys.h"
 
 namespace ergodome {
 
-nlohmann::json facts_of_idle_lines(const Show& show) {
+nlohmann::json summary_of_unused_keys(const Show& show) {
   nlohmann::json lines = nlohmann::json::array();
-  for (const IdleLine& idle : idle_lines(show)) {
+  for (const UnusedKey& idle : unused_keys(show)) {
     const nlohmann::json line = idle.line == key_set_outside ? nlohmann::json(nullptr) : nlohmann::json(idle.line);
     lines.push_back({{"key", idle.key}, {"line", line}, {"why", idle.why}});
   }
   return lines;
 }
 
-void print_idle_lines(const nlohmann::json& lines) {
+void print_unused_keys(const nlohmann::json& lines) {
   if (!lines.empty()) {
     print_out("\nunused keys\n");
   }

@@ -4,22 +4,22 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "content/show/show.h"
-#include "render/stereo/narrowed_eyes.h"
+#include "render/stereo/reduced_baseline.h"
 
 namespace ergodome {
 
-//! Returns the unused keys of a show as a list (content/show/idle_lines.h).
-nlohmann::json facts_of_idle_lines(const Show& show);
+//! Returns the unused keys of a show as a list (content/show/unused_keys.h).
+nlohmann::json summary_of_unused_keys(const Show& show);
 
 //! Prints a list of unused keys; nothing if it is empty.
-void print_idle_lines(const nlohmann::json& lines);
+void print_unused_keys(const nlohmann::json& lines);
 
 //! Returns where and when the baseline is first reduced, and where it is smallest.
-inline nlohmann::json facts_of(const NarrowedPath& path) {
-  const auto facts = [](double time_s, const NarrowedEyes& eyes) {
+inline nlohmann::json summary_of(const BaselineReductions& path) {
+  const auto summary = [](double time_s, const ReducedBaseline& eyes) {
     return nlohmann::json{{"t_s", time_s}, {"r", eyes.r}, {"asked", eyes.asked}, {"baseline", eyes.baseline}};
   };
-  return {{"first", facts(path.first_s, path.first)}, {"least", facts(path.least_s, path.least)}};
+  return {{"first", summary(path.first_s, path.first)}, {"least", summary(path.smallest_s, path.minimum)}};
 }
 
 }  // namespace ergodome

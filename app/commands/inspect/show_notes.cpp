@@ -43,18 +43,18 @@ bool is_opaque(const OverlayImage& image) {
 }
 
 Vector3<double> extent_of(const TriangleMesh& mesh) {
-  std::array<double, 3> least;
-  std::array<double, 3> greatest;
-  least.fill(std::numeric_limits<double>::infinity());
-  greatest.fill(-std::numeric_limits<double>::infinity());
+  std::array<double, 3> minimum;
+  std::array<double, 3> maximum;
+  minimum.fill(std::numeric_limits<double>::infinity());
+  maximum.fill(-std::numeric_limits<double>::infinity());
   for (const std::uint32_t index : mesh.indices) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto place = static_cast<double>(mesh.vertices[index].position[axis]);
-      least.at(axis) = std::min(least.at(axis), place);
-      greatest.at(axis) = std::max(greatest.at(axis), place);
+      const auto position = static_cast<double>(mesh.vertices[index].position[axis]);
+      minimum.at(axis) = std::min(minimum.at(axis), position);
+      maximum.at(axis) = std::max(maximum.at(axis), position);
     }
   }
-  return {greatest[0] - least[0], greatest[1] - least[1], greatest[2] - least[2]};
+  return {maximum[0] - minimum[0], maximum[1] - minimum[1], maximum[2] - minimum[2]};
 }
 
 namespace fs = std::filesystem;
@@ -86,7 +86,7 @@ void read_as_shown(const Show& show, const NamedFile& file, ShowNotes& notes) {
     } else if (file.key.ends_with(".pattern")) {
       static_cast<void>(load_diffraction_pattern(path));
     } else if (file.key.ends_with(".mesh")) {
-      notes.meshes.push_back(facts_of_mesh(file.name, read_mesh(path)));
+      notes.meshes.push_back(summary_of_mesh(file.name, read_mesh(path)));
     } else if (file.key.ends_with(".image")) {
       static_cast<void>(read_overlay_image(path));
     }
@@ -148,8 +148,8 @@ void add_crossed_eyes(const Show& show, ShowNotes& notes) {
 
 }  // namespace
 
-MeshFacts facts_of_mesh(const std::string& file, const TriangleMesh& mesh) {
-  MeshFacts facts = {file, mesh.triangle_count(), mesh.dropped_triangles, extent_of(mesh), mesh.remarks};
+MeshSummary summary_of_mesh(const std::string& file, const TriangleMesh& mesh) {
+  MeshSummary summary = {file, mesh.triangle_count(), mesh.dropped_triangles, extent_of(mesh), mesh.remarks};
   std::map<std::string, bool> opaque;
   for (const MeshPart& part : mesh.parts) {
     if (!part.image.empty() && part.image_alpha_counts && !opaque.contains(part.image.name)) {
@@ -158,36 +158,36 @@ MeshFacts facts_of_mesh(const std::string& file, const TriangleMesh& mesh) {
   }
   for (const auto& [image, is] : opaque) {
     if (!is) {
-      facts.remarks.push_back(fmt::format("has a texture with transparent areas ({}), which are drawn opaque",
-                                          std::filesystem::path(image).filename().string()));
+      summary.remarks.push_back(fmt::format("has a texture with transparent areas ({}), which are drawn opaque",
+                                            std::filesystem::path(image).filename().string()));
     }
   }
-  return facts;
+  return summary;
 }
 
-nlohmann::json facts_of_meshes(const Show& show, const std::vector<MeshFacts>& meshes) {
-  nlohmann::json facts = nlohmann::json::array();
+nlohmann::json summary_of_meshes(const Show& show, const std::vector<MeshSummary>& meshes) {
+  nlohmann::json summary = nlohmann::json::array();
   for (std::size_t i = 0; i < show.objects.size(); ++i) {
     const ObjectSettings& object = show.objects[i];
-    const auto mesh = std::ranges::find(meshes, object.mesh, &MeshFacts::file);
+    const auto mesh = std::ranges::find(meshes, object.mesh, &MeshSummary::file);
     if (object.form == ObjectForm::mesh && mesh != meshes.end()) {
       const Vector3<double> extent = object.size * mesh->extent;
-      facts.push_back({{"key", fmt::format("objects[{}].mesh", i)},
-                       {"file", mesh->file},
-                       {"triangles", mesh->triangles},
-                       {"without_area", mesh->dropped_triangles},
-                       {"extent_M", {extent.x, extent.y, extent.z}},
-                       {"remarks", mesh->remarks}});
+      summary.push_back({{"key", fmt::format("objects[{}].mesh", i)},
+                         {"file", mesh->file},
+                         {"triangles", mesh->triangles},
+                         {"without_area", mesh->dropped_triangles},
+                         {"extent_M", {extent.x, extent.y, extent.z}},
+                         {"remarks", mesh->remarks}});
     }
   }
-  return facts;
+  return summary;
 }
 
-void print_meshes(const nlohmann::json& facts) {
-  if (!facts.empty()) {
+void print_meshes(const nlohmann::json& summary) {
+  if (!summary.empty()) {
     print_out("\nmeshes\n");
   }
-  for (const nlohmann::json& mesh : facts) {
+  for (const nlohmann::json& mesh : summary) {
     const long dropped = mesh["without_area"].get<long>();
     const auto& extent = mesh["extent_M"];
     print_out("  {:<40} {}, {}{:.6g} x {:.6g} x {:.6g} M before rotation\n", mesh["file"].get<std::string>(),
@@ -229,27 +229,27 @@ ShowNotes notes_of_files(const Show& show) {
   return notes;
 }
 
-nlohmann::json facts_of_stars(const Show& show, const ShowNotes& notes) {
-  nlohmann::json facts = {
+nlohmann::json summary_of_stars(const Show& show, const ShowNotes& notes) {
+  nlohmann::json summary = {
       {"catalogue", show.sky.stars}, {"count", notes.stars.value_or(0)}, {"left_out", nlohmann::json::array()}};
   for (const RowsLeftOut& rows : notes.left_out) {
-    facts["left_out"].push_back({{"why", rows.why}, {"rows", rows.count}, {"first_line", rows.first_line}});
+    summary["left_out"].push_back({{"why", rows.why}, {"rows", rows.count}, {"first_line", rows.first_line}});
   }
   if (!notes.left_out.empty()) {
-    facts["text"] = text_of(notes.left_out);
+    summary["text"] = text_of(notes.left_out);
   }
   if (!notes.stars_read_as.empty()) {
-    facts["read_as"] = notes.stars_read_as;
+    summary["read_as"] = notes.stars_read_as;
   }
-  return facts;
+  return summary;
 }
 
-void print_stars(const nlohmann::json& facts) {
-  print_out("{:<16}{}: {}{}\n", "stars", facts["catalogue"].get<std::string>(),
-            counted(facts["count"].get<std::size_t>(), "star"),
-            facts.contains("text") ? ", " + facts["text"].get<std::string>() : "");
-  if (facts.contains("read_as")) {
-    print_out("{:<16}read as {}\n", "", facts["read_as"].get<std::string>());
+void print_stars(const nlohmann::json& summary) {
+  print_out("{:<16}{}: {}{}\n", "stars", summary["catalogue"].get<std::string>(),
+            counted(summary["count"].get<std::size_t>(), "star"),
+            summary.contains("text") ? ", " + summary["text"].get<std::string>() : "");
+  if (summary.contains("read_as")) {
+    print_out("{:<16}read as {}\n", "", summary["read_as"].get<std::string>());
   }
 }
 

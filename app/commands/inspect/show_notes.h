@@ -13,7 +13,7 @@
 namespace ergodome {
 
 //! A summary of a mesh file, in the file's units.
-struct MeshFacts {
+struct MeshSummary {
   std::string file;  //!< file name as given in the show
   long triangles = 0;
   long dropped_triangles = 0;
@@ -22,12 +22,12 @@ struct MeshFacts {
 };
 
 //! Summarizes a mesh. Reads its textures as frames do; throws Error if one cannot be read.
-MeshFacts facts_of_mesh(const std::string& file, const TriangleMesh& mesh);
+MeshSummary summary_of_mesh(const std::string& file, const TriangleMesh& mesh);
 
 //! Returns the meshes of a show's objects, each scaled to M by the object's size.
-nlohmann::json facts_of_meshes(const Show& show, const std::vector<MeshFacts>& meshes);
+nlohmann::json summary_of_meshes(const Show& show, const std::vector<MeshSummary>& meshes);
 
-void print_meshes(const nlohmann::json& facts);
+void print_meshes(const nlohmann::json& summary);
 
 //! Findings of `inspect` about the files that a show names.
 struct ShowNotes {
@@ -40,7 +40,7 @@ struct ShowNotes {
   std::optional<std::size_t> stars;   //!< number of stars, if the show has a readable catalogue
   std::vector<RowsLeftOut> left_out;  //!< rows left out of the star catalogue
   std::string stars_read_as;          //!< columns read from the star catalogue, if it is a table
-  std::vector<MeshFacts> meshes;      //!< meshes of files that could be read
+  std::vector<MeshSummary> meshes;    //!< meshes of files that could be read
 };
 
 //! Reads every existing file that the show names, including textures of meshes, as its frames do. A
@@ -48,8 +48,8 @@ struct ShowNotes {
 ShowNotes notes_of_files(const Show& show);
 
 //! Returns the number of stars in a show's catalogue, the columns read, and the rows left out.
-nlohmann::json facts_of_stars(const Show& show, const ShowNotes& notes);
+nlohmann::json summary_of_stars(const Show& show, const ShowNotes& notes);
 
-void print_stars(const nlohmann::json& facts);
+void print_stars(const nlohmann::json& summary);
 
 }  // namespace ergodome

@@ -94,10 +94,10 @@ class Program {
 
   //! Returns the program's messages, or the last 64 KiB of them.
   [[nodiscard]] std::string messages() const {
-    constexpr off_t most = 1 << 16;
+    constexpr off_t maximum = 1 << 16;
     const off_t end = ::lseek(messages_, 0, SEEK_END);
-    std::string text(static_cast<std::size_t>(std::clamp<off_t>(end, 0, most)), '\0');
-    const ssize_t got = ::pread(messages_, text.data(), text.size(), std::max<off_t>(end - most, 0));
+    std::string text(static_cast<std::size_t>(std::clamp<off_t>(end, 0, maximum)), '\0');
+    const ssize_t got = ::pread(messages_, text.data(), text.size(), std::max<off_t>(end - maximum, 0));
     text.resize(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
     return text;
   }
@@ -152,13 +152,13 @@ void encode(const Movie& movie, const std::filesystem::path& partial) {
     taken = taken && !interrupted() && send(picture, movie.alpha, size, program);
   }
   const int status = program.finish();
-  const std::string said = program.messages();
+  const std::string message = program.messages();
   if (interrupted()) {
     throw Error(movie.file.string(), "was not finished", "the frames are complete; continue with --resume");
   }
   const bool ended_well = taken && status == 0;
   // ffmpeg may exit with status 0 although the disk is full, and only print a message.
-  std::string disk = disk_problem(said);
+  std::string disk = disk_problem(message);
   if (disk.empty() && !ended_well && disk_is_full(partial)) {
     disk = std::strerror(ENOSPC);
   }
@@ -167,7 +167,7 @@ void encode(const Movie& movie, const std::filesystem::path& partial) {
                 "the frames are complete; free some space or choose another folder, and continue with --resume");
   }
   if (!ended_well) {
-    throw Error(movie.file.string(), fmt::format("ffmpeg stopped (status {}): {}", status, last_line(said)),
+    throw Error(movie.file.string(), fmt::format("ffmpeg stopped (status {}): {}", status, last_line(message)),
                 "the frames are complete; try another format (.mp4, .mov, .mkv) or another encoder");
   }
 }
@@ -279,15 +279,15 @@ void check_movie(const Movie& movie) {
                    "pipe:2", "-i", movie.file.string(), "-map", "0", "-f", "null", "-"},
                   nullptr);
   const int status = program.finish();
-  const std::string said = program.messages();
+  const std::string message = program.messages();
   const std::string file = movie.file.string();
   const char* const remedy = "no frame was deleted; make the film again with --resume, or with another encoder";
   if (interrupted()) {
     throw Error(file, "was written but not checked", "no frame was deleted; run the command again with --resume");
   }
-  const long frames = reported_frames(said);
+  const long frames = reported_frames(message);
   if (status != 0) {
-    throw Error(file, fmt::format("cannot be decoded completely (ffmpeg: {})", last_line(said)), remedy);
+    throw Error(file, fmt::format("cannot be decoded completely (ffmpeg: {})", last_line(message)), remedy);
   }
   if (frames != static_cast<long>(movie.pictures.size())) {
     throw Error(file, fmt::format("has only {} of {} frames", std::max(frames, 0L), movie.pictures.size()), remedy);

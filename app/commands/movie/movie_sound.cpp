@@ -44,10 +44,10 @@ int open_nameless(const std::filesystem::path& folder) {
 }
 
 //! Prints a note if a sound file is damaged; it is played up to the damage.
-void tell_of_file(const std::filesystem::path& file) {
+void report_file(const std::filesystem::path& file) {
   const std::string problem = sound_problem(file);
   if (!problem.empty()) {
-    tell_on_terminal(problem);
+    print_note_once(problem);
   }
 }
 
@@ -65,7 +65,7 @@ MovieSound::MovieSound(const Show& show, const std::string& language, double fro
   const Soundtrack soundtrack = soundtrack_of(show);
   for (const AudioTrack& track : soundtrack.tracks) {
     if (track.language.empty() || track.language == spoken) {
-      tell_of_file(soundtrack.folder / track.file);
+      report_file(soundtrack.folder / track.file);
     }
   }
   AudioMixer mixer(*output, soundtrack, [&now] { return now; });
@@ -86,7 +86,7 @@ MovieSound::MovieSound(const Show& show, const std::string& language, double fro
     }
   }
   for (const std::string& problem : mixer.take_problems()) {
-    tell_on_terminal(problem);
+    print_note_once(problem);
   }
 }
 

@@ -70,7 +70,7 @@ ConnectionTableSettings table_settings(const std::vector<PairRow>& rows, const s
   settings.r_observer_farthest = settings.r_observer_nearest;
   for (const std::size_t i : of_observer) {
     if (std::max(rows[i].r, rows[i].r_observer) > farthest_of_table) {
-      throw Error(rows[i].place, fmt::format("has a radius above {:.9g}, where tables end", farthest_of_table),
+      throw Error(rows[i].location, fmt::format("has a radius above {:.9g}, where tables end", farthest_of_table),
                   "choose --method closed_form");
     }
     settings.orders = std::max(settings.orders, rows[i].order);
@@ -146,10 +146,10 @@ void add_connect_command(CLI::App& app) {
   command->add_option("--columns", options->columns, "with --method table: nodes in azimuth for each order of images")
       ->check(CLI::Range(4, 8192))
       ->capture_default_str();
-  IdleOptions idle(*command);
-  idle.add("without --method table", [options] { return options->method != "table"; }, {"--rows", "--columns"});
-  command->callback([options, idle] {
-    idle.refuse();
+  IgnoredOptions ignored(*command);
+  ignored.add("without --method table", [options] { return options->method != "table"; }, {"--rows", "--columns"});
+  command->callback([options, ignored] {
+    ignored.refuse();
     run_connect(*options);
   });
 }

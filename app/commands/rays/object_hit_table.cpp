@@ -17,7 +17,7 @@ constexpr int object_rays_at_a_time = 16;
 //! Returns the line of a ray; empty if it hits nothing, nothing if it does not converge.
 std::optional<std::string> line_of(const RayRow& row, const CameraStation& camera, const ObjectRays& objects,
                                    double tolerance) {
-  const std::optional<MeshHit> hit = objects.look(camera, row.direction, tolerance);
+  const std::optional<MeshHit> hit = objects.first_hit(camera, row.direction, tolerance);
   if (!hit) {
     return std::nullopt;
   }

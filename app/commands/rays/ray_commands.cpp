@@ -233,7 +233,7 @@ void run_trace(const RayOptions& options) {
     }
   });
   write_table(options.out,
-              "id,status,sky_x,sky_y,sky_z,g,steps,error_estimate\n" + joined_in_place(table.lines, grouped.place));
+              "id,status,sky_x,sky_y,sky_z,g,steps,error_estimate\n" + joined_in_place(table.lines, grouped.position));
   if (table.unresolved > 0) {
     print_note("{} of {} did not converge; choose {}another --method", table.unresolved, counted(rows.size(), "ray"),
                options.method == "closed_form" ? "" : "a coarser --tolerance, or ");
@@ -285,20 +285,20 @@ void add_trace_command(CLI::App& app) {
       ->check(number_between(0.0, 1e3));
   command->option_defaults()->group("Disk, shells and objects");
   const auto near_field = add_near_ray_options(*command, {method, precision});
-  IdleOptions idle(*command);
-  idle.add("without --method grid", [options] { return options->method != "grid"; }, {"--budget", "--size"});
-  idle.add("without --method quadtree", [options] { return options->method != "quadtree"; },
-           {"--level", "--interpolation", "--blend"});
-  idle.add("with --method closed_form", [options] { return options->method == "closed_form"; },
-           {"--tolerance", "--precision"});
-  idle.add("with --method quadtree", [options] { return options->method == "quadtree"; },
-           {"--tolerance", "--precision"});
+  IgnoredOptions ignored(*command);
+  ignored.add("without --method grid", [options] { return options->method != "grid"; }, {"--budget", "--size"});
+  ignored.add("without --method quadtree", [options] { return options->method != "quadtree"; },
+              {"--level", "--interpolation", "--blend"});
+  ignored.add("with --method closed_form", [options] { return options->method == "closed_form"; },
+              {"--tolerance", "--precision"});
+  ignored.add("with --method quadtree", [options] { return options->method == "quadtree"; },
+              {"--tolerance", "--precision"});
   command->footer(
       ray_table_help() +
       "\nsky_x, sky_y, sky_z: unit vector to the origin of the light in the distant sky: z along the spin axis, "
       "x toward\nphi = 0, y toward phi = 90 degrees. g: observed frequency over the frequency emitted there.");
-  command->callback([options, near_field, idle] {
-    idle.refuse();
+  command->callback([options, near_field, ignored] {
+    ignored.refuse();
     require_table_ending("--out", options->out);
     require_output_file("--out", options->out, {options->rays, near_field->objects});
     if (!run_near_rays(*near_field, {options->rays, options->out, options->tolerance})) {

@@ -46,20 +46,20 @@ GroupedRows grouped_by_camera(std::vector<RayRow> rows) {
     camera[i] = number_of.try_emplace(camera_of(rows[i]), number_of.size()).first->second;
   }
   GroupedRows grouped;
-  grouped.place.resize(rows.size());
-  std::iota(grouped.place.begin(), grouped.place.end(), std::size_t{0});
-  std::ranges::stable_sort(grouped.place, {}, [&](std::size_t i) { return camera[i]; });
+  grouped.position.resize(rows.size());
+  std::iota(grouped.position.begin(), grouped.position.end(), std::size_t{0});
+  std::ranges::stable_sort(grouped.position, {}, [&](std::size_t i) { return camera[i]; });
   grouped.rows.reserve(rows.size());
-  for (const std::size_t i : grouped.place) {
+  for (const std::size_t i : grouped.position) {
     grouped.rows.push_back(std::move(rows[i]));
   }
   return grouped;
 }
 
-std::string joined_in_place(const std::vector<std::string>& lines, const std::vector<std::size_t>& place) {
-  std::vector<std::size_t> from(place.size());
-  for (std::size_t i = 0; i < place.size(); ++i) {
-    from[place[i]] = i;
+std::string joined_in_place(const std::vector<std::string>& lines, const std::vector<std::size_t>& position) {
+  std::vector<std::size_t> from(position.size());
+  for (std::size_t i = 0; i < position.size(); ++i) {
+    from[position[i]] = i;
   }
   std::string text;
   for (const std::size_t i : from) {

@@ -11,12 +11,12 @@ namespace ergodome {
 //! Table rows grouped by camera. The groups are in the order of their first rows in the table.
 struct GroupedRows {
   std::vector<RayRow> rows;
-  std::vector<std::size_t> place;  //!< original index of each row
+  std::vector<std::size_t> position;  //!< original index of each row
 };
 GroupedRows grouped_by_camera(std::vector<RayRow> rows);
 
 //! Joins lines, one for each grouped row, in the original order of the rows.
-std::string joined_in_place(const std::vector<std::string>& lines, const std::vector<std::size_t>& place);
+std::string joined_in_place(const std::vector<std::string>& lines, const std::vector<std::size_t>& position);
 
 //! Returns the description of tables in the help of `trace` and `edge`: columns, axes, units.
 std::string ray_table_help();

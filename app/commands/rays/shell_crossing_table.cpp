@@ -27,7 +27,7 @@ struct LineWriter {
   int count = 0;
   std::string text = {};
 
-  void cross(int /*shell*/, bool lanes, const NearPlace<double>& at) {
+  void cross(int /*shell*/, bool lanes, const NearPosition<double>& at) {
     if (!lanes) {
       return;
     }
@@ -40,7 +40,7 @@ struct LineWriter {
                         at.delay, at.u_rate > 0.0 ? 1 : 0, g);
     ++count;
   }
-  static void turn(bool /*lanes*/, const NearPlace<double>& /*at*/) {}
+  static void turn(bool /*lanes*/, const NearPosition<double>& /*at*/) {}
   [[nodiscard]] static bool done() { return false; }
 };
 

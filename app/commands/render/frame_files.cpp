@@ -7,9 +7,9 @@
 #include <cmath>
 #include <utility>
 
-#include "app/commands/render/frame_facts.h"
+#include "app/commands/render/frame_metadata.h"
 #include "app/commands/render/numbered_frames.h"
-#include "app/commands/render/sequence_facts.h"
+#include "app/commands/render/sequence_metadata.h"
 #include "content/files/atomic_file.h"
 #include "content/files/console.h"
 #include "content/files/printable.h"
@@ -25,10 +25,10 @@ namespace {
 namespace fs = std::filesystem;
 
 //! Metadata key of the automatic exposure of a frame: the stops that were applied [1].
-constexpr const char* followed_stops_fact = "followed_stops";
+constexpr const char* followed_stops_metadata = "followed_stops";
 //! Metadata key of the previous frame's stops, from which the exposure continued, or the word for a
 //! restart.
-constexpr const char* followed_from_fact = "followed_from";
+constexpr const char* followed_from_metadata = "followed_from";
 constexpr const char* anew = "anew";
 
 std::string stops_text(double stops) { return fmt::format("{:.17g}", stops); }
@@ -41,7 +41,7 @@ std::optional<double> number_of(const std::string& text) {
 }
 
 //! Maximum number of other frames to check: on a network disk each takes some milliseconds.
-constexpr std::size_t most_asked_otherwise = 4096;
+constexpr std::size_t max_asked_otherwise = 4096;
 
 }  // namespace
 
@@ -75,7 +75,7 @@ OutputWish FrameFiles::wish() {
     followed_from_ = stops_before(frame_);
     wish.stops_before = number_of(followed_from_);
     if (!wish.stops_before && frame_ > 0) {
-      tell_on_terminal(fmt::format(
+      print_note_once(fmt::format(
           "automatic exposure (tone.auto) starts again at frame {}, because the frame before it is missing or was "
           "rendered with other options; render that frame, then use --resume",
           frame_ + 1));
@@ -94,7 +94,7 @@ void FrameFiles::take(OutputFrame& frame) {
   std::vector<FrameImage> images = frame_images(std::move(eyes), renderer_.frame_projection(choice_), show);
   for (FrameImage& image : images) {
     draw_color_bar(image.picture, choice_.mode);
-    tell_missing_legend(image.picture);
+    report_missing_legend(image.picture);
     unresolved_ += image.picture.unresolved_pixels;
   }
   const bool views = show.stereo.layout == StereoLayout::multiview;
@@ -126,16 +126,16 @@ void FrameFiles::take(OutputFrame& frame) {
 
 FrameMetadata FrameFiles::metadata_of(const FrameImage& image, FramePart part) const {
   const Show& show = renderer_.show();
-  const double baseline = renderer_.narrowed_eyes() ? renderer_.narrowed_eyes()->baseline : show.stereo.baseline;
-  FrameMetadata metadata = frame_facts(show, {frame_, baseline, part, image.face, choice_.mode});
+  const double baseline = renderer_.reduced_baseline() ? renderer_.reduced_baseline()->baseline : show.stereo.baseline;
+  FrameMetadata metadata = frame_metadata(show, {frame_, baseline, part, image.face, choice_.mode});
   metadata.emplace_back("request", request_of(frame_));
   if (const std::optional<HeatRange>& range = image.picture.heat_range) {
     metadata.emplace_back("view", options_.view);
     metadata.emplace_back("view_range", fmt::format("{:.12g} {:.12g}", range->low, range->high));
   }
   if (followed_stops()) {
-    metadata.emplace_back(followed_from_fact, followed_from_);
-    metadata.emplace_back(followed_stops_fact, stops_text(*followed_stops()));
+    metadata.emplace_back(followed_from_metadata, followed_from_);
+    metadata.emplace_back(followed_stops_metadata, stops_text(*followed_stops()));
   }
   return metadata;
 }
@@ -155,13 +155,14 @@ std::filesystem::path FrameFiles::first_file_of(int frame) const {
 
 std::string FrameFiles::stops_before(int frame) const {
   const bool alike = frame > 0 && was_asked_alike(frame - 1);
-  const std::string stops = alike ? fact_of_image(first_file_of(frame - 1), followed_stops_fact) : "";
+  const std::string stops = alike ? metadata_of_image(first_file_of(frame - 1), followed_stops_metadata) : "";
   return number_of(stops) ? stops : anew;
 }
 
-void FrameFiles::tell_missing_legend(const Picture& picture) {
-  if (picture.heat_range && !has_color_bar(picture.width, picture.height) && !std::exchange(told_no_legend_, true)) {
-    tell_on_terminal(
+void FrameFiles::report_missing_legend(const Picture& picture) {
+  if (picture.heat_range && !has_color_bar(picture.width, picture.height) &&
+      !std::exchange(reported_no_legend_, true)) {
+    print_note_once(
         fmt::format("frames of {} x {} pixels are too small for the legend of a heat map; it needs 160 x 100",
                     picture.width, picture.height));
   }
@@ -179,7 +180,7 @@ int FrameFiles::remove() {
   const std::vector<int> left = lying_there();
   const auto alike = std::ranges::find_if(left, [&](int frame) { return was_asked_alike(frame); });
   if (alike != left.end()) {
-    write_facts(*alike, *alike);
+    write_metadata(*alike, *alike);
   } else {
     for (const char* ending : {".txt", ".json"}) {
       std::error_code problem;
@@ -190,7 +191,7 @@ int FrameFiles::remove() {
   return removed;
 }
 
-void FrameFiles::write_facts(int first, int last) const {
+void FrameFiles::write_metadata(int first, int last) const {
   const Show& show = renderer_.show();
   // Long shows may be rendered in several adjacent parts.
   while (first > 0 && was_asked_alike(first - 1)) {
@@ -199,17 +200,17 @@ void FrameFiles::write_facts(int first, int last) const {
   while (last + 1 < frame_count(show) && was_asked_alike(last + 1)) {
     ++last;
   }
-  write_sequence_facts(options_.out, show, format_, {first, last}, eye_width_px());
+  write_sequence_metadata(options_.out, show, format_, {first, last}, eye_width_px());
 }
 
 std::string FrameFiles::request_of(int frame) const { return requests_.at(frame_time_s(renderer_.show(), frame)); }
 
 bool FrameFiles::was_asked_alike(int frame) const {
-  return fact_of_image(first_file_of(frame), "request") == request_of(frame);
+  return metadata_of_image(first_file_of(frame), "request") == request_of(frame);
 }
 
 bool FrameFiles::was_asked_otherwise(int frame) const {
-  const std::string request = fact_of_image(first_file_of(frame), "request");
+  const std::string request = metadata_of_image(first_file_of(frame), "request");
   return !request.empty() && request != request_of(frame);
 }
 
@@ -222,7 +223,7 @@ std::vector<int> FrameFiles::lying_there() const {
 std::vector<int> FrameFiles::asked_otherwise(int first, int last) const {
   std::vector<int> frames = lying_there();
   std::erase_if(frames, [&](int frame) { return frame >= first && frame <= last; });
-  frames.resize(std::min(frames.size(), most_asked_otherwise));
+  frames.resize(std::min(frames.size(), max_asked_otherwise));
   const int count = frame_count(renderer_.show());
   std::erase_if(frames, [&](int frame) { return frame < count && !was_asked_otherwise(frame); });
   return frames;
@@ -263,7 +264,7 @@ bool FrameFiles::is_there(int frame) const {
   const Show& show = renderer_.show();
   // The exposure would jump if the frame continued from other stops than those of the frame before
   // it.
-  if (followed_stops() && fact_of_image(first_file_of(frame), followed_from_fact) != stops_before(frame)) {
+  if (followed_stops() && metadata_of_image(first_file_of(frame), followed_from_metadata) != stops_before(frame)) {
     return false;
   }
   if (show.stereo.layout == StereoLayout::separate) {
@@ -283,7 +284,7 @@ bool FrameFiles::is_there(int frame, FramePart part) const {
   const std::string request = request_of(frame);
   const auto complete = [&](std::optional<CubeFace> face) {
     const std::filesystem::path path = path_of(frame, part, face);
-    return fact_of_image(path, "request") == request && is_complete_image(path, size.width, size.height, parts);
+    return metadata_of_image(path, "request") == request && is_complete_image(path, size.width, size.height, parts);
   };
   if (!faces) {
     return complete(std::nullopt);

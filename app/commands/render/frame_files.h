@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "app/cli/setup_show.h"
+#include "app/commands/render/created_files.h"
 #include "app/commands/render/frame_request.h"
-#include "app/commands/render/made_files.h"
 #include "app/commands/render/render_options.h"
 #include "render/frame/show_renderer.h"
 #include "render/output/frame_files.h"
@@ -54,7 +54,7 @@ class FrameFiles : public Output {
 
   //! Writes the metadata summary of the frames first to last, extended to adjacent frames with the
   //! same fingerprints.
-  void write_facts(int first, int last) const;
+  void write_metadata(int first, int last) const;
   //! Removes the frames that this run wrote, and the summary in their folder unless other frames of
   //! the sequence remain. Returns the number of files.
   int remove();
@@ -78,7 +78,7 @@ class FrameFiles : public Output {
   [[nodiscard]] std::filesystem::path first_file_of(int frame) const;
   [[nodiscard]] FrameMetadata metadata_of(const FrameImage& image, FramePart part) const;
   //! Prints a note, once, if heat maps are too small for their legend.
-  void tell_missing_legend(const Picture& picture);
+  void report_missing_legend(const Picture& picture);
   //! Creates a folder of frames and removes temporary files that killed programs left there.
   void enter(const std::filesystem::path& folder);
   [[nodiscard]] bool is_there(int frame, FramePart part) const;
@@ -96,7 +96,7 @@ class FrameFiles : public Output {
   FrameFormat format_;
   FrameRequests requests_;
   std::optional<ProjectorFrames> projectors_;
-  MadeFiles made_;
+  CreatedFiles made_;
   int frame_ = 0;
   int exposed_ = -1;           //!< the next frame that continues the automatic exposure
   std::string followed_from_;  //!< stops of the frame before, as stored in files
@@ -104,7 +104,7 @@ class FrameFiles : public Output {
   //! Folders already cleared of files that killed programs left.
   std::set<std::filesystem::path> cleared_;
   long unresolved_ = 0;
-  bool told_no_legend_ = false;
+  bool reported_no_legend_ = false;
 };
 
 }  // namespace ergodome

@@ -13,7 +13,7 @@
 #include "content/show/reading/show_files.h"
 #include "content/show/reading/show_reader.h"
 #include "render/passes/overlay/camera_readout.h"
-#include "render/passes/overlay/overlay_place.h"
+#include "render/passes/overlay/overlay_position.h"
 
 namespace ergodome {
 
@@ -99,9 +99,9 @@ std::string FrameRequests::at(double time_s) const {
     const double opacity = presence_at(caption.presence, time_s);
     const std::string& text = text_in(caption.text, language_);
     if (opacity > 0.0 && !text.empty()) {
-      seen += fmt::format("\n{:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {} {}", opacity, caption.place.azimuth_deg,
-                          caption.place.elevation_deg, caption.place.roll_deg, caption.letter_deg, caption.width_deg,
-                          fmt::join(caption.color, " "), text);
+      seen += fmt::format("\n{:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {} {}", opacity,
+                          caption.position.azimuth_deg, caption.position.elevation_deg, caption.position.roll_deg,
+                          caption.letter_deg, caption.width_deg, fmt::join(caption.color, " "), text);
     }
   }
   return seen == of_all_ ? of_all_ : fingerprint(seen);

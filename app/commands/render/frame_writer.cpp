@@ -31,10 +31,10 @@ FrameWriter::FrameWriter(const RenderOptions& options, const Show& show, const s
              setup, std::move(requests)) {
   renderer_.overlays().set_language(options.language);
   for (const std::string& note : renderer_.notes()) {
-    tell_on_terminal(note);
+    print_note_once(note);
   }
   for (const std::string& note : stream_notes(stream_.get(), show, options.lens, backend_, files_.choice().size_px)) {
-    tell_on_terminal(note);
+    print_note_once(note);
   }
 }
 
@@ -52,7 +52,7 @@ void FrameWriter::write(int frame) {
   }
   const double time_s = *wish.show_time_s;
   std::vector<Picture> eyes = renderer_.render_frame(time_s, files_.choice());
-  tell_narrowed_eyes(time_s);
+  report_reduced_baseline(time_s);
   OutputFrame made;
   made.picture = std::move(eyes.front());
   if (eyes.size() > 1) {
@@ -63,9 +63,9 @@ void FrameWriter::write(int frame) {
   ++written_;
 }
 
-void FrameWriter::tell_narrowed_eyes(double time_s) {
-  if (renderer_.narrowed_eyes() && !std::exchange(told_narrowed_, true)) {
-    tell_on_terminal(note_of(renderer_.show(), time_s, *renderer_.narrowed_eyes()));
+void FrameWriter::report_reduced_baseline(double time_s) {
+  if (renderer_.reduced_baseline() && !std::exchange(reported_reduced_baseline_, true)) {
+    print_note_once(note_of(renderer_.show(), time_s, *renderer_.reduced_baseline()));
   }
 }
 
@@ -117,7 +117,7 @@ std::string FrameWriter::cost_note(int next, int last) {
   // The first frame also prepares data that all frames share. Unless it is slow, the second one
   // gives a better estimate.
   const bool measured = written_ > 1 || (written_ == 1 && frame_cost_.seconds >= slow_frame_s);
-  if (!measured || next > last || std::exchange(told_cost_, true)) {
+  if (!measured || next > last || std::exchange(reported_cost_, true)) {
     return "";
   }
   const long left = options_.resume ? files_.missing(next, last) : last + 1L - next;
@@ -130,17 +130,17 @@ std::string FrameWriter::new_room_note(int next, int last) {
   largest_bytes_ = std::max(largest_bytes_, frame_cost_.bytes);
   // Checks again after 1, 2, 4, 8, ... frames: the first frames of many shows are black, and their
   // files small.
-  if (told_room_ || !std::has_single_bit(static_cast<unsigned>(written_)) ||
-      std::exchange(looked_at_room_after_, written_) == written_) {
+  if (reported_space_ || !std::has_single_bit(static_cast<unsigned>(written_)) ||
+      std::exchange(checked_space_after_, written_) == written_) {
     return "";
   }
   std::string note = room_note_for(next, last, "the rest of the run", static_cast<double>(largest_bytes_));
-  told_room_ = !note.empty();
+  reported_space_ = !note.empty();
   return note;
 }
 
 std::string FrameWriter::early_room_note(int first, int last) const {
-  const double part = least_compressed_part(files_.format());
+  const double part = min_compressed_part(files_.format());
   return room_note_for(first, last, part < 1.0 ? "the run, even if its frames compress to a tenth," : "the run",
                        part * static_cast<double>(uncompressed_bytes(files_.format(), files_.frame_pixels())));
 }

@@ -49,7 +49,7 @@ class FrameWriter {
 
  private:
   //! Prints a note about the first frame whose baseline is reduced.
-  void tell_narrowed_eyes(double time_s);
+  void report_reduced_baseline(double time_s);
   [[nodiscard]] std::unique_ptr<MovieSound> sound_of(int first, int last) const;
   [[nodiscard]] std::string cost_note(int next, int last);
   [[nodiscard]] std::string new_room_note(int next, int last);
@@ -63,14 +63,14 @@ class FrameWriter {
   ShowRenderer renderer_;
   FrameFiles files_;
   int written_ = 0;
-  bool told_narrowed_ = false;  //!< whether the note on a reduced baseline was printed
+  bool reported_reduced_baseline_ = false;  //!< whether the note on a reduced baseline was printed
   int resumed_ = 0;
   int renewed_ = 0;
   RunFrameCost frame_cost_;           //!< cost of the last frame written
-  bool told_cost_ = false;            //!< whether the estimate was printed
+  bool reported_cost_ = false;        //!< whether the estimate was printed
   std::uintmax_t largest_bytes_ = 0;  //!< size of the largest frame so far
-  int looked_at_room_after_ = 0;      //!< value of written_ at the last check of disk space
-  bool told_room_ = false;            //!< whether the warning about disk space was printed
+  int checked_space_after_ = 0;       //!< value of written_ at the last check of disk space
+  bool reported_space_ = false;       //!< whether the warning about disk space was printed
 };
 
 }  // namespace ergodome

@@ -36,11 +36,11 @@ void require_movie(const RenderOptions& options, const Show& show) {
   }
 }
 
-void tell_movie_losses(const RenderOptions& options, const Show& show) {
+void report_movie_losses(const RenderOptions& options, const Show& show) {
   const StereoLayout layout = show.stereo.layout;
   const bool by_colour = layout == StereoLayout::anaglyph || layout == StereoLayout::dubois || show.stereo.tint_eyes;
   if (!options.movie.empty() && by_colour && movie_ending(options.movie) == ".mp4") {
-    tell_on_terminal(fmt::format(
+    print_note_once(fmt::format(
         "{} stores color at half resolution, which blurs one eye's image in this stereo mode; .mov and .mkv do not",
         options.movie));
   }

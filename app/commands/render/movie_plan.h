@@ -12,7 +12,7 @@ namespace ergodome {
 void require_movie(const RenderOptions& options, const Show& show);
 
 //! Prints a note about stereo information that the film cannot store.
-void tell_movie_losses(const RenderOptions& options, const Show& show);
+void report_movie_losses(const RenderOptions& options, const Show& show);
 
 //! Returns the file of the film of a part of the frames. With the layout `separate`, each eye has
 //! its own film: FILE_L and FILE_R.

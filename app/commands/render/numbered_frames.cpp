@@ -48,15 +48,15 @@ std::vector<int> numbered_frames(const fs::path& folder, const std::string& name
 }
 
 std::string frame_ranges(const std::vector<int>& frames) {
-  constexpr int most_told = 8;
+  constexpr int max_listed = 8;
   std::string text;
-  int told = 0;
+  int listed = 0;
   for (std::size_t begin = 0; begin < frames.size();) {
     std::size_t end = begin + 1;
     while (end < frames.size() && frames[end] == frames[end - 1] + 1) {
       ++end;
     }
-    if (told++ == most_told) {
+    if (listed++ == max_listed) {
       return text + ", ...";
     }
     text += text.empty() ? "" : ", ";

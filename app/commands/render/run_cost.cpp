@@ -92,7 +92,7 @@ std::uintmax_t free_bytes(const fs::path& folder) {
   return fs::space(there).available;
 }
 
-double least_compressed_part(const FrameFormat& format) {
+double min_compressed_part(const FrameFormat& format) {
   const bool uncompressed = format.image == ImageFormat::exr && format.compression == ExrCompression::none;
   return uncompressed ? 1.0 : 0.1;
 }

@@ -33,7 +33,7 @@ std::uintmax_t free_bytes(const std::filesystem::path& folder);
 
 //! Returns the smallest expected ratio of compressed to uncompressed size of a frame, before any is
 //! written; 1 for uncompressed EXR.
-double least_compressed_part(const FrameFormat& format);
+double min_compressed_part(const FrameFormat& format);
 
 //! Returns the uncompressed size of pictures with this total number of pixels.
 std::uintmax_t uncompressed_bytes(const FrameFormat& format, std::uintmax_t pixels);

@@ -11,7 +11,7 @@ using enum KeyAction;
 constexpr ActionUser visitor = ActionUser::visitor;
 constexpr ActionUser presenter = ActionUser::presenter;
 
-constexpr ActionFacts actions[] = {
+constexpr ActionNames actions[] = {
     {help, "help", visitor, "F1 pad.select", "this help", "diese Hilfe"},
     {pause, "pause", visitor, "Space pad.start", "pause, resume", "anhalten, weiter"},
     {seek_back, "seek_back", presenter, "Left", "back 2 s", "2 s zurück"},
@@ -66,7 +66,7 @@ constexpr ActionFacts actions[] = {
     {quit, "quit", presenter, "Escape", "quit", "beenden"},
 };
 
-constexpr SteerFacts steering[] = {
+constexpr SteerNames steering[] = {
     {&Steering::right, "right", "D -A pad.left_x pad.move_right", "move right, left", "nach rechts, links"},
     {&Steering::up, "up", "R -F pad.right_shoulder -pad.left_shoulder pad.move_up", "move up, down",
      "nach oben, unten"},
@@ -84,18 +84,18 @@ constexpr SteerFacts steering[] = {
 //! Multiplies a speed by a factor, limited to 1/16 to 16 times the normal speed. A speed that a
 //! command has set outside these limits is not moved in the opposite direction.
 double changed_speed(double speed, double factor) {
-  constexpr double least = 1.0 / 16.0;
-  constexpr double most = 16.0;
+  constexpr double minimum = 1.0 / 16.0;
+  constexpr double maximum = 16.0;
   const double now = std::abs(speed);
-  const double from = now == 0.0 && factor > 1.0 ? 0.5 * least : now;
-  const double size = std::clamp(factor * from, std::min(from, least), std::max(from, most));
+  const double from = now == 0.0 && factor > 1.0 ? 0.5 * minimum : now;
+  const double size = std::clamp(factor * from, std::min(from, minimum), std::max(from, maximum));
   return std::copysign(size, speed);
 }
 
 }  // namespace
 
-std::span<const ActionFacts> all_actions() { return actions; }
-std::span<const SteerFacts> all_steering() { return steering; }
+std::span<const ActionNames> all_actions() { return actions; }
+std::span<const SteerNames> all_steering() { return steering; }
 
 std::optional<TransportCommand> transport_command(KeyAction action, const PlayerStatus& status) {
   using Kind = TransportCommand::Kind;

@@ -64,7 +64,7 @@ enum class KeyAction {
 enum class ActionUser { visitor, presenter };
 
 //! Names of an action in files and in the help.
-struct ActionFacts {
+struct ActionNames {
   KeyAction action;
   const char* name;
   ActionUser user;
@@ -75,10 +75,10 @@ struct ActionFacts {
 
 //! Returns all actions that may be bound, in the order of control files. The help groups them
 //! itself.
-std::span<const ActionFacts> all_actions();
+std::span<const ActionNames> all_actions();
 
 //! Names of a steering component in files and in the help.
-struct SteerFacts {
+struct SteerNames {
   double Steering::*component;
   const char* name;
   const char* inputs;  //!< default inputs, with a sign or a factor in front
@@ -86,7 +86,7 @@ struct SteerFacts {
   const char* german;
 };
 
-std::span<const SteerFacts> all_steering();
+std::span<const SteerNames> all_steering();
 
 //! Returns the transport command of an action. Returns nothing if the action does not concern the
 //! transport, or if the status is not enough to determine the command (captions).

@@ -62,14 +62,14 @@ double amount_of(const Input& input, const MouseState& mouse) {
 }  // namespace
 
 Controls::Controls() {
-  for (const ActionFacts& facts : all_actions()) {
-    for (const std::string& name : words_of(facts.inputs)) {
-      actions_[facts.action].push_back(*input_of(name));
+  for (const ActionNames& named : all_actions()) {
+    for (const std::string& name : words_of(named.inputs)) {
+      actions_[named.action].push_back(*input_of(name));
     }
   }
-  for (const SteerFacts& facts : all_steering()) {
+  for (const SteerNames& named : all_steering()) {
     std::vector<SteerBinding>& bindings = steering_.emplace_back();
-    for (const std::string& text : words_of(facts.inputs)) {
+    for (const std::string& text : words_of(named.inputs)) {
       bindings.push_back(*steer_binding_of(text));
     }
   }
@@ -125,8 +125,8 @@ std::vector<KeyAction> Controls::mouse_pressed(int button) const {
 
 std::vector<KeyAction> Controls::wheel_turned(double steps) const {
   const KeyAction action = action_for({Input::Kind::wheel_step, steps > 0.0 ? 1 : -1, 0});
-  constexpr double most = 20.0;
-  const double times = std::isfinite(steps) ? std::clamp(std::abs(steps), 0.0, most) : 0.0;
+  constexpr double maximum = 20.0;
+  const double times = std::isfinite(steps) ? std::clamp(std::abs(steps), 0.0, maximum) : 0.0;
   return action == KeyAction::none ? std::vector<KeyAction>{}
                                    : std::vector<KeyAction>(static_cast<std::size_t>(times), action);
 }
@@ -137,9 +137,9 @@ const std::vector<Input>& Controls::inputs_of(KeyAction action) const {
 }
 
 const std::vector<Controls::SteerBinding>& Controls::inputs_of(double Steering::*component) const {
-  const auto facts = all_steering();
-  const auto found = std::ranges::find(facts, component, &SteerFacts::component);
-  return steering_[static_cast<std::size_t>(found - facts.begin())];
+  const auto named = all_steering();
+  const auto found = std::ranges::find(named, component, &SteerNames::component);
+  return steering_[static_cast<std::size_t>(found - named.begin())];
 }
 
 }  // namespace ergodome

@@ -15,12 +15,12 @@ namespace ergodome {
 namespace {
 
 constexpr std::size_t largest_mib = 1;
-constexpr std::size_t most_inputs = 32;
+constexpr std::size_t max_inputs = 32;
 
 //! An input with the key that binds it, for messages.
 struct Use {
   Input input;
-  std::string place;  //!< "actions.pause"
+  std::string location;  //!< "actions.pause"
   bool steers = false;
 };
 
@@ -64,7 +64,7 @@ std::vector<std::string> texts_at(TomlTable& table, std::string_view key) {
     return texts;
   }
   const toml::array* list = node->as_array();
-  if (list == nullptr || list->size() > most_inputs) {
+  if (list == nullptr || list->size() > max_inputs) {
     throw table.error_at(key, "is not a list of inputs",
                          "write for example [\"Space\", \"pad.start\"], or [] for no input");
   }
@@ -83,7 +83,7 @@ void note(const TomlTable& table, std::string_view key, const Input& input, bool
   Use use = {input, table.path_of(key), steers};
   const auto before = std::ranges::find_if(uses, [&](const Use& other) { return clash(use, other); });
   if (before != uses.end()) {
-    throw table.error_at(key, fmt::format("binds {}, which is already bound to {}", name_of(input), before->place),
+    throw table.error_at(key, fmt::format("binds {}, which is already bound to {}", name_of(input), before->location),
                          "choose another input");
   }
   uses.push_back(std::move(use));
@@ -148,9 +148,9 @@ Controls parse_controls(std::string_view text, const std::string& file) {
   std::map<KeyAction, std::vector<Input>> own_actions;
   std::map<std::size_t, std::vector<Controls::SteerBinding>> own_steering;
   std::vector<Use> uses;
-  for (const ActionFacts& facts : all_actions()) {
-    if (actions.node(facts.name) != nullptr) {
-      own_actions[facts.action] = action_inputs(actions, facts.name, uses);
+  for (const ActionNames& named : all_actions()) {
+    if (actions.node(named.name) != nullptr) {
+      own_actions[named.action] = action_inputs(actions, named.name, uses);
     }
   }
   for (std::size_t i = 0; i < all_steering().size(); ++i) {
@@ -174,8 +174,8 @@ Controls parse_controls(std::string_view text, const std::string& file) {
   for (auto& [action, inputs] : own_actions) {
     controls.actions_[action] = std::move(inputs);
   }
-  for (auto& [place, bindings] : own_steering) {
-    controls.steering_[place] = std::move(bindings);
+  for (auto& [location, bindings] : own_steering) {
+    controls.steering_[location] = std::move(bindings);
   }
   return controls;
 }
@@ -222,20 +222,20 @@ std::string to_toml(const Controls& controls) {
       "input.\n"
       "# Examples of inputs: \"Space\", \"Ctrl+R\", \"mouse.left\", \"wheel.up\", \"pad.south\", \"pad.left_x\" "
       "...\n\n[actions]\n";
-  for (const ActionFacts& facts : all_actions()) {
+  for (const ActionNames& named : all_actions()) {
     std::vector<std::string> names;
-    for (const Input& input : controls.inputs_of(facts.action)) {
+    for (const Input& input : controls.inputs_of(named.action)) {
       names.push_back(name_of(input));
     }
-    text += fmt::format("{} = {}  # {}\n", facts.name, list_of(names), facts.english);
+    text += fmt::format("{} = {}  # {}\n", named.name, list_of(names), named.english);
   }
   text += "\n# A minus sign reverses an input, a factor scales it: \"-A\", \"0.5*pad.left_x\".\n[steer]\n";
-  for (const SteerFacts& facts : all_steering()) {
+  for (const SteerNames& named : all_steering()) {
     std::vector<std::string> names;
-    for (const Controls::SteerBinding& binding : controls.inputs_of(facts.component)) {
+    for (const Controls::SteerBinding& binding : controls.inputs_of(named.component)) {
       names.push_back(text_of(binding));
     }
-    text += fmt::format("{} = {}  # {}\n", facts.name, list_of(names), facts.english);
+    text += fmt::format("{} = {}  # {}\n", named.name, list_of(names), named.english);
   }
   return text;
 }

@@ -10,7 +10,7 @@ namespace ergodome {
 
 namespace {
 
-constexpr int least_px = 6;
+constexpr int min_px = 6;
 constexpr std::size_t between_cells = 2;  // characters
 constexpr std::size_t between_columns = 4;
 
@@ -95,12 +95,12 @@ std::vector<std::string> column_of(Groups groups) {
 //! Returns the number of groups in the first of two columns that minimizes the longer one.
 std::size_t first_column(Groups groups) {
   std::size_t best = groups.size();
-  std::size_t least = column_of(groups).size();
+  std::size_t minimum = column_of(groups).size();
   for (std::size_t i = 1; i < groups.size(); ++i) {
     const std::size_t longer = std::max(column_of(groups.first(i)).size(), column_of(groups.subspan(i)).size());
-    if (longer < least) {
+    if (longer < minimum) {
       best = i;
-      least = longer;
+      minimum = longer;
     }
   }
   return best;
@@ -134,7 +134,7 @@ std::string in_columns(const std::string& list, int columns) {
 }
 
 FittedText fit_list(const std::string& list, const TextSize& window, int usual_px, const MeasureText& measure) {
-  FittedText fitted = {in_columns(list, 2), least_px};
+  FittedText fitted = {in_columns(list, 2), min_px};
   // Bisects for the largest size that fits.
   for (int too_large = usual_px + 1; too_large - fitted.letter_px > 1;) {
     const int between = (fitted.letter_px + too_large) / 2;

@@ -90,13 +90,13 @@ std::span<const HelpRow> help_rows() {
 
 //! Returns the subject of a steering component: `flight` if it moves the camera, otherwise
 //! `camera`.
-HelpGroup group_of(const SteerFacts& facts) {
+HelpGroup group_of(const SteerNames& named) {
   const auto moves = {&Steering::right, &Steering::up, &Steering::forward, &Steering::faster};
-  return std::ranges::find(moves, facts.component) != moves.end() ? HelpGroup::flight : HelpGroup::camera;
+  return std::ranges::find(moves, named.component) != moves.end() ? HelpGroup::flight : HelpGroup::camera;
 }
 
-const ActionFacts& facts_of(KeyAction action) {
-  return *std::ranges::find(all_actions(), action, &ActionFacts::action);
+const ActionNames& summary_of(KeyAction action) {
+  return *std::ranges::find(all_actions(), action, &ActionNames::action);
 }
 
 //! Cells of a line: keys and mouse, controller, description.
@@ -209,16 +209,16 @@ void add_row(HelpLines& lines, const Controls& controls, const HelpRow& row) {
   }
   for (const KeyAction action : row.actions) {
     if (action != KeyAction::none) {
-      add_actions(lines, controls, {&action, 1}, facts_of(action).english, facts_of(action).german);
+      add_actions(lines, controls, {&action, 1}, summary_of(action).english, summary_of(action).german);
     }
   }
 }
 
 void add_steering(HelpLines& lines, const Controls& controls, HelpGroup group) {
-  for (const SteerFacts& facts : all_steering()) {
-    if (group_of(facts) == group) {
-      lines.begin(facts.english, facts.german);
-      for (const Controls::SteerBinding& binding : controls.inputs_of(facts.component)) {
+  for (const SteerNames& named : all_steering()) {
+    if (group_of(named) == group) {
+      lines.begin(named.english, named.german);
+      for (const Controls::SteerBinding& binding : controls.inputs_of(named.component)) {
         lines.add(binding.input);
       }
       lines.end();
@@ -236,7 +236,7 @@ std::string help_text(const Controls& controls, const HelpChoice& choice) {
     add_steering(lines, controls, group);
     for (const HelpRow& row : help_rows()) {
       const bool may_use =
-          choice.reader == ActionUser::presenter || facts_of(row.actions.front()).user == ActionUser::visitor;
+          choice.reader == ActionUser::presenter || summary_of(row.actions.front()).user == ActionUser::visitor;
       if (row.group == group && may_use) {
         add_row(lines, controls, row);
       }

@@ -25,19 +25,19 @@ struct Read {
 //! middle of its range like a stick. Assumes the middle until a value well below it is reported.
 class TriggerRest {
  public:
-  explicit TriggerRest(const RawAxis& range) : least_(range.least), middle_(range.centre) {}
+  explicit TriggerRest(const RawAxis& range) : minimum_(range.minimum), middle_(range.centre) {}
 
   //! Takes a value and sets the range of the axis accordingly. Returns whether the range changed.
   bool take(std::int32_t value, RawAxis& axis) {
     // The rest position is uncertain by an eighth of the whole range.
     const std::int64_t below = std::int64_t{middle_} - value;
-    rests_at_least_ = rests_at_least_ || 4 * below > std::int64_t{middle_} - least_;
-    axis.centre = rests_at_least_ ? least_ : middle_;
-    return std::exchange(axis.least, axis.centre) != axis.centre;
+    rests_at_least_ = rests_at_least_ || 4 * below > std::int64_t{middle_} - minimum_;
+    axis.centre = rests_at_least_ ? minimum_ : middle_;
+    return std::exchange(axis.minimum, axis.centre) != axis.centre;
   }
 
  private:
-  std::int32_t least_;
+  std::int32_t minimum_;
   std::int32_t middle_;
   bool rests_at_least_ = false;
 };
@@ -53,7 +53,7 @@ class ByDescriptor : public PadDecoder {
     for (const HidField& field : hid.fields) {
       add(field);
       if (field.usage.page == buttons) {
-        const std::int64_t more = field.is_array ? field.greatest - field.least : 0;
+        const std::int64_t more = field.is_array ? field.maximum - field.minimum : 0;
         button_count = std::max(button_count, static_cast<std::size_t>(field.usage.usage + more));
       }
     }
@@ -62,10 +62,10 @@ class ByDescriptor : public PadDecoder {
       RawAxis& axis = layout_.axes[i];
       if (axis.axis && is_trigger(*axis.axis)) {
         triggers_.emplace(i, TriggerRest(axis));
-        axis.centre = axis.least;
+        axis.centre = axis.minimum;
       }
     }
-    layout_.numbered = generic_buttons(hid, std::min(button_count, most_numbered_buttons));
+    layout_.numbered = generic_buttons(hid, std::min(button_count, max_numbered_buttons));
   }
 
   [[nodiscard]] bool reads_anything() const { return !reads_.empty(); }
@@ -120,7 +120,7 @@ class ByDescriptor : public PadDecoder {
       }
     } else if (field.usage == HidUsage{desktop, 0x39}) {
       reads_.push_back({field, Read::As::hat, 0});
-    } else if (field.usage.page == buttons && field.usage.usage >= 1 && field.usage.usage <= most_numbered_buttons) {
+    } else if (field.usage.page == buttons && field.usage.usage >= 1 && field.usage.usage <= max_numbered_buttons) {
       reads_.push_back({field, Read::As::numbered_button, field.usage.usage - 1U});
     } else if (const auto button = generic_button(field.usage)) {
       reads_.push_back({field, Read::As::button, static_cast<std::size_t>(*button)});
@@ -132,12 +132,12 @@ class ByDescriptor : public PadDecoder {
       return static_cast<std::int32_t>(std::clamp<std::int64_t>(value, std::numeric_limits<std::int32_t>::min(),
                                                                 std::numeric_limits<std::int32_t>::max()));
     };
-    if (layout_.axes.size() >= most_raw_axes || field.greatest <= field.least) {
+    if (layout_.axes.size() >= max_raw_axes || field.maximum <= field.minimum) {
       return;
     }
     reads_.push_back({field, Read::As::axis, layout_.axes.size()});
-    layout_.axes.push_back({unused_name(name), inside(field.least), inside((field.least + field.greatest + 1) / 2),
-                            inside(field.greatest), std::nullopt, false});
+    layout_.axes.push_back({unused_name(name), inside(field.minimum), inside((field.minimum + field.maximum + 1) / 2),
+                            inside(field.maximum), std::nullopt, false});
   }
 
   //! Returns a free name: "slider", then "slider_2".
@@ -161,7 +161,7 @@ class ByDescriptor : public PadDecoder {
       if (read.as == Read::As::numbered_button) {
         pad.numbered.reset(read.index);
       } else if (read.as == Read::As::button_array) {
-        for (std::int64_t value = read.field.least; value <= read.field.greatest; ++value) {
+        for (std::int64_t value = read.field.minimum; value <= read.field.maximum; ++value) {
           if (const auto index = array_button(read, value)) {
             pad.numbered.reset(*index);
           }
@@ -206,20 +206,20 @@ class ByDescriptor : public PadDecoder {
 
   //! Returns the index of the numbered button that an array's value selects.
   static std::optional<std::size_t> array_button(const Read& read, std::int64_t value) {
-    const std::int64_t number = static_cast<std::int64_t>(read.index) + value - read.field.least;
-    const bool selects = value >= read.field.least && value <= read.field.greatest && number >= 1 &&
-                         number <= static_cast<std::int64_t>(most_numbered_buttons);
+    const std::int64_t number = static_cast<std::int64_t>(read.index) + value - read.field.minimum;
+    const bool selects = value >= read.field.minimum && value <= read.field.maximum && number >= 1 &&
+                         number <= static_cast<std::int64_t>(max_numbered_buttons);
     return selects ? std::optional(static_cast<std::size_t>(number - 1)) : std::nullopt;
   }
 
   //! Returns the nearest of eight directions, clockwise from up, which is the smallest value; -1 if
   //! no direction. Hats have four or eight values, or divide a full turn.
   static int direction_of(const HidField& field, std::int64_t value) {
-    const std::int64_t parts = field.greatest - field.least + 1;
-    if (value < field.least || value > field.greatest || parts % 4 != 0) {
+    const std::int64_t parts = field.maximum - field.minimum + 1;
+    if (value < field.minimum || value > field.maximum || parts % 4 != 0) {
       return -1;
     }
-    return static_cast<int>((16 * (value - field.least) + parts) / (2 * parts) % 8);
+    return static_cast<int>((16 * (value - field.minimum) + parts) / (2 * parts) % 8);
   }
 
   bool has_ids_;

@@ -8,8 +8,8 @@ namespace ergodome {
 namespace {
 
 constexpr std::size_t old_length = 9;
-constexpr std::size_t least_new_length = 15;  //!< minimum length of a report: up to the battery level
-constexpr std::size_t most_new_length = 64;
+constexpr std::size_t min_new_length = 15;  //!< minimum length of a report: up to the battery level
+constexpr std::size_t max_new_length = 64;
 
 //! Reads reports in 8BitDo's layouts; all others are read by the descriptor.
 class EightBitDo : public PadDecoder {
@@ -18,7 +18,7 @@ class EightBitDo : public PadDecoder {
     layout_.axes = stick_and_trigger_axes(0, 0x7F, 255, 255);
     if (otherwise_ != nullptr) {
       for (const RawAxis& axis : otherwise_->layout().axes) {
-        if (layout_.axes.size() < most_raw_axes) {
+        if (layout_.axes.size() < max_raw_axes) {
           layout_.axes.push_back(axis);
         }
       }
@@ -33,7 +33,7 @@ class EightBitDo : public PadDecoder {
     if (report.size() == old_length) {
       return take_old(report, pad);
     }
-    if (report.size() >= least_new_length && report.size() <= most_new_length &&
+    if (report.size() >= min_new_length && report.size() <= max_new_length &&
         (report[0] == 0x04 || report[0] == 0x03 || report[0] == 0x01)) {
       return take_new(report, pad);
     }

@@ -77,7 +77,7 @@ class AxisMap {
     const RawAxis* const first = find(*names.begin());
     return std::all_of(names.begin(), names.end(), [&](std::string_view name) {
       const RawAxis* const axis = find(name);
-      return axis != nullptr && axis->least == first->least && axis->greatest == first->greatest;
+      return axis != nullptr && axis->minimum == first->minimum && axis->maximum == first->maximum;
     });
   }
 

@@ -106,7 +106,7 @@ std::unique_ptr<PadDecoder> make_known(Model model, HidBus bus, std::span<const 
 
 RawPad at_rest(const RawLayout& layout) {
   RawPad pad;
-  for (std::size_t i = 0; i < std::min(layout.axes.size(), most_raw_axes); ++i) {
+  for (std::size_t i = 0; i < std::min(layout.axes.size(), max_raw_axes); ++i) {
     pad.values[i] = layout.axes[i].centre;
   }
   return pad;

@@ -104,17 +104,17 @@ std::uint32_t crc32_after(std::uint8_t seed, ReportBytes bytes);
 
 //! Returns the raw axes of a controller with two sticks that count right and down: left x, left y,
 //! right x, right y.
-inline std::vector<RawAxis> stick_axes(std::int32_t least, std::int32_t centre, std::int32_t greatest) {
-  return {{"left_x", least, centre, greatest, PadAxis::left_x, false},
-          {"left_y", least, centre, greatest, PadAxis::left_y, true},
-          {"right_x", least, centre, greatest, PadAxis::right_x, false},
-          {"right_y", least, centre, greatest, PadAxis::right_y, true}};
+inline std::vector<RawAxis> stick_axes(std::int32_t minimum, std::int32_t centre, std::int32_t maximum) {
+  return {{"left_x", minimum, centre, maximum, PadAxis::left_x, false},
+          {"left_y", minimum, centre, maximum, PadAxis::left_y, true},
+          {"right_x", minimum, centre, maximum, PadAxis::right_x, false},
+          {"right_y", minimum, centre, maximum, PadAxis::right_y, true}};
 }
 
 //! Returns the axes of stick_axes(), followed by two triggers, from 0 to `full`.
-inline std::vector<RawAxis> stick_and_trigger_axes(std::int32_t least, std::int32_t centre, std::int32_t greatest,
+inline std::vector<RawAxis> stick_and_trigger_axes(std::int32_t minimum, std::int32_t centre, std::int32_t maximum,
                                                    std::int32_t full) {
-  std::vector<RawAxis> axes = stick_axes(least, centre, greatest);
+  std::vector<RawAxis> axes = stick_axes(minimum, centre, maximum);
   axes.push_back({"left_trigger", 0, 0, full, PadAxis::left_trigger, false});
   axes.push_back({"right_trigger", 0, 0, full, PadAxis::right_trigger, false});
   return axes;

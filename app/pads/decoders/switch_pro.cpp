@@ -7,9 +7,9 @@ namespace {
 
 constexpr std::size_t switch_simple_length = 12;
 //! Minimum length of a full report: up to the sticks; motion data follows.
-constexpr std::size_t least_full_length = 12;
+constexpr std::size_t min_full_length = 12;
 //! USB pads its reports to this length; Bluetooth sends 49.
-constexpr std::size_t most_full_length = 64;
+constexpr std::size_t max_full_length = 64;
 constexpr std::uint32_t factory_sticks = 0x603D;
 constexpr std::uint32_t user_sticks = 0x8010;
 
@@ -32,9 +32,9 @@ struct StickRange {
 
 void set_range(RawAxis& axis, std::int32_t centre, std::int32_t above, std::int32_t below) {
   if (above > 0 && below > 0 && centre - below >= 0 && centre + above <= 0xFFF) {
-    axis.least = centre - below;
+    axis.minimum = centre - below;
     axis.centre = centre;
-    axis.greatest = centre + above;
+    axis.maximum = centre + above;
   }
 }
 
@@ -70,7 +70,7 @@ class SwitchPro : public PadDecoder {
       case 0x21:
         return is_full(report) ? take_answer(report, pad) : PadReport::refused;
       case 0x81:
-        return report.size() >= 2 && report.size() <= most_full_length ? PadReport::other : PadReport::refused;
+        return report.size() >= 2 && report.size() <= max_full_length ? PadReport::other : PadReport::refused;
       default:
         return PadReport::refused;
     }
@@ -93,7 +93,7 @@ class SwitchPro : public PadDecoder {
 
  private:
   static bool is_full(ReportBytes report) {
-    return report.size() >= least_full_length && report.size() <= most_full_length;
+    return report.size() >= min_full_length && report.size() <= max_full_length;
   }
 
   [[nodiscard]] PadRequest padded(std::vector<std::uint8_t> bytes) const {

@@ -16,8 +16,8 @@ constexpr std::uint32_t longest_report_bits = 65'536U * 8U;
 constexpr std::uint32_t widest_field = 32;
 constexpr std::size_t deepest = 32;
 //! Limit per input item; a range of usages may name 65,536.
-constexpr std::uint32_t most_fields_of_item = 256;
-constexpr std::size_t most_fields = 2048;
+constexpr std::uint32_t max_fields_of_item = 256;
+constexpr std::size_t max_fields = 2048;
 
 //! Type and tag of an item, in the upper six bits of its first byte; the lower two are its size.
 enum Item : unsigned {
@@ -52,10 +52,10 @@ struct UsageRange {
 
 struct Globals {
   std::uint16_t page = 0;
-  std::uint32_t least_bits = 0;  //!< as stored in the descriptor
-  std::size_t least_size = 0;
-  std::uint32_t greatest_bits = 0;
-  std::size_t greatest_size = 0;
+  std::uint32_t min_bits = 0;  //!< as stored in the descriptor
+  std::size_t min_size = 0;
+  std::uint32_t max_bits = 0;
+  std::size_t max_size = 0;
   std::uint32_t size = 0;
   std::uint32_t count = 0;
   std::uint8_t id = 0;
@@ -167,12 +167,12 @@ class Parser {
         globals_.page = static_cast<std::uint16_t>(value);
         break;
       case Item::logical_minimum:
-        globals_.least_bits = value;
-        globals_.least_size = size;
+        globals_.min_bits = value;
+        globals_.min_size = size;
         break;
       case Item::logical_maximum:
-        globals_.greatest_bits = value;
-        globals_.greatest_size = size;
+        globals_.max_bits = value;
+        globals_.max_size = size;
         break;
       case Item::report_size:
         globals_.size = value;
@@ -216,7 +216,7 @@ class Parser {
 
   void add_usages(std::uint32_t first, std::uint32_t last) {
     const bool has_own_page = last >> page_shift != 0;
-    if (with_page(last) >= with_page(first) && usages_.size() < most_fields_of_item) {
+    if (with_page(last) >= with_page(first) && usages_.size() < max_fields_of_item) {
       usages_.push_back({with_page(first), with_page(last), has_own_page});
     }
   }
@@ -277,11 +277,11 @@ class Parser {
     field.is_relative = relative;
     std::uint32_t taken = 0;
     for (const UsageRange& range : usages_) {
-      for (std::uint32_t value = range.first; taken < std::min(globals_.count, most_fields_of_item); ++value) {
+      for (std::uint32_t value = range.first; taken < std::min(globals_.count, max_fields_of_item); ++value) {
         field.usage = usage_of(value);
         field.bit_offset = offset + taken * globals_.size;
         ++taken;
-        if (layout_.fields.size() < most_fields) {
+        if (layout_.fields.size() < max_fields) {
           layout_.fields.push_back(field);
         }
         if (value == range.last) {
@@ -300,10 +300,10 @@ class Parser {
     HidField field = field_of_globals();
     field.is_array = true;
     field.usage = usage_of(usages_.front().first);
-    field.greatest = std::min(field.greatest, field.least + (usages_.front().last - usages_.front().first));
-    for (std::uint32_t i = 0; i < std::min(globals_.count, most_fields_of_item); ++i) {
+    field.maximum = std::min(field.maximum, field.minimum + (usages_.front().last - usages_.front().first));
+    for (std::uint32_t i = 0; i < std::min(globals_.count, max_fields_of_item); ++i) {
       field.bit_offset = offset + i * globals_.size;
-      if (layout_.fields.size() < most_fields) {
+      if (layout_.fields.size() < max_fields) {
         layout_.fields.push_back(field);
       }
     }
@@ -321,26 +321,26 @@ class Parser {
   //! in one byte with a minimum of 0. Corrects limits that are swapped, missing, or beyond the
   //! range of the field's bits.
   void set_range(HidField& field) const {
-    field.least = as_signed(globals_.least_bits, globals_.least_size);
-    field.greatest = as_signed(globals_.greatest_bits, globals_.greatest_size);
-    if (field.least >= 0 && field.greatest < field.least) {
-      field.greatest = globals_.greatest_bits;
-    } else if (field.least == -1 && field.greatest == 0) {
+    field.minimum = as_signed(globals_.min_bits, globals_.min_size);
+    field.maximum = as_signed(globals_.max_bits, globals_.max_size);
+    if (field.minimum >= 0 && field.maximum < field.minimum) {
+      field.maximum = globals_.max_bits;
+    } else if (field.minimum == -1 && field.maximum == 0) {
       // A minimum with all bits set and a maximum of 0 mean the whole unsigned range, with its
       // limits swapped.
-      field.least = globals_.least_bits;
+      field.minimum = globals_.min_bits;
     }
-    if (field.greatest < field.least) {
-      std::swap(field.least, field.greatest);
+    if (field.maximum < field.minimum) {
+      std::swap(field.minimum, field.maximum);
     }
     const std::int64_t values = std::int64_t{1} << field.bits;
-    const std::int64_t lowest = field.least < 0 ? -values / 2 : 0;
+    const std::int64_t lowest = field.minimum < 0 ? -values / 2 : 0;
     const std::int64_t highest = lowest + values - 1;
-    field.least = std::clamp(field.least, lowest, highest);
-    field.greatest = std::clamp(field.greatest, lowest, highest);
-    if (field.greatest == field.least) {
-      field.least = lowest;
-      field.greatest = highest;
+    field.minimum = std::clamp(field.minimum, lowest, highest);
+    field.maximum = std::clamp(field.maximum, lowest, highest);
+    if (field.maximum == field.minimum) {
+      field.minimum = lowest;
+      field.maximum = highest;
     }
   }
 
@@ -367,7 +367,7 @@ std::int64_t field_value(const HidField& field, std::span<const std::uint8_t> da
     bits |= static_cast<std::uint64_t>(data[i]) << (8U * (i - first));
   }
   const std::uint64_t value = (bits >> shift) & ((std::uint64_t{1} << field.bits) - 1U);
-  const bool negative = field.least < 0 && ((value >> (field.bits - 1U)) & 1U) != 0;
+  const bool negative = field.minimum < 0 && ((value >> (field.bits - 1U)) & 1U) != 0;
   return negative ? static_cast<std::int64_t>(value) - (std::int64_t{1} << field.bits)
                   : static_cast<std::int64_t>(value);
 }

@@ -14,11 +14,11 @@ struct HidField {
   std::uint8_t report_id = 0;    //!< 0: the device has no ids
   std::uint32_t bit_offset = 0;  //!< from the report's first bit, after the id
   std::uint8_t bits = 0;         //!< number of bits, 1 to 32
-  HidUsage usage;                //!< for an array: the usage of value `least`
+  HidUsage usage;                //!< for an array: the usage of value `minimum`
   //! Logical minimum; a value outside [least, greatest] means that the field has no value.
-  std::int64_t least = 0;
-  std::int64_t greatest = 0;
-  bool is_array = false;     //!< its value selects a usage: that of `least`, or a later one
+  std::int64_t minimum = 0;
+  std::int64_t maximum = 0;
+  bool is_array = false;     //!< its value selects a usage: that of `minimum`, or a later one
   bool is_relative = false;  //!< the value is a change since the last report
 };
 
@@ -37,8 +37,8 @@ struct HidLayout {
 //! 64 KiB, or is nested too deeply.
 HidLayout parse_hid_descriptor(std::span<const std::uint8_t> descriptor);
 
-//! Returns the value of a field in a report; signed if `least` is negative. `data` starts after the
-//! id and is as long as given by report_bits.
+//! Returns the value of a field in a report; signed if `minimum` is negative. `data` starts after
+//! the id and is as long as given by report_bits.
 std::int64_t field_value(const HidField& field, std::span<const std::uint8_t> data);
 
 }  // namespace ergodome

@@ -12,10 +12,10 @@ namespace ergodome {
 
 namespace {
 
-constexpr std::size_t most_mib = 4;
-constexpr std::size_t most_devices = 16;
-constexpr std::size_t most_listed_events = 20'000;
-constexpr std::size_t most_events = 200'000;
+constexpr std::size_t max_mib = 4;
+constexpr std::size_t max_devices = 16;
+constexpr std::size_t max_listed_events = 20'000;
+constexpr std::size_t max_events = 200'000;
 constexpr std::size_t longest_fixture_report = 65'536;
 constexpr double longest_ms = 86'400'000.0;
 
@@ -34,7 +34,7 @@ class FixtureReader {
   HidFixture read() {
     HidFixture fixture;
     fixture.source = root_.lines("source", "");
-    const std::vector<const toml::table*> devices = root_.tables("device", most_devices);
+    const std::vector<const toml::table*> devices = root_.tables("device", max_devices);
     for (std::size_t i = 0; i < devices.size(); ++i) {
       fixture.devices.push_back(read_device(*devices[i], fmt::format("device[{}]", i + 1)));
     }
@@ -62,7 +62,7 @@ class FixtureReader {
       device.features.push_back(read_hex(answer, "hex"));
       answer.refuse_unknown_keys();
     }
-    for (const toml::table* const event : table.tables("event", most_listed_events)) {
+    for (const toml::table* const event : table.tables("event", max_listed_events)) {
       TomlTable one(*event, file_, path + ".event");
       read_event(one, device);
     }
@@ -79,15 +79,15 @@ class FixtureReader {
     HidEvent event;
     event.t_s = table.number("t_ms", 0.0, 0.0, longest_ms) / 1000.0;
     event.expect = table.text("expect", "");
-    const int count = table.integer("count", 1, 1, static_cast<int>(most_events));
+    const int count = table.integer("count", 1, 1, static_cast<int>(max_events));
     const double every_s = table.number("every_ms", 1.0, 0.0, longest_ms) / 1000.0;
     set_kind(table, event);
     table.refuse_unknown_keys();
     // Repeating a large report uses much memory, so the expanded size is limited.
     expanded_bytes_ += (sizeof(HidEvent) + event.bytes.size() + event.expect.size()) * static_cast<std::size_t>(count);
-    if (expanded_bytes_ > (std::size_t{64} << 20U) || device.timeline.size() + count > most_events) {
+    if (expanded_bytes_ > (std::size_t{64} << 20U) || device.timeline.size() + count > max_events) {
       throw table.error_at("count", "produces too many events",
-                           fmt::format("a fixture may contain at most {} events and 64 MiB", most_events));
+                           fmt::format("a fixture may contain at most {} events and 64 MiB", max_events));
     }
     for (int i = 0; i < count; ++i) {
       device.timeline.push_back(event);
@@ -190,13 +190,12 @@ class FixtureReader {
 }  // namespace
 
 HidFixture parse_hid_fixture(std::string_view text, const std::string& file) {
-  const toml::table root = parse_toml(text, file, most_mib, "a fixture");
+  const toml::table root = parse_toml(text, file, max_mib, "a fixture");
   return FixtureReader(root, file).read();
 }
 
 HidFixture load_hid_fixture(const std::filesystem::path& path) {
-  return parse_hid_fixture(read_whole_file(path, most_mib << 20U, "a fixture is a TOML file of reports"),
-                           path.string());
+  return parse_hid_fixture(read_whole_file(path, max_mib << 20U, "a fixture is a TOML file of reports"), path.string());
 }
 
 }  // namespace ergodome

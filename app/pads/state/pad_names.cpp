@@ -46,7 +46,7 @@ std::string_view without_number(std::string_view name) {
   std::size_t number = 0;
   const char* const end = name.data() + name.size();
   const auto [stop, problem] = std::from_chars(name.data() + bar + 1, end, number);
-  const bool fits = problem == std::errc{} && stop == end && number >= 2 && number <= most_raw_axes;
+  const bool fits = problem == std::errc{} && stop == end && number >= 2 && number <= max_raw_axes;
   return fits ? name.substr(0, bar) : name;
 }
 

@@ -127,8 +127,8 @@ void ShowClock::seek_by(ShowTime difference) {
 
 void ShowClock::step(std::int64_t frames) {
   pause();
-  constexpr std::int64_t most = 1'000'000'000'000;
-  std::int64_t to = std::clamp(read().frame + std::clamp(frames, -most, most), -most, most);
+  constexpr std::int64_t maximum = 1'000'000'000'000;
+  std::int64_t to = std::clamp(read().frame + std::clamp(frames, -maximum, maximum), -maximum, maximum);
   if (duration_ > ShowTime{}) {
     const std::int64_t count = frames_a_pass();
     to = loop_ ? to - count * floor_quotient(to, count) : std::clamp<std::int64_t>(to, 0, count - 1);

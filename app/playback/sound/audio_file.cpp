@@ -173,7 +173,7 @@ AudioFile::AudioFile(const std::filesystem::path& path) {
     }
     throw Error(path.string(), fmt::format("is not a readable sound file ({})", why), remedy);
   }
-  if (info.channels < 1 || info.channels > most_channels) {
+  if (info.channels < 1 || info.channels > max_channels) {
     throw Error(path.string(), fmt::format("has {} channels", info.channels), "mix it down to 8 or fewer");
   }
   if (info.samplerate < 8000 || info.samplerate > 192'000) {
@@ -184,28 +184,28 @@ AudioFile::AudioFile(const std::filesystem::path& path) {
   frames_ = info.frames;
   // FLAC written to a pipe does not contain its length; the library then reports the largest
   // number.
-  constexpr sf_count_t most_frames = sf_count_t{1} << 40;
-  if (file_ && frames_ > most_frames && (info.format & SF_FORMAT_TYPEMASK) == SF_FORMAT_FLAC) {
+  constexpr sf_count_t max_frames = sf_count_t{1} << 40;
+  if (file_ && frames_ > max_frames && (info.format & SF_FORMAT_TYPEMASK) == SF_FORMAT_FLAC) {
     frames_ = counted_frames(path.string());
   }
-  if (info.seekable == 0 || frames_ < 1 || frames_ > most_frames) {
+  if (info.seekable == 0 || frames_ < 1 || frames_ > max_frames) {
     throw Error(path.string(), "has no known length or does not support seeking", remedy);
   }
 }
 
 AudioFile::~AudioFile() = default;
 
-std::int64_t AudioFile::counted_frames(const std::string& place) const {
+std::int64_t AudioFile::counted_frames(const std::string& location) const {
   constexpr sf_count_t frames_at_once = 4096;
   // More than an hour of stereo at 48 kHz, decoded in a few seconds. A short file can expand to
   // years of silence.
-  constexpr std::int64_t most_samples = 400'000'000;
+  constexpr std::int64_t max_samples = 400'000'000;
   std::vector<float> samples(static_cast<std::size_t>(frames_at_once) * static_cast<std::size_t>(channels_));
   std::int64_t frames = 0;
   for (sf_count_t came = frames_at_once; came == frames_at_once; frames += came) {
-    require_reading_goes_on(place);
-    if (frames > most_samples / channels_) {
-      throw Error(place, "does not state its length and is too long to measure by decoding it",
+    throw_if_reading_stopped(location);
+    if (frames > max_samples / channels_) {
+      throw Error(location, "does not state its length and is too long to measure by decoding it",
                   "encode it again to a file, not to a pipe");
     }
     came = std::max<sf_count_t>(sf_readf_float(static_cast<SNDFILE*>(file_.get()), samples.data(), frames_at_once), 0);
@@ -228,7 +228,7 @@ std::int64_t AudioFile::read_within(std::int64_t first_frame, std::int64_t count
 }
 
 bool AudioFile::has_end() {
-  std::array<float, most_channels> last{};
+  std::array<float, max_channels> last{};
   return read_within(frames_ - 1, 1, last.data()) == 1;
 }
 
@@ -237,11 +237,11 @@ bool AudioFile::read(std::int64_t first_frame, bool loop, std::span<float> sampl
   const std::int64_t count = static_cast<std::int64_t>(samples.size()) / channels_;
   std::int64_t done = std::clamp<std::int64_t>(-first_frame, 0, count);
   while (done < count) {
-    const std::int64_t place = first_frame + done;
-    if (place >= frames_ && !loop) {
+    const std::int64_t position = first_frame + done;
+    if (position >= frames_ && !loop) {
       break;
     }
-    const std::int64_t within = place % frames_;
+    const std::int64_t within = position % frames_;
     const std::int64_t part = std::min(count - done, frames_ - within);
     const std::int64_t came = read_within(within, part, samples.data() + done * channels_);
     done += came;

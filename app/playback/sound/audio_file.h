@@ -46,7 +46,7 @@ std::string sound_problem(const std::filesystem::path& path);
 //! and Opus.
 class AudioFile {
  public:
-  static constexpr int most_channels = 8;
+  static constexpr int max_channels = 8;
 
   //! Throws Error if it is not a sound file, has no length, more than 8 channels or a rate outside
   //! 8 to 192 kHz, or does not support seeking.
@@ -76,7 +76,7 @@ class AudioFile {
     void operator()(void* file) const;
   };
   //! Counts the frames of a file that does not contain its length, by decoding it.
-  [[nodiscard]] std::int64_t counted_frames(const std::string& place) const;
+  [[nodiscard]] std::int64_t counted_frames(const std::string& location) const;
 
   std::unique_ptr<void, Close> file_;  //!< libsndfile's handle; null for MP3
   std::unique_ptr<Mp3File> mp3_;

@@ -15,7 +15,7 @@ namespace {
 
 //! Tracks start this long before they are heard, in silence.
 constexpr double run_up_s = 0.25;
-constexpr std::size_t most_tracks = 64;
+constexpr std::size_t max_tracks = 64;
 
 double length_in_show_s(const AudioTrack& track, double length_s, double show_duration_s) {
   const double left_s =
@@ -45,9 +45,9 @@ struct AudioMixer::Voice {
 AudioMixer::AudioMixer(const AudioOutput& output, Soundtrack soundtrack, TimeSource source, double later_s)
     : output_(output), soundtrack_(std::move(soundtrack)), source_(std::move(source)), later_s_(later_s) {
   output_.make_current();
-  if (soundtrack_.tracks.size() > most_tracks) {
+  if (soundtrack_.tracks.size() > max_tracks) {
     problems_.emplace_back("the show has more than 64 sound tracks; only the first 64 are played");
-    soundtrack_.tracks.resize(most_tracks);
+    soundtrack_.tracks.resize(max_tracks);
   }
   for (const AudioTrack& track : soundtrack_.tracks) {
     open(track);
@@ -87,10 +87,10 @@ void AudioMixer::play(Voice& voice, const AudioCue& cue, bool jumped) {
   const double speed = instant.speed;
   const double now_s = seconds_of(instant.time) + speed * seconds_of(source_() - instant.now) - later_s_ * speed;
   const double length_s = voice.sound->file().length_s();
-  const bool spoken_here = track.language.empty() || track.language == cue.language;
+  const bool is_spoken = track.language.empty() || track.language == cue.language;
   const bool follows = instant.playing && speed >= 0.5 && speed <= 2.0;
   const double end_s = track.from_s + length_in_show_s(track, length_s, soundtrack_.duration_s);
-  if (!spoken_here || !follows || now_s < track.from_s - run_up_s || now_s >= end_s) {
+  if (!is_spoken || !follows || now_s < track.from_s - run_up_s || now_s >= end_s) {
     if (std::exchange(voice.heard, false)) {
       voice.sound->stop();
     }
@@ -99,9 +99,9 @@ void AudioMixer::play(Voice& voice, const AudioCue& cue, bool jumped) {
   // During the run-up the file is silent, so its gain is already that of its first sound.
   const double gain = track_gain(track, length_s, soundtrack_.duration_s, std::max(now_s, track.from_s));
   // Difference of integer nanoseconds, so that it is exact after any running time.
-  const ShowTime place = instant.time - show_time(track.from_s) - show_time(later_s_ * speed);
+  const ShowTime position = instant.time - show_time(track.from_s) - show_time(later_s_ * speed);
   voice.heard = true;
-  if (!voice.sound->play({seconds_of(place), speed, gain, instant.now, jumped}, output_.latency_s())) {
+  if (!voice.sound->play({seconds_of(position), speed, gain, instant.now, jumped}, output_.latency_s())) {
     problems_.push_back((soundtrack_.folder / track.file).string() +
                         ": is damaged: its length differs from its header; the show continues without it");
     voice.sound.reset();
@@ -111,14 +111,14 @@ void AudioMixer::play(Voice& voice, const AudioCue& cue, bool jumped) {
 
 std::vector<std::string> AudioMixer::take_problems() { return std::exchange(problems_, {}); }
 
-double AudioMixer::greatest_error_s() const {
-  double greatest = 0.0;
+double AudioMixer::max_error_s() const {
+  double maximum = 0.0;
   for (const auto& voice : voices_) {
     if (voice->sound && voice->heard) {
-      greatest = std::max(greatest, std::abs(voice->sound->lateness_s()));
+      maximum = std::max(maximum, std::abs(voice->sound->lateness_s()));
     }
   }
-  return greatest;
+  return maximum;
 }
 
 long AudioMixer::restarts() const {

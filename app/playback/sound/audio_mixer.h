@@ -48,7 +48,7 @@ class AudioMixer {
   //! Returns the problems of tracks since the last call, each once.
   std::vector<std::string> take_problems();
   //! Returns the maximum offset between sound and show over all tracks that play [s].
-  [[nodiscard]] double greatest_error_s() const;
+  [[nodiscard]] double max_error_s() const;
   [[nodiscard]] long restarts() const;
 
  private:

@@ -91,15 +91,15 @@ std::vector<float> AudioOutput::render(int frames) const {
 
 namespace {
 
-void say_nothing(const char* /*file*/, int /*line*/, const char* /*function*/, int /*number*/, const char* /*format*/,
-                 ...) {}
+void ignore_message(const char* /*file*/, int /*line*/, const char* /*function*/, int /*number*/,
+                    const char* /*format*/, ...) {}
 
 }  // namespace
 
 void silence_sound_libraries() {
   static std::once_flag once;
   std::call_once(once, [] {
-    snd_lib_error_set_handler(say_nothing);
+    snd_lib_error_set_handler(ignore_message);
     // OpenAL Soft reads this variable on first use. A user's value is kept.
     ::setenv("ALSOFT_LOGLEVEL", "0", 0);
   });

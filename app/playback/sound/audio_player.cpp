@@ -13,9 +13,9 @@ namespace {
 const std::string no_device = "no sound device was found; the show continues without sound";
 
 constexpr auto pace = std::chrono::milliseconds(20);
-constexpr auto between_looks = std::chrono::seconds(5);
+constexpr auto check_interval = std::chrono::seconds(5);
 //! If the player sends no cue for this long, it hangs, and the sound stops.
-constexpr auto most_silence = std::chrono::seconds(10);
+constexpr auto max_silence = std::chrono::seconds(10);
 
 }  // namespace
 
@@ -68,10 +68,10 @@ std::string AudioPlayer::state() const {
 
 void AudioPlayer::say(std::string problem) {
   // The number of messages is limited, because they may never be read.
-  constexpr std::size_t most = 100;
+  constexpr std::size_t maximum = 100;
   const std::lock_guard lock(mutex_);
   problem_ = problem;
-  if (problems_.size() < most) {
+  if (problems_.size() < maximum) {
     problems_.push_back(std::move(problem));
   }
 }
@@ -94,17 +94,17 @@ void AudioPlayer::find_output() {
     output_.reset();
   }
   const MonotonicTime now = steady_time();
-  if (output_ || soundtrack_.tracks.empty() || (looked_at_ && now - *looked_at_ < between_looks)) {
+  if (output_ || soundtrack_.tracks.empty() || (checked_ && now - *checked_ < check_interval)) {
     return;
   }
-  looked_at_ = now;
+  checked_ = now;
   output_ = AudioOutput::open_device();
   // The audio library's null device: it consumes sound at the right pace, but is silent.
   const bool stand_in = output_ && output_->name() == "No Output";
   if (!output_ || stand_in) {
     set_state("no sound device");
-    look_at_files();
-    if (!std::exchange(said_silent_, true)) {
+    check_files();
+    if (!std::exchange(reported_silent_, true)) {
       say(no_device);
     } else {
       // The problem was already logged, but must also be in the status of this show.
@@ -114,7 +114,7 @@ void AudioPlayer::find_output() {
     output_.reset();
     return;
   }
-  said_silent_ = false;
+  reported_silent_ = false;
   unsay(no_device);
   set_state(output_->name());
 }
@@ -122,17 +122,17 @@ void AudioPlayer::find_output() {
 void AudioPlayer::take_over(Soundtrack soundtrack) {
   mixer_.reset();
   soundtrack_ = std::move(soundtrack);
-  looked_at_.reset();
-  looked_at_files_ = false;
+  checked_.reset();
+  checked_files_ = false;
 }
 
-void AudioPlayer::look_at_files() {
-  if (std::exchange(looked_at_files_, true)) {
+void AudioPlayer::check_files() {
+  if (std::exchange(checked_files_, true)) {
     return;
   }
   for (const AudioTrack& track : soundtrack_.tracks) {
     const std::string problem = sound_problem(soundtrack_.folder / track.file);
-    if (!problem.empty() && said_of_files_.insert(problem).second) {
+    if (!problem.empty() && reported_files_.insert(problem).second) {
       say(problem);
     }
   }
@@ -146,7 +146,7 @@ void AudioPlayer::mix(const AudioCue& cue) {
     mixer_ = std::make_unique<AudioMixer>(*output_, soundtrack_, steady_time, later_s_);
   }
   AudioCue heard = cue;
-  if (steady_time() - cue.instant.now > most_silence) {
+  if (steady_time() - cue.instant.now > max_silence) {
     heard.instant.playing = false;
   }
   mixer_->update(heard);

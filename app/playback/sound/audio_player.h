@@ -44,7 +44,7 @@ class AudioPlayer {
   void say(std::string problem);
   void unsay(const std::string& problem);
   void set_state(std::string state);
-  void look_at_files();
+  void check_files();
 
   double later_s_;
   mutable std::mutex mutex_;
@@ -60,12 +60,12 @@ class AudioPlayer {
   Soundtrack soundtrack_;
   std::unique_ptr<AudioOutput> output_;
   std::unique_ptr<AudioMixer> mixer_;
-  std::optional<MonotonicTime> looked_at_;
-  bool said_silent_ = false;
+  std::optional<MonotonicTime> checked_;
+  bool reported_silent_ = false;
   //! Whether the files of this soundtrack were checked, without a device to play them.
-  bool looked_at_files_ = false;
+  bool checked_files_ = false;
   //! Problems of files already reported, so that each is reported once.
-  std::set<std::string> said_of_files_;
+  std::set<std::string> reported_files_;
   std::thread thread_;
 };
 

@@ -20,7 +20,7 @@ constexpr double tolerable_s = 0.01;
 //! An offset above this cannot be jitter of the measurement: even a single one causes a restart.
 constexpr double lost_s = 0.15;
 constexpr double steering_s = 1.0;
-constexpr double most_steering = 0.01;
+constexpr double max_steering = 0.01;
 //! Pause between two restarts, for a machine that cannot keep up.
 constexpr auto rest = std::chrono::milliseconds(500);
 constexpr std::size_t first_buffers = 3;
@@ -86,7 +86,7 @@ void AudioVoice::stop() {
 }
 
 double AudioVoice::wished_now_s(const Wish& wish) const {
-  return wish.place_s + wish.speed * seconds_of(source_() - wish.at);
+  return wish.position_s + wish.speed * seconds_of(source_() - wish.at);
 }
 
 void AudioVoice::queue(unsigned int buffer) {
@@ -155,7 +155,7 @@ double AudioVoice::keep_in_step(const Wish& wish, double latency_s) {
     return 0.0;
   }
   settled_ = settled_ || ahead_s_.count() >= enough;
-  return std::clamp(-mean_s / steering_s, -most_steering, most_steering);
+  return std::clamp(-mean_s / steering_s, -max_steering, max_steering);
 }
 
 bool AudioVoice::play(const Wish& wish, double latency_s) {

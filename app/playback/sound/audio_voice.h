@@ -39,8 +39,8 @@ class AudioVoice {
  public:
   //! Requested sound at a time of the time source.
   struct Wish {
-    double place_s = 0.0;  //!< position in the file; negative: starts that much later
-    double speed = 1.0;    //!< 0.5 to 2
+    double position_s = 0.0;  //!< position in the file; negative: starts that much later
+    double speed = 1.0;       //!< 0.5 to 2
     double gain = 1.0;
     MonotonicTime at{};   //!< time at which the requested position is valid
     bool jumped = false;  //!< the show's time jumped, so the position is not continuous

@@ -14,7 +14,7 @@ class Fader {
 
   //! Starts a fade to 0 or 1.
   void go(double target, MonotonicTime now) {
-    from_ = place(now);
+    from_ = position(now);
     since_ = now;
     target_ = target > 0.5 ? 1.0 : 0.0;
   }
@@ -29,13 +29,13 @@ class Fader {
 
   //! Returns the value, which is slow at both ends: 3 p² - 2 p³ of the progress p.
   [[nodiscard]] double value(MonotonicTime now) const {
-    const double p = place(now);
+    const double p = position(now);
     return p * p * (3.0 - 2.0 * p);
   }
 
  private:
   //! Returns the progress, which is linear in time.
-  [[nodiscard]] double place(MonotonicTime now) const {
+  [[nodiscard]] double position(MonotonicTime now) const {
     if (whole_ <= std::chrono::nanoseconds{}) {
       return target_;
     }

@@ -11,23 +11,23 @@ namespace {
 enum class ByteOrder { little, big };
 
 //! Returns the bytes from a position on, fewer at the end of the file.
-std::string bytes_at(std::istream& file, std::uint64_t place, std::size_t count) {
+std::string bytes_at(std::istream& file, std::uint64_t position, std::size_t count) {
   std::string bytes(count, '\0');
   file.clear();
-  file.seekg(static_cast<std::streamoff>(place));
+  file.seekg(static_cast<std::streamoff>(position));
   file.read(bytes.data(), static_cast<std::streamsize>(count));
   bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
   return bytes;
 }
 
 //! Returns four bytes as a number; 0 if they are missing.
-std::uint32_t word_at(std::string_view bytes, std::size_t place, ByteOrder order) {
-  if (bytes.size() < place + 4) {
+std::uint32_t word_at(std::string_view bytes, std::size_t position, ByteOrder order) {
+  if (bytes.size() < position + 4) {
     return 0;
   }
   std::uint32_t value = 0;
   for (std::size_t i = 0; i < 4; ++i) {
-    const std::size_t from = order == ByteOrder::big ? place + i : place + 3 - i;
+    const std::size_t from = order == ByteOrder::big ? position + i : position + 3 - i;
     value = value << 8U | static_cast<unsigned char>(bytes[from]);
   }
   return value;
@@ -38,33 +38,33 @@ std::uint32_t word_at(std::string_view bytes, std::size_t place, ByteOrder order
 std::uint64_t end_of_chunk(std::istream& file, std::string_view samples, ByteOrder order) {
   // Programs that write to a pipe store the largest size, or one slightly below 2 GiB.
   constexpr std::uint32_t unknown = 0x7FFFF000;
-  constexpr std::uint64_t most_bytes = std::uint64_t{1} << 50U;
-  constexpr int most_chunks = 1000;
-  std::uint64_t place = 12;
+  constexpr std::uint64_t max_bytes = std::uint64_t{1} << 50U;
+  constexpr int max_chunks = 1000;
+  std::uint64_t position = 12;
   std::uint64_t large = 0;  // size in RF64, the format for more than 4 GiB
-  for (int i = 0; i < most_chunks; ++i) {
-    const std::string head = bytes_at(file, place, 8);
+  for (int i = 0; i < max_chunks; ++i) {
+    const std::string head = bytes_at(file, position, 8);
     if (head.size() < 8) {
       return 0;
     }
     const std::uint32_t size = word_at(head, 4, order);
     if (head.starts_with(samples)) {
-      return size < unknown ? place + 8 + size : large > 0 && large < most_bytes ? place + 8 + large : 0;
+      return size < unknown ? position + 8 + size : large > 0 && large < max_bytes ? position + 8 + large : 0;
     }
     if (head.starts_with("ds64")) {
-      const std::string sizes = bytes_at(file, place + 16, 8);
+      const std::string sizes = bytes_at(file, position + 16, 8);
       large = word_at(sizes, 0, order) | std::uint64_t{word_at(sizes, 4, order)} << 32U;
     }
     // Chunks start at even positions.
-    place += 8 + std::uint64_t{size} + size % 2;
+    position += 8 + std::uint64_t{size} + size % 2;
   }
   return 0;
 }
 
 //! Returns eight bytes as a number.
-std::uint64_t long_at(std::string_view bytes, std::size_t place, ByteOrder order) {
-  const std::uint64_t first = word_at(bytes, place, order);
-  const std::uint64_t second = word_at(bytes, place + 4, order);
+std::uint64_t long_at(std::string_view bytes, std::size_t position, ByteOrder order) {
+  const std::uint64_t first = word_at(bytes, position, order);
+  const std::uint64_t second = word_at(bytes, position + 4, order);
   return order == ByteOrder::big ? first << 32U | second : second << 32U | first;
 }
 
@@ -82,19 +82,19 @@ std::uint64_t end_of_au(std::istream& file, ByteOrder order) {
 //! include their headers; they start at multiples of eight.
 std::uint64_t end_of_wave64(std::istream& file) {
   constexpr std::uint64_t head_bytes = 24;
-  constexpr std::uint64_t most_bytes = std::uint64_t{1} << 50U;
-  constexpr int most_chunks = 1000;
-  std::uint64_t place = head_bytes + 16;
-  for (int i = 0; i < most_chunks; ++i) {
-    const std::string head = bytes_at(file, place, head_bytes);
+  constexpr std::uint64_t max_bytes = std::uint64_t{1} << 50U;
+  constexpr int max_chunks = 1000;
+  std::uint64_t position = head_bytes + 16;
+  for (int i = 0; i < max_chunks; ++i) {
+    const std::string head = bytes_at(file, position, head_bytes);
     const std::uint64_t size = head.size() < head_bytes ? 0 : long_at(head, 16, ByteOrder::little);
-    if (size < head_bytes || size > most_bytes) {
+    if (size < head_bytes || size > max_bytes) {
       return 0;
     }
     if (head.starts_with("data")) {
-      return place + size;
+      return position + size;
     }
-    place += (size + 7) / 8 * 8;
+    position += (size + 7) / 8 * 8;
   }
   return 0;
 }
@@ -126,9 +126,9 @@ std::uint64_t end_of_mp3(std::istream& file) {
   constexpr std::uint32_t has_frames = 1;
   constexpr std::uint32_t has_bytes = 2;
   const std::uint32_t flags = word_at(frame, header + 4, ByteOrder::big);
-  const std::size_t place = header + 8 + ((flags & has_frames) != 0 ? 4 : 0);
+  const std::size_t position = header + 8 + ((flags & has_frames) != 0 ? 4 : 0);
   // Encoders disagree about which frames count, so 1 % is allowed, as in the library.
-  const std::uint64_t size = word_at(frame, place, ByteOrder::big);
+  const std::uint64_t size = word_at(frame, position, ByteOrder::big);
   return (flags & has_bytes) != 0 ? start + size - size / 100 : 0;
 }
 
@@ -139,8 +139,8 @@ bool is_chained_ogg(std::istream& file) {
   constexpr std::size_t head_bytes = 27;
   constexpr unsigned begins_stream = 0x02;
   bool after_begin = false;
-  for (std::uint64_t place = 0;;) {
-    const std::string page = bytes_at(file, place, head_bytes + 255);
+  for (std::uint64_t position = 0;;) {
+    const std::string page = bytes_at(file, position, head_bytes + 255);
     if (page.size() < head_bytes || !page.starts_with("OggS")) {
       return false;
     }
@@ -150,9 +150,9 @@ bool is_chained_ogg(std::istream& file) {
     }
     after_begin = after_begin || !begins;
     const std::size_t segments = static_cast<unsigned char>(page[26]);
-    place += head_bytes + segments;
+    position += head_bytes + segments;
     for (std::size_t i = 0; i < segments && head_bytes + i < page.size(); ++i) {
-      place += static_cast<unsigned char>(page[head_bytes + i]);
+      position += static_cast<unsigned char>(page[head_bytes + i]);
     }
   }
 }

@@ -72,16 +72,16 @@ TextSize WindowOutput::room_for_text() const {
   return {static_cast<int>(area.width / area.across), static_cast<int>(area.height / area.along)};
 }
 
-void WindowOutput::set_text(PanelPlace place, const std::string& text) {
-  Text& panel = texts_[place];
+void WindowOutput::set_text(PanelPosition position, const std::string& text) {
+  Text& panel = texts_[position];
   panel.words = text;
-  if (place == PanelPlace::middle) {
+  if (position == PanelPosition::middle) {
     window_.show_cursor(text.empty());
   }
   if (!text.empty()) {
     const TextSize room = room_for_text();
     const int usual_px = std::clamp(std::min(room.width_px, room.height_px) / 50, 11, 36);
-    if (place == PanelPlace::middle) {
+    if (position == PanelPosition::middle) {
       // Help is a list in columns, as large as the window allows.
       const FittedText& list = fitted_help(text, room, usual_px);
       panel.panel.set(list.text, list.letter_px, TextFace::monospaced);
@@ -92,7 +92,7 @@ void WindowOutput::set_text(PanelPlace place, const std::string& text) {
 }
 
 bool WindowOutput::help_shown() const {
-  const auto help = texts_.find(PanelPlace::middle);
+  const auto help = texts_.find(PanelPosition::middle);
   return help != texts_.end() && !help->second.words.empty();
 }
 
@@ -115,9 +115,9 @@ void WindowOutput::draw_window(const ImageSize& size) {
     window_.draw_into(eye);
     presenter_.draw(size.width, size.height, part);
     for (const PanelArea& area : eye_areas(size)) {
-      for (auto& [place, text] : texts_) {
-        if (!text.words.empty() && (!help || place == PanelPlace::middle)) {
-          text.panel.draw(area, place, legend_part_);
+      for (auto& [position, text] : texts_) {
+        if (!text.words.empty() && (!help || position == PanelPosition::middle)) {
+          text.panel.draw(area, position, legend_part_);
         }
       }
     }

@@ -37,7 +37,7 @@ class WindowOutput : public DisplayOutput {
   void toggle_full_screen() override { window_.toggle_full_screen(); }
   void set_title(const std::string& title) override { window_.set_title(title); }
   //! Also hides the mouse cursor while help is shown.
-  void set_text(PanelPlace place, const std::string& text) override;
+  void set_text(PanelPosition position, const std::string& text) override;
   void save_screenshot(const std::string& file) override;
 
  protected:
@@ -64,7 +64,7 @@ class WindowOutput : public DisplayOutput {
     TextPanel panel;
     std::string words;
   };
-  std::map<PanelPlace, Text> texts_;
+  std::map<PanelPosition, Text> texts_;
   struct Help {
     std::string list;
     TextSize window;

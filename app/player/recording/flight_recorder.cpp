@@ -15,7 +15,7 @@ namespace ergodome {
 namespace {
 
 constexpr double shortest_s = 1.0 / 30.0 - 1e-4;
-constexpr std::size_t most_samples = 30 * 3600;
+constexpr std::size_t max_samples = 30 * 3600;
 
 bool is_finite(const CameraPose& pose) {
   return std::isfinite(pose.r) && std::isfinite(pose.theta) && std::isfinite(pose.phi) &&
@@ -52,9 +52,9 @@ std::optional<RecordedFall> add_fall(const std::vector<FallMoment>& moments, Sho
   }
   const auto key_of = [&](double time_s, const CameraPose& pose) {
     // The keys of a fall are relative to a frame carried along with it.
-    CameraPose look = {fall->start.r, fall->start.theta, fall->start.phi, {}};
-    look.orientation = glm::normalize(glm::conjugate(show.camera.orbit->at(time_s).frame) * pose.orientation);
-    return key_at(time_s, look);
+    CameraPose relative = {fall->start.r, fall->start.theta, fall->start.phi, {}};
+    relative.orientation = glm::normalize(glm::conjugate(show.camera.orbit->at(time_s).frame) * pose.orientation);
+    return key_at(time_s, relative);
   };
   const CameraKey first = key_of(moments.front().time_s, moments.front().pose);
   fall->start.yaw = first.yaw;
@@ -80,7 +80,7 @@ struct FallingPart {
   std::size_t end;
 };
 
-FallMoment moment_of(const FlightSample& sample) { return {sample.time_s, sample.pose, sample.falling->own_time}; }
+FallMoment moment_of(const FlightSample& sample) { return {sample.time_s, sample.pose, sample.falling->proper_time}; }
 
 bool is_beyond(const FlightSample& sample) { return sample.falling && sample.falling->beyond_return; }
 
@@ -169,7 +169,7 @@ void FlightRecorder::note(FlightSample sample) {
 
 bool FlightRecorder::beyond_return() const { return !samples_.empty() && is_beyond(samples_.back()); }
 
-bool FlightRecorder::full() const { return samples_.size() >= most_samples; }
+bool FlightRecorder::full() const { return samples_.size() >= max_samples; }
 
 RecordedPath FlightRecorder::path(const Show& scene, const RecordTolerance& tolerance) const {
   const FallingPart part = falling_part(samples_);
@@ -183,9 +183,9 @@ RecordedPath FlightRecorder::path(const Show& scene, const RecordTolerance& tole
     path.fall = add_fall(moments_of(samples.subspan(part.begin, part.end - part.begin), first_s), show, marks);
   }
   if (path.fall) {
-    path.keys = fewest_keys(marks, let_go, std::move(show), tolerance);
+    path.keys = min_keys(marks, let_go, std::move(show), tolerance);
   } else {
-    path.keys = fewest_keys(marks_of(samples.first(part.beyond), first_s), 0, bare_path(scene), tolerance);
+    path.keys = min_keys(marks_of(samples.first(part.beyond), first_s), 0, bare_path(scene), tolerance);
   }
   begin_at_0(path);
   return path;
@@ -200,17 +200,17 @@ Show recorded_show(const Show& scene, RecordedPath path, const std::string& titl
     put_fall(*path.fall, show);
     show.stereo.model = model_for_fall(show.stereo.model);  // as in the player
   }
-  const auto place = [&](std::string& file) {
+  const auto position = [&](std::string& file) {
     const std::filesystem::path beside = std::filesystem::path(scene.folder) / file;
     std::error_code problem;
     if (!file.empty() && std::filesystem::exists(beside, problem)) {
       file = std::filesystem::absolute(beside, problem).lexically_normal().string();
     }
   };
-  place(show.sky.map);
-  place(show.sky.stars);
+  position(show.sky.map);
+  position(show.sky.stars);
   if (show.effects.diffraction) {
-    place(show.effects.diffraction->pattern);
+    position(show.effects.diffraction->pattern);
   }
   return show;
 }

@@ -12,7 +12,7 @@ namespace ergodome {
 
 //! State of a camera that falls through the horizon, or is on its way there.
 struct FallingNote {
-  double own_time;     //!< proper time of the camera, from any origin [M]
+  double proper_time;  //!< proper time of the camera, from any origin [M]
   bool beyond_return;  //!< is_beyond_return()
 };
 

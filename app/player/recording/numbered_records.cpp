@@ -17,7 +17,7 @@ namespace {
 //! Format of the numbers, like those of frames: files sort by name, and a year or a date is not
 //! mistaken for a number.
 constexpr std::size_t number_digits = 6;
-constexpr long greatest_number = 999'999;
+constexpr long max_number = 999'999;
 
 std::filesystem::path folder_of(const std::filesystem::path& record) {
   return record.has_parent_path() ? record.parent_path() : std::filesystem::path(".");
@@ -62,7 +62,7 @@ std::optional<long> record_number(const std::filesystem::path& record, const std
 std::filesystem::path next_record(const std::filesystem::path& record) {
   const auto there = records_of(record);
   const long number = there.empty() ? 1 : there.rbegin()->first + 1;
-  if (number > greatest_number) {
+  if (number > max_number) {
     throw Error(there.rbegin()->second.string(), "has the highest possible number", "choose another --record name");
   }
   std::filesystem::path next = record;
@@ -70,11 +70,11 @@ std::filesystem::path next_record(const std::filesystem::path& record) {
   return next;
 }
 
-void remove_oldest_records(const std::filesystem::path& record, std::size_t most) {
+void remove_oldest_records(const std::filesystem::path& record, std::size_t maximum) {
   const auto there = records_of(record);
   std::size_t left = there.size();
   for (const auto& [number, file] : there) {
-    if (left-- <= most) {
+    if (left-- <= maximum) {
       return;
     }
     std::error_code stays;

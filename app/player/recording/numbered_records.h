@@ -15,8 +15,8 @@ std::optional<long> record_number(const std::filesystem::path& record, const std
 //! that name. Throws Error if the folder cannot be read, and after number 999999.
 std::filesystem::path next_record(const std::filesystem::path& record);
 
-//! Removes the recordings with the lowest numbers, keeping the last `most`. Ignores files that
+//! Removes the recordings with the lowest numbers, keeping the last `maximum`. Ignores files that
 //! cannot be removed.
-void remove_oldest_records(const std::filesystem::path& record, std::size_t most);
+void remove_oldest_records(const std::filesystem::path& record, std::size_t maximum);
 
 }  // namespace ergodome

@@ -12,10 +12,10 @@ namespace ergodome {
 
 namespace {
 
-constexpr double own_time_tolerance = 1e-8;  // [M]
+constexpr double proper_time_tolerance = 1e-8;  // [M]
 
 RainOrbit orbit_of(Spacetime spacetime, const CameraPose& falls) {
-  const CameraPose ingoing = pose_of(ingoing_place(falls, spacetime));
+  const CameraPose ingoing = pose_of(ingoing_placement(falls, spacetime));
   return make_rain_orbit(spacetime, ingoing.r, ingoing.theta, ingoing.phi, *falls.velocity);
 }
 
@@ -23,10 +23,10 @@ RainOrbit orbit_of(Spacetime spacetime, const CameraPose& falls) {
 CameraPose pose_on_orbit(Spacetime spacetime, const OrbitConstants& constants, const OrbitState& s) {
   const double c = std::cos(s.drag);
   const double d = std::sin(s.drag);
-  const CameraPlace place = {1.0 / s.u,
-                             glm::normalize(glm::dvec3(c * s.m.x - d * s.m.y, d * s.m.x + c * s.m.y, s.m.z))};
-  CameraPose pose = pose_of_ingoing(place, spacetime);
-  pose.velocity = orbit_rain_velocity(spacetime, constants, s, pose_of(place).phi - s.drag);
+  const CameraPlacement placement = {1.0 / s.u,
+                                     glm::normalize(glm::dvec3(c * s.m.x - d * s.m.y, d * s.m.x + c * s.m.y, s.m.z))};
+  CameraPose pose = pose_of_ingoing(placement, spacetime);
+  pose.velocity = orbit_rain_velocity(spacetime, constants, s, pose_of(placement).phi - s.drag);
   pose.velocity_in_rain = true;
   return pose;
 }
@@ -43,8 +43,8 @@ bool may_begin_at(Spacetime spacetime, const CameraPose& falls) {
 }
 
 struct FallBeginning {
-  CameraPose pose;  //!< pose with a velocity in the rain frame
-  double own_time;  //!< proper time relative to the first moment, at most 0 [M]
+  CameraPose pose;     //!< pose with a velocity in the rain frame
+  double proper_time;  //!< proper time relative to the first moment, at most 0 [M]
 };
 
 //! Integrates the orbit backward to where a fall may begin. Returns nothing if there is no such
@@ -55,16 +55,16 @@ std::optional<FallBeginning> beginning_of(Spacetime spacetime, const CameraPose&
   }
   constexpr double tolerance = 1e-13;
   constexpr double longest_step = 0.02;  // maximum step of proper time over the radius r
-  constexpr int most_steps = 2000;
+  constexpr int max_steps = 2000;
   const RainOrbit orbit = orbit_of(spacetime, first);
   OrbitState state = orbit.state;
   FallBeginning back = {first, 0.0};
   double h = 1e-3 / state.u;
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < max_steps; ++step) {
     const OrbitStep next = orbit_step(spacetime, orbit.constants, -h, state);
     if (next.error <= tolerance) {
       state = next.end;
-      back = {pose_on_orbit(spacetime, orbit.constants, state), back.own_time - h};
+      back = {pose_on_orbit(spacetime, orbit.constants, state), back.proper_time - h};
       if (may_begin_at(spacetime, back.pose)) {
         return back;
       }
@@ -74,30 +74,30 @@ std::optional<FallBeginning> beginning_of(Spacetime spacetime, const CameraPose&
   return std::nullopt;
 }
 
-struct OwnTimeAt {
+struct ProperTimeAt {
   double time_s;
-  double own_time;
+  double proper_time;
 };
 
 //! Returns a piecewise linear clock with as few keys as keep the proper times within the tolerance.
-std::vector<NumberKey> clock_through(const std::vector<OwnTimeAt>& times) {
+std::vector<NumberKey> clock_through(const std::vector<ProperTimeAt>& times) {
   std::vector<NumberKey> keys;
   std::size_t from = 0;
   while (from + 1 < times.size()) {
-    double least = 0.0;
-    double most = INFINITY;
+    double minimum = 0.0;
+    double maximum = INFINITY;
     double rate = 0.0;
     std::size_t to = from;
     for (std::size_t i = from + 1; i < times.size(); ++i) {
       const double seconds = times[i].time_s - times[from].time_s;
-      const double run = times[i].own_time - times[from].own_time;
-      if (i > from + 1 && !(run / seconds >= least && run / seconds <= most)) {
+      const double run = times[i].proper_time - times[from].proper_time;
+      if (i > from + 1 && !(run / seconds >= minimum && run / seconds <= maximum)) {
         break;
       }
       rate = run / seconds;
       to = i;
-      least = std::max(least, (run - own_time_tolerance) / seconds);
-      most = std::min(most, (run + own_time_tolerance) / seconds);
+      minimum = std::max(minimum, (run - proper_time_tolerance) / seconds);
+      maximum = std::min(maximum, (run + proper_time_tolerance) / seconds);
     }
     keys.push_back({times[from].time_s, std::max(rate, 0.0), Ease::hold});
     from = to;
@@ -114,7 +114,7 @@ bool falls_on(Spacetime spacetime, const FallMoment& before, const FallMoment& a
   const OrbitConstants a = orbit_of(spacetime, before.pose).constants;
   const OrbitConstants b = orbit_of(spacetime, after.pose).constants;
   const auto near = [](double x, double y) { return std::abs(x - y) <= same * (1.0 + std::abs(x)); };
-  return after.own_time >= before.own_time && near(a.energy, b.energy) &&
+  return after.proper_time >= before.proper_time && near(a.energy, b.energy) &&
          near(a.axial_angular_momentum, b.axial_angular_momentum) && near(a.polar_constant, b.polar_constant);
 }
 
@@ -124,7 +124,7 @@ std::optional<RecordedFall> recorded_fall(Spacetime spacetime, std::span<const F
   if (!begins) {
     return std::nullopt;
   }
-  const bool earlier = begins->own_time < 0.0;
+  const bool earlier = begins->proper_time < 0.0;
   const CameraPose start = in_zamo_frame(begins->pose, spacetime);
   RecordedFall fall;
   fall.start.time_s = earlier ? 0.5 * (before_s + first.time_s) : first.time_s;
@@ -132,12 +132,12 @@ std::optional<RecordedFall> recorded_fall(Spacetime spacetime, std::span<const F
   fall.start.theta = start.theta;
   fall.start.phi = start.phi;
   fall.start.velocity = start.velocity;
-  std::vector<OwnTimeAt> times;
+  std::vector<ProperTimeAt> times;
   if (earlier) {
-    times.push_back({fall.start.time_s, begins->own_time});
+    times.push_back({fall.start.time_s, begins->proper_time});
   }
   for (const FallMoment& moment : moments) {
-    times.push_back({moment.time_s, moment.own_time - first.own_time});
+    times.push_back({moment.time_s, moment.proper_time - first.proper_time});
   }
   fall.clock = clock_through(times);
   fall.settings.time_s = fall.start.time_s;

@@ -11,8 +11,8 @@ namespace ergodome {
 //! A sample of a camera that falls through the horizon.
 struct FallMoment {
   double time_s = 0.0;
-  CameraPose pose;        //!< with a velocity in the rain frame
-  double own_time = 0.0;  //!< proper time of the camera, from any origin [M]
+  CameraPose pose;           //!< with a velocity in the rain frame
+  double proper_time = 0.0;  //!< proper time of the camera, from any origin [M]
 };
 
 //! A fall as the table [camera.fall] of a show stores it, with its clock.

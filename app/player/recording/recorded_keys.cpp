@@ -55,8 +55,8 @@ CameraKey key_at(double time_s, const CameraPose& pose) {
   return key;
 }
 
-std::vector<CameraKey> fewest_keys(const std::vector<PathMark>& marks, std::size_t always, Show path,
-                                   const RecordTolerance& tolerance) {
+std::vector<CameraKey> min_keys(const std::vector<PathMark>& marks, std::size_t always, Show path,
+                                const RecordTolerance& tolerance) {
   if (marks.empty()) {
     return {};
   }

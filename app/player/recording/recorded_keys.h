@@ -25,8 +25,8 @@ struct PathMark {
 //! Returns the keys of few marks, chosen greedily, with which the path is within the tolerance of
 //! all marks. `marks` are sorted by time. The first mark, the last one and that with index `always`
 //! are included. `path` has all other settings of the camera.
-std::vector<CameraKey> fewest_keys(const std::vector<PathMark>& marks, std::size_t always, Show path,
-                                   const RecordTolerance& tolerance);
+std::vector<CameraKey> min_keys(const std::vector<PathMark>& marks, std::size_t always, Show path,
+                                const RecordTolerance& tolerance);
 
 //! Returns a key with the orientation of a pose: yaw, pitch and roll relative to looking at the
 //! hole.

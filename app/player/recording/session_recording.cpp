@@ -18,15 +18,15 @@ void SessionRecording::begin() {
   ended_in_.reset();
 }
 
-std::optional<double> SessionRecording::own_time_of_fall(const PlayerFrame& frame, const Navigator& navigator,
-                                                         const Show& show) {
+std::optional<double> SessionRecording::proper_time_of_fall(const PlayerFrame& frame, const Navigator& navigator,
+                                                            const Show& show) {
   const bool falls = frame.pose.velocity_in_rain;
-  if (const std::optional<double> on_ride = navigator.own_time()) {
-    return falls ? std::optional(own_time_before_ride_ + *on_ride) : std::nullopt;
+  if (const std::optional<double> on_ride = navigator.proper_time()) {
+    return falls ? std::optional(proper_time_before_ride_ + *on_ride) : std::nullopt;
   }
   const bool on_path = navigator.course() == Navigator::Course::path && leads_within(show) && frame.path_time_s;
-  own_time_before_ride_ = on_path ? show.camera.orbit->proper_time(*frame.path_time_s) : 0.0;
-  return on_path && falls ? std::optional(own_time_before_ride_) : std::nullopt;
+  proper_time_before_ride_ = on_path ? show.camera.orbit->proper_time(*frame.path_time_s) : 0.0;
+  return on_path && falls ? std::optional(proper_time_before_ride_) : std::nullopt;
 }
 
 bool SessionRecording::note(double now_s, const PlayerFrame& frame, const Navigator& navigator, const Show& show,
@@ -37,8 +37,8 @@ bool SessionRecording::note(double now_s, const PlayerFrame& frame, const Naviga
   CameraPose pose = frame.pose;
   const bool beyond_return = is_beyond_return(spacetime, pose.r);
   std::optional<FallingNote> falling;
-  if (const std::optional<double> own_time = own_time_of_fall(frame, navigator, show)) {
-    falling = {*own_time, beyond_return};
+  if (const std::optional<double> proper_time = proper_time_of_fall(frame, navigator, show)) {
+    falling = {*proper_time, beyond_return};
   } else if (beyond_return) {
     return false;  // keys cannot lead there
   }

@@ -31,12 +31,12 @@ class SessionRecording {
  private:
   //! Returns the proper time that has passed since a camera began to fall through the horizon [M];
   //! nothing if it does not fall, or if another observer is chosen.
-  [[nodiscard]] std::optional<double> own_time_of_fall(const PlayerFrame& frame, const Navigator& navigator,
-                                                       const Show& show);
+  [[nodiscard]] std::optional<double> proper_time_of_fall(const PlayerFrame& frame, const Navigator& navigator,
+                                                          const Show& show);
 
   std::optional<FlightRecorder> recorder_;
-  std::optional<Show> ended_in_;       //!< the scene when a fall ended the recording
-  double own_time_before_ride_ = 0.0;  //!< proper time of a fall before a ride continues it [M]
+  std::optional<Show> ended_in_;          //!< the scene when a fall ended the recording
+  double proper_time_before_ride_ = 0.0;  //!< proper time of a fall before a ride continues it [M]
 };
 
 }  // namespace ergodome

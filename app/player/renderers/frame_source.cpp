@@ -141,7 +141,7 @@ void show_own_eyes(ShowRenderer& renderer, const PictureRequest& request, const 
 //! Renders one or two eyes into pictures that stay in GPU memory.
 void show_in_place(ShowRenderer& renderer, const PlayerFrame& frame, const Projection& projection,
                    const ShowMoment& moment, PictureAnswer& answer) {
-  const EyesInPlace eyes = renderer.render_eyes_in_place(frame.pose, projection, frame.mode, moment);
+  const BackendEyes eyes = renderer.render_eyes_in_place(frame.pose, projection, frame.mode, moment);
   answer.picture.lens = eyes.first.lens;
   answer.picture.behind = eyes.first.behind || (eyes.right && eyes.right->behind);
   answer.on_device = {eyes.first.rgba,
@@ -195,7 +195,7 @@ PictureAnswer render_for_output(const PictureRequest& request) {
   } else {
     show_own_eyes(renderer, request, moment, answer);
   }
-  answer.narrowed = renderer.narrowed_eyes();
+  answer.reduced = renderer.reduced_baseline();
   if (request.errors_asked) {
     const auto begun = Clock::now();
     answer.errors_px = picture_errors(renderer, request, projection, moment);
@@ -203,7 +203,7 @@ PictureAnswer render_for_output(const PictureRequest& request) {
   }
   if (request.disparity_asked) {
     Show shown = renderer.show();
-    shown.stereo.baseline = answer.narrowed ? answer.narrowed->baseline : shown.stereo.baseline;
+    shown.stereo.baseline = answer.reduced ? answer.reduced->baseline : shown.stereo.baseline;
     answer.disparity =
         frame_disparity(shown, frame.pose, projection, renderer.object_outlines(), renderer.hiding_objects());
   }

@@ -50,9 +50,9 @@ struct PictureAnswer : OutputFrame {
   std::optional<Disparity> disparity;  //!< disparity of the two eyes, if requested
   //! Errors of some pixels, if requested (app/player/renderers/picture_error.h).
   std::optional<std::vector<double>> errors_px;
-  std::optional<ViewLight> light;        //!< lit part of the view, if requested
-  std::optional<NarrowedEyes> narrowed;  //!< present if the requested baseline had to be reduced
-  double measuring_ms = 0.0;             //!< time of the measurements; not part of time_ms
+  std::optional<ViewLight> light;          //!< lit part of the view, if requested
+  std::optional<ReducedBaseline> reduced;  //!< present if the requested baseline had to be reduced
+  double measuring_ms = 0.0;               //!< time of the measurements; not part of time_ms
   //! Why there is no picture; the last good one stays on the screen.
   std::string problem;
 };

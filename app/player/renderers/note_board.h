@@ -26,7 +26,7 @@ class NoteBoard {
   }
 
   //! Replaces the notes of a show with those of a newer reading.
-  void take_place(const std::string& show, Reading reading) {
+  void supersede(const std::string& show, Reading reading) {
     const std::lock_guard lock(mutex_);
     standing_[show] = std::move(reading);
   }
@@ -37,7 +37,7 @@ class NoteBoard {
     for (const std::string& note : notes) {
       add(reading, note);
     }
-    take_place(show, std::move(reading));
+    supersede(show, std::move(reading));
   }
 
   //! Returns the notes since the last call.

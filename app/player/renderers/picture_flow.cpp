@@ -12,10 +12,10 @@ namespace {
 constexpr double moving_budget_ms = 70.0;
 constexpr int smallest_px = 192;
 
-//! A picture has hung if it takes at least `least_hang_s`, and more than `hang_factor` times as
+//! A picture has hung if it takes at least `min_hang_s`, and more than `hang_factor` times as
 //! long as expected from the last one. The first picture, which also prepares data for later ones,
 //! may take `first_hang_s`.
-constexpr double least_hang_s = 1.5;
+constexpr double min_hang_s = 1.5;
 constexpr double first_hang_s = 60.0;
 constexpr double hang_factor = 10.0;
 
@@ -48,7 +48,7 @@ PictureNews PictureFlow::advance(const PictureRequest& wish, bool changed, bool 
 
 bool PictureFlow::hangs() {
   const double working_s = source_.working_for().count();
-  if (working_s < least_hang_s) {
+  if (working_s < min_hang_s) {
     return false;
   }
   if (report_.pictures == 0) {
@@ -108,7 +108,7 @@ PictureNews PictureFlow::receive() {
   report_.size_px = answer->size_px;
   report_.lens = answer->picture.lens;
   report_.disparity = answer->disparity;
-  report_.narrowed = answer->narrowed;
+  report_.reduced = answer->reduced;
   report_.light = answer->light ? answer->light : report_.light;
   ++report_.pictures;
   show_(*answer);

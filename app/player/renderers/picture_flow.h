@@ -16,9 +16,9 @@ struct PictureReport {
   int size_px = 0;        //!< width of one eye's image in the last picture; 0: none yet
   const char* lens = "";  //!< source of the last picture's lens
   std::optional<Disparity> disparity;
-  std::optional<ViewLight> light;        //!< lit part of the last view for which it was requested
-  std::optional<NarrowedEyes> narrowed;  //!< present if the last picture's baseline was reduced
-  std::string problem;                   //!< why the last request produced no picture
+  std::optional<ViewLight> light;          //!< lit part of the last view for which it was requested
+  std::optional<ReducedBaseline> reduced;  //!< present if the last picture's baseline was reduced
+  std::string problem;                     //!< why the last request produced no picture
   long pictures = 0;
   //! Time since the previous picture, if something moved in both.
   std::optional<double> interval_ms;

@@ -15,17 +15,17 @@ namespace {
 std::shared_ptr<ShowRenderer> made_renderer(const Show& show, Backend backend, const RendererWish& wish) {
   const auto reading = std::make_shared<std::set<std::string>>();
   // The stream's thread reports unreadable stations as long as the stream exists.
-  const Tell tell = [board = wish.notes, reading](const std::string& note) { board->add(reading, note); };
-  std::shared_ptr<StationStream> stream = open_stream(show, wish.lens, backend, tell);
-  if (wish.tells_misses) {
-    std::ranges::for_each(stream_notes(stream.get(), show, wish.lens, backend, wish.size_px), tell);
+  const NoteSink report = [board = wish.notes, reading](const std::string& note) { board->add(reading, note); };
+  std::shared_ptr<StationStream> stream = open_stream(show, wish.lens, backend, report);
+  if (wish.reports_misses) {
+    std::ranges::for_each(stream_notes(stream.get(), show, wish.lens, backend, wish.size_px), report);
   }
   auto renderer = std::make_shared<ShowRenderer>(show, backend, lens_choice(wish.lens), std::move(stream));
-  std::ranges::for_each(renderer->notes(), tell);
+  std::ranges::for_each(renderer->notes(), report);
   if (const std::string note = language_note(show.name, show.timeline, wish.language); !note.empty()) {
-    tell(note);
+    report(note);
   }
-  wish.notes->take_place(show.name, reading);
+  wish.notes->supersede(show.name, reading);
   return renderer;
 }
 

@@ -15,7 +15,7 @@ struct RendererWish {
   bool may_fall_back;  //!< use the CPU if the GPU is lost
   LensOptions lens;
   int size_px;
-  bool tells_misses;  //!< add notes on parts of a show for which its trajectory is too coarse
+  bool reports_misses;  //!< add notes on parts of a show for which its trajectory is too coarse
   std::shared_ptr<NoteBoard> notes;
   std::string language;  //!< requested language; empty: none
 };

@@ -20,19 +20,19 @@ namespace {
 
 using Kind = TransportCommand::Kind;
 
-constexpr double most_chapters = 10'000;
-constexpr double most_steps = 1e6;
+constexpr double max_chapters = 10'000;
+constexpr double max_steps = 1e6;
 constexpr std::size_t longest_tag = 35;  // size of buffers that BCP 47 recommends
 
 constexpr std::array rules = {
     CommandRule{Kind::play, "play"},
     CommandRule{Kind::pause, "pause"},
     CommandRule{Kind::toggle_pause, "toggle_pause"},
-    CommandRule{Kind::seek, "seek", Argument::number, 0.0, greatest_show_time_s},
-    CommandRule{Kind::seek_by, "seek_by", Argument::number, -greatest_show_time_s, greatest_show_time_s},
-    CommandRule{Kind::step, "step", Argument::whole, -most_steps, most_steps},
-    CommandRule{Kind::speed, "speed", Argument::number, -greatest_speed, greatest_speed},
-    CommandRule{Kind::chapter, "chapter", Argument::chapter, 0.0, most_chapters},
+    CommandRule{Kind::seek, "seek", Argument::number, 0.0, max_show_time_s},
+    CommandRule{Kind::seek_by, "seek_by", Argument::number, -max_show_time_s, max_show_time_s},
+    CommandRule{Kind::step, "step", Argument::whole, -max_steps, max_steps},
+    CommandRule{Kind::speed, "speed", Argument::number, -max_speed, max_speed},
+    CommandRule{Kind::chapter, "chapter", Argument::chapter, 0.0, max_chapters},
     CommandRule{Kind::next_chapter, "next_chapter"},
     CommandRule{Kind::previous_chapter, "previous_chapter"},
     CommandRule{Kind::loop, "loop", Argument::flag},
@@ -62,39 +62,39 @@ std::string without_case(const std::string& text) {
   return normalized ? normalized.get() : text;
 }
 
-double whole_number(std::string_view place, double number, double least, double greatest) {
-  if (std::trunc(checked_number(place, number, least, greatest)) != number) {
-    throw Error(std::string(place), fmt::format("{} is not a whole number", number),
+double whole_number(std::string_view location, double number, double minimum, double maximum) {
+  if (std::trunc(checked_number(location, number, minimum, maximum)) != number) {
+    throw Error(std::string(location), fmt::format("{} is not a whole number", number),
                 "send a number without a fraction");
   }
   return number;
 }
 
 //! Parses a Boolean; also accepts 0 and 1.
-bool truth(std::string_view place, const CommandArgument& argument) {
+bool truth(std::string_view location, const CommandArgument& argument) {
   if (const bool* const given = std::get_if<bool>(&argument)) {
     return *given;
   }
   const double* const number = std::get_if<double>(&argument);
   if (number == nullptr || (*number != 0.0 && *number != 1.0)) {
-    throw Error(std::string(place), "needs true or false", "send true, false, 1 or 0");
+    throw Error(std::string(location), "needs true or false", "send true, false, 1 or 0");
   }
   return *number == 1.0;
 }
 
-double number_of(std::string_view place, const CommandArgument& argument) {
+double number_of(std::string_view location, const CommandArgument& argument) {
   const double* const number = std::get_if<double>(&argument);
   if (number == nullptr) {
-    throw Error(std::string(place), "needs a number", "add one to the command");
+    throw Error(std::string(location), "needs a number", "add one to the command");
   }
   return *number;
 }
 
-std::string language_of(std::string_view place, const CommandArgument& argument) {
+std::string language_of(std::string_view location, const CommandArgument& argument) {
   const std::string* const tag = std::get_if<std::string>(&argument);
   const auto fits = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_'; };
   if (tag == nullptr || tag->size() > longest_tag || !std::all_of(tag->begin(), tag->end(), fits)) {
-    throw Error(std::string(place), "needs a language tag", "send one such as \"en\" or \"de\"");
+    throw Error(std::string(location), "needs a language tag", "send one such as \"en\" or \"de\"");
   }
   return *tag;
 }
@@ -106,9 +106,9 @@ std::string plain_tag(std::string tag) {
 }
 
 //! Returns the show's tag for a language, or for a wider language ("de" for "de-AT").
-std::string spoken_language(std::string_view place, const CommandArgument& argument,
-                            const std::vector<std::string>& spoken) {
-  const std::string tag = language_of(place, argument);
+std::string checked_language(std::string_view location, const CommandArgument& argument,
+                             const std::vector<std::string>& spoken) {
+  const std::string tag = language_of(location, argument);
   for (std::string wanted = plain_tag(tag); !wanted.empty();
        wanted.resize(wanted.find('-') == std::string::npos ? 0 : wanted.rfind('-'))) {
     const auto found = std::ranges::find(spoken, wanted, plain_tag);
@@ -116,13 +116,13 @@ std::string spoken_language(std::string_view place, const CommandArgument& argum
       return *found;
     }
   }
-  throw Error(std::string(place), fmt::format("\"{}\" is not available in this show", tag),
+  throw Error(std::string(location), fmt::format("\"{}\" is not available in this show", tag),
               spoken.empty() ? "it has only one language" : fmt::format("choose from {}", fmt::join(spoken, ", ")));
 }
 
 //! Returns the index of the chapter with a title: first an exact match, then ignoring case; first
 //! in the current language, then in others.
-double index_of_title(std::string_view place, const std::string& title, const std::vector<ChapterStatus>& chapters) {
+double index_of_title(std::string_view location, const std::string& title, const std::vector<ChapterStatus>& chapters) {
   const auto as_it_is = [](const std::string& text) { return text; };
   const auto find = [&](const auto& change, bool all) {
     const std::string wanted = change(title);
@@ -138,7 +138,7 @@ double index_of_title(std::string_view place, const std::string& title, const st
       return static_cast<double>(found - chapters.begin());
     }
   }
-  throw Error(std::string(place), "no chapter has this title",
+  throw Error(std::string(location), "no chapter has this title",
               chapters.empty() ? "this show has no chapters"
                                : "choose another; the first is \"" + chapters.front().title + "\"");
 }
@@ -148,7 +148,7 @@ double chapter_index(const CommandRule& rule, const CommandArgument& argument, c
     return index_of_title(rule.name, *title, status.chapters);
   }
   const double count = static_cast<double>(status.chapters.size());
-  const double index = whole_number(rule.name, number_of(rule.name, argument), rule.least, rule.greatest);
+  const double index = whole_number(rule.name, number_of(rule.name, argument), rule.minimum, rule.maximum);
   if (index >= count) {
     throw Error(std::string(rule.name), fmt::format("chapter {} does not exist", index),
                 count == 0 ? "this show has no chapters" : fmt::format("the last is chapter {}", count - 1));
@@ -178,13 +178,13 @@ std::string nearest_command(std::string_view word, std::span<const std::string_v
   return nearest_word(word, names);
 }
 
-double checked_number(std::string_view place, double number, double least, double greatest) {
+double checked_number(std::string_view location, double number, double minimum, double maximum) {
   if (!std::isfinite(number)) {
-    throw Error(std::string(place), "the number is not finite", "send a finite number");
+    throw Error(std::string(location), "the number is not finite", "send a finite number");
   }
-  if (number < least || number > greatest) {
-    throw Error(std::string(place), fmt::format("{} is out of range", number),
-                fmt::format("send a number from {} to {}", least, greatest));
+  if (number < minimum || number > maximum) {
+    throw Error(std::string(location), fmt::format("{} is out of range", number),
+                fmt::format("send a number from {} to {}", minimum, maximum));
   }
   return number;
 }
@@ -213,18 +213,18 @@ TransportCommand checked_command(const CommandRule& rule, const CommandArgument&
     case Argument::none:
       break;
     case Argument::number:
-      command.value = checked_number(rule.name, number_of(rule.name, argument), rule.least, rule.greatest);
+      command.value = checked_number(rule.name, number_of(rule.name, argument), rule.minimum, rule.maximum);
       break;
     case Argument::whole:
       command.value = std::holds_alternative<std::monostate>(argument)
                           ? 1.0
-                          : whole_number(rule.name, number_of(rule.name, argument), rule.least, rule.greatest);
+                          : whole_number(rule.name, number_of(rule.name, argument), rule.minimum, rule.maximum);
       break;
     case Argument::flag:
       command.value = truth(rule.name, argument) ? 1.0 : 0.0;
       break;
     case Argument::language_tag:
-      command.text = spoken_language(rule.name, argument, status.languages);
+      command.text = checked_language(rule.name, argument, status.languages);
       break;
     case Argument::chapter:
       command.value = chapter_index(rule, argument, status);

@@ -24,8 +24,8 @@ struct CommandRule {
   TransportCommand::Kind kind = TransportCommand::Kind::play;
   std::string_view name;
   Argument argument = Argument::none;
-  double least = 0.0;
-  double greatest = 0.0;
+  double minimum = 0.0;
+  double maximum = 0.0;
 };
 
 //! Returns the rules of all commands.
@@ -50,11 +50,11 @@ TransportCommand checked_command(const CommandRule& rule, const CommandArgument&
 std::string refusal_now(const CommandRule& rule, const PlayerStatus& status);
 
 //! Returns the number; throws Error if it is NaN, infinite or out of range.
-double checked_number(std::string_view place, double number, double least, double greatest);
+double checked_number(std::string_view location, double number, double minimum, double maximum);
 
 //! Limit of show times in both directions [s], which is the range of the show's clock.
-inline constexpr double greatest_show_time_s = 4e9;
+inline constexpr double max_show_time_s = 4e9;
 //! Maximum speed, forward and backward.
-inline constexpr double greatest_speed = 100.0;
+inline constexpr double max_speed = 100.0;
 
 }  // namespace ergodome

@@ -30,7 +30,7 @@ class RingSink : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
 }  // namespace
 
 void LogRing::push(spdlog::level::level_enum level, std::string_view text, std::chrono::system_clock::time_point time) {
-  std::string line(shortened(text, most_bytes));
+  std::string line(shortened(text, max_bytes));
   std::replace_if(
       line.begin(), line.end(),
       [](char c) {
@@ -40,7 +40,7 @@ void LogRing::push(spdlog::level::level_enum level, std::string_view text, std::
       ' ');
   const std::lock_guard lock(mutex_);
   lines_.push_back({++last_, time, level, std::move(line)});
-  if (lines_.size() > most_lines_) {
+  if (lines_.size() > max_lines_) {
     lines_.pop_front();
   }
 }

@@ -26,9 +26,9 @@ struct LogLine {
 //! Thread-safe.
 class LogRing {
  public:
-  static constexpr std::size_t most_bytes = 1000;  //!< per line; longer lines are truncated
+  static constexpr std::size_t max_bytes = 1000;  //!< per line; longer lines are truncated
 
-  explicit LogRing(std::size_t most_lines = 500) : most_lines_(most_lines) {}
+  explicit LogRing(std::size_t max_lines = 500) : max_lines_(max_lines) {}
 
   //! Adds a line. Control characters become spaces, so that each message stays on one line.
   void push(spdlog::level::level_enum level, std::string_view text, std::chrono::system_clock::time_point time);
@@ -38,7 +38,7 @@ class LogRing {
 
  private:
   mutable std::mutex mutex_;
-  std::size_t most_lines_;
+  std::size_t max_lines_;
   std::uint64_t last_ = 0;
   std::deque<LogLine> lines_;
 };

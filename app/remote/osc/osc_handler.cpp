@@ -127,13 +127,13 @@ bool is_release(const CommandArgument& argument) {
   return (number != nullptr && *number == 0.0) || (flag != nullptr && !*flag);
 }
 
-double number_at(const OscMessage& message, std::size_t index, std::string_view name, double least, double greatest) {
+double number_at(const OscMessage& message, std::size_t index, std::string_view name, double minimum, double maximum) {
   const CommandArgument argument = numeric(argument_at(message, index));
   const double* const number = std::get_if<double>(&argument);
   if (number == nullptr) {
     throw Error(std::string(name), "needs a number", "add one to the message");
   }
-  return checked_number(name, *number, least, greatest);
+  return checked_number(name, *number, minimum, maximum);
 }
 
 }  // namespace
@@ -220,14 +220,14 @@ void OscHandler::command(const CommandRule& rule, const OscMessage& message, con
     commands_.push(std::move(command));
     return;
   }
-  if (waiting_.size() >= most_waiting) {
-    throw Error("bundle", fmt::format("{} commands are already scheduled, which is the maximum", most_waiting),
+  if (waiting_.size() >= max_waiting) {
+    throw Error("bundle", fmt::format("{} commands are already scheduled, which is the maximum", max_waiting),
                 "send the bundle later");
   }
   const steady_clock::time_point due = after(now.steady, wait);
-  const auto place = std::upper_bound(waiting_.begin(), waiting_.end(), due,
-                                      [](auto time, const Waiting& each) { return time < each.due; });
-  waiting_.insert(place, {due, std::move(command)});
+  const auto position = std::upper_bound(waiting_.begin(), waiting_.end(), due,
+                                         [](auto time, const Waiting& each) { return time < each.due; });
+  waiting_.insert(position, {due, std::move(command)});
 }
 
 void OscHandler::follow_clock(const OscMessage& message, const OscInstant& now) {
@@ -235,9 +235,9 @@ void OscHandler::follow_clock(const OscMessage& message, const OscInstant& now) 
     throw Error("clock", "the show does not follow an OSC clock", "start the player with --clock osc");
   }
   ClockFix fix;
-  fix.show_time = show_time(number_at(message, 0, "clock", -greatest_show_time_s, greatest_show_time_s));
+  fix.show_time = show_time(number_at(message, 0, "clock", -max_show_time_s, max_show_time_s));
   if (message.arguments.size() >= 2) {
-    fix.speed = number_at(message, 1, "clock", -greatest_speed, greatest_speed);
+    fix.speed = number_at(message, 1, "clock", -max_speed, max_speed);
   }
   // The time tag of a bundle is when its clock value is valid, in the past or the future.
   const double ahead_s = message.time == osc_at_once ? 0.0 : osc_difference_s(message.time, now.of_day);

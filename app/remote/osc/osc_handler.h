@@ -41,7 +41,7 @@ struct OscDatagram {
 //! Limits the number of scheduled commands, of subscribers and of answers per second.
 class OscHandler {
  public:
-  static constexpr std::size_t most_waiting = 256;
+  static constexpr std::size_t max_waiting = 256;
   static constexpr double longest_wait_s = 60.0;
   static constexpr std::chrono::milliseconds feedback_interval{100};
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::string_view bundle_head{"#bundle\0", 8};
 constexpr std::size_t bundle_head_bytes = 16;  // including the time tag
-constexpr int most_arguments = 16;
+constexpr int max_arguments = 16;
 
 struct FreeMessage {
   void operator()(lo_message message) const { lo_message_free(message); }
@@ -63,25 +63,25 @@ std::string problem_of(int code) {
 
 //! Reads a number from a packet, where it may be aligned to only four bytes.
 template <class Number>
-double number_at(const void* place) {
+double number_at(const void* position) {
   Number number;
-  std::memcpy(&number, place, sizeof number);
+  std::memcpy(&number, position, sizeof number);
   return static_cast<double>(number);
 }
 
-OscArgument argument_of(char type, const void* place) {
+OscArgument argument_of(char type, const void* position) {
   switch (type) {
     case LO_INT32:
-      return number_at<std::int32_t>(place);
+      return number_at<std::int32_t>(position);
     case LO_INT64:
-      return number_at<std::int64_t>(place);
+      return number_at<std::int64_t>(position);
     case LO_FLOAT:
-      return number_at<float>(place);
+      return number_at<float>(position);
     case LO_DOUBLE:
-      return number_at<double>(place);
+      return number_at<double>(position);
     case LO_STRING:
     case LO_SYMBOL:
-      return std::string(static_cast<const char*>(place));
+      return std::string(static_cast<const char*>(position));
     case LO_TRUE:
       return true;
     case LO_FALSE:
@@ -130,8 +130,8 @@ std::string take_tags(std::vector<std::byte>& message) {
   std::ranges::replace(known, colour, static_cast<char>(LO_INT32));
   known.resize((known.size() / 4 + 1) * 4);
   const auto* const bytes = reinterpret_cast<const std::byte*>(known.data());
-  const auto place = message.begin() + static_cast<std::ptrdiff_t>(start);
-  message.insert(message.erase(place, place + static_cast<std::ptrdiff_t>(size)), bytes, bytes + known.size());
+  const auto position = message.begin() + static_cast<std::ptrdiff_t>(start);
+  message.insert(message.erase(position, position + static_cast<std::ptrdiff_t>(size)), bytes, bytes + known.size());
   return tags;
 }
 
@@ -156,8 +156,8 @@ OscMessage message_of(std::span<const std::byte> bytes, OscTime time) {
     refuse(problem_of(problem));
   }
   const int count = lo_message_get_argc(message.get());
-  if (count > most_arguments) {
-    refuse(fmt::format("has more than {} arguments", most_arguments));
+  if (count > max_arguments) {
+    refuse(fmt::format("has more than {} arguments", max_arguments));
   }
   OscMessage result;
   result.time = time;
@@ -179,8 +179,8 @@ bool is_bundle(std::span<const std::byte> bytes) {
 //! Adds the messages of an element: a message, or a bundle at a nesting depth.
 void add_messages(std::span<const std::byte> bytes, OscTime time, int depth, std::vector<OscMessage>& messages) {
   if (!is_bundle(bytes)) {
-    if (messages.size() >= most_osc_messages) {
-      refuse(fmt::format("has more than {} messages", most_osc_messages));
+    if (messages.size() >= max_osc_messages) {
+      refuse(fmt::format("has more than {} messages", max_osc_messages));
     }
     messages.push_back(message_of(bytes, time));
     return;
@@ -188,14 +188,14 @@ void add_messages(std::span<const std::byte> bytes, OscTime time, int depth, std
   if (depth >= deepest_osc_bundle) {
     refuse(fmt::format("has bundles that are nested deeper than {} levels", deepest_osc_bundle));
   }
-  const OscTime own_time = (OscTime{big_endian(bytes.subspan(8))} << 32U) | big_endian(bytes.subspan(12));
+  const OscTime proper_time = (OscTime{big_endian(bytes.subspan(8))} << 32U) | big_endian(bytes.subspan(12));
   std::span<const std::byte> rest = bytes.subspan(bundle_head_bytes);
   while (!rest.empty()) {
     if (rest.size() < 4 || big_endian(rest) > rest.size() - 4) {
       refuse("has an element that is longer than the packet");
     }
     const std::size_t size = big_endian(rest);
-    add_messages(rest.subspan(4, size), own_time, depth + 1, messages);
+    add_messages(rest.subspan(4, size), proper_time, depth + 1, messages);
     rest = rest.subspan(4 + size);
   }
 }

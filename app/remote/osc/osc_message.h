@@ -31,7 +31,7 @@ struct OscMessage {
 
 //! Maximum size of a packet [bytes], and maximum number of its messages.
 inline constexpr std::size_t largest_osc_packet = 8192;
-inline constexpr std::size_t most_osc_messages = 64;  //!< per packet
+inline constexpr std::size_t max_osc_messages = 64;  //!< per packet
 inline constexpr int deepest_osc_bundle = 4;
 
 //! Parses the messages of a packet, which is a message or a bundle. Throws Error for malformed or

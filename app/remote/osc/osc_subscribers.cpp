@@ -55,8 +55,8 @@ void OscSubscribers::add(const NetAddress& to, Instant now) {
     known->until = now + subscription;
     return;
   }
-  if (subscribers_.size() >= most_subscribers) {
-    throw Error("subscribe", fmt::format("there are already {} subscribers, which is the maximum", most_subscribers),
+  if (subscribers_.size() >= max_subscribers) {
+    throw Error("subscribe", fmt::format("there are already {} subscribers, which is the maximum", max_subscribers),
                 "remove one with /ergodome/unsubscribe, or wait until one expires");
   }
   subscribers_.push_back({to, now + subscription});

@@ -20,7 +20,7 @@ class OscSubscribers {
  public:
   using Instant = std::chrono::steady_clock::time_point;
 
-  static constexpr std::size_t most_subscribers = 16;
+  static constexpr std::size_t max_subscribers = 16;
   static constexpr std::chrono::seconds subscription{30};
   static constexpr std::chrono::seconds nonce_lifetime{60};
 

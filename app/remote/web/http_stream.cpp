@@ -59,7 +59,7 @@ HttpStream::Head HttpStream::poll_head() {
       return more ? Head::incomplete : Head::failed;
     }
     buffer_.append(part.data(), static_cast<std::size_t>(size));
-    if (buffer_.size() > most_head_bytes + part.size()) {
+    if (buffer_.size() > max_head_bytes + part.size()) {
       return Head::failed;
     }
   }
@@ -90,13 +90,13 @@ bool HttpStream::read_head(std::chrono::milliseconds idle_time) {
   const Instant deadline = steady_clock::now() + head_time;
   std::size_t end = buffer_.find(head_end);
   while (end == std::string::npos) {
-    if (buffer_.size() > most_head_bytes || !receive(deadline)) {
+    if (buffer_.size() > max_head_bytes || !receive(deadline)) {
       return false;
     }
     end = buffer_.find(head_end);
   }
   body_deadline_ = steady_clock::now() + body_time;
-  return end <= most_head_bytes && keep_plain_lines(end + head_end.size());
+  return end <= max_head_bytes && keep_plain_lines(end + head_end.size());
 }
 
 bool HttpStream::keep_plain_lines(std::size_t end) {
@@ -109,7 +109,7 @@ bool HttpStream::keep_plain_lines(std::size_t end) {
     // Rejects bodies without a length, which are not needed. Like malformed line ends, they could
     // make two parsers interpret a request differently.
     const bool odd = line.find_first_of(std::string_view("\r\n\0", 3)) != length - 2;
-    if (lines > most_head_lines || odd || is_header(line, "transfer-encoding")) {
+    if (lines > max_head_lines || odd || is_header(line, "transfer-encoding")) {
       return false;
     }
     has_body_ = has_body_ || is_header(line, "content-length");

@@ -15,8 +15,8 @@ namespace ergodome {
 //! while is disconnected; and everything ends with the stop signal.
 class HttpStream : public httplib::Stream {
  public:
-  static constexpr std::size_t most_head_bytes = 8192;
-  static constexpr std::size_t most_head_lines = 64;
+  static constexpr std::size_t max_head_bytes = 8192;
+  static constexpr std::size_t max_head_lines = 64;
   static constexpr std::chrono::milliseconds head_time{3000};
   static constexpr std::chrono::milliseconds body_time{2000};
   static constexpr std::chrono::milliseconds write_time{2000};

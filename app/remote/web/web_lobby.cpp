@@ -9,7 +9,7 @@
 namespace ergodome {
 
 void WebLobby::enter(std::unique_ptr<HttpStream> stream, Instant now) {
-  if (waiting_.size() >= most_waiting) {
+  if (waiting_.size() >= max_waiting) {
     make_room();
   }
   const Instant until = now + (stream->peer().is_loopback() ? loopback_time : outside_time);
@@ -22,8 +22,8 @@ void WebLobby::make_room() {
   for (const Waiting& each : waiting_) {
     ++counts[each.host];
   }
-  const auto most = std::ranges::max_element(counts, {}, [](const auto& count) { return count.second; });
-  waiting_.erase(std::ranges::find(waiting_, most->first, &Waiting::host));
+  const auto maximum = std::ranges::max_element(counts, {}, [](const auto& count) { return count.second; });
+  waiting_.erase(std::ranges::find(waiting_, maximum->first, &Waiting::host));
 }
 
 WebLobby::Step WebLobby::step(Waiting& waiting, Instant now) const {

@@ -18,7 +18,7 @@ class WebLobby {
  public:
   using Instant = std::chrono::steady_clock::time_point;
 
-  static constexpr std::size_t most_waiting = 64;
+  static constexpr std::size_t max_waiting = 64;
   //! Time limit for requests from other machines, and for those from this machine, which may take
   //! as long as an idle connection.
   static constexpr std::chrono::milliseconds outside_time{1000};

@@ -16,7 +16,7 @@ namespace {
 using std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds idle_time{5000};
-constexpr int most_requests_a_connection = 200;
+constexpr int max_requests_a_connection = 200;
 const char* const json_type = "application/json; charset=utf-8";
 const char* const html_type = "text/html; charset=utf-8";
 
@@ -93,7 +93,7 @@ WebPages::WebPages(const WebGuard& guard, CommandQueue& commands, const StatusBo
   // stop signal ends them.
   svr_sock_ = 0;
   keep_alive_timeout_sec_ = idle_time.count() / 1000;
-  keep_alive_max_count_ = most_requests_a_connection;
+  keep_alive_max_count_ = max_requests_a_connection;
   set_payload_max_length(largest_json_command);
   set_default_headers(safe_headers());
   set_exception_handler(
@@ -112,9 +112,9 @@ WebPages::WebPages(const WebGuard& guard, CommandQueue& commands, const StatusBo
 }
 
 void WebPages::serve(HttpStream& stream) {
-  for (int i = 1; i <= most_requests_a_connection && stream.read_head(idle_time); ++i) {
+  for (int i = 1; i <= max_requests_a_connection && stream.read_head(idle_time); ++i) {
     // A refused, unread body would be parsed as the next request.
-    const bool is_last = i == most_requests_a_connection || stream.has_body();
+    const bool is_last = i == max_requests_a_connection || stream.has_body();
     bool closed = false;
     if (!process_request(stream, is_last, closed, nullptr) || closed || is_last) {
       return;
@@ -190,7 +190,7 @@ void WebPages::send_log(const httplib::Request& request, httplib::Response& resp
 
 void WebPages::send_events(const httplib::Request& request, httplib::Response& response) {
   std::atomic<int>& streams = asker_of(request).peer.is_loopback() ? local_streams_ : outside_streams_;
-  if (streams.fetch_add(1) >= most_event_streams) {
+  if (streams.fetch_add(1) >= max_event_streams) {
     --streams;
     response.status = 503;
     return;

@@ -20,7 +20,7 @@ namespace ergodome {
 class WebPages : private httplib::Server {
  public:
   //! Limit for clients on this machine, and the same again for all others.
-  static constexpr int most_event_streams = 12;
+  static constexpr int max_event_streams = 12;
   static constexpr std::chrono::milliseconds event_interval{100};
 
   //! `guard` and `stop` must outlive this.

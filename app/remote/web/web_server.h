@@ -25,8 +25,8 @@ class WebPages;
 //! so neither can block the other.
 class WebServer {
  public:
-  static constexpr std::size_t most_local_connections = 16;
-  static constexpr std::size_t most_outside_connections = 16;
+  static constexpr std::size_t max_local_connections = 16;
+  static constexpr std::size_t max_outside_connections = 16;
 
   //! With an empty token, only loopback is allowed. Throws Error if the address cannot be bound.
   WebServer(const NetAddress& address, const std::string& token, CommandQueue& commands, const StatusBoard& board,
@@ -55,8 +55,8 @@ class WebServer {
   std::unique_ptr<WebPages> pages_;
   Descriptor socket_;
   WebLobby lobby_;
-  std::array<Connection, most_local_connections> local_connections_;
-  std::array<Connection, most_outside_connections> outside_connections_;
+  std::array<Connection, max_local_connections> local_connections_;
+  std::array<Connection, max_outside_connections> outside_connections_;
   std::thread thread_;
 };
 

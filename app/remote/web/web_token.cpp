@@ -51,13 +51,13 @@ std::string new_web_token() {
   return token;
 }
 
-std::string checked_web_token(const std::string& token, const std::string& place) {
+std::string checked_web_token(const std::string& token, const std::string& location) {
   constexpr std::string_view others = "-._~";
   const auto fits = [&](unsigned char c) {
     return std::isalnum(c) != 0 || others.find(static_cast<char>(c)) != std::string_view::npos;
   };
   if (token.size() < shortest_token || token.size() > longest_token || !std::all_of(token.begin(), token.end(), fits)) {
-    throw Error(place, "is not a valid token",
+    throw Error(location, "is not a valid token",
                 "give 16 to 128 letters, digits or characters of - . _ ~, or leave it out to generate one");
   }
   return token;

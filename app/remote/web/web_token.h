@@ -10,7 +10,7 @@ std::string new_web_token();
 
 //! Returns a token chosen by the user: 16 to 128 letters, digits, - . _ ~, which need no escape in
 //! a URL or cookie. Throws Error for other tokens.
-std::string checked_web_token(const std::string& token, const std::string& place);
+std::string checked_web_token(const std::string& token, const std::string& location);
 
 //! Returns the token in a file. If the file is missing, writes a new token to it, readable only by
 //! its owner (mode 0600).

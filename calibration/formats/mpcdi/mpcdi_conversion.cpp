@@ -14,9 +14,9 @@ namespace ergodome {
 namespace {
 
 //! Maximum coordinate, far outside any dome in any unit; the comparison also rejects NaN.
-constexpr float largest_place = 1e7F;
+constexpr float largest_position = 1e7F;
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-constexpr Vector3<float> unknown_place = {nan, nan, nan};
+constexpr Vector3<float> unknown_position = {nan, nan, nan};
 
 //! Converts a vector from the file's axes to the dome's axes.
 Vector3<double> in_dome_axes(const MpcdiFrame& frame, const Vector3<double>& v) {
@@ -26,20 +26,20 @@ Vector3<double> in_dome_axes(const MpcdiFrame& frame, const Vector3<double>& v) 
 //! The axes of 3D data without a frame: x left, y up, z to the front.
 constexpr MpcdiFrame world_frame = {{0, 0, 0}, {0, -1, 0}, {-1, 0, 0}, {0, 0, 1}};
 
-const MpcdiGeometry& geometry_of(const MpcdiRegion& region, const std::string& place) {
+const MpcdiGeometry& geometry_of(const MpcdiRegion& region, const std::string& location) {
   if (!region.geometry) {
-    throw Error(place, "region \"" + region.id + "\" has no warp file", "export the calibration with its warps");
+    throw Error(location, "region \"" + region.id + "\" has no warp file", "export the calibration with its warps");
   }
   return *region.geometry;
 }
 
 }  // namespace
 
-WarpMesh warp_of(const Mpcdi& mpcdi, const MpcdiRegion& region, const std::string& place) {
+WarpMesh warp_of(const Mpcdi& mpcdi, const MpcdiRegion& region, const std::string& location) {
   if (mpcdi.profile != MpcdiProfile::media_2d && mpcdi.profile != MpcdiProfile::simulation_3d) {
-    throw Error(place, "contains a surface in three dimensions, not a flat warp", "export it with profile 2d or 3d");
+    throw Error(location, "contains a surface in three dimensions, not a flat warp", "export it with profile 2d or 3d");
   }
-  WarpMesh mesh = warp_from_map(geometry_of(region, place).map, TextureDirection::downwards);
+  WarpMesh mesh = warp_from_map(geometry_of(region, location).map, TextureDirection::downwards);
   if (mpcdi.profile == MpcdiProfile::media_2d) {
     for (WarpNode& node : mesh.nodes) {
       node.u = static_cast<float>(region.x + region.width * node.u);
@@ -49,11 +49,11 @@ WarpMesh warp_of(const Mpcdi& mpcdi, const MpcdiRegion& region, const std::strin
   return mesh;
 }
 
-SurfaceMesh surface_of(const Mpcdi& mpcdi, const MpcdiRegion& region, const std::string& place) {
+SurfaceMesh surface_of(const Mpcdi& mpcdi, const MpcdiRegion& region, const std::string& location) {
   if (mpcdi.profile != MpcdiProfile::advanced_3d && mpcdi.profile != MpcdiProfile::shader_lamps) {
-    throw Error(place, "contains a flat warp, not a surface in three dimensions", "export it with profile a3 or sl");
+    throw Error(location, "contains a flat warp, not a surface in three dimensions", "export it with profile a3 or sl");
   }
-  const MpcdiGeometry& geometry = geometry_of(region, place);
+  const MpcdiGeometry& geometry = geometry_of(region, location);
   const bool framed = mpcdi.profile == MpcdiProfile::shader_lamps && region.frame;
   const MpcdiFrame frame = framed ? *region.frame : world_frame;
   const double metres = metres_of_unit(geometry.unit);
@@ -61,11 +61,11 @@ SurfaceMesh surface_of(const Mpcdi& mpcdi, const MpcdiRegion& region, const std:
   surface.points.reserve(geometry.map.samples.size() / 3);
   for (std::size_t i = 0; i + 2 < geometry.map.samples.size(); i += 3) {
     const float* const sample = &geometry.map.samples[i];
-    const bool known = std::all_of(sample, sample + 3, [](float c) { return std::abs(c) <= largest_place; });
+    const bool known = std::all_of(sample, sample + 3, [](float c) { return std::abs(c) <= largest_position; });
     const Vector3<double> point = metres * in_dome_axes(frame, {sample[0], sample[1], sample[2]});
     surface.points.push_back(
         known ? Vector3<float>{static_cast<float>(point.x), static_cast<float>(point.y), static_cast<float>(point.z)}
-              : unknown_place);
+              : unknown_position);
   }
   return surface;
 }

@@ -18,13 +18,13 @@ struct ProjectorPose {
 
 //! Returns the warp of a region of profile 2d or 3d. In profile 2d it refers to the whole image of
 //! the buffer (u = x + xSize · u of the file), in profile 3d to the image in the region's frustum.
-//! Throws Error, which names `place`, for other profiles and regions without a warp.
-WarpMesh warp_of(const Mpcdi& mpcdi, const MpcdiRegion& region, const std::string& place);
+//! Throws Error, which names `location`, for other profiles and regions without a warp.
+WarpMesh warp_of(const Mpcdi& mpcdi, const MpcdiRegion& region, const std::string& location);
 
 //! Returns the surface that a region of profile a3 or sl lights. Profile sl rotates it by the
 //! region's coordinate frame, like the pose; profile a3 has x to the left, y up, z to the front
 //! (VESA MPCDI 2.0, 3.6.3). Throws Error for other profiles and regions without a surface.
-SurfaceMesh surface_of(const Mpcdi& mpcdi, const MpcdiRegion& region, const std::string& place);
+SurfaceMesh surface_of(const Mpcdi& mpcdi, const MpcdiRegion& region, const std::string& location);
 
 //! Returns the pose of a region with a frustum. Without a coordinate frame, its position is the
 //! origin, the ideal eye point. With one, the axis of pitch points right, that of roll to the

@@ -14,8 +14,8 @@ namespace ergodome {
 
 namespace {
 
-constexpr std::size_t most_map_bytes = 256 + 12 * most_mesh_nodes;
-constexpr std::size_t most_mask_bytes = std::size_t{512} << 20U;
+constexpr std::size_t max_map_bytes = 256 + 12 * max_mesh_nodes;
+constexpr std::size_t max_mask_bytes = std::size_t{512} << 20U;
 
 //! Returns the path that an element names, in <path> or as its own text, with slashes; nothing if
 //! it is empty. Throws Error if it could lead out of the archive.
@@ -44,7 +44,7 @@ bool same_letters(std::string_view a, std::string_view b) {
 
 //! Returns the name of a file for messages: the position of the element that names it, then the
 //! file's name, whose extension determines the format.
-std::string name_of(const XmlElement& element, const std::string& path) { return element.place() + ": " + path; }
+std::string name_of(const XmlElement& element, const std::string& path) { return element.location() + ": " + path; }
 
 MpcdiOrigin origin_of(const std::string& word) {
   // VESA's library writes a word of <interpolation> here; other words count as unknown.
@@ -76,7 +76,7 @@ std::optional<FloatMap> MpcdiFileReader::read_map(const XmlElement& element) con
   if (!path) {
     return std::nullopt;
   }
-  const std::string bytes = files_(*path, most_map_bytes);
+  const std::string bytes = files_(*path, max_map_bytes);
   return parse_float_map(std::as_bytes(std::span(bytes)), name_of(element, *path), order_);
 }
 
@@ -89,7 +89,7 @@ std::optional<MpcdiMask> MpcdiFileReader::read_mask(const XmlElement& element) c
   if (!(gamma >= 0.1 && gamma <= 10.0)) {
     throw element.error(fmt::format("has gammaEmbedded {}", gamma), "write a gamma from 0.1 to 10");
   }
-  const std::string bytes = files_(*path, most_mask_bytes);
+  const std::string bytes = files_(*path, max_mask_bytes);
   return MpcdiMask{parse_blend_map(std::as_bytes(std::span(bytes)), name_of(element, *path)), gamma};
 }
 
@@ -146,7 +146,7 @@ std::filesystem::path file_beside(const std::filesystem::path& folder, const std
 }
 
 MpcdiFiles files_in_folder(const std::filesystem::path& folder) {
-  return [folder](const std::string& name, std::size_t most_bytes) {
+  return [folder](const std::string& name, std::size_t max_bytes) {
     const std::filesystem::path path = file_beside(folder, name);
     std::error_code problem;
     const auto real = std::filesystem::weakly_canonical(path, problem);
@@ -155,7 +155,7 @@ MpcdiFiles files_in_folder(const std::filesystem::path& folder) {
     if (problem || rest != home.end()) {
       throw Error(path.string(), "is outside the calibration's folder", "move the file into that folder");
     }
-    return read_whole_file(path, most_bytes, "put the file that the calibration names into its folder");
+    return read_whole_file(path, max_bytes, "put the file that the calibration names into its folder");
   };
 }
 

@@ -17,9 +17,9 @@ namespace ergodome {
 
 namespace {
 
-constexpr std::size_t most_description_bytes = std::size_t{4} << 20U;
-constexpr std::size_t most_archive_bytes = std::size_t{1} << 30U;
-constexpr std::size_t most_regions = 256;
+constexpr std::size_t max_description_bytes = std::size_t{4} << 20U;
+constexpr std::size_t max_archive_bytes = std::size_t{1} << 30U;
+constexpr std::size_t max_regions = 256;
 
 std::string shown(const std::string& text) { return text.substr(0, 60); }
 
@@ -91,17 +91,17 @@ class DescriptionReader {
     buffer.id = element.attribute("id").value_or("");
     buffer.resolution_x = element.whole_attribute("xResolution", 0, 1 << 20, 0);
     buffer.resolution_y = element.whole_attribute("yResolution", 0, 1 << 20, 0);
-    const auto place = mpcdi_.buffers.size();
+    const auto position = mpcdi_.buffers.size();
     for (const XmlElement& region : element.children("region")) {
       buffer.regions.push_back(read_mpcdi_region(region, mpcdi_.left_out));
       const auto [at, added] =
-          regions_.emplace(buffer.regions.back().id, Found{place, buffer.regions.size() - 1, region});
+          regions_.emplace(buffer.regions.back().id, Found{position, buffer.regions.size() - 1, region});
       if (!added) {
         throw region.error(fmt::format("has the id \"{}\" of another region", shown(at->first)),
                            "give each region its own id");
       }
-      if (regions_.size() > most_regions) {
-        throw region.error("is one region too many", fmt::format("use at most {} regions", most_regions));
+      if (regions_.size() > max_regions) {
+        throw region.error("is one region too many", fmt::format("use at most {} regions", max_regions));
       }
     }
     mpcdi_.buffers.push_back(std::move(buffer));
@@ -156,7 +156,7 @@ class DescriptionReader {
       files_.read(fileset, mpcdi_, region);
       if (has_lengths(mpcdi_.profile) && region.unit == "unknown") {
         mpcdi_.left_out.push_back(
-            fmt::format("{}: no geometricUnit, so lengths are assumed to be in meters", fileset.place()));
+            fmt::format("{}: no geometricUnit, so lengths are assumed to be in meters", fileset.location()));
       }
     };
     for (const XmlElement& fileset : filesets) {
@@ -202,7 +202,7 @@ double metres_of_unit(const std::string& unit) {
 }
 
 Mpcdi parse_mpcdi_description(std::string_view xml, const std::string& name, const MpcdiFiles& files, RowOrder order) {
-  if (xml.size() > most_description_bytes) {
+  if (xml.size() > max_description_bytes) {
     throw Error(name, "is a description of more than 4 MiB", "export it again");
   }
   const XmlFile parsed(xml, name);
@@ -216,16 +216,13 @@ Mpcdi parse_mpcdi_archive(std::span<const std::byte> bytes, const std::string& n
     throw Error(name, "contains no mpcdi.xml at its top level",
                 "name an MPCDI archive, or pack its files without a folder");
   }
-  const std::string xml = archive.read(description, most_description_bytes);
-  const auto files = [&](const std::string& member, std::size_t most_bytes) {
-    return archive.read(member, most_bytes);
-  };
+  const std::string xml = archive.read(description, max_description_bytes);
+  const auto files = [&](const std::string& member, std::size_t max_bytes) { return archive.read(member, max_bytes); };
   return parse_mpcdi_description(xml, name + ": " + description, files, order);
 }
 
 Mpcdi read_mpcdi(const std::filesystem::path& path, RowOrder order) {
-  const std::string bytes =
-      read_whole_file(path, most_archive_bytes, "name an MPCDI archive or its description in XML");
+  const std::string bytes = read_whole_file(path, max_archive_bytes, "name an MPCDI archive or its description in XML");
   if (bytes.starts_with("PK")) {
     return parse_mpcdi_archive(std::as_bytes(std::span(bytes)), path.string(), order);
   }
@@ -233,17 +230,16 @@ Mpcdi read_mpcdi(const std::filesystem::path& path, RowOrder order) {
 }
 
 std::vector<std::filesystem::path> files_of_mpcdi(const std::filesystem::path& path) {
-  const std::string bytes =
-      read_whole_file(path, most_archive_bytes, "name an MPCDI archive or its description in XML");
+  const std::string bytes = read_whole_file(path, max_archive_bytes, "name an MPCDI archive or its description in XML");
   std::vector<std::filesystem::path> named;
   if (!bytes.starts_with("PK")) {
     const MpcdiFiles files = files_in_folder(path.parent_path());
-    const auto noted = [&](const std::string& name, std::size_t most_bytes) {
+    const auto noted = [&](const std::string& name, std::size_t max_bytes) {
       const std::filesystem::path beside = file_beside(path.parent_path(), name);
       if (std::ranges::find(named, beside) == named.end()) {
         named.push_back(beside);
       }
-      return files(name, most_bytes);
+      return files(name, max_bytes);
     };
     parse_mpcdi_description(bytes, path.string(), noted, RowOrder::bottom_up);
   }

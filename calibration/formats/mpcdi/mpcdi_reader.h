@@ -13,7 +13,7 @@
 namespace ergodome {
 
 //! Returns the bytes of a file that an MPCDI description names, or throws Error.
-using MpcdiFiles = std::function<std::string(const std::string& name, std::size_t most_bytes)>;
+using MpcdiFiles = std::function<std::string(const std::string& name, std::size_t max_bytes)>;
 
 //! Reads a calibration: a zip archive with mpcdi.xml (or mpacs.xml, as some programs name it), or
 //! such a description, with its files in the same folder. `order` is the row order of the float

@@ -92,8 +92,8 @@ MpcdiRegion read_mpcdi_region(const XmlElement& element, std::vector<std::string
   MpcdiRegion region;
   region.id = element.needed_attribute("id");
   read_extent(element, region);
-  region.resolution_x = element.whole_attribute("xResolution", 1, most_mesh_side);
-  region.resolution_y = element.whole_attribute("yResolution", 1, most_mesh_side);
+  region.resolution_x = element.whole_attribute("xResolution", 1, max_mesh_side);
+  region.resolution_y = element.whole_attribute("yResolution", 1, max_mesh_side);
   if (const auto frustum = element.child("frustum")) {
     region.orientation = {frustum->number_of("yaw"), frustum->number_of("pitch"), frustum->number_of("roll")};
     region.frustum = {frustum->number_of("leftAngle"), frustum->number_of("rightAngle"), frustum->number_of("upAngle"),

@@ -11,7 +11,7 @@ namespace ergodome {
 
 namespace {
 
-constexpr int greatest_depth = 32;
+constexpr int max_depth = 32;
 constexpr double largest_number = 1e9;
 
 char small_letter(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
@@ -41,7 +41,7 @@ struct Inspector : pugi::xml_tree_walker {
   bool for_each(pugi::xml_node& node) override {
     if (node.type() == pugi::node_doctype) {
       document_type = node;
-    } else if (depth() > greatest_depth) {
+    } else if (depth() > max_depth) {
       too_deep = node;
     }
     return document_type.empty() && too_deep.empty();
@@ -54,7 +54,7 @@ XmlFile::XmlFile(std::string_view text, std::string name) : name_(std::move(name
   const pugi::xml_parse_result result =
       document_.load_buffer(text_.data(), text_.size(), pugi::parse_default | pugi::parse_doctype, pugi::encoding_utf8);
   if (!result) {
-    throw Error(place(result.offset), fmt::format("is not well-formed XML: {}", result.description()),
+    throw Error(location(result.offset), fmt::format("is not well-formed XML: {}", result.description()),
                 "correct the file");
   }
   Inspector inspector;
@@ -63,7 +63,7 @@ XmlFile::XmlFile(std::string_view text, std::string name) : name_(std::move(name
     throw Error(name_, "declares a document type", "remove <!DOCTYPE ...>; these files do not need it");
   }
   if (inspector.too_deep) {
-    throw Error(place(inspector.too_deep), fmt::format("is nested deeper than {} elements", greatest_depth),
+    throw Error(location(inspector.too_deep), fmt::format("is nested deeper than {} elements", max_depth),
                 "export it again");
   }
   if (!root()) {
@@ -73,12 +73,12 @@ XmlFile::XmlFile(std::string_view text, std::string name) : name_(std::move(name
 
 pugi::xml_node XmlFile::root() const { return document_.document_element(); }
 
-std::string XmlFile::place(std::ptrdiff_t offset) const {
+std::string XmlFile::location(std::ptrdiff_t offset) const {
   const auto end = std::clamp<std::ptrdiff_t>(offset, 0, static_cast<std::ptrdiff_t>(text_.size()));
   return fmt::format("{}:{}", name_, 1 + std::count(text_.begin(), text_.begin() + end, '\n'));
 }
 
-std::string XmlFile::place(const pugi::xml_node& node) const { return place(node.offset_debug()); }
+std::string XmlFile::location(const pugi::xml_node& node) const { return location(node.offset_debug()); }
 
 std::optional<XmlElement> XmlElement::child(std::string_view name) const {
   for (const pugi::xml_node& node : node_.children()) {
@@ -159,22 +159,22 @@ double XmlElement::number_attribute(std::string_view name, std::optional<double>
   return finite(trimmed(needed_attribute(name)), name);
 }
 
-int XmlElement::whole_attribute(std::string_view name, int least, int greatest, std::optional<int> otherwise) const {
+int XmlElement::whole_attribute(std::string_view name, int minimum, int maximum, std::optional<int> otherwise) const {
   const auto found = attribute(name);
   if (!found && otherwise) {
     return *otherwise;
   }
   const std::string word = trimmed(needed_attribute(name));
   const auto number = whole_number_of(word);
-  if (!number || *number < least || *number > greatest) {
+  if (!number || *number < minimum || *number > maximum) {
     throw error(fmt::format("has {}=\"{}\"", name, shown_text(word)),
-                fmt::format("write a whole number from {} to {}", least, greatest));
+                fmt::format("write a whole number from {} to {}", minimum, maximum));
   }
   return static_cast<int>(*number);
 }
 
 Error XmlElement::error(const std::string& problem, const std::string& remedy) const {
-  return {place(), fmt::format("<{}> {}", shown_text(node_.name()), problem), remedy};
+  return {location(), fmt::format("<{}> {}", shown_text(node_.name()), problem), remedy};
 }
 
 }  // namespace ergodome

@@ -24,10 +24,10 @@ class XmlFile {
 
   [[nodiscard]] pugi::xml_node root() const;
   //! Returns "FILE:LINE" of an element.
-  [[nodiscard]] std::string place(const pugi::xml_node& node) const;
+  [[nodiscard]] std::string location(const pugi::xml_node& node) const;
 
  private:
-  [[nodiscard]] std::string place(std::ptrdiff_t offset) const;
+  [[nodiscard]] std::string location(std::ptrdiff_t offset) const;
 
   std::string name_;
   std::string text_;
@@ -42,7 +42,7 @@ class XmlElement {
 
   [[nodiscard]] std::string name() const { return node_.name(); }
   //! Returns "FILE:LINE".
-  [[nodiscard]] std::string place() const { return file_->place(node_); }
+  [[nodiscard]] std::string location() const { return file_->location(node_); }
   [[nodiscard]] std::optional<XmlElement> child(std::string_view name) const;
   //! Returns a required child. Throws Error if it is missing.
   [[nodiscard]] XmlElement needed_child(std::string_view name) const;
@@ -59,7 +59,7 @@ class XmlElement {
   [[nodiscard]] std::optional<std::string> attribute(std::string_view name) const;
   [[nodiscard]] std::string needed_attribute(std::string_view name) const;
   [[nodiscard]] double number_attribute(std::string_view name, std::optional<double> otherwise = {}) const;
-  [[nodiscard]] int whole_attribute(std::string_view name, int least, int greatest,
+  [[nodiscard]] int whole_attribute(std::string_view name, int minimum, int maximum,
                                     std::optional<int> otherwise = {}) const;
 
   //! Returns an error "FILE:LINE: <NAME> PROBLEM; REMEDY".

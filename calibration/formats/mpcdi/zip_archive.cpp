@@ -12,7 +12,7 @@ namespace ergodome {
 
 namespace {
 
-constexpr zip_int64_t most_entries = 4096;
+constexpr zip_int64_t max_entries = 4096;
 //! Maximum compression ratio of members. Smooth warps are compressed about twentyfold, empty masks
 //! a few hundredfold; small members may exceed the ratio.
 constexpr std::size_t largest_ratio = 500;
@@ -31,24 +31,24 @@ struct CloseMember {
   void operator()(zip_file_t* member) const { zip_fclose(member); }
 };
 
-void check_member(const zip_stat_t& stat, const std::string& place, std::size_t most_bytes) {
+void check_member(const zip_stat_t& stat, const std::string& location, std::size_t max_bytes) {
   constexpr zip_uint64_t wanted =
       ZIP_STAT_SIZE | ZIP_STAT_COMP_SIZE | ZIP_STAT_COMP_METHOD | ZIP_STAT_ENCRYPTION_METHOD;
   if ((stat.valid & wanted) != wanted) {
-    throw Error(place, "has no size in the archive", "pack the archive again");
+    throw Error(location, "has no size in the archive", "pack the archive again");
   }
   if (stat.encryption_method != ZIP_EM_NONE) {
-    throw Error(place, "is encrypted", "pack the archive without a password");
+    throw Error(location, "is encrypted", "pack the archive without a password");
   }
   if (stat.comp_method != ZIP_CM_STORE && stat.comp_method != ZIP_CM_DEFLATE) {
-    throw Error(place, "is compressed by an unsupported method", "pack the archive with deflate");
+    throw Error(location, "is compressed by an unsupported method", "pack the archive with deflate");
   }
-  if (stat.size > most_bytes) {
-    throw Error(place, fmt::format("would unpack to {} bytes", stat.size),
-                fmt::format("use at most {} bytes", most_bytes));
+  if (stat.size > max_bytes) {
+    throw Error(location, fmt::format("would unpack to {} bytes", stat.size),
+                fmt::format("use at most {} bytes", max_bytes));
   }
   if (stat.size > small_member && stat.size / largest_ratio > stat.comp_size) {
-    throw Error(place, fmt::format("would unpack from {} to {} bytes", stat.comp_size, stat.size),
+    throw Error(location, fmt::format("would unpack from {} to {} bytes", stat.comp_size, stat.size),
                 fmt::format("this looks like a zip bomb; compress it by less than {} times", largest_ratio));
   }
 }
@@ -64,8 +64,8 @@ struct ZipArchive::Handle {
   ~Handle() { zip_discard(archive); }
 };
 
-ZipArchive::ZipArchive(std::span<const std::byte> bytes, std::string name, std::size_t most_unpacked)
-    : name_(std::move(name)), archive_bytes_(bytes.size()), unpacked_left_(most_unpacked) {
+ZipArchive::ZipArchive(std::span<const std::byte> bytes, std::string name, std::size_t max_unpacked)
+    : name_(std::move(name)), archive_bytes_(bytes.size()), unpacked_left_(max_unpacked) {
   zip_error_t error;
   zip_error_init(&error);
   zip_source_t* const source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
@@ -79,9 +79,8 @@ ZipArchive::ZipArchive(std::span<const std::byte> bytes, std::string name, std::
   }
   handle_ = std::make_unique<Handle>(archive);
   const zip_int64_t entries = zip_get_num_entries(archive, 0);
-  if (entries > most_entries) {
-    throw Error(name_, fmt::format("contains {} entries", entries),
-                fmt::format("use at most {} entries", most_entries));
+  if (entries > max_entries) {
+    throw Error(name_, fmt::format("contains {} entries", entries), fmt::format("use at most {} entries", max_entries));
   }
 }
 
@@ -103,26 +102,27 @@ zip_int64_t located(zip_t* archive, std::string member) {
 
 bool ZipArchive::has(const std::string& member) const { return located(handle_->archive, member) >= 0; }
 
-std::string ZipArchive::read(const std::string& member, std::size_t most_bytes) {
-  const std::string place = fmt::format("{}: {}", name_, member.substr(0, 200));
+std::string ZipArchive::read(const std::string& member, std::size_t max_bytes) {
+  const std::string location = fmt::format("{}: {}", name_, member.substr(0, 200));
   const zip_int64_t index = located(handle_->archive, member);
   zip_stat_t stat;
   if (index < 0 || zip_stat_index(handle_->archive, static_cast<zip_uint64_t>(index), 0, &stat) != 0) {
-    throw Error(place, "is not in the archive", "export the archive again with this file");
+    throw Error(location, "is not in the archive", "export the archive again with this file");
   }
-  check_member(stat, place, most_bytes);
+  check_member(stat, location, max_bytes);
   if (stat.comp_size > archive_bytes_) {
-    throw Error(place, "is larger than its archive", "the file is truncated or damaged; export it again");
+    throw Error(location, "is larger than its archive", "the file is truncated or damaged; export it again");
   }
   const auto size = static_cast<std::size_t>(stat.size);
   if (size > unpacked_left_) {
-    throw Error(place, "would exceed the limit of the total unpacked size", "split the archive");
+    throw Error(location, "would exceed the limit of the total unpacked size", "split the archive");
   }
   unpacked_left_ -= size;
   const std::unique_ptr<zip_file_t, CloseMember> file(
       zip_fopen_index(handle_->archive, static_cast<zip_uint64_t>(index), 0));
   if (!file) {
-    throw Error(place, std::string("cannot be unpacked: ") + zip_strerror(handle_->archive), "pack the archive again");
+    throw Error(location, std::string("cannot be unpacked: ") + zip_strerror(handle_->archive),
+                "pack the archive again");
   }
   // Reads one byte more than announced, so that libzip reaches the end and verifies the checksum.
   std::string bytes(size + 1, '\0');
@@ -133,7 +133,7 @@ std::string ZipArchive::read(const std::string& member, std::size_t most_bytes) 
   }
   if (got < 0 || filled != size) {
     const std::string why = got < 0 ? text_of(zip_error_code_zip(zip_file_get_error(file.get()))) : "its size is wrong";
-    throw Error(place, "cannot be unpacked: " + why, "the file is truncated or damaged; export it again");
+    throw Error(location, "cannot be unpacked: " + why, "the file is truncated or damaged; export it again");
   }
   bytes.resize(size);
   return bytes;

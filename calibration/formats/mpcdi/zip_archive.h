@@ -17,9 +17,9 @@ namespace ergodome {
 //! their checksums are verified.
 class ZipArchive {
  public:
-  //! Opens an archive, from which at most `most_unpacked` bytes may be read in total; `bytes` must
+  //! Opens an archive, from which at most `max_unpacked` bytes may be read in total; `bytes` must
   //! outlive it. Throws Error if it is not an archive, or has too many entries.
-  ZipArchive(std::span<const std::byte> bytes, std::string name, std::size_t most_unpacked = std::size_t{2} << 30U);
+  ZipArchive(std::span<const std::byte> bytes, std::string name, std::size_t max_unpacked = std::size_t{2} << 30U);
   ~ZipArchive();
   ZipArchive(const ZipArchive&) = delete;
   ZipArchive& operator=(const ZipArchive&) = delete;
@@ -29,7 +29,7 @@ class ZipArchive {
 
   //! Returns a member's bytes. Throws Error, which names archive and member, if it is missing,
   //! damaged, or beyond a limit.
-  std::string read(const std::string& member, std::size_t most_bytes);
+  std::string read(const std::string& member, std::size_t max_bytes);
 
  private:
   struct Handle;

@@ -15,11 +15,11 @@ namespace ergodome {
 namespace {
 
 //! Maximum size of a file: sufficient for every node of the largest mesh.
-constexpr std::size_t most_mesh_bytes = std::size_t{2} << 30U;
+constexpr std::size_t max_mesh_bytes = std::size_t{2} << 30U;
 //! Maximum coordinate: far outside any raster or image.
 constexpr double largest_mesh_coordinate = 1e4;
 //! Size of "0 0 0 0 0", the shortest line of a node.
-constexpr std::size_t least_node_bytes = 9;
+constexpr std::size_t min_node_bytes = 9;
 
 std::string shown_word(std::string_view word) { return std::string(word.substr(0, 40)); }
 
@@ -32,7 +32,7 @@ class BourkeParser {
     read_type();
     read_size();
     const std::size_t count = static_cast<std::size_t>(mesh_.columns) * static_cast<std::size_t>(mesh_.rows);
-    if (bytes_ / least_node_bytes < count) {
+    if (bytes_ / min_node_bytes < count) {
       throw error(fmt::format("declares {} nodes, but is too short for them", count),
                   "the file is truncated or damaged; export it again");
     }
@@ -52,9 +52,9 @@ class BourkeParser {
   }
 
  private:
-  [[nodiscard]] std::string place() const { return fmt::format("{}:{}", file_, std::max(lines_.number(), 1)); }
+  [[nodiscard]] std::string location() const { return fmt::format("{}:{}", file_, std::max(lines_.number(), 1)); }
   [[nodiscard]] Error error(const std::string& problem, const std::string& remedy) const {
-    return {place(), problem, remedy};
+    return {location(), problem, remedy};
   }
 
   std::string_view line(std::string_view wanted) {
@@ -81,7 +81,7 @@ class BourkeParser {
     if (!columns || !rows || !take_word(rest).empty()) {
       throw error("is not a mesh size", "write the number of columns and the number of rows");
     }
-    check_mesh_size(*columns, *rows, place());
+    check_mesh_size(*columns, *rows, location());
     mesh_.columns = static_cast<int>(*columns);
     mesh_.rows = static_cast<int>(*rows);
   }
@@ -150,7 +150,7 @@ WarpMesh parse_bourke_mesh(std::string_view text, const std::string& file, doubl
 }
 
 WarpMesh read_bourke_mesh(const std::filesystem::path& path, double half_width) {
-  return parse_bourke_mesh(read_whole_file(path, most_mesh_bytes, "give a mesh file in Paul Bourke's format"),
+  return parse_bourke_mesh(read_whole_file(path, max_mesh_bytes, "give a mesh file in Paul Bourke's format"),
                            path.string(), half_width);
 }
 

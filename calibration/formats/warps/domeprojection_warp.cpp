@@ -90,8 +90,8 @@ class DomeprojectionParser {
   }
 
   void read_node(std::string_view line) {
-    if (nodes_.size() >= most_mesh_nodes) {
-      throw text_.error(fmt::format("has more than {} nodes", most_mesh_nodes), "export a coarser mesh");
+    if (nodes_.size() >= max_mesh_nodes) {
+      throw text_.error(fmt::format("has more than {} nodes", max_mesh_nodes), "export a coarser mesh");
     }
     const CsvFields fields = fields_of(line);
     WarpNode node;
@@ -99,8 +99,8 @@ class DomeprojectionParser {
     node.y = static_cast<float>(text_.number(fields[1], "y"));
     node.u = static_cast<float>(text_.number(fields[2], "u"));
     node.v = static_cast<float>(text_.number(fields[3], "v"));
-    const auto column = static_cast<int>(text_.whole(fields[4], "the column", 0, most_mesh_side - 1));
-    const auto row = static_cast<int>(text_.whole(fields[5], "the row", 0, most_mesh_side - 1));
+    const auto column = static_cast<int>(text_.whole(fields[4], "the column", 0, max_mesh_side - 1));
+    const auto row = static_cast<int>(text_.whole(fields[5], "the row", 0, max_mesh_side - 1));
     columns_ = std::max(columns_, column + 1);
     rows_ = std::max(rows_, row + 1);
     nodes_.push_back({column, row, node});
@@ -108,17 +108,17 @@ class DomeprojectionParser {
 
   WarpMesh grid() const {
     check_mesh_size(columns_, rows_, file_);
-    const std::size_t places = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
+    const std::size_t positions = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
     // Nodes may be missing for parts that the projector does not show, but meshes in which almost
     // all are missing are refused.
-    constexpr std::size_t most_places_a_node = 16;
-    if (places / most_places_a_node > nodes_.size()) {
+    constexpr std::size_t max_positions_per_node = 16;
+    if (positions / max_positions_per_node > nodes_.size()) {
       throw Error(file_, fmt::format("has {} nodes for {} columns and {} rows", nodes_.size(), columns_, rows_),
                   "the file is truncated or damaged; export it again");
     }
     WarpNode hole;
     hole.valid = false;
-    WarpMesh mesh{MeshTopology::rectangular, columns_, rows_, std::vector<WarpNode>(places, hole)};
+    WarpMesh mesh{MeshTopology::rectangular, columns_, rows_, std::vector<WarpNode>(positions, hole)};
     for (const PlacedNode& placed : nodes_) {
       WarpNode& node = mesh.at(placed.column, placed.row);
       if (node.valid) {

@@ -95,9 +95,9 @@ class EasyblendParser {
     if (word == "OPENMESH") {
       is_openmesh_ = true;
     } else if (word == "VERTICES") {
-      vertices_ = text_.whole(take_word(rest), "the number of vertices", 0, most_mesh_nodes);
+      vertices_ = text_.whole(take_word(rest), "the number of vertices", 0, max_mesh_nodes);
     } else if (word == "FACES") {
-      faces_ = text_.whole(take_word(rest), "the number of faces", 0, most_mesh_nodes);
+      faces_ = text_.whole(take_word(rest), "the number of faces", 0, max_mesh_nodes);
     } else if (word == "MAPPING") {
       require_word(word, take_word(rest), "NORMALIZED");
     } else if (word == "SAMPLING") {
@@ -109,8 +109,8 @@ class EasyblendParser {
       has_view_ = has_view_ || word == "PERSPECTIVE_LEFT" || word == "PERSPECTIVE_RIGHT" || word == "PERSPECTIVE_TOP" ||
                   word == "PERSPECTIVE_BOTTOM";
     } else if (word != "LABEL") {
-      constexpr std::size_t most_notes = 20;
-      if (notes_.size() < most_notes) {
+      constexpr std::size_t max_notes = 20;
+      if (notes_.size() < max_notes) {
         notes_.push_back(fmt::format("the unknown keyword {} is ignored", shown_of(word)));
       }
     }
@@ -136,8 +136,8 @@ class EasyblendParser {
     if (!take_word(rest).empty()) {
       throw text_.error("has more than five numbers", "write x y intensity s t on the line");
     }
-    if (nodes_.size() >= most_mesh_nodes) {
-      throw text_.error(fmt::format("has more than {} nodes", most_mesh_nodes), "export a coarser mesh");
+    if (nodes_.size() >= max_mesh_nodes) {
+      throw text_.error(fmt::format("has more than {} nodes", max_mesh_nodes), "export a coarser mesh");
     }
     // In the file, t increases to the left and s downward.
     node.u = static_cast<float>(1.0 - t);
@@ -149,13 +149,13 @@ class EasyblendParser {
   void read_face(std::string_view rest) {
     WarpTriangle triangle{};
     for (std::uint32_t& node : triangle) {
-      node = static_cast<std::uint32_t>(text_.whole(take_word(rest), "a face's node", 0, most_mesh_nodes - 1));
+      node = static_cast<std::uint32_t>(text_.whole(take_word(rest), "a face's node", 0, max_mesh_nodes - 1));
     }
     if (take_word(rest) != "]") {
       throw text_.error("has a face without exactly three nodes", "write [ a b c ]");
     }
-    if (triangles_.size() >= most_mesh_nodes) {
-      throw text_.error(fmt::format("has more than {} faces", most_mesh_nodes), "export a coarser mesh");
+    if (triangles_.size() >= max_mesh_nodes) {
+      throw text_.error(fmt::format("has more than {} faces", max_mesh_nodes), "export a coarser mesh");
     }
     triangles_.push_back(triangle);
   }

@@ -13,7 +13,7 @@ namespace ergodome {
 
 namespace {
 
-constexpr std::size_t most_warp_bytes = std::size_t{1} << 30U;
+constexpr std::size_t max_warp_bytes = std::size_t{1} << 30U;
 //! Maximum coordinate or angle; far outside any raster or image.
 constexpr double largest_warp_number = 1e4;
 
@@ -21,7 +21,7 @@ constexpr double largest_warp_number = 1e4;
 
 std::string shown_of(std::string_view text) { return printable(text.substr(0, 40)); }
 
-std::string WarpText::place() const { return fmt::format("{}:{}", file_, std::max(lines_.number(), 1)); }
+std::string WarpText::location() const { return fmt::format("{}:{}", file_, std::max(lines_.number(), 1)); }
 
 double WarpText::number(std::string_view word, std::string_view what) const {
   const auto value = decimal_of(word);
@@ -35,22 +35,22 @@ double WarpText::number(std::string_view word, std::string_view what) const {
   return *value;
 }
 
-long long WarpText::whole(std::string_view word, std::string_view what, long long least, long long most) const {
+long long WarpText::whole(std::string_view word, std::string_view what, long long minimum, long long maximum) const {
   const auto value = whole_number_of(word);
-  if (!value || *value < least || *value > most) {
+  if (!value || *value < minimum || *value > maximum) {
     throw error(word.empty() ? fmt::format("{} is missing", what) : fmt::format("{} is \"{}\"", what, shown_of(word)),
-                fmt::format("write a whole number from {} to {}", least, most));
+                fmt::format("write a whole number from {} to {}", minimum, maximum));
   }
   return *value;
 }
 
-void check_view(const Frustum& frustum, const std::string& place) {
+void check_view(const Frustum& frustum, const std::string& location) {
   constexpr double widest_deg = 89.9;
-  const auto [least, most] = std::minmax({frustum.left_deg, frustum.right_deg, frustum.up_deg, frustum.down_deg});
+  const auto [minimum, maximum] = std::minmax({frustum.left_deg, frustum.right_deg, frustum.up_deg, frustum.down_deg});
   const bool ordered = frustum.left_deg < frustum.right_deg && frustum.down_deg < frustum.up_deg;
-  if (!(least >= -widest_deg && most <= widest_deg) || !ordered) {
+  if (!(minimum >= -widest_deg && maximum <= widest_deg) || !ordered) {
     throw Error(
-        place,
+        location,
         fmt::format("has an impossible field of view: {:g}° (left) to {:g}° (right) and {:g}° (down) to {:g}° (up)",
                     frustum.left_deg, frustum.right_deg, frustum.down_deg, frustum.up_deg),
         "choose angles with left < right and down < up, all less than 90° from the middle");
@@ -108,7 +108,7 @@ ForeignWarp parse_foreign_warp(std::string_view bytes, const std::string& file, 
 }
 
 ForeignWarp read_foreign_warp(const std::filesystem::path& path, WarpFormat format) {
-  return parse_foreign_warp(read_whole_file(path, most_warp_bytes, fmt::format("give {}", name_of(format))),
+  return parse_foreign_warp(read_whole_file(path, max_warp_bytes, fmt::format("give {}", name_of(format))),
                             path.string(), format);
 }
 

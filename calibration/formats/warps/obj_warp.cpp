@@ -64,8 +64,8 @@ class ObjWarpParser {
   }
 
   void require_room(std::size_t count) const {
-    if (count > most_mesh_nodes) {
-      throw text_.error(fmt::format("has more than {} vertices, texture coordinates or triangles", most_mesh_nodes),
+    if (count > max_mesh_nodes) {
+      throw text_.error(fmt::format("has more than {} vertices, texture coordinates or triangles", max_mesh_nodes),
                         "export a coarser mesh");
     }
   }

@@ -128,7 +128,7 @@ class ScissParser {
 
   std::vector<WarpNode> read_nodes(std::uint64_t count) {
     constexpr std::size_t node_bytes = 6 * sizeof(float);
-    if (count > most_mesh_nodes || count > rest_.size() / node_bytes) {
+    if (count > max_mesh_nodes || count > rest_.size() / node_bytes) {
       throw Error(file_, fmt::format("declares {} nodes, but is too short for them", count),
                   "the file is truncated or damaged; export it again");
     }

@@ -11,7 +11,7 @@ namespace ergodome {
 
 namespace {
 
-constexpr std::size_t most_simcad_bytes = std::size_t{64} << 20U;
+constexpr std::size_t max_simcad_bytes = std::size_t{64} << 20U;
 
 //! Returns an element's offsets as fractions of the raster.
 std::vector<double> offsets_of(const XmlElement& element) {
@@ -42,7 +42,7 @@ std::vector<double> offsets_of(const XmlElement& element) {
 }  // namespace
 
 ForeignWarp parse_simcad_warp(std::string_view text, const std::string& file) {
-  if (text.size() > most_simcad_bytes) {
+  if (text.size() > max_simcad_bytes) {
     throw Error(file, "is a SimCAD warp of more than 64 MiB", "export it again");
   }
   const XmlFile xml(text, file);

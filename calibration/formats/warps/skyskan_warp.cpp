@@ -74,9 +74,9 @@ class SkyskanParser {
     if (!take_word(rest).empty()) {
       throw text_.error("is not a mesh size", "write the number of columns and the number of rows");
     }
-    check_mesh_size(columns, rows, text_.place());
-    constexpr std::size_t least_line = 8;  // "0 0 0 0" and the line end
-    if (static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows) > bytes_ / least_line + 1) {
+    check_mesh_size(columns, rows, text_.location());
+    constexpr std::size_t min_line = 8;  // "0 0 0 0" and the line end
+    if (static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows) > bytes_ / min_line + 1) {
       throw text_.error(fmt::format("declares {} x {} nodes, but is too short for them", columns, rows),
                         "the file is truncated or damaged; export it again");
     }

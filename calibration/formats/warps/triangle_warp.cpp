@@ -75,8 +75,8 @@ bool is_grid(std::size_t nodes, const std::vector<WarpTriangle>& triangles, std:
 std::size_t grid_columns(std::size_t nodes, const std::vector<WarpTriangle>& triangles) {
   std::size_t widest = 0;
   for (const WarpTriangle& triangle : triangles) {
-    const auto [least, most] = std::ranges::minmax(triangle);
-    widest = std::max<std::size_t>(widest, most - least);
+    const auto [minimum, maximum] = std::ranges::minmax(triangle);
+    widest = std::max<std::size_t>(widest, maximum - minimum);
   }
   for (const std::size_t columns : {widest, widest - std::min<std::size_t>(widest, 1)}) {
     if (is_grid(nodes, triangles, columns)) {
@@ -89,8 +89,8 @@ std::size_t grid_columns(std::size_t nodes, const std::vector<WarpTriangle>& tri
 //! Returns a mesh with a cell for each triangle, and undrawn nodes between the cells.
 WarpMesh separate_cells(const std::vector<WarpNode>& nodes, const std::vector<WarpTriangle>& triangles,
                         const std::string& file) {
-  constexpr std::size_t most_in_row = (most_mesh_side + 1) / 3;
-  const std::size_t across = std::min(triangles.size(), most_in_row);
+  constexpr std::size_t max_in_row = (max_mesh_side + 1) / 3;
+  const std::size_t across = std::min(triangles.size(), max_in_row);
   const std::size_t down = (triangles.size() + across - 1) / across;
   WarpMesh mesh;
   check_mesh_size(static_cast<long long>(3 * across - 1), static_cast<long long>(3 * down - 1), file);
@@ -167,9 +167,9 @@ WarpMesh in_reading_order(WarpMesh mesh) {
 WarpMesh warp_from_triangles(std::vector<WarpNode> nodes, const std::vector<WarpTriangle>& triangles,
                              const std::string& file) {
   for (const WarpTriangle& triangle : triangles) {
-    if (const std::uint32_t most = *std::ranges::max_element(triangle); most >= nodes.size()) {
+    if (const std::uint32_t maximum = *std::ranges::max_element(triangle); maximum >= nodes.size()) {
       throw Error(file,
-                  fmt::format("has a triangle with node {}, but only {} nodes, counted from 0", most, nodes.size()),
+                  fmt::format("has a triangle with node {}, but only {} nodes, counted from 0", maximum, nodes.size()),
                   "the file is truncated or damaged; export it again");
     }
   }
@@ -178,7 +178,7 @@ WarpMesh warp_from_triangles(std::vector<WarpNode> nodes, const std::vector<Warp
   }
   const std::size_t columns = grid_columns(nodes.size(), triangles);
   const std::size_t rows = columns == 0 ? 0 : nodes.size() / columns;
-  if (columns == 0 || columns > most_mesh_side || rows > most_mesh_side) {
+  if (columns == 0 || columns > max_mesh_side || rows > max_mesh_side) {
     return separate_cells(nodes, triangles, file);
   }
   return in_reading_order(

@@ -12,14 +12,14 @@ namespace ergodome {
 
 namespace {
 
-struct WarpFormatFacts {
+struct WarpFormatNames {
   const char* word;
   const char* name;
   std::initializer_list<std::string_view> endings;
 };
 
 //! Properties of the formats, in the order of WarpFormat.
-const WarpFormatFacts format_facts[] = {
+const WarpFormatNames format_names[] = {
     {"bourke", "a mesh in Paul Bourke's format", {".data"}},
     {"pfm", "a portable float map", {".pfm"}},
     {"mpcdi", "an MPCDI calibration", {".mpcdi", ".xml"}},
@@ -74,9 +74,9 @@ bool is_domeprojection_line(const std::string& small) {
 
 }  // namespace
 
-const char* word_of(WarpFormat format) { return format_facts[static_cast<int>(format)].word; }
+const char* word_of(WarpFormat format) { return format_names[static_cast<int>(format)].word; }
 
-const char* name_of(WarpFormat format) { return format_facts[static_cast<int>(format)].name; }
+const char* name_of(WarpFormat format) { return format_names[static_cast<int>(format)].name; }
 
 std::optional<WarpFormat> format_of_content(std::string_view head) {
   head = head.substr(0, warp_head_bytes);
@@ -123,15 +123,15 @@ std::string head_of_file(const std::filesystem::path& path) {
   return head;
 }
 
-bool tells_no_source(WarpFormat format) {
+bool has_no_source_size(WarpFormat format) {
   return format == WarpFormat::bourke || format == WarpFormat::pfm || format == WarpFormat::domeprojection ||
          format == WarpFormat::obj || format == WarpFormat::simcad || format == WarpFormat::easyblend;
 }
 
 std::optional<WarpFormat> format_of_ending(std::string_view ending) {
   const std::string small = in_small_letters(ending);
-  for (std::size_t i = 0; i < std::size(format_facts); ++i) {
-    if (std::ranges::find(format_facts[i].endings, small) != format_facts[i].endings.end()) {
+  for (std::size_t i = 0; i < std::size(format_names); ++i) {
+    if (std::ranges::find(format_names[i].endings, small) != format_names[i].endings.end()) {
       return static_cast<WarpFormat>(i);
     }
   }

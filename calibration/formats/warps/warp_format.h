@@ -33,7 +33,7 @@ std::string head_of_file(const std::filesystem::path& path);
 
 //! Returns true if the setup must state which image the warps of a format refer to. EasyBlend files
 //! may contain a view, which then takes precedence.
-bool tells_no_source(WarpFormat format);
+bool has_no_source_size(WarpFormat format);
 
 //! Returns the format for a file extension (such as ".pfm", in any case); nothing if it is unknown.
 std::optional<WarpFormat> format_of_ending(std::string_view ending);

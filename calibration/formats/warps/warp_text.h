@@ -19,16 +19,17 @@ class WarpText {
   std::optional<std::string_view> next() { return lines_.next(); }
 
   //! Returns "FILE:LINE".
-  [[nodiscard]] std::string place() const;
+  [[nodiscard]] std::string location() const;
   [[nodiscard]] Error error(const std::string& problem, const std::string& remedy) const {
-    return {place(), problem, remedy};
+    return {location(), problem, remedy};
   }
 
   //! Parses a number between -10,000 and 10,000. `what` is its name in messages. Throws Error for
   //! anything else.
   [[nodiscard]] double number(std::string_view word, std::string_view what) const;
-  //! Parses an integer from `least` to `most`. Throws Error for anything else.
-  [[nodiscard]] long long whole(std::string_view word, std::string_view what, long long least, long long most) const;
+  //! Parses an integer from `minimum` to `maximum`. Throws Error for anything else.
+  [[nodiscard]] long long whole(std::string_view word, std::string_view what, long long minimum,
+                                long long maximum) const;
 
  private:
   TextLines lines_;
@@ -38,7 +39,7 @@ class WarpText {
 //! Returns the first 40 bytes of a text, printable, for a message.
 std::string shown_of(std::string_view text);
 
-//! Throws Error, which names `place`, unless a flat image can have this field of view.
-void check_view(const Frustum& frustum, const std::string& place);
+//! Throws Error, which names `location`, unless a flat image can have this field of view.
+void check_view(const Frustum& frustum, const std::string& location);
 
 }  // namespace ergodome

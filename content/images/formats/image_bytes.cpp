@@ -25,11 +25,11 @@ NextBytes ImageBytes::from_start() const {
   };
 }
 
-std::string ImageBytes::head(std::size_t most) const {
+std::string ImageBytes::head(std::size_t maximum) const {
   if (bytes_) {
-    return {reinterpret_cast<const char*>(bytes_->data()), std::min(bytes_->size(), most)};
+    return {reinterpret_cast<const char*>(bytes_->data()), std::min(bytes_->size(), maximum)};
   }
-  std::string head(static_cast<std::size_t>(std::min<std::uintmax_t>(size(), most)), '\0');
+  std::string head(static_cast<std::size_t>(std::min<std::uintmax_t>(size(), maximum)), '\0');
   std::ifstream file(name_, std::ios::binary);
   file.read(head.data(), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<std::size_t>(file.gcount()));

@@ -22,8 +22,8 @@ class ImageBytes {
   //! Returns a function that reads the bytes from the first on. It must not outlive the bytes.
   [[nodiscard]] NextBytes from_start() const;
 
-  //! Returns the first `most` bytes, or all if there are fewer.
-  [[nodiscard]] std::string head(std::size_t most) const;
+  //! Returns the first `maximum` bytes, or all if there are fewer.
+  [[nodiscard]] std::string head(std::size_t maximum) const;
 
   [[nodiscard]] std::string all() const;
 

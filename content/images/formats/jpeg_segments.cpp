@@ -25,7 +25,9 @@ bool stands_alone(unsigned marker) { return marker <= 0x01 || (marker >= 0xD0 &&
 //! Returns the first segment at or after position `at`, and moves `at` behind it. The marker is
 //! `no_marker` if no segment follows.
 JpegSegment next_segment(std::string_view bytes, std::size_t& at) {
-  const auto byte = [&](std::size_t place) { return static_cast<unsigned>(static_cast<unsigned char>(bytes[place])); };
+  const auto byte = [&](std::size_t position) {
+    return static_cast<unsigned>(static_cast<unsigned char>(bytes[position]));
+  };
   while ((at = bytes.find('\xFF', at)) < bytes.size() && at + 1 < bytes.size()) {
     const unsigned marker = byte(at + 1);
     if (marker == 0xFF) {

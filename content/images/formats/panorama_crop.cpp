@@ -23,11 +23,11 @@ std::string property(const pugi::xml_node& description, const char* name) {
 }
 
 int pixels(const pugi::xml_node& description, const char* name) {
-  constexpr double most = 1'000'000.0;
+  constexpr double maximum = 1'000'000.0;
   const std::string text = property(description, name);
   char* end = nullptr;
   const double number = std::strtod(text.c_str(), &end);
-  return end != text.c_str() && number >= 0.0 && number <= most ? static_cast<int>(std::lround(number)) : -1;
+  return end != text.c_str() && number >= 0.0 && number <= maximum ? static_cast<int>(std::lround(number)) : -1;
 }
 
 }  // namespace

@@ -8,10 +8,10 @@ bool ShownLayout::is_plain() const {
 }
 
 bool ShownLayout::is_bounded() const {
-  constexpr long most_pixels = 16'384L * 8'192L;
+  constexpr long max_pixels = 16'384L * 8'192L;
   return data_width > 0 && data_height > 0 && window_width > 0 && window_height > 0 &&
-         static_cast<long>(data_width) * data_height <= most_pixels &&
-         static_cast<long>(window_width) * window_height <= most_pixels;
+         static_cast<long>(data_width) * data_height <= max_pixels &&
+         static_cast<long>(window_width) * window_height <= max_pixels;
 }
 
 }  // namespace ergodome

@@ -43,7 +43,7 @@ int close(thandle_t /*handle*/) { return 0; }
 toff_t size(thandle_t handle) { return source_of(handle).bytes.size(); }
 
 //! Suppresses libtiff's messages; OpenImageIO reports the same problems.
-int say_nothing(TIFF* /*file*/, void* /*data*/, const char* /*module*/, const char* /*format*/, va_list /*values*/) {
+int ignore_message(TIFF* /*file*/, void* /*data*/, const char* /*module*/, const char* /*format*/, va_list /*values*/) {
   return 1;
 }
 
@@ -52,8 +52,8 @@ using File = std::unique_ptr<TIFF, decltype(&TIFFClose)>;
 File open(const std::string& name, Source* memory) {
   const std::unique_ptr<TIFFOpenOptions, decltype(&TIFFOpenOptionsFree)> options(TIFFOpenOptionsAlloc(),
                                                                                  &TIFFOpenOptionsFree);
-  TIFFOpenOptionsSetErrorHandlerExtR(options.get(), say_nothing, nullptr);
-  TIFFOpenOptionsSetWarningHandlerExtR(options.get(), say_nothing, nullptr);
+  TIFFOpenOptionsSetErrorHandlerExtR(options.get(), ignore_message, nullptr);
+  TIFFOpenOptionsSetWarningHandlerExtR(options.get(), ignore_message, nullptr);
   constexpr const char* mode = "rmD";  // no memory map; offsets are loaded on demand
   return {memory == nullptr ? TIFFOpenExt(name.c_str(), mode, options.get())
                             : TIFFClientOpenExt(name.c_str(), mode, memory, read, write_nothing, seek, close, size,

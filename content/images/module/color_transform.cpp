@@ -197,9 +197,9 @@ void ColorTransform::convert(float* colors, std::size_t count) const {
 }
 
 void ColorTransform::apply(float* pixels, std::size_t count, int channels, int alpha) const {
-  constexpr std::size_t least_pixels = 32'768;
+  constexpr std::size_t min_pixels = 32'768;
   const std::size_t parts =
-      std::clamp<std::size_t>(count / least_pixels, 1, std::max(1U, std::thread::hardware_concurrency()));
+      std::clamp<std::size_t>(count / min_pixels, 1, std::max(1U, std::thread::hardware_concurrency()));
   std::vector<std::jthread> others;
   for (std::size_t part = 1; part < parts; ++part) {
     const std::size_t begin = part * count / parts;

@@ -29,9 +29,9 @@ namespace {
 std::string first_line(const std::string& message) { return message.substr(0, message.find('\n')); }
 
 std::vector<ExrPart> parts_of(OIIO::ImageInput& input) {
-  constexpr int most_parts = 1000;
+  constexpr int max_parts = 1000;
   std::vector<ExrPart> parts;
-  for (int part = 0; part < most_parts && input.seek_subimage(part, 0); ++part) {
+  for (int part = 0; part < max_parts && input.seek_subimage(part, 0); ++part) {
     const OIIO::ImageSpec& spec = input.spec();
     parts.push_back({std::string(spec.get_string_attribute("oiio:subimagename")),
                      std::string(spec.get_string_attribute("view")), spec.channelnames});
@@ -234,8 +234,9 @@ class Input final : public ImageInput {
     shape_.alpha_channel = layer_.channels > 0 ? layer_.alpha : std::min(spec.alpha_channel, spec.nchannels - 1);
     shape_.sample_bytes = static_cast<int>(spec.format.size());
     // Color metadata of a texture's file is ignored (glTF 2.0, 3.8.2).
-    const bool says_linear = OIIO::Strutil::iequals(spec.get_string_attribute("oiio:ColorSpace", "sRGB"), "linear");
-    shape_.encoded = !spec.format.is_floating_point() && (asked_.as_stored || !says_linear);
+    const bool is_marked_linear =
+        OIIO::Strutil::iequals(spec.get_string_attribute("oiio:ColorSpace", "sRGB"), "linear");
+    shape_.encoded = !spec.format.is_floating_point() && (asked_.as_stored || !is_marked_linear);
     shape_.separate_alpha = spec.get_int_attribute("oiio:UnassociatedAlpha", 0) != 0;
     shown_channels_ = 0;
     rows_.forget();
@@ -286,9 +287,9 @@ class Input final : public ImageInput {
 //! otherwise an empty text. The formats with the best compression store some 10,000 black pixels in
 //! a byte.
 std::string problem_of_size(int width, int height, std::uintmax_t file_bytes) {
-  constexpr double most_pixels_a_byte = 100'000.0;
+  constexpr double max_pixels_a_byte = 100'000.0;
   const double pixels = static_cast<double>(width) * height;
-  if (pixels <= most_pixels_a_byte * static_cast<double>(file_bytes)) {
+  if (pixels <= max_pixels_a_byte * static_cast<double>(file_bytes)) {
     return "";
   }
   return fmt::format("it claims {} x {} pixels in {} bytes", width, height, file_bytes);

@@ -119,10 +119,10 @@ class Library final : public ImageLibrary {
                  const TextStyle& style) const override {
     using Across = OIIO::ImageBufAlgo::TextAlignX;
     using Down = OIIO::ImageBufAlgo::TextAlignY;
-    const bool centred = style.place != TextPlace::baseline_start;
-    const Down down = style.place == TextPlace::baseline_start ? Down::Baseline
-                      : style.place == TextPlace::top_centre   ? Down::Top
-                                                               : Down::Center;
+    const bool centred = style.anchor != TextAnchor::baseline_start;
+    const Down down = style.anchor == TextAnchor::baseline_start ? Down::Baseline
+                      : style.anchor == TextAnchor::top_centre   ? Down::Top
+                                                                 : Down::Center;
     OIIO::ImageBuf image = buffer_of(canvas);
     return OIIO::ImageBufAlgo::render_text(image, x, y, text, style.font_px, font, span_of(style.colour),
                                            centred ? Across::Center : Across::Left, down, style.shadow_px);

@@ -6,10 +6,10 @@
 namespace ergodome {
 
 bool StoredRows::is_bounded(const OIIO::ImageSpec& spec) {
-  constexpr double most_bytes = 512.0 * 1024.0 * 1024.0;
+  constexpr double max_bytes = 512.0 * 1024.0 * 1024.0;
   constexpr double pixel_bytes = 4.0 * sizeof(float);
   const int rows = std::min(spec.tile_height, spec.height);
-  return spec.tile_width <= 0 || pixel_bytes * spec.width * rows <= most_bytes;
+  return spec.tile_width <= 0 || pixel_bytes * spec.width * rows <= max_bytes;
 }
 
 bool StoredRows::read(OIIO::ImageInput& input, const StoredPixels& stored, int begin, int end, float* to) {

@@ -139,26 +139,26 @@ std::vector<Number> all_numbers(const GltfFile& file, const Accessor& accessor) 
                  entry_bytes_of(file, accessor));
   what.component_type = accessor.componentType;
   what.normalized = accessor.normalized;
-  std::vector<std::size_t> places(count);
-  for_each_number(file, where, count, 1, [&](std::size_t i, int /*component*/, double place) {
-    if (!(place >= 0.0 && place < static_cast<double>(accessor.count))) {
+  std::vector<std::size_t> positions(count);
+  for_each_number(file, where, count, 1, [&](std::size_t i, int /*component*/, double position) {
+    if (!(position >= 0.0 && position < static_cast<double>(accessor.count))) {
       throw file.error("has a sparse accessor that replaces a nonexistent entry");
     }
-    places[i] = static_cast<std::size_t>(place);
+    positions[i] = static_cast<std::size_t>(position);
   });
   for_each_number(file, what, count, components,
-                  [&](std::size_t i, int component, double number) { put(places[i], component, number); });
+                  [&](std::size_t i, int component, double number) { put(positions[i], component, number); });
   return numbers;
 }
 
 //! Maximum number of entries without a buffer, which are zero (glTF 2.0, 3.6.2).
-constexpr std::size_t most_zero_entries = 4'000'000;
+constexpr std::size_t max_zero_entries = 4'000'000;
 
 }  // namespace
 
 std::size_t gltf_count(const GltfFile& file, int index) {
   const Accessor& accessor = file.at(file.model.accessors, index, "accessor");
-  if (entries_of(file, accessor).first == nullptr && accessor.count > most_zero_entries) {
+  if (entries_of(file, accessor).first == nullptr && accessor.count > max_zero_entries) {
     throw file.error(fmt::format("has an accessor with {} entries but no buffer", accessor.count));
   }
   return accessor.count;

@@ -13,10 +13,10 @@ namespace ergodome {
 //! A parsed glTF file with checked access to its lists.
 struct GltfFile {
   const tinygltf::Model& model;
-  const std::string& place;  //!< its name in messages
+  const std::string& location;  //!< its name in messages
 
   [[nodiscard]] Error error(const std::string& problem) const {
-    return {place, problem, "export the mesh again, or check it with a glTF validator"};
+    return {location, problem, "export the mesh again, or check it with a glTF validator"};
   }
 
   //! Returns an entry of one of the file's lists; `what` is its name in messages. Throws Error if

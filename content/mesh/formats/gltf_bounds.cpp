@@ -14,8 +14,8 @@ using Json = nlohmann::json;
 
 constexpr int deepest_nesting = 64;
 //! Each node, accessor and primitive is an object of up to a kilobyte in memory.
-constexpr long most_objects = 200'000;
-constexpr long most_values = 2'000'000;
+constexpr long max_objects = 200'000;
+constexpr long max_values = 2'000'000;
 
 //! Counts the parser's events and stops it at a limit. The SAX parser does not recurse.
 class Counter : public nlohmann::json_sax<Json> {
@@ -29,7 +29,7 @@ class Counter : public nlohmann::json_sax<Json> {
   bool binary(binary_t& /*value*/) override { return value(); }
   bool key(string_t& /*value*/) override { return true; }
   bool start_object(std::size_t /*elements*/) override {
-    return within(++objects_ <= most_objects, "has more than {} objects in its JSON", most_objects) && open();
+    return within(++objects_ <= max_objects, "has more than {} objects in its JSON", max_objects) && open();
   }
   bool end_object() override { return close(); }
   bool start_array(std::size_t /*elements*/) override { return open(); }
@@ -42,7 +42,7 @@ class Counter : public nlohmann::json_sax<Json> {
   [[nodiscard]] const std::string& problem() const { return problem_; }
 
  private:
-  bool value() { return within(++values_ <= most_values, "has more than {} values in its JSON", most_values); }
+  bool value() { return within(++values_ <= max_values, "has more than {} values in its JSON", max_values); }
   bool open() {
     return value() && within(++depth_ <= deepest_nesting, "nests its JSON deeper than {} levels", deepest_nesting);
   }
@@ -65,10 +65,10 @@ class Counter : public nlohmann::json_sax<Json> {
 
 }  // namespace
 
-void require_bounded_gltf(std::string_view json, const std::string& place) {
+void require_bounded_gltf(std::string_view json, const std::string& location) {
   Counter counter;
   if (!Json::sax_parse(json, &counter)) {
-    throw Error(place, counter.problem().empty() ? "is not valid JSON" : counter.problem(),
+    throw Error(location, counter.problem().empty() ? "is not valid JSON" : counter.problem(),
                 "export it again, if necessary with fewer nodes and meshes");
   }
 }

@@ -50,7 +50,7 @@ std::array<double, 3> numbers_in(const Value& object, const std::string& key, st
 }
 
 //! The properties of a material that are drawn.
-struct Look {
+struct DrawnMaterial {
   std::array<double, 3> color = {1.0, 1.0, 1.0};
   double brightest = 1.0;
   double alpha = 1.0;
@@ -83,34 +83,34 @@ std::array<double, 3> glow_of(const tinygltf::Material& material) {
   return glow;
 }
 
-Look look_of(const tinygltf::Material& material) {
-  Look look;
+DrawnMaterial drawn_material(const tinygltf::Material& material) {
+  DrawnMaterial drawn;
   const auto& base = material.pbrMetallicRoughness;
   for (std::size_t i = 0; i < 3 && base.baseColorFactor.size() == 4; ++i) {
-    look.color.at(i) = base.baseColorFactor[i];
+    drawn.color.at(i) = base.baseColorFactor[i];
   }
-  look.alpha = base.baseColorFactor.size() == 4 ? base.baseColorFactor[3] : 1.0;
-  look.texture = use_of(base.baseColorTexture);
+  drawn.alpha = base.baseColorFactor.size() == 4 ? base.baseColorFactor[3] : 1.0;
+  drawn.texture = use_of(base.baseColorTexture);
   if (const Value* const diffuse = extension(material.extensions, specular_glossiness)) {
-    look.color = numbers_in(*diffuse, "diffuseFactor", {1.0, 1.0, 1.0});
+    drawn.color = numbers_in(*diffuse, "diffuseFactor", {1.0, 1.0, 1.0});
     const Value& factor = diffuse->Has("diffuseFactor") ? diffuse->Get("diffuseFactor") : Value();
     const bool has_alpha = factor.IsArray() && factor.ArrayLen() == 4 && factor.Get(3).IsNumber();
-    look.alpha = has_alpha ? factor.Get(3).GetNumberAsDouble() : 1.0;
-    look.texture = diffuse->Has("diffuseTexture") ? use_of(diffuse->Get("diffuseTexture")) : TextureUse();
+    drawn.alpha = has_alpha ? factor.Get(3).GetNumberAsDouble() : 1.0;
+    drawn.texture = diffuse->Has("diffuseTexture") ? use_of(diffuse->Get("diffuseTexture")) : TextureUse();
   }
   const std::array<double, 3> glow = glow_of(material);
   const bool glows = std::ranges::max(glow) > 0.0;
-  const bool black = std::ranges::max(look.color) <= 0.0;
+  const bool black = std::ranges::max(drawn.color) <= 0.0;
   if (glows && black) {
     // In a show, the color of a surface is that of the light that it emits. A black surface that
     // emits light is therefore drawn in the color of that light.
-    look.color = glow;
-    look.brightest = brightest_glow;
-    look.texture = {material.emissiveTexture.index, material.emissiveTexture.texCoord,
-                    extension(material.emissiveTexture.extensions, texture_transform)};
+    drawn.color = glow;
+    drawn.brightest = brightest_glow;
+    drawn.texture = {material.emissiveTexture.index, material.emissiveTexture.texCoord,
+                     extension(material.emissiveTexture.extensions, texture_transform)};
   }
-  look.glow_left_out = glows && !black;
-  return look;
+  drawn.glow_left_out = glows && !black;
+  return drawn;
 }
 
 TextureWrap wrap_of(int wrap) {
@@ -133,20 +133,23 @@ std::string_view kind_of(const tinygltf::Image& image) {
     return "webp";
   }
   const bool other = bytes.starts_with("\xABKTX") || bytes.starts_with("DDS ");
-  const std::string& said = image.mimeType;
-  return other ? "" : said == "image/png" ? "png" : said == "image/jpeg" || said == "image/jpg" ? "jpg" : "";
+  const std::string& declared = image.mimeType;
+  return other                                                 ? ""
+         : declared == "image/png"                             ? "png"
+         : declared == "image/jpeg" || declared == "image/jpg" ? "jpg"
+                                                               : "";
 }
 
 //! Returns an image that is embedded in the mesh's file.
 MeshImage image_inside(const GltfFile& file, const tinygltf::Image& image, int index) {
   const std::string_view kind = kind_of(image);
   if (kind.empty()) {
-    throw Error(file.place, fmt::format("has image {} in an unsupported format", index),
+    throw Error(file.location, fmt::format("has image {} in an unsupported format", index),
                 "export it with PNG, JPEG or WebP images");
   }
   // Few images of glTF files have names.
   const std::string name = image.name.empty() ? std::to_string(index) : printable(image.name.substr(0, 100));
-  return {fmt::format("{}, its image {} ({}).{}", file.place, index, name, kind),
+  return {fmt::format("{}, its image {} ({}).{}", file.location, index, name, kind),
           std::make_shared<const std::string>(image.image.begin(), image.image.end()), ""};
 }
 
@@ -166,17 +169,17 @@ void put_picture(const GltfFile& file, const TextureUse& use, const std::filesys
   }
   const int source = source_of(texture);
   if (source < 0 && texture.extensions.empty()) {
-    throw Error(file.place, fmt::format("has texture {} without an image", use.texture), "export the mesh again");
+    throw Error(file.location, fmt::format("has texture {} without an image", use.texture), "export the mesh again");
   }
   if (source < 0) {
-    throw Error(file.place,
+    throw Error(file.location,
                 fmt::format("has a texture in an unsupported format ({})",
                             printable(texture.extensions.begin()->first.substr(0, 100))),
                 "export it with PNG, JPEG or WebP images");
   }
   const tinygltf::Image& image = file.at(file.model.images, source, "image");
   part.image = image.uri.empty() || !image.image.empty() ? image_inside(file, image, source)
-                                                         : image_beside_mesh(image.uri, file.place, folder);
+                                                         : image_beside_mesh(image.uri, file.location, folder);
   part.image.of_gltf = true;
 }
 
@@ -193,26 +196,26 @@ bool gltf_alpha_counts(const tinygltf::Material& material) {
   return !material.alphaMode.empty() && material.alphaMode != "OPAQUE";
 }
 
-GltfTexturePlace gltf_texture_place(const GltfFile& file, int material) {
-  GltfTexturePlace place;
+GltfTextureMapping gltf_texture_mapping(const GltfFile& file, int material) {
+  GltfTextureMapping mapping;
   if (material < 0) {
-    return place;
+    return mapping;
   }
-  const TextureUse use = look_of(file.at(file.model.materials, material, "material")).texture;
-  place.textured = use.texture >= 0;
-  place.set = use.set;
+  const TextureUse use = drawn_material(file.at(file.model.materials, material, "material")).texture;
+  mapping.textured = use.texture >= 0;
+  mapping.set = use.set;
   const Value* const transform = use.transform;
   if (transform == nullptr) {
-    return place;
+    return mapping;
   }
-  place.set = static_cast<int>(number_in(*transform, "texCoord").value_or(static_cast<double>(place.set)));
+  mapping.set = static_cast<int>(number_in(*transform, "texCoord").value_or(static_cast<double>(mapping.set)));
   const std::array<double, 3> offset = numbers_in(*transform, "offset", {0.0, 0.0, 0.0});
   const std::array<double, 3> scale = numbers_in(*transform, "scale", {1.0, 1.0, 1.0});
   const double angle = number_in(*transform, "rotation").value_or(0.0);
   // Translation * rotation * scale, with v pointing down.
-  place.u = {scale[0] * std::cos(angle), scale[1] * std::sin(angle), offset[0]};
-  place.v = {-scale[0] * std::sin(angle), scale[1] * std::cos(angle), offset[1]};
-  return place;
+  mapping.u = {scale[0] * std::cos(angle), scale[1] * std::sin(angle), offset[0]};
+  mapping.v = {-scale[0] * std::sin(angle), scale[1] * std::cos(angle), offset[1]};
+  return mapping;
 }
 
 MeshPart gltf_part(const GltfFile& file, int number, const std::filesystem::path& folder, MeshBuilder& builder) {
@@ -221,19 +224,19 @@ MeshPart gltf_part(const GltfFile& file, int number, const std::filesystem::path
     return part;
   }
   const tinygltf::Material& material = file.at(file.model.materials, number, "material");
-  const Look look = look_of(material);
-  std::ranges::transform(look.color, part.color.begin(),
-                         [&](double light) { return static_cast<float>(std::clamp(light, 0.0, look.brightest)); });
-  if (look.texture.texture >= 0) {
-    put_picture(file, look.texture, folder, part);
+  const DrawnMaterial drawn = drawn_material(material);
+  std::ranges::transform(drawn.color, part.color.begin(),
+                         [&](double light) { return static_cast<float>(std::clamp(light, 0.0, drawn.brightest)); });
+  if (drawn.texture.texture >= 0) {
+    put_picture(file, drawn.texture, folder, part);
   }
   part.image_alpha_counts = gltf_alpha_counts(material);
   part.transparent =
-      part.image_alpha_counts && look.alpha < (material.alphaMode == "MASK" ? material.alphaCutoff : 1.0);
+      part.image_alpha_counts && drawn.alpha < (material.alphaMode == "MASK" ? material.alphaCutoff : 1.0);
   if (part.transparent) {
     builder.remark("has transparent materials, which are drawn opaque");
   }
-  if (look.glow_left_out) {
+  if (drawn.glow_left_out) {
     builder.remark("has emissive materials; their emission (emissiveFactor) is not drawn");
   }
   for (const char* const name : {"KHR_materials_transmission", "KHR_materials_volume"}) {

@@ -9,7 +9,7 @@
 namespace ergodome {
 
 //! Mapping of a material's image to a surface.
-struct GltfTexturePlace {
+struct GltfTextureMapping {
   bool textured = false;
   int set = 0;  //!< index of the set of texture coordinates that the image uses
   //! Coefficients of u' and v' from (u, v, 1): rows of the matrix of KHR_texture_transform.
@@ -26,7 +26,7 @@ bool is_known_gltf_extension(std::string_view name);
 bool gltf_alpha_counts(const tinygltf::Material& material);
 
 //! Returns the mapping of a material's image to its triangles; material -1 means none.
-GltfTexturePlace gltf_texture_place(const GltfFile& file, int material);
+GltfTextureMapping gltf_texture_mapping(const GltfFile& file, int material);
 
 //! Returns the color and the image of a material, without its triangles. Adds remarks on features
 //! that are not drawn. Throws Error if an image is missing or of an unsupported format.

@@ -25,13 +25,13 @@ using Triangle = std::array<std::uint32_t, 3>;
 //! Reads an attribute of a primitive for all its vertices; empty if the primitive does not have it.
 //! Throws Error for another number of entries, or of components outside [fewest, most].
 GltfNumbers attribute(const GltfFile& file, const std::map<std::string, int>& attributes, const std::string& name,
-                      std::size_t count, int fewest, int most) {
+                      std::size_t count, int min_count, int maximum) {
   const auto found = attributes.find(name);
   if (found == attributes.end()) {
     return {};
   }
   GltfNumbers numbers = gltf_numbers(file, found->second);
-  if (numbers.count() != count || numbers.components < fewest || numbers.components > most) {
+  if (numbers.count() != count || numbers.components < min_count || numbers.components > maximum) {
     throw file.error(fmt::format(
         "has a primitive whose {} data has the wrong type or does not have one entry for each position", name));
   }
@@ -114,7 +114,7 @@ glm::dmat4 matrix_of(const GltfFile& file, const Shape& shape, const GltfPlaceme
 
 class Placer {
  public:
-  Placer(const GltfFile& file, const Shape& shape, const GltfPlacement& placement, const GltfTexturePlace& texture)
+  Placer(const GltfFile& file, const Shape& shape, const GltfPlacement& placement, const GltfTextureMapping& texture)
       : file_(file), shape_(shape), placement_(placement), texture_(texture) {}
 
   [[nodiscard]] SurfaceVertex vertex(std::size_t i) const {
@@ -164,7 +164,7 @@ class Placer {
   const GltfFile& file_;
   const Shape& shape_;
   const GltfPlacement& placement_;
-  const GltfTexturePlace& texture_;
+  const GltfTextureMapping& texture_;
 };
 
 //! Sets the normals of a triangle's corners to the face normal, as glTF requires for meshes without
@@ -180,7 +180,7 @@ void make_flat(std::array<SurfaceVertex, 3>& corners) {
   }
 }
 
-Shape shape_of(const GltfFile& file, const tinygltf::Primitive& primitive, const GltfTexturePlace& texture,
+Shape shape_of(const GltfFile& file, const tinygltf::Primitive& primitive, const GltfTextureMapping& texture,
                const GltfPlacement& placement) {
   const auto found = primitive.attributes.find("POSITION");
   Shape shape;
@@ -191,7 +191,7 @@ Shape shape_of(const GltfFile& file, const tinygltf::Primitive& primitive, const
   if (positions.bufferView < 0 && !positions.sparse.isSparse) {
     throw primitive.extensions.empty()
         ? file.error("has positions without a buffer")
-        : Error(file.place,
+        : Error(file.location,
                 fmt::format("has triangles in the unsupported glTF extension {}",
                             printable(primitive.extensions.begin()->first.substr(0, 100))),
                 "export it without that extension");
@@ -201,8 +201,8 @@ Shape shape_of(const GltfFile& file, const tinygltf::Primitive& primitive, const
     throw file.error("has positions that do not have three components");
   }
   const std::size_t count = shape.positions.count();
-  const auto read = [&](const std::string& name, int fewest, int most) {
-    return attribute(file, primitive.attributes, name, count, fewest, most);
+  const auto read = [&](const std::string& name, int min_count, int maximum) {
+    return attribute(file, primitive.attributes, name, count, min_count, maximum);
   };
   shape.normals = read("NORMAL", 3, 3);
   shape.textures = read(fmt::format("TEXCOORD_{}", texture.set), 2, 2);
@@ -215,7 +215,7 @@ Shape shape_of(const GltfFile& file, const tinygltf::Primitive& primitive, const
 }
 
 void remark_on(const GltfFile& file, const tinygltf::Primitive& primitive, const Shape& shape,
-               const GltfTexturePlace& texture, const GltfPlacement& placement, MeshBuilder& builder) {
+               const GltfTextureMapping& texture, const GltfPlacement& placement, MeshBuilder& builder) {
   if (texture.textured && shape.textures.values.empty()) {
     builder.remark(fmt::format(
         "has textured triangles without texture coordinates (TEXCOORD_{}); they show a single texel of their texture",
@@ -243,7 +243,7 @@ void add_gltf_primitive(const GltfFile& file, const tinygltf::Primitive& primiti
     builder.remark("has points or lines, which are not drawn");
     return;
   }
-  const GltfTexturePlace texture = gltf_texture_place(file, primitive.material);
+  const GltfTextureMapping texture = gltf_texture_mapping(file, primitive.material);
   Shape shape = shape_of(file, primitive, texture, placement);
   if (placement.weights != nullptr) {
     morph(file, primitive, *placement.weights, shape);
@@ -271,7 +271,7 @@ void add_gltf_primitive(const GltfFile& file, const tinygltf::Primitive& primiti
   }
   const bool mirrors = placer.mirrors();
   for (auto [a, b, c] : triangles) {
-    require_reading_goes_on(file.place);
+    throw_if_reading_stopped(file.location);
     if (mirrors) {
       std::swap(b, c);
     }

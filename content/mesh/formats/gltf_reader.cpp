@@ -23,7 +23,7 @@ namespace {
 
 //! Returns the JSON in the bytes of a .glb. Throws Error if the lengths in its headers do not match
 //! its bytes.
-std::string_view json_in_glb(std::string_view bytes, const std::string& place) {
+std::string_view json_in_glb(std::string_view bytes, const std::string& location) {
   constexpr std::size_t head = 12;
   constexpr std::size_t chunk_head = 8;
   const auto word = [&](std::size_t at) {
@@ -37,7 +37,7 @@ std::string_view json_in_glb(std::string_view bytes, const std::string& place) {
     at += whole ? chunk_head + word(at) : 0;
   }
   if (!whole) {
-    throw Error(place, "is not a GLB file, or is truncated", wanted_meshes);
+    throw Error(location, "is not a GLB file, or is truncated", wanted_meshes);
   }
   return bytes.substr(head + chunk_head, word(head));
 }
@@ -135,7 +135,7 @@ std::string first_line(const std::string& text) {
 void require_known_extensions(const GltfFile& file) {
   for (const std::string& name : file.model.extensionsRequired) {
     if (!is_known_gltf_extension(name)) {
-      throw Error(file.place, fmt::format("requires the unsupported glTF extension {}", first_line(name)),
+      throw Error(file.location, fmt::format("requires the unsupported glTF extension {}", first_line(name)),
                   "export it without that extension");
     }
   }
@@ -145,22 +145,22 @@ void require_known_extensions(const GltfFile& file) {
 //! second buffer that has no data.
 void require_readable(const GltfFile& file, bool binary) {
   if (!file.model.asset.version.starts_with("2.")) {
-    throw Error(file.place, fmt::format("is glTF {}, which is not supported", first_line(file.model.asset.version)),
+    throw Error(file.location, fmt::format("is glTF {}, which is not supported", first_line(file.model.asset.version)),
                 "export it as glTF 2.0");
   }
   require_known_extensions(file);
   for (std::size_t i = 1; binary && i < file.model.buffers.size(); ++i) {
     if (file.model.buffers[i].uri.empty()) {
-      throw Error(file.place, fmt::format("has buffer {} without data, as in files with meshopt compression", i),
+      throw Error(file.location, fmt::format("has buffer {} without data, as in files with meshopt compression", i),
                   "export it without compression");
     }
   }
 }
 
-void load(std::string_view bytes, bool binary, const std::string& place, const std::filesystem::path& folder,
+void load(std::string_view bytes, bool binary, const std::string& location, const std::filesystem::path& folder,
           tinygltf::Model& model) {
-  require_bounded_gltf(binary ? json_in_glb(bytes, place) : bytes, place);
-  require_reading_goes_on(place);
+  require_bounded_gltf(binary ? json_in_glb(bytes, location) : bytes, location);
+  throw_if_reading_stopped(location);
   FilesBeside files{folder, "", ""};
   tinygltf::TinyGLTF loader;
   loader.SetFsCallbacks(callbacks_of(files));
@@ -174,16 +174,16 @@ void load(std::string_view bytes, bool binary, const std::string& place, const s
                                                            reinterpret_cast<const unsigned char*>(text), size)
                              : loader.LoadASCIIFromString(&model, &problem, &warning, text, size, "");
   if (!loaded) {
-    require_known_extensions({model, place});
+    require_known_extensions({model, location});
   }
   if (!files.problem.empty()) {
-    throw Error(place, "refers to a file that cannot be read: " + files.problem, "replace that file");
+    throw Error(location, "refers to a file that cannot be read: " + files.problem, "replace that file");
   }
   if (!files.missing.empty()) {
-    throw missing_file(place, files.missing);
+    throw missing_file(location, files.missing);
   }
   if (!loaded) {
-    throw Error(place, "cannot be read as glTF: " + first_line(problem), wanted_meshes);
+    throw Error(location, "cannot be read as glTF: " + first_line(problem), wanted_meshes);
   }
 }
 
@@ -223,14 +223,14 @@ void remark_on_nodes(const GltfFile& file, MeshBuilder& builder) {
 
 }  // namespace
 
-TriangleMesh read_gltf(std::string_view bytes, bool binary, const std::string& place,
+TriangleMesh read_gltf(std::string_view bytes, bool binary, const std::string& location,
                        const std::filesystem::path& folder) {
   tinygltf::Model model;
-  load(bytes, binary, place, folder, model);
-  const GltfFile file{model, place};
+  load(bytes, binary, location, folder, model);
+  const GltfFile file{model, location};
   require_readable(file, binary);
   const GltfNodes nodes = gltf_nodes(file);
-  MeshBuilder builder(place);
+  MeshBuilder builder(location);
   for (const GltfInstance& instance : nodes.instances) {
     const tinygltf::Mesh& mesh = model.meshes[static_cast<std::size_t>(instance.mesh)];
     GltfPlacement placement = {glm::dmat4(1.0), {}, mesh.weights.empty() ? nullptr : &mesh.weights};
@@ -241,7 +241,7 @@ TriangleMesh read_gltf(std::string_view bytes, bool binary, const std::string& p
       placement.weights = node.weights.empty() ? placement.weights : &node.weights;
     }
     for (const tinygltf::Primitive& primitive : mesh.primitives) {
-      require_reading_goes_on(place);
+      throw_if_reading_stopped(location);
       add_gltf_primitive(file, primitive, placement, builder);
     }
   }

@@ -13,7 +13,7 @@ namespace ergodome {
 //! with the pose and morph weights at the start. Ignores lines, points, cameras, lights and
 //! animations. `folder` (may be empty) holds the files that it names. Throws Error if the file is
 //! malformed, too large, or requires an unsupported extension.
-TriangleMesh read_gltf(std::string_view bytes, bool binary, const std::string& place,
+TriangleMesh read_gltf(std::string_view bytes, bool binary, const std::string& location,
                        const std::filesystem::path& folder);
 
 }  // namespace ergodome

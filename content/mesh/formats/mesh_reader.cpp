@@ -36,9 +36,9 @@ MeshFormat format_of(const std::filesystem::path& path) {
 namespace fs = std::filesystem;
 
 void add_file(const fs::path& folder, std::string_view name, std::vector<fs::path>& files) {
-  constexpr std::size_t most_files = 1000;
+  constexpr std::size_t max_files = 1000;
   const fs::path path = file_of_mesh(folder, std::string(name));
-  if (!path.empty() && files.size() < most_files && std::ranges::find(files, path) == files.end()) {
+  if (!path.empty() && files.size() < max_files && std::ranges::find(files, path) == files.end()) {
     files.push_back(path);
   }
 }
@@ -61,24 +61,24 @@ std::vector<fs::path> files_of_gltf(std::string_view text, const fs::path& folde
 
 }  // namespace
 
-TriangleMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::string& place,
+TriangleMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::string& location,
                         const std::filesystem::path& folder) {
   if (bytes.size() > largest_mesh_bytes) {
-    throw Error(place, "is larger than 1 GiB", "simplify the mesh");
+    throw Error(location, "is larger than 1 GiB", "simplify the mesh");
   }
   TriangleMesh mesh;
   try {
-    mesh = format == MeshFormat::obj ? read_obj(bytes, place, folder)
-                                     : read_gltf(bytes, format == MeshFormat::glb, place, folder);
+    mesh = format == MeshFormat::obj ? read_obj(bytes, location, folder)
+                                     : read_gltf(bytes, format == MeshFormat::glb, location, folder);
   } catch (const Error&) {
     throw;
   } catch (const std::exception& problem) {
-    throw Error(place, fmt::format("cannot be read: {}", problem.what()), wanted_meshes);
+    throw Error(location, fmt::format("cannot be read: {}", problem.what()), wanted_meshes);
   }
   drop_degenerate_triangles(mesh);
   repair_normals(mesh);
   if (mesh.indices.empty()) {
-    throw Error(place,
+    throw Error(location,
                 mesh.dropped_triangles > 0
                     ? fmt::format("has only {} without area", counted(mesh.dropped_triangles, "triangle"))
                 : mesh.remarks.empty() ? std::string("has no triangles")

@@ -20,8 +20,8 @@ enum class MeshFormat { obj, gltf, glb };
 TriangleMesh read_mesh(const std::filesystem::path& path);
 
 //! Reads a mesh from bytes as read_mesh() does. `folder` (may be empty) holds the files that it
-//! names. `place` is the name of the mesh in messages.
-TriangleMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::string& place,
+//! names. `location` is the name of the mesh in messages.
+TriangleMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::string& location,
                         const std::filesystem::path& folder = {});
 
 //! Returns the files in the folder of a mesh, or below it, that it names: materials and images of

@@ -112,9 +112,9 @@ std::vector<std::string> library_names(std::string_view rest, const std::filesys
   if (whole.find(' ') == std::string::npos || whole.size() != rest.size() || !file_of_mesh(folder, whole).empty()) {
     return {whole};
   }
-  constexpr std::size_t most_names = 64;
+  constexpr std::size_t max_names = 64;
   std::vector<std::string> names;
-  while (names.size() < most_names) {
+  while (names.size() < max_names) {
     const std::string_view word = take_word_of(rest);
     if (word.empty()) {
       break;

@@ -26,7 +26,7 @@ constexpr const char* face_remedy = "export the mesh again";
 //! Maximum size of a material library, which has only some lines per material.
 constexpr std::size_t largest_library_bytes = std::size_t{64} << 20U;
 //! Maximum work of triangulation: the sum over all faces of the squared number of corners.
-constexpr double most_cutting_work = 1e9;
+constexpr double max_cutting_work = 1e9;
 constexpr int no_material = -1;
 
 //! Indices of a face's corner, from 0; -1 for none.
@@ -53,12 +53,12 @@ struct Vertex {
 
 class ObjReader {
  public:
-  ObjReader(const std::string& place, const std::filesystem::path& folder) : builder_(place), folder_(folder) {}
+  ObjReader(const std::string& location, const std::filesystem::path& folder) : builder_(location), folder_(folder) {}
 
   TriangleMesh read(std::string_view text) {
     for (ObjLines lines(text); lines.next();) {
       line_ = lines.line();
-      require_reading_goes_on(builder_.place());
+      throw_if_reading_stopped(builder_.location());
       read_statement(lines.keyword(), lines.rest());
     }
     check_end(text);
@@ -92,7 +92,7 @@ class ObjReader {
   void remark_on_statements();
   void remark_on_materials();
   [[nodiscard]] Error error(const std::string& problem, const std::string& remedy) const {
-    return {fmt::format("{}:{}", builder_.place(), line_), problem, remedy};
+    return {fmt::format("{}:{}", builder_.location(), line_), problem, remedy};
   }
 
   MeshBuilder builder_;
@@ -183,8 +183,8 @@ void ObjReader::read_vertex(std::string_view rest) {
     }
   }
   vertices_.push_back(vertex);
-  if (vertices_.size() > most_mesh_vertices) {
-    throw error(fmt::format("has more than {} vertices", most_mesh_vertices), "simplify the mesh");
+  if (vertices_.size() > max_mesh_vertices) {
+    throw error(fmt::format("has more than {} vertices", max_mesh_vertices), "simplify the mesh");
   }
 }
 
@@ -210,8 +210,8 @@ std::int64_t ObjReader::take_index(std::string_view& word, std::size_t count) co
 void ObjReader::read_face(std::string_view rest) {
   const std::size_t first = corners_.size();
   for (std::string_view word = take_word_of(rest); !word.empty() && word.front() != '#'; word = take_word_of(rest)) {
-    if (corners_.size() - first >= most_face_corners) {
-      throw error(fmt::format("has a face of more than {} corners", most_face_corners),
+    if (corners_.size() - first >= max_face_corners) {
+      throw error(fmt::format("has a face of more than {} corners", max_face_corners),
                   "export the mesh with triangulated faces");
     }
     Corner corner{};
@@ -228,7 +228,7 @@ void ObjReader::read_face(std::string_view rest) {
   }
   const auto sides = static_cast<double>(count);
   cutting_work_ += count > 4 ? sides * sides : 0.0;
-  if (cutting_work_ > most_cutting_work) {
+  if (cutting_work_ > max_cutting_work) {
     throw error("has too many faces with many corners", "export the mesh with triangulated faces");
   }
   builder_.reserve(count - 2, 3 * (count - 2));
@@ -245,7 +245,7 @@ void ObjReader::read_libraries(std::string_view rest) {
     }
     const std::filesystem::path file = file_of_mesh(folder_, name);
     if (file.empty()) {
-      throw missing_file(builder_.place(), name);
+      throw missing_file(builder_.location(), name);
     }
     add_obj_materials(
         read_whole_file(file, largest_library_bytes, "a material file is a short text file; check the path"),
@@ -254,10 +254,10 @@ void ObjReader::read_libraries(std::string_view rest) {
 }
 
 int ObjReader::material_number(std::string_view name) {
-  constexpr std::size_t most_materials = 10'000;
+  constexpr std::size_t max_materials = 10'000;
   const auto [at, is_new] = numbers_.try_emplace(std::string(name), static_cast<int>(names_.size()));
-  if (names_.size() >= most_materials) {
-    throw error(fmt::format("uses more than {} materials", most_materials), "merge some of them");
+  if (names_.size() >= max_materials) {
+    throw error(fmt::format("uses more than {} materials", max_materials), "merge some of them");
   }
   if (is_new) {
     names_.emplace_back(name);
@@ -359,7 +359,7 @@ void ObjReader::build() {
 }
 
 void ObjReader::build_face(const Face& face) {
-  require_reading_goes_on(builder_.place());
+  throw_if_reading_stopped(builder_.location());
   std::vector<Vector3<double>> positions;
   positions.reserve(face.corners);
   for (std::size_t i = 0; i < face.corners; ++i) {
@@ -436,7 +436,7 @@ MeshPart ObjReader::part_of(int number) {
   }
   part.wrap_u = part.wrap_v = texture.clamp ? TextureWrap::clamp : TextureWrap::repeat;
   if (!texture.name.empty()) {
-    part.image = image_beside_mesh(texture.name, builder_.place(), folder_);
+    part.image = image_beside_mesh(texture.name, builder_.location(), folder_);
   }
   return part;
 }
@@ -451,7 +451,7 @@ void ObjReader::remark_on_statements() {
 }
 
 void ObjReader::remark_on_materials() {
-  constexpr std::size_t most_named = 5;
+  constexpr std::size_t max_named = 5;
   std::vector<std::string> missing;
   for (const std::string& name : names_) {
     if (!folder_.empty() && !materials_.contains(name)) {
@@ -461,7 +461,7 @@ void ObjReader::remark_on_materials() {
   if (missing.empty()) {
     return;
   }
-  const std::size_t named = std::min(missing.size(), most_named);
+  const std::size_t named = std::min(missing.size(), max_named);
   const std::size_t more = missing.size() - named;
   missing.resize(named);
   builder_.remark(fmt::format("uses materials that no material file defines (\"{}\"{}); their triangles are gray",
@@ -470,16 +470,16 @@ void ObjReader::remark_on_materials() {
 
 }  // namespace
 
-TriangleMesh read_obj(std::string_view text, const std::string& place, const std::filesystem::path& folder) {
-  return ObjReader(place, folder).read(text);
+TriangleMesh read_obj(std::string_view text, const std::string& location, const std::filesystem::path& folder) {
+  return ObjReader(location, folder).read(text);
 }
 
 std::vector<std::filesystem::path> files_of_obj(std::string_view text, const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
   const auto add = [&](const std::string& name) {
-    constexpr std::size_t most_files = 1000;
+    constexpr std::size_t max_files = 1000;
     const std::filesystem::path file = name.empty() ? std::filesystem::path() : file_of_mesh(folder, name);
-    if (!file.empty() && files.size() < most_files && std::ranges::find(files, file) == files.end()) {
+    if (!file.empty() && files.size() < max_files && std::ranges::find(files, file) == files.end()) {
       files.push_back(file);
     }
   };

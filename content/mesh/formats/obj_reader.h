@@ -13,7 +13,7 @@ namespace ergodome {
 //! Blender and MeshLab write them) and materials. Ignores lines, points, curves and free-form
 //! surfaces. `folder` (may be empty) holds the files that it names. Throws Error, with the line, if
 //! a face is malformed, names a missing vertex, or has too many corners.
-TriangleMesh read_obj(std::string_view text, const std::string& place, const std::filesystem::path& folder);
+TriangleMesh read_obj(std::string_view text, const std::string& location, const std::filesystem::path& folder);
 
 //! Returns the material libraries and images that an OBJ file names and that exist in its folder.
 std::vector<std::filesystem::path> files_of_obj(std::string_view text, const std::filesystem::path& folder);

@@ -10,7 +10,7 @@
 namespace ergodome {
 
 //! Maximum number of corners of a face: triangulation takes time in proportion to its square.
-inline constexpr std::size_t most_face_corners = 1024;
+inline constexpr std::size_t max_face_corners = 1024;
 
 //! Triangulates a face: four corners along the shorter diagonal, others by ear clipping (Meisters
 //! 1975), seen along the face's mean normal (Newell). Returns three corner indices per triangle,

@@ -23,7 +23,7 @@ NumberLimits innermost_radii(const Show& show, bool plunging) {
   NumberLimits limits{1e9, 0.0};
   for (const Spacetime spacetime : {spacetime_of(show_at_least(show)), spacetime_of(show_at_most(show))}) {
     const double r = plunging ? horizon_radius(spacetime) : innermost_stable_radius(spacetime, 1.0);
-    limits = {std::min(limits.least, r), std::max(limits.greatest, r)};
+    limits = {std::min(limits.minimum, r), std::max(limits.maximum, r)};
   }
   return limits;
 }
@@ -108,14 +108,14 @@ void check_disk(const toml::table& table, const std::string& file, const Show& s
   const TomlTable reader(table, file, "disk");
   const DiskSettings& disk = *show.disk;
   const NumberLimits first = innermost_radii(show, disk.plunging);
-  if (disk.inner && *disk.inner < first.least) {
+  if (disk.inner && *disk.inner < first.minimum) {
     throw reader.error_at("inner",
                           fmt::format("is {} M, {}", *disk.inner,
                                       disk.plunging ? "inside the horizon" : "inside the innermost stable orbit"),
-                          fmt::format("choose {:.6g} or more{}", six_digits_above(first.least),
+                          fmt::format("choose {:.6g} or more{}", six_digits_above(first.minimum),
                                       disk.plunging ? "" : ", or plunging = true with profile = \"uniform\""));
   }
-  const double inner = disk.inner.value_or(first.least);
+  const double inner = disk.inner.value_or(first.minimum);
   if (!(disk.outer > inner)) {
     throw reader.has("outer")
         ? reader.error_at("outer",

@@ -11,7 +11,7 @@ namespace ergodome {
 namespace {
 
 constexpr double largest_angle_deg = 1e6;
-constexpr std::size_t most_object_keys = 10'000;
+constexpr std::size_t max_object_keys = 10'000;
 
 constexpr std::array shape_names = {"triangle", "sphere", "disk"};
 constexpr std::array falloff_names = {"lens", "published"};
@@ -73,8 +73,8 @@ constexpr auto triangle_keys =
                                       .bounds = "-1e5 to 1e5 each"}));
 
 constexpr auto sphere_keys = keys_of<SphereShape>(
-    key<&SphereShape::segments>("segments", "Divisions in longitude.").range(fewest_segments, most_segments),
-    key<&SphereShape::rings>("rings", "Divisions in latitude.").range(2, most_rings));
+    key<&SphereShape::segments>("segments", "Divisions in longitude.").range(min_segments, max_segments),
+    key<&SphereShape::rings>("rings", "Divisions in latitude.").range(2, max_rings));
 
 constexpr auto disk_shape_keys = keys_of<DiskShape>(
     key<&DiskShape::inner>("inner", "Inner radius.").range(1e-6, farthest_of_objects, "mesh unit"),
@@ -83,8 +83,8 @@ constexpr auto disk_shape_keys = keys_of<DiskShape>(
         .after(check_edges)
         .page({.bounds = "1e-6 to 1e5, above `inner`"}),
     key<&DiskShape::thickness>("thickness", "Thickness.").range(1e-6, farthest_of_objects, "mesh unit"),
-    key<&DiskShape::segments>("segments", "Divisions around the axis.").range(fewest_segments, most_segments),
-    key<&DiskShape::rings>("rings", "Divisions of each face from the inner to the outer edge.").range(1, most_rings));
+    key<&DiskShape::segments>("segments", "Divisions around the axis.").range(min_segments, max_segments),
+    key<&DiskShape::rings>("rings", "Divisions of each face from the inner to the outer edge.").range(1, max_rings));
 
 constexpr auto orbit_keys = keys_of<ObjectOrbit>(
     key<&ObjectOrbit::r>("r", "Radius.").range(nearest_of_observers, farthest_of_objects, "M"),
@@ -112,9 +112,9 @@ constexpr auto check_keys = [](TomlTable& table, const ObjectSettings& object) {
     throw table.error_at("key", "is an empty list",
                          "write [{ t_s = 0, position = [10, 0, 0] }], or position in place of it");
   }
-  const auto tables = table.tables("key", most_object_keys);
+  const auto tables = table.tables("key", max_object_keys);
   for (std::size_t i = 1; i < tables.size(); ++i) {
-    if (!(object.keys[i].time_s - object.keys[i - 1].time_s >= least_key_gap_s)) {
+    if (!(object.keys[i].time_s - object.keys[i - 1].time_s >= min_key_gap_s)) {
       throw table.below(*tables[i], fmt::format("key[{}]", i))
           .error_at("t_s", "is not later than that of the previous key", "sort the keys by time");
     }
@@ -169,7 +169,7 @@ constexpr auto checker_keys = keys_of<CheckerSettings>(
     key<&CheckerSettings::dark>("dark", "Factor on the light of every other field.").range(0.0, 1.0));
 
 constexpr auto tessellation_keys = keys_of<ObjectSettings>(
-    key<&ObjectSettings::tessellation, &TessellationSettings::most>("most", "Maximum number of parts of an edge.")
+    key<&ObjectSettings::tessellation, &TessellationSettings::maximum>("most", "Maximum number of parts of an edge.")
         .range(1.0, 64.0),
     key<&ObjectSettings::tessellation, &TessellationSettings::factor>("factor",
                                                                       "Factor on the apparent curvature of an edge.")
@@ -202,7 +202,7 @@ constexpr auto keys_of_object = keys_of<ObjectSettings>(
         .page({.type = "position"}),
     table<&ObjectSettings::orbit>("orbit", orbit_keys, "Circular orbit of the origin of the mesh.")
         .page({.otherwise = "none", .bounds = "see below"}),
-    table<&ObjectSettings::keys>("key", object_key_keys, "Positions that the object passes.", most_object_keys)
+    table<&ObjectSettings::keys>("key", object_key_keys, "Positions that the object passes.", max_object_keys)
         .after(check_motion)
         .page({.otherwise = "none", .bounds = "1 to 10,000 entries"}),
     key<&ObjectSettings::color>("color", "Factor on the colors of the mesh: red, green, blue in linear light.")
@@ -229,7 +229,7 @@ constexpr auto keys_of_object = keys_of<ObjectSettings>(
           return object.orbit ? nullptr : "is used only by objects on an orbit";
         }),
     key<&ObjectSettings::images>("images", "Number of images of the object. For `\"polygon\"` only.")
-        .range(1, most_polygon_images)
+        .range(1, max_polygon_images)
         .after(check_images)
         .written_if([](const ObjectSettings& object) { return object.method == ObjectMethod::polygon; }),
     group<ObjectSettings>("tessellation", tessellation_keys,

@@ -87,11 +87,11 @@ constexpr auto keys_of_shell = keys_of<ShellSettings>(
     key<&ShellSettings::exposure>("exposure", "Factor on all light of the shell.").range(0.0, 1e12).animated());
 
 //! Returns the largest horizon radius at any time of the show.
-double greatest_horizon(const Show& show) {
-  const Spacetime least = spacetime_of(show_at_least(show));
-  const Spacetime most = spacetime_of(show_at_most(show));
-  const bool stops = least.spin < 0.0 && most.spin > 0.0;
-  return stops ? horizon_radius(Spacetime{}) : std::max(horizon_radius(least), horizon_radius(most));
+double max_horizon(const Show& show) {
+  const Spacetime minimum = spacetime_of(show_at_least(show));
+  const Spacetime maximum = spacetime_of(show_at_most(show));
+  const bool stops = minimum.spin < 0.0 && maximum.spin > 0.0;
+  return stops ? horizon_radius(Spacetime{}) : std::max(horizon_radius(minimum), horizon_radius(maximum));
 }
 
 }  // namespace
@@ -99,19 +99,19 @@ double greatest_horizon(const Show& show) {
 constinit const KeyTable<ShellSettings> shell_keys = keys_of_shell;
 
 void check_shells(TomlTable& root, const std::string& file, const Show& show) {
-  const double horizon = greatest_horizon(show);
-  const double least = horizon * (1.0 + least_shell_gap);
+  const double horizon = max_horizon(show);
+  const double minimum = horizon * (1.0 + min_shell_gap);
   const Show smallest = show_at_least(show);
-  const auto tables = root.tables("shells", most_shells);
+  const auto tables = root.tables("shells", max_shells);
   for (std::size_t i = 0; i < tables.size(); ++i) {
     const double r = smallest.shells[i].radius;
-    if (!(r >= least)) {
+    if (!(r >= minimum)) {
       const TomlTable reader(*tables[i], file, name_of(i));
       throw reader.error_at(
           "radius",
           fmt::format("is {} M{}, {} the horizon at {:.6g} M", r, r < show.shells[i].radius ? " at some time" : "",
                       r > horizon ? "too close to" : "inside", horizon),
-          fmt::format("choose {:.6g} or more", std::ceil(least * 1e5) * 1e-5));
+          fmt::format("choose {:.6g} or more", std::ceil(minimum * 1e5) * 1e-5));
     }
   }
 }

@@ -21,7 +21,7 @@ constexpr auto fade_keys = keys_of<StereoSettings>(
         .range(0.0, 90.0, "deg")
         .animated()
         .after([](TomlTable& table, StereoSettings& stereo) {
-          if (!(stereo.fade_to_deg - stereo.fade_from_deg >= least_fade_deg)) {
+          if (!(stereo.fade_to_deg - stereo.fade_from_deg >= min_fade_deg)) {
             throw table.error_at(
                 "to_deg",
                 fmt::format("is {}, less than 1 degree above from_deg ({})", stereo.fade_to_deg, stereo.fade_from_deg),

@@ -10,7 +10,7 @@ namespace ergodome {
 
 namespace {
 
-constexpr std::size_t most_entries = 10'000;
+constexpr std::size_t max_entries = 10'000;
 constexpr double longest_s = 1e9;
 constexpr double usual_fade_s = 0.5;
 constexpr const char* remedy_for_times = "write from_s and to_s: when it appears and when it has disappeared";
@@ -69,12 +69,12 @@ constexpr auto presence_keys = keys_of<Presence>(
         .after(set_fades)
         .page({.otherwise = "0.5, or less if the time is short"}));
 
-constexpr auto place_keys = keys_of<DomePlace>(
-    key<&DomePlace::azimuth_deg>("azimuth_deg", "Angle to the right of the front.").range(-360.0, 360.0, "deg"),
-    key<&DomePlace::elevation_deg>("elevation_deg",
-                                   "Elevation of the middle above the springline (the dome's horizon).")
+constexpr auto position_keys = keys_of<DomePosition>(
+    key<&DomePosition::azimuth_deg>("azimuth_deg", "Angle to the right of the front.").range(-360.0, 360.0, "deg"),
+    key<&DomePosition::elevation_deg>("elevation_deg",
+                                      "Elevation of the middle above the springline (the dome's horizon).")
         .range(-90.0, 90.0, "deg"),
-    key<&DomePlace::roll_deg>("roll_deg", "Clockwise roll.").range(-360.0, 360.0, "deg"));
+    key<&DomePosition::roll_deg>("roll_deg", "Clockwise roll.").range(-360.0, 360.0, "deg"));
 
 constexpr const char* remedy_for_values = "write { t_s = 0, value = 1 }";
 
@@ -102,7 +102,7 @@ constexpr auto chapter_keys =
 
 constexpr auto caption_keys =
     keys_of<Caption>(key<&Caption::text>("text", "The words. `\\n` starts a new line.").page({.bounds = "4096 bytes"}),
-                     part<&Caption::presence>(presence_keys), part<&Caption::place>(place_keys),
+                     part<&Caption::presence>(presence_keys), part<&Caption::position>(position_keys),
                      key<&Caption::letter_deg>("letter_deg", "Height of a line.").range(0.05, 45.0, "deg"),
                      key<&Caption::width_deg>("width_deg", "Lines are broken at this width.").range(0.5, 360.0, "deg"),
                      key<&Caption::color>("color", "Linear light, relative to white.").range(0.0, 1e6));
@@ -111,7 +111,7 @@ constexpr auto overlay_keys = keys_of<Overlay>(
     key<&Overlay::image>("image", "Image file ([formats](captions.md#images)).")
         .after([](const TomlTable& table, const Overlay& overlay) { require_path(table, "image", overlay.image); })
         .page({.type = "path", .otherwise = "required"}),
-    part<&Overlay::presence>(presence_keys), part<&Overlay::place>(place_keys),
+    part<&Overlay::presence>(presence_keys), part<&Overlay::position>(position_keys),
     key<&Overlay::width_deg>("width_deg", "Width of a flat image.")
         .range(0.05, 360.0, "deg")
         .page({.bounds = "0.05 to 150"}),
@@ -142,7 +142,7 @@ constexpr auto track_keys = keys_of<AudioTrack>(
         .page({.type = "language tag", .otherwise = "absent: all languages", .bounds = "for example `\"de\"`"}));
 
 constexpr auto check_order_of_chapters = [](TomlTable& root, const Timeline& timeline) {
-  const auto tables = root.tables("chapter", most_entries);
+  const auto tables = root.tables("chapter", max_entries);
   for (std::size_t i = 1; i < tables.size(); ++i) {
     if (!(timeline.chapters[i].time_s > timeline.chapters[i - 1].time_s)) {
       throw root.below(*tables[i], fmt::format("chapter[{}]", i))
@@ -156,10 +156,10 @@ constexpr auto keys_of_timeline = keys_of<Timeline>(
     table<&Timeline::animations>("animate", animation_keys).by([](TomlTable& root, Timeline& /*timeline*/) {
       root.node("animate");
     }),
-    table<&Timeline::chapters>("chapter", chapter_keys, "", most_entries).after(check_order_of_chapters),
-    table<&Timeline::captions>("caption", caption_keys, "", most_entries),
-    table<&Timeline::overlays>("overlay", overlay_keys, "", most_entries),
-    table<&Timeline::audio>("audio", track_keys, "", most_entries));
+    table<&Timeline::chapters>("chapter", chapter_keys, "", max_entries).after(check_order_of_chapters),
+    table<&Timeline::captions>("caption", caption_keys, "", max_entries),
+    table<&Timeline::overlays>("overlay", overlay_keys, "", max_entries),
+    table<&Timeline::audio>("audio", track_keys, "", max_entries));
 
 }  // namespace
 

@@ -87,11 +87,11 @@ constexpr auto read_viewer = [](TomlTable& table, ViewSettings& view) {
     return;
   }
   constexpr const char* remedy = "write three numbers: [right, up, back], in radii of the dome";
-  double place[3] = {};
-  if (read_numbers(table, "viewer", *node, place, remedy) != 3) {
+  double position[3] = {};
+  if (read_numbers(table, "viewer", *node, position, remedy) != 3) {
     throw table.error_at("viewer", "is not a position of three numbers", remedy);
   }
-  view.viewer = {place[0], place[1], place[2]};
+  view.viewer = {position[0], position[1], position[2]};
   if (!(dot(view.viewer, view.viewer) <= farthest_viewer * farthest_viewer)) {
     throw table.error_at("viewer", "is not inside the dome",
                          fmt::format("choose a position at most {} dome radii from the center", farthest_viewer));

@@ -10,8 +10,8 @@ namespace ergodome {
 
 namespace {
 
-constexpr std::size_t most_animations = 1000;
-constexpr std::size_t most_number_keys = 100'000;
+constexpr std::size_t max_animations = 1000;
+constexpr std::size_t max_number_keys = 100'000;
 
 const AnimatableNumber& number_of(TomlTable& table) {
   const std::string path = table.text("number", "");
@@ -52,12 +52,12 @@ void check_field_of_view(const TomlTable& table, const ViewSettings& view) {
 
 std::vector<NumberKey> read_keys(TomlTable& table, const std::string& file, const NumberLimits& limits) {
   std::vector<NumberKey> keys;
-  for (const toml::table* each : table.tables("key", most_number_keys)) {
+  for (const toml::table* each : table.tables("key", max_number_keys)) {
     TomlTable reader(*each, file, fmt::format("{}[{}]", table.path_of("key"), keys.size()));
     NumberKey key;
-    reader.number("value", 0.0, limits.least, limits.greatest);  // narrower than the schema's range
+    reader.number("value", 0.0, limits.minimum, limits.maximum);  // narrower than the schema's range
     read_settings(number_key_keys, reader, key);
-    if (!keys.empty() && !(key.time_s - keys.back().time_s >= least_key_gap_s)) {
+    if (!keys.empty() && !(key.time_s - keys.back().time_s >= min_key_gap_s)) {
       throw reader.error_at("t_s", "is not later than that of the previous key", "sort the keys by time");
     }
     reader.refuse_unknown_keys();
@@ -102,8 +102,8 @@ NumberLimits values_of(const Show& show, std::string_view path) {
 //! times. The ranges over the whole show are compared, so that they must not overlap even if they
 //! are reached at different times.
 void check_order(const TomlTable& root, const Show& show, std::string_view lower, std::string_view upper, double gap) {
-  const double highest = values_of(show, lower).greatest;
-  const double lowest = values_of(show, upper).least;
+  const double highest = values_of(show, lower).maximum;
+  const double lowest = values_of(show, upper).minimum;
   if (lowest - highest < gap && (find_animation(show, lower) != nullptr || find_animation(show, upper) != nullptr)) {
     throw root.error_at(
         "animate", fmt::format("raises {} to {}, while {} is as low as {}", lower, highest, upper, lowest),
@@ -114,7 +114,7 @@ void check_order(const TomlTable& root, const Show& show, std::string_view lower
 }  // namespace
 
 void read_animations(TomlTable& root, const std::string& file, Show& show) {
-  for (const toml::table* each : root.tables("animate", most_animations)) {
+  for (const toml::table* each : root.tables("animate", max_animations)) {
     TomlTable table(*each, file, fmt::format("animate[{}]", show.timeline.animations.size()));
     Animation animation = read_animation(table, file, show);
     table.refuse_unknown_keys();
@@ -122,7 +122,7 @@ void read_animations(TomlTable& root, const std::string& file, Show& show) {
         is_from(each->source(), file) ? static_cast<int>(each->source().begin.line) : key_set_outside;
     show.timeline.animations.push_back(std::move(animation));
   }
-  check_order(root, show, "stereo.fade.from_deg", "stereo.fade.to_deg", least_fade_deg);
+  check_order(root, show, "stereo.fade.from_deg", "stereo.fade.to_deg", min_fade_deg);
   check_order(root, show, "tone.auto.least_stops", "tone.auto.most_stops", 0.0);
 }
 

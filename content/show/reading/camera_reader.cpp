@@ -21,7 +21,7 @@ namespace ergodome {
 namespace {
 
 constexpr double largest_camera_angle_deg = 1e9;
-constexpr std::size_t most_keys = 100'000;
+constexpr std::size_t max_keys = 100'000;
 
 constexpr std::array camera_eases = {"smooth", "linear", "in", "out", "in_out"};
 
@@ -149,16 +149,16 @@ void take_velocity(TomlTable& table, const std::string& file, const Show& show, 
 void check_time(const TomlTable& table, const CameraSettings& camera, const CameraKey& key) {
   if (!camera.keys.empty()) {
     const CameraKey& before = camera.keys.back();
-    if (!(key.time_s - before.time_s >= least_key_gap_s)) {
+    if (!(key.time_s - before.time_s >= min_key_gap_s)) {
       throw table.error_at("t_s", "is not later than that of the previous key", "sort the keys by time");
     }
-    if (!(key.time_s - before.time_s - before.hold_s >= least_key_gap_s)) {
+    if (!(key.time_s - before.time_s - before.hold_s >= min_key_gap_s)) {
       throw table.error_at("t_s", "is before the end of the previous key's hold",
                            "shorten the hold_s of the previous key, or move this key later");
     }
   }
   const double since_fall_s = camera.fall && camera.fall->until_s ? key.time_s - *camera.fall->until_s : 0.0;
-  if (since_fall_s > 0.0 && since_fall_s < least_key_gap_s) {
+  if (since_fall_s > 0.0 && since_fall_s < min_key_gap_s) {
     throw table.error_at("t_s", "is not later than the end of the fall", "move the key later, or end the fall earlier");
   }
 }
@@ -182,7 +182,7 @@ void check_key(const TomlTable& table, Spacetime spacetime, const CameraSettings
 
 //! Throws Error if the observer would be faster than light at a show time. The error names the
 //! table of the key that the camera is moving to.
-void check_place(const TomlTable& table, const Show& show, double time_s) {
+void check_position(const TomlTable& table, const Show& show, double time_s) {
   const CameraPose pose = camera_pose(show, time_s);
   if (outruns_light(show.camera, spacetime_at(show, time_s), pose.r, pose.theta)) {
     throw table.error_at(
@@ -239,19 +239,19 @@ void check_ways(const std::vector<const toml::table*>& tables, const std::string
   const std::vector<CameraKey>& keys = show.camera.keys;
   // Checks fewer positions per segment if there are many keys: these are close together, and
   // reading a long path must not take long.
-  const int places = keys.size() > 1000 ? 8 : 64;
+  const int positions = keys.size() > 1000 ? 8 : 64;
   for (std::size_t i = 1; i < keys.size(); ++i) {
     if (show.camera.fall && falls_at(*show.camera.fall, keys[i].time_s)) {
       continue;
     }
     const CameraKey& from = key_before(show, i);
-    for (int k = 1; k < places && std::min(from.r, keys[i].r) <= safe_r; ++k) {
-      check_place(table_of(i), show, from.time_s + (keys[i].time_s - from.time_s) * k / places);
+    for (int k = 1; k < positions && std::min(from.r, keys[i].r) <= safe_r; ++k) {
+      check_position(table_of(i), show, from.time_s + (keys[i].time_s - from.time_s) * k / positions);
     }
   }
   if (const Animation* const spin = find_animation(show, "hole.spin")) {
     for (const NumberKey& key : spin->keys) {
-      check_place(table_of(key.time_s > keys.back().time_s ? keys.size() - 1 : 0), show, key.time_s);
+      check_position(table_of(key.time_s > keys.back().time_s ? keys.size() - 1 : 0), show, key.time_s);
     }
   }
 }
@@ -281,7 +281,7 @@ void read_camera(const toml::table* table, const std::string& file, Show& show) 
   const WrittenMotion observer = read_motion(camera, "observer", file, {});
   show.camera.motion = observer.motion;
   show.camera.velocity = observer.velocity;
-  const auto keys = camera.tables("key", most_keys);
+  const auto keys = camera.tables("key", max_keys);
   if (keys.empty()) {
     throw camera.error_at("key", "is missing", "add at least one [[camera.key]] with r, theta_deg and phi_deg");
   }
@@ -291,7 +291,7 @@ void read_camera(const toml::table* table, const std::string& file, Show& show) 
     read_settings<CameraKey>(keys_of_key, each, key);
     const bool falls = show.camera.fall && falls_at(*show.camera.fall, key.time_s);
     if (falls && i > 0) {
-      take_place_of_fall(each, show.camera.keys.back(), key);
+      take_position_of_fall(each, show.camera.keys.back(), key);
     } else if (!each.has("r")) {
       throw each.error_at("r", "is missing", "give the camera's radius in units of M, for example r = 20");
     }

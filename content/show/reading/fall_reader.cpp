@@ -25,7 +25,7 @@ void check_clock(const TomlTable& table, const Show& show) {
         "clock", "is missing",
         "write the camera's own time that passes in a second of the show, for example clock = 6 (in M)");
   }
-  if (!((changing != nullptr ? range_of(*changing).greatest : show.camera.fall->clock) > 0.0)) {
+  if (!((changing != nullptr ? range_of(*changing).maximum : show.camera.fall->clock) > 0.0)) {
     throw table.error_at("clock", "is never above 0, so that the camera would not fall", "choose a number above 0");
   }
 }
@@ -36,7 +36,7 @@ void check_end(const TomlTable& table, const Show& show) {
   if (!fall.until_s) {
     return;
   }
-  const double earliest_s = fall.time_s + std::max(2.0 * fall.ease_s, least_key_gap_s);
+  const double earliest_s = fall.time_s + std::max(2.0 * fall.ease_s, min_key_gap_s);
   constexpr double rounding_s = 1e-9;
   if (!(*fall.until_s >= earliest_s - rounding_s)) {
     throw table.error_at("until_s",
@@ -151,11 +151,11 @@ void read_fall(const toml::table* camera, const std::string& file, Show& show) {
   table.refuse_unknown_keys();
 }
 
-void take_place_of_fall(const TomlTable& table, const CameraKey& before, CameraKey& key) {
-  for (const char* const place : {"r", "theta_deg", "phi_deg"}) {
-    if (table.has(place)) {
+void take_position_of_fall(const TomlTable& table, const CameraKey& before, CameraKey& key) {
+  for (const char* const position : {"r", "theta_deg", "phi_deg"}) {
+    if (table.has(position)) {
       throw table.error_at(
-          place, "is given while the camera falls",
+          position, "is given while the camera falls",
           "write r, theta_deg and phi_deg only in keys up to camera.fall.t_s and after camera.fall.until_s");
     }
   }

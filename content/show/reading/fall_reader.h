@@ -14,7 +14,7 @@ void read_fall(const toml::table* camera, const std::string& file, Show& show);
 
 //! Sets the position of a key during a fall to that of the previous key, because such keys only
 //! define the orientation. Throws Error if its table has a position.
-void take_place_of_fall(const TomlTable& table, const CameraKey& before, CameraKey& key);
+void take_position_of_fall(const TomlTable& table, const CameraKey& before, CameraKey& key);
 
 //! Computes the fall of a camera whose keys, and all other numbers of the show, have been read.
 //! Throws Error if there is no key when it begins, if it would begin faster than light or lead into

@@ -61,9 +61,9 @@ void note_tables(const toml::array& tables, const std::string& path, const std::
 //! Records the line of each key of a table. Stops at a number of keys that no valid show has.
 void note_lines(const toml::table& table, const std::string& path, const std::string& file,
                 std::map<std::string, int>& lines) {
-  constexpr std::size_t most_lines = 100'000;
+  constexpr std::size_t max_lines = 100'000;
   for (const auto& [key, node] : table) {
-    if (lines.size() >= most_lines) {
+    if (lines.size() >= max_lines) {
       return;
     }
     const std::string own = path.empty() ? std::string(key.str()) : fmt::format("{}.{}", path, key.str());

@@ -17,11 +17,11 @@ namespace ergodome {
 namespace {
 
 constexpr std::size_t longest_setting = std::size_t{1} << 20U;
-constexpr std::size_t most_path_parts = 16;
+constexpr std::size_t max_path_parts = 16;
 
 //! One setting from the command line, split into the parts of its path and its value.
 struct Setting {
-  std::string place;               //!< name of the setting in messages: "--set hole.spin"
+  std::string location;            //!< name of the setting in messages: "--set hole.spin"
   std::vector<std::string> parts;  //!< the parts of the path: "hole", "spin"
   std::string value;
 };
@@ -51,14 +51,14 @@ Setting split_setting(const std::string& text) {
   Setting setting{fmt::format("{} {}", show_setting_option, shown), {}, {}};
   constexpr const char* remedy = "write KEY=VALUE, for example hole.spin=0.5 or camera.key.0.r=30";
   if (equals == std::string::npos) {
-    throw Error(setting.place, "has no value", remedy);
+    throw Error(setting.location, "has no value", remedy);
   }
   if (text.size() > longest_setting) {
-    throw Error(setting.place, "is longer than 1 MiB", "write such a value into the show file");
+    throw Error(setting.location, "is longer than 1 MiB", "write such a value into the show file");
   }
   setting.parts = parts_of_path(std::string_view(text).substr(0, equals));
-  if (setting.parts.size() > most_path_parts || !std::ranges::all_of(setting.parts, is_bare_key)) {
-    throw Error(setting.place, "is not the path of a key", remedy);
+  if (setting.parts.size() > max_path_parts || !std::ranges::all_of(setting.parts, is_bare_key)) {
+    throw Error(setting.location, "is not the path of a key", remedy);
   }
   setting.value = text.substr(equals + 1);
   return setting;
@@ -66,16 +66,16 @@ Setting split_setting(const std::string& text) {
 
 //! Returns an empty table with the setting as its source.
 toml::table empty_table_of(const Setting& setting) {
-  toml::table parsed = toml::parse("t = {}", setting.place);
+  toml::table parsed = toml::parse("t = {}", setting.location);
   return std::move(*parsed["t"].as_table());
 }
 
 //! Parses `value = TEXT`; returns nothing unless that is a single key with a value.
 std::optional<toml::table> parsed_value(const Setting& setting, const std::string& text) {
   const std::string line = "value = " + text;
-  require_bounded_toml(line, setting.place);
+  require_bounded_toml(line, setting.location);
   try {
-    toml::table parsed = toml::parse(line, setting.place);
+    toml::table parsed = toml::parse(line, setting.location);
     return parsed.size() == 1 && text.find('\n') == std::string::npos ? std::optional(std::move(parsed)) : std::nullopt;
   } catch (const toml::parse_error&) {
     return std::nullopt;
@@ -106,14 +106,14 @@ toml::table table_of_value(const Setting& setting) {
   }
   const std::size_t first = setting.value.find_first_not_of(" \t");
   if (first != std::string::npos && std::string_view("\"'[{").find(setting.value[first]) != std::string_view::npos) {
-    throw Error(setting.place,
+    throw Error(setting.location,
                 fmt::format("has a malformed value: {}", printable(std::string_view(setting.value).substr(0, 100))),
                 "close its quotes and brackets, and quote it for the shell: --set 'title=\"A title\"'");
   }
   if (auto parsed = parsed_value(setting, toml_string_of(setting.value))) {
     return std::move(*parsed);
   }
-  throw Error(setting.place, "has a value that is not valid UTF-8", "write it in UTF-8");
+  throw Error(setting.location, "has a value that is not valid UTF-8", "write it in UTF-8");
 }
 
 //! Returns the first `count` parts of the path, in the form that messages use.
@@ -127,7 +127,7 @@ toml::node& entry_of(toml::array& entries, const Setting& setting, std::size_t d
   std::size_t index = 0;
   const auto [end, problem] = std::from_chars(part.data(), part.data() + part.size(), index);
   if (problem != std::errc() || end != part.data() + part.size() || index >= entries.size()) {
-    throw Error(setting.place,
+    throw Error(setting.location,
                 fmt::format("{} has no entry {} ({} has {})", path_up_to(setting, depth), part, file,
                             counted(static_cast<long>(entries.size()), "such entry", "such entries")),
                 "count from 0; to add entries, set the whole list");
@@ -166,7 +166,7 @@ void apply_setting(toml::table& show, const Setting& setting, const std::string&
       at = &entry;
     } else {
       const std::string path = path_up_to(setting, depth);
-      throw Error(setting.place, fmt::format("{} is a single value in {}, not a table or list", path, file),
+      throw Error(setting.location, fmt::format("{} is a single value in {}, not a table or list", path, file),
                   fmt::format("set {} itself", path));
     }
   }

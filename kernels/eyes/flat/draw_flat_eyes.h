@@ -15,7 +15,7 @@ struct FlatEyeBatch {
   //! its objects is minus their nearness (1/distance from the eye).
   NearFieldBatch near_field;
   Vector3<float> eye;         //!< vector from head to eye, in the observer's frame [M]; not 0
-  float most_w;               //!< objects nearer to the eye than 1 / most_w are not drawn [1/M]
+  float max_w;                //!< objects nearer to the eye than 1 / max_w are not drawn [1/M]
   LayerLimits<float> limits;  //!< limits for tracing the disk's layers
   FlatHorizon horizon;
 };

@@ -27,20 +27,20 @@ struct DrawFlatEyes {
   }
   ERGO_HD void lay_mean(int index, const SeenLanes<T>& sum) const { Pixels{batch, *this}.lay_mean(index, sum); }
 
-  ERGO_HD void average(const Pixels& pixels, const typename Pixels::Place& place, const Mask& lanes,
+  ERGO_HD void average(const Pixels& pixels, const typename Pixels::PixelGroup& group, const Mask& lanes,
                        SeenLanes<T>& sum) const {
     for (int i = 0; i < near_samples * near_samples; ++i) {
       const NearSample<S> at = near_sample<S>(i);
       Mask wanted = lanes;
-      sum = sum + pixels.look(place.x_px + at.along, place.y_px + at.down, at.width, place.objects, wanted);
+      sum = sum + pixels.seen_at(group.x_px + at.along, group.y_px + at.down, at.width, group.objects, wanted);
     }
   }
 
-  ERGO_HD Mask look_near(const EyeLine<T>& line, const SheetSearch<S>& search, S pixel, const Mask& wanted,
+  ERGO_HD Mask draw_near(const EyeLine<T>& line, const LayerSearch<S>& search, S pixel, const Mask& wanted,
                          Objects& objects, SeenLanes<T>& seen) const {
     if constexpr (HasDisk) {
-      RaySheets<T> sheets(batch);
-      FlatDisk<T, RaySheets<T>> disk(batch, sheets, line, search, pixel);
+      RayLayers<T> layers(batch);
+      FlatDisk<T, RayLayers<T>> disk(batch, layers, line, search, pixel);
       disk.meet(wanted);
       int next[RealTraits<T>::lane_count] = {};
       const auto disk_until = [&](int i, S minus_nearness) { disk.compose_before(-minus_nearness, i, next[i], seen); };
@@ -71,7 +71,7 @@ struct DrawFlatEyes {
 
  private:
   template <class Before>
-  ERGO_HD Mask draw_shells(const EyeLine<T>& line, const SheetSearch<S>& search, S pixel, const Mask& wanted,
+  ERGO_HD Mask draw_shells(const EyeLine<T>& line, const LayerSearch<S>& search, S pixel, const Mask& wanted,
                            const Before& before, SeenLanes<T>& seen) const {
     return FlatShells<T, Before>(batch, line, search, pixel, before, seen).draw(wanted);
   }

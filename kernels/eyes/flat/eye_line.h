@@ -8,10 +8,10 @@
 // Polhemus (New Journal of Physics 12 (2010) 123027). An object seen in direction n at the affine
 // distance d is at d n, and an eye at e sees it as in flat space.
 //
-// A sheet of images (one order of the disk, or one side of a shell) has an affine distance d in
+// A layer of images (one order of the disk, or one side of a shell) has an affine distance d in
 // each direction n of the head, and is at d n. An eye at e sees points e + s m. With the nearness w
 // = 1/s, such a point is in the head's direction m + w e, a vector of length l(w) before
-// normalization, at the distance l / w. So the line meets the sheet where
+// normalization, at the distance l / w. So the line meets the layer where
 //   w = l(w) q(n(w)) ,   q = 1/d ,
 // between w = 0, where everything is infinitely far and n = m, and the nearness of the eye itself.
 // q is continuous, so such a w exists in between.
@@ -92,20 +92,20 @@ struct EyeLine {
   }
 };
 
-//! The point where an eye's line meets a sheet: at w + step. The step is so small that functions of
+//! The point where an eye's line meets a layer: at w + step. The step is so small that functions of
 //! the position may be extrapolated over it by their derivatives.
 template <class T>
-struct MetSheet {
+struct MetLayer {
   EyePoint<T> point;  //!< point of the line at w
   T w;
   T step;
   T step_along_x;  //!< change of w + step along the image's rows and columns
   T step_along_y;
-  MaskOf<T> met;  //!< lanes that meet the sheet
+  MaskOf<T> met;  //!< lanes that meet the layer
 
   [[nodiscard]] ERGO_HD T nearness() const { return w + step; }
 
-  //! Extrapolates a function from w to the sheet, with derivatives per pixel of the eye.
+  //! Extrapolates a function from w to the layer, with derivatives per pixel of the eye.
   [[nodiscard]] ERGO_HD Dual<T> carried(const Dual<T>& f) const {
     const T rate = point.by_nearness(f);
     return {f.value + rate * step, f.along_x + rate * step_along_x, f.along_y + rate * step_along_y};
@@ -119,7 +119,7 @@ struct MetSheet {
 
 //! Selects between two results, lane by lane.
 template <class T, class Mask>
-ERGO_HD MetSheet<T> chosen(const Mask& mask, const MetSheet<T>& yes, const MetSheet<T>& no) {
+ERGO_HD MetLayer<T> chosen(const Mask& mask, const MetLayer<T>& yes, const MetLayer<T>& no) {
   const auto pick = [&](const auto& a, const auto& b) { return select(mask, a, b); };
   const MaskOf<T> met = (mask & yes.met) | ((!mask) & no.met);
   return {{{pick(yes.point.n.x, no.point.n.x), pick(yes.point.n.y, no.point.n.y), pick(yes.point.n.z, no.point.n.z)},
@@ -134,29 +134,29 @@ ERGO_HD MetSheet<T> chosen(const Mask& mask, const MetSheet<T>& yes, const MetSh
           met};
 }
 
-//! Limits of the search for a sheet.
+//! Limits of the search for a layer.
 template <class S>
-struct SheetSearch {
-  S most_w;     //!< maximum w: sheets nearer to the eye are not found [1/M]
-  S precision;  //!< a sheet counts as met once a step in w is shorter than this [1/M]
+struct LayerSearch {
+  S max_w;      //!< maximum w: layers nearer to the eye are not found [1/M]
+  S precision;  //!< a layer counts as met once a step in w is shorter than this [1/M]
 };
 
 //! Maximum number of rounds of the search. A few suffice, except where the distance jumps.
-inline constexpr int sheet_rounds = 10;
+inline constexpr int layer_rounds = 10;
 
-//! Finds where a line meets a sheet, from a first guess of w, by Newton's method between bounds.
+//! Finds where a line meets a layer, from a first guess of w, by Newton's method between bounds.
 //! nearness(point, lanes) returns q in a direction, and may keep other values for its caller: its
 //! last call is for the point of the result.
 template <class T, class Nearness>
-ERGO_HD MetSheet<T> meet_sheet(const EyeLine<T>& line, const T& first, const SheetSearch<ScalarOf<T>>& search,
+ERGO_HD MetLayer<T> meet_layer(const EyeLine<T>& line, const T& first, const LayerSearch<ScalarOf<T>>& search,
                                const MaskOf<T>& lanes, const Nearness& nearness) {
   using S = ScalarOf<T>;
   using D = Dual<T>;
   T low(S(0));
-  T high(search.most_w);
-  MetSheet<T> met;
+  T high(search.max_w);
+  MetLayer<T> met;
   met.w = minimum(maximum(first, low), high);
-  for (int round = 0; round < sheet_rounds; ++round) {
+  for (int round = 0; round < layer_rounds; ++round) {
     met.point = line.at(met.w);
     const D q = nearness(met.point, lanes);
     const D miss = D(met.w) - q * met.point.length;
@@ -171,13 +171,13 @@ ERGO_HD MetSheet<T> meet_sheet(const EyeLine<T>& line, const T& first, const She
     met.step = next - met.w;
     met.step_along_x = -(miss.along_x * inverse);
     met.step_along_y = -(miss.along_y * inverse);
-    // If the bounds of w converge to a jump of the sheet's distance, or to the maximum w, the line
-    // does not meet the sheet.
-    const auto before_all = before & (met.w >= T(search.most_w));
+    // If the bounds of w converge to a jump of the layer's distance, or to the maximum w, the line
+    // does not meet the layer.
+    const auto before_all = before & (met.w >= T(search.max_w));
     const auto exact = (absolute(met.step) < T(search.precision)) & (absolute(miss.value) < T(S(4) * search.precision));
     met.met = lanes & exact & (!before_all);
     const auto closed = absolute(met.step) < T(S(0.01) * search.precision);
-    if (!any(lanes & !(met.met | closed)) || round + 1 == sheet_rounds) {
+    if (!any(lanes & !(met.met | closed)) || round + 1 == layer_rounds) {
       break;
     }
     met.w = next;

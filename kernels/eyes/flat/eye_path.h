@@ -155,7 +155,7 @@ class EyeStep {
       move_to_begin();
     }
     PathStep<Order, Parts, double> path;
-    const Place at[3] = {place(begin_), place(begin_ + 0.5 * length_), place(begin_ + length_)};
+    const Position at[3] = {position(begin_), position(begin_ + 0.5 * length_), position(begin_ + length_)};
     const Parabola across = {at[0].across, at[1].across, at[2].across, length_};
     const Parabola down = {at[0].down, at[1].down, at[2].down, length_};
     const auto fold = [&](const auto& from, auto& to) { fold_series(from, across, down, to); };
@@ -170,7 +170,7 @@ class EyeStep {
     }
     path.axes[0] = step_.axes[0];
     path.axes[1] = step_.axes[1];
-    path.least_u = step_.least_u;
+    path.min_u = step_.min_u;
     path.length = length_;
     path.scale = step_.scale;
     path.start = step_.start + begin_ / step_.scale;
@@ -181,7 +181,7 @@ class EyeStep {
   //! Sets a hit's light to that of the head's ray there, and its time to minus its nearness, so
   //! that nearer hits come first. `h`: time on along().
   ERGO_HD void see(double h, MeshHit& hit) const {
-    const Place at = place(begin_ + h);
+    const Position at = position(begin_ + h);
     const D time(begin_ + h);
     const Vector3<D> momentum = step_.polar_momentum(time);
     hit.u_rate = beside(step_.scale * series_rate(step_.series.u, time), at);
@@ -191,7 +191,7 @@ class EyeStep {
 
  private:
   //! Position of the eye's line at a time of the ray.
-  struct Place {
+  struct Position {
     double across, down;  //!< offset from the ray [rad]
     double distance;      //!< distance from the head [M]
   };
@@ -205,12 +205,12 @@ class EyeStep {
             2.0 * (first - 2.0 * middle + last) / (length * length)} {}
   };
 
-  ERGO_HD Place place(double h) const {
+  ERGO_HD Position position(double h) const {
     // Converges fast: directions change by a small fraction of their offset while the distance is
     // adjusted.
     constexpr int rounds = 4;
     const D ray = with_neighbours(step_.series.distance, h);
-    Place at = {0.0, 0.0, ray.value};
+    Position at = {0.0, 0.0, ray.value};
     for (int round = 0; round < rounds && !bends_; ++round) {
       double stretch = 0.0;
       const Vector3<double> aside = reference_.toward(reference_.nearness(at.distance), stretch) - reference_.n;
@@ -247,7 +247,7 @@ class EyeStep {
   [[nodiscard]] ERGO_HD Vector3<D> point_with_neighbours(double h) const {
     const auto& s = step_.series;
     const D u = with_neighbours(s.u, h);
-    const D r = 1.0 / (u.value > step_.least_u ? u : D(step_.least_u));
+    const D r = 1.0 / (u.value > step_.min_u ? u : D(step_.min_u));
     return r * step_.turned(with_neighbours(s.drag, h), with_neighbours(s.x, h), with_neighbours(s.y, h),
                             with_neighbours(s.z, h));
   }
@@ -258,7 +258,7 @@ class EyeStep {
     sine_cosine(of_ray(s.drag, h), sine, cosine);
     const double x = of_ray(s.x, h);
     const double y = of_ray(s.y, h);
-    const double r = 1.0 / ::fmax(of_ray(s.u, h), step_.least_u);
+    const double r = 1.0 / ::fmax(of_ray(s.u, h), step_.min_u);
     return r * ((cosine * x - sine * y) * step_.axes[0] + (sine * x + cosine * y) * step_.axes[1] +
                 Vector3<double>{0.0, 0.0, of_ray(s.z, h)});
   }
@@ -274,13 +274,13 @@ class EyeStep {
   //! not predict them.
   [[nodiscard]] ERGO_HD bool bends(const Vector3<D>& p, const D& distance) const {
     constexpr double widest = 0.5;
-    constexpr double most_uneven = 0.3;
+    constexpr double max_unevenness = 0.3;
     // Also true if a value is NaN.
     return !(width_of(p) * reach_ <= widest * length_of(plain_vector(p))) ||
-           !(change_of(distance) * length_of(reference_.eye) <= most_uneven * distance.value * distance.value);
+           !(change_of(distance) * length_of(reference_.eye) <= max_unevenness * distance.value * distance.value);
   }
 
-  ERGO_HD static double beside(const D& value, const Place& at) {
+  ERGO_HD static double beside(const D& value, const Position& at) {
     return value.value + value.along_x * at.across + value.along_y * at.down;
   }
 

@@ -2,13 +2,13 @@
 
 #include "kernels/disk/layer_light.h"
 #include "kernels/eyes/flat/eye_line.h"
-#include "kernels/eyes/flat/sheets.h"
+#include "kernels/eyes/flat/ray_layers.h"
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Finds where a register of an eye's lines of sight meets the disk, sheet by sheet. `Sheets` is
-//! the source of the sheets: rays or a grid (kernels/eyes/flat/sheets.h).
-template <class T, class Sheets>
+//! Finds where a register of an eye's lines of sight meets the disk, layer by layer. `Layers` is
+//! the source of the layers: rays or a grid (kernels/eyes/flat/ray_layers.h).
+template <class T, class Layers>
 class FlatDisk {
  public:
   using D = Dual<T>;
@@ -16,20 +16,20 @@ class FlatDisk {
   using Mask = MaskOf<T>;
 
   //! `pixel` is the width that each line covers, as a fraction of a pixel.
-  ERGO_HD FlatDisk(const FlatEyeBatch& batch, Sheets& sheets, const EyeLine<T>& line, const SheetSearch<S>& search,
+  ERGO_HD FlatDisk(const FlatEyeBatch& batch, Layers& layers, const EyeLine<T>& line, const LayerSearch<S>& search,
                    S pixel)
-      : batch_(batch), sheets_(sheets), line_(line), search_(search), pixel_(pixel) {}
+      : batch_(batch), layers_(layers), line_(line), search_(search), pixel_(pixel) {}
 
   //! Finds the images that the given lanes see. Returns the lanes that the source leaves to rays.
   ERGO_HD Mask meet(const Mask& lanes) {
     const EyePoint<T> start = line_.at(T(S(0)));
-    sheets_.look(start.n, crossing_orders, lanes);
+    layers_.aim(start.n, crossing_orders, lanes);
     // Where the source leaves lanes to rays, every order may be visible.
-    const Mask unknown = sheets_.left(lanes);
+    const Mask unknown = layers_.left(lanes);
     for (int order = 0; order < crossing_orders; ++order) {
-      const D q = sheets_.nearness(order);
+      const D q = layers_.nearness(order);
       const T slope = S(1) - start.by_nearness(q) - q.value * start.closing;
-      guess_[order] = select(lanes & (unknown | may_show(start, q.value, sheets_.point(order).u)),
+      guess_[order] = select(lanes & (unknown | may_show(start, q.value, layers_.point(order).u)),
                              q.value / maximum(slope, T(S(0.25))), T(S(-1)));
     }
     return meet_near_guesses(lanes);
@@ -37,8 +37,8 @@ class FlatDisk {
 
   //! Does the same as meet(), but the first guesses are the nearnesses that the other source has
   //! found.
-  template <class OtherSheets>
-  ERGO_HD Mask meet_near(const FlatDisk<T, OtherSheets>& other, const Mask& lanes) {
+  template <class OtherLayers>
+  ERGO_HD Mask meet_near(const FlatDisk<T, OtherLayers>& other, const Mask& lanes) {
     return meet_near(other.guess_, lanes);
   }
   ERGO_HD Mask meet_near(const T (&guesses)[crossing_orders], const Mask& lanes) {
@@ -48,7 +48,7 @@ class FlatDisk {
     return meet_near_guesses(lanes);
   }
 
-  //! Returns the nearness (1/distance) at which each line meets an order's sheet; negative if no
+  //! Returns the nearness (1/distance) at which each line meets an order's layer; negative if no
   //! image of that order can be visible near the line.
   [[nodiscard]] ERGO_HD const T& guess(int order) const { return guess_[order]; }
 
@@ -97,13 +97,13 @@ class FlatDisk {
   friend class FlatDisk;
 
   //! Returns the lanes whose line may meet the disk. The head's u in direction m, plus or minus its
-  //! estimated change on the way to the sheet, is compared with the disk's edges.
+  //! estimated change on the way to the layer, is compared with the disk's edges.
   ERGO_HD Mask may_show(const EyePoint<T>& start, const T& nearness, const D& u) const {
-    const DiskLook& disk = batch_.near_field.disk;
+    const DiskAppearance& disk = batch_.near_field.disk;
     const T way = nearness * absolute(start.by_nearness(u));
     const T width = absolute(u.along_x) + absolute(u.along_y);
     const T margin = S(2) * (way + width) + T(S(0.2) / disk.inner_r);
-    // If a sheet is this near, the change of u on the way cannot be estimated.
+    // If a layer is this near, the change of u on the way cannot be estimated.
     const auto near = nearness * sqrt(dot(line_.eye, line_.eye)) > T(S(0.1));
     return near | ((u.value < T(S(1) / disk.inner_r) + margin) & (u.value > T(S(1) / disk.outer_r) - margin));
   }
@@ -121,13 +121,13 @@ class FlatDisk {
   }
 
   ERGO_HD Mask meet_order(int order, const Mask& wanted) {
-    const MetSheet<T> met =
-        meet_sheet(line_, guess_[order], search_, wanted, [&](const EyePoint<T>& point, const Mask& lanes) {
-          sheets_.look(point.n, order + 1, lanes);
-          return sheets_.nearness(order);
+    const MetLayer<T> met =
+        meet_layer(line_, guess_[order], search_, wanted, [&](const EyePoint<T>& point, const Mask& lanes) {
+          layers_.aim(point.n, order + 1, lanes);
+          return layers_.nearness(order);
         });
-    const Mask left = sheets_.left(wanted);
-    const SheetPoint<T> found = sheets_.point(order);
+    const Mask left = layers_.left(wanted);
+    const LayerPoint<T> found = layers_.point(order);
     u_[order] = met.carried(found.u);
     const Vector3<D> n = met.direction();
     rays_[order] = start_near_ray(batch_.near_field.pixels.camera, Vector3<T>{n.x.value, n.y.value, n.z.value});
@@ -136,7 +136,7 @@ class FlatDisk {
     hide(order, wanted);
     const Mask seen = wanted & sees_disk(order);
     const bool clouds = batch_.near_field.drawing == DiskDrawing::pattern && any(seen);
-    carried_[order] = clouds ? sheets_.carry(n, order, seen) : detail::empty_layer(T(S(0)));
+    carried_[order] = clouds ? layers_.carry(n, order, seen) : detail::empty_layer(T(S(0)));
     carried_[order].u_rate = found.u_rate;
     return left;
   }
@@ -154,7 +154,7 @@ class FlatDisk {
 
   //! Returns the lanes in which the disk covers at least part of the line's width.
   [[nodiscard]] ERGO_HD Mask sees_disk(int order) const {
-    const DiskLook& disk = batch_.near_field.disk;
+    const DiskAppearance& disk = batch_.near_field.disk;
     T covered(S(0));
     for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
       const float u = lane(u_[order].value, i);
@@ -174,9 +174,9 @@ class FlatDisk {
   }
 
   const FlatEyeBatch& batch_;
-  Sheets& sheets_;
+  Layers& layers_;
   const EyeLine<T>& line_;
-  SheetSearch<S> search_;
+  LayerSearch<S> search_;
   S pixel_;
   T guess_[crossing_orders];
   T nearness_[crossing_orders];

@@ -10,7 +10,7 @@
 namespace ergodome::inline ERGO_TARGET {
 
 //! Draws a register of pixels, for different sources of the near field. `Derived` provides:
-//! look_near(line, search, pixel, lanes, objects, seen), which returns the lanes with detail finer
+//! draw_near(line, search, pixel, lanes, objects, seen), which returns the lanes with detail finer
 //! than a pixel; average(pixels, place, lanes, sum), which sums all samples of these lanes; and
 //! leaves_objects, whether pixels that show objects are skipped.
 template <class T, class Derived>
@@ -25,14 +25,14 @@ struct FlatEyePixels {
   const Derived& derived;
 
   //! The register of pixels that one index draws.
-  struct Place {
+  struct PixelGroup {
     int first;
     T x_px;
     T y_px;
     T inside;
     Objects objects;
 
-    ERGO_HD Place(const FlatEyeBatch& batch, int index)
+    ERGO_HD PixelGroup(const FlatEyeBatch& batch, int index)
         : first(index * RealTraits<T>::lane_count),
           objects(batch.near_field.objects, first, pixel_count(batch.near_field.pixels)) {
       const PixelBatch& pixels = batch.near_field.pixels;
@@ -43,12 +43,12 @@ struct FlatEyePixels {
 
   //! Draws the pixels index * lanes, index * lanes + 1, ... of the block.
   ERGO_HD void draw(int index) const {
-    const Place at(batch, index);
+    const PixelGroup at(batch, index);
     Mask fine = drawn(at);
     if (!any(fine)) {
       return;
     }
-    SeenLanes<T> seen = look(at.x_px, at.y_px, S(1), at.objects, fine);
+    SeenLanes<T> seen = seen_at(at.x_px, at.y_px, S(1), at.objects, fine);
     if (any(fine)) {
       const T zero(S(0));
       SeenLanes<T> sum = {zero, zero, zero, zero};
@@ -61,12 +61,12 @@ struct FlatEyePixels {
   //! First of two steps, as in DrawNearField: draws what is seen at the pixels' centers. If a pixel
   //! contains finer detail, draws nothing and returns true.
   ERGO_HD bool draw_middle(int index) const {
-    const Place at(batch, index);
+    const PixelGroup at(batch, index);
     Mask fine = drawn(at);
     if (!any(fine)) {
       return false;
     }
-    const SeenLanes<T> seen = look(at.x_px, at.y_px, S(1), at.objects, fine);
+    const SeenLanes<T> seen = seen_at(at.x_px, at.y_px, S(1), at.objects, fine);
     if (!any(fine)) {
       lay(at, seen);
     }
@@ -74,14 +74,14 @@ struct FlatEyePixels {
   }
 
   [[nodiscard]] ERGO_HD SeenLanes<T> see_sample(int index, int sample) const {
-    const Place at(batch, index);
+    const PixelGroup at(batch, index);
     Mask wanted = drawn(at);
     const NearSample<S> part = near_sample<S>(sample);
-    return look(at.x_px + part.along, at.y_px + part.down, part.width, at.objects, wanted);
+    return seen_at(at.x_px + part.along, at.y_px + part.down, part.width, at.objects, wanted);
   }
 
   ERGO_HD void lay_mean(int index, const SeenLanes<T>& sum) const {
-    const Place at(batch, index);
+    const PixelGroup at(batch, index);
     SeenLanes<T> mean = sum;
     take_mean(drawn(at), sum, mean);
     lay(at, mean);
@@ -89,16 +89,17 @@ struct FlatEyePixels {
 
   //! Returns what is seen at image positions, each the center of a square of side `pixel` (a
   //! fraction of a pixel). `lanes` selects the lanes, and receives those with finer detail. `more`
-  //! is passed to look_near().
+  //! is passed to draw_near().
   template <class... More>
-  ERGO_HD SeenLanes<T> look(const T& x_px, const T& y_px, S pixel, Objects objects, Mask& lanes, More&... more) const {
+  ERGO_HD SeenLanes<T> seen_at(const T& x_px, const T& y_px, S pixel, Objects objects, Mask& lanes,
+                               More&... more) const {
     const EyeLine<T> line = line_at(x_px, y_px);
     SeenLanes<T> seen = nothing_seen<T>();
-    const SheetSearch<S> search = search_for(line);
-    const Mask wanted = lanes & may_see(line, search.most_w);
+    const LayerSearch<S> search = search_for(line);
+    const Mask wanted = lanes & may_see(line, search.max_w);
     Mask fine = lanes & !lanes;
     if (any(wanted)) {
-      fine = derived.look_near(line, search, pixel, wanted, objects, seen, more...);
+      fine = derived.draw_near(line, search, pixel, wanted, objects, seen, more...);
     }
     const Mask waiting = lanes & objects.waiting();
     for (int i = 0; any(waiting) && i < RealTraits<T>::lane_count; ++i) {
@@ -115,7 +116,7 @@ struct FlatEyePixels {
     return {observed_direction(batch.near_field.pixels, x_px, y_px), batch.eye};
   }
 
-  [[nodiscard]] ERGO_HD SheetSearch<S> search_for(const EyeLine<T>& line) const {
+  [[nodiscard]] ERGO_HD LayerSearch<S> search_for(const EyeLine<T>& line) const {
     const Vector3<S>& eye = batch.eye;
     const S offset = sqrt(eye.x * eye.x + eye.y * eye.y + eye.z * eye.z);
     const auto square = [&line](T D::*part) {
@@ -125,12 +126,12 @@ struct FlatEyePixels {
       return x * x + y * y + z * z;
     };
     const S pixel = sqrt(maximum(square(&D::along_x), square(&D::along_y)));
-    return {batch.most_w, precision_px * pixel / offset};
+    return {batch.max_w, precision_px * pixel / offset};
   }
 
  private:
   //! Returns the pixels that are drawn here.
-  [[nodiscard]] ERGO_HD Mask drawn(const Place& at) const {
+  [[nodiscard]] ERGO_HD Mask drawn(const PixelGroup& at) const {
     const Mask inside = at.inside > T(S(0));
     if constexpr (Derived::leaves_objects) {
       return inside & !at.objects.waiting();
@@ -138,25 +139,25 @@ struct FlatEyePixels {
     return batch.near_field.objects_alone ? inside & at.objects.waiting() : inside;
   }
 
-  ERGO_HD void lay(const Place& at, const SeenLanes<T>& seen) const {
+  ERGO_HD void lay(const PixelGroup& at, const SeenLanes<T>& seen) const {
     lay_over(seen, at.inside, at.first, pixel_count(batch.near_field.pixels), batch.near_field.rgba);
   }
 
-  //! The search for a sheet ends when its step is shorter than this in the image [px].
+  //! The search for a layer ends when its step is shorter than this in the image [px].
   static constexpr S precision_px = S(0.1);
 
   //! Returns the lanes that may see anything, from samples along their lines in steps that are
   //! small relative to the scene.
-  ERGO_HD Mask may_see(const EyeLine<T>& line, S most_w) const {
+  ERGO_HD Mask may_see(const EyeLine<T>& line, S max_w) const {
     const CameraStationOf<S>& camera = batch.near_field.pixels.camera;
-    constexpr S most_places = S(32);
+    constexpr S max_positions = S(32);
     const Vector3<S>& eye = batch.eye;
-    const S span = most_w * sqrt(dot(eye, eye)) / (S(0.5) * farthest_r() * camera.u);
-    const int places = 1 + static_cast<int>(minimum(span, most_places));
+    const S span = max_w * sqrt(dot(eye, eye)) / (S(0.5) * farthest_r() * camera.u);
+    const int positions = 1 + static_cast<int>(minimum(span, max_positions));
     const Vector3<T> m = {line.m.x.value, line.m.y.value, line.m.z.value};
     Mask may = m.x < m.x;
-    for (int i = 0; i <= places; ++i) {
-      const S w = most_w * static_cast<S>(i) / static_cast<S>(places);
+    for (int i = 0; i <= positions; ++i) {
+      const S w = max_w * static_cast<S>(i) / static_cast<S>(positions);
       const Vector3<T> v = {m.x + w * eye.x, m.y + w * eye.y, m.z + w * eye.z};
       const T inverse = S(1) / sqrt(dot(v, v));
       may = may | may_reach(camera.spin, start_near_ray(camera, inverse * v), farthest_r());

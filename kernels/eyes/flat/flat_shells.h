@@ -6,8 +6,8 @@
 #include "kernels/shells/shell_crossings.h"
 #include "kernels/shells/shell_sight.h"
 
-// Shells as an eye's lines of sight meet them. Each shell has two sheets: where light crosses it on
-// its way in, and on its way out. If light turns before it reaches the shell, both sheets continue
+// Shells as an eye's lines of sight meet them. Each shell has two layers: where light crosses it on
+// its way in, and on its way out. If light turns before it reaches the shell, both layers continue
 // at the turning point, which makes their distances continuous; no shell is visible there.
 namespace ergodome::inline ERGO_TARGET {
 
@@ -16,24 +16,24 @@ namespace detail {
 //! A visitor of trace_shells() that stores where light crosses one shell, on its way in or on its
 //! way out.
 template <class T>
-class SheetOfShell {
+class ShellLayer {
  public:
   using D = Dual<T>;
   using S = ScalarOf<T>;
   using Mask = MaskOf<T>;
 
-  ERGO_HD explicit SheetOfShell(bool inwards) : inwards_(inwards), found_(S(0)), turned_(S(0)), place_{} {}
+  ERGO_HD explicit ShellLayer(bool inwards) : inwards_(inwards), found_(S(0)), turned_(S(0)), position_{} {}
 
-  ERGO_HD void cross(int, const Mask& lanes, const NearPlace<D>& place) {
+  ERGO_HD void cross(int, const Mask& lanes, const NearPosition<D>& position) {
     const T one(S(1));
-    const Mask own = lanes & (inwards_ ? place.u_rate.value > T(S(0)) : !(place.u_rate.value > T(S(0))));
-    keep(own, place);
+    const Mask own = lanes & (inwards_ ? position.u_rate.value > T(S(0)) : !(position.u_rate.value > T(S(0))));
+    keep(own, position);
     found_ = select(own, one, found_);
   }
 
-  ERGO_HD void turn(const Mask& lanes, const NearPlace<D>& place) {
+  ERGO_HD void turn(const Mask& lanes, const NearPosition<D>& position) {
     const Mask own = lanes & !(found_ > T(S(0)));
-    keep(own, place);
+    keep(own, position);
     turned_ = select(own, T(S(1)), turned_);
   }
 
@@ -43,8 +43,8 @@ class SheetOfShell {
   [[nodiscard]] ERGO_HD Mask fallen() const { return (!(found_ > T(S(0)))) & !(turned_ > T(S(0))); }
 
   //! Copies the results of the lanes outside the mask from another visitor.
-  ERGO_HD void keep_others(const Mask& own, const SheetOfShell& other) {
-    keep(!own, other.place_);
+  ERGO_HD void keep_others(const Mask& own, const ShellLayer& other) {
+    keep(!own, other.position_);
     found_ = select(own, found_, other.found_);
     turned_ = select(own, turned_, other.turned_);
   }
@@ -52,33 +52,33 @@ class SheetOfShell {
   //! Returns the lanes whose light crosses the shell in this sense (in or out).
   [[nodiscard]] ERGO_HD Mask found() const { return found_ > T(S(0)); }
 
-  [[nodiscard]] ERGO_HD const NearPlace<D>& place() const { return place_; }
+  [[nodiscard]] ERGO_HD const NearPosition<D>& position() const { return position_; }
 
-  //! Returns q = 1 / affine distance of the sheet. Light that neither crosses the shell nor turns
-  //! moves away from it: the inward sheet is then nearer than everything, and the outward sheet
+  //! Returns q = 1 / affine distance of the layer. Light that neither crosses the shell nor turns
+  //! moves away from it: the inward layer is then nearer than everything, and the outward layer
   //! infinitely far.
-  [[nodiscard]] ERGO_HD D nearness(S most_w) const {
+  [[nodiscard]] ERGO_HD D nearness(S max_w) const {
     const Mask there = (found_ > T(S(0))) | (turned_ > T(S(0)));
-    const D none(T(inwards_ ? S(2) * most_w : S(0)));
-    return select(there, D(T(S(1))) / select(there, place_.distance, D(T(S(1)))), none);
+    const D none(T(inwards_ ? S(2) * max_w : S(0)));
+    return select(there, D(T(S(1))) / select(there, position_.distance, D(T(S(1)))), none);
   }
 
  private:
-  ERGO_HD void keep(const Mask& mask, const NearPlace<D>& from) {
-    place_ = {
-        select(mask, from.u, place_.u),
-        select(mask, from.u_rate, place_.u_rate),
-        {select(mask, from.m.x, place_.m.x), select(mask, from.m.y, place_.m.y), select(mask, from.m.z, place_.m.z)},
-        select(mask, from.drag, place_.drag),
-        place_.delay,
-        select(mask, from.distance, place_.distance),
-        place_.time};
+  ERGO_HD void keep(const Mask& mask, const NearPosition<D>& from) {
+    position_ = {select(mask, from.u, position_.u),
+                 select(mask, from.u_rate, position_.u_rate),
+                 {select(mask, from.m.x, position_.m.x), select(mask, from.m.y, position_.m.y),
+                  select(mask, from.m.z, position_.m.z)},
+                 select(mask, from.drag, position_.drag),
+                 position_.delay,
+                 select(mask, from.distance, position_.distance),
+                 position_.time};
   }
 
   bool inwards_;
   T found_;
   T turned_;
-  NearPlace<D> place_;
+  NearPosition<D> position_;
 };
 
 }  // namespace detail
@@ -92,7 +92,7 @@ class FlatShells {
   using S = ScalarOf<T>;
   using Mask = MaskOf<T>;
 
-  ERGO_HD FlatShells(const FlatEyeBatch& batch, const EyeLine<T>& line, const SheetSearch<S>& search, S pixel,
+  ERGO_HD FlatShells(const FlatEyeBatch& batch, const EyeLine<T>& line, const LayerSearch<S>& search, S pixel,
                      const Before& before, SeenLanes<T>& seen)
       : batch_(batch), line_(line), search_(search), pixel_(pixel), before_(before), seen_(seen) {}
 
@@ -118,25 +118,25 @@ class FlatShells {
       return lanes & !lanes;
     }
     const NearLimits<S> limits = {static_cast<S>(scene.pixels.settings.tolerance), scene.pixels.settings.step_limit};
-    detail::SheetOfShell<T> sheet(inwards);
+    detail::ShellLayer<T> layer(inwards);
     const auto trace = [&](const EyePoint<T>& point, const Mask& wanted) {
-      sheet = detail::SheetOfShell<T>(inwards);
+      layer = detail::ShellLayer<T>(inwards);
       const S own[1] = {u};
       trace_shells<near_order, NearParts::azimuth_and_distance>(camera.spin, start_near_ray(camera, point.n), {own, 1},
-                                                                limits, wanted, sheet);
-      return sheet.nearness(search_.most_w);
+                                                                limits, wanted, layer);
+      return layer.nearness(search_.max_w);
     };
-    MetSheet<T> met = meet_sheet(line_, T(S(0)), search_, lanes, trace);
-    const Mask fallen = lanes & sheet.fallen();
+    MetLayer<T> met = meet_layer(line_, T(S(0)), search_, lanes, trace);
+    const Mask fallen = lanes & layer.fallen();
     if (any(fallen)) {
       // Light from the far side may pass the shadow's edge nearer to the eye, so search from the
       // near end, too.
-      const detail::SheetOfShell<T> far_sheet = sheet;
-      const MetSheet<T> again = meet_sheet(line_, T(search_.most_w), search_, fallen, trace);
-      const Mask other = again.met & sheet.found();
-      keep_sheet(other, far_sheet, met, sheet, again);
+      const detail::ShellLayer<T> far_layer = layer;
+      const MetLayer<T> again = meet_layer(line_, T(search_.max_w), search_, fallen, trace);
+      const Mask other = again.met & layer.found();
+      keep_layer(other, far_layer, met, layer, again);
     }
-    Mask seen = met.met & sheet.found() & (met.nearness() > T(S(0)));
+    Mask seen = met.met & layer.found() & (met.nearness() > T(S(0)));
     for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
       if (mask_lane(seen, i) && is_behind_horizon(batch_.horizon, line_.direction(i), lane(met.nearness(), i))) {
         T flags = select(seen, T(S(1)), T(S(0)));
@@ -144,37 +144,36 @@ class FlatShells {
         seen = flags > T(S(0));
       }
     }
-    return compose(shell, met, sheet, seen);
+    return compose(shell, met, layer, seen);
   }
 
   //! Selects the result of the last search in the lanes of the mask, and that of the search before
   //! in the others.
-  ERGO_HD static void keep_sheet(const Mask& last, const detail::SheetOfShell<T>& before, MetSheet<T>& met,
-                                 detail::SheetOfShell<T>& sheet, const MetSheet<T>& again) {
-    sheet.keep_others(last, before);
+  ERGO_HD static void keep_layer(const Mask& last, const detail::ShellLayer<T>& before, MetLayer<T>& met,
+                                 detail::ShellLayer<T>& layer, const MetLayer<T>& again) {
+    layer.keep_others(last, before);
     met = chosen(last, again, met);
   }
 
-  ERGO_HD Mask compose(int shell, const MetSheet<T>& met, const detail::SheetOfShell<T>& sheet,
-                       const Mask& seen) const {
+  ERGO_HD Mask compose(int shell, const MetLayer<T>& met, const detail::ShellLayer<T>& layer, const Mask& seen) const {
     const NearFieldBatch& scene = batch_.near_field;
-    const NearPlace<D>& at = sheet.place();
-    const NearPlace<D> place = {
+    const NearPosition<D>& at = layer.position();
+    const NearPosition<D> position = {
         met.carried(at.u),    at.u_rate, {met.carried(at.m.x), met.carried(at.m.y), met.carried(at.m.z)},
         met.carried(at.drag), at.delay,  at.distance,
         -met.nearness()};
     const NearRay<D> ray = start_near_ray(scene.pixels.camera, met.direction());
     ShellSight<T, Before> sight(scene.pixels.camera, scene.shells, ray, pixel_, before_, seen_);
-    sight.cross(shell, seen & !sight.done(), place);
+    sight.cross(shell, seen & !sight.done(), position);
     // In lanes that do not meet the shell, light turns before it. The edge of the shell's image may
     // then be in the pixel.
-    sight.turn(met.met & !sheet.found(), place);
+    sight.turn(met.met & !layer.found(), position);
     return sight.fine();
   }
 
   const FlatEyeBatch& batch_;
   const EyeLine<T>& line_;
-  SheetSearch<S> search_;
+  LayerSearch<S> search_;
   S pixel_;
   const Before& before_;
   SeenLanes<T>& seen_;

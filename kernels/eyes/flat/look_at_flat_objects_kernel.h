@@ -13,7 +13,7 @@ namespace ergodome::inline ERGO_TARGET {
 template <class T, NearParts Parts>
 struct ObjectRaysOfHead {
   using D = Dual<T>;
-  static constexpr int most_quads = PixelLines::most / quad_size;
+  static constexpr int max_quads = PixelLines::max_lines / quad_size;
 
   const FlatObjectPixelBatch& batch;
 
@@ -22,10 +22,10 @@ struct ObjectRaysOfHead {
   //! from.
   [[nodiscard]] ERGO_HD PixelSlices slice(int at) const {
     const FlatReach& reach = batch.reach[at];
-    const double part_w = static_cast<double>(reach.most_w - reach.least_w) / parts_of(reach);
+    const double part_w = static_cast<double>(reach.max_w - reach.min_w) / parts_of(reach);
     const EyeLine<double> line = {middle_of_pixel(batch.pixels, at), batch.sight.eye};
     const CameraStation& camera = batch.pixels.objects.camera;
-    return slice_pixel(camera, start_near_ray(camera, line.at(static_cast<double>(reach.least_w) + 0.5 * part_w).n));
+    return slice_pixel(camera, start_near_ray(camera, line.at(static_cast<double>(reach.min_w) + 0.5 * part_w).n));
   }
 
   ERGO_HD void find(int first, const Vector3<T>* m, int count, SampleHits<T>* met) const {
@@ -33,7 +33,7 @@ struct ObjectRaysOfHead {
     // pixel, so each slice gets its own rays.
     const int together = batch.pixels.pattern == PixelPattern::slices ? 1 : count;
     for (int k = 0; k < count; k += together) {
-      look_along_lines(first, m + k, together, met + k);
+      trace_lines(first, m + k, together, met + k);
     }
   }
 
@@ -41,10 +41,10 @@ struct ObjectRaysOfHead {
   static constexpr int lanes = RealTraits<T>::lane_count;
 
   //! Searches along lines that share the head's rays.
-  ERGO_HD void look_along_lines(int first, const Vector3<T>* m, int count, SampleHits<T>* met) const {
+  ERGO_HD void trace_lines(int first, const Vector3<T>* m, int count, SampleHits<T>* met) const {
     PixelLines lines[lanes];
     for (int i = 0; i < lanes; ++i) {
-      Vector3<double> own[PixelLines::most];
+      Vector3<double> own[PixelLines::max_lines];
       for (int k = 0; k < count; ++k) {
         own[k] = {lane(m[k].x, i), lane(m[k].y, i), lane(m[k].z, i)};
       }
@@ -65,7 +65,7 @@ struct ObjectRaysOfHead {
       if (!any(wanted)) {
         break;
       }
-      look_beside(n, wanted, lines, count, met);
+      trace_beside(n, wanted, lines, count, met);
     }
     for (int k = 0; k < count; ++k) {
       for (int i = 0; i < lanes; ++i) {
@@ -78,7 +78,7 @@ struct ObjectRaysOfHead {
 
   //! Returns the sweep of a pixel's lines [rad].
   [[nodiscard]] ERGO_HD double way_of(const FlatReach& reach) const {
-    return static_cast<double>(reach.most_w - reach.least_w) * length_of(batch.sight.eye);
+    return static_cast<double>(reach.max_w - reach.min_w) * length_of(batch.sight.eye);
   }
 
   //! Returns the length of a line of sight that one of the head's rays represents, as the head sees
@@ -121,12 +121,12 @@ struct ObjectRaysOfHead {
     return wanted > T(0.0);
   }
 
-  ERGO_HD void look_beside(const Vector3<D>& n, const MaskOf<T>& wanted, PixelLines (&lines)[lanes], int count,
-                           SampleHits<T>* met) const {
+  ERGO_HD void trace_beside(const Vector3<D>& n, const MaskOf<T>& wanted, PixelLines (&lines)[lanes], int count,
+                            SampleHits<T>* met) const {
     const ObjectScene& objects = batch.pixels.objects;
     const CameraStation& camera = objects.camera;
     follow_path<object_order, Parts>(camera.spin, camera.cosine_phi, camera.sine_phi, start_near_ray(camera, n),
-                                     {objects.scene.least_r, objects.scene.greatest_r}, objects.limits, wanted,
+                                     {objects.scene.least_r, objects.scene.max_r}, objects.limits, wanted,
                                      [&](int i, const PathStep<object_order, Parts, Dual<double>>& step) {
                                        PixelLines& own = lines[i];
                                        EyeStep<object_order, Parts> eye(step, own.reference(), own.reach());
@@ -138,7 +138,7 @@ struct ObjectRaysOfHead {
                                        }
                                        for (int k = 0; k < count; ++k) {
                                          if (own.is_wanted(k) && eye.keep(own.span(k))) {
-                                           look_along(eye, k, own, met[k].hits[i]);
+                                           trace_line(eye, k, own, met[k].hits[i]);
                                          }
                                        }
                                        return !own.any_wanted();
@@ -146,7 +146,7 @@ struct ObjectRaysOfHead {
   }
 
   //! Searches the kept part of a step for what a line meets.
-  ERGO_HD void look_along(EyeStep<object_order, Parts>& eye, int line, PixelLines& lines, MeshHit& hit) const {
+  ERGO_HD void trace_line(EyeStep<object_order, Parts>& eye, int line, PixelLines& lines, MeshHit& hit) const {
     eye.turn_to(lines.direction(line));
     const PathStep<object_order, Parts, double> path = eye.along();
     detail::StepSearch<object_order, Parts> search = {path, batch.pixels.objects.scene, 0.0, {}};

@@ -2,7 +2,7 @@
 
 #include "kernels/eyes/flat/flat_disk.h"
 #include "kernels/eyes/flat/flat_eye_pixels.h"
-#include "kernels/eyes/flat/grid_sheets.h"
+#include "kernels/eyes/flat/grid_layers.h"
 
 // Draws the disk for one eye of the stereo model `flat` from a grid.
 namespace ergodome::inline ERGO_TARGET {
@@ -11,16 +11,16 @@ namespace ergodome::inline ERGO_TARGET {
 //! together in full registers; only the last register may be partly filled.
 template <class T>
 struct LeftSamples {
-  static constexpr int most = RealTraits<T>::lane_count * near_samples * near_samples;
+  static constexpr int maximum = RealTraits<T>::lane_count * near_samples * near_samples;
 
   struct Sample {
     float x_px;
     float y_px;
-    float guess[crossing_orders];  //!< nearness of the sheets
+    float guess[crossing_orders];  //!< nearness of the layers
     int lane;
   };
 
-  Sample samples[most];
+  Sample samples[maximum];
   int count = 0;
 };
 
@@ -29,8 +29,8 @@ struct LeftSamples {
 template <class T, bool WithPattern>
 struct LookUpFlatEyes {
   using Mask = MaskOf<T>;
-  using Grid = FlatDisk<T, GridSheets<T, WithPattern>>;
-  using Traced = FlatDisk<T, RaySheets<T>>;
+  using Grid = FlatDisk<T, GridLayers<T, WithPattern>>;
+  using Traced = FlatDisk<T, RayLayers<T>>;
 
   FlatEyeLookUpBatch batch;
 
@@ -42,31 +42,31 @@ struct LookUpFlatEyes {
 
   //! Sums all samples of the given lanes. In each sample, few lanes are left to rays, but over all
   //! samples there are many. So they are collected and traced together.
-  ERGO_HD void average(const Pixels& pixels, const typename Pixels::Place& place, const Mask& lanes,
+  ERGO_HD void average(const Pixels& pixels, const typename Pixels::PixelGroup& group, const Mask& lanes,
                        SeenLanes<T>& sum) const {
     LeftSamples<T> left;
     for (int i = 0; i < near_samples * near_samples; ++i) {
       const NearSample<float> at = near_sample<float>(i);
-      const T x = place.x_px + at.along;
-      const T y = place.y_px + at.down;
+      const T x = group.x_px + at.along;
+      const T y = group.y_px + at.down;
       Mask wanted = lanes;
       Waiting waiting = {left, x, y};
-      sum = sum + pixels.look(x, y, at.width, place.objects, wanted, waiting);
+      sum = sum + pixels.seen_at(x, y, at.width, group.objects, wanted, waiting);
     }
     for (int first = 0; first < left.count; first += RealTraits<T>::lane_count) {
       trace(pixels, left, first, sum);
     }
   }
 
-  ERGO_HD Mask look_near(const EyeLine<T>& line, const SheetSearch<float>& search, float pixel, const Mask& wanted,
+  ERGO_HD Mask draw_near(const EyeLine<T>& line, const LayerSearch<float>& search, float pixel, const Mask& wanted,
                          const Objects&, SeenLanes<T>& seen) const {
-    GridSheets<T, WithPattern> sheets(batch);
-    Grid disk(batch.eye, sheets, line, search, pixel);
+    GridLayers<T, WithPattern> layers(batch);
+    Grid disk(batch.eye, layers, line, search, pixel);
     const Mask left = disk.meet(wanted);
     T fine(0.0F);
     compose(disk, wanted & !left, seen, fine);
     if (any(left)) {
-      RaySheets<T> rays(batch.eye);
+      RayLayers<T> rays(batch.eye);
       Traced traced(batch.eye, rays, line, search, pixel);
       traced.meet_near(disk, left);
       compose(traced, left, seen, fine);
@@ -81,12 +81,12 @@ struct LookUpFlatEyes {
     const T& y_px;
   };
 
-  //! Does the same as the look_near() above, but collects the lanes that the grid leaves to rays.
+  //! Does the same as the draw_near() above, but collects the lanes that the grid leaves to rays.
   //! Until they are traced, they count as opaque and black.
-  ERGO_HD Mask look_near(const EyeLine<T>& line, const SheetSearch<float>& search, float pixel, const Mask& wanted,
+  ERGO_HD Mask draw_near(const EyeLine<T>& line, const LayerSearch<float>& search, float pixel, const Mask& wanted,
                          const Objects&, SeenLanes<T>& seen, Waiting& waiting) const {
-    GridSheets<T, WithPattern> sheets(batch);
-    Grid disk(batch.eye, sheets, line, search, pixel);
+    GridLayers<T, WithPattern> layers(batch);
+    Grid disk(batch.eye, layers, line, search, pixel);
     const Mask left = disk.meet(wanted);
     T fine(0.0F);
     compose(disk, wanted & !left, seen, fine);
@@ -125,7 +125,7 @@ struct LookUpFlatEyes {
       }
     }
     const EyeLine<T> line = pixels.line_at(x, y);
-    RaySheets<T> rays(batch.eye);
+    RayLayers<T> rays(batch.eye);
     Traced traced(batch.eye, rays, line, pixels.search_for(line), 1.0F / near_samples);
     traced.meet_near(guesses, wanted > T(0.0F));
     SeenLanes<T> seen = nothing_seen<T>();

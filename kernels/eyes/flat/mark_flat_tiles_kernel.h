@@ -22,28 +22,28 @@ struct MarkFlatTiles {
     EyeLine<T> line;
     line.eye = batch.sight.eye;
     T inside(0.0);
-    int most_parts = 0;
+    int max_parts = 0;
     for (int i = 0; i < lanes; ++i) {
       const std::int32_t* const at = tiles.tiles + 2 * (first + i < tiles.count ? first + i : tiles.count - 1);
       const double half = 0.5 * tiles.side_px;
       const Vector3<Dual<double>> one = observed_footprint(tiles.objects, at[0] + half, at[1] + half);
       const double square = dot(plain_vector(one), plain_vector(one));
-      const bool looks = square > 0.5 && square < 2.0;
-      set_lane(inside, i, looks ? 1.0 : 0.0);
-      set_vector_lane(line.m, i, looks ? one : Vector3<Dual<double>>{1.0, 0.0, 0.0});
+      const bool sees = square > 0.5 && square < 2.0;
+      set_lane(inside, i, sees ? 1.0 : 0.0);
+      set_vector_lane(line.m, i, sees ? one : Vector3<Dual<double>>{1.0, 0.0, 0.0});
       seen[i].reference = eye_reference(line.direction(i), batch.sight.eye, 0.0);
-      seen[i].from_w = static_cast<double>(along(first + i).least_w);
-      const double way = ::fmax(static_cast<double>(along(first + i).most_w) - seen[i].from_w, 0.0);
+      seen[i].from_w = static_cast<double>(along(first + i).min_w);
+      const double way = ::fmax(static_cast<double>(along(first + i).max_w) - seen[i].from_w, 0.0);
       seen[i].parts = 1 + static_cast<int>(way * length_of(batch.sight.eye) / batch.part);
       seen[i].step_w = way / seen[i].parts;
-      most_parts = most_parts < seen[i].parts ? seen[i].parts : most_parts;
-      if (!looks) {
+      max_parts = max_parts < seen[i].parts ? seen[i].parts : max_parts;
+      if (!sees) {
         // If the tile's middle has no direction, all its pixels are drawn.
         see_all(seen[i]);
       }
     }
-    for (int part = 0; part < most_parts; ++part) {
-      look(line, part, inside > T(0.0), seen);
+    for (int part = 0; part < max_parts; ++part) {
+      seen_at(line, part, inside > T(0.0), seen);
     }
     for (int i = 0; i < lanes && first + i < tiles.count; ++i) {
       store(first + i, seen[i]);
@@ -60,8 +60,8 @@ struct MarkFlatTiles {
     double step_w = 0.0;  //!< nearness range of a part
     int parts = 1;
     TileMark mark = TileMark::nothing;
-    double least_w = 1e30;
-    double most_w = 0.0;
+    double min_w = 1e30;
+    double max_w = 0.0;
     double width = 0.0;  //!< width of a pixel, over r
   };
 
@@ -81,23 +81,23 @@ struct MarkFlatTiles {
     see(seen, TileMark::fine, seen.from_w, seen.from_w + seen.parts * seen.step_w);
     seen.width = widest;
   }
-  ERGO_HD static void see(Seen& seen, TileMark mark, double least_w, double most_w) {
+  ERGO_HD static void see(Seen& seen, TileMark mark, double min_w, double max_w) {
     seen.mark = mark > seen.mark ? mark : seen.mark;
-    seen.least_w = ::fmin(seen.least_w, least_w);
-    seen.most_w = ::fmax(seen.most_w, most_w);
+    seen.min_w = ::fmin(seen.min_w, min_w);
+    seen.max_w = ::fmax(seen.max_w, max_w);
   }
 
   //! Marks a part of the line of sight beside the shadow's edge, where rays separate at the hole.
   ERGO_HD void see_by_edge(Seen& seen, double middle_w) const {
-    const double least_w = middle_w - 0.5 * seen.step_w;
-    if (least_w < batch.sight.most_hole_w) {
-      see(seen, TileMark::edge, least_w, ::fmin(middle_w + 0.5 * seen.step_w, batch.sight.most_hole_w));
+    const double min_w = middle_w - 0.5 * seen.step_w;
+    if (min_w < batch.sight.max_hole_w) {
+      see(seen, TileMark::edge, min_w, ::fmin(middle_w + 0.5 * seen.step_w, batch.sight.max_hole_w));
       seen.width = ::fmax(seen.width, width_by_edge);
     }
   }
 
   //! Searches a part of the lines of sight.
-  ERGO_HD void look(const EyeLine<T>& line, int part, const MaskOf<T>& inside, Seen (&seen)[lanes]) const {
+  ERGO_HD void seen_at(const EyeLine<T>& line, int part, const MaskOf<T>& inside, Seen (&seen)[lanes]) const {
     const ObjectScene& objects = batch.tiles.objects;
     const CameraStation& camera = objects.camera;
     T w(0.0);
@@ -116,16 +116,16 @@ struct MarkFlatTiles {
     // The edge is sought within the tile, plus the distance by which the line sweeps in each
     // direction.
     const auto half_along = [&](const T& along) {
-      return maximum(0.5 * batch.tiles.side_px + 0.5 * step_w * absolute(along), T(least_edge_px));
+      return maximum(0.5 * batch.tiles.side_px + 0.5 * step_w * absolute(along), T(min_edge_px));
     };
     const MaskOf<T> by_edge =
         active & is_by_edge(camera.spin, start, point.n, half_along(point.along_x), half_along(point.along_y));
-    const double greatest_r = greatest_r_of_tiles(objects, point.n, half_px);
+    const double max_r = max_r_of_tiles(objects, point.n, half_px);
     const auto decided = follow_path<mark_order, Parts>(
         camera.spin, camera.cosine_phi, camera.sine_phi, start_near_ray(camera, point.n),
-        {objects.scene.least_r, greatest_r}, {mark_tolerance, objects.limits.step_limit, objects.limits.delay}, active,
+        {objects.scene.least_r, max_r}, {mark_tolerance, objects.limits.step_limit, objects.limits.delay}, active,
         [&](int i, const PathStep<mark_order, Parts, Dual<double>>& step) {
-          look_through(step, lane(half_px, i), lane(w, i), 0.75 * seen[i].step_w, seen[i]);
+          mark_along(step, lane(half_px, i), lane(w, i), 0.75 * seen[i].step_w, seen[i]);
           return false;
         });
     for (int i = 0; i < lanes; ++i) {
@@ -138,8 +138,8 @@ struct MarkFlatTiles {
   }
 
   //! Marks objects whose nearness differs by at most `reach_w` from that of the part's middle, `w`.
-  ERGO_HD void look_through(const PathStep<mark_order, Parts, Dual<double>>& step, double half_px, double w,
-                            double reach_w, Seen& seen) const {
+  ERGO_HD void mark_along(const PathStep<mark_order, Parts, Dual<double>>& step, double half_px, double w,
+                          double reach_w, Seen& seen) const {
     visit_tile_pieces(batch.tiles.objects.scene, step, {half_px, batch.tiles.turn_per_px, NeighbourTimes::same},
                       [&](const PathPiece& p, double radius, const PixelOnPath& pixel) {
                         const Dual<double> from = step.distance(Dual<double>(p.from_h));
@@ -158,16 +158,16 @@ struct MarkFlatTiles {
   }
 
   ERGO_HD void store(int at, const Seen& seen) const {
-    const double most_w = ::fmin(seen.most_w, batch.sight.most_w);
-    const double least_w = ::fmin(::fmax(seen.least_w, 0.0), most_w);
-    batch.tiles.marks[at] = mark_of_line(seen.mark, (most_w - least_w) * length_of(batch.sight.eye));
-    batch.reach[at] = {static_cast<float>(least_w), static_cast<float>(most_w), static_cast<float>(seen.width)};
+    const double max_w = ::fmin(seen.max_w, batch.sight.max_w);
+    const double min_w = ::fmin(::fmax(seen.min_w, 0.0), max_w);
+    batch.tiles.marks[at] = mark_of_line(seen.mark, (max_w - min_w) * length_of(batch.sight.eye));
+    batch.reach[at] = {static_cast<float>(min_w), static_cast<float>(max_w), static_cast<float>(seen.width)};
   }
 
   //! Returns the mark of a line. Replaces slices by `fine` where their lines sweep past many of the
   //! head's pixels, since slices bring no benefit there.
   ERGO_HD TileMark mark_of_line(TileMark mark, double way) const {
-    return mark > TileMark::fine && way > most_way_of_slices * batch.sight.pixel ? TileMark::fine : mark;
+    return mark > TileMark::fine && way > max_way_of_slices * batch.sight.pixel ? TileMark::fine : mark;
   }
 };
 

@@ -11,7 +11,7 @@ namespace ergodome::inline ERGO_TARGET {
 //! represents the parts of all lines that pass near it.
 class PixelLines {
  public:
-  static constexpr int most = 16;
+  static constexpr int max_lines = 16;
   //! Height of a row, as a fraction of a part: with this, the corners of a part are hardly farther
   //! from the ray than its ends.
   static constexpr double row_part = 0.7;
@@ -24,8 +24,8 @@ class PixelLines {
   ERGO_HD void begin(const FlatEyeSight& sight, const FlatReach& reach, double part, const Vector3<double>* directions,
                      int count) {
     eye_ = sight.eye;
-    from_w_ = static_cast<double>(reach.most_w);
-    to_w_ = static_cast<double>(reach.least_w);
+    from_w_ = static_cast<double>(reach.max_w);
+    to_w_ = static_cast<double>(reach.min_w);
     count_ = count;
     gather(directions);
     if (open_ != 0U && from_w_ > to_w_) {
@@ -123,10 +123,10 @@ class PixelLines {
       Line& line = lines_[k];
       line.ahead = dot(line.m, middle_);
       line.along = dot(line.m, along_);
-      line.from_s = place(line, along_, from_w_);
-      line.to_s = place(line, along_, to_w_);
-      line.from_t = place(line, across_, from_w_);
-      line.to_t = place(line, across_, to_w_);
+      line.from_s = position(line, along_, from_w_);
+      line.to_s = position(line, along_, to_w_);
+      line.from_t = position(line, across_, from_w_);
+      line.to_t = position(line, across_, to_w_);
       if (line.from_s < line.to_s) {
         backwards_ |= 1U << static_cast<unsigned>(k);
       }
@@ -141,7 +141,7 @@ class PixelLines {
     height_ = (high_t - low_t_) / rows_;
   }
 
-  [[nodiscard]] ERGO_HD double place(const Line& line, const Vector3<double>& axis, double w) const {
+  [[nodiscard]] ERGO_HD double position(const Line& line, const Vector3<double>& axis, double w) const {
     const Vector3<double> v = line.m + w * eye_;
     return dot(v, axis) / dot(v, middle_);
   }
@@ -190,20 +190,20 @@ class PixelLines {
     const Line& line = lines_[k];
     const double one = nearness_at(line, s - half);
     const double other = nearness_at(line, s + half);
-    double greatest = ::fmax(one, other);
-    double least = ::fmin(one, other);
+    double maximum = ::fmax(one, other);
+    double minimum = ::fmin(one, other);
     // A line that does not move is in one column as a whole.
     const bool stays = ::fabs(line.from_s - line.to_s) <= 1e-6 * width_;
-    if (stays ? !(::fabs(line.from_s - s) <= half) : !(greatest > least)) {
+    if (stays ? !(::fabs(line.from_s - s) <= half) : !(maximum > minimum)) {
       return false;
     }
     if (stays) {
-      greatest = from_w_;
-      least = to_w_;
+      maximum = from_w_;
+      minimum = to_w_;
     }
     EyeReference own = reference_;
     own.m = line.m;
-    spans_[k] = {own.distance(greatest), own.distance(least)};
+    spans_[k] = {own.distance(maximum), own.distance(minimum)};
     return true;
   }
 
@@ -217,7 +217,7 @@ class PixelLines {
   double from_w_ = 0.0, to_w_ = 0.0;
   Vector3<double> middle_, along_, across_;
   double eye_ahead_ = 0.0, eye_along_ = 0.0;
-  Line lines_[most];
+  Line lines_[max_lines];
   int count_ = 0;
   unsigned open_ = 0U, backwards_ = 0U, wanted_ = 0U;  //!< one bit per line
   int rows_ = 0, columns_ = 0;
@@ -226,7 +226,7 @@ class PixelLines {
   EyeReference reference_;
   double reach_ = 0.0;
   DistanceSpan whole_ = {0.0, 0.0};
-  DistanceSpan spans_[most];
+  DistanceSpan spans_[max_lines];
 };
 
 }  // namespace ergodome::inline ERGO_TARGET

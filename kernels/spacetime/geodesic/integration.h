@@ -65,13 +65,13 @@ ERGO_HD RealOf<T> local_tolerance(ScalarOf<T> spin, const RayStart<T>& start, co
   using S = ScalarOf<T>;
   const S tolerance = static_cast<S>(settings.tolerance);
   // The tolerance is kept above rounding errors, below which smaller values gain nothing.
-  const Real least(S(0.25) * std::numeric_limits<S>::epsilon());
+  const Real min_value(S(0.25) * std::numeric_limits<S>::epsilon());
   if (settings.on_screen) {
-    return maximum(Real(tolerance), least);
+    return maximum(Real(tolerance), min_value);
   }
   const S horizon_r = S(1) + safe_sqrt(S(1) - spin * spin);
   const Real height = absolute(radial_barrier(spin, horizon_r, plain_start(start)).clearance);
-  return maximum(tolerance * minimum(height, Real(S(1))), least);
+  return maximum(tolerance * minimum(height, Real(S(1))), min_value);
 }
 
 }  // namespace ergodome::inline ERGO_TARGET

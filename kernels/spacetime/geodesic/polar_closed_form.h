@@ -117,8 +117,8 @@ ERGO_HD double polar_carter(double a2, const RayStart<double>& ray) {
   const double rate2 = ray.m_rate.z * ray.m_rate.z;
   const double x2 = ray.m.z * ray.m.z;
   const double c = ray.polar_constant - a2;
-  const bool by_place = rate2 + x2 * (::fabs(c) + a2 * x2) < ray.polar_constant + l2;
-  return by_place ? rate2 + x2 * (c + a2 * x2) : ray.polar_constant - l2;
+  const bool by_position = rate2 + x2 * (::fabs(c) + a2 * x2) < ray.polar_constant + l2;
+  return by_position ? rate2 + x2 * (c + a2 * x2) : ray.polar_constant - l2;
 }
 
 //! Describes motion through the equator, Q >= 0: x = √w sinη with w the positive root of a² w² + (C

@@ -123,7 +123,7 @@ ERGO_HD RayEnd<T> trace_runge_kutta(ScalarOf<T> spin, const RayStart<T>& start, 
   const T longest = S(0.5) / polar_speed;
   const S exponent = S(1.0 / (Tableau::error_order + 1));
   const S horizon_r = kerr_horizon_radius(spin);
-  const T least_way(std::numeric_limits<S>::epsilon());
+  const T min_way(std::numeric_limits<S>::epsilon());
   RayState<T> state = initial_state(start);
   RayState<T> stage[Tableau::stages];
   stage[0] = rate_of(spin, start, state);
@@ -136,7 +136,7 @@ ERGO_HD RayEnd<T> trace_runge_kutta(ScalarOf<T> spin, const RayStart<T>& start, 
     // Frame dragging diverges at the horizon. An estimate that leaves out the first stage (as the
     // third-order pair's does) misses how fast the drag changes for light that starts there. So a
     // step covers at most half of the distance to the horizon.
-    const T way = maximum(S(1) - horizon_r * state.u, least_way) / (absolute(state.u_rate) + least_way);
+    const T way = maximum(S(1) - horizon_r * state.u, min_way) / (absolute(state.u_rate) + min_way);
     const T near = minimum(h, S(0.5) * way);
     h = start.ingoing ? select(only_comes_in(start), h, near) : near;
     const detail::Trial<T> trial = detail::try_step<Tableau>(spin, start, state, h, polar_speed, stage);

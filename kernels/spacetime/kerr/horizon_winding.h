@@ -67,8 +67,8 @@ template <class T>
 ERGO_HD T outer_part(const HorizonWinding<ScalarOf<T>>& w, const T& u) {
   using S = ScalarOf<T>;
   const T rest = S(1) - w.horizon_r * u;
-  const T least(RealOf<T>(S(1e-6)));
-  return select(value_of(rest) > value_of(least), rest, least);
+  const T minimum(RealOf<T>(S(1e-6)));
+  return select(value_of(rest) > value_of(minimum), rest, minimum);
 }
 
 }  // namespace detail
@@ -81,9 +81,9 @@ ERGO_HD T winding(const HorizonWinding<ScalarOf<T>>& w, const T& u) {
   // Beyond infinity (u < 0) W does not matter, but the logarithm's argument has to stay positive.
   const T part = w.gap * q;
   const T argument = S(1) + part;
-  const T least(RealOf<T>(S(1e-3)));
+  const T minimum(RealOf<T>(S(1e-3)));
   const auto logarithm = [&] {
-    return detail::logarithm_of(select(value_of(argument) > value_of(least), argument, least)) * (S(1) / w.gap);
+    return detail::logarithm_of(select(value_of(argument) > value_of(minimum), argument, minimum)) * (S(1) / w.gap);
   };
   if (w.gap > S(2e-3)) {
     return logarithm();

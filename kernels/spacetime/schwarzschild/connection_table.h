@@ -37,11 +37,11 @@ struct ConnectionNode {
 };
 
 //! Values of a node in double, before rounding to float.
-struct ConnectionPlace {
+struct UnroundedNode {
   double x, y, z;
   double distance;
 
-  ERGO_HD void add(double weight, const ConnectionPlace& other) {
+  ERGO_HD void add(double weight, const UnroundedNode& other) {
     x += weight * other.x;
     y += weight * other.y;
     z += weight * other.z;
@@ -52,9 +52,9 @@ struct ConnectionPlace {
 //! A table under construction.
 struct ConnectionBatch {
   ConnectionGrid grid;
-  ConnectionPlace* fan;     //!< solved rays, indexed [layer][fan row][fan column]
-  ConnectionPlace* spread;  //!< fan interpolated to all rows, indexed [layer][row][fan column]
-  ConnectionNode* nodes;    //!< [layer][row][column], columns + 1 of them
+  UnroundedNode* fan;     //!< solved rays, indexed [layer][fan row][fan column]
+  UnroundedNode* spread;  //!< fan interpolated to all rows, indexed [layer][row][fan column]
+  ConnectionNode* nodes;  //!< [layer][row][column], columns + 1 of them
 };
 
 //! A table for reading.
@@ -110,9 +110,9 @@ struct CubicStencil {
   double weight[4];
 };
 
-ERGO_HD CubicStencil cubic_stencil(double at, int least, int last) {
+ERGO_HD CubicStencil cubic_stencil(double at, int minimum, int last) {
   CubicStencil stencil{};
-  stencil.first = static_cast<int>(::fmax(least, ::fmin(last - 3, ::floor(at) - 1.0)));
+  stencil.first = static_cast<int>(::fmax(minimum, ::fmin(last - 3, ::floor(at) - 1.0)));
   const double t = at - stencil.first;
   stencil.weight[0] = -(t - 1.0) * (t - 2.0) * (t - 3.0) / 6.0;
   stencil.weight[1] = 0.5 * t * (t - 2.0) * (t - 3.0);
@@ -122,9 +122,9 @@ ERGO_HD CubicStencil cubic_stencil(double at, int least, int last) {
 }
 
 //! Interpolates one layer in u and φ.
-ERGO_HD ConnectionPlace read_layer(const ConnectionView& view, int layer, const CubicStencil& row,
-                                   const CubicStencil& column) {
-  ConnectionPlace sum{0.0, 0.0, 0.0, 0.0};
+ERGO_HD UnroundedNode read_layer(const ConnectionView& view, int layer, const CubicStencil& row,
+                                 const CubicStencil& column) {
+  UnroundedNode sum{0.0, 0.0, 0.0, 0.0};
   const long width = view.grid.columns + 1;
   for (int i = 0; i < 4; ++i) {
     const ConnectionNode* const line = view.nodes + (static_cast<long>(layer) * view.grid.rows + row.first + i) * width;
@@ -151,19 +151,19 @@ ERGO_HD SeenPoint look_up_connection(const ConnectionView& view, double r_observ
       detail::cubic_stencil((u - grid.u_low) / (grid.u_high - grid.u_low) * (grid.rows - 1), 0, grid.rows - 1);
   const detail::CubicStencil column =
       detail::cubic_stencil(angle / (pi * grid.orders) * grid.columns, -1, grid.columns);
-  ConnectionPlace place = detail::read_layer(view, 0, row, column);
+  UnroundedNode position = detail::read_layer(view, 0, row, column);
   if (grid.layers > 1) {
     const double share = (1.0 / r_observer - grid.u_observer_low) / (grid.u_observer_high - grid.u_observer_low);
     const detail::CubicStencil layer = detail::cubic_stencil(share * (grid.layers - 1), 0, grid.layers - 1);
-    place = {0.0, 0.0, 0.0, 0.0};
+    position = {0.0, 0.0, 0.0, 0.0};
     for (int i = 0; i < 4; ++i) {
-      place.add(layer.weight[i], detail::read_layer(view, layer.first + i, row, column));
+      position.add(layer.weight[i], detail::read_layer(view, layer.first + i, row, column));
     }
   }
   // Both ends have the same b: sin ζ √(1 - 2/r)^-1 r = sin ξ √(1 - 2/r_obs)^-1 r_obs.
-  const double emitted_y = place.y * detail::lapse(r) * r_observer / (detail::lapse(r_observer) * r);
-  const double time = r * r_observer * ::hypot(place.x, place.y);
-  return {::atan2(place.y, place.x), time, ::atan2(emitted_y, place.z), place.distance * time};
+  const double emitted_y = position.y * detail::lapse(r) * r_observer / (detail::lapse(r_observer) * r);
+  const double time = r * r_observer * ::hypot(position.x, position.y);
+  return {::atan2(position.y, position.x), time, ::atan2(emitted_y, position.z), position.distance * time};
 }
 
 }  // namespace ERGO_TARGET

@@ -41,21 +41,20 @@ struct SpreadConnectionRows {
     const int row = line % grid.rows;
     const int layer = line / grid.rows;
     const double u = grid.u_low + (grid.u_high - grid.u_low) * row / (grid.rows - 1);
-    const ConnectionPlace* const fan =
-        batch.fan + static_cast<long>(layer) * grid.fan_rows * fan_columns(grid) + column;
+    const UnroundedNode* const fan = batch.fan + static_cast<long>(layer) * grid.fan_rows * fan_columns(grid) + column;
     double weights = 0.0;
-    ConnectionPlace sum{0.0, 0.0, 0.0, 0.0};
+    UnroundedNode sum{0.0, 0.0, 0.0, 0.0};
     for (int i = 0; i < grid.fan_rows; ++i) {
-      const ConnectionPlace& place = fan[static_cast<long>(i) * fan_columns(grid)];
+      const UnroundedNode& position = fan[static_cast<long>(i) * fan_columns(grid)];
       const double apart = u - fan_u(grid, i);
       if (::fabs(apart) < 1e-14 * u) {
-        sum = place;
+        sum = position;
         weights = 1.0;
         break;
       }
       const double weight = (i % 2 == 0 ? 1.0 : -1.0) * (i == 0 || i == grid.fan_rows - 1 ? 0.5 : 1.0) / apart;
       weights += weight;
-      sum.add(weight, place);
+      sum.add(weight, position);
     }
     batch.spread[index] = {sum.x / weights, sum.y / weights, sum.z / weights, sum.distance / weights};
   }
@@ -69,26 +68,26 @@ struct FillConnectionNodes {
   ERGO_HD void operator()(int index) const {
     const ConnectionGrid& grid = batch.grid;
     const int column = index % (grid.columns + 1);
-    const ConnectionPlace* const row = batch.spread + static_cast<long>(index / (grid.columns + 1)) * fan_columns(grid);
+    const UnroundedNode* const row = batch.spread + static_cast<long>(index / (grid.columns + 1)) * fan_columns(grid);
     const double at = static_cast<double>(grid.orders) * fan_steps_to_pi * column / grid.columns;
     const int first = static_cast<int>(at) - fan_stencil / 2 + 1;
-    ConnectionPlace sum{0.0, 0.0, 0.0, 0.0};
+    UnroundedNode sum{0.0, 0.0, 0.0, 0.0};
     double weights = 0.0;
     for (int i = 0; i < fan_stencil; ++i) {
       // The weights of evenly spaced points are binomial coefficients with alternating signs.
       constexpr double binomial[fan_stencil] = {1.0, -9.0, 36.0, -84.0, 126.0, -126.0, 84.0, -36.0, 9.0, -1.0};
       const int from = first + i;
       const double apart = at - from;
-      ConnectionPlace place = row[from < 0 ? -from : from];
-      place.y = from < 0 ? -place.y : place.y;
+      UnroundedNode position = row[from < 0 ? -from : from];
+      position.y = from < 0 ? -position.y : position.y;
       if (apart == 0.0) {
-        sum = place;
+        sum = position;
         weights = 1.0;
         break;
       }
       const double weight = binomial[i] / apart;
       weights += weight;
-      sum.add(weight, place);
+      sum.add(weight, position);
     }
     batch.nodes[index] = {static_cast<float>(sum.x / weights), static_cast<float>(sum.y / weights),
                           static_cast<float>(sum.z / weights), static_cast<float>(sum.distance / weights)};

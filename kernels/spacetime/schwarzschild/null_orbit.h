@@ -101,8 +101,9 @@ struct TwoIntegrals {
 //! Integrates over [low, high] by Gauss's rule of 16 points on panels no longer than `longest`.
 template <class Integrand>
 ERGO_HD TwoIntegrals gauss_16(double low, double high, double longest, const Integrand& integrand) {
-  constexpr double place[8] = {0.0950125098376374402, 0.281603550779258913, 0.458016777657227386, 0.617876244402643748,
-                               0.755404408355003034,  0.865631202387831744, 0.944575023073232576, 0.989400934991649933};
+  constexpr double position[8] = {0.0950125098376374402, 0.281603550779258913, 0.458016777657227386,
+                                  0.617876244402643748,  0.755404408355003034, 0.865631202387831744,
+                                  0.944575023073232576,  0.989400934991649933};
   constexpr double weight[8] = {0.189450610455068496,  0.182603415044923589, 0.169156519395002538,
                                 0.149595988816576732,  0.124628971255533872, 0.0951585116824927848,
                                 0.0622535239386478929, 0.0271524594117540949};
@@ -112,8 +113,8 @@ ERGO_HD TwoIntegrals gauss_16(double low, double high, double longest, const Int
   for (int panel = 0; panel < panels; ++panel) {
     const double middle = low + half * (2.0 * panel + 1.0);
     for (int i = 0; i < 8; ++i) {
-      sum.add(half * weight[i], integrand(middle - half * place[i]));
-      sum.add(half * weight[i], integrand(middle + half * place[i]));
+      sum.add(half * weight[i], integrand(middle - half * position[i]));
+      sum.add(half * weight[i], integrand(middle + half * position[i]));
     }
   }
   return sum;

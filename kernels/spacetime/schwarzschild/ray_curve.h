@@ -11,7 +11,7 @@ namespace ergodome::inline ERGO_TARGET {
 
 //! A point on a ray. Its coordinate is the `share` of the azimuth that the ray sweeps, which is
 //! also defined for radial rays, which sweep none.
-struct RayPlace {
+struct RayPosition {
   double share;   //!< 0 at the observer, 1 at the point
   double u;       //!< 1/r [1/M]
   double u_rate;  //!< du / dshare = du/dφ times the azimuth that is swept [1/M]
@@ -29,13 +29,13 @@ ERGO_HD double rate_over_share(double rate, double angle, double gap) {
 
 //! Returns the end of a ray at the observer. `angle` is the azimuth that it sweeps, radii as for
 //! connecting_ray().
-ERGO_HD RayPlace place_at_observer(const ConnectingRay& ray, double r_observer, double r, double angle) {
+ERGO_HD RayPosition position_at_observer(const ConnectingRay& ray, double r_observer, double r, double angle) {
   const double gap = 1.0 / r - 1.0 / r_observer;
   return {0.0, 1.0 / r_observer, detail::rate_over_share(ray.rate_at_observer, angle, gap)};
 }
 
 //! Returns the end of a ray at the point.
-ERGO_HD RayPlace place_at_point(const ConnectingRay& ray, double r_observer, double r, double angle) {
+ERGO_HD RayPosition position_at_point(const ConnectingRay& ray, double r_observer, double r, double angle) {
   const double gap = 1.0 / r - 1.0 / r_observer;
   return {1.0, 1.0 / r, detail::rate_over_share(ray.rate_at_point, angle, gap)};
 }
@@ -46,7 +46,7 @@ ERGO_HD double longest_ray_step(double angle) { return ::fmin(1.0 / 16.0, 0.1 / 
 
 //! Moves along a ray by `step` in share, forwards or backwards, at most longest_ray_step(): Taylor
 //! series of order 16.
-ERGO_HD RayPlace moved_on(const RayPlace& from, double angle, double step) {
+ERGO_HD RayPosition moved_on(const RayPosition& from, double angle, double step) {
   constexpr int order = 16;
   double u[order + 1] = {from.u, from.u_rate};
   const double square = angle * angle;
@@ -57,7 +57,7 @@ ERGO_HD RayPlace moved_on(const RayPlace& from, double angle, double step) {
     }
     u[k + 2] = square * (3.0 * product - u[k]) / ((k + 1) * (k + 2));
   }
-  RayPlace to{from.share + step, u[order], order * u[order]};
+  RayPosition to{from.share + step, u[order], order * u[order]};
   for (int k = order - 1; k >= 0; --k) {
     to.u = to.u * step + u[k];
     to.u_rate = k > 0 ? to.u_rate * step + k * u[k] : to.u_rate;

@@ -15,9 +15,9 @@ struct ScreenPoint {
 
 //! Parameters of the tessellation level; the defaults are those of the pictures of the sphere.
 struct TessellationSettings {
-  double most = 64.0;   //!< MaxTessLevel
-  double factor = 5.0;  //!< a
-  double power = 0.75;  //!< b
+  double maximum = 64.0;  //!< MaxTessLevel
+  double factor = 5.0;    //!< a
+  double power = 0.75;    //!< b
 };
 
 ERGO_HD double screen_distance(const ScreenPoint& p, const ScreenPoint& q) { return ::hypot(p.x - q.x, p.y - q.y); }
@@ -34,7 +34,7 @@ ERGO_HD double apparent_curvature(const ScreenPoint& first, const ScreenPoint& m
 //! curvature.
 ERGO_HD double tessellation_level(double curvature, const TessellationSettings& settings) {
   const double share = settings.factor * ::pow(curvature, settings.power);
-  return ::fmax(1.0, settings.most * ::fmin(1.0, ::fmax(0.0, share)));
+  return ::fmax(1.0, settings.maximum * ::fmin(1.0, ::fmax(0.0, share)));
 }
 
 //! Returns whether a triangle is torn apart by the hole: its circumference is more than `limit`

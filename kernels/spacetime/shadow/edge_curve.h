@@ -26,9 +26,9 @@ inline namespace ERGO_TARGET {
 //! Computes α and dα/dγ at a position angle.
 ERGO_HD void edge_at(const EdgeCurve& edge, float gamma, float& alpha, float& slope) {
   const float steps_per_radian = static_cast<float>(edge.count) * 0.159154943F;
-  const float place = gamma * steps_per_radian;
-  const float whole = ::floorf(place);
-  const float t = place - whole;
+  const float position = gamma * steps_per_radian;
+  const float whole = ::floorf(position);
+  const float t = position - whole;
   const int count = edge.count;
   const auto wrapped = [count](int i) { return i < 0 ? i + count : (i >= count ? i - count : i); };
   // A NaN angle has no index; t makes α NaN then.

@@ -17,7 +17,7 @@ inline constexpr int omni_numbers = 28;
 inline constexpr int omni_energy = 4;
 
 //! Highest degree of the polynomials.
-inline constexpr int omni_most_degree = 10;
+inline constexpr int omni_max_degree = 10;
 
 constexpr int omni_terms(int degree) { return (degree + 1) * (degree + 2) / 2; }
 
@@ -132,7 +132,7 @@ ERGO_HD OmniSight<T> omni_sight(const OmniCameraOf<ScalarOf<T>>& camera, const V
   const T inverse_length = S(1) / sqrt(dot(n, n));
   n = {n.x * inverse_length, n.y * inverse_length, n.z * inverse_length};
 
-  T term[omni_terms(omni_most_degree)];
+  T term[omni_terms(omni_max_degree)];
   const T p = camera.inverse_reach * right;
   const T q = camera.inverse_reach * back;
   term[0] = T(S(1));

@@ -24,7 +24,7 @@ enum class PatchShape {
 };
 
 //! Upper limit of the relative deviation of a regular patch's Jacobian from that at its middle.
-inline constexpr float most_regular_change = 0.6F;
+inline constexpr float max_regular_change = 0.6F;
 
 inline namespace ERGO_TARGET {
 
@@ -187,7 +187,7 @@ ERGO_HD float derivative_change(const BezierPatch& patch, const PlaneValue<float
   const float scale = 3.0F / determinant(middle);
   const T unit_u(step == 1 ? 1.0F : 0.0F);
   const T unit_v(step == 1 ? 0.0F : 1.0F);
-  T greatest(0.0F);
+  T largest(0.0F);
   for (int i = 0; i < 16; i += lanes) {
     const auto difference = [&](const float(&points)[16]) {
       float next[lanes];
@@ -202,13 +202,13 @@ ERGO_HD float derivative_change(const BezierPatch& patch, const PlaneValue<float
     // affine map.
     const T change = maximum(absolute((middle.q_v * dp - middle.p_v * dq) * scale - unit_u),
                              absolute((middle.p_u * dq - middle.q_u * dp) * scale - unit_v));
-    greatest = maximum(greatest, select(mask_from_bits<T>(~last >> static_cast<unsigned>(i)), change, T(0.0F)));
+    largest = maximum(largest, select(mask_from_bits<T>(~last >> static_cast<unsigned>(i)), change, T(0.0F)));
   }
-  float most = 0.0F;
+  float max_value = 0.0F;
   for (int k = 0; k < lanes; ++k) {
-    most = maximum(most, lane(greatest, k));
+    max_value = maximum(max_value, lane(largest, k));
   }
-  return most;
+  return max_value;
 }
 }  // namespace detail
 
@@ -222,7 +222,7 @@ ERGO_HD bool is_regular(const BezierPatch& patch) {
   const PlaneValue<float> middle = seen_from(patch, 0.0F, 0.0F, 0.5F, 0.5F);
   return detail::derivative_change<T>(patch, middle, 1, last_column) +
              detail::derivative_change<T>(patch, middle, 4, last_row) <
-         most_regular_change;
+         max_regular_change;
 }
 
 }  // namespace ERGO_TARGET

@@ -82,7 +82,7 @@ ERGO_HD bool correct_image(const CorrectedLeaves& grid, int leaf, const Vector3<
   // Newton steps below this length [fractions of a leaf] hardly change the Jacobian; and the
   // maximum number of steps.
   constexpr float short_step = 2e-4F;
-  constexpr int most_steps = 3;
+  constexpr int max_steps = 3;
   // Maximum displacement of an image [fractions of a leaf].
   constexpr float longest_way = 0.1F;
   const float* const box = grid.boxes + 4 * static_cast<long>(leaf);
@@ -93,7 +93,7 @@ ERGO_HD bool correct_image(const CorrectedLeaves& grid, int leaf, const Vector3<
   float v = start[1];
   float area = 0.0F;
   // The search uses a patch that agrees with its neighbors; this patch is that of the traced rays.
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < max_steps; ++step) {
     const PatchValue patch = patch_value(grid.nodes, grid.leaves + 4 * static_cast<long>(leaf), u, v, width, height);
     const Vector3<float> sum = detail::scaled_xyz(patch.sky, 1.0F);
     const float inverse = 1.0F / ::sqrtf(dot(sum, sum));

@@ -8,7 +8,7 @@ namespace ergodome::inline ERGO_TARGET {
 //! part that is not folded has only the first.
 template <class T>
 struct PartRoots {
-  PatchRoot<T> root[most_part_roots];
+  PatchRoot<T> root[max_part_roots];
 };
 
 namespace detail {
@@ -16,7 +16,7 @@ namespace detail {
 template <class T>
 struct PartSolver {
   using Mask = MaskOf<T>;
-  using Place = PatchPlace<T>;
+  using Position = PatchPosition<T>;
 
   const SeenPart<T>& part;
 
@@ -47,17 +47,17 @@ struct PartSolver {
     const SeenPatch<T>& patch = part.patch;
     const T& error = part.error;
     const Mask may_be_off = error > zero;
-    const Place at = nearest(patch, root);
+    const Position at = nearest(patch, root);
     const PlaneValue<T> f = seen_at(patch, at.u, at.v);
     const Fold fold = fold_at(patch, at, f);
     const T to_fold = minimum(maximum(determinant(f) / -fold.slope, T(-0.5F)), T(0.5F));
-    const auto beside = [&](const T& way) { return Place{at.u + way * fold.u, at.v + way * fold.v}; };
+    const auto beside = [&](const T& way) { return Position{at.u + way * fold.u, at.v + way * fold.v}; };
     const Mask paired = may_be_off & root.found & (absolute(to_fold) < T(0.5F));
     const PatchRoot<T> twin = newton_on_patch(patch, paired, beside(T(2.0F) * to_fold), any_step, rounds_regular);
     const Mask guessed = may_be_off & !root.found & (maximum(absolute(f.p), absolute(f.q)) < error);
     // The distance from the fold at which the error may place the two images.
     const T way = minimum(sqrt(T(2.0F) * error * fold.stretch / absolute(fold.slope)), T(0.25F));
-    const auto or_guess = [&](const PatchRoot<T>& found, const Place& guess) {
+    const auto or_guess = [&](const PatchRoot<T>& found, const Position& guess) {
       return PatchRoot<T>{{select(guessed, guess.u, found.at.u), select(guessed, guess.v, found.at.v)},
                           select(guessed, zero, found.area),
                           MaskOf<T>(found.found | guessed)};
@@ -67,10 +67,10 @@ struct PartSolver {
 
   //! Returns the point of a part that is nearest to its star, by damped least squares; a root found
   //! before is returned as it is.
-  ERGO_HD static Place nearest(const SeenPatch<T>& patch, const PatchRoot<T>& root) {
+  ERGO_HD static Position nearest(const SeenPatch<T>& patch, const PatchRoot<T>& root) {
     constexpr int steps = 10;
     constexpr float damping = 1e-4F;
-    Place at = {select(root.found, root.at.u, T(0.5F)), select(root.found, root.at.v, T(0.5F))};
+    Position at = {select(root.found, root.at.u, T(0.5F)), select(root.found, root.at.v, T(0.5F))};
     const Mask sought = !root.found;
     for (int step = 0; step < steps && any(sought); ++step) {
       const PlaneValue<T> f = seen_at(patch, at.u, at.v);
@@ -100,7 +100,7 @@ struct PartSolver {
     T stretch;  //!< stretch of the map across (u, v)
   };
 
-  ERGO_HD static Fold fold_at(const SeenPatch<T>& patch, const Place& at, const PlaneValue<T>& f) {
+  ERGO_HD static Fold fold_at(const SeenPatch<T>& patch, const Position& at, const PlaneValue<T>& f) {
     constexpr float step = 0.05F;
     const T square_u = f.p_u * f.p_u + f.q_u * f.q_u;
     const T square_v = f.p_v * f.p_v + f.q_v * f.q_v;
@@ -138,7 +138,7 @@ struct SolveParts {
     const int first = index * RealTraits<T>::lane_count;
     const int count = batch.parts.count;
     const PartRoots<T> solved = solve_parts<T>(batch.parts, first, batch.folded);
-    for (int k = 0; k < (batch.folded ? most_part_roots : 1); ++k) {
+    for (int k = 0; k < (batch.folded ? max_part_roots : 1); ++k) {
       const PatchRoot<T>& root = solved.root[k];
       const auto store = [&](float* to, const T& value) { store_lanes(to + k * count, first, count, value); };
       store(batch.found, select(root.found, T(1.0F), T(0.0F)));

@@ -13,8 +13,8 @@ struct PatchMeasures {
   float lowest_sky;   //!< minimum signed area of the sky per area of the chart [1/turn]
   float highest_sky;  //!< maximum signed area of the sky per area of the chart [1/turn]
   //! Maximum solid angle of the rain frame's camera per area of the chart [sr/turn].
-  float greatest_camera;
-  float greatest_ratio;   //!< maximum ratio of the camera's solid angle to the sky's
+  float largest_camera;
+  float max_ratio;        //!< maximum ratio of the camera's solid angle to the sky's
   float brightening;      //!< maximum ratio of the observer's solid angles to the rain frame's
   float frequency_ratio;  //!< maximum g for the observer
   Vector3<float> seen;    //!< direction to its middle in the observer's frame

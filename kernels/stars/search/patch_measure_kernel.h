@@ -1,7 +1,7 @@
 #pragma once
 
 #include "kernels/core/lanes.h"
-#include "kernels/stars/observed_places_kernel.h"
+#include "kernels/stars/observed_positions_kernel.h"
 #include "kernels/stars/search/patch_measure.h"
 
 namespace ergodome::inline ERGO_TARGET {
@@ -24,14 +24,14 @@ struct MeasurePatch {
         see_from(middle, measure_lot(lot, sums), sums);
       }
     }
-    *batch.out = {-greatest(-sums.lowest_sky),
-                  greatest(sums.highest_sky),
-                  greatest(sums.camera),
-                  greatest(sums.ratio),
-                  greatest(sums.brightening),
-                  greatest(sums.frequency_ratio),
+    *batch.out = {-largest(-sums.lowest_sky),
+                  largest(sums.highest_sky),
+                  largest(sums.camera),
+                  largest(sums.ratio),
+                  largest(sums.brightening),
+                  largest(sums.frequency_ratio),
                   {lane(middle.x, 0), lane(middle.y, 0), lane(middle.z, 0)},
-                  sqrt(greatest(sums.chord_square)),
+                  sqrt(largest(sums.chord_square)),
                   is_regular<T>(*batch.patch)};
   }
 
@@ -52,12 +52,12 @@ struct MeasurePatch {
     T chord_square;
   };
 
-  ERGO_HD static float greatest(const T& value) {
-    float most = lane(value, 0);
+  ERGO_HD static float largest(const T& value) {
+    float max_value = lane(value, 0);
     for (int i = 1; i < lanes; ++i) {
-      most = maximum(most, lane(value, i));
+      max_value = maximum(max_value, lane(value, i));
     }
-    return most;
+    return max_value;
   }
 
   //! Evaluates one pack of samples. Returns their directions in the observer's frame.
@@ -94,12 +94,12 @@ struct MeasurePatch {
     sums.highest_sky = maximum(sums.highest_sky, area);
     sums.camera = maximum(sums.camera, camera);
     sums.ratio = maximum(sums.ratio, camera / maximum(absolute(area), T(1e-30F)));
-    return look(rain, sums);
+    return seen_at(rain, sums);
   }
 
   //! Updates the extremes by what the observer sees in rain-frame directions. Returns these
   //! directions in the observer's frame.
-  ERGO_HD Vector3<T> look(const Vector3<T>& rain, Sums& sums) const {
+  ERGO_HD Vector3<T> seen_at(const Vector3<T>& rain, Sums& sums) const {
     const ObservedLight<T> light = observed_light(batch.observer, batch.energy, rain);
     sums.brightening = maximum(sums.brightening, light.brightening);
     sums.frequency_ratio = maximum(sums.frequency_ratio, light.frequency_ratio);

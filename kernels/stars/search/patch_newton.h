@@ -7,14 +7,14 @@ namespace ergodome::inline ERGO_TARGET {
 
 //! A position in a patch.
 template <class T>
-struct PatchPlace {
+struct PatchPosition {
   T u, v;
 };
 
 //! The point of a patch at which Newton's method ended.
 template <class T>
 struct PatchRoot {
-  PatchPlace<T> at;
+  PatchPosition<T> at;
   T area;  //!< Jacobian determinant there: area in the plane per area of the unit square
   MaskOf<T> found;
 };
@@ -24,7 +24,7 @@ struct PatchRoot {
 inline constexpr float settled_step = 1e-3F;
 //! Maximum first step of Newton's method in a regular patch: half the patch, plus the change that
 //! the Jacobian may have.
-inline constexpr float farthest_regular = 0.51F * (1.3F + most_regular_change);
+inline constexpr float farthest_regular = 0.51F * (1.3F + max_regular_change);
 //! Maximum number of Newton steps in regular patches, and in bent ones, which have a fallback.
 inline constexpr int rounds_regular = 16;
 inline constexpr int rounds_bent = 8;
@@ -36,16 +36,16 @@ inline constexpr float beyond_patch = 2e-3F;
 
 //! Returns the lanes whose position lies within a patch enlarged by `margin`.
 template <class T>
-ERGO_HD MaskOf<T> within_patch(const PatchPlace<T>& at, float margin) {
+ERGO_HD MaskOf<T> within_patch(const PatchPosition<T>& at, float margin) {
   return (at.u > T(-margin)) & (at.u < T(1.0F + margin)) & (at.v > T(-margin)) & (at.v < T(1.0F + margin));
 }
 
 //! Seeks stars by Newton's method from a position in their patches. A lane ends without a root if
 //! its first step exceeds `farthest` or if it leaves the patch by more than the patch's size.
 template <class T>
-ERGO_HD PatchRoot<T> newton_on_patch(const SeenPatch<T>& patch, const MaskOf<T>& wanted, const PatchPlace<T>& from,
+ERGO_HD PatchRoot<T> newton_on_patch(const SeenPatch<T>& patch, const MaskOf<T>& wanted, const PatchPosition<T>& from,
                                      float farthest, int rounds) {
-  PatchPlace<T> at = from;
+  PatchPosition<T> at = from;
   T area(1.0F);
   MaskOf<T> active = wanted;
   MaskOf<T> found = T(1.0F) < T(0.0F);

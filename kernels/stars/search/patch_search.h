@@ -32,7 +32,7 @@ struct SharedParts {
 
 //! Maximum number of pairs of folded patches that are searched together: enough to occupy a GPU,
 //! few enough for their parts to fit into its memory.
-inline constexpr int most_searched_together = 1 << 15;
+inline constexpr int max_searched_together = 1 << 15;
 
 //! Steps of the search, in this order: pairs of all patches, then their roots by the shapes of the
 //! patches. Undecided pairs of bent patches are added to those of folded ones. Parts of folded
@@ -66,11 +66,11 @@ struct PatchSearchBatch {
   DirectionForm<float> energy;
   AberrationOf<float> observer;  //!< between the observer's frame and the rain frame
   BlackbodyTable colours;
-  StarLook look;
+  StarAppearance appearance;
   SharedList<SeenImage> exact;
   SharedList<RoughImage> images;
   int deepest;  //!< maximum number of halvings of a patch
-  //! First pair of the slice; a slice has at most most_searched_together pairs of folded patches.
+  //! First pair of the slice; a slice has at most max_searched_together pairs of folded patches.
   int first_folded;
   SharedParts halved[2];      //!< used alternately: parts to be halved, and their halves
   SharedParts regular_parts;  //!< nearly affine parts

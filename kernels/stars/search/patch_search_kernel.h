@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "kernels/core/shared_counter.h"
-#include "kernels/stars/observed_places_kernel.h"
+#include "kernels/stars/observed_positions_kernel.h"
 #include "kernels/stars/search/part_halving_kernel.h"
 #include "kernels/stars/search/part_solving_kernel.h"
 #include "kernels/stars/search/patch_pairs_kernel.h"
@@ -50,18 +50,18 @@ ERGO_HD void keep_root(const PatchSearchBatch& batch, const SearchedPair& pair, 
   Vector3<float> direction{};
   float area = 0.0F;
   float frequency_ratio = 0.0F;
-  const ObservedPlaceBatch place = {batch.chart,
-                                    batch.energy,
-                                    batch.observer,
-                                    1,
-                                    &image.gamma_turns,
-                                    &image.s,
-                                    {&direction.x, &direction.y, &direction.z},
-                                    &area,
-                                    &frequency_ratio};
-  ObservePlaces<float>{place}(0);
+  const ObservedPositionBatch position = {batch.chart,
+                                          batch.energy,
+                                          batch.observer,
+                                          1,
+                                          &image.gamma_turns,
+                                          &image.s,
+                                          {&direction.x, &direction.y, &direction.z},
+                                          &area,
+                                          &frequency_ratio};
+  ObservePositions<float>{position}(0);
   SeenImage found{};
-  if (complete_image(batch.inputs.view, batch.colours, batch.look, pair.star, batch.inputs.field.stars[pair.star],
+  if (complete_image(batch.inputs.view, batch.colours, batch.appearance, pair.star, batch.inputs.field.stars[pair.star],
                      direction, frequency_ratio, image.sky / area, found)) {
     append(batch.exact, found);
   }
@@ -174,7 +174,7 @@ ERGO_HD bool is_root(const FoldedRoot& root) { return root.area == root.area; }
 //! Finds the roots of a part that is not to be halved, and counts them.
 template <bool Folded>
 struct SolveSeenPart {
-  static constexpr int most = Folded ? most_part_roots : 1;
+  static constexpr int maximum = Folded ? max_part_roots : 1;
   PatchSearchBatch batch;
 
   ERGO_HD void operator()(int index) const {
@@ -183,9 +183,9 @@ struct SolveSeenPart {
       return;
     }
     const PartRoots<float> solved = solve_parts<float>(detail::parts_to(from, index), index, Folded);
-    FoldedRoot* const roots = (Folded ? batch.folded_roots : batch.regular_roots) + static_cast<long>(most) * index;
+    FoldedRoot* const roots = (Folded ? batch.folded_roots : batch.regular_roots) + static_cast<long>(maximum) * index;
     const int pair = static_cast<int>(from.at[static_cast<long>(part_pair) * from.room + index]);
-    for (int i = 0; i < most; ++i) {
+    for (int i = 0; i < maximum; ++i) {
       const PatchRoot<float>& root = solved.root[i];
       roots[i] = {root.at.u, root.at.v, root.found ? root.area : std::numeric_limits<float>::quiet_NaN()};
       if (is_root(roots[i])) {
@@ -205,12 +205,12 @@ struct ListRoots {
     if (!detail::is_listed(from, index)) {
       return;
     }
-    constexpr int most = SolveSeenPart<Folded>::most;
+    constexpr int maximum = SolveSeenPart<Folded>::maximum;
     const FoldedRoot* const roots =
-        (Folded ? batch.folded_roots : batch.regular_roots) + static_cast<long>(most) * index;
+        (Folded ? batch.folded_roots : batch.regular_roots) + static_cast<long>(maximum) * index;
     const int pair = static_cast<int>(from.at[static_cast<long>(part_pair) * from.room + index]);
     const int list = 2 * pair + (Folded ? 1 : 0);
-    for (int i = 0; i < most; ++i) {
+    for (int i = 0; i < maximum; ++i) {
       if (is_root(roots[i])) {
         batch.roots[batch.root_first[list] + count_up(batch.root_counts + list)] = roots[i];
       }
@@ -230,7 +230,7 @@ struct TakeRoots {
     }
     const SearchedPair pair = list.at[batch.first_folded + index];
     const int wanted = roots_wanted(batch.inputs.patches[pair.patch]);
-    FoldedRoot taken[most_roots];
+    FoldedRoot taken[max_roots];
     int count = 0;
     for (int i = 2 * index; i < 2 * index + 2; ++i) {
       take(batch.roots + batch.root_first[i], batch.root_first[i + 1] - batch.root_first[i], wanted, taken, count);
@@ -248,7 +248,7 @@ struct TakeRoots {
   //! Takes roots in the order of their positions, since threads list them in nondeterministic
   //! order. Few of possibly hundreds are taken. A rejected root stays rejected, so each pass takes
   //! the next root that is accepted.
-  ERGO_HD static void take(const FoldedRoot* listed, int listed_count, int wanted, FoldedRoot (&taken)[most_roots],
+  ERGO_HD static void take(const FoldedRoot* listed, int listed_count, int wanted, FoldedRoot (&taken)[max_roots],
                            int& count) {
     const int before = count;
     bool more = true;

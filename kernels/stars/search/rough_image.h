@@ -17,7 +17,7 @@ struct RoughImage {
 
 //! Maximum number of images of one star in a patch: two next to a fold, three next to a cusp, four
 //! around a small caustic.
-inline constexpr int most_roots = 6;
+inline constexpr int max_roots = 6;
 
 //! A root of a patch: a position whose light comes from the star. An area of 0 marks a guess: the
 //! patch is folded, and it passes the star so closely that its error leaves open whether the image
@@ -31,7 +31,7 @@ struct FoldedRoot {
 
 //! Guesses are only added below this number of roots; the remaining room is for roots that Newton's
 //! method finds.
-inline constexpr int most_guesses = 4;
+inline constexpr int max_guesses = 4;
 //! Roots of a patch that are nearer to each other than this are the same root.
 inline constexpr float same_root = 2e-3F;
 

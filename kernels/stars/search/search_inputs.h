@@ -24,8 +24,8 @@ struct SearchInputs {
   float faintest;  //!< images of lower illuminance are left out [lx]
   CorrectedLeaves corrected;
   SearchedField field;
-  ViewCone view;  //!< images outside may be left out
-  SkyTurn turn;   //!< to the camera's azimuth
+  ViewCone view;     //!< images outside may be left out
+  SkyRotation turn;  //!< to the camera's azimuth
 };
 
 inline namespace ERGO_TARGET {

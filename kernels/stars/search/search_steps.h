@@ -55,7 +55,7 @@ enum class PairResult {
 
 //! Evaluates the end of Newton's method at (u, v). `side`: of a bent patch's border; not outside.
 ERGO_HD PairResult pair_result(PatchShape shape, PatchSide side, bool found, float u, float v) {
-  const PatchPlace<float> end = {u, v};
+  const PatchPosition<float> end = {u, v};
   if (found && within_patch(end, beyond_patch)) {
     return PairResult::image;
   }
@@ -65,13 +65,13 @@ ERGO_HD PairResult pair_result(PatchShape shape, PatchSide side, bool found, flo
 }
 
 //! Returns the maximum number of roots of a patch that is searched by halving.
-ERGO_HD int roots_wanted(const StarPatch& patch) { return patch.shape == PatchShape::bent ? 1 : most_roots; }
+ERGO_HD int roots_wanted(const StarPatch& patch) { return patch.shape == PatchShape::bent ? 1 : max_roots; }
 
 //! Returns whether a root may be added to the `count` roots found so far. `wanted`: maximum number
 //! of roots.
 ERGO_HD bool may_add_root(const FoldedRoot* roots, int count, int wanted, const FoldedRoot& root) {
   const bool guess = root.area == 0.0F;
-  bool may = count < wanted && !(guess && count >= most_guesses) && within_patch<float>({root.u, root.v}, beyond_patch);
+  bool may = count < wanted && !(guess && count >= max_guesses) && within_patch<float>({root.u, root.v}, beyond_patch);
   for (int i = 0; may && i < count; ++i) {
     may = !(maximum(::fabsf(roots[i].u - root.u), ::fabsf(roots[i].v - root.v)) < same_root);
   }
@@ -87,7 +87,7 @@ ERGO_HD bool image_at_root(const SearchInputs& inputs, const SearchedPair& pair,
   // behind them by a factor of 1 / depth.
   const float sky = maximum(::fabsf(root.area), 1e-30F) * pair.depth;
   // Maximum gain in brightness: first without that by its frequency shift.
-  const float gain = patch.brighter * (patch.most_camera / sky) * patch.light.brighter *
+  const float gain = patch.brighter * (patch.max_camera / sky) * patch.light.brighter *
                      inputs.field.gains[patch.light.shift_row].gain[star_class(star.log_temperature)];
   if (!(star.illuminance * gain >= inputs.faintest)) {
     return false;
@@ -109,7 +109,7 @@ ERGO_HD bool image_at_root(const SearchInputs& inputs, const SearchedPair& pair,
 
 //! Completes an image that needs no rays. Returns false if it is out of view or too faint.
 //! `solid_angle`: as in shining_image().
-ERGO_HD bool complete_image(const ViewCone& view, const BlackbodyTable& colours, const StarLook& look, int number,
+ERGO_HD bool complete_image(const ViewCone& view, const BlackbodyTable& colours, const StarAppearance& look, int number,
                             const FieldStar& star, const Vector3<float>& direction, float frequency_ratio,
                             float solid_angle, SeenImage& found) {
   const Vector3<double> axis = {static_cast<double>(direction.x), static_cast<double>(direction.y),

@@ -59,7 +59,7 @@ struct HalvePartsBatch {
 };
 
 //! Maximum number of roots of a part: a root and its twin across a fold, or two guesses.
-inline constexpr int most_part_roots = 2;
+inline constexpr int max_part_roots = 2;
 
 //! Seeks stars in parts. Root k of part i is stored at [k * count + i]; parts that are not folded
 //! have only root 0.

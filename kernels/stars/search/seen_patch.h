@@ -99,7 +99,7 @@ ERGO_HD MaskOf<T> is_regular(const SeenPatch<T>& patch) {
     along_u = maximum(along_u, change(in_row, in_row + 1, 1.0F, 0.0F));
     along_v = maximum(along_v, change(i, i + 4, 0.0F, 1.0F));
   }
-  return along_u + along_v < T(most_regular_change);
+  return along_u + along_v < T(max_regular_change);
 }
 
 }  // namespace ergodome::inline ERGO_TARGET

@@ -24,7 +24,7 @@ struct StarBands {
 };
 
 //! Maximum number of levels of a star field; each has a quarter of the previous one's stars.
-inline constexpr int most_star_levels = 16;
+inline constexpr int max_star_levels = 16;
 
 //! The brightest stars, sorted by their position on the sky.
 struct StarLevel {
@@ -36,11 +36,11 @@ struct StarLevel {
 
 //! A field of stars as the search reads it (render/passes/stars/star_field.h).
 struct SearchedField {
-  StarLevel levels[most_star_levels];  //!< level 0 has all stars; each further level has fewer
+  StarLevel levels[max_star_levels];  //!< level 0 has all stars; each further level has fewer
   int level_count;
   const FieldStar* stars;
-  const ShiftGain* gains;      //!< table of gains; PatchLight::shift_row selects a row
-  const float* greatest_gain;  //!< maximum gain of the stars in the field, for each row
+  const ShiftGain* gains;  //!< table of gains; PatchLight::shift_row selects a row
+  const float* max_gain;   //!< maximum gain of the stars in the field, for each row
 };
 
 //! Finds the stars in a part of the sky that are above a brightness threshold.
@@ -63,8 +63,8 @@ inline namespace ERGO_TARGET {
 
 //! Returns which of `parts` equal parts of [0, 1) contains a position.
 template <class S>
-ERGO_HD int place_among(S place, int parts) {
-  const int at = static_cast<int>(place * static_cast<S>(parts));
+ERGO_HD int cell_among(S position, int parts) {
+  const int at = static_cast<int>(position * static_cast<S>(parts));
   return at < 0 ? 0 : at < parts ? at : parts - 1;
 }
 

@@ -13,12 +13,12 @@ namespace detail {
 //! that a part of the sky touches.
 template <class Visit>
 ERGO_HD void visit_runs(const StarBands& stars, const SkyBounds& bounds, const Visit& visit) {
-  const int first_cell = place_among(bounds.turns, stars.cells);
+  const int first_cell = cell_among(bounds.turns, stars.cells);
   const int last_cell = static_cast<int>((bounds.turns + bounds.width_turns) * static_cast<float>(stars.cells));
   const int count = last_cell + 1 - first_cell;
   const int end_cell = first_cell + (count < stars.cells ? count : stars.cells);
-  const int last_band = place_among(0.5F * (bounds.high + 1.0F), stars.bands);
-  for (int band = place_among(0.5F * (bounds.low + 1.0F), stars.bands); band <= last_band; ++band) {
+  const int last_band = cell_among(0.5F * (bounds.high + 1.0F), stars.bands);
+  for (int band = cell_among(0.5F * (bounds.low + 1.0F), stars.bands); band <= last_band; ++band) {
     const int* const first = stars.first + static_cast<long>(band) * stars.cells;
     if (end_cell <= stars.cells) {
       visit(first[first_cell], first[end_cell]);
@@ -64,7 +64,7 @@ ERGO_HD void search_field(const SearchedField& field, const SkyPart& part, const
   if (field.level_count == 0) {
     return;
   }
-  const float faintest = floor.illuminance / field.greatest_gain[floor.shift_row];
+  const float faintest = floor.illuminance / field.max_gain[floor.shift_row];
   const ShiftGain& gain = field.gains[floor.shift_row];
   const StarLevel& level = detail::level_for(field, faintest);
   detail::visit_runs(level.stars, part.bounds, [&](int first, int last) {

@@ -30,7 +30,7 @@ struct SkyPart {
 };
 
 //! A rotation by φ about z.
-struct SkyTurn {
+struct SkyRotation {
   float turns;  //!< angle φ [turns], in [0, 1)
   double sine;
   double cosine;
@@ -73,7 +73,7 @@ struct StarPatch {
   Vector3<float> seen;  //!< direction to it in the observer's frame
   float seen_radius;    //!< half angle of a cone about that direction that encloses it [rad]
   //! Maximum solid angle of the rain frame's camera per unit of its (u, v) [sr].
-  float most_camera;
+  float max_camera;
   //! Maximum magnification of images in the rain frame. In a folded patch, it is exceeded only for
   //! stars on 1e-8 sr of the sky.
   float magnification;
@@ -82,7 +82,7 @@ struct StarPatch {
 inline namespace ERGO_TARGET {
 
 //! Returns the part after mirroring it at the equator, if `mirrored`, and then rotating it.
-ERGO_HD SkyPart turned(const SkyPart& part, const SkyTurn& turn, bool mirrored) {
+ERGO_HD SkyPart turned(const SkyPart& part, const SkyRotation& turn, bool mirrored) {
   const auto sine = static_cast<float>(turn.sine);
   const auto cosine = static_cast<float>(turn.cosine);
   SkyPart other;
@@ -101,7 +101,7 @@ ERGO_HD SkyPart turned(const SkyPart& part, const SkyTurn& turn, bool mirrored) 
 
 //! Rotates a star's direction to the frame of the patches, which belong to a camera at φ = 0, and
 //! mirrors it if they cover the other half of a mirrored sky.
-ERGO_HD Vector3<double> as_patches_see(const SkyTurn& turn, const Vector3<double>& d, bool mirrored) {
+ERGO_HD Vector3<double> as_patches_see(const SkyRotation& turn, const Vector3<double>& d, bool mirrored) {
   return {turn.cosine * d.x + turn.sine * d.y, turn.cosine * d.y - turn.sine * d.x, mirrored ? -d.z : d.z};
 }
 

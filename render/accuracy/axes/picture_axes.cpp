@@ -13,7 +13,7 @@ namespace {
 
 //! Maximum width of compared pictures. It is small because reference pictures take many samples per
 //! pixel.
-constexpr int most_map_px = 512;
+constexpr int max_map_px = 512;
 
 //! Returns a copy of a show that has only its sky map.
 Show map_alone(Show show) {
@@ -39,11 +39,11 @@ Show with_filter(Show show, SkyFilter filter) {
 }  // namespace
 
 AccuracyAxis measure_map(const Show& show, const AccuracySettings& asked, const AccuracyProgress& progress) {
-  const AccuracySettings settings = no_wider(asked, show, most_map_px);
+  const AccuracySettings settings = no_wider(asked, show, max_map_px);
   const int blocks = settings.quick ? 3 : 4;
   const Show alone = map_alone(show);
   const std::vector<AccuracyMoment> moments = accuracy_moments(alone, settings);
-  go_on(progress, "loading the sky of the reference");
+  report_progress(progress, "loading the sky of the reference");
   ShowRenderer exact(with_filter(alone, SkyFilter::polygon), Backend::cpu, LensChoice::direct);
   const ReferencePicture reference = [&](const AccuracyMoment& moment, const CameraPose& pose) {
     exact.apply(moment.time_s);
@@ -82,7 +82,7 @@ AccuracyAxis measure_frames(const Show& show, const AccuracySettings& settings, 
   Show published = mono;
   published.grid_scheme = GridScheme::quadtree;
   const std::vector<AccuracyMoment> moments = accuracy_moments(mono, asked);
-  go_on(progress, "loading the sky of the reference");
+  report_progress(progress, "loading the sky of the reference");
   ShowRenderer exact(at_budget(0.005), Backend::cpu, LensChoice::direct);
   const ReferencePicture reference = [&](const AccuracyMoment& moment, const CameraPose& pose) {
     exact.apply(moment.time_s);
@@ -140,10 +140,10 @@ Show by_rays(const Show& show, double budget_px) {
   return changed;
 }
 
-Show by_polygons(const Show& show, int most_divisions) {
+Show by_polygons(const Show& show, int max_divisions) {
   Show changed = by_method(show, ObjectMethod::polygon);
   for (ObjectSettings& object : changed.objects) {
-    object.tessellation.most = most_divisions;
+    object.tessellation.maximum = max_divisions;
   }
   return changed;
 }
@@ -162,9 +162,9 @@ std::vector<PictureChoice> near_choices(const Show& show, bool quick) {
         {"rays", fmt::format("budget {:g} px", budget_px), "", by_rays(show, budget_px), LensChoice::direct});
   }
   if (polygons_can_draw(show)) {
-    for (const int most : {1, 4, 64}) {
-      choices.push_back(
-          {"polygons", fmt::format("subdivision up to {}", most), "MSW", by_polygons(show, most), LensChoice::direct});
+    for (const int maximum : {1, 4, 64}) {
+      choices.push_back({"polygons", fmt::format("subdivision up to {}", maximum), "MSW", by_polygons(show, maximum),
+                         LensChoice::direct});
     }
   }
   return choices;
@@ -177,7 +177,7 @@ AccuracyAxis measure_near(const Show& show, const AccuracySettings& asked, const
   settings.rounds = std::min(settings.rounds, 3);
   const Show alone = near_things_alone(show);
   const std::vector<AccuracyMoment> moments = accuracy_moments(alone, settings);
-  go_on(progress, "reference of disk, shells and objects");
+  report_progress(progress, "reference of disk, shells and objects");
   ShowRenderer exact(by_rays(alone, 0.005), Backend::cpu, LensChoice::direct);
   const ReferencePicture reference = [&](const AccuracyMoment& moment, const CameraPose& pose) {
     exact.apply(moment.time_s);

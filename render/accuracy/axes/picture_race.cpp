@@ -59,7 +59,7 @@ class PictureRace {
         errors_(choices.size()),
         flickers_(choices.size()) {
     for (const PictureChoice& choice : choices) {
-      go_on(progress, "loading the sky for " + choice.method);
+      report_progress(progress, "loading the sky for " + choice.method);
       const Stopwatch watch;
       renderers_.push_back(std::make_unique<ShowRenderer>(choice.show, Backend::cpu, choice.lens));
       Measurement result;
@@ -72,11 +72,11 @@ class PictureRace {
 
   void run(const AccuracyMoment& moment, const ReferencePicture& reference) {
     const PixelLattice lattice = pixel_lattice(moment.projection, settings_.lattice, settings_.seed);
-    go_on(progress_, "the reference picture");
+    report_progress(progress_, "the reference picture");
     const Picture now = reference(moment, moment.pose);
     const Picture next = reference(moment, moment.next_pose);
     for (std::size_t i = 0; i < choices_.size(); ++i) {
-      go_on(progress_, choices_[i].method + ", " + choices_[i].setting);
+      report_progress(progress_, choices_[i].method + ", " + choices_[i].setting);
       renderers_[i]->apply(moment.time_s);
       const std::vector<double> later = differences(draw(i, moment, moment.next_pose), next, lattice.pixels);
       const std::vector<double> first = differences(draw(i, moment, moment.pose), now, lattice.pixels);
@@ -125,7 +125,7 @@ class PictureRace {
   }
 
   void time(std::size_t i, const AccuracyMoment& moment, std::size_t round) {
-    go_on(progress_, choices_[i].method + ", " + choices_[i].setting);
+    report_progress(progress_, choices_[i].method + ", " + choices_[i].setting);
     const auto before = work_done();
     const Stopwatch watch;
     draw(i, moment, moment.pose);
@@ -192,18 +192,18 @@ Picture averaged(const Picture& picture, int blocks) {
   return mean;
 }
 
-AccuracySettings no_wider(AccuracySettings settings, const Show& show, int most_px) {
-  const int size_px = settings.size_px > 0 ? settings.size_px : std::min(show.view.size_px, settings.most_px);
-  settings.size_px = std::min(size_px, most_px);
+AccuracySettings no_wider(AccuracySettings settings, const Show& show, int max_px) {
+  const int size_px = settings.size_px > 0 ? settings.size_px : std::min(show.view.size_px, settings.max_px);
+  settings.size_px = std::min(size_px, max_px);
   return settings;
 }
 
 AccuracySettings paced(const AccuracySettings& settings, const Show& show) {
-  constexpr int most_slow_px = 384;
+  constexpr int max_slow_px = 384;
   if (!draws_slowly(show)) {
     return settings;
   }
-  AccuracySettings slow = no_wider(settings, show, most_slow_px);
+  AccuracySettings slow = no_wider(settings, show, max_slow_px);
   slow.moments = 1;
   slow.rounds = std::min(slow.rounds, 2);
   return slow;

@@ -39,8 +39,8 @@ Picture averaged(const Picture& picture, int blocks);
 //! Fewer such frames are measured.
 inline bool draws_slowly(const Show& show) { return !show.objects.empty(); }
 
-//! Returns the settings with the picture width limited to `most_px`.
-AccuracySettings no_wider(AccuracySettings settings, const Show& show, int most_px);
+//! Returns the settings with the picture width limited to `max_px`.
+AccuracySettings no_wider(AccuracySettings settings, const Show& show, int max_px);
 
 //! Returns settings for a measurement; for shows that draw slowly they are reduced to one moment,
 //! two rounds and small pictures. A lit object of 1024² pixels takes half a minute with rays.

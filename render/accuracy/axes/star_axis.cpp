@@ -8,7 +8,7 @@
 #include "render/accuracy/axes/axes.h"
 #include "render/accuracy/references/exact_images.h"
 #include "render/accuracy/statistics.h"
-#include "render/passes/stars/drawing/picture_sheets.h"
+#include "render/passes/stars/drawing/picture_regions.h"
 #include "render/passes/stars/search/view_cone.h"
 #include "render/passes/stars/star_pass.h"
 
@@ -21,7 +21,7 @@ constexpr std::size_t method_count = 2;
 constexpr double match_px = 2.0;
 //! Maximum magnification of compared images. Next to caustics magnifications are limited by the
 //! size of the stars' disks, so that they do not show the accuracy of the method.
-constexpr double most_magnification = 1e3;
+constexpr double max_magnification = 1e3;
 //! An image is clearly bright if it is brighter than the search limit by this factor. Both methods
 //! must find it.
 constexpr double clearly_bright = 1.1;
@@ -78,7 +78,7 @@ class StarRace {
         static_cast<float>(illuminance_of_magnitude_0 * std::pow(10.0, -0.4 * moment.show.sky.faintest_mag));
     settings_.redshift = moment.show.effects.redshift;
     settings_.magnification = moment.show.effects.magnification;
-    settings_.least_cell_px = least_star_cell_px(moment.show.quality.budget_px);
+    settings_.min_cell_px = min_star_cell_px(moment.show.quality.budget_px);
     settings_.view = view_cone(moment.eye, moment.projection, 0.05);
   }
 
@@ -92,11 +92,11 @@ class StarRace {
 
   void gather() {
     images_.clear();
-    for (const PictureSheet& sheet : picture_sheets(moment_.projection)) {
+    for (const PictureRegion& region : picture_regions(moment_.projection)) {
       const GatheredStars stars =
-          gather_stars(field_, tree_, colours_.view(), moment_.eye, sheet.projection, settings_);
-      const std::vector<StarImage> on_sheet = star_images(stars.stars, moment_.eye, sheet.projection);
-      images_.insert(images_.end(), on_sheet.begin(), on_sheet.end());
+          gather_stars(field_, tree_, colours_.view(), moment_.eye, region.projection, settings_);
+      const std::vector<StarImage> in_region = star_images(stars.stars, moment_.eye, region.projection);
+      images_.insert(images_.end(), in_region.begin(), in_region.end());
     }
   }
 
@@ -145,7 +145,7 @@ double distance_px(const Vector3<double>& a, const Vector3<double>& b, double pi
 
 //! Errors of a method over all moments.
 struct Tally {
-  std::vector<double> places_px;
+  std::vector<double> positions_px;
   std::vector<double> lights;
   std::size_t lost = 0;
   std::size_t known = 0;
@@ -164,10 +164,10 @@ void add_exact(ExactByStar& known, int star, const Vector3<double>& n, double pi
 void compare(const StarRace& race, const std::vector<Found>& found, double pixel, Tally& tally, ExactByStar& known) {
   const std::vector<std::optional<ExactImage>> exact = race.exact(found);
   for (std::size_t i = 0; i < found.size(); ++i) {
-    if (!exact[i] || exact[i]->magnification > most_magnification) {
+    if (!exact[i] || exact[i]->magnification > max_magnification) {
       continue;
     }
-    tally.places_px.push_back(distance_px(found[i].direction, exact[i]->direction, pixel));
+    tally.positions_px.push_back(distance_px(found[i].direction, exact[i]->direction, pixel));
     tally.lights.push_back(std::abs(found[i].magnification / exact[i]->magnification - 1.0));
     if (race.is_clearly_bright(found[i])) {
       add_exact(known, found[i].star, exact[i]->direction, pixel);
@@ -182,9 +182,9 @@ void count_lost(const ExactByStar& known, const std::vector<Found>& found, doubl
   }
   for (const auto& [star, n] : known) {
     const auto [first, last] = own.equal_range(star);
-    const Vector3<double>& place = n;
-    const bool has =
-        std::any_of(first, last, [&](const auto& other) { return distance_px(other.second, place, pixel) < match_px; });
+    const Vector3<double>& position = n;
+    const bool has = std::any_of(
+        first, last, [&](const auto& other) { return distance_px(other.second, position, pixel) < match_px; });
     tally.lost += has ? 0 : 1;
     ++tally.known;
   }
@@ -194,7 +194,7 @@ void count_lost(const ExactByStar& known, const std::vector<Found>& found, doubl
 void time(StarRace& race, const AccuracySettings& settings, const AccuracyProgress& progress,
           std::array<Measurement, method_count>& results) {
   for (std::size_t round = 0; round < static_cast<std::size_t>(settings.rounds); ++round) {
-    go_on(progress, "finding stars");
+    report_progress(progress, "finding stars");
     for (Measurement& result : results) {
       result.frame_ms.resize(std::max(result.frame_ms.size(), round + 1));
       result.prepare_ms.resize(std::max(result.prepare_ms.size(), round + 1));
@@ -226,7 +226,7 @@ std::optional<AccuracyAxis> measure_stars(const Show& show, const std::vector<Ac
   results[1].setting = "footprint of each pixel";
   results[1].published = "VE";
   for (const AccuracyMoment& moment : moments) {
-    go_on(progress, "exact images of stars");
+    report_progress(progress, "exact images of stars");
     StarRace race(show, moment);
     std::array<std::vector<Found>, method_count> found;
     race.prepare();
@@ -251,7 +251,7 @@ std::optional<AccuracyAxis> measure_stars(const Show& show, const std::vector<Ac
       "rays in closed form that end at the star. Errors of the light are those of the magnification, for images "
       "magnified less than 1,000 times. Lost images are those that one method finds and another does not";
   for (std::size_t i = 0; i < method_count; ++i) {
-    results[i].error = summary_of(std::move(tallies[i].places_px));
+    results[i].error = summary_of(std::move(tallies[i].positions_px));
     results[i].light_error = summary_of(std::move(tallies[i].lights));
     results[i].lost =
         tallies[i].known > 0 ? static_cast<double>(tallies[i].lost) / static_cast<double>(tallies[i].known) : 0.0;

@@ -130,7 +130,7 @@ std::unique_ptr<PixelLens> make_flat(LensScene& scene, const LensWay& way) {
 
 std::unique_ptr<PixelLens> make_omni(LensScene& scene, const LensWay& way) {
   const StereoSettings& stereo = scene.moment().show.stereo;
-  const EyePlace eye_at = [&](const Vector3<double>& offset) {
+  const EyeAtOffset eye_at = [&](const Vector3<double>& offset) {
     return eye_camera(scene.moment().show, scene.pose(), offset);
   };
   const OmniSettings settings = {0.5 * stereo.baseline, stereo.convergence, one_degree * stereo.fade_from_deg,

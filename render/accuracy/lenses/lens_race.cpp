@@ -104,7 +104,7 @@ class LensRace {
 
   //! Measures errors and times of all methods at a moment.
   void run(const AccuracyMoment& moment) {
-    go_on(progress_, "reference rays");
+    report_progress(progress_, "reference rays");
     lattice_ = pixel_lattice(moment.projection, settings_.lattice, settings_.seed);
     LensScene scene(moment, FrameOfMoment::now, need_);
     const PixelReference now(moment.eye, moment.projection, lattice_.pixels, moment.pixel);
@@ -139,7 +139,7 @@ class LensRace {
 
  private:
   void warm_up(std::size_t i, LensScene& scene, const PixelReference& now) {
-    go_on(progress_, choices_[i].method + ", " + choices_[i].setting);
+    report_progress(progress_, choices_[i].method + ", " + choices_[i].setting);
     entries_[i].prepare_ms.emplace_back();
     entries_[i].frame_ms.emplace_back();
     const Stopwatch whole;
@@ -162,14 +162,14 @@ class LensRace {
   }
 
   void see_flicker(const AccuracyMoment& moment, const PixelReference& now) {
-    go_on(progress_, "the next frame");
+    report_progress(progress_, "the next frame");
     LensScene scene(moment, FrameOfMoment::next, need_);
     const PixelReference next(moment.next, moment.projection, lattice_.pixels, moment.pixel);
     for (std::size_t i = 0; i < choices_.size(); ++i) {
       if (entries_[i].slow) {
         continue;
       }
-      go_on(progress_, choices_[i].method + ", " + choices_[i].setting);
+      report_progress(progress_, choices_[i].method + ", " + choices_[i].setting);
       const std::unique_ptr<PixelLens> lens = choices_[i].make(scene);
       lens->draw();
       const std::vector<Vector3<double>> misses = misses_of(*lens, next, lattice_);
@@ -185,7 +185,7 @@ class LensRace {
     if (entries_[i].slow && round != slow_round) {
       return;
     }
-    go_on(progress_, choices_[i].method + ", " + choices_[i].setting);
+    report_progress(progress_, choices_[i].method + ", " + choices_[i].setting);
     double prepared_ms = std::numeric_limits<double>::infinity();
     double frame_ms = prepared_ms;
     for (int attempt = 0; attempt < (entries_[i].warm_up_ms < short_ms ? short_tries : 1); ++attempt) {
@@ -216,7 +216,7 @@ class LensRace {
 
 }  // namespace
 
-void go_on(const AccuracyProgress& progress, const std::string& doing) {
+void report_progress(const AccuracyProgress& progress, const std::string& doing) {
   if (progress && !progress(doing)) {
     throw Error("accuracy", "stopped; nothing was written", "run it again");
   }

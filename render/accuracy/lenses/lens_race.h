@@ -15,7 +15,7 @@ namespace ergodome {
 using AccuracyProgress = std::function<bool(const std::string& doing)>;
 
 //! Passes a sentence about a step to `progress`. Throws Error if the measurement must stop.
-void go_on(const AccuracyProgress& progress, const std::string& doing);
+void report_progress(const AccuracyProgress& progress, const std::string& doing);
 
 //! Measures methods that find where pixels' light comes from: their errors on the screen relative
 //! to PixelReference, the change of these errors from frame to frame, and their times. Errors are

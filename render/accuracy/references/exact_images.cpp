@@ -13,7 +13,7 @@ namespace {
 
 using ImageDual = Dual<double>;
 
-constexpr int most_steps = 12;
+constexpr int max_steps = 12;
 //! Accepted angle on the sky between a ray and the star [rad].
 constexpr double reached = 1e-11;
 
@@ -58,7 +58,7 @@ bool slopes(const CameraStation& camera, const Vector3<double>& n, const Tangent
 std::optional<ExactImage> follow(const CameraStation& camera, const Vector3<double>& star, Vector3<double> n,
                                  double reach) {
   const Vector3<double> begin = n;
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < max_steps; ++step) {
     const RayStart<double> start = start_ray(camera, n);
     const Tangents t = tangents_of(n);
     Vector3<double> first;

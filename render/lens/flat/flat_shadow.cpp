@@ -111,11 +111,11 @@ double FlatShadow::farthest_out(const Vector3<double>& eye, double gamma) const 
   };
   constexpr int samples = 16;
   int best = 1;
-  double most = 0.0;
+  double maximum = 0.0;
   for (int i = 1; i <= samples; ++i) {
     const double alpha = seen_at(deepest * i / samples);
-    if (alpha > most) {
-      most = alpha;
+    if (alpha > maximum) {
+      maximum = alpha;
       best = i;
     }
   }
@@ -128,10 +128,10 @@ double FlatShadow::farthest_out(const Vector3<double>& eye, double gamma) const 
     const double second = low + golden * (high - low);
     const double at_first = seen_at(first);
     const double at_second = seen_at(second);
-    most = std::max(most, std::max(at_first, at_second));
+    maximum = std::max(maximum, std::max(at_first, at_second));
     (at_first > at_second ? high : low) = at_first > at_second ? second : first;
   }
-  return most;
+  return maximum;
 }
 
 double FlatShadow::head_nearness(const Vector3<double>& n) const {
@@ -142,7 +142,7 @@ double FlatShadow::head_nearness(const Vector3<double>& n) const {
 }
 
 double FlatShadow::nearness_along(const Vector3<double>& m, const Vector3<double>& eye) const {
-  const double most_w = 1.0 / ((1.0 - farthest_eye) * nearest_);
+  const double max_w = 1.0 / ((1.0 - farthest_eye) * nearest_);
   // Returns how far the line of sight is beyond the horizon at a nearness. The first point of the
   // horizon on the line is the visible one.
   const auto beyond = [&](double w) {
@@ -151,14 +151,14 @@ double FlatShadow::nearness_along(const Vector3<double>& m, const Vector3<double
     return length * head_nearness((1.0 / length) * v) - w;
   };
   constexpr int samples = 24;
-  double low = most_w;
+  double low = max_w;
   for (int i = samples - 1; i > 0 && beyond(low) < 0.0; --i) {
-    low = most_w * i / samples;
+    low = max_w * i / samples;
   }
   if (beyond(low) < 0.0) {
     return 0.0;
   }
-  double high = std::min(low + most_w / samples, most_w);
+  double high = std::min(low + max_w / samples, max_w);
   for (int round = 0; round < 16; ++round) {
     const double middle = 0.5 * (low + high);
     (beyond(middle) < 0.0 ? high : low) = middle;
@@ -188,10 +188,10 @@ std::vector<float> FlatShadow::eye_nearness(double offset, const std::vector<flo
   return nearness;
 }
 
-double FlatShadow::greatest_baseline() const { return 2.0 * farthest_eye * nearest_; }
+double FlatShadow::max_baseline() const { return 2.0 * farthest_eye * nearest_; }
 
 std::vector<float> FlatShadow::eye_edge(double offset) const {
-  if (!(2.0 * std::abs(offset) <= greatest_baseline())) {
+  if (!(2.0 * std::abs(offset) <= max_baseline())) {
     throw Error("stereo.baseline",
                 fmt::format("{:.6g} M is too large for the model flat: the horizon is {:.6g} M away",
                             2.0 * std::abs(offset), nearest_),

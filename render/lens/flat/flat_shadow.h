@@ -37,7 +37,7 @@ class FlatShadow {
   [[nodiscard]] const ShadowChart& frame_chart() const { return frame_chart_; }
 
   //! Returns the maximum baseline [M]: the distance of the nearest part of the horizon.
-  [[nodiscard]] double greatest_baseline() const;
+  [[nodiscard]] double max_baseline() const;
 
   //! Computes the shadow edge that an eye sees, in the chart of the head's edge and at the same
   //! position angles. The eye is `offset` to the right of the head [M]. Throws Error if the eye is

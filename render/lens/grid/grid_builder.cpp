@@ -59,7 +59,7 @@ double range_for(const GridSettings& settings, const EdgeCurve& edge) {
 template <class S, class Camera>
 class GridBuilder {
  public:
-  using RaysAt = std::function<Camera(const LensPlace& place)>;
+  using RaysAt = std::function<Camera(const LensPosition& position)>;
 
   GridBuilder(LensStation& station, const GridSettings& settings, GridTracer<S, Camera>& tracer, RaysAt rays_at)
       : station_(station),
@@ -89,22 +89,22 @@ class GridBuilder {
   }
 
  private:
-  [[nodiscard]] GridCamera<S, Camera> make_camera(const LensPlace& place, const LensChart& chart) const {
+  [[nodiscard]] GridCamera<S, Camera> make_camera(const LensPosition& position, const LensChart& chart) const {
     const double tolerance = 0.005 * settings_.budget_px * settings_.pixel;
     return {
-        rays_at_(place), chart, {std::clamp(tolerance, sizeof(S) == 4 ? 3e-7 : 1e-12, 1e-5), grid_step_limit, true}};
+        rays_at_(position), chart, {std::clamp(tolerance, sizeof(S) == 4 ? 3e-7 : 1e-12, 1e-5), grid_step_limit, true}};
   }
 
   void trace_derivatives() {
-    const ChartPlaces places = grid_.node_places(station_.node_count());
-    add_derivatives(station_, [&](const LensPlace& place, const LensChart& chart) {
-      grid_.statistics().traced_nodes += static_cast<long>(places.s.size());
-      return tracer_.nodes_of(make_camera(place, chart), places.gamma_turns, places.s);
+    const ChartPositions positions = grid_.node_positions(station_.node_count());
+    add_derivatives(station_, [&](const LensPosition& position, const LensChart& chart) {
+      grid_.statistics().traced_nodes += static_cast<long>(positions.s.size());
+      return tracer_.nodes_of(make_camera(position, chart), positions.gamma_turns, positions.s);
     });
   }
 
   void check(std::vector<OpenCell>& open) {
-    const ChartPlaces fresh = grid_.place_corners(open, tracer_.node_count());
+    const ChartPositions fresh = grid_.place_corners(open, tracer_.node_count());
     tracer_.add_nodes(fresh.gamma_turns, fresh.s);
     tracer_.check(grid_.checked_cells(open), checks_);
     grid_.statistics().traced_checks += static_cast<long>(checks_.error_px.size());
@@ -113,7 +113,7 @@ class GridBuilder {
   //! Turns cells that are accurate enough or cannot be improved into leaves, and splits the others.
   std::vector<OpenCell> decide(const std::vector<OpenCell>& open) {
     const auto limit = static_cast<float>(safety * settings_.budget_px);
-    const bool full = tracer_.node_count() >= settings_.most_nodes;
+    const bool full = tracer_.node_count() >= settings_.max_nodes;
     std::vector<OpenCell> next;
     for (std::size_t i = 0; i < open.size(); ++i) {
       const float* const e = checks_.error_px.data() + checks_a_cell * i;
@@ -125,7 +125,7 @@ class GridBuilder {
       const CellBox& box = open[i].box;
       const bool may_split_gamma = box.width > finest_a_root >> deepest_a_side;
       const bool may_split_s = box.height > finest_a_root >> deepest_a_side;
-      if (worst <= limit || full || area < settings_.least_area_px || !(may_split_gamma || may_split_s)) {
+      if (worst <= limit || full || area < settings_.min_area_px || !(may_split_gamma || may_split_s)) {
         keep_displacements(i);
         grid_.make_leaf(open[i], worst, worst > limit, area);
       } else {
@@ -176,9 +176,9 @@ LensStation build_lens_station(Spacetime spacetime, double r, double theta, cons
   station.range = static_cast<float>(settings.range > 0.0 ? settings.range : range_for(settings, edge));
   const auto build = [&]<class S>(GridTracer<S>& with) {
     return GridBuilder<S, CameraStationOf<S>>(station, settings, with,
-                                              [&](const LensPlace& place) {
+                                              [&](const LensPosition& position) {
                                                 return converted_station<S>(make_camera_station(
-                                                    spacetime, place.r, place.theta, 0.0, ObserverMotion::rain));
+                                                    spacetime, position.r, position.theta, 0.0, ObserverMotion::rain));
                                               })
         .build();
   };
@@ -205,8 +205,9 @@ LensStation build_omni_station(const OmniCameraOf<float>& cameras, const ShadowC
   station.second = curve.second;
   station.range = static_cast<float>(own.range > 0.0 ? own.range : range_for(own, curve));
   GridTracer<float, OmniCameraOf<float>> tracer;
-  const GridStatistics done =
-      GridBuilder<float, OmniCameraOf<float>>(station, own, tracer, [&](const LensPlace&) { return cameras; }).build();
+  const GridStatistics done = GridBuilder<float, OmniCameraOf<float>>(station, own, tracer, [&](const LensPosition&) {
+                                return cameras;
+                              }).build();
   if (statistics != nullptr) {
     *statistics = done;
   }

@@ -20,10 +20,10 @@ struct GridSettings {
   bool fine = true;
   //! Cells that cover a smaller area of the screen are not split: tracing their pixels is cheaper
   //! than tracing more nodes.
-  double least_area_px = 32.0;
+  double min_area_px = 32.0;
   //! Maximum number of nodes. When it is reached, the pixels of cells that still exceed the budget
   //! are left to direct rays.
-  int most_nodes = 1 << 16;
+  int max_nodes = 1 << 16;
   //! Also computes the derivatives of the nodes along r and θ; the grid is then never mirrored.
   bool derivatives = false;
   //! Keeps the data of LensStation that the search for star images needs.
@@ -36,7 +36,7 @@ struct GridSettings {
 //! Checks each cell of the conforming chart against rays traced at the center of the cell and of
 //! its sides. Splits the cell if the interpolated lens differs from them by more than 0.8 of the
 //! budget, along the axis with the larger error. Cells that still exceed the budget at the maximum
-//! depth or at `least_area_px` are flagged, and their pixels are traced. A node inside the side of
+//! depth or at `min_area_px` are flagged, and their pixels are traced. A node inside the side of
 //! a larger cell gets the value interpolated along that side, so that the map and its derivatives
 //! are continuous. For a camera on the equator (θ = π/2), only half of the grid is built; it is
 //! mirrored when it is read.

@@ -42,18 +42,18 @@ float line(float coordinate, float per_pixel) {
 
 Vector3<float> colour_at(const LensStation& station, const LensGrid& grid, const Vector3<CellDual>& n,
                          double budget_px) {
-  const ChartPlace<CellDual> place = chart_place(grid.chart, n);
-  if (place.edge_distance.value <= 0.0F) {
+  const ChartPosition<CellDual> position = chart_position(grid.chart, n);
+  if (position.edge_distance.value <= 0.0F) {
     return {0.0F, 0.0F, 0.0F};
   }
-  const float turns = place.gamma_turns.value;
+  const float turns = position.gamma_turns.value;
   const float half_turns = grid.mirrored != 0 && turns > 0.5F ? 1.0F - turns : turns;
-  const Leaf leaf = find_leaf(grid, half_turns, place.s.value);
-  const LeafPlace at = place_in(leaf, half_turns, place.s.value);
+  const Leaf leaf = find_leaf(grid, half_turns, position.s.value);
+  const LeafPosition at = position_in(leaf, half_turns, position.s.value);
   const float error = station.leaf_error_px[static_cast<std::size_t>(leaf.number)] / static_cast<float>(budget_px);
   Vector3<float> colour = leaf.flagged ? Vector3<float>{0.75F, 0.10F, 0.12F} : heat_color(error);
-  const float across = std::hypot(place.gamma_turns.along_x, place.gamma_turns.along_y) / leaf.width_turns;
-  const float along = std::hypot(place.s.along_x, place.s.along_y) / leaf.height;
+  const float across = std::hypot(position.gamma_turns.along_x, position.gamma_turns.along_y) / leaf.width_turns;
+  const float along = std::hypot(position.s.along_x, position.s.along_y) / leaf.height;
   const float drawn = 0.7F * std::max(line(at.u, across), line(at.v, along));
   return (1.0F - drawn) * colour + drawn * Vector3<float>{1.0F, 1.0F, 1.0F};
 }

@@ -9,7 +9,7 @@ namespace ergodome {
 namespace {
 
 bool same(const GridOrder& a, const GridOrder& b) {
-  return a.spacetime == b.spacetime && same_place(a.place, b.place) && a.settings.pixel == b.settings.pixel &&
+  return a.spacetime == b.spacetime && same_position(a.position, b.position) && a.settings.pixel == b.settings.pixel &&
          a.settings.budget_px == b.settings.budget_px;
 }
 
@@ -49,7 +49,7 @@ void GridWorker::work(const std::stop_token& stop) {
     lock.unlock();
     std::exception_ptr problem;
     try {
-      made.station = build_lens_station(made.order.spacetime, made.order.place.r, made.order.place.theta,
+      made.station = build_lens_station(made.order.spacetime, made.order.position.r, made.order.position.theta,
                                         made.order.settings, &made.statistics, &tracer);
     } catch (...) {
       problem = std::current_exception();

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "render/lens/grid/grid_builder.h"
-#include "render/lens/stations/place_turn.h"
+#include "render/lens/stations/lens_position.h"
 
 // Builds lens grids on a thread.
 
@@ -16,7 +16,7 @@ namespace ergodome {
 //! A request to build a grid.
 struct GridOrder {
   Spacetime spacetime;
-  LensPlace place{};
+  LensPosition position{};
   GridSettings settings{};
 };
 

@@ -16,15 +16,16 @@ std::vector<OpenCell> GrowingGrid::root_cells() {
   return open;
 }
 
-ChartPlaces GrowingGrid::place_corners(std::vector<OpenCell>& open, int first) {
-  ChartPlaces fresh;
+ChartPositions GrowingGrid::place_corners(std::vector<OpenCell>& open, int first) {
+  ChartPositions fresh;
   for (OpenCell& cell : open) {
     for (int corner = 0; corner < 4; ++corner) {
-      const NodePlace place = corner_place(station_, cell.box, corner);
-      const auto [found, is_new] = node_by_place_.try_emplace(place.key(), first + static_cast<int>(fresh.s.size()));
+      const NodePosition position = corner_position(station_, cell.box, corner);
+      const auto [found, is_new] =
+          node_by_position_.try_emplace(position.key(), first + static_cast<int>(fresh.s.size()));
       if (is_new) {
-        fresh.gamma_turns.push_back(gamma_turns(place.gamma));
-        fresh.s.push_back(s_of(place.s));
+        fresh.gamma_turns.push_back(gamma_turns(position.gamma));
+        fresh.s.push_back(s_of(position.s));
       }
       cell.corners[static_cast<std::size_t>(corner)] = found->second;
     }
@@ -69,14 +70,14 @@ void GrowingGrid::split(const OpenCell& cell, int axis, std::vector<OpenCell>& n
   next.push_back({box, children + 1, {}});
 }
 
-ChartPlaces GrowingGrid::node_places(std::size_t count) const {
-  ChartPlaces places{std::vector<float>(count), std::vector<float>(count)};
-  for (const auto& [key, node] : node_by_place_) {
+ChartPositions GrowingGrid::node_positions(std::size_t count) const {
+  ChartPositions positions{std::vector<float>(count), std::vector<float>(count)};
+  for (const auto& [key, node] : node_by_position_) {
     const auto at = static_cast<std::size_t>(node);
-    places.gamma_turns[at] = gamma_turns(static_cast<int>(key >> 32U));
-    places.s[at] = s_of(static_cast<int>(key & 0xFFFFFFFFU));
+    positions.gamma_turns[at] = gamma_turns(static_cast<int>(key >> 32U));
+    positions.s[at] = s_of(static_cast<int>(key & 0xFFFFFFFFU));
   }
-  return places;
+  return positions;
 }
 
 }  // namespace ergodome

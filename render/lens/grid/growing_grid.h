@@ -30,7 +30,7 @@ struct OpenCell {
 };
 
 //! Positions of nodes in a chart.
-struct ChartPlaces {
+struct ChartPositions {
   std::vector<float> gamma_turns;
   std::vector<float> s;
 };
@@ -49,7 +49,7 @@ class GrowingGrid {
 
   //! Finds or creates the corner nodes of new cells. Returns the chart positions of the created
   //! nodes, which get consecutive numbers from `first`.
-  ChartPlaces place_corners(std::vector<OpenCell>& open, int first);
+  ChartPositions place_corners(std::vector<OpenCell>& open, int first);
 
   //! Returns the cells in the form that the checks need.
   [[nodiscard]] std::vector<GridCell> checked_cells(const std::vector<OpenCell>& open) const;
@@ -61,25 +61,25 @@ class GrowingGrid {
   void split(const OpenCell& cell, int axis, std::vector<OpenCell>& next);
 
   //! Returns the positions of the first `count` nodes.
-  [[nodiscard]] ChartPlaces node_places(std::size_t count) const;
+  [[nodiscard]] ChartPositions node_positions(std::size_t count) const;
 
-  [[nodiscard]] const NodeByPlace& nodes() const { return node_by_place_; }
+  [[nodiscard]] const NodeByPosition& nodes() const { return node_by_position_; }
   //! Returns the boxes of the leaves, in the order of the leaves.
   [[nodiscard]] const std::vector<CellBox>& leaf_boxes() const { return boxes_; }
   [[nodiscard]] GridStatistics& statistics() { return statistics_; }
 
  private:
-  [[nodiscard]] float gamma_turns(int place) const {
-    return static_cast<float>(place) / static_cast<float>(columns_ * finest_a_root);
+  [[nodiscard]] float gamma_turns(int position) const {
+    return static_cast<float>(position) / static_cast<float>(columns_ * finest_a_root);
   }
-  [[nodiscard]] float s_of(int place) const {
-    return static_cast<float>(place) / static_cast<float>(rows_ * finest_a_root);
+  [[nodiscard]] float s_of(int position) const {
+    return static_cast<float>(position) / static_cast<float>(rows_ * finest_a_root);
   }
 
   LensStation& station_;
   int columns_;  //!< number of columns for the whole sky
   int rows_;
-  NodeByPlace node_by_place_;
+  NodeByPosition node_by_position_;
   std::vector<CellBox> boxes_;
   GridStatistics statistics_;
 };

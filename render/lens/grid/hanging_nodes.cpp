@@ -20,19 +20,20 @@ struct HangingNode {
 };
 
 //! Returns the number of halvings of a root cell after which a coordinate is on a cell border.
-int level(int place) {
-  const auto bits = static_cast<std::uint32_t>(place % finest_a_root);
+int level(int position) {
+  const auto bits = static_cast<std::uint32_t>(position % finest_a_root);
   return bits == 0 ? 0 : std::countr_zero(static_cast<std::uint32_t>(finest_a_root)) - std::countr_zero(bits);
 }
 
 //! Collects the nodes inside the sides of leaves.
 class Finder {
  public:
-  Finder(const LensStation& station, const NodeByPlace& nodes) : station_(station), nodes_(nodes) {}
+  Finder(const LensStation& station, const NodeByPosition& nodes) : station_(station), nodes_(nodes) {}
 
-  void look_along(const NodePlace& from, int axis, int extent) {
+  void search_along(const NodePosition& from, int axis, int extent) {
     const int last = axis == 0 ? from.gamma + extent : from.s + extent;
-    const NodePlace to = axis == 0 ? node_place(station_, last, from.s) : node_place(station_, from.gamma, last);
+    const NodePosition to =
+        axis == 0 ? node_position(station_, last, from.s) : node_position(station_, from.gamma, last);
     side_[0] = nodes_.at(from.key());
     side_[1] = nodes_.at(to.key());
     extent_ = extent;
@@ -43,14 +44,14 @@ class Finder {
   std::vector<HangingNode> found;
 
  private:
-  void halve(const NodePlace& from, int begin, int end) {
+  void halve(const NodePosition& from, int begin, int end) {
     const int middle = (begin + end) / 2;
     if (middle == begin) {
       return;
     }
-    const NodePlace place = axis_ == 0 ? node_place(station_, from.gamma + middle, from.s)
-                                       : node_place(station_, from.gamma, from.s + middle);
-    const auto at = nodes_.find(place.key());
+    const NodePosition position = axis_ == 0 ? node_position(station_, from.gamma + middle, from.s)
+                                             : node_position(station_, from.gamma, from.s + middle);
+    const auto at = nodes_.find(position.key());
     if (at == nodes_.end()) {
       return;
     }
@@ -61,13 +62,13 @@ class Finder {
                      static_cast<float>(middle) / static_cast<float>(extent_),
                      static_cast<float>(extent_) * unit,
                      axis_,
-                     level(place.gamma) + level(place.s)});
+                     level(position.gamma) + level(position.s)});
     halve(from, begin, middle);
     halve(from, middle, end);
   }
 
   const LensStation& station_;
-  const NodeByPlace& nodes_;
+  const NodeByPosition& nodes_;
   int side_[2] = {0, 0};
   int extent_ = 0;
   int axis_ = 0;
@@ -100,22 +101,22 @@ void mend(std::vector<float>& nodes, const HangingNode& hanging) {
 
 }  // namespace
 
-NodePlace node_place(const LensStation& station, int gamma, int s) {
+NodePosition node_position(const LensStation& station, int gamma, int s) {
   const int round = station.columns * finest_a_root;
   return {station.mirrored || gamma < round ? gamma : gamma - round, s};
 }
 
-NodePlace corner_place(const LensStation& station, const CellBox& box, int corner) {
-  return node_place(station, box.gamma + (corner & 1) * box.width, box.s + (corner >> 1) * box.height);
+NodePosition corner_position(const LensStation& station, const CellBox& box, int corner) {
+  return node_position(station, box.gamma + (corner & 1) * box.width, box.s + (corner >> 1) * box.height);
 }
 
-void mend_hanging_nodes(LensStation& station, const NodeByPlace& nodes, const std::vector<CellBox>& boxes) {
+void mend_hanging_nodes(LensStation& station, const NodeByPosition& nodes, const std::vector<CellBox>& boxes) {
   Finder finder(station, nodes);
   for (const CellBox& box : boxes) {
-    finder.look_along(corner_place(station, box, 0), 0, box.width);
-    finder.look_along(corner_place(station, box, 2), 0, box.width);
-    finder.look_along(corner_place(station, box, 0), 1, box.height);
-    finder.look_along(corner_place(station, box, 1), 1, box.height);
+    finder.search_along(corner_position(station, box, 0), 0, box.width);
+    finder.search_along(corner_position(station, box, 2), 0, box.width);
+    finder.search_along(corner_position(station, box, 0), 1, box.height);
+    finder.search_along(corner_position(station, box, 1), 1, box.height);
   }
   std::stable_sort(finder.found.begin(), finder.found.end(),
                    [](const HangingNode& a, const HangingNode& b) { return a.refinement < b.refinement; });

@@ -24,7 +24,7 @@ struct CellBox {
 
 //! A node's position in units of finest cells. In γ, the last position of the full circle is
 //! identical with the first.
-struct NodePlace {
+struct NodePosition {
   int gamma;
   int s;
 
@@ -33,17 +33,17 @@ struct NodePlace {
   }
 };
 
-using NodeByPlace = std::unordered_map<std::uint64_t, int>;
+using NodeByPosition = std::unordered_map<std::uint64_t, int>;
 
 //! Returns the node position at (γ, s) of a grid; γ wraps around unless the grid is mirrored.
-NodePlace node_place(const LensStation& station, int gamma, int s);
+NodePosition node_position(const LensStation& station, int gamma, int s);
 
 //! Returns the position of a cell's corner: (γ0, s0), (γ1, s0), (γ0, s1) or (γ1, s1).
-NodePlace corner_place(const LensStation& station, const CellBox& box, int corner);
+NodePosition corner_position(const LensStation& station, const CellBox& box, int corner);
 
 //! Sets nodes inside the side of a larger leaf to the values interpolated along that side, so that
 //! leaves of different size agree in value and all first derivatives. Does the same for the nodes'
 //! derivatives along r and θ. `boxes`: the boxes of the leaves.
-void mend_hanging_nodes(LensStation& station, const NodeByPlace& nodes, const std::vector<CellBox>& boxes);
+void mend_hanging_nodes(LensStation& station, const NodeByPosition& nodes, const std::vector<CellBox>& boxes);
 
 }  // namespace ergodome

@@ -63,16 +63,16 @@ class ScreenSampler {
   }
 
   //! Adds a sample in each quarter of a box, after dividing the box until no part is larger than
-  //! `most` [px²].
-  void add(const LeafBox& box, double most, int depth, ChartSamples& samples) const {
+  //! `maximum` [px²].
+  void add(const LeafBox& box, double maximum, int depth, ChartSamples& samples) const {
     for (int quarter = 0; quarter < 4; ++quarter) {
       const double width = 0.5 * box.width_turns;
       const double height = 0.5 * box.height;
       const int upper = quarter / 2;
       const int right = quarter % 2;
       const LeafBox part = {box.gamma_turns + right * width, box.s + upper * height, width, height};
-      if (depth < deepest_part && area_of(part, 2) > most) {
-        add(part, most, depth + 1, samples);
+      if (depth < deepest_part && area_of(part, 2) > maximum) {
+        add(part, maximum, depth + 1, samples);
         continue;
       }
       const SquarePoint within = spread_point(samples.s.size());
@@ -153,17 +153,17 @@ ChartSamples lattice_samples(int columns, int rows) {
 
 ScreenError bounds_of(const std::vector<double>& error_px, const std::vector<double>& area_px, double share) {
   // Minimum fraction of the sky for a screen: the samples do not resolve a smaller one.
-  constexpr double least_share = 0.1;
+  constexpr double min_share = 0.1;
   std::vector<std::size_t> order(error_px.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return error_px[a] < error_px[b]; });
-  return {quantile(error_px, area_px, order, 1.0 - 0.01 * std::max(share, least_share)),
+  return {quantile(error_px, area_px, order, 1.0 - 0.01 * std::max(share, min_share)),
           quantile(error_px, area_px, order, 0.999)};
 }
 
 ScreenError measure_screen_error(const LensBlend& lens, const LensView& view, const ChartSamples& samples) {
   const CameraStation rain =
-      make_camera_station(view.spacetime, view.place.r, view.place.theta, 0.0, ObserverMotion::rain);
+      make_camera_station(view.spacetime, view.position.r, view.position.theta, 0.0, ObserverMotion::rain);
   const std::size_t count = samples.s.size();
   std::vector<double> error_px(count);
   std::vector<double> area_px(count);

@@ -4,7 +4,7 @@
 
 #include "content/trajectory/lens_station.h"
 #include "kernels/lens/look_up.h"
-#include "render/lens/stations/place_turn.h"
+#include "render/lens/stations/lens_position.h"
 
 // Measures the error of a lens on an observer's screen.
 
@@ -13,7 +13,7 @@ namespace ergodome {
 //! The observer of a lens: position, motion and screen.
 struct LensView {
   Spacetime spacetime;
-  LensPlace place;
+  LensPosition position;
   Aberration observer;  //!< from aberration_to_rain()
   double pixel;         //!< angle of a pixel on the observer's screen [rad]
   double share = 1.0;   //!< fraction of all directions that the screen shows

@@ -10,9 +10,9 @@ namespace ergodome {
 
 namespace {
 
-//! Computes place_turn() from a station to a position, in the form that kernels need.
-void set_turn(const LensStation& station, const LensPlace& place, float (&turn)[3][3]) {
-  const glm::dmat3 whole = place_turn(station.spacetime, {station.r, station.theta}, place);
+//! Computes frame_rotation() from a station to a position, in the form that kernels need.
+void set_turn(const LensStation& station, const LensPosition& position, float (&turn)[3][3]) {
+  const glm::dmat3 whole = frame_rotation(station.spacetime, {station.r, station.theta}, position);
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
       turn[i][j] = static_cast<float>(whole[j][i]);
@@ -29,7 +29,7 @@ std::size_t bytes_for(std::size_t edge, std::size_t tree, std::size_t leaves, st
 constexpr const char* grid_buffer = "lens grid";
 constexpr const char* moved_grid_buffer = "lens grid at a position between stations";
 
-LensPlace place_of(const LensStation& station) { return {station.r, station.theta}; }
+LensPosition position_of(const LensStation& station) { return {station.r, station.theta}; }
 
 }  // namespace
 
@@ -41,8 +41,8 @@ StationBuffers::StationBuffers(Backend backend, LensStation station)
       tree_(backend, station_.tree, grid_buffer),
       leaves_(backend, station_.leaves, grid_buffer),
       nodes_(backend, station_.nodes, grid_buffer) {
-  for (std::vector<float>* told : {&station_.leaf_error_px, &station_.traced_nodes, &station_.leaf_displacements}) {
-    std::vector<float>().swap(*told);
+  for (std::vector<float>* unused : {&station_.leaf_error_px, &station_.traced_nodes, &station_.leaf_displacements}) {
+    std::vector<float>().swap(*unused);
   }
   if (!has_derivatives()) {
     std::vector<float>().swap(station_.nodes);
@@ -69,39 +69,40 @@ LensGrid StationBuffers::view() const {
 StationBlend::StationBlend(std::shared_ptr<const StationBuffers> station)
     : first_(std::move(station)), chart_(first_->view().chart) {}
 
-StationBlend::StationBlend(Backend backend, std::shared_ptr<const StationBuffers> station, const LensPlace& place)
+StationBlend::StationBlend(Backend backend, std::shared_ptr<const StationBuffers> station, const LensPosition& position)
     : first_(std::move(station)) {
   const LensStation& a = first_->station();
-  const LensPlace from = place_of(a);
-  set_chart(backend, a.spacetime, place, a.range);
+  const LensPosition from = position_of(a);
+  set_chart(backend, a.spacetime, position, a.range);
   nodes_[0] = Buffer<float>(
-      backend, moved_nodes(a, {place.r - from.r, place.theta - from.theta}, place_turn(a.spacetime, from, place)),
+      backend,
+      moved_nodes(a, {position.r - from.r, position.theta - from.theta}, frame_rotation(a.spacetime, from, position)),
       moved_grid_buffer);
 }
 
 StationBlend::StationBlend(Backend backend, std::shared_ptr<const StationBuffers> first,
-                           std::shared_ptr<const StationBuffers> second, const LensPlace& place)
+                           std::shared_ptr<const StationBuffers> second, const LensPosition& position)
     : first_(std::move(first)), second_(std::move(second)) {
   const LensStation& a = first_->station();
   const LensStation& b = second_->station();
-  const auto weight = static_cast<float>(place_weight(place_of(a), place_of(b), place));
-  set_chart(backend, a.spacetime, place, a.range + weight * (b.range - a.range));
-  set_turn(a, place, turn_[0]);
-  set_turn(b, place, turn_[1]);
+  const auto weight = static_cast<float>(position_weight(position_of(a), position_of(b), position));
+  set_chart(backend, a.spacetime, position, a.range + weight * (b.range - a.range));
+  set_turn(a, position, turn_[0]);
+  set_turn(b, position, turn_[1]);
   second_weight_ = weight;
   if (first_->has_derivatives() && second_->has_derivatives()) {
-    take_derivatives(backend, place);
+    take_derivatives(backend, position);
   }
 }
 
-void StationBlend::set_chart(Backend backend, Spacetime spacetime, const LensPlace& place, float range) {
-  const CameraStation rain = make_camera_station(spacetime, place.r, place.theta, 0.0, ObserverMotion::rain);
+void StationBlend::set_chart(Backend backend, Spacetime spacetime, const LensPosition& position, float range) {
+  const CameraStation rain = make_camera_station(spacetime, position.r, position.theta, 0.0, ObserverMotion::rain);
   edge_.emplace(backend, rain, edge_points);
   chart_ = {edge_->view(), range};
 }
 
-void StationBlend::take_derivatives(Backend backend, const LensPlace& place) {
-  const CubicMix mix = cubic_mix(place_of(first_->station()), place_of(second_->station()), place);
+void StationBlend::take_derivatives(Backend backend, const LensPosition& position) {
+  const CubicMix mix = cubic_mix(position_of(first_->station()), position_of(second_->station()), position);
   second_weight_ = static_cast<float>(mix.second_weight);
   for (int i = 0; i < 2; ++i) {
     nodes_[i] =

@@ -8,7 +8,7 @@
 #include "kernels/lens/look_up.h"
 #include "render/backend/buffer.h"
 #include "render/lens/grid/edge_table.h"
-#include "render/lens/stations/place_turn.h"
+#include "render/lens/stations/lens_position.h"
 
 namespace ergodome {
 
@@ -46,28 +46,28 @@ class StationBuffers {
 //! Charts have the shadow's edge as a coordinate line: at equal (γ, s) all stations see the same
 //! part of the sky, however often light winds around the hole, so that linear blending moves the
 //! shadow and its surroundings along with the camera. The rotation of the sky between the camera
-//! positions is removed first, see place_turn(). Stations with derivatives are blended by a cubic.
-//! To first order they also give the lens beside the line between them, for the two eyes of a head
-//! on the path.
+//! positions is removed first, see frame_rotation(). Stations with derivatives are blended by a
+//! cubic. To first order they also give the lens beside the line between them, for the two eyes of
+//! a head on the path.
 class StationBlend {
  public:
   //! Uses the lens of a station for its own position.
   explicit StationBlend(std::shared_ptr<const StationBuffers> station);
 
   //! Uses a station with derivatives for a position beside it.
-  StationBlend(Backend backend, std::shared_ptr<const StationBuffers> station, const LensPlace& place);
+  StationBlend(Backend backend, std::shared_ptr<const StationBuffers> station, const LensPosition& position);
 
   //! Blends two stations for a position between them or, if they have derivatives, also for one
   //! beside the line between them.
   StationBlend(Backend backend, std::shared_ptr<const StationBuffers> first,
-               std::shared_ptr<const StationBuffers> second, const LensPlace& place);
+               std::shared_ptr<const StationBuffers> second, const LensPosition& position);
 
   //! Returns the lens as kernels read it; it points into this object.
   [[nodiscard]] LensBlend view() const;
 
  private:
-  void set_chart(Backend backend, Spacetime spacetime, const LensPlace& place, float range);
-  void take_derivatives(Backend backend, const LensPlace& place);
+  void set_chart(Backend backend, Spacetime spacetime, const LensPosition& position, float range);
+  void take_derivatives(Backend backend, const LensPosition& position);
 
   std::shared_ptr<const StationBuffers> first_;
   std::shared_ptr<const StationBuffers> second_;

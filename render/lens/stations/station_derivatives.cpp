@@ -30,18 +30,19 @@ void set_vector(std::vector<float>& nodes, std::size_t at, const glm::dvec3& v) 
 
 //! Returns the derivative of the nodes from their values at two positions `distance` apart. It is 0
 //! for nodes that do not see the sky from all three positions: these two and the station's.
-std::vector<float> difference(const LensStation& station, const NodeTracer& trace, const LensPlace& from,
-                              const LensPlace& to, double distance) {
-  const LensPlace here = {station.r, station.theta};
-  const auto nodes_at = [&](const LensPlace& place) {
-    const CameraStation rain = make_camera_station(station.spacetime, place.r, place.theta, 0.0, ObserverMotion::rain);
+std::vector<float> difference(const LensStation& station, const NodeTracer& trace, const LensPosition& from,
+                              const LensPosition& to, double distance) {
+  const LensPosition here = {station.r, station.theta};
+  const auto nodes_at = [&](const LensPosition& position) {
+    const CameraStation rain =
+        make_camera_station(station.spacetime, position.r, position.theta, 0.0, ObserverMotion::rain);
     const EdgeTable edge(Backend::cpu, rain, edge_points);
-    return trace(place, {edge.view(), station.range});
+    return trace(position, {edge.view(), station.range});
   };
   const std::vector<float> before = nodes_at(from);
   const std::vector<float> after = nodes_at(to);
-  const glm::dmat3 turn_before = place_turn(station.spacetime, from, here);
-  const glm::dmat3 turn_after = place_turn(station.spacetime, to, here);
+  const glm::dmat3 turn_before = frame_rotation(station.spacetime, from, here);
+  const glm::dmat3 turn_after = frame_rotation(station.spacetime, to, here);
   std::vector<float> change(station.nodes.size(), 0.0F);
   for (std::size_t node = 0; node < change.size(); node += floats_a_node) {
     const std::size_t known = node + sky_known;
@@ -66,7 +67,7 @@ void add_derivatives(LensStation& station, const NodeTracer& trace) {
   station.nodes_along_theta = difference(station, trace, {station.r, north}, {station.r, south}, south - north);
 }
 
-std::vector<float> moved_nodes(const LensStation& station, const LensPlace& offset, const glm::dmat3& turn) {
+std::vector<float> moved_nodes(const LensStation& station, const LensPosition& offset, const glm::dmat3& turn) {
   std::vector<float> nodes = station.nodes;
   const glm::mat3 rotation(turn);
   const auto along_r = static_cast<float>(offset.r);

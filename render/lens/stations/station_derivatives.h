@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "content/trajectory/lens_station.h"
-#include "render/lens/stations/place_turn.h"
+#include "render/lens/stations/lens_position.h"
 
 // Derivatives of baked stations along r and θ.
 
@@ -13,17 +13,17 @@ namespace ergodome {
 
 //! Function that traces the station's nodes, at their (γ, s), for a camera at another position with
 //! its own chart.
-using NodeTracer = std::function<std::vector<float>(const LensPlace& place, const LensChart& chart)>;
+using NodeTracer = std::function<std::vector<float>(const LensPosition& position, const LensChart& chart)>;
 
 //! Fills nodes_along_r and nodes_along_theta.
 //!
 //! Takes central differences over 0.01 rad in θ and over 1 % of radial_measure() in r, with the
-//! rotation of place_turn removed. Their error is far below that of a linear step of the same
+//! rotation of frame_rotation removed. Their error is far below that of a linear step of the same
 //! length.
 void add_derivatives(LensStation& station, const NodeTracer& trace);
 
 //! Returns the nodes for a camera at `offset` from a station with derivatives, extrapolated to
 //! first order and rotated by `turn`.
-std::vector<float> moved_nodes(const LensStation& station, const LensPlace& offset, const glm::dmat3& turn);
+std::vector<float> moved_nodes(const LensStation& station, const LensPosition& offset, const glm::dmat3& turn);
 
 }  // namespace ergodome

@@ -16,7 +16,7 @@ constexpr std::size_t ahead_of_one_behind = 4;
 //! Time before their use at which stations are read, at the current speed of the play head.
 constexpr double look_ahead_s = 5.0;
 //! Number of stations around the play head that are always read, however far apart they are.
-constexpr std::size_t least_around = 6;
+constexpr std::size_t min_around = 6;
 //! Maximum speed of the play head [show seconds per second]; a faster change is treated as a jump.
 constexpr double fastest = 64.0;
 
@@ -60,15 +60,15 @@ std::optional<StationStream::Bracket> StationStream::around(double time_s) const
   const auto after = static_cast<std::size_t>(later - all.begin());
   std::size_t first = after > 0 ? after - 1 : 0;
   std::size_t second = std::min(after, all.size() - 1);
-  const auto at_one_place = [&](std::size_t a, std::size_t b) {
+  const auto at_one_position = [&](std::size_t a, std::size_t b) {
     return all[a].r == all[b].r && all[a].theta == all[b].theta;
   };
   // Uses one station where the camera stands still, and at the exact time of a station.
-  const bool first_serves = all[first].time_s == time_s || at_one_place(first, second);
+  const bool first_serves = all[first].time_s == time_s || at_one_position(first, second);
   if (first_serves && bad_.contains(second) && !bad_.contains(first)) {
     return Bracket{first, first, false};
   }
-  if (at_one_place(first, second) && bad_.contains(first) && !bad_.contains(second)) {
+  if (at_one_position(first, second) && bad_.contains(first) && !bad_.contains(second)) {
     return Bracket{second, second, false};
   }
   const bool skips = bad_.contains(first) || bad_.contains(second);
@@ -83,7 +83,7 @@ std::optional<StationStream::Bracket> StationStream::around(double time_s) const
   if (bad_.contains(first)) {
     return std::nullopt;
   }
-  return Bracket{first, at_one_place(first, second) ? first : second, skips};
+  return Bracket{first, at_one_position(first, second) ? first : second, skips};
 }
 
 void StationStream::move_head(double time_s) {
@@ -134,7 +134,7 @@ std::vector<std::size_t> StationStream::wanted() const {
     const bool opposite = i % ahead_of_one_behind == 0;
     const std::size_t next = step(opposite ? behind : ahead, opposite != (speed_ < 0.0));
     const bool far = std::abs(all[next].time_s - head_s_) > reach_s;
-    if ((far && i > least_around) || !add(next, false)) {
+    if ((far && i > min_around) || !add(next, false)) {
       break;
     }
   }
@@ -202,7 +202,7 @@ void StationStream::read(std::size_t station, std::unique_lock<std::mutex>& lock
   lock.lock();
   if (fresh.lens) {
     statistics_.bytes_held += fresh.bytes;
-    statistics_.most_bytes_held = std::max(statistics_.most_bytes_held, statistics_.bytes_held);
+    statistics_.max_bytes_held = std::max(statistics_.max_bytes_held, statistics_.bytes_held);
     ++statistics_.read;
     statistics_.lost_disks += fresh.lost_disk ? 1 : 0;
     held_[station] = std::move(fresh);
@@ -254,14 +254,14 @@ std::optional<StationPair> StationStream::at(double time_s, double patience_s) {
   wake_.notify_all();
   std::optional<StationPair> pair;
   // Returns true if the stations are available or waiting for them is useless.
-  const auto look = [&] {
+  const auto arrived = [&] {
     const auto bracket = around(time_s);
     pair = bracket ? held_pair(*bracket) : std::nullopt;
     return pair.has_value() || !bracket;
   };
-  if (!look()) {
+  if (!arrived()) {
     ++statistics_.waits;
-    arrived_.wait_for(lock, std::chrono::duration<double>(std::min(patience_s, 1e6)), look);
+    arrived_.wait_for(lock, std::chrono::duration<double>(std::min(patience_s, 1e6)), arrived);
   }
   statistics_.missed += pair ? 0 : 1;
   return pair;

@@ -45,7 +45,7 @@ struct StreamStatistics {
   long bad = 0;         //!< stations that could not be read
   long lost_disks = 0;  //!< disk layers that could not be read although their stations could
   std::size_t bytes_held = 0;
-  std::size_t most_bytes_held = 0;
+  std::size_t max_bytes_held = 0;
 };
 
 //! Keeps the stations around a show's play head in memory. A thread reads ahead, mostly in the

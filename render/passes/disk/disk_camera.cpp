@@ -36,9 +36,9 @@ DiskSpanOnScreen disk_span_on_screen(const DiskGridSettings& settings, double r)
           static_cast<float>(0.1 * (inner_u - outer_u) / pixels), static_cast<float>(0.2 / pixels)};
 }
 
-DiskChartCamera::DiskChartCamera(Spacetime spacetime, const LensPlace& place, const DiskGridSettings& settings)
-    : rain(make_camera_station(spacetime, place.r, place.theta, 0.0, ObserverMotion::rain)),
-      mirrored(std::abs(place.theta - 0.5 * pi) < 1e-9) {
+DiskChartCamera::DiskChartCamera(Spacetime spacetime, const LensPosition& position, const DiskGridSettings& settings)
+    : rain(make_camera_station(spacetime, position.r, position.theta, 0.0, ObserverMotion::rain)),
+      mirrored(std::abs(position.theta - 0.5 * pi) < 1e-9) {
   const ShadowChart chart = make_shadow_chart(rain);
   polar_angle = solve_edge(rain, chart, edge_points, mirrored);
   edge = edge_view(chart, polar_angle);

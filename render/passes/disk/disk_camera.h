@@ -6,7 +6,7 @@
 #include "kernels/spacetime/kerr/camera_station.h"
 #include "kernels/spacetime/kerr/frame_boost.h"
 #include "kernels/spacetime/shadow/edge_curve.h"
-#include "render/lens/stations/place_turn.h"
+#include "render/lens/stations/lens_position.h"
 
 namespace ergodome {
 
@@ -21,9 +21,9 @@ struct DiskGridSettings {
   Aberration observer{};    //!< observer whose screen is meant, from aberration_to_rain()
   //! Cells with a smaller area are not split: tracing their pixels costs less than tracing more
   //! nodes.
-  double least_area_px = 3.0;
+  double min_area_px = 3.0;
   //! Maximum number of nodes; when it is reached, cells that are still inaccurate are left to rays.
-  int most_nodes = 1 << 16;
+  int max_nodes = 1 << 16;
   //! True: the grid also stores the derivatives of nodes along r and θ.
   bool derivatives = false;
   //! True: the grid also stores 1 / affine distance, for the stereo model `flat`.
@@ -33,7 +33,7 @@ struct DiskGridSettings {
 //! Camera of a disk grid at Boyer-Lindquist (r, θ) [M, rad], with its chart. `camera` points into
 //! this object.
 struct DiskChartCamera {
-  DiskChartCamera(Spacetime spacetime, const LensPlace& place, const DiskGridSettings& settings);
+  DiskChartCamera(Spacetime spacetime, const LensPosition& position, const DiskGridSettings& settings);
   DiskChartCamera(const DiskChartCamera&) = delete;
   DiskChartCamera& operator=(const DiskChartCamera&) = delete;
 

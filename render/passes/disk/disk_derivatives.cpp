@@ -5,7 +5,7 @@
 
 #include "kernels/core/angles.h"
 #include "kernels/spacetime/kerr/kerr.h"
-#include "render/lens/stations/place_turn.h"
+#include "render/lens/stations/lens_position.h"
 #include "render/passes/disk/disk_grid_tracer.h"
 
 namespace ergodome {
@@ -18,30 +18,30 @@ constexpr double longest_disk_step = 0.01;
 constexpr double shortest_disk_step = 1e-4;
 
 //! Positions of a grid's nodes in its chart.
-struct DiskNodePlaces {
+struct DiskNodePositions {
   std::vector<float> gamma_turns;
   std::vector<float> s;
 };
 
-DiskNodePlaces node_places(const DiskStation& station) {
-  DiskNodePlaces places = {std::vector<float>(station.node_count()), std::vector<float>(station.node_count())};
+DiskNodePositions node_positions(const DiskStation& station) {
+  DiskNodePositions positions = {std::vector<float>(station.node_count()), std::vector<float>(station.node_count())};
   const std::vector<LeafBox> boxes = leaf_boxes(station.cells);
   for (std::size_t i = 0; i < station.cells.leaves.size(); ++i) {
     const LeafBox& box = boxes[i / 4];
     const auto node = static_cast<std::size_t>(station.cells.leaves[i]);
-    places.gamma_turns[node] = static_cast<float>(box.gamma_turns + (i % 2 == 1 ? box.width_turns : 0.0));
-    places.s[node] = static_cast<float>(box.s + (i % 4 >= 2 ? box.height : 0.0));
+    positions.gamma_turns[node] = static_cast<float>(box.gamma_turns + (i % 2 == 1 ? box.width_turns : 0.0));
+    positions.s[node] = static_cast<float>(box.s + (i % 4 >= 2 ? box.height : 0.0));
   }
-  return places;
+  return positions;
 }
 
 //! Computes the difference quotients of nodes between two camera positions, set by set.
 class DiskDifference {
  public:
   DiskDifference(const DiskStation& station, const DiskGridSettings& settings)
-      : station_(station), settings_(settings), places_(node_places(station)) {}
+      : station_(station), settings_(settings), positions_(node_positions(station)) {}
 
-  void take(const LensPlace& from, const LensPlace& to, double distance, DiskStation::NodeSets& change) {
+  void take(const LensPosition& from, const LensPosition& to, double distance, DiskStation::NodeSets& change) {
     DiskStation::NodeSets before;
     trace(from, before);
     trace(to, change);
@@ -53,10 +53,10 @@ class DiskDifference {
   }
 
  private:
-  void trace(const LensPlace& place, DiskStation::NodeSets& nodes) {
-    const DiskChartCamera at(station_.cells.spacetime, place, settings_);
+  void trace(const LensPosition& position, DiskStation::NodeSets& nodes) {
+    const DiskChartCamera at(station_.cells.spacetime, position, settings_);
     tracer_.begin(at.camera, {}, settings_.pixel, {});
-    tracer_.add_nodes(places_.gamma_turns, places_.s);
+    tracer_.add_nodes(positions_.gamma_turns, positions_.s);
     for (int set = 0; set < station_.sets(); ++set) {
       nodes[set] = tracer_.nodes(set);
     }
@@ -64,7 +64,7 @@ class DiskDifference {
 
   const DiskStation& station_;
   const DiskGridSettings& settings_;
-  DiskNodePlaces places_;
+  DiskNodePositions positions_;
   DiskGridTracer tracer_;
 };
 
@@ -87,7 +87,7 @@ void add_disk_derivatives(DiskStation& station, const DiskGridSettings& settings
   difference.take({cells.r, north}, {cells.r, south}, south - north, station.nodes_along_theta);
 }
 
-void add_moved_nodes(const DiskStation& station, const LensPlace& offset, int set, float part,
+void add_moved_nodes(const DiskStation& station, const LensPosition& offset, int set, float part,
                      std::vector<float>& sum) {
   const float* const nodes = station.nodes[set].data();
   if (!station.has_derivatives()) {

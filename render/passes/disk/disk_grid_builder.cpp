@@ -68,7 +68,7 @@ class DiskGridBuilder {
 
  private:
   void check(std::vector<OpenCell>& open) {
-    const ChartPlaces fresh = grid_.place_corners(open, tracer_.node_count());
+    const ChartPositions fresh = grid_.place_corners(open, tracer_.node_count());
     for (std::size_t i = 0; i < fresh.s.size(); ++i) {
       phases_.push_back(phase_.at(fresh.gamma_turns[i], fresh.s[i]));
     }
@@ -158,7 +158,7 @@ class DiskGridBuilder {
   //! Makes leaves of cells that are accurate enough or cannot be improved, and splits the others.
   std::vector<OpenCell> decide(const std::vector<OpenCell>& open) {
     const auto limit = static_cast<float>(disk_safety * settings_.budget_px);
-    const bool full = tracer_.node_count() >= settings_.most_nodes;
+    const bool full = tracer_.node_count() >= settings_.max_nodes;
     std::vector<OpenCell> next;
     for (std::size_t i = 0; i < open.size(); ++i) {
       const DiskVerdict verdict = judge(open[i], i);
@@ -166,7 +166,7 @@ class DiskGridBuilder {
       const bool may_split_gamma = box.width > finest_a_root >> deepest_disk_side;
       const bool may_split_s = box.height > finest_a_root >> deepest_disk_side;
       const bool bad = verdict.steep || verdict.unseen || (verdict.orders != 0 && verdict.error_px > limit);
-      if (!bad || full || verdict.area_px < settings_.least_area_px || !(may_split_gamma || may_split_s)) {
+      if (!bad || full || verdict.area_px < settings_.min_area_px || !(may_split_gamma || may_split_s)) {
         make_leaf(open[i], verdict, bad);
       } else {
         grid_.split(open[i], may_split_gamma && (verdict.across_gamma >= verdict.across_s || !may_split_s) ? 0 : 1,

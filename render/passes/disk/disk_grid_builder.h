@@ -14,7 +14,7 @@ namespace ergodome {
 //! midpoints of its sides. Splits it if the interpolated nodes differ by more than 0.8 of the
 //! budget, along the axis with the larger error. Also splits cells whose rays start both far above
 //! and far below the plane: a camera near the plane sees the disk as a line. Cells that are still
-//! inaccurate at the maximum depth or at `least_area_px` are flagged, so that their pixels are
+//! inaccurate at the maximum depth or at `min_area_px` are flagged, so that their pixels are
 //! traced. For a camera on the equator, only half of the grid is built; it is mirrored when it is
 //! read. Rays are single precision, like those of pixels.
 DiskStation build_disk_station(Spacetime spacetime, double r, double theta, const DiskGridSettings& settings,

@@ -4,15 +4,15 @@
 
 namespace ergodome {
 
-ScreenError measure_disk_error(const DiskGrid& grid, Spacetime spacetime, const LensPlace& place,
+ScreenError measure_disk_error(const DiskGrid& grid, Spacetime spacetime, const LensPosition& position,
                                const DiskGridSettings& settings, const ChartSamples& samples) {
-  const DiskChartCamera at(spacetime, place, settings);
+  const DiskChartCamera at(spacetime, position, settings);
   const std::vector<float> gamma_turns(samples.gamma_turns.begin(), samples.gamma_turns.end());
   const std::vector<float> s(samples.s.begin(), samples.s.end());
   std::vector<float> found_px(s.size());
   std::vector<float> density_px(s.size());
   launch(DiskGridCheckBatch{at.camera, grid, converted_aberration<float>(settings.observer),
-                            static_cast<float>(settings.pixel), disk_span_on_screen(settings, place.r),
+                            static_cast<float>(settings.pixel), disk_span_on_screen(settings, position.r),
                             static_cast<int>(s.size()), gamma_turns.data(), s.data(), found_px.data(),
                             density_px.data()});
   const std::vector<double> error_px(found_px.begin(), found_px.end());

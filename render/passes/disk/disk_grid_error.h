@@ -9,7 +9,7 @@ namespace ergodome {
 //! comparison with traced rays at sample points in the disk chart. Returns bounds for quantiles
 //! over the solid angle in which the disk is seen [px]. `settings` describe the screen and the
 //! disk.
-ScreenError measure_disk_error(const DiskGrid& grid, Spacetime spacetime, const LensPlace& place,
+ScreenError measure_disk_error(const DiskGrid& grid, Spacetime spacetime, const LensPosition& position,
                                const DiskGridSettings& settings, const ChartSamples& samples);
 
 }  // namespace ergodome

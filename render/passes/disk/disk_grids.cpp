@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "kernels/spacetime/kerr/kerr.h"
-#include "render/lens/stations/place_turn.h"
+#include "render/lens/stations/lens_position.h"
 
 namespace ergodome {
 
@@ -44,17 +44,17 @@ DiskGrid DiskGridBuffers::view() const {
   return grid;
 }
 
-bool can_have_disk_grid(const DiskLook& disk) {
+bool can_have_disk_grid(const DiskAppearance& disk) {
   return disk.outer_r > disk.inner_r && disk.inner_r >= 0.999999F * disk.flow.stable_r;
 }
 
-bool serves_disk(double inner_r, double outer_r, bool pattern, const DiskLook& disk) {
+bool serves_disk(double inner_r, double outer_r, bool pattern, const DiskAppearance& disk) {
   const auto wanted_r = static_cast<double>(disk.outer_r);
   return inner_r == static_cast<double>(disk.inner_r) && outer_r >= wanted_r && outer_r <= 1.5 * wanted_r &&
          pattern == has_pattern(disk);
 }
 
-DiskGridSettings disk_grid_settings(const EyeCamera& eye, const DiskLook& disk, double pixel) {
+DiskGridSettings disk_grid_settings(const EyeCamera& eye, const DiskAppearance& disk, double pixel) {
   DiskGridSettings settings;
   settings.inner_r = static_cast<double>(disk.inner_r);
   settings.outer_r = static_cast<double>(disk.outer_r);
@@ -69,7 +69,7 @@ bool DiskGrids::serves(const Grid& grid, const DiskGridRequest& request) {
   // A grid is correct for any velocity, but its cells are refined for the observer for which it was
   // built, so the velocity may differ only slightly.
   const Vector3<double> turn = grid.velocity - eye.velocity;
-  return grid.spacetime == eye.spacetime && same_place({grid.r, grid.theta}, {eye.r, eye.theta}) &&
+  return grid.spacetime == eye.spacetime && same_position({grid.r, grid.theta}, {eye.r, eye.theta}) &&
          serves_disk(grid.inner_r, grid.outer_r, grid.pattern, request.disk) &&
          grid.error <= 1.01 * error_of(request) && grid.error >= 0.5 * error_of(request) && grid.motion == eye.motion &&
          grid.nearness == request.nearness && dot(turn, turn) < 1e-4;

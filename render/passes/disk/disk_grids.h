@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "content/show/show.h"
-#include "kernels/disk/disk_look.h"
+#include "kernels/disk/disk_appearance.h"
 #include "render/backend/buffer.h"
 #include "render/eyes/eye_camera.h"
 #include "render/lens/lens_source.h"
@@ -33,7 +33,7 @@ class DiskGridBuffers {
 //! What a picture requires of its disk grid.
 struct DiskGridRequest {
   const EyeCamera& eye;
-  const DiskLook& disk;
+  const DiskAppearance& disk;
   double pixel;           //!< angle of a pixel on the screen [rad]
   double budget_px;       //!< maximum displacement on the screen [px]
   double pixels;          //!< number of pixels of the picture
@@ -79,12 +79,12 @@ class DiskGrids {
 
 //! Minimum number of pixels for which building a disk grid pays off, with or without a pattern;
 //! compare disk_picture/rays and disk_picture/live_grid in tests/bench.
-inline constexpr double least_disk_grid_pixels = 130'000.0;
+inline constexpr double min_disk_grid_pixels = 130'000.0;
 
 //! Returns whether building a disk grid for a picture is cheaper than tracing its pixels. On a GPU,
 //! tracing is cheap.
 inline bool is_worth_a_disk_grid(Backend backend, double pixels) {
-  return backend == Backend::cpu && pixels >= least_disk_grid_pixels;
+  return backend == Backend::cpu && pixels >= min_disk_grid_pixels;
 }
 
 //! Returns whether a show's disk may be read from a grid, if that is cheaper; for shows without
@@ -96,14 +96,14 @@ inline bool may_read_disk_grid(Backend backend, LensChoice lens, GridScheme sche
 
 //! Returns whether a disk can be read from grids at all. The light of matter inside the innermost
 //! stable orbit depends on the direction of emission, which grids do not store.
-bool can_have_disk_grid(const DiskLook& disk);
+bool can_have_disk_grid(const DiskAppearance& disk);
 
 //! Returns whether a grid can be used for a disk as it is currently shown. The grid was built for a
 //! disk with these edges [M], with azimuth and time if `pattern`.
-bool serves_disk(double inner_r, double outer_r, bool pattern, const DiskLook& disk);
+bool serves_disk(double inner_r, double outer_r, bool pattern, const DiskAppearance& disk);
 
 //! Returns the settings of a grid for an eye's picture of a disk. The error budgets keep their
 //! defaults.
-DiskGridSettings disk_grid_settings(const EyeCamera& eye, const DiskLook& disk, double pixel);
+DiskGridSettings disk_grid_settings(const EyeCamera& eye, const DiskAppearance& disk, double pixel);
 
 }  // namespace ergodome

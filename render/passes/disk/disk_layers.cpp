@@ -11,37 +11,37 @@ namespace {
 
 constexpr const char* moved_disk_buffer = "disk grid at a position between stations";
 
-LensPlace disk_place_of(const DiskStation& station) { return {station.cells.r, station.cells.theta}; }
+LensPosition disk_position_of(const DiskStation& station) { return {station.cells.r, station.cells.theta}; }
 
 //! Returns how two stations are blended at a position: by a cubic if they have derivatives,
 //! otherwise linearly.
-CubicMix mix_of(const JoinedDisk& stations, const LensPlace& place) {
-  const LensPlace first = disk_place_of(stations.first);
-  const LensPlace second = disk_place_of(stations.second);
-  return stations.first.has_derivatives() ? cubic_mix(first, second, place)
-                                          : CubicMix{{}, place_weight(first, second, place)};
+CubicMix mix_of(const JoinedDisk& stations, const LensPosition& position) {
+  const LensPosition first = disk_position_of(stations.first);
+  const LensPosition second = disk_position_of(stations.second);
+  return stations.first.has_derivatives() ? cubic_mix(first, second, position)
+                                          : CubicMix{{}, position_weight(first, second, position)};
 }
 
 }  // namespace
 
-DiskLayers::DiskLayers(std::shared_ptr<const DiskStation> station, const LensPlace& place)
+DiskLayers::DiskLayers(std::shared_ptr<const DiskStation> station, const LensPosition& position)
     : cells_(std::move(station)) {
-  const LensPlace from = disk_place_of(*cells_);
-  if (same_place(from, place)) {
+  const LensPosition from = disk_position_of(*cells_);
+  if (same_position(from, position)) {
     return;
   }
-  set_edge(place);
+  set_edge(position);
   for (int set = 0; set < cells_->sets(); ++set) {
     std::vector<float> nodes(cells_->nodes[set].size());
-    add_moved_nodes(*cells_, {place.r - from.r, place.theta - from.theta}, set, 1.0F, nodes);
+    add_moved_nodes(*cells_, {position.r - from.r, position.theta - from.theta}, set, 1.0F, nodes);
     keep(set, nodes);
   }
 }
 
-DiskLayers::DiskLayers(std::shared_ptr<const JoinedDisk> stations, const LensPlace& place)
+DiskLayers::DiskLayers(std::shared_ptr<const JoinedDisk> stations, const LensPosition& position)
     : cells_(stations, &stations->first) {
-  set_edge(place);
-  const CubicMix mix = mix_of(*stations, place);
+  set_edge(position);
+  const CubicMix mix = mix_of(*stations, position);
   const auto weight = static_cast<float>(mix.second_weight);
   for (int set = 0; set < cells_->sets(); ++set) {
     std::vector<float> nodes(cells_->nodes[set].size());
@@ -51,9 +51,9 @@ DiskLayers::DiskLayers(std::shared_ptr<const JoinedDisk> stations, const LensPla
   }
 }
 
-void DiskLayers::set_edge(const LensPlace& place) {
+void DiskLayers::set_edge(const LensPosition& position) {
   edge_.emplace(Backend::cpu,
-                make_camera_station(cells_->cells.spacetime, place.r, place.theta, 0.0, ObserverMotion::rain),
+                make_camera_station(cells_->cells.spacetime, position.r, position.theta, 0.0, ObserverMotion::rain),
                 edge_points);
 }
 

@@ -6,7 +6,7 @@
 #include "content/trajectory/disk_station.h"
 #include "render/backend/buffer.h"
 #include "render/lens/grid/edge_table.h"
-#include "render/lens/stations/place_turn.h"
+#include "render/lens/stations/lens_position.h"
 #include "render/passes/disk/joined_disk.h"
 
 namespace ergodome {
@@ -17,17 +17,17 @@ namespace ergodome {
 class DiskLayers {
  public:
   //! Uses a single station; if that has derivatives, the position may be beside it.
-  DiskLayers(std::shared_ptr<const DiskStation> station, const LensPlace& place);
+  DiskLayers(std::shared_ptr<const DiskStation> station, const LensPosition& position);
 
   //! Blends two stations; if they have derivatives, the position may be beside the line between
   //! them.
-  DiskLayers(std::shared_ptr<const JoinedDisk> stations, const LensPlace& place);
+  DiskLayers(std::shared_ptr<const JoinedDisk> stations, const LensPosition& position);
 
   //! Returns the grid for kernels; it points into this object.
   [[nodiscard]] DiskGrid view() const;
 
  private:
-  void set_edge(const LensPlace& place);
+  void set_edge(const LensPosition& position);
   void keep(int set, const std::vector<float>& nodes);
 
   //! Station that provides the cells, and also the nodes if `nodes_` is empty.

@@ -17,7 +17,7 @@ constexpr double farthest_peak = 4.0;
 
 //! Returns the largest flux of a disk around a hole of this spin, by golden-section search; the
 //! flux has one peak.
-double greatest_flux(Spacetime spacetime) {
+double max_flux(Spacetime spacetime) {
   constexpr double golden = 0.61803398874989484820;
   double low = innermost_stable_radius(spacetime, 1.0);
   double high = farthest_peak * low;
@@ -30,11 +30,11 @@ double greatest_flux(Spacetime spacetime) {
   return page_thorne_flux(spacetime, 0.5 * (low + high));
 }
 
-double temperature(const DiskSettings& disk, Spacetime spacetime, double r, double greatest) {
+double temperature(const DiskSettings& disk, Spacetime spacetime, double r, double maximum) {
   if (disk.profile == DiskProfile::uniform) {
     return disk.temperature_k;
   }
-  return disk.temperature_k * std::sqrt(std::sqrt(page_thorne_flux(spacetime, r) / greatest));
+  return disk.temperature_k * std::sqrt(std::sqrt(page_thorne_flux(spacetime, r) / maximum));
 }
 
 //! Lifetime of a cloud in orbital periods at twice the radius of the inner edge.
@@ -48,7 +48,7 @@ double inner_edge(const DiskSettings& disk, Spacetime spacetime) {
 }
 
 double disk_temperature(const DiskSettings& disk, Spacetime spacetime, double r) {
-  return temperature(disk, spacetime, r, greatest_flux(spacetime));
+  return temperature(disk, spacetime, r, max_flux(spacetime));
 }
 
 PatternTime pattern_time(const DiskSettings& disk, Spacetime spacetime, double hole_time) {
@@ -67,7 +67,7 @@ DiskPass::DiskPass(const Show& show, Backend backend)
 }
 
 void DiskPass::set_numbers(const Show& show) {
-  look_.shifted = show.effects.redshift;
+  appearance_.shifted = show.effects.redshift;
   const Spacetime spacetime = spacetime_of(show);
   const std::shared_ptr<const FreeFall> orbit = show.disk->pattern == DiskPattern::none ? nullptr : show.camera.orbit;
   if (!disk_ || disk_->speed != show.disk->speed || spacetime_ != spacetime || orbit_ != orbit) {
@@ -79,15 +79,15 @@ void DiskPass::set_numbers(const Show& show) {
   }
   disk_ = show.disk;
   spacetime_ = spacetime;
-  look_.flow = converted_flow<float>(make_disk_flow(spacetime_));
-  look_.inner_r = static_cast<float>(inner_edge(*disk_, spacetime_));
-  look_.outer_r = static_cast<float>(disk_->outer);
-  look_.colours = colours_.view();
-  look_.log_unit = static_cast<float>(std::log(blackbody_tristimulus(disk_->temperature_k).y));
-  look_.exposure = static_cast<float>(disk_->exposure);
-  look_.opacity = static_cast<float>(disk_->opacity);
-  look_.limb_darkened = disk_->limb_darkening;
-  look_.contrast = disk_->pattern == DiskPattern::none ? 0.0F : static_cast<float>(disk_->contrast);
+  appearance_.flow = converted_flow<float>(make_disk_flow(spacetime_));
+  appearance_.inner_r = static_cast<float>(inner_edge(*disk_, spacetime_));
+  appearance_.outer_r = static_cast<float>(disk_->outer);
+  appearance_.colours = colours_.view();
+  appearance_.log_unit = static_cast<float>(std::log(blackbody_tristimulus(disk_->temperature_k).y));
+  appearance_.exposure = static_cast<float>(disk_->exposure);
+  appearance_.opacity = static_cast<float>(disk_->opacity);
+  appearance_.limb_darkened = disk_->limb_darkening;
+  appearance_.contrast = disk_->pattern == DiskPattern::none ? 0.0F : static_cast<float>(disk_->contrast);
   make_profile();
 }
 
@@ -95,21 +95,21 @@ void DiskPass::make_profile() {
   const double first_r = innermost_stable_radius(spacetime_, 1.0);
   const double last = std::sqrt(std::max(1.0 - first_r / disk_->outer, 1e-6));
   const double step = last / (profile_count - 1);
-  const double greatest = greatest_flux(spacetime_);
+  const double maximum = max_flux(spacetime_);
   std::vector<float> entries(profile_count);
   for (int i = 0; i < profile_count; ++i) {
     const double way = step * i;
     entries[static_cast<std::size_t>(i)] =
-        static_cast<float>(temperature(*disk_, spacetime_, first_r / (1.0 - way * way), greatest));
+        static_cast<float>(temperature(*disk_, spacetime_, first_r / (1.0 - way * way), maximum));
   }
   profile_.write(entries.data(), entries.size());
-  look_.profile = {profile_.data(), profile_count, static_cast<float>(first_r), static_cast<float>(step)};
+  appearance_.profile = {profile_.data(), profile_count, static_cast<float>(first_r), static_cast<float>(step)};
 }
 
-bool DiskPass::is_visible() const { return look_.outer_r > look_.inner_r && look_.opacity > 0.0F; }
+bool DiskPass::is_visible() const { return appearance_.outer_r > appearance_.inner_r && appearance_.opacity > 0.0F; }
 
-DiskLook DiskPass::look_at(double time_s, double clock_lead) const {
-  DiskLook look = look_;
+DiskAppearance DiskPass::look_at(double time_s, double clock_lead) const {
+  DiskAppearance look = appearance_;
   look.pattern = pattern_time(*disk_, spacetime_, clock_.time(time_s) + clock_lead);
   return look;
 }

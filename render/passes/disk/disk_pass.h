@@ -5,7 +5,7 @@
 
 #include "content/camera/hole_clock.h"
 #include "content/show/show.h"
-#include "kernels/disk/disk_look.h"
+#include "kernels/disk/disk_appearance.h"
 #include "render/backend/buffer.h"
 #include "render/passes/stars/drawing/blackbody_colours.h"
 
@@ -25,7 +25,7 @@ class DiskPass {
   [[nodiscard]] bool is_visible() const;
 
   //! Returns the disk for kernels at a show time; `clock_lead` [M] is that of CameraPose.
-  [[nodiscard]] DiskLook look_at(double time_s, double clock_lead = 0.0) const;
+  [[nodiscard]] DiskAppearance look_at(double time_s, double clock_lead = 0.0) const;
 
   //! Number of entries in the temperature table.
   static constexpr int profile_count = 1024;
@@ -40,7 +40,7 @@ class DiskPass {
   std::shared_ptr<const FreeFall> orbit_;  //!< orbit of the fall for which `clock_` was created
   BlackbodyColours colours_;
   Buffer<float> profile_;
-  DiskLook look_{};
+  DiskAppearance appearance_{};
 };
 
 //! Returns the inner edge of a disk [M]: the configured one, but at least the smallest radius at

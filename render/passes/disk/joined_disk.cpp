@@ -18,7 +18,7 @@ struct TreeCursor {
 
   //! Descends in the tree as long as `cell` is inside one child. Returns the axis along which the
   //! tree then splits `cell`, or -1 if `cell` is inside a leaf.
-  int go_to(const CellBox& cell, const std::vector<int>& tree) {
+  int descend_to(const CellBox& cell, const std::vector<int>& tree) {
     for (int entry = tree[static_cast<std::size_t>(slot)]; entry >= 0; entry = tree[static_cast<std::size_t>(slot)]) {
       const int axis = entry & 1;
       int& begin = axis == 0 ? box.gamma : box.s;
@@ -102,7 +102,7 @@ class PatchNode {
 
 //! Maximum number of tree entries. Bakes have a few thousand cells; more come only from untrusted
 //! files.
-constexpr std::size_t most_joined_entries = std::size_t{1} << 19U;
+constexpr std::size_t max_joined_entries = std::size_t{1} << 19U;
 
 //! Builds the joined layers of two stations.
 class Joiner {
@@ -124,14 +124,14 @@ class Joiner {
     while (!open.empty()) {
       Open cell = open.back();
       open.pop_back();
-      int axis = cell.at[0].go_to(cell.box, stations_[0]->cells.tree);
-      axis = axis >= 0 ? axis : cell.at[1].go_to(cell.box, stations_[1]->cells.tree);
+      int axis = cell.at[0].descend_to(cell.box, stations_[0]->cells.tree);
+      axis = axis >= 0 ? axis : cell.at[1].descend_to(cell.box, stations_[1]->cells.tree);
       if (axis >= 0) {
         split(cell, axis, open);
       } else {
         make_leaf(cell);
       }
-      if (cells.tree.size() > most_joined_entries) {
+      if (cells.tree.size() > max_joined_entries) {
         return std::nullopt;
       }
     }
@@ -186,8 +186,9 @@ class Joiner {
       flagged = flagged || within[i].flagged;
     }
     for (int corner = 0; corner < 4; ++corner) {
-      const NodePlace place = corner_place(cells, cell.box, corner);
-      const auto [found, fresh] = node_by_place_.try_emplace(place.key(), static_cast<int>(node_by_place_.size()));
+      const NodePosition position = corner_position(cells, cell.box, corner);
+      const auto [found, fresh] =
+          node_by_position_.try_emplace(position.key(), static_cast<int>(node_by_position_.size()));
       if (fresh) {
         add_node();
       }
@@ -256,7 +257,7 @@ class Joiner {
 
   std::array<const DiskStation*, 2> stations_;
   JoinedDisk joined_;
-  NodeByPlace node_by_place_;
+  NodeByPosition node_by_position_;
   //! For each node, the area of the leaf in which it was interpolated; 0 if it is a node of the
   //! station.
   std::array<std::vector<long>, 2> sources_;

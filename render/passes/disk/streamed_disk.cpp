@@ -11,7 +11,7 @@ namespace {
 
 //! Returns whether the disk layers of two stations can be used for a disk: they have its edges and
 //! pattern, and blending them is accurate enough.
-bool serve(const StationPair& pair, double budget_px, const DiskLook& disk) {
+bool serve(const StationPair& pair, double budget_px, const DiskAppearance& disk) {
   const auto serves = [&](const std::shared_ptr<const DiskStation>& station) {
     return station && serves_disk(station->inner_r, station->outer_r, station->pattern, disk);
   };
@@ -41,15 +41,15 @@ std::optional<DiskGrid> StreamedDisk::layers_for(const DiskGridRequest& request,
   if (!pair || !serve(*pair, baked.budget_px, request.disk) || (!pair->second && !is_at(*pair->first_disk, eye))) {
     return std::nullopt;
   }
-  const LensPlace place = {eye.r, eye.theta};
-  blend(*pair, place);
+  const LensPosition position = {eye.r, eye.theta};
+  blend(*pair, position);
   if (!layers_) {
     return std::nullopt;
   }
   if (is_beside(eye)) {
     const DiskGridSettings settings = disk_grid_settings(eye, request.disk, request.pixel);
     const ScreenError error =
-        measure_disk_error(layers_->view(), eye.spacetime, place, settings, lattice_samples(32, 16));
+        measure_disk_error(layers_->view(), eye.spacetime, position, settings, lattice_samples(32, 16));
     if (error.p99_px > allowed_unmeasured_px(baked, request.budget_px, request.pixel)) {
       return std::nullopt;
     }
@@ -57,9 +57,9 @@ std::optional<DiskGrid> StreamedDisk::layers_for(const DiskGridRequest& request,
   return layers_->view();
 }
 
-void StreamedDisk::blend(const StationPair& pair, const LensPlace& place) {
+void StreamedDisk::blend(const StationPair& pair, const LensPosition& position) {
   if (!pair.second) {
-    layers_.emplace(pair.first_disk, place);
+    layers_.emplace(pair.first_disk, position);
     return;
   }
   if (pair.first_disk != first_ || pair.second_disk != second_) {
@@ -69,7 +69,7 @@ void StreamedDisk::blend(const StationPair& pair, const LensPlace& place) {
     joined_ = both ? std::make_shared<const JoinedDisk>(std::move(*both)) : nullptr;
   }
   if (joined_) {
-    layers_.emplace(joined_, place);
+    layers_.emplace(joined_, position);
   }
 }
 

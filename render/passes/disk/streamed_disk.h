@@ -21,7 +21,7 @@ class StreamedDisk {
   std::optional<DiskGrid> layers_for(const DiskGridRequest& request, LensChoice choice, std::optional<double> time_s);
 
  private:
-  void blend(const StationPair& pair, const LensPlace& place);
+  void blend(const StationPair& pair, const LensPosition& position);
 
   std::shared_ptr<StationStream> stream_;
   std::shared_ptr<const DiskStation> first_;  //!< the two stations that `joined_` was made from

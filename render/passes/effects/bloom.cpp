@@ -134,14 +134,14 @@ double level_variance(int level) { return 1.5 * (std::pow(4.0, level) - 1.0); }
 //! are equal. The last one is such that the total has the requested variance. The fractions add up
 //! to 1, or to less if the variance is below that of level 1: the rest of the light stays in its
 //! pixel.
-std::vector<double> level_parts(double variance, int most_levels) {
+std::vector<double> level_parts(double variance, int max_levels) {
   if (variance < level_variance(1)) {
     return {variance / level_variance(1)};
   }
   std::vector<double> parts;
   double sum = 0.0;  // of the variances of the levels so far
   double count = 0.0;
-  for (int level = 1; level <= most_levels; ++level) {
+  for (int level = 1; level <= max_levels; ++level) {
     // Solves (sum + last * level_variance) / (count + last) = variance.
     const double own = level_variance(level);
     const double last = own > variance ? std::min((variance * count - sum) / (own - variance), 1.0) : 1.0;
@@ -170,11 +170,11 @@ int halvings(int width, int height) {
 }  // namespace
 
 void add_bloom(Picture& picture, const BloomSettings& settings) {
-  const int most_levels = std::min(picture.width, picture.height) > 0 ? halvings(picture.width, picture.height) : 0;
-  if (!(settings.strength > 0.0) || !(settings.radius_px > 0.0) || most_levels == 0) {
+  const int max_levels = std::min(picture.width, picture.height) > 0 ? halvings(picture.width, picture.height) : 0;
+  if (!(settings.strength > 0.0) || !(settings.radius_px > 0.0) || max_levels == 0) {
     return;
   }
-  const std::vector<double> parts = level_parts(settings.radius_px * settings.radius_px, most_levels);
+  const std::vector<double> parts = level_parts(settings.radius_px * settings.radius_px, max_levels);
   std::vector<Level> levels = {{picture.width, picture.height, picture.rgba.data()}};
   std::vector<std::vector<float>> pixels;
   for (std::size_t i = 0; i < parts.size(); ++i) {

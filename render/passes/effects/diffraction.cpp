@@ -89,8 +89,8 @@ Image read_image(const std::string& name) {
     throw Error(name, "cannot be read as an image: " + problem, "use an EXR, HDR, PNG, TIFF or JPEG file");
   }
   const ImageShape shape = input->shape();
-  constexpr int most_channels = 64;
-  if (shape.channels < 1 || shape.channels > most_channels) {
+  constexpr int max_channels = 64;
+  if (shape.channels < 1 || shape.channels > max_channels) {
     throw Error(name, fmt::format("has {} channels", shape.channels), "save it as RGB");
   }
   if (shape.width < 1 || shape.height < 1 || shape.width > widest_px || shape.height > widest_px || shape.depth > 1) {

@@ -5,7 +5,7 @@
 namespace ergodome {
 
 void plan_auto_exposure(PlanWriter& plan) {
-  if (needs_auto_exposure(plan.most(), plan.request().mode)) {
+  if (needs_auto_exposure(plan.maximum(), plan.request().mode)) {
     plan.picture_pass("meter_light", plan.why("tone.auto"));
   }
 }

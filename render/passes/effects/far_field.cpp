@@ -70,9 +70,9 @@ double transmission(const ApertureSettings& settings, double radius, double x, d
   return part;
 }
 
-//! Returns the smallest power of two that is at least `least`.
-int power_of_two(double least) {
-  return static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::ceil(std::max(least, 1.0)))));
+//! Returns the smallest power of two that is at least `minimum`.
+int power_of_two(double minimum) {
+  return static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::ceil(std::max(minimum, 1.0)))));
 }
 
 }  // namespace

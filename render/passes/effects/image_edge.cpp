@@ -31,10 +31,10 @@ void clear_outside(Picture& picture, const EyePicture& wanted) {
 
 void plan_image_edge(PlanWriter& plan) {
   const ViewMode mode = plan.request().mode;
-  if (spreads_beyond_image(plan.most(), mode)) {
+  if (spreads_beyond_image(plan.maximum(), mode)) {
     plan.picture_pass("clear_outside",
-                      plan.why(needs_bloom(plan.most(), mode) ? "effects.bloom" : "effects.diffraction"),
-                      !spreads_beyond_image(plan.least(), mode));
+                      plan.why(needs_bloom(plan.maximum(), mode) ? "effects.bloom" : "effects.diffraction"),
+                      !spreads_beyond_image(plan.minimum(), mode));
   }
 }
 

@@ -40,8 +40,8 @@ double vignette_light(double strength, double distance) {
 
 void plan_vignette(PlanWriter& plan) {
   const ViewMode mode = plan.request().mode;
-  if (needs_vignette(plan.most(), mode)) {
-    plan.picture_pass("draw_vignette", plan.why("view.vignette"), !needs_vignette(plan.least(), mode));
+  if (needs_vignette(plan.maximum(), mode)) {
+    plan.picture_pass("draw_vignette", plan.why("view.vignette"), !needs_vignette(plan.minimum(), mode));
   }
 }
 

@@ -22,7 +22,7 @@ constexpr double fastest_approach = 2.0;
 constexpr double parting_r = 6.0;
 
 //! Returns the maximum energy at infinity of light that the observer sees with energy 1.
-double greatest_energy(const CameraStation& station) {
+double max_energy(const CameraStation& station) {
   return station.energy.constant + std::sqrt(dot(station.energy.along, station.energy.along));
 }
 
@@ -89,22 +89,22 @@ FlatEyeBatch FlatNearField::batch_for(const PictureView& view) const {
   const double(&m)[3][3] = view.eye.frame_from_view;
   batch.eye = {static_cast<float>(offset_ * m[0][0]), static_cast<float>(offset_ * m[1][0]),
                static_cast<float>(offset_ * m[2][0])};
-  batch.most_w = static_cast<float>(most_nearness(farthest_r()));
+  batch.max_w = static_cast<float>(max_nearness(farthest_r()));
   return batch;
 }
 
-double FlatNearField::most_nearness(double farthest_r) const {
-  const double most_w = nearest_part / std::abs(offset_);
+double FlatNearField::max_nearness(double farthest_r) const {
+  const double max_w = nearest_part / std::abs(offset_);
   const double way = 1.0 / station_.u - farthest_r;
-  return way > 0.0 ? std::min(most_w, fastest_approach * greatest_energy(station_) / way) : most_w;
+  return way > 0.0 ? std::min(max_w, fastest_approach * max_energy(station_) / way) : max_w;
 }
 
 ObjectLayer FlatNearField::look_at_objects(const PictureView& view, const RowBlock& rows) const {
   const double(&m)[3][3] = view.eye.frame_from_view;
   const Vector3<double> eye = {offset_ * m[0][0], offset_ * m[1][0], offset_ * m[2][0]};
-  return near_field_.objects->look(
+  return near_field_.objects->draw(
       view, rows,
-      {eye, most_nearness(near_field_.objects->farthest_r(view.time_s)), most_nearness(parting_r),
+      {eye, max_nearness(near_field_.objects->farthest_r(view.time_s)), max_nearness(parting_r),
        pixel_angle(view.projection), view.tolerance_px, horizon_});
 }
 

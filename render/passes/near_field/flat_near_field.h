@@ -30,7 +30,7 @@ class FlatNearField {
   [[nodiscard]] double farthest_r() const;
   //! Returns the maximum nearness (1 / affine distance) up to which things within a radius are
   //! searched for [1/M].
-  [[nodiscard]] double most_nearness(double farthest_r) const;
+  [[nodiscard]] double max_nearness(double farthest_r) const;
   //! Returns the objects as seen by the current eye.
   [[nodiscard]] ObjectLayer look_at_objects(const PictureView& view, const RowBlock& rows) const;
   //! Does the same as draw(), for rows in the backend's memory.

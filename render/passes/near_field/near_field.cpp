@@ -10,8 +10,8 @@ void draw_near_field(Backend backend, const NearField& near_field, const Picture
       pixel_batch(view.camera(), view.projection, view.tolerance_px), DiskDrawing::none, {}, {}, rgba, {}, false, {}};
   batch.pixels.first_row = rows.first;
   batch.pixels.row_count = rows.count;
-  if (view.turning != nullptr) {
-    batch.turning = view.turning->cameras->view(view.turning->side);
+  if (view.omni != nullptr) {
+    batch.omni = view.omni->cameras->view(view.omni->side);
   }
   if (near_field.disk != nullptr && near_field.disk->is_visible()) {
     batch.disk = near_field.disk->look_at(view.time_s, view.camera().clock_lead);
@@ -21,7 +21,7 @@ void draw_near_field(Backend backend, const NearField& near_field, const Picture
     batch.shells = near_field.shells->table();
   }
   if (near_field.objects != nullptr) {
-    batch.objects = near_field.objects->look(view, rows);
+    batch.objects = near_field.objects->draw(view, rows);
     if (batch.drawing == DiskDrawing::none && batch.shells.count == 0) {
       return launch(backend, LayObjectsBatch{batch.objects, batch.pixels.projection, rows.first, rows.count, rgba});
     }

@@ -25,7 +25,7 @@ Show lines_alone(Show show) {
   return show;
 }
 
-DiskGridRequest grid_request(const EyePicture& picture, const Projection& projection, const DiskLook& disk) {
+DiskGridRequest grid_request(const EyePicture& picture, const Projection& projection, const DiskAppearance& disk) {
   return {picture.eye,
           disk,
           pixel_angle(projection),
@@ -52,7 +52,7 @@ class NearFieldPass::Drawing : public PassDrawing {
       find_grid();
     }
     const PictureSettings& settings = picture_.settings;
-    const PictureView view = {picture_.eye, settings.turning.get(), picture_.projection, settings.accuracy.tolerance_px,
+    const PictureView view = {picture_.eye, settings.omni.get(), picture_.projection, settings.accuracy.tolerance_px,
                               settings.time_s};
     draw_near_field(pass_.backend_, parts_, view, rows, rgba);
   }
@@ -62,10 +62,10 @@ class NearFieldPass::Drawing : public PassDrawing {
   //! rays.
   void find_grid() {
     const PictureSettings& settings = picture_.settings;
-    if (settings.given != nullptr || settings.turning != nullptr || !may_read_grid(pass_.backend_, parts_, settings)) {
+    if (settings.given != nullptr || settings.omni != nullptr || !may_read_grid(pass_.backend_, parts_, settings)) {
       return;
     }
-    const DiskLook disk = parts_.disk->look_at(settings.time_s);
+    const DiskAppearance disk = parts_.disk->look_at(settings.time_s);
     const DiskGridRequest request = grid_request(picture_, picture_.projection, disk);
     parts_.disk_grid = pass_.streamed_disk_.layers_for(request, settings.lens, settings.moment.time_s);
     if (!parts_.disk_grid) {
@@ -152,7 +152,7 @@ NearField NearFieldPass::parts_for(const EyePicture& picture) const {
 NearField NearFieldPass::parts_for_shared_camera(const EyePicture& picture) {
   NearField parts = parts_for(picture);
   if (may_read_grid(backend_, parts, picture.settings)) {
-    const DiskLook disk = parts.disk->look_at(picture.settings.time_s);
+    const DiskAppearance disk = parts.disk->look_at(picture.settings.time_s);
     DiskGridRequest request = grid_request(picture, picture.settings.shared->head_projection, disk);
     request.nearness = true;
     parts.disk_grid = grids_->heads.grid_for(request);

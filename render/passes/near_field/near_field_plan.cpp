@@ -35,9 +35,9 @@ class NearFieldPlan {
  public:
   explicit NearFieldPlan(PlanWriter& writer)
       : plan_(writer),
-        shared_camera_(share_camera(writer.most().stereo)),
-        needs_(near_field_needs(writer.most(), writer.request().mode)),
-        always_(near_field_needs(writer.least(), writer.request().mode)) {}
+        shared_camera_(share_camera(writer.maximum().stereo)),
+        needs_(near_field_needs(writer.maximum(), writer.request().mode)),
+        always_(near_field_needs(writer.minimum(), writer.request().mode)) {}
 
   //! Plans disk and shells. Their tables are built for all view modes.
   void plan_disk_and_shells();
@@ -68,17 +68,18 @@ class NearFieldPlan {
 };
 
 bool NearFieldPlan::disk_edges_move() const {
-  return find_animation(plan_.most(), "disk.outer") != nullptr || find_animation(plan_.most(), "hole.spin") != nullptr;
+  return find_animation(plan_.maximum(), "disk.outer") != nullptr ||
+         find_animation(plan_.maximum(), "hole.spin") != nullptr;
 }
 
 bool NearFieldPlan::has_disk_always() const { return always_.disk && !disk_edges_move(); }
 
 void NearFieldPlan::plan_disk_grid(const std::string& reason, bool if_needed) {
   for (const char* const name : {"trace_disk_nodes", "check_disk_cells"}) {
-    plan_.pass(name, WorkMoment::place, 0, 0, reason, if_needed);
+    plan_.pass(name, WorkMoment::position, 0, 0, reason, if_needed);
   }
   for (const char* const name : {"disk grid being traced", "disk grid"}) {
-    plan_.buffer(name, WorkMoment::place, 0, reason);
+    plan_.buffer(name, WorkMoment::position, 0, reason);
   }
 }
 
@@ -92,10 +93,10 @@ void NearFieldPlan::plan_streamed_disk(const std::string& reason) {
 }
 
 void NearFieldPlan::plan_disk_without_shells(DiskDrawing drawing, const std::string& reason, bool if_needed) {
-  const bool omni = has_camera_per_direction(plan_.most().stereo);
+  const bool omni = has_camera_per_direction(plan_.maximum().stereo);
   const bool asked = plan_.request().lens == LensChoice::live;
   const bool may_read =
-      may_read_disk_grid(plan_.request().backend, plan_.request().lens, plan_.most().grid_scheme) && !omni;
+      may_read_disk_grid(plan_.request().backend, plan_.request().lens, plan_.maximum().grid_scheme) && !omni;
   const bool streamed = may_read && plan_.request().streamed && !asked;
   const bool may_make =
       may_read && (asked || is_worth_a_disk_grid(plan_.request().backend, static_cast<double>(plan_.pixels())));
@@ -107,11 +108,11 @@ void NearFieldPlan::plan_disk_without_shells(DiskDrawing drawing, const std::str
     plan_streamed_disk(with_budget);
   }
   if (may_make) {
-    plan_disk_grid(with_budget, if_needed || streamed || plan_.most().disk->plunging);
+    plan_disk_grid(with_budget, if_needed || streamed || plan_.maximum().disk->plunging);
   }
   // Grids may be unusable: plunging matter inside the last stable orbit has no grid, and at some
   // positions a grid leaves most pixels to rays.
-  const bool certain = asked && !plan_.most().disk->plunging;
+  const bool certain = asked && !plan_.maximum().disk->plunging;
   plan_.pixel_pass(disk_look_up_name(drawing), with_budget, if_needed || !certain);
   if (needs_.traced_objects) {
     return plan_.pixel_pass(near_field_name(drawing, false), reason + ", " + plan_.why("objects"), if_needed);
@@ -154,11 +155,12 @@ void NearFieldPlan::flat_pass(const std::string& name, const std::string& reason
 void NearFieldPlan::plan_flat_disk(bool if_needed) {
   const bool asked = plan_.request().lens == LensChoice::live;
   const auto pixels = static_cast<double>(plan_.pixels());
-  const bool may_make = may_read_disk_grid(plan_.request().backend, plan_.request().lens, plan_.most().grid_scheme) &&
-                        (asked || is_worth_a_disk_grid(plan_.request().backend, pixels));
+  const bool may_make =
+      may_read_disk_grid(plan_.request().backend, plan_.request().lens, plan_.maximum().grid_scheme) &&
+      (asked || is_worth_a_disk_grid(plan_.request().backend, pixels));
   // As for other disks: some disks have no grid, and at some positions a grid leaves most pixels to
   // rays.
-  const bool certain = asked && !plan_.most().disk->plunging;
+  const bool certain = asked && !plan_.maximum().disk->plunging;
   const bool pattern_changes = needs_.disk_pattern != always_.disk_pattern;
   const std::string reason = plan_.why(needs_.disk_pattern ? "disk.pattern" : "disk");
   if (may_make) {
@@ -180,15 +182,15 @@ void NearFieldPlan::plan_flat_disk(bool if_needed) {
 }
 
 void NearFieldPlan::plan_flat_near_field() {
-  constexpr long places = FlatShadow::spokes * FlatShadow::depths;
+  constexpr long positions = FlatShadow::spokes * FlatShadow::depths;
   const bool certain =
       (always_.disk || always_.shells || always_.traced_objects) && !plan_.eyes_are_together_at_times();
-  plan_.buffer("flat shadow", WorkMoment::picture, certain ? (edge_points + places) * long{sizeof(float)} : 0,
+  plan_.buffer("flat shadow", WorkMoment::picture, certain ? (edge_points + positions) * long{sizeof(float)} : 0,
                plan_.why("stereo.model"));
   if (!plan_.on_cpu()) {
     plan_.buffer("flat eye's picture", WorkMoment::start, 0, plan_.why("stereo.model"));
   }
-  plan_.pass("see_horizon", WorkMoment::picture, certain ? plan_.shown() : 0, certain ? plan_.shown() * places : 0,
+  plan_.pass("see_horizon", WorkMoment::picture, certain ? plan_.shown() : 0, certain ? plan_.shown() * positions : 0,
              plan_.why("stereo.model"), !certain);
   const bool disk_goes = needs_.disk && (!always_.disk || disk_edges_move());
   const bool changes = disk_goes || needs_.shells != always_.shells;
@@ -229,22 +231,23 @@ void NearFieldPlan::plan_traced_objects(const std::string& objects) {
   for (const char* const name : {"objects' tiles", "objects' pixels", "objects' picture"}) {
     plan_.buffer(name, WorkMoment::picture, 0, objects);
   }
-  if (has_camera_per_direction(plan_.most().stereo)) {
+  if (has_camera_per_direction(plan_.maximum().stereo)) {
     plan_.buffer("objects' cameras", WorkMoment::picture, 0, plan_.why("stereo.model"));
   }
 }
 
 void NearFieldPlan::plan_disk_and_shells() {
-  if (plan_.most().disk) {
-    const bool recoloured = find_animation(plan_.most(), "disk.temperature_K") != nullptr;
+  if (plan_.maximum().disk) {
+    const bool recoloured = find_animation(plan_.maximum(), "disk.temperature_K") != nullptr;
     plan_.buffer("blackbody table", WorkMoment::start, BlackbodyColours::bytes,
                  plan_.why(recoloured ? "disk.temperature_K" : "disk"));
     plan_.buffer("disk profile", WorkMoment::start, DiskPass::profile_bytes, plan_.why("disk"));
   }
-  if (!plan_.most().shells.empty()) {
-    plan_.buffer("shells", WorkMoment::start, static_cast<long>(plan_.most().shells.size()) * ShellPass::shell_bytes,
+  if (!plan_.maximum().shells.empty()) {
+    plan_.buffer("shells", WorkMoment::start, static_cast<long>(plan_.maximum().shells.size()) * ShellPass::shell_bytes,
                  plan_.why("shells"));
-    if (std::ranges::any_of(plan_.most().shells, [](const ShellSettings& shell) { return !shell.texture.empty(); })) {
+    if (std::ranges::any_of(plan_.maximum().shells,
+                            [](const ShellSettings& shell) { return !shell.texture.empty(); })) {
       plan_.buffer("shell texture", WorkMoment::start, 0, plan_.why("shells"));
     }
   }
@@ -270,7 +273,7 @@ void NearFieldPlan::plan_disk_and_shells() {
 void plan_near_field(PlanWriter& plan) {
   NearFieldPlan near_field(plan);
   near_field.plan_disk_and_shells();
-  if (has_objects(plan.most(), ObjectMethod::trace)) {
+  if (has_objects(plan.maximum(), ObjectMethod::trace)) {
     const std::string objects = plan.why("objects");
     plan_mesh_loading(plan, objects);
     near_field.plan_traced_objects(objects);

@@ -29,14 +29,14 @@ std::optional<Vector3<double>> middle_of(const std::vector<Vector3<double>>& cor
   return is_small ? std::optional(middle) : std::nullopt;
 }
 
-LampCorrections corrections_at(Spacetime spacetime, const LampPlace& lamp, const Vector3<double>& place) {
+LampCorrections corrections_at(Spacetime spacetime, const LampSource& lamp, const Vector3<double>& position) {
   LampCorrections corrections = {};
   constexpr double beside_horizon = 1.01;
-  if (square_of(place) > std::pow(beside_horizon * horizon_radius(spacetime), 2)) {
-    const LocalFrame frame = local_frame(spacetime, place);
+  if (square_of(position) > std::pow(beside_horizon * horizon_radius(spacetime), 2)) {
+    const LocalFrame frame = local_frame(spacetime, position);
     for (int way = 0; way < 2; ++way) {
       LightRay ray{};
-      light_ray(spacetime, frame, place, lamp.position, way + 1, LightRayParts::way, corrections.by_way[way], ray);
+      light_ray(spacetime, frame, position, lamp.position, way + 1, LightRayParts::way, corrections.by_way[way], ray);
     }
   }
   return corrections;
@@ -44,7 +44,7 @@ LampCorrections corrections_at(Spacetime spacetime, const LampPlace& lamp, const
 
 }  // namespace
 
-std::vector<LampCorrections> lamp_guesses(Spacetime spacetime, const LampPlace& lamp,
+std::vector<LampCorrections> lamp_guesses(Spacetime spacetime, const LampSource& lamp,
                                           const std::vector<ObjectSettings>& objects,
                                           const std::vector<PlacedOutline>& outlines) {
   std::vector<LampCorrections> guesses(objects.size());

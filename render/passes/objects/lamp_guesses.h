@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "content/show/object_settings.h"
-#include "kernels/objects/lamp_place.h"
+#include "kernels/objects/lamp_source.h"
 #include "render/passes/objects/polygons/object_outline.h"
 
 namespace ergodome {
@@ -12,7 +12,7 @@ namespace ergodome {
 //! for rays to the rest of the object is much faster when it starts from this correction. The
 //! result is 0 without spin, for unlit objects, and for objects that appear wide from the hole.
 //! There must be one outline per object.
-std::vector<LampCorrections> lamp_guesses(Spacetime spacetime, const LampPlace& lamp,
+std::vector<LampCorrections> lamp_guesses(Spacetime spacetime, const LampSource& lamp,
                                           const std::vector<ObjectSettings>& objects,
                                           const std::vector<PlacedOutline>& outlines);
 

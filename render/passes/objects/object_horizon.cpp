@@ -19,8 +19,8 @@ namespace {
 
 //! Returns the show times to check: those at which the position of an object or the radius of the
 //! horizon may differ.
-std::vector<double> times_to_look_at(const Show& show, const ObjectSettings& object) {
-  constexpr std::size_t most_looks = 1024;
+std::vector<double> sampled_times(const Show& show, const ObjectSettings& object) {
+  constexpr std::size_t max_samples = 1024;
   std::vector<double> keys_s = {0.0};
   for (const ObjectKey& key : object.keys) {
     keys_s.push_back(key.time_s);
@@ -31,7 +31,7 @@ std::vector<double> times_to_look_at(const Show& show, const ObjectSettings& obj
     }
   }
   std::ranges::sort(keys_s);
-  const int between_keys = static_cast<int>(std::clamp<std::size_t>(most_looks / keys_s.size(), 1, 16));
+  const int between_keys = static_cast<int>(std::clamp<std::size_t>(max_samples / keys_s.size(), 1, 16));
   std::vector<double> times_s;
   for (std::size_t i = 0; i + 1 < keys_s.size(); ++i) {
     for (int k = 0; keys_s[i + 1] > keys_s[i] && k < between_keys; ++k) {
@@ -57,7 +57,7 @@ std::vector<ObjectInHorizon> objects_in_horizon(const Show& show, const ObjectMe
     std::optional<ObjectInHorizon> inside;
     bool always_whole = true;
     std::optional<RadialRange> at_rest;
-    for (const double time_s : times_to_look_at(show, object)) {
+    for (const double time_s : sampled_times(show, object)) {
       const RadialRange range = object.keys.empty() && at_rest
                                     ? *at_rest
                                     : radial_range(mesh, placement_at(object, time_s), object.size, radius);

@@ -59,7 +59,7 @@ OverlayImage read_mesh_image(const MeshImage& image) {
   try {
     return read_stored_image(image.name);
   } catch (const Error& error) {
-    throw Error(error.place(), fmt::format("{} (texture of {})", error.problem(), image.mesh), error.remedy());
+    throw Error(error.location(), fmt::format("{} (texture of {})", error.problem(), image.mesh), error.remedy());
   }
 }
 

@@ -10,7 +10,7 @@
 #include "kernels/launch/work_counter.h"
 #include "render/passes/objects/object_meshes.h"
 #include "render/passes/objects/object_reach.h"
-#include "render/passes/stars/drawing/picture_sheets.h"
+#include "render/passes/stars/drawing/picture_regions.h"
 
 namespace ergodome {
 
@@ -45,7 +45,7 @@ class ObjectPassDrawing : public PassDrawing {
 
   void finish(Picture& picture) override {
     const PictureSettings& settings = picture_.settings;
-    pass_.draw(picture_.eye, picture_.projection, settings.time_s, picture.rgba.data(), settings.turning_view.get(),
+    pass_.draw(picture_.eye, picture_.projection, settings.time_s, picture.rgba.data(), settings.omni_view.get(),
                settings.shared ? settings.shared->offset : 0.0);
   }
 
@@ -125,20 +125,20 @@ RadialRange ObjectPass::place_objects(double time_s) {
 }
 
 void ObjectPass::draw(const EyeCamera& eye, const Projection& projection, double time_s, float* rgba,
-                      const TurningView* turning, double beside) {
+                      const OmniView* omni, double beside) {
   static WorkCounter counter("draw_objects");
   const WorkScope scope(counter, static_cast<long>(projection.width_px) * projection.height_px);
   const RadialRange range = place_objects(time_s);
-  const ObjectDrawing::Scene scene{object_view(eye), turning, beside, placed_, light_, range};
+  const ObjectDrawing::Scene scene{object_view(eye), omni, beside, placed_, light_, range};
   std::vector<float> drawn;
-  for (const PictureSheet& sheet : picture_sheets(projection)) {
-    const Projection& own = sheet.projection;
+  for (const PictureRegion& region : picture_regions(projection)) {
+    const Projection& own = region.projection;
     for (int top = 0; top < own.height_px; top += ObjectTarget::longest_side_px) {
       for (int left = 0; left < own.width_px; left += ObjectTarget::longest_side_px) {
         const PictureTile tile{left, top, std::min(ObjectTarget::longest_side_px, own.width_px - left),
                                std::min(ObjectTarget::longest_side_px, own.height_px - top)};
         gl_.run([&] { drawing_->draw(scene, own, tile, drawn); });
-        lay_over(drawn, tile, sheet.cell, projection, rgba);
+        lay_over(drawn, tile, region.cell, projection, rgba);
       }
     }
   }

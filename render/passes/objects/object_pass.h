@@ -30,11 +30,11 @@ class ObjectPass : public Pass {
   //! Draws the objects over a picture in host memory: four floats per pixel. Throws Error if an
   //! object is too close to the hole at that show time, or if the eye is inside the photon sphere.
   //!
-  //! `turning`: parameters of an omnidirectional stereo eye, for which `eye` is the head; otherwise
+  //! `omni`: parameters of an omnidirectional stereo eye, for which `eye` is the head; otherwise
   //! nullptr. `beside`: for an eye of the model `flat`, its distance to the right of the head `eye`
   //! [M]; otherwise 0.
   void draw(const EyeCamera& eye, const Projection& projection, double time_s, float* rgba,
-            const TurningView* turning = nullptr, double beside = 0.0);
+            const OmniView* omni = nullptr, double beside = 0.0);
 
   //! Returns the objects' outlines at a show time.
   [[nodiscard]] std::vector<PlacedOutline> outlines(double time_s) const {

@@ -9,7 +9,7 @@
 #include "kernels/launch/launch.h"
 #include "kernels/projection/pixel_measure.h"
 #include "kernels/spacetime/shadow/critical_curve.h"
-#include "render/passes/stars/drawing/picture_sheets.h"
+#include "render/passes/stars/drawing/picture_regions.h"
 
 namespace ergodome {
 
@@ -34,11 +34,11 @@ constexpr int stretched_slices = 6;
 double part_of_shadow(const ObjectScene& objects) {
   constexpr int sides = 4;
   const ShadowChart chart = make_shadow_chart(objects.camera);
-  double least = 1.0;
+  double minimum = 1.0;
   for (int i = 0; i < sides; ++i) {
-    least = std::min(least, std::sin(edge_polar_angle(objects.camera, chart, 0.5 * pi * i)));
+    minimum = std::min(minimum, std::sin(edge_polar_angle(objects.camera, chart, 0.5 * pi * i)));
   }
-  return pixel_angle(objects.projection) / std::max(least, 1e-3);
+  return pixel_angle(objects.projection) / std::max(minimum, 1e-3);
 }
 
 }  // namespace
@@ -73,7 +73,7 @@ std::vector<std::int32_t>& ObjectPixels::Wanted::of(TileMark mark) {
   }
 }
 
-void ObjectPixels::look() {
+void ObjectPixels::draw() {
   Wanted wanted;
   if (flat_) {
     mark_flat_pixels(wanted);
@@ -110,12 +110,12 @@ void ObjectPixels::look_at(const std::vector<std::int32_t>& pixels, PixelPattern
   if (count == 0) {
     return;
   }
-  const Buffer<std::int32_t> places(backend_, pixels, "objects' pixels");
+  const Buffer<std::int32_t> positions(backend_, pixels, "objects' pixels");
   const Buffer<float> rgba(backend_, 4 * count, "objects' pixels");
   const Buffer<float> time(backend_, count, "objects' pixels");
   const Buffer<std::int32_t> content(backend_, count, "objects' pixels");
-  const ObjectPixelBatch batch = {objects_,    places.data(), static_cast<int>(count), pattern, samples,
-                                  rgba.data(), time.data(),   content.data()};
+  const ObjectPixelBatch batch = {objects_,    positions.data(), static_cast<int>(count), pattern, samples,
+                                  rgba.data(), time.data(),      content.data()};
   if (flat_) {
     const Buffer<FlatReach> reach(backend_, reach_of(pixels), "objects' pixels");
     launch(backend_, FlatObjectPixelBatch{batch, *flat_, reach.data()});
@@ -171,12 +171,11 @@ bool ObjectPixels::is_by_thin_image(int x, int y) const {
 }
 
 template <class Is>
-std::vector<std::int32_t> ObjectPixels::pixels_of_block(const std::vector<std::int32_t>& looked_at,
-                                                        const Is& is) const {
+std::vector<std::int32_t> ObjectPixels::pixels_of_block(const std::vector<std::int32_t>& visited, const Is& is) const {
   std::vector<std::int32_t> found;
-  for (std::size_t i = 0; i < looked_at.size(); i += 2) {
-    const int x = looked_at[i];
-    const int y = looked_at[i + 1];
+  for (std::size_t i = 0; i < visited.size(); i += 2) {
+    const int x = visited[i];
+    const int y = visited[i + 1];
     if (y >= first_row_ && y < first_row_ + row_count_ && is(x, y)) {
       found.insert(found.end(), {x, y});
     }
@@ -184,12 +183,12 @@ std::vector<std::int32_t> ObjectPixels::pixels_of_block(const std::vector<std::i
   return found;
 }
 
-std::vector<std::int32_t> ObjectPixels::uneven_pixels(const std::vector<std::int32_t>& looked_at) const {
-  return pixels_of_block(looked_at, [this](int x, int y) { return is_uneven(x, y); });
+std::vector<std::int32_t> ObjectPixels::uneven_pixels(const std::vector<std::int32_t>& visited) const {
+  return pixels_of_block(visited, [this](int x, int y) { return is_uneven(x, y); });
 }
 
-std::vector<std::int32_t> ObjectPixels::pixels_of_thin_images(const std::vector<std::int32_t>& looked_at) const {
-  return pixels_of_block(looked_at, [this](int x, int y) { return is_by_thin_image(x, y); });
+std::vector<std::int32_t> ObjectPixels::pixels_of_thin_images(const std::vector<std::int32_t>& visited) const {
+  return pixels_of_block(visited, [this](int x, int y) { return is_by_thin_image(x, y); });
 }
 
 namespace {
@@ -199,7 +198,7 @@ constexpr int large_tile_px = 16;
 constexpr int small_tile_px = 2;
 //! Minimum side [px] of tiles that are examined with rays as wide as the tile along a line of sight
 //! of an eye of the model `flat`. Narrower rays cost more than they save later.
-constexpr int least_part_px = 4;
+constexpr int min_part_px = 4;
 
 //! Returns whether the image covers any part of a pixel.
 bool is_shown(const Projection& projection, int x, int y) { return image_coverage(projection, x + 0.5, y + 0.5) > 0.0; }
@@ -223,14 +222,14 @@ void visit_tile(const Projection& projection, int side_px, int left, int top, in
   }
 }
 
-//! Finds tiles that extend across sheets of a picture (PictureSheet). For such a tile, the ray
+//! Finds tiles that extend across sheets of a picture (PictureRegion). For such a tile, the ray
 //! through its center does not represent the part beyond the edge of a cube face.
 class Seams {
  public:
-  explicit Seams(const Projection& projection) : sheets_(picture_sheets(projection)) {}
+  explicit Seams(const Projection& projection) : sheets_(picture_regions(projection)) {}
 
   [[nodiscard]] bool tear(int x, int y, int side_px) const {
-    return sheets_.size() > 1 && std::ranges::none_of(sheets_, [&](const PictureSheet& sheet) {
+    return sheets_.size() > 1 && std::ranges::none_of(sheets_, [&](const PictureRegion& sheet) {
              const PixelCell& cell = sheet.cell;
              return x >= cell.left_px && y >= cell.top_px && x + side_px <= cell.left_px + cell.width_px &&
                     y + side_px <= cell.top_px + cell.height_px;
@@ -238,26 +237,26 @@ class Seams {
   }
 
  private:
-  std::vector<PictureSheet> sheets_;
+  std::vector<PictureRegion> sheets_;
 };
 
 }  // namespace
 
-void ObjectPixels::look_through(Tiles& tiles, int side_px, std::vector<TileMark>& marks) const {
-  const std::size_t count = tiles.places.size() / 2;
+void ObjectPixels::trace_marks(Tiles& tiles, int side_px, std::vector<TileMark>& marks) const {
+  const std::size_t count = tiles.positions.size() / 2;
   marks.resize(count);
   if (count == 0) {
     return;
   }
-  const Buffer<std::int32_t> places(backend_, tiles.places, "objects' tiles");
+  const Buffer<std::int32_t> positions(backend_, tiles.positions, "objects' tiles");
   const Buffer<TileMark> marked(backend_, count, "objects' tiles");
-  const ObjectTileBatch batch = {objects_, places.data(), static_cast<int>(count),
-                                 side_px,  turn_per_px_,  marked.data()};
+  const ObjectTileBatch batch = {objects_, positions.data(), static_cast<int>(count),
+                                 side_px,  turn_per_px_,     marked.data()};
   if (flat_) {
     const Buffer<FlatReach> along(backend_, tiles.reach, "objects' tiles");
     const Buffer<FlatReach> seen(backend_, count, "objects' tiles");
     launch(backend_,
-           FlatObjectTileBatch{batch, *flat_, std::max(side_px, least_part_px) * pixel_angle(objects_.projection),
+           FlatObjectTileBatch{batch, *flat_, std::max(side_px, min_part_px) * pixel_angle(objects_.projection),
                                along.data(), seen.data()});
     seen.read(tiles.reach.data(), count);
   } else {
@@ -283,19 +282,19 @@ std::vector<std::int32_t> ObjectPixels::shown_tiles(int left, int right, int top
 ObjectPixels::Tiles ObjectPixels::parts_of(const Tiles& tiles, int side_px, int part_px) const {
   std::vector<TileMark> marks;
   Tiles seen = tiles;
-  look_through(seen, side_px, marks);
+  trace_marks(seen, side_px, marks);
   const Seams seams(objects_.projection);
   Tiles parts;
   for (std::size_t i = 0; i < marks.size(); ++i) {
-    const int x = tiles.places[2 * i];
-    const int y = tiles.places[2 * i + 1];
+    const int x = tiles.positions[2 * i];
+    const int y = tiles.positions[2 * i + 1];
     const bool torn = seams.tear(x, y, side_px);
     if (marks[i] == TileMark::nothing && !torn) {
       continue;
     }
-    const std::vector<std::int32_t> places = shown_tiles(x, x + side_px, y, y + side_px, part_px);
-    parts.places.insert(parts.places.end(), places.begin(), places.end());
-    parts.reach.resize(parts.places.size() / 2, torn ? tiles.reach[i] : seen.reach[i]);
+    const std::vector<std::int32_t> positions = shown_tiles(x, x + side_px, y, y + side_px, part_px);
+    parts.positions.insert(parts.positions.end(), positions.begin(), positions.end());
+    parts.reach.resize(parts.positions.size() / 2, torn ? tiles.reach[i] : seen.reach[i]);
   }
   return parts;
 }
@@ -304,17 +303,17 @@ void ObjectPixels::mark_flat_pixels(Wanted& wanted) {
   // A flat eye's line of sight takes many rays. Large tiles are examined first, to reduce the range
   // along it in which smaller tiles search.
   Tiles tiles = {shown_tiles(0, width_, top_, bottom_, large_tile_px), {}};
-  tiles.reach.assign(tiles.places.size() / 2, {0.0F, static_cast<float>(flat_->most_w), 0.0F});
+  tiles.reach.assign(tiles.positions.size() / 2, {0.0F, static_cast<float>(flat_->max_w), 0.0F});
   tiles = parts_of(tiles, large_tile_px, object_tile_px);
   tiles = parts_of(tiles, object_tile_px, small_tile_px);
   Tiles whole;
   Tiles single_pixels;
   const Seams seams(objects_.projection);
   for (std::size_t i = 0; i < tiles.reach.size(); ++i) {
-    const int left = tiles.places[2 * i];
-    const int top = tiles.places[2 * i + 1];
+    const int left = tiles.positions[2 * i];
+    const int top = tiles.positions[2 * i + 1];
     const auto add = [&tiles, i](Tiles& to, int x, int y) {
-      to.places.insert(to.places.end(), {x, y});
+      to.positions.insert(to.positions.end(), {x, y});
       to.reach.push_back(tiles.reach[i]);
     };
     if (seams.tear(left, top, small_tile_px)) {
@@ -327,9 +326,9 @@ void ObjectPixels::mark_flat_pixels(Wanted& wanted) {
   reach_.resize(seen_.size());
   const Tiles thin = add_seen(whole, small_tile_px, wanted);
   for (std::size_t i = 0; i < thin.reach.size(); ++i) {
-    visit_tile(objects_.projection, small_tile_px, thin.places[2 * i], thin.places[2 * i + 1], bottom_,
+    visit_tile(objects_.projection, small_tile_px, thin.positions[2 * i], thin.positions[2 * i + 1], bottom_,
                [&](int x, int y) {
-                 single_pixels.places.insert(single_pixels.places.end(), {x, y});
+                 single_pixels.positions.insert(single_pixels.positions.end(), {x, y});
                  single_pixels.reach.push_back(thin.reach[i]);
                });
   }
@@ -338,22 +337,23 @@ void ObjectPixels::mark_flat_pixels(Wanted& wanted) {
 
 ObjectPixels::Tiles ObjectPixels::add_seen(Tiles& tiles, int side_px, Wanted& wanted) {
   std::vector<TileMark> marks;
-  look_through(tiles, side_px, marks);
+  trace_marks(tiles, side_px, marks);
   Tiles thin;
   for (std::size_t i = 0; i < marks.size(); ++i) {
     if (marks[i] == TileMark::nothing) {
       continue;
     }
     if (is_in_parts(marks[i], side_px)) {
-      thin.places.insert(thin.places.end(), {tiles.places[2 * i], tiles.places[2 * i + 1]});
+      thin.positions.insert(thin.positions.end(), {tiles.positions[2 * i], tiles.positions[2 * i + 1]});
       thin.reach.push_back(tiles.reach[i]);
       continue;
     }
     std::vector<std::int32_t>& to = wanted.of(marks[i]);
-    visit_tile(objects_.projection, side_px, tiles.places[2 * i], tiles.places[2 * i + 1], bottom_, [&](int x, int y) {
-      to.insert(to.end(), {x, y});
-      reach_[index_of(x, y)] = tiles.reach[i];
-    });
+    visit_tile(objects_.projection, side_px, tiles.positions[2 * i], tiles.positions[2 * i + 1], bottom_,
+               [&](int x, int y) {
+                 to.insert(to.end(), {x, y});
+                 reach_[index_of(x, y)] = tiles.reach[i];
+               });
   }
   return thin;
 }
@@ -366,16 +366,16 @@ void ObjectPixels::mark_pixels(Wanted& wanted) const {
   }
 }
 
-std::vector<std::int32_t> ObjectPixels::mark_tiles(std::vector<std::int32_t> places, int side_px,
+std::vector<std::int32_t> ObjectPixels::mark_tiles(std::vector<std::int32_t> positions, int side_px,
                                                    Wanted& wanted) const {
-  Tiles tiles = {std::move(places), {}};
+  Tiles tiles = {std::move(positions), {}};
   std::vector<TileMark> marks;
-  look_through(tiles, side_px, marks);
+  trace_marks(tiles, side_px, marks);
   const Seams seams(objects_.projection);
   std::vector<std::int32_t> parts;
   for (std::size_t i = 0; i < marks.size(); ++i) {
-    const int left = tiles.places[2 * i];
-    const int top = tiles.places[2 * i + 1];
+    const int left = tiles.positions[2 * i];
+    const int top = tiles.positions[2 * i + 1];
     if (marks[i] == TileMark::nothing && !seams.tear(left, top, side_px)) {
       continue;
     }

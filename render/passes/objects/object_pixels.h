@@ -19,7 +19,7 @@ class ObjectPixels {
                const std::optional<FlatEyeSight>& flat = {});
 
   //! Traces all pixels of the block with the kernels.
-  void look();
+  void draw();
 
   //! Returns the light and the time of the block's pixels, in host memory; see ObjectLayer.
   [[nodiscard]] const std::vector<float>& rgba() const { return rgba_; }
@@ -33,7 +33,7 @@ class ObjectPixels {
 
   //! A list of square tiles of the picture.
   struct Tiles {
-    std::vector<std::int32_t> places;  //!< x and y of each tile's first pixel
+    std::vector<std::int32_t> positions;  //!< x and y of each tile's first pixel
     //! For eyes of the model `flat`: range of nearness in which each tile's objects are searched
     //! for, or were found.
     std::vector<FlatReach> reach;
@@ -44,7 +44,7 @@ class ObjectPixels {
 
   //! Determines which objects the pixels of each tile may see (TileMark). For eyes of the model
   //! `flat`, reduces each tile's reach to the range in which it sees objects.
-  void look_through(Tiles& tiles, int side_px, std::vector<TileMark>& marks) const;
+  void trace_marks(Tiles& tiles, int side_px, std::vector<TileMark>& marks) const;
 
   //! Pixels to be traced (x and y of each), sorted by how they are sampled.
   struct Wanted {
@@ -71,7 +71,7 @@ class ObjectPixels {
   //! Determines the marks of tiles, and adds the pixels of tiles that may see objects to `wanted`.
   //! Returns the smaller tiles into which tiles are divided whose parts have to be marked
   //! separately.
-  [[nodiscard]] std::vector<std::int32_t> mark_tiles(std::vector<std::int32_t> places, int side_px,
+  [[nodiscard]] std::vector<std::int32_t> mark_tiles(std::vector<std::int32_t> positions, int side_px,
                                                      Wanted& wanted) const;
 
   //! Determines the marks of tiles for an eye of the model `flat`, and adds the pixels of tiles
@@ -87,16 +87,15 @@ class ObjectPixels {
 
   //! Returns those pixels of the list that are within the block and satisfy a condition.
   template <class Is>
-  [[nodiscard]] std::vector<std::int32_t> pixels_of_block(const std::vector<std::int32_t>& looked_at,
-                                                          const Is& is) const;
+  [[nodiscard]] std::vector<std::int32_t> pixels_of_block(const std::vector<std::int32_t>& visited, const Is& is) const;
 
   //! Returns those pixels of the list within the block that need finer slices: their own slices, or
   //! those of a neighbor, hit an image that may be thinner than a slice.
-  [[nodiscard]] std::vector<std::int32_t> pixels_of_thin_images(const std::vector<std::int32_t>& looked_at) const;
+  [[nodiscard]] std::vector<std::int32_t> pixels_of_thin_images(const std::vector<std::int32_t>& visited) const;
   [[nodiscard]] bool is_by_thin_image(int x, int y) const;
 
   //! Returns those pixels of the list within the block that need more samples.
-  [[nodiscard]] std::vector<std::int32_t> uneven_pixels(const std::vector<std::int32_t>& looked_at) const;
+  [[nodiscard]] std::vector<std::int32_t> uneven_pixels(const std::vector<std::int32_t>& visited) const;
 
   [[nodiscard]] bool is_uneven(int x, int y) const;
   [[nodiscard]] const Seen& seen(int x, int y) const { return seen_[index_of(x, y)]; }

@@ -6,11 +6,11 @@
 namespace ergodome {
 
 void plan_mesh_loading(PlanWriter& plan, const std::string& reason) {
-  plan.pass("load_meshes", WorkMoment::start, 1, static_cast<long>(plan.most().objects.size()), reason);
+  plan.pass("load_meshes", WorkMoment::start, 1, static_cast<long>(plan.maximum().objects.size()), reason);
 }
 
 void plan_polygons(PlanWriter& plan) {
-  const Show& show = plan.most();
+  const Show& show = plan.maximum();
   if (!has_objects(show, ObjectMethod::polygon)) {
     return;
   }
@@ -23,11 +23,11 @@ void plan_polygons(PlanWriter& plan) {
   }
   const bool lit = std::ranges::any_of(show.objects, &ObjectSettings::lit);
   const std::string tables = lit ? objects + ", " + plan.why("light") : objects;
-  plan.pass("make_connection_table", WorkMoment::place, 0, 0, tables);
-  plan.buffer("connecting rays", WorkMoment::place, 0, tables);
+  plan.pass("make_connection_table", WorkMoment::position, 0, 0, tables);
+  plan.buffer("connecting rays", WorkMoment::position, 0, tables);
   // Eyes that share the head's lens have one picture of the sky, but each sees objects from its own
   // position.
-  const bool shared = share_camera(plan.most().stereo);
+  const bool shared = share_camera(plan.maximum().stereo);
   const long eyes = shared ? plan.shown() : plan.eyes();
   const bool known = !shared || !plan.eyes_are_together_at_times();
   plan.pass("draw_objects", WorkMoment::picture, known ? eyes : 0, known ? eyes * plan.pixels() : 0, objects);

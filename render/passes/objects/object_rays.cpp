@@ -24,7 +24,8 @@ ObjectRays::ObjectRays(const Show& show, double time_s) {
   placed_ = place_meshes(show.objects, trees, time_s);
 }
 
-std::optional<MeshHit> ObjectRays::look(const CameraStation& camera, const Vector3<double>& n, double tolerance) const {
+std::optional<MeshHit> ObjectRays::first_hit(const CameraStation& camera, const Vector3<double>& n,
+                                             double tolerance) const {
   MeshHit hit;
   const bool converged = trace_meshes<series_order, NearParts::azimuth_and_delay>(
       camera.spin, camera.cosine_phi, camera.sine_phi, start_near_ray(camera, n),
@@ -33,7 +34,7 @@ std::optional<MeshHit> ObjectRays::look(const CameraStation& camera, const Vecto
 }
 
 std::uint32_t ObjectRays::triangle(const MeshHit& hit) const {
-  return placed_.meshes[static_cast<std::size_t>(hit.mesh)].tree.triangles[hit.place];
+  return placed_.meshes[static_cast<std::size_t>(hit.mesh)].tree.triangles[hit.tree_index];
 }
 
 }  // namespace ergodome

@@ -20,8 +20,8 @@ class ObjectRays {
   //! Returns the first hit of an object on the ray that a camera sees in direction `n`, a unit
   //! vector in (e_r, e_θ, e_φ); MeshHit::mesh is -1 if the ray hits none. `tolerance`: local error
   //! of the path. Returns nothing if the ray does not converge.
-  [[nodiscard]] std::optional<MeshHit> look(const CameraStation& camera, const Vector3<double>& n,
-                                            double tolerance = 1e-12) const;
+  [[nodiscard]] std::optional<MeshHit> first_hit(const CameraStation& camera, const Vector3<double>& n,
+                                                 double tolerance = 1e-12) const;
 
   //! Returns the index of the mesh triangle that was hit.
   [[nodiscard]] std::uint32_t triangle(const MeshHit& hit) const;

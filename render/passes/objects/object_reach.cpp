@@ -34,7 +34,7 @@ RadialRange radial_range(const TriangleMesh& mesh, const ObjectPlacement& placem
   if (from_hole - radius > nearest_of_objects) {
     return {from_hole - radius, from_hole + radius};
   }
-  const auto place = [&](std::size_t index) {
+  const auto position = [&](std::size_t index) {
     const float(&p)[3] = mesh.vertices[mesh.indices[index]].position;
     Vector3<double> at = placement.position;
     double* const part[3] = {&at.x, &at.y, &at.z};
@@ -47,7 +47,7 @@ RadialRange radial_range(const TriangleMesh& mesh, const ObjectPlacement& placem
   };
   RadialRange range{std::numeric_limits<double>::infinity(), from_hole + radius};
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-    range.nearest = std::min(range.nearest, distance_from_origin(place(i), place(i + 1), place(i + 2)));
+    range.nearest = std::min(range.nearest, distance_from_origin(position(i), position(i + 1), position(i + 2)));
   }
   return range;
 }

@@ -17,7 +17,7 @@ constexpr double beside_horizon = 1e-6;
 
 MeshScene PlacedMeshes::around(Spacetime spacetime, const PlacedMesh* at) const {
   const double horizon = horizon_radius(spacetime) * (1.0 + beside_horizon);
-  return {at, static_cast<int>(meshes.size()), std::max(least_r, horizon), std::max(greatest_r, 1.01 * horizon)};
+  return {at, static_cast<int>(meshes.size()), std::max(min_r, horizon), std::max(max_r, 1.01 * horizon)};
 }
 
 PlacedMeshes place_meshes(const std::vector<ObjectSettings>& objects, std::span<const TriangleTree> trees,
@@ -40,8 +40,8 @@ PlacedMeshes place_meshes(const std::vector<ObjectSettings>& objects, std::span<
     const double beside = mesh.retarded ? std::sqrt(dot(mesh.tree.middle, mesh.tree.middle)) : 0.0;
     const double distance = std::sqrt(dot(middle, middle));
     const double radius = mesh.size * (mesh.tree.radius + beside);
-    placed.least_r = std::min(placed.least_r, std::max(0.0, distance - radius));
-    placed.greatest_r = std::max(placed.greatest_r, distance + radius);
+    placed.min_r = std::min(placed.min_r, std::max(0.0, distance - radius));
+    placed.max_r = std::max(placed.max_r, distance + radius);
   }
   return placed;
 }

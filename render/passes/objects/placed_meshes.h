@@ -13,8 +13,8 @@ namespace ergodome {
 struct PlacedMeshes {
   std::vector<PlacedMesh> meshes;  //!< one per object
   //! Minimum radius of the bounding spheres; 0 if one contains the center of the hole [M].
-  double least_r = 0.0;
-  double greatest_r = 0.0;
+  double min_r = 0.0;
+  double max_r = 0.0;
 
   //! Returns the meshes as a scene for rays around a hole with a spin. `at`: address at which
   //! kernels read the meshes. Parts of objects next to the horizon are ignored.

@@ -12,7 +12,7 @@ namespace {
 
 //! Maximum number of triangles of meshes whose trees are also kept in host memory, if the backend
 //! is a GPU.
-constexpr std::size_t most_kept_triangles = 1'000'000;
+constexpr std::size_t max_kept_triangles = 1'000'000;
 
 }  // namespace
 
@@ -64,7 +64,7 @@ SurfaceStore::Stored SurfaceStore::store(const TriangleMesh& mesh, Backend backe
   if (backend == Backend::cpu) {
     stored.host_tree = {stored.nodes.data(), stored.corners.data(), stored.triangles.data(), stored.middle,
                         stored.radius};
-  } else if (boxes.triangles.size() <= most_kept_triangles) {
+  } else if (boxes.triangles.size() <= max_kept_triangles) {
     stored.kept = std::move(boxes);
     stored.host_tree = stored.kept.view();
   }

@@ -14,30 +14,30 @@ constexpr int picture_step_limit = 4000;
 //! Local error of an object ray's path, as a fraction of the tolerance of a pixel.
 constexpr double part_of_tolerance = 0.01;
 
-SurfaceLook look_of(const ObjectSettings& object, const Surface& surface) {
+SurfaceAppearance appearance_of(const ObjectSettings& object, const Surface& surface) {
   const auto factor = [&](double part) { return static_cast<float>(object.exposure * part); };
-  SurfaceLook look{
+  SurfaceAppearance appearance{
       surface, {factor(object.color.x), factor(object.color.y), factor(object.color.z)}, 0.0F, 0.0F, 1.0F, object.lit};
   if (object.checker) {
-    look.columns = static_cast<float>(object.checker->columns);
-    look.rows = static_cast<float>(object.checker->rows);
-    look.dark = static_cast<float>(object.checker->dark);
+    appearance.columns = static_cast<float>(object.checker->columns);
+    appearance.rows = static_cast<float>(object.checker->rows);
+    appearance.dark = static_cast<float>(object.checker->dark);
   }
-  return look;
+  return appearance;
 }
 
-std::vector<SurfaceLook> looks_of(const Show& show, const std::vector<Surface>& surfaces) {
-  std::vector<SurfaceLook> looks;
-  looks.reserve(surfaces.size());
+std::vector<SurfaceAppearance> appearances_of(const Show& show, const std::vector<Surface>& surfaces) {
+  std::vector<SurfaceAppearance> appearances;
+  appearances.reserve(surfaces.size());
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    looks.push_back(look_of(show.objects[i], surfaces[i]));
+    appearances.push_back(appearance_of(show.objects[i], surfaces[i]));
   }
-  return looks;
+  return appearances;
 }
 
-LampPlace lamp_of(const Show& show) {
-  return show.light ? LampPlace{show.light->position, show.light->strength, show.light->falloff, show.effects.redshift}
-                    : LampPlace{};
+LampSource lamp_of(const Show& show) {
+  return show.light ? LampSource{show.light->position, show.light->strength, show.light->falloff, show.effects.redshift}
+                    : LampSource{};
 }
 
 }  // namespace
@@ -48,7 +48,7 @@ TracedObjects::TracedObjects(const Show& show, Backend backend)
       lamp_(lamp_of(show)),
       shifted_(show.effects.redshift),
       surfaces_(show, backend),
-      looks_(backend, looks_of(show, surfaces_.surfaces()), "meshes"),
+      appearances_(backend, appearances_of(show, surfaces_.surfaces()), "meshes"),
       placed_(backend, show.objects.size(), "meshes"),
       guesses_(backend, show.objects.size(), "meshes") {}
 
@@ -57,7 +57,7 @@ std::unique_ptr<TracedObjects> traced_objects_of(const Show& show, Backend backe
 }
 
 double TracedObjects::farthest_r(double time_s) const {
-  return place_meshes(objects_, surfaces_.trees(), time_s).greatest_r;
+  return place_meshes(objects_, surfaces_.trees(), time_s).max_r;
 }
 
 PlacedMeshes TracedObjects::hiding(double time_s) const {
@@ -86,21 +86,21 @@ ObjectScene TracedObjects::scene_for(const PictureView& view) {
                     view.projection,
                     {},
                     placed.around(eye.spacetime, placed_.data()),
-                    looks_.data(),
+                    appearances_.data(),
                     lamp_,
                     guesses_.data(),
                     {tolerance, picture_step_limit, -eye.clock_lead},
                     shifted_,
                     std::ranges::any_of(placed.meshes, &PlacedMesh::retarded),
                     {}};
-  if (view.turning != nullptr) {
-    scene.turning = view.turning->cameras->exact(view.turning->side);
-    const std::vector<double>& coefficients = view.turning->cameras->coefficients();
+  if (view.omni != nullptr) {
+    scene.omni = view.omni->cameras->exact(view.omni->side);
+    const std::vector<double>& coefficients = view.omni->cameras->coefficients();
     if (cameras_.size() < coefficients.size()) {
       cameras_ = Buffer<double>(backend_, coefficients.size(), "objects' cameras");
     }
     cameras_.write(coefficients.data(), coefficients.size());
-    scene.turning.coefficients = cameras_.data();
+    scene.omni.coefficients = cameras_.data();
   }
   std::copy(&eye.frame_from_view[0][0], &eye.frame_from_view[0][0] + 9, &scene.frame_from_view[0][0]);
   return scene;
@@ -117,10 +117,10 @@ void TracedObjects::guess_lamp_rays(Spacetime spacetime, double time_s) {
   guesses_.write(lamp_guesses(spacetime, lamp_, objects_, outlines(time_s)).data(), objects_.size());
 }
 
-ObjectLayer TracedObjects::look_at_rows(const PictureView& view, const RowBlock& rows,
-                                        const std::optional<FlatEyeSight>& sight) {
+ObjectLayer TracedObjects::draw_rows(const PictureView& view, const RowBlock& rows,
+                                     const std::optional<FlatEyeSight>& sight) {
   ObjectPixels pixels(backend_, scene_for(view), rows.first, rows.count, sight);
-  pixels.look();
+  pixels.draw();
   const std::size_t count = pixels.time().size();
   if (time_.size() < count) {
     rgba_ = Buffer<float>(backend_, 4 * count, "objects' picture");

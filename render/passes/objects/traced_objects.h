@@ -31,12 +31,12 @@ class TracedObjects {
 
   //! Traces the objects in rows of a picture, at the time of the picture. The layer is valid until
   //! the next call.
-  ObjectLayer look(const PictureView& view, const RowBlock& rows) { return look_at_rows(view, rows, {}); }
+  ObjectLayer draw(const PictureView& view, const RowBlock& rows) { return draw_rows(view, rows, {}); }
 
   //! Does the same for an eye of the stereo model `flat`; `view` is that of the eye's head. The
   //! layer's `time` then holds the negative nearness of what is seen.
-  ObjectLayer look(const PictureView& view, const RowBlock& rows, const FlatEyeSight& sight) {
-    return look_at_rows(view, rows, sight);
+  ObjectLayer draw(const PictureView& view, const RowBlock& rows, const FlatEyeSight& sight) {
+    return draw_rows(view, rows, sight);
   }
 
   //! Returns an upper bound of the radius of all objects at a show time [M].
@@ -58,7 +58,7 @@ class TracedObjects {
   [[nodiscard]] long triangle_count() const;
 
  private:
-  ObjectLayer look_at_rows(const PictureView& view, const RowBlock& rows, const std::optional<FlatEyeSight>& sight);
+  ObjectLayer draw_rows(const PictureView& view, const RowBlock& rows, const std::optional<FlatEyeSight>& sight);
   //! Returns the objects of a picture in the form that kernels read.
   ObjectScene scene_for(const PictureView& view);
   //! Updates the starting values for the search of lamp rays (lamp_guesses()) in the backend's
@@ -67,10 +67,10 @@ class TracedObjects {
 
   Backend backend_;
   std::vector<ObjectSettings> objects_;
-  LampPlace lamp_;
+  LampSource lamp_;
   bool shifted_;
   SurfaceStore surfaces_;
-  Buffer<SurfaceLook> looks_;
+  Buffer<SurfaceAppearance> appearances_;
   Buffer<PlacedMesh> placed_;
   std::optional<std::pair<Spacetime, double>> guessed_for_;  //!< and time
   Buffer<LampCorrections> guesses_;

@@ -10,7 +10,7 @@ namespace ergodome {
 
 namespace {
 
-constexpr double most_width_deg = 170.0;
+constexpr double max_width_deg = 170.0;
 
 //! Returns a distance with two decimals below 1000, otherwise with four significant digits.
 std::string distance_text(double r) { return fmt::format(fmt::runtime(r < 1000.0 ? "{:.2f}" : "{:.4g}"), r); }
@@ -29,9 +29,9 @@ LocalText readout_text(Spacetime spacetime, double r, double theta) {
 
 Caption readout_caption(const ReadoutSettings& readout, Spacetime spacetime, double r, double theta) {
   Caption caption;
-  caption.place = readout.place;
+  caption.position = readout.position;
   caption.letter_deg = readout.letter_deg;
-  caption.width_deg = most_width_deg;
+  caption.width_deg = max_width_deg;
   caption.text = readout_text(spacetime, r, theta);
   return caption;
 }

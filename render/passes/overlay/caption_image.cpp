@@ -37,7 +37,7 @@ using Held = std::unique_ptr<T, Destroy>;
 //! Returns valid UTF-8 for Pango, without control characters except line breaks and tabs.
 std::string clean_text(const std::string& text) {
   const Held<gchar> valid(
-      g_utf8_make_valid(text.data(), static_cast<gssize>(std::min(text.size(), most_caption_bytes))));
+      g_utf8_make_valid(text.data(), static_cast<gssize>(std::min(text.size(), max_caption_bytes))));
   std::string clean;
   for (const gchar* at = valid.get(); *at != '\0'; at = g_utf8_next_char(at)) {
     const gunichar letter = g_utf8_get_char(at);

@@ -23,13 +23,13 @@ struct CaptionImage {
 
 //! Draws a text with Pango: centered lines in any script for which a font is installed, including
 //! right to left. Invalid UTF-8 becomes U+FFFD; control characters except line breaks and tabs are
-//! removed. Truncates texts after most_caption_bytes.
+//! removed. Truncates texts after max_caption_bytes.
 CaptionImage set_caption(const std::string& text, const CaptionType& type);
 
 //! Returns the letters of a text that no installed font contains, each once, in their order
 //! (UTF-8). They are drawn as boxes.
 std::string letters_without_font(const std::string& text);
 
-inline constexpr std::size_t most_caption_bytes = 4096;
+inline constexpr std::size_t max_caption_bytes = 4096;
 
 }  // namespace ergodome

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "render/passes/overlay/overlay_pass.h"
-#include "render/passes/overlay/overlay_place.h"
+#include "render/passes/overlay/overlay_position.h"
 
 // Captions as a layer separate from the picture.
 namespace ergodome {
@@ -31,14 +31,14 @@ std::vector<std::pair<const Caption*, double>> OverlayPass::seen_captions(std::o
 
 LaidCaptions OverlayPass::caption_layer(const Projection& projection, std::optional<double> time_s) {
   std::vector<std::pair<const Caption*, double>> seen = seen_captions(time_s);
-  double most = 0.0;
+  double maximum = 0.0;
   for (const auto& [caption, opacity] : seen) {
-    most = std::max(most, opacity);
+    maximum = std::max(maximum, opacity);
   }
   std::vector<LayerCaption> asked;
   for (auto& [caption, opacity] : seen) {
-    opacity /= most;
-    asked.push_back({text_in(caption->text, language_), caption->place, caption->letter_deg, caption->width_deg,
+    opacity /= maximum;
+    asked.push_back({text_in(caption->text, language_), caption->position, caption->letter_deg, caption->width_deg,
                      caption->color, opacity});
   }
   if (asked.empty()) {
@@ -50,7 +50,7 @@ LaidCaptions OverlayPass::caption_layer(const Projection& projection, std::optio
     in_layer_ = std::move(asked);
     layer_tiles_ = tiles_of(projection);
   }
-  return {layer_, most};
+  return {layer_, maximum};
 }
 
 std::shared_ptr<const CaptionLayer> OverlayPass::draw_layer(

@@ -13,12 +13,12 @@ namespace {
 //! Returns the first letters of a text, with dots if there are more. Continuation bytes of UTF-8
 //! are 10xxxxxx.
 std::string first_letters(const std::string& text) {
-  constexpr int most_letters = 12;
+  constexpr int max_letters = 12;
   int letters = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const bool begins = (static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U;
     letters += begins ? 1 : 0;
-    if (letters > most_letters) {
+    if (letters > max_letters) {
       return text.substr(0, i) + "...";
     }
   }

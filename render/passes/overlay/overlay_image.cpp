@@ -162,11 +162,11 @@ OverlayImage read_opened_overlay(ImageInput& input, const std::filesystem::path&
   image.texels.reserve(texels);
   const auto width = static_cast<std::size_t>(shape.width);
   const auto channels = static_cast<std::size_t>(coding.channels);
-  const int most_rows = std::min(rows_at_a_time, shape.height);
-  std::vector<float> rows(static_cast<std::size_t>(most_rows) * width * channels);
-  for (int row = 0; row < shape.height; row += most_rows) {
-    require_reading_goes_on(path.string());
-    const int count = std::min(most_rows, shape.height - row);
+  const int max_rows = std::min(rows_at_a_time, shape.height);
+  std::vector<float> rows(static_cast<std::size_t>(max_rows) * width * channels);
+  for (int row = 0; row < shape.height; row += max_rows) {
+    throw_if_reading_stopped(path.string());
+    const int count = std::min(max_rows, shape.height - row);
     if (!input.read_rows(row, row + count, coding.channels, rows.data())) {
       throw Error(path.string(), "cannot be read: " + input.error(), "the file is truncated or damaged; save it again");
     }

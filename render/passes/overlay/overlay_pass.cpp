@@ -15,7 +15,7 @@
 #include "kernels/projection/pixel_measure.h"
 #include "render/passes/overlay/camera_readout.h"
 #include "render/passes/overlay/caption_notes.h"
-#include "render/passes/overlay/overlay_place.h"
+#include "render/passes/overlay/overlay_position.h"
 
 namespace ergodome {
 
@@ -25,8 +25,8 @@ namespace {
 constexpr int smallest_line_px = 16;
 constexpr int largest_line_px = 256;
 //! Memory limits: for all images of a show, and for all cached texts.
-constexpr long most_image_bytes = 4L << 30;
-constexpr std::size_t most_caption_texels = 32UL << 20;
+constexpr long max_image_bytes = 4L << 30;
+constexpr std::size_t max_caption_texels = 32UL << 20;
 //! Maximum width of a flat image [deg]. Such an image already looks stretched; the width of its
 //! plane would diverge at 180 degrees.
 constexpr double widest_image_deg = 150.0;
@@ -52,13 +52,15 @@ void check_overlay(const Overlay& overlay, const std::filesystem::path& path, in
 
 //! Returns the surface on which a caption is drawn: bent on domes and spheres, plane on a flat
 //! screen.
-OverlaySheet caption_sheet(const Projection& projection, const DomePlace& place, double across, double upright) {
-  return projection.kind == ProjectionKind::pinhole ? flat_sheet(place, 2.0 * std::atan(0.5 * across), across / upright)
-                                                    : bent_sheet(place, across, upright);
+OverlaySurface caption_surface(const Projection& projection, const DomePosition& position, double across,
+                               double upright) {
+  return projection.kind == ProjectionKind::pinhole
+             ? flat_surface(position, 2.0 * std::atan(0.5 * across), across / upright)
+             : bent_surface(position, across, upright);
 }
 
 Error too_much(const std::string& folder) {
-  return {folder, fmt::format("the images of its overlays need more than {} GiB", most_image_bytes >> 30),
+  return {folder, fmt::format("the images of its overlays need more than {} GiB", max_image_bytes >> 30),
           "use smaller or fewer images"};
 }
 
@@ -76,7 +78,7 @@ OverlayPass::OverlayPass(const Show& show) : captions_(show.timeline.captions), 
       }
       check_overlay(overlay, path, found->second.layout.width, found->second.layout.height);
     });
-    if (bytes > most_image_bytes) {
+    if (bytes > max_image_bytes) {
       throw too_much(show.folder);
     }
   }
@@ -166,15 +168,15 @@ void OverlayPass::draw_image(const OverlayTarget& target, const Projection& proj
   }
   Texture& texture = images_.at(overlay.image);
   if (overlay.fisheye) {
-    draw_sheet(target, projection, texture, fisheye_sheet(one_degree * overlay.fov_deg), opacity);
+    draw_surface(target, projection, texture, fisheye_surface(one_degree * overlay.fov_deg), opacity);
     return;
   }
   const double aspect = static_cast<double>(texture.layout.width) / texture.layout.height;
   const double width = one_degree * overlay.width_deg;
   const double height = 2.0 * std::atan(std::tan(0.5 * width) / aspect);
-  const PlacedOverlay placed = placed_overlay(projection, overlay.place, width, height);
+  const PlacedOverlay placed = placed_overlay(projection, overlay.position, width, height);
   if (placed.shown) {
-    draw_sheet(target, projection, texture, flat_sheet(placed.place, placed.scale * width, aspect), opacity);
+    draw_surface(target, projection, texture, flat_surface(placed.position, placed.scale * width, aspect), opacity);
   }
 }
 
@@ -184,7 +186,7 @@ OverlayPass::TileRows OverlayPass::draw_caption(const OverlayTarget& target, con
   if (!(opacity > 0.0) || !(caption.letter_deg > 0.0) || text.empty()) {
     return {};
   }
-  const double width = std::min(one_degree * caption.width_deg, widest_bent_sheet(caption.place));
+  const double width = std::min(one_degree * caption.width_deg, widest_bent_surface(caption.position));
   SetCaption& set = set_for(caption, text, width, pixel_angle(projection));
   if (set.texture.layout.width == 0) {
     return {};
@@ -192,12 +194,13 @@ OverlayPass::TileRows OverlayPass::draw_caption(const OverlayTarget& target, con
   const double angle = one_degree * caption.letter_deg / set.line_px;
   const double across = angle * set.texture.layout.width;
   const double upright = angle * set.texture.layout.height;
-  const PlacedOverlay placed = placed_overlay(projection, caption.place, across, upright);
+  const PlacedOverlay placed = placed_overlay(projection, caption.position, across, upright);
   if (!placed.shown) {
     return {};
   }
-  return draw_sheet(target, projection, set.texture,
-                    caption_sheet(projection, placed.place, placed.scale * across, placed.scale * upright), opacity);
+  return draw_surface(target, projection, set.texture,
+                      caption_surface(projection, placed.position, placed.scale * across, placed.scale * upright),
+                      opacity);
 }
 
 OverlayPass::SetCaption& OverlayPass::set_for(const Caption& caption, const std::string& text, double width,
@@ -239,29 +242,29 @@ void OverlayPass::forget_old_captions() {
     }
     return sum;
   };
-  while (set_.size() > 1 && texels() > most_caption_texels) {
+  while (set_.size() > 1 && texels() > max_caption_texels) {
     const auto oldest = std::ranges::min_element(set_.begin(), set_.end() - 1, {}, &SetCaption::last_drawn);
     set_.erase(oldest);
   }
 }
 
 const PictureTiles& OverlayPass::tiles_of(const Projection& projection) {
-  constexpr std::size_t most_kept = 2;
+  constexpr std::size_t max_kept = 2;
   const auto found = std::ranges::find_if(tiles_, [&](const PictureTiles& tiles) { return tiles.are_of(projection); });
   if (found != tiles_.end()) {
     return *found;
   }
-  if (tiles_.size() == most_kept) {
+  if (tiles_.size() == max_kept) {
     tiles_.erase(tiles_.begin());
   }
   return tiles_.emplace_back(projection);
 }
 
-OverlayPass::TileRows OverlayPass::draw_sheet(const OverlayTarget& target, const Projection& projection,
-                                              Texture& texture, OverlaySheet sheet, double opacity) {
-  bound_sheet(sheet, 2.0 * largest_pixel_angle(projection));
+OverlayPass::TileRows OverlayPass::draw_surface(const OverlayTarget& target, const Projection& projection,
+                                                Texture& texture, OverlaySurface surface, double opacity) {
+  bound_surface(surface, 2.0 * largest_pixel_angle(projection));
   const PictureTiles& tiles = tiles_of(projection);
-  const std::vector<std::int32_t> numbers = tiles.within(sheet);
+  const std::vector<std::int32_t> numbers = tiles.within(surface);
   if (numbers.empty()) {
     return {};
   }
@@ -278,7 +281,7 @@ OverlayPass::TileRows OverlayPass::draw_sheet(const OverlayTarget& target, const
   }
   launch(target.backend,
          OverlayBatch{target.rgba, converted_projection<float>(projection),
-                      texture.layout.view(on_device ? texture.device.data() : texture.host.data()), sheet,
+                      texture.layout.view(on_device ? texture.device.data() : texture.host.data()), surface,
                       static_cast<float>(std::clamp(opacity, 0.0, 1.0)), target.tone, target.display_colours,
                       on_device ? tile_numbers_.data() : numbers.data(), tiles.columns(),
                       static_cast<int>(numbers.size()) * overlay_tile_px * overlay_tile_px});

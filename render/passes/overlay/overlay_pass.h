@@ -111,7 +111,7 @@ class OverlayPass : public Pass {
   //! A caption of the last layer, with its text in the layer's language.
   struct LayerCaption {
     std::string text;
-    DomePlace place;
+    DomePosition position;
     double letter_deg;
     double width_deg;
     std::array<double, 3> color;
@@ -129,10 +129,10 @@ class OverlayPass : public Pass {
   void draw_image(const OverlayTarget& target, const Projection& projection, const Overlay& overlay, double opacity);
   TileRows draw_caption(const OverlayTarget& target, const Projection& projection, const Caption& caption,
                         double opacity);
-  //! Draws one overlay and returns the rows of tiles on which it may have drawn. `sheet`: position
-  //! of the overlay (OverlaySheet).
-  TileRows draw_sheet(const OverlayTarget& target, const Projection& projection, Texture& texture, OverlaySheet sheet,
-                      double opacity);
+  //! Draws one overlay and returns the rows of tiles on which it may have drawn. `surface`:
+  //! position of the overlay (OverlaySurface).
+  TileRows draw_surface(const OverlayTarget& target, const Projection& projection, Texture& texture,
+                        OverlaySurface surface, double opacity);
 
   //! Returns the image of a caption's text, with a resolution that is sufficient for a picture.
   SetCaption& set_for(const Caption& caption, const std::string& text, double width, double angle_of_px);

@@ -3,7 +3,7 @@
 namespace ergodome {
 
 void plan_overlays(PlanWriter& plan) {
-  const Show& show = plan.most();
+  const Show& show = plan.maximum();
   const Timeline& timeline = show.timeline;
   if (!timeline.overlays.empty()) {
     plan.buffer("overlay images", WorkMoment::start, plan.request().overlay_bytes, plan.why("overlay"));

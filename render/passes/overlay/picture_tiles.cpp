@@ -45,13 +45,13 @@ PictureTiles::Cone PictureTiles::cone_of(int column, int row) const {
   const double right = std::min(left + overlay_tile_px, static_cast<double>(projection_.width_px)) - 0.5;
   const double bottom = std::min(top + overlay_tile_px, static_cast<double>(projection_.height_px)) - 0.5;
   const Vector3<double> axis = direction_from_pixel(projection_, 0.5 * (left + right), 0.5 * (top + bottom));
-  double least_cosine = 1.0;
+  double min_cosine = 1.0;
   for (const double x : {left, 0.5 * (left + right), right}) {
     for (const double y : {top, 0.5 * (top + bottom), bottom}) {
-      least_cosine = std::min(least_cosine, dot(axis, direction_from_pixel(projection_, x, y)));
+      min_cosine = std::min(min_cosine, dot(axis, direction_from_pixel(projection_, x, y)));
     }
   }
-  const double angle = std::acos(std::clamp(least_cosine, -1.0, 1.0));
+  const double angle = std::acos(std::clamp(min_cosine, -1.0, 1.0));
   return {{static_cast<float>(axis.x), static_cast<float>(axis.y), static_cast<float>(axis.z)},
           angle < widest_cone ? static_cast<float>(cone_slack * angle) : everywhere};
 }
@@ -72,12 +72,12 @@ bool PictureTiles::are_of(const Projection& projection) const {
   return true;
 }
 
-std::vector<std::int32_t> PictureTiles::within(const OverlaySheet& sheet) const {
-  const float bound = std::acos(std::clamp(sheet.bound_cosine, -1.0F, 1.0F));
+std::vector<std::int32_t> PictureTiles::within(const OverlaySurface& surface) const {
+  const float bound = std::acos(std::clamp(surface.bound_cosine, -1.0F, 1.0F));
   std::vector<std::int32_t> tiles;
   for (std::size_t i = 0; i < cones_.size(); ++i) {
     const Cone& cone = cones_[i];
-    const float apart = std::acos(std::clamp(dot(cone.axis, sheet.bound_axis), -1.0F, 1.0F));
+    const float apart = std::acos(std::clamp(dot(cone.axis, surface.bound_axis), -1.0F, 1.0F));
     if (apart <= bound + cone.half_angle + 1e-3F) {
       tiles.push_back(static_cast<std::int32_t>(i));
     }

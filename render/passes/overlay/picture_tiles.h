@@ -18,7 +18,7 @@ class PictureTiles {
   [[nodiscard]] bool are_of(const Projection& projection) const;
 
   //! Returns the indices of the tiles that may overlap an overlay's bounding cone.
-  [[nodiscard]] std::vector<std::int32_t> within(const OverlaySheet& sheet) const;
+  [[nodiscard]] std::vector<std::int32_t> within(const OverlaySurface& surface) const;
 
   [[nodiscard]] int columns() const { return columns_; }
 

@@ -48,7 +48,7 @@ Vector3<float> color_of(const std::array<double, 3>& color, double factor) {
           static_cast<float>(color[2] * factor)};
 }
 
-ShellLook look_of(const ShellSettings& shell, const SkyCube* texture) {
+ShellAppearance appearance_of(const ShellSettings& shell, const SkyCube* texture) {
   return {static_cast<float>(shell.radius),
           static_cast<float>(shell.spacing_deg * one_degree),
           static_cast<float>(shell.line_width_deg * one_degree),
@@ -63,7 +63,7 @@ ShellLook look_of(const ShellSettings& shell, const SkyCube* texture) {
 }  // namespace
 
 ShellPass::ShellPass(const Show& show, Backend backend)
-    : u_(backend, show.shells.size(), "shells"), looks_(backend, show.shells.size(), "shells") {
+    : u_(backend, show.shells.size(), "shells"), appearances_(backend, show.shells.size(), "shells") {
   for (std::size_t i = 0; i < show.shells.size(); ++i) {
     textures_.push_back(load_texture(show, i, backend, repaired_.emplace_back()));
   }
@@ -85,13 +85,13 @@ void ShellPass::set_numbers(const Show& show) {
   // Among shells with the same radius, the first one is outermost.
   std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t i) { return shells_[i].radius; });
   std::vector<float> u;
-  std::vector<ShellLook> looks;
+  std::vector<ShellAppearance> appearances;
   for (const std::size_t i : order) {
     u.push_back(static_cast<float>(1.0 / shells_[i].radius));
-    looks.push_back(look_of(shells_[i], textures_[i].get()));
+    appearances.push_back(appearance_of(shells_[i], textures_[i].get()));
   }
   u_.write(u.data(), u.size());
-  looks_.write(looks.data(), looks.size());
+  appearances_.write(appearances.data(), appearances.size());
   count_ = static_cast<int>(order.size());
 }
 
@@ -103,7 +103,7 @@ double ShellPass::outermost_r() const {
   return r;
 }
 
-ShellTable ShellPass::table() const { return {u_.data(), looks_.data(), count_, shifted_}; }
+ShellTable ShellPass::table() const { return {u_.data(), appearances_.data(), count_, shifted_}; }
 
 bool same_shell_textures(const Show& a, const Show& b) {
   return a.folder == b.folder &&

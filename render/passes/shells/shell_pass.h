@@ -5,7 +5,7 @@
 
 #include "content/show/show.h"
 #include "content/sky/environment_image.h"
-#include "kernels/shells/shell_look.h"
+#include "kernels/shells/shell_appearance.h"
 #include "render/backend/buffer.h"
 #include "render/passes/sky/sky_cube.h"
 
@@ -31,7 +31,7 @@ class ShellPass {
   [[nodiscard]] const std::vector<RepairedTexels>& repaired() const { return repaired_; }
 
   //! Memory of a shell without its texture [bytes].
-  static constexpr long shell_bytes = static_cast<long>(sizeof(float) + sizeof(ShellLook));
+  static constexpr long shell_bytes = static_cast<long>(sizeof(float) + sizeof(ShellAppearance));
 
  private:
   std::vector<ShellSettings> shells_;
@@ -39,7 +39,7 @@ class ShellPass {
   bool shifted_ = false;
   std::vector<std::unique_ptr<SkyCube>> textures_;  //!< texture of each shell; null if it has none
   Buffer<float> u_;
-  Buffer<ShellLook> looks_;
+  Buffer<ShellAppearance> appearances_;
   int count_ = 0;
 };
 

@@ -47,22 +47,22 @@ long ColumnSums::bytes_for(int map_width, bool fitted) {
   return (fitted ? 4 : 3) * map_width * rows * static_cast<long>(sizeof(double));
 }
 
-ColumnPlace ColumnSums::place_of(double sine) const {
+ColumnPosition ColumnSums::position_of(double sine) const {
   const int row = static_cast<int>(std::acos(std::clamp(sine, -1.0, 1.0)) * (height_ / pi));
   return {sine, std::clamp(row, 0, height_ - 1)};
 }
 
-void ColumnSums::add_at(int column, const ColumnPlace& place, double part, glm::dvec4& sum) const {
-  const auto row = static_cast<std::size_t>(place.row);
-  const double down = (sines_[row] - place.sine) / (sines_[row] - sines_[row + 1]);
-  const double* upper = sums_at(column, place.row);
+void ColumnSums::add_at(int column, const ColumnPosition& position, double part, glm::dvec4& sum) const {
+  const auto row = static_cast<std::size_t>(position.row);
+  const double down = (sines_[row] - position.sine) / (sines_[row] - sines_[row + 1]);
+  const double* upper = sums_at(column, position.row);
   const double* lower = upper + parts_;
   for (int i = 0; i < parts_; ++i) {
     sum[i] += part * (upper[i] + down * (lower[i] - upper[i]));
   }
 }
 
-void ColumnSums::add_above(int column, const ColumnPlace& from, const ColumnPlace& to, double part,
+void ColumnSums::add_above(int column, const ColumnPosition& from, const ColumnPosition& to, double part,
                            glm::dvec4& sum) const {
   if (from.row == to.row) {
     // Within a texel the light above a line is linear along the line, so its mean is the value at

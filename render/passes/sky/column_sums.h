@@ -10,7 +10,7 @@ namespace ergodome {
 
 //! A position on a meridian of a map: the sine of its declination, and the index of the texel row
 //! that contains it.
-struct ColumnPlace {
+struct ColumnPosition {
   double sine;
   int row;
 };
@@ -35,13 +35,13 @@ class ColumnSums {
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
 
-  [[nodiscard]] ColumnPlace place_of(double sine) const;
+  [[nodiscard]] ColumnPosition position_of(double sine) const;
 
   //! Adds the light above a line through a column to `sum`; exact if light is constant within each
   //! texel. The line is straight in longitude and sine of the declination (an equal-area map).
   //! `part` is the width of the line in columns, negative if the line runs backwards. A whole
   //! column of light 1 gives 2.
-  void add_above(int column, const ColumnPlace& from, const ColumnPlace& to, double part, glm::dvec4& sum) const;
+  void add_above(int column, const ColumnPosition& from, const ColumnPosition& to, double part, glm::dvec4& sum) const;
 
   //! Returns the sum over all columns.
   [[nodiscard]] const glm::dvec4& whole() const { return whole_; }
@@ -54,7 +54,7 @@ class ColumnSums {
   }
 
   //! Adds `part` times the light above a position.
-  void add_at(int column, const ColumnPlace& place, double part, glm::dvec4& sum) const;
+  void add_at(int column, const ColumnPosition& position, double part, glm::dvec4& sum) const;
 
   int width_;
   int height_;

@@ -64,7 +64,7 @@ inline float angle_of(float y, float x) {
 
 }  // namespace
 
-void places_in_map(const DirectionRow& row, std::span<float> x, std::span<float> y) {
+void positions_in_map(const DirectionRow& row, std::span<float> x, std::span<float> y) {
   const glm::vec3 base(row.base);
   const glm::vec3 along(row.along);
   constexpr float per_radian = 0.5F * std::numbers::inv_pi_v<float>;
@@ -104,8 +104,8 @@ void ImageRows::read(const DirectionRow& row, std::span<glm::vec3> light) const 
   std::array<float, at_once> y;
   for (std::size_t begin = 0; begin < row.s.size(); begin += at_once) {
     const std::size_t count = std::min(at_once, row.s.size() - begin);
-    places_in_map({map_from_sky_ * row.base, map_from_sky_ * row.along, row.s.subspan(begin, count)},
-                  std::span(x).first(count), std::span(y).first(count));
+    positions_in_map({map_from_sky_ * row.base, map_from_sky_ * row.along, row.s.subspan(begin, count)},
+                     std::span(x).first(count), std::span(y).first(count));
     for (std::size_t i = 0; i < count; ++i) {
       light[begin + i] = between_texels(x[i] * static_cast<float>(image_.width) - 0.5F,
                                         y[i] * static_cast<float>(image_.height) - 0.5F);

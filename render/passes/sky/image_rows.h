@@ -23,7 +23,7 @@ struct DirectionRow {
 //! Writes column / width to `x`, in [-1/4, 3/4], and row / height to `y`, in [0, 1]; both are as
 //! long as `row.s`. The error is below 2e-7, except for the columns of directions next to a pole,
 //! where all columns meet.
-void places_in_map(const DirectionRow& row, std::span<float> x, std::span<float> y);
+void positions_in_map(const DirectionRow& row, std::span<float> x, std::span<float> y);
 
 //! Samples an equirectangular image bilinearly along rows of directions.
 class ImageRows {

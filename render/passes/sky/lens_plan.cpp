@@ -47,7 +47,7 @@ void plan_omni(PlanWriter& plan, const LensChannels& channels) {
                        model);
   }
   plan_grid(plan, model, !asked);
-  plan.buffer("lens grid", WorkMoment::place, 0, model);
+  plan.buffer("lens grid", WorkMoment::position, 0, model);
   plan.pixel_pass(variant(channels, "look_up_omni_pixels"), model, !asked);
   if (!asked) {
     // Rays are used if a grid would leave most pixels to rays or would need double precision.
@@ -59,13 +59,13 @@ void plan_omni(PlanWriter& plan, const LensChannels& channels) {
 }  // namespace
 
 void plan_grid(PlanWriter& plan, const std::string& reason, bool if_needed) {
-  plan.pass("trace_nodes", WorkMoment::place, 0, 0, reason, if_needed);
-  plan.pass("check_cells", WorkMoment::place, 0, 0, reason, if_needed);
-  plan.buffer("lens grid being traced", WorkMoment::place, 0, reason);
+  plan.pass("trace_nodes", WorkMoment::position, 0, 0, reason, if_needed);
+  plan.pass("check_cells", WorkMoment::position, 0, 0, reason, if_needed);
+  plan.buffer("lens grid being traced", WorkMoment::position, 0, reason);
 }
 
 void plan_lens(PlanWriter& plan, const LensChannels& channels, const ShellsFollowed& shells) {
-  if (has_camera_per_direction(plan.most().stereo)) {
+  if (has_camera_per_direction(plan.maximum().stereo)) {
     return plan_omni(plan, channels);
   }
   if (follows_rays(plan.request().mode) && (plan.request().method || shells.at_most)) {
@@ -77,9 +77,9 @@ void plan_lens(PlanWriter& plan, const LensChannels& channels, const ShellsFollo
   if (shows_rays(plan.request().mode) || plan.request().lens == LensChoice::direct) {
     return plan_direct(plan, channels, plan.why_view());
   }
-  if (plan.most().grid_scheme == GridScheme::quadtree && plan.on_cpu()) {
+  if (plan.maximum().grid_scheme == GridScheme::quadtree && plan.on_cpu()) {
     plan.set_lens("quadtree");
-    plan.pass("trace_rays, double", WorkMoment::place, 0, 0, plan.why("grid.scheme"));
+    plan.pass("trace_rays, double", WorkMoment::position, 0, 0, plan.why("grid.scheme"));
     return plan.pixel_pass("read_quadtree_pixels", plan.why("grid.scheme"));
   }
   const bool streamed = plan.request().streamed && plan.request().lens != LensChoice::live;
@@ -88,9 +88,9 @@ void plan_lens(PlanWriter& plan, const LensChannels& channels, const ShellsFollo
   }
   plan.set_lens(streamed ? "streamed" : "live");
   plan_grid(plan, quality, streamed);
-  plan.buffer("lens grid", WorkMoment::place, 0, quality);
+  plan.buffer("lens grid", WorkMoment::position, 0, quality);
   plan.pixel_pass(variant(channels, "look_up_pixels"), quality, !asked);
-  const bool converge = plan.least().stereo.convergence > 0.0 && plan.least().stereo.baseline > 0.0;
+  const bool converge = plan.minimum().stereo.convergence > 0.0 && plan.minimum().stereo.baseline > 0.0;
   if (plan.makes_eyes_in_turn() && !converge) {
     // If both eyes have grids, these are read together.
     plan.buffer("second lens channels", WorkMoment::start, 0, plan.why("stereo.layout"));

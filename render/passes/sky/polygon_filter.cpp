@@ -20,10 +20,10 @@ namespace {
 constexpr double widest_corner = 1.25;
 //! Minimum width of outlines [texels]. Rounding errors would dominate narrower ones, which occur at
 //! caustics.
-constexpr double least_width = 0.01;
+constexpr double min_width = 0.01;
 //! Accepted error of a side, as a fraction of the outline's width.
 constexpr double part_off = 0.01;
-constexpr int most_splits = 12;
+constexpr int max_splits = 12;
 
 //! Moves a direction on the sphere along a tangent, by an angle equal to the tangent's length.
 glm::dvec3 moved(const glm::dvec3& direction, const glm::dvec3& tangent) {
@@ -32,18 +32,18 @@ glm::dvec3 moved(const glm::dvec3& direction, const glm::dvec3& tangent) {
 }
 
 //! Widens a parallelogram on the sphere, given by two tangents at `direction`, so that its area is
-//! not zero. `least`: minimum width [rad].
-void widen(const glm::dvec3& direction, double least, glm::dvec3& first, glm::dvec3& second) {
+//! not zero. `minimum`: minimum width [rad].
+void widen(const glm::dvec3& direction, double minimum, glm::dvec3& first, glm::dvec3& second) {
   glm::dvec3& longer = glm::dot(first, first) >= glm::dot(second, second) ? first : second;
   glm::dvec3& shorter = &longer == &first ? second : first;
-  if (!(glm::length(longer) >= least)) {
+  if (!(glm::length(longer) >= minimum)) {
     const glm::dvec3 axis = std::abs(direction.z) < 0.9 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(1.0, 0.0, 0.0);
-    longer = least * glm::normalize(glm::cross(axis, direction));
+    longer = minimum * glm::normalize(glm::cross(axis, direction));
   }
   const glm::dvec3 across = glm::normalize(glm::cross(direction, longer));
   const double apart = glm::dot(shorter, across);
-  if (!(std::abs(apart) >= least)) {
-    shorter += (std::copysign(least, apart) - apart) * across;
+  if (!(std::abs(apart) >= minimum)) {
+    shorter += (std::copysign(minimum, apart) - apart) * across;
   }
 }
 
@@ -67,7 +67,7 @@ double PolygonFilter::column_of(const glm::dvec3& direction) const {
   return map_from_direction(direction).x * sums_.width();
 }
 
-void PolygonFilter::add_piece(int column, const Place& from, const Place& to, int depth, Sum& sum) const {
+void PolygonFilter::add_piece(int column, const OutlinePoint& from, const OutlinePoint& to, int depth, Sum& sum) const {
   // A great circle of length l deviates from a straight line by l² / 8, divided by the distance
   // from the pole, because longitude scales inversely with that distance.
   const glm::dvec3 chord = to.direction - from.direction;
@@ -78,7 +78,7 @@ void PolygonFilter::add_piece(int column, const Place& from, const Place& to, in
     const double turn = std::remainder(column_of(middle) - from.column, static_cast<double>(sums_.width()));
     const double low = std::min(from.column, to.column);
     const double high = std::max(from.column, to.column);
-    const Place half = {middle, std::clamp(from.column + turn, low, high), sums_.place_of(middle.z)};
+    const OutlinePoint half = {middle, std::clamp(from.column + turn, low, high), sums_.position_of(middle.z)};
     add_piece(column, from, half, depth - 1, sum);
     return add_piece(column, half, to, depth - 1, sum);
   }
@@ -89,9 +89,9 @@ void PolygonFilter::add_piece(int column, const Place& from, const Place& to, in
 
 void PolygonFilter::add_side(const glm::dvec3& from, const glm::dvec3& to, Sum& sum) const {
   const int width = sums_.width();
-  Place at = {from, column_of(from), sums_.place_of(from.z)};
+  OutlinePoint at = {from, column_of(from), sums_.position_of(from.z)};
   const double turn = std::remainder(column_of(to) - at.column, static_cast<double>(width));
-  const Place end = {to, at.column + turn, sums_.place_of(to.z)};
+  const OutlinePoint end = {to, at.column + turn, sums_.position_of(to.z)};
   const glm::dvec3 way = to - from;
   // Finds the crossings of the side, along its straight chord, with the meridians between columns.
   const int step = turn >= 0.0 ? 1 : -1;
@@ -101,11 +101,11 @@ void PolygonFilter::add_side(const glm::dvec3& from, const glm::dvec3& to, Sum& 
     const glm::dvec2& normal = normals_[wrapped(meridian, width)];
     const double along = -glm::dot(normal, glm::dvec2(from)) / glm::dot(normal, glm::dvec2(way));
     const glm::dvec3 crossing = glm::normalize(from + std::clamp(std::isfinite(along) ? along : 0.5, 0.0, 1.0) * way);
-    const Place next = {crossing, static_cast<double>(meridian), sums_.place_of(crossing.z)};
-    add_piece(column(), at, next, most_splits, sum);
+    const OutlinePoint next = {crossing, static_cast<double>(meridian), sums_.position_of(crossing.z)};
+    add_piece(column(), at, next, max_splits, sum);
     at = next;
   }
-  add_piece(column(), at, end, most_splits, sum);
+  add_piece(column(), at, end, max_splits, sum);
   sum.turn += turn;
 }
 
@@ -118,7 +118,7 @@ glm::dvec4 PolygonFilter::light(const glm::dvec3& direction, const glm::dvec3& a
   const glm::dvec3 middle = map_from_sky_ * glm::normalize(direction);
   glm::dvec3 right = map_from_sky_ * along_x;
   glm::dvec3 down = map_from_sky_ * along_y;
-  widen(middle, least_width * pi / sums_.height(), right, down);
+  widen(middle, min_width * pi / sums_.height(), right, down);
   const std::array<glm::dvec3, 4> corners = {moved(middle, -0.5 * (right + down)), moved(middle, 0.5 * (right - down)),
                                              moved(middle, 0.5 * (right + down)), moved(middle, 0.5 * (down - right))};
   const double longer = std::max(glm::length(right), glm::length(down));

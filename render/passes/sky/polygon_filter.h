@@ -53,16 +53,16 @@ class PolygonFilter {
   };
 
   //! A position on an outline; `column` continues across the seam.
-  struct Place {
+  struct OutlinePoint {
     glm::dvec3 direction;
     double column;
-    ColumnPlace in_column;
+    ColumnPosition in_column;
   };
 
   [[nodiscard]] double column_of(const glm::dvec3& direction) const;
   //! Adds the light above a piece of a side within one column. Halves the piece until it is
   //! straight enough, at most `depth` times.
-  void add_piece(int column, const Place& from, const Place& to, int depth, Sum& sum) const;
+  void add_piece(int column, const OutlinePoint& from, const OutlinePoint& to, int depth, Sum& sum) const;
   void add_side(const glm::dvec3& from, const glm::dvec3& to, Sum& sum) const;
 
   ColumnSums sums_;

@@ -66,17 +66,18 @@ class TexelWeights {
 //! of texels has two rows of samples.
 class SampleRows {
  public:
-  explicit SampleRows(int face_size) : places_(side_points(face_size, 2)), s_(places_.begin(), places_.end()) {}
+  explicit SampleRows(int face_size)
+      : positions_(side_points(face_size, 2)), s_(positions_.begin(), positions_.end()) {}
 
   [[nodiscard]] DirectionRow row(int face, int y) const {
-    const double t = places_[static_cast<std::size_t>(y)];
+    const double t = positions_[static_cast<std::size_t>(y)];
     const auto [x0, y0, z0] = cube_point(face, 0.0, t);
     const auto [x1, y1, z1] = cube_point(face, 1.0, t);
     return {{x0, y0, z0}, {x1 - x0, y1 - y0, z1 - z0}, s_};
   }
 
  private:
-  std::vector<double> places_;
+  std::vector<double> positions_;
   std::vector<float> s_;
 };
 
@@ -150,12 +151,12 @@ class Pyramid {
   //! Samples a level bilinearly within one face; does not need borders.
   glm::vec4 seen_from(int level, const glm::dvec3& d) {
     const int n = size(level);
-    const CubePlace<float> place =
-        cube_place<float>({static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z)});
-    const int its_face = static_cast<int>(place.face);
+    const CubePosition<float> position =
+        cube_position<float>({static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z)});
+    const int its_face = static_cast<int>(position.face);
     const float last = static_cast<float>(n - 1);
-    const float x = std::clamp((place.x + 1.0F) * 0.5F * static_cast<float>(n) - 0.5F, 0.0F, last);
-    const float y = std::clamp((place.y + 1.0F) * 0.5F * static_cast<float>(n) - 0.5F, 0.0F, last);
+    const float x = std::clamp((position.x + 1.0F) * 0.5F * static_cast<float>(n) - 0.5F, 0.0F, last);
+    const float y = std::clamp((position.y + 1.0F) * 0.5F * static_cast<float>(n) - 0.5F, 0.0F, last);
     const int x0 = static_cast<int>(x);
     const int y0 = static_cast<int>(y);
     const auto at = [&](int dx, int dy) {

@@ -106,13 +106,13 @@ LensPixels SkyPass::channels(std::size_t pixels, const PictureSettings& settings
   return lens;
 }
 
-SkyDrawing::SkyDrawing(SkyPass& pass, const EyePicture& picture, const SkyCube& sky, int most_rows)
+SkyDrawing::SkyDrawing(SkyPass& pass, const EyePicture& picture, const SkyCube& sky, int max_rows)
     : pass_(pass),
       picture_(picture),
-      most_rows_(most_rows),
+      max_rows_(max_rows),
       shade_(shading_for(picture, sky)),
       lens_(picture.settings.given) {
-  shade_.lens = pass.channels(sky_pixels(picture, most_rows), picture.settings);
+  shade_.lens = pass.channels(sky_pixels(picture, max_rows), picture.settings);
   if (lens_ == nullptr) {
     chosen_ = pass.lens_for(picture.eye, picture.projection, picture.settings);
     lens_ = chosen_.get();
@@ -121,7 +121,7 @@ SkyDrawing::SkyDrawing(SkyPass& pass, const EyePicture& picture, const SkyCube& 
 
 void SkyDrawing::draw(const RowBlock& rows, float* rgba) {
   // Sets the channels again, because another picture may have used the same memory meanwhile.
-  shade_.lens = pass_.channels(sky_pixels(picture_, most_rows_), picture_.settings);
+  shade_.lens = pass_.channels(sky_pixels(picture_, max_rows_), picture_.settings);
   lens_->fill(rows.first, rows.count, shade_.lens);
   shade(rows, rgba);
 }

@@ -46,9 +46,9 @@ class SkyPass {
 //! Draws the sky of one picture.
 class SkyDrawing {
  public:
-  //! Chooses the lens of the picture, and makes room for the channels of `most_rows` rows. The
+  //! Chooses the lens of the picture, and makes room for the channels of `max_rows` rows. The
   //! arguments must outlive the drawing.
-  SkyDrawing(SkyPass& pass, const EyePicture& picture, const SkyCube& sky, int most_rows);
+  SkyDrawing(SkyPass& pass, const EyePicture& picture, const SkyCube& sky, int max_rows);
 
   [[nodiscard]] const LensSource& lens() const { return *lens_; }
   //! Renders rows of the picture into the backend's memory: four floats per pixel.
@@ -70,7 +70,7 @@ class SkyDrawing {
 
   SkyPass& pass_;
   const EyePicture& picture_;
-  int most_rows_;
+  int max_rows_;
   ShadeBatch shade_;
   std::unique_ptr<LensSource> chosen_;
   const LensSource* lens_;

@@ -75,11 +75,11 @@ void plan_shading(PlanWriter& plan, const SkyShading& shading) {
 }  // namespace
 
 void plan_sky(PlanWriter& plan) {
-  const SkyShading shading = shading_of(plan.most());
+  const SkyShading shading = shading_of(plan.maximum());
   const LensChannels channels = lens_channels(plan.request().mode, shading);
   plan_channels(plan, channels, shading);
   const auto follows_shells = [&](const Show& show) { return near_field_needs(show, plan.request().mode).shells; };
-  plan_lens(plan, channels, {follows_shells(plan.most()), follows_shells(plan.least())});
+  plan_lens(plan, channels, {follows_shells(plan.maximum()), follows_shells(plan.minimum())});
   plan_shading(plan, shading);
 }
 

@@ -5,7 +5,7 @@
 
 #include "kernels/launch/launch.h"
 #include "kernels/spacetime/shadow/shadow_chart.h"
-#include "kernels/stars/observed_places.h"
+#include "kernels/stars/observed_positions.h"
 #include "render/passes/stars/drawing/edge_rounding.h"
 
 namespace ergodome {
@@ -65,39 +65,39 @@ ImageObserver::ImageObserver(const StarEye& eye, const LensStation& station, con
 
 double ImageObserver::edge_distance(float s) const { return ergodome::edge_distance(chart_, static_cast<double>(s)); }
 
-ObservedPlaces ImageObserver::observe(std::span<const RoughImage> images) const {
+ObservedPositions ImageObserver::observe(std::span<const RoughImage> images) const {
   std::vector<float> gamma_turns(images.size());
   std::vector<float> s(images.size());
   for (std::size_t i = 0; i < images.size(); ++i) {
     gamma_turns[i] = images[i].gamma_turns;
     s[i] = images[i].s;
   }
-  ObservedPlaces places;
-  for (std::vector<float>* part :
-       {&places.direction[0], &places.direction[1], &places.direction[2], &places.area, &places.frequency_ratio}) {
+  ObservedPositions positions;
+  for (std::vector<float>* part : {&positions.direction[0], &positions.direction[1], &positions.direction[2],
+                                   &positions.area, &positions.frequency_ratio}) {
     part->resize(images.size());
   }
-  run_on_this_thread(
-      ObservedPlaceBatch{chart_,
-                         energy(),
-                         observer(),
-                         static_cast<int>(images.size()),
-                         gamma_turns.data(),
-                         s.data(),
-                         {places.direction[0].data(), places.direction[1].data(), places.direction[2].data()},
-                         places.area.data(),
-                         places.frequency_ratio.data()});
+  run_on_this_thread(ObservedPositionBatch{
+      chart_,
+      energy(),
+      observer(),
+      static_cast<int>(images.size()),
+      gamma_turns.data(),
+      s.data(),
+      {positions.direction[0].data(), positions.direction[1].data(), positions.direction[2].data()},
+      positions.area.data(),
+      positions.frequency_ratio.data()});
   if (cameras_) {
     // Each camera of an ODS eye sees its own energies; they are in the chart's frame.
     const OmniCameraOf<double> cameras = cameras_->cameras->exact(cameras_->side);
     for (std::size_t i = 0; i < images.size(); ++i) {
-      const Vector3<double> direction = {static_cast<double>(places.direction[0][i]),
-                                         static_cast<double>(places.direction[1][i]),
-                                         static_cast<double>(places.direction[2][i])};
-      places.frequency_ratio[i] = static_cast<float>(1.0 / std::max(energy_of(cameras, direction), 1e-6));
+      const Vector3<double> direction = {static_cast<double>(positions.direction[0][i]),
+                                         static_cast<double>(positions.direction[1][i]),
+                                         static_cast<double>(positions.direction[2][i])};
+      positions.frequency_ratio[i] = static_cast<float>(1.0 / std::max(energy_of(cameras, direction), 1e-6));
     }
   }
-  return places;
+  return positions;
 }
 
 float ImageObserver::shift_gain(const FieldStar& star, float frequency_ratio) const {
@@ -107,9 +107,9 @@ float ImageObserver::shift_gain(const FieldStar& star, float frequency_ratio) co
 //! Enlarges the bounds by margins, because values between the sampled positions may be larger.
 PatchLight ImageObserver::light_in(float brightening, float frequency_ratio) const {
   // Cameras beside the central one may see an energy that is smaller by up to this bound.
-  const float least = std::max(1.0F - energy_spread_ * frequency_ratio, 0.1F);
+  const float minimum = std::max(1.0F - energy_spread_ * frequency_ratio, 0.1F);
   return {1.05F * brightening,
-          redshift_ ? ShiftGains::row_of(1.01F * frequency_ratio / least) : ShiftGains::unshifted_row()};
+          redshift_ ? ShiftGains::row_of(1.01F * frequency_ratio / minimum) : ShiftGains::unshifted_row()};
 }
 
 }  // namespace ergodome

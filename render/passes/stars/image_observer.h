@@ -18,8 +18,8 @@ namespace ergodome {
 Aberration aberration_of(const StarEye& eye);
 
 //! Directions, solid angles and frequency ratios that an observer sees at positions in the chart;
-//! see ObservedPlaceBatch.
-struct ObservedPlaces {
+//! see ObservedPositionBatch.
+struct ObservedPositions {
   std::vector<float> direction[3];
   std::vector<float> area;
   std::vector<float> frequency_ratio;
@@ -36,7 +36,7 @@ class ImageObserver final : public ImageLight {
   [[nodiscard]] bool is_one_camera() const { return cameras_ == nullptr; }
 
   //! Computes what the observer sees at the positions of the images.
-  [[nodiscard]] ObservedPlaces observe(std::span<const RoughImage> images) const;
+  [[nodiscard]] ObservedPositions observe(std::span<const RoughImage> images) const;
 
   //! Returns the approximate angle between the shadow's edge and the chart coordinate `s` [rad].
   [[nodiscard]] double edge_distance(float s) const;

@@ -1,6 +1,6 @@
 #include "render/passes/stars/star_eye.h"
 
-#include "render/lens/stations/place_turn.h"
+#include "render/lens/stations/lens_position.h"
 
 namespace ergodome {
 
@@ -9,7 +9,7 @@ namespace {
 //! Returns whether two cameras have equal positions and axes, up to rounding. Their velocities may
 //! differ by rounding, and their azimuths by any angle.
 bool stand_alike(const EyeCamera& a, const EyeCamera& b) {
-  return a.spacetime == b.spacetime && same_place({a.r, a.theta}, {b.r, b.theta}) && a.motion == b.motion;
+  return a.spacetime == b.spacetime && same_position({a.r, a.theta}, {b.r, b.theta}) && a.motion == b.motion;
 }
 
 double square_apart(const Vector3<double>& a, const Vector3<double>& b) { return dot(a - b, a - b); }

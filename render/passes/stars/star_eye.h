@@ -11,14 +11,14 @@ namespace ergodome {
 //! eye, which has a separate camera for each viewing direction.
 struct StarEye {
   StarEye(const EyeCamera& single) : camera(single) {}  // NOLINT(google-explicit-constructor): a camera is an eye
-  explicit StarEye(std::shared_ptr<const OmniEye> turning) : camera(turning->head), omni(std::move(turning)) {}
+  explicit StarEye(std::shared_ptr<const OmniEye> eye) : camera(eye->head), omni(std::move(eye)) {}
 
   EyeCamera camera;                     //!< frame of the images; for an ODS eye, the head with the view's axes
   std::shared_ptr<const OmniEye> omni;  //!< null for a single camera
 };
 
 //! Maximum number of eyes per picture.
-inline constexpr std::size_t most_eyes = 2;
+inline constexpr std::size_t max_eyes = 2;
 
 //! Returns whether one lens grid can be used for both eyes. A grid stays valid if a camera rotates
 //! or moves around the spin axis.

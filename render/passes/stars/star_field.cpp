@@ -13,15 +13,15 @@ namespace {
 //! Each level contains the brightest stars of the previous level; the number of stars is reduced by
 //! this factor.
 constexpr std::size_t level_ratio = 4;
-constexpr std::size_t fewest_stars = 64;
+constexpr std::size_t min_stars = 64;
 //! Approximate mean number of stars per cell.
 constexpr double stars_a_cell = 1.0;
-constexpr int most_bands = 2048;
+constexpr int max_bands = 2048;
 //! Number of steps of ln illuminance in which stars are counted, and the smallest illuminance with
 //! a step of its own.
 constexpr int counted_steps = 512;
 constexpr float counted_step = 0.05F;
-constexpr float log_least_counted = -60.0F;
+constexpr float log_min_counted = -60.0F;
 //! B-V of stars without a measured color.
 constexpr float unknown_colour = 0.3F;
 //! Colors outside this range are measurement errors; Ballesteros' formula is not valid there.
@@ -45,7 +45,7 @@ FieldStar field_star(const CatalogueStar& star, const glm::dmat3& sky_from_equat
           star.number};
 }
 
-int band_of(double z, int bands) { return place_among(0.5 * (z + 1.0), bands); }
+int band_of(double z, int bands) { return cell_among(0.5 * (z + 1.0), bands); }
 
 double azimuth_turns(const Vector3<double>& d) {
   const double turns = std::atan2(d.y, d.x) / (2.0 * pi);
@@ -65,7 +65,7 @@ StarField::StarField(const StarCatalogue& catalogue, const glm::dmat3& sky_from_
   count_classes();
   std::vector<int> brightest(stars_.size());
   std::iota(brightest.begin(), brightest.end(), 0);
-  for (std::size_t count = stars_.size(); count > 0; count = count > fewest_stars ? count / level_ratio : 0) {
+  for (std::size_t count = stars_.size(); count > 0; count = count > min_stars ? count / level_ratio : 0) {
     brightest.resize(count);
     levels_.push_back(level_of(brightest));
     levels_.back().left_out = count < stars_.size() ? stars_[count].illuminance : 0.0F;
@@ -75,13 +75,13 @@ StarField::StarField(const StarCatalogue& catalogue, const glm::dmat3& sky_from_
 StarField::Level StarField::level_of(const std::vector<int>& numbers) const {
   Level level;
   const double side = std::sqrt(static_cast<double>(numbers.size()) / (2.0 * stars_a_cell));
-  level.bands = std::clamp(static_cast<int>(side), 1, most_bands);
+  level.bands = std::clamp(static_cast<int>(side), 1, max_bands);
   level.cells = 2 * level.bands;
   std::vector<std::pair<int, int>> placed;
   placed.reserve(numbers.size());
   for (const int number : numbers) {
     const Vector3<double>& d = stars_[static_cast<std::size_t>(number)].direction;
-    placed.emplace_back(band_of(d.z, level.bands) * level.cells + place_among(azimuth_turns(d), level.cells), number);
+    placed.emplace_back(band_of(d.z, level.bands) * level.cells + cell_among(azimuth_turns(d), level.cells), number);
   }
   std::ranges::sort(placed);
   level.first.assign(static_cast<std::size_t>(level.bands) * static_cast<std::size_t>(level.cells) + 1, 0);
@@ -104,36 +104,36 @@ StarField::Level StarField::level_of(const std::vector<int>& numbers) const {
 }
 
 void StarField::count_classes() {
-  greatest_gain_.assign(static_cast<std::size_t>(ShiftGains::unshifted_row()) + 1, 0.0F);
+  max_gain_.assign(static_cast<std::size_t>(ShiftGains::unshifted_row()) + 1, 0.0F);
   if (stars_.empty()) {
     return;
   }
-  log_dimmest_ = std::max(std::log(stars_.back().illuminance), log_least_counted);
+  log_dimmest_ = std::max(std::log(stars_.back().illuminance), log_min_counted);
   for (const FieldStar& star : stars_) {
     ClassCounts& counts = counts_[static_cast<std::size_t>(star_class(star.log_temperature))];
     counts.resize(counted_steps);
-    const float place = (std::log(star.illuminance) - log_dimmest_) / counted_step;
-    counts[static_cast<std::size_t>(std::clamp(place, 0.0F, static_cast<float>(counted_steps - 1)))] += 1;
+    const float position = (std::log(star.illuminance) - log_dimmest_) / counted_step;
+    counts[static_cast<std::size_t>(std::clamp(position, 0.0F, static_cast<float>(counted_steps - 1)))] += 1;
   }
   for (std::size_t colour = 0; colour < counts_.size(); ++colour) {
     ClassCounts& counts = counts_[colour];
     std::partial_sum(counts.rbegin(), counts.rend(), counts.rbegin());
-    for (std::size_t row = 0; row < greatest_gain_.size() && !counts.empty(); ++row) {
-      greatest_gain_[row] = std::max(greatest_gain_[row], gains_.row(static_cast<int>(row)).gain[colour]);
+    for (std::size_t row = 0; row < max_gain_.size() && !counts.empty(); ++row) {
+      max_gain_[row] = std::max(max_gain_[row], gains_.row(static_cast<int>(row)).gain[colour]);
     }
   }
 }
 
 int StarField::count_from(const StarFloor& floor) const {
   const ShiftGain& gain = gains_.row(floor.shift_row);
-  const float log_least = std::log(std::max(floor.illuminance, 1e-37F)) - log_dimmest_;
+  const float log_min = std::log(std::max(floor.illuminance, 1e-37F)) - log_dimmest_;
   int count = 0;
   for (std::size_t colour = 0; colour < counts_.size(); ++colour) {
     if (!counts_[colour].empty()) {
-      const float place = (log_least - gain.log_gain[colour]) * (1.0F / counted_step);
+      const float position = (log_min - gain.log_gain[colour]) * (1.0F / counted_step);
       // The last step counts all brighter stars too.
       count +=
-          counts_[colour][static_cast<std::size_t>(std::clamp(place, 0.0F, static_cast<float>(counted_steps - 1)))];
+          counts_[colour][static_cast<std::size_t>(std::clamp(position, 0.0F, static_cast<float>(counted_steps - 1)))];
     }
   }
   return count;

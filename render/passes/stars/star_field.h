@@ -44,7 +44,7 @@ class StarField {
     }
     field.stars = put(stars_);
     field.gains = put(gains_.rows());
-    field.greatest_gain = put(greatest_gain_);
+    field.max_gain = put(max_gain_);
     return field;
   }
 
@@ -71,7 +71,7 @@ class StarField {
 
   ShiftGains gains_;
   //! For each row of ShiftGains, the largest gain of the classes that occur.
-  std::vector<float> greatest_gain_;
+  std::vector<float> max_gain_;
   std::vector<FieldStar> stars_;  //!< brightest first
   //! The first level contains all stars; each further level contains fewer.
   std::vector<Level> levels_;

@@ -12,7 +12,7 @@
 #include "kernels/launch/parallel_for.h"
 #include "kernels/launch/work_counter.h"
 #include "kernels/projection/pixel_measure.h"
-#include "render/passes/stars/drawing/picture_sheets.h"
+#include "render/passes/stars/drawing/picture_regions.h"
 
 namespace ergodome {
 
@@ -39,16 +39,16 @@ StarSettings star_settings(const Show& show) {
   settings.faintest = illuminance_of(show.sky.faintest_mag);
   settings.redshift = show.effects.redshift;
   settings.magnification = show.effects.magnification;
-  settings.least_cell_px = least_star_cell_px(show.quality.budget_px);
+  settings.min_cell_px = min_star_cell_px(show.quality.budget_px);
   return settings;
 }
 
 SplatSettings splat_settings(const Show& show, const std::optional<DiffractionPattern>& spikes) {
   // A standard deviation so small that no pixel shows it is treated as zero, because the cutoff
   // would be undefined.
-  constexpr double least_sigma_px = 0.01;
+  constexpr double min_sigma_px = 0.01;
   const PointSpreadSettings psf =
-      show.effects.psf.sigma_px >= least_sigma_px ? show.effects.psf : PointSpreadSettings{0.0, 0.0};
+      show.effects.psf.sigma_px >= min_sigma_px ? show.effects.psf : PointSpreadSettings{0.0, 0.0};
   SplatSettings splat{psf.sigma_px,
                       static_cast<float>(show.sky.exposure / luminance_of_white),
                       std::numeric_limits<float>::infinity(),
@@ -118,7 +118,7 @@ class StarPass::Drawing : public PassDrawing {
   FoundPoints find() const {
     const UrgentDeviceWork urgent(pass_.backend_);
     const PictureSettings& settings = picture_.settings;
-    const StarEye eye = settings.turning ? StarEye(settings.turning) : StarEye(picture_.eye);
+    const StarEye eye = settings.omni ? StarEye(settings.omni) : StarEye(picture_.eye);
     const PixelMatch match = settings.moment.patience_s < ShowMoment::forever_s ? PixelMatch::about : PixelMatch::exact;
     return pass_.find_points(eye, picture_.projection, settings.shutter, match);
   }
@@ -231,17 +231,17 @@ void StarPass::set_numbers(const Show& show) {
   splat_ = splat_settings(show, spikes_);
 }
 
-const StarPass::Turned& StarPass::patches_for(const StarEye& eye, const StarSettings& asked) {
+const StarPass::InvertedGrid& StarPass::patches_for(const StarEye& eye, const StarSettings& asked) {
   const double pixel = asked.pixel;
-  const auto found = std::ranges::find_if(turned_, [&](const Turned& each) {
-    return serves_pixel(each.pixel, pixel, asked.about) && each.least_cell_px == asked.least_cell_px &&
+  const auto found = std::ranges::find_if(turned_, [&](const InvertedGrid& each) {
+    return serves_pixel(each.pixel, pixel, asked.about) && each.min_cell_px == asked.min_cell_px &&
            served_alike(each.eye, eye);
   });
   if (found != turned_.end()) {
     if (found->faintest != asked.faintest) {
       // Removes the entry from the list while it changes, and inserts it again when it is complete.
       // If an allocation throws, the entry stays removed.
-      Turned changed = std::move(*found);
+      InvertedGrid changed = std::move(*found);
       turned_.erase(found);
       changed.faintest = asked.faintest;
       room_.patches = std::move(changed.patches).given_up();
@@ -254,7 +254,7 @@ const StarPass::Turned& StarPass::patches_for(const StarEye& eye, const StarSett
     return turned_.front();
   }
   std::unique_ptr<PlacedPatches> on_device;
-  if (turned_.size() == most_eyes) {
+  if (turned_.size() == max_eyes) {
     // Uses the memory of the entry that is removed from the cache.
     room_.patches = std::move(turned_.back().patches).given_up();
     on_device = std::move(turned_.back().on_device);
@@ -262,14 +262,14 @@ const StarPass::Turned& StarPass::patches_for(const StarEye& eye, const StarSett
   }
   LensStation station = build_star_station(eye, asked, &tracer_);
   StarPatches patches = star_patches(field_, colours_.view(), eye, station, asked, room_);
-  Turned turned{
-      eye, pixel, asked.least_cell_px, asked.faintest, std::move(station), std::move(patches), std::move(on_device)};
+  InvertedGrid turned{
+      eye, pixel, asked.min_cell_px, asked.faintest, std::move(station), std::move(patches), std::move(on_device)};
   place(turned);
   turned_.insert(turned_.begin(), std::move(turned));
   return turned_.front();
 }
 
-void StarPass::place(Turned& turned) const {
+void StarPass::place(InvertedGrid& turned) const {
   if (!search_) {
     return;
   }
@@ -286,10 +286,10 @@ std::vector<StarImage> StarPass::gathered_images(const StarEye& eye, const Proje
     tree_.emplace(field_);
   }
   std::vector<StarImage> images;
-  for (const PictureSheet& sheet : picture_sheets(projection)) {
-    const auto stars = gather_stars(field_, *tree_, colours_.view(), eye, sheet.projection, settings).stars;
-    const std::vector<StarImage> on_sheet = star_images(stars, eye.camera, sheet.projection);
-    images.insert(images.end(), on_sheet.begin(), on_sheet.end());
+  for (const PictureRegion& region : picture_regions(projection)) {
+    const auto stars = gather_stars(field_, *tree_, colours_.view(), eye, region.projection, settings).stars;
+    const std::vector<StarImage> in_region = star_images(stars, eye.camera, region.projection);
+    images.insert(images.end(), in_region.begin(), in_region.end());
   }
   return images;
 }
@@ -298,12 +298,12 @@ bool StarPass::gathers(const StarEye& eye, double pixel) {
   // Maximum error of the shadow's edge for which star images are found with a grid [px]. Rays make
   // images exact only if the grid is about right; with larger errors images are missing or inside
   // the shadow.
-  constexpr double most_miss_px = 0.5;
-  return all_gathered_ || (!eye.omni && edge_miss_.of(eye.camera) > most_miss_px * pixel);
+  constexpr double max_miss_px = 0.5;
+  return all_gathered_ || (!eye.omni && edge_miss_.of(eye.camera) > max_miss_px * pixel);
 }
 
 std::vector<StarImage> StarPass::sought_images(const StarEye& eye, const StarSettings& settings) {
-  const Turned& turned = patches_for(eye, settings);
+  const InvertedGrid& turned = patches_for(eye, settings);
   if (!search_) {
     return find_star_images(field_, colours_.view(), eye, turned.station, turned.patches, settings);
   }
@@ -312,7 +312,7 @@ std::vector<StarImage> StarPass::sought_images(const StarEye& eye, const StarSet
 }
 
 PlacedImages StarPass::sought_in_place(const StarEye& eye, const StarSettings& settings) {
-  const Turned& turned = patches_for(eye, settings);
+  const InvertedGrid& turned = patches_for(eye, settings);
   return find_star_images_in_place(field_, colours_.view(), eye, turned.station, turned.patches, settings,
                                    {*search_, *turned.on_device}, *joiner_);
 }
@@ -375,7 +375,7 @@ void StarPass::draw_spikes(const std::vector<StarPoint>& points, const Projectio
   const WorkScope work(counter, static_cast<long>(points.size()));
   const int width = projection.width_px;
   const bool wraps = wraps_around(projection);
-  const std::vector<PictureSheet> sheets = picture_sheets(projection);
+  const std::vector<PictureRegion> regions = picture_regions(projection);
   constexpr int band = 64;
   parallel_for((row_count + band - 1) / band, 1, [&](int begin, int end) {
     const int top = begin * band;
@@ -384,7 +384,7 @@ void StarPass::draw_spikes(const std::vector<StarPoint>& points, const Projectio
       if (!(point.spikes.x + point.spikes.y + point.spikes.z > 0.0F)) {
         continue;
       }
-      const PixelCell& cell = sheets[static_cast<std::size_t>(point.sheet)].cell;
+      const PixelCell& cell = regions[static_cast<std::size_t>(point.region)].cell;
       const int first = std::max(first_row + top, cell.top_px);
       const int count = std::min(first_row + top + rows, cell.top_px + cell.height_px) - first;
       const PixelBlock block = {width, count, cell.left_px, cell.left_px + cell.width_px,

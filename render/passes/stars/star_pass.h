@@ -13,9 +13,9 @@
 #include "render/passes/stars/drawing/star_splat.h"
 #include "render/passes/stars/drawing/tiled_stars.h"
 #include "render/passes/stars/gather/star_gather.h"
-#include "render/passes/stars/kept_star_images.h"
 #include "render/passes/stars/search/image_joiner.h"
 #include "render/passes/stars/search/star_finder.h"
+#include "render/passes/stars/star_image_cache.h"
 #include "render/passes/stars/star_kind.h"
 
 namespace ergodome {
@@ -110,19 +110,19 @@ class StarPass : public Pass {
   void make_pattern(const Show& show);
 
   //! An inverted lens grid with the parameters for which it was computed.
-  struct Turned {
+  struct InvertedGrid {
     StarEye eye;
     double pixel;
-    double least_cell_px;
+    double min_cell_px;
     float faintest;  //!< threshold for which the patches were computed [lx]
     LensStation station;
     StarPatches patches;
     std::unique_ptr<PlacedPatches> on_device;
   };
 
-  void place(Turned& turned) const;
+  void place(InvertedGrid& turned) const;
 
-  const Turned& patches_for(const StarEye& eye, const StarSettings& settings);
+  const InvertedGrid& patches_for(const StarEye& eye, const StarSettings& settings);
 
   void search_field();
 
@@ -141,10 +141,10 @@ class StarPass : public Pass {
   std::optional<DiffractionPattern> spikes_;    //!< present if the show has spikes at any time
   std::optional<DiffractionSettings> pattern_;  //!< settings from which `spikes_` was computed
   GridTracer<float> tracer_;
-  std::vector<Turned> turned_;  //!< inverted grids of the last eyes, most recent first
+  std::vector<InvertedGrid> turned_;  //!< inverted grids of the last eyes, most recent first
   PatchRoom room_;
-  KeptStarImages<std::vector<StarImage>> images_;
-  KeptStarImages<PlacedImages> images_in_place_;
+  StarImageCache<std::vector<StarImage>> images_;
+  StarImageCache<PlacedImages> images_in_place_;
   //! Merges images that a GPU found; set only on a GPU backend.
   std::optional<ImageJoiner> joiner_;
   std::optional<PointPlacer> placer_;

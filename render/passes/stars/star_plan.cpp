@@ -3,7 +3,7 @@
 #include "render/passes/effects/diffraction.h"
 #include "render/passes/sky/lens_plan.h"
 #include "render/passes/stars/drawing/blackbody_colours.h"
-#include "render/passes/stars/drawing/picture_sheets.h"
+#include "render/passes/stars/drawing/picture_regions.h"
 #include "render/passes/stars/star_kind.h"
 
 namespace ergodome {
@@ -24,21 +24,21 @@ void plan_star_loading(PlanWriter& plan) {
   const WorkMoment moment = turns ? WorkMoment::picture : WorkMoment::start;
   plan.pass("load_stars", moment, turns ? 0 : 1, 0, stars, turns);
   plan.buffer("blackbody table", moment, turns ? 0 : BlackbodyColours::bytes, stars);
-  if (shows_spikes(plan.most(), ViewMode::sky)) {
-    const bool changes = find_animation(plan.most(), "effects.diffraction.obstruction") != nullptr ||
-                         find_animation(plan.most(), "effects.diffraction.scale") != nullptr;
+  if (shows_spikes(plan.maximum(), ViewMode::sky)) {
+    const bool changes = find_animation(plan.maximum(), "effects.diffraction.obstruction") != nullptr ||
+                         find_animation(plan.maximum(), "effects.diffraction.scale") != nullptr;
     plan.buffer("diffraction pattern", turns || changes ? WorkMoment::picture : WorkMoment::start, 0,
                 plan.why("effects.diffraction"));
   }
 }
 
-//! Adds the gathering of stars for each sheet of a picture (PictureSheet).
+//! Adds the gathering of stars for each region of a picture (PictureRegion).
 void plan_gathering(PlanWriter& plan) {
   long gathers = 0;
   long pixels = 0;
-  for (const PictureSheet& sheet : picture_sheets(plan.projection())) {
+  for (const PictureRegion& region : picture_regions(plan.projection())) {
     ++gathers;
-    pixels += static_cast<long>(sheet.cell.width_px) * sheet.cell.height_px;
+    pixels += static_cast<long>(region.cell.width_px) * region.cell.height_px;
   }
   plan.pass("gather_stars", WorkMoment::picture, plan.eyes() * gathers, plan.eyes() * pixels, plan.why("stars.method"));
 }
@@ -50,17 +50,18 @@ void plan_star_drawing(PlanWriter& plan, const StarNeeds& needs) {
     plan.pass("trace_rays, double", WorkMoment::picture, 0, 0, plan.why("stars.method"));
   } else {
     plan_grid(plan, stars, false);
-    plan.buffer("shadow edge", WorkMoment::place, 0, stars);
+    plan.buffer("shadow edge", WorkMoment::position, 0, stars);
     // The search of patches is skipped if the previous picture had the same camera, or one that
     // was only turned slightly. Eyes that see the same stars share one search.
-    const bool may_share = plan.eyes() > 1 && (share_camera(plan.most().stereo) || plan.eyes_are_together_at_times());
+    const bool may_share =
+        plan.eyes() > 1 && (share_camera(plan.maximum().stereo) || plan.eyes_are_together_at_times());
     plan.pass("search_patches", WorkMoment::picture, may_share ? 0 : plan.eyes(), 0, stars, true);
     plan.pass("find_star_images", WorkMoment::picture, 0, 0, stars, true);
     plan.pass("find_star_images, double", WorkMoment::picture, 0, 0, stars, true);
   }
   if (needs.trails) {
     plan.pass("follow_trails", WorkMoment::picture, plan.eyes(), 0, plan.why("effects.trails"),
-              !star_needs(plan.least(), ViewMode::sky).trails);
+              !star_needs(plan.minimum(), ViewMode::sky).trails);
     if (needs.gather) {
       plan.pass("find_star_images", WorkMoment::picture, 0, 0, plan.why("effects.trails"), true);
       plan.pass("find_star_images, double", WorkMoment::picture, 0, 0, plan.why("effects.trails"), true);
@@ -89,10 +90,10 @@ void plan_star_drawing(PlanWriter& plan, const StarNeeds& needs) {
 }  // namespace
 
 void plan_stars(PlanWriter& plan) {
-  if (!plan.most().sky.stars.empty()) {
+  if (!plan.maximum().sky.stars.empty()) {
     plan_star_loading(plan);
   }
-  const StarNeeds needs = star_needs(plan.most(), plan.request().mode);
+  const StarNeeds needs = star_needs(plan.maximum(), plan.request().mode);
   if (needs.stars) {
     plan_star_drawing(plan, needs);
   }

@@ -8,7 +8,7 @@ namespace ergodome {
 
 LightTiles::LightTiles(int width, int height) {
   const int levels =
-      std::min(static_cast<int>(std::bit_width(static_cast<unsigned>(std::max(width, height)))), most_light_levels);
+      std::min(static_cast<int>(std::bit_width(static_cast<unsigned>(std::max(width, height)))), max_light_levels);
   for (int i = 0; i < levels; ++i) {
     const int across = std::max(width >> i, 1);
     const int down = std::max(height >> i, 1);

@@ -142,7 +142,7 @@ ProjectorDrawing::ProjectorDrawing(const ProjectorPicture& picture) : state_(std
                   (picture.black_level.width > 0 ? "#define HAS_BLACK_LEVEL\n" : "");
   state_->program = projector_program(state_->masks);
   glCreateVertexArrays(1, &state_->vertex_array);
-  set_attribute(state_->vertex_array, 0, 2, offsetof(MeshVertex, place));
+  set_attribute(state_->vertex_array, 0, 2, offsetof(MeshVertex, position));
   set_attribute(state_->vertex_array, 1, 2, offsetof(MeshVertex, source));
   set_attribute(state_->vertex_array, 2, 2, offsetof(MeshVertex, mask));
   set_attribute(state_->vertex_array, 3, 1, offsetof(MeshVertex, factor));

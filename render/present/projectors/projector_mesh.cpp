@@ -13,15 +13,15 @@ std::vector<MeshVertex> vertices_of(const WarpMesh& warp, const GridOffsets& gri
   std::vector<MeshVertex> vertices;
   vertices.reserve(warp.nodes.size() + 4);
   for (const auto& [x, y] : {std::array{0.0, 0.0}, std::array{1.0, 0.0}, std::array{1.0, 1.0}, std::array{0.0, 1.0}}) {
-    const RasterPlace mask = moved_back(grid, {x, y});
+    const RasterPosition mask = moved_back(grid, {x, y});
     vertices.push_back({{static_cast<float>(x), static_cast<float>(y)},
                         {0.5F, 0.5F},
                         {static_cast<float>(mask.x), static_cast<float>(mask.y)},
                         0.0F});
   }
   for (const WarpNode& node : warp.nodes) {
-    const RasterPlace place = moved_place(grid, RasterPlace{node.x, node.y});
-    vertices.push_back({{static_cast<float>(place.x), static_cast<float>(place.y)},
+    const RasterPosition position = moved_position(grid, RasterPosition{node.x, node.y});
+    vertices.push_back({{static_cast<float>(position.x), static_cast<float>(position.y)},
                         {node.u, node.v},
                         {node.x, node.y},
                         node.intensity});
@@ -99,12 +99,12 @@ MeshRaster::MeshRaster(ProjectorMesh mesh, int width_px, int height_px)
 }
 
 MeshRaster::Corner MeshRaster::corner(std::uint32_t vertex) const {
-  const auto on_lattice = [](float place, int size) {
-    const double within = std::clamp(static_cast<double>(place), -farthest_rasters, farthest_rasters);
+  const auto on_lattice = [](float position, int size) {
+    const double within = std::clamp(static_cast<double>(position), -farthest_rasters, farthest_rasters);
     return std::round(steps_per_px * size * within);
   };
   const MeshVertex& at = mesh_.vertices[vertex];
-  return {on_lattice(at.place[0], width_px_), on_lattice(at.place[1], height_px_)};
+  return {on_lattice(at.position[0], width_px_), on_lattice(at.position[1], height_px_)};
 }
 
 std::vector<MeshSample> MeshRaster::band(int band) const {
@@ -149,8 +149,8 @@ void MeshRaster::draw(std::uint32_t triangle, int first_row, int rows, std::vect
   }
   const auto [left, right] = std::minmax({at[0].x, at[1].x, at[2].x});
   const auto [top, bottom] = std::minmax({at[0].y, at[1].y, at[2].y});
-  const auto first_middle = [](double place) { return static_cast<int>(std::ceil(place / steps_per_px - 0.5)); };
-  const auto last_middle = [](double place) { return static_cast<int>(std::floor(place / steps_per_px - 0.5)); };
+  const auto first_middle = [](double position) { return static_cast<int>(std::ceil(position / steps_per_px - 0.5)); };
+  const auto last_middle = [](double position) { return static_cast<int>(std::floor(position / steps_per_px - 0.5)); };
   for (int row = std::max(first_middle(top), first_row); row <= std::min(last_middle(bottom), first_row + rows - 1);
        ++row) {
     const double y = steps_per_px * (row + 0.5);

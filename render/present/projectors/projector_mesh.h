@@ -11,10 +11,10 @@ namespace ergodome {
 
 //! A corner of the triangles that are drawn on a projector's raster.
 struct MeshVertex {
-  float place[2];   //!< position on the raster, 0 to 1, y down
-  float source[2];  //!< position in the domemaster; 0 at its top
-  float mask[2];    //!< position in the masks
-  float factor;     //!< factor on the domemaster's light
+  float position[2];  //!< position on the raster, 0 to 1, y down
+  float source[2];    //!< position in the domemaster; 0 at its top
+  float mask[2];      //!< position in the masks
+  float factor;       //!< factor on the domemaster's light
 };
 
 //! Number of indices of the two triangles that cover the whole raster below all others. They show

@@ -17,7 +17,7 @@ DesktopRectangle window_of(const ProjectorSetup& projector) {
 void require_output(const ProjectorSetup& projector, const std::vector<DesktopMonitor>& monitors) {
   if (projector.output.monitor) {
     if (*projector.output.monitor >= static_cast<int>(monitors.size())) {
-      throw Error(place_of(projector), fmt::format("there is no monitor {}", *projector.output.monitor),
+      throw Error(location_of(projector), fmt::format("there is no monitor {}", *projector.output.monitor),
                   monitors.empty() ? "connect it, or use window_px instead"
                                    : "choose from " + monitor_list(monitors) + ", or use window_px instead");
     }
@@ -28,7 +28,7 @@ void require_output(const ProjectorSetup& projector, const std::vector<DesktopMo
                       return overlap(window, monitor.screen);
                     });
   if (!seen) {
-    throw Error(place_of(projector),
+    throw Error(location_of(projector),
                 fmt::format("no monitor shows its window, {} x {} pixels at window_px = [{}, {}]", window.width_px,
                             window.height_px, window.x_px, window.y_px),
                 "move it to " + monitor_list(monitors) + ", or write monitor in place of window_px");
@@ -54,13 +54,13 @@ std::vector<DesktopRectangle> output_rectangles(const DomeSetup& setup, const st
   return rectangles;
 }
 
-std::optional<DesktopRectangle> place_beside_projectors(const DesktopRectangle& window, const DomeSetup& setup,
-                                                        const std::vector<DesktopMonitor>& monitors) {
+std::optional<DesktopRectangle> rectangle_beside_projectors(const DesktopRectangle& window, const DomeSetup& setup,
+                                                            const std::vector<DesktopMonitor>& monitors) {
   const std::vector<DesktopRectangle> taken = output_rectangles(setup, monitors);
   if (std::ranges::none_of(taken, [&](const DesktopRectangle& other) { return overlap(window, other); })) {
     return std::nullopt;
   }
-  return free_place(window, monitors, taken);
+  return free_rectangle(window, monitors, taken);
 }
 
 }  // namespace ergodome

@@ -19,7 +19,7 @@ std::vector<DesktopRectangle> output_rectangles(const DomeSetup& setup, const st
 
 //! Returns a position for a window that projectors would cover at its current position. Returns
 //! nothing if none covers it, or if there is no room elsewhere.
-std::optional<DesktopRectangle> place_beside_projectors(const DesktopRectangle& window, const DomeSetup& setup,
-                                                        const std::vector<DesktopMonitor>& monitors);
+std::optional<DesktopRectangle> rectangle_beside_projectors(const DesktopRectangle& window, const DomeSetup& setup,
+                                                            const std::vector<DesktopMonitor>& monitors);
 
 }  // namespace ergodome

@@ -13,16 +13,16 @@ namespace ergodome {
 
 namespace {
 
-constexpr float most = 65535.0F;
+constexpr float full_scale = 65535.0F;
 
 //! Returns an integer whose square, relative to the square of the maximum integer, is `part` (0 to
 //! 1).
 std::uint16_t root_of(float part) {
-  return static_cast<std::uint16_t>(std::lround(most * std::sqrt(std::clamp(part, 0.0F, 1.0F))));
+  return static_cast<std::uint16_t>(std::lround(full_scale * std::sqrt(std::clamp(part, 0.0F, 1.0F))));
 }
 
 //! Interpolates a channel of a mask; returns 1 without a mask.
-float read(const BlendMap& mask, const float (&place)[2], int channel) {
+float read(const BlendMap& mask, const float (&position)[2], int channel) {
   if (mask.width == 0) {
     return 1.0F;
   }
@@ -36,8 +36,8 @@ float read(const BlendMap& mask, const float (&place)[2], int channel) {
   int right = 0;
   int top = 0;
   int bottom = 0;
-  const float across = neighbours(place[0], mask.width, left, right);
-  const float down = neighbours(place[1], mask.height, top, bottom);
+  const float across = neighbours(position[0], mask.width, left, right);
+  const float down = neighbours(position[1], mask.height, top, bottom);
   const auto at = [&](int column, int row) {
     const std::size_t sample =
         static_cast<std::size_t>(row) * static_cast<std::size_t>(mask.width) + static_cast<std::size_t>(column);
@@ -77,13 +77,14 @@ struct Lattice {
   float first = 0.0F;
   float step = 0.0F;
 
-  explicit Lattice(std::span<const float> places) {
-    const auto [least, greatest] = std::ranges::minmax(places);
-    first = least;
-    step = (greatest - least) / most;
+  explicit Lattice(std::span<const float> positions) {
+    const auto [minimum, maximum] = std::ranges::minmax(positions);
+    first = minimum;
+    step = (maximum - minimum) / full_scale;
   }
-  [[nodiscard]] std::uint16_t number(float place) const {
-    return static_cast<std::uint16_t>(step > 0.0F ? std::lround(std::clamp((place - first) / step, 0.0F, most)) : 0);
+  [[nodiscard]] std::uint16_t number(float position) const {
+    return static_cast<std::uint16_t>(step > 0.0F ? std::lround(std::clamp((position - first) / step, 0.0F, full_scale))
+                                                  : 0);
   }
 };
 
@@ -92,8 +93,8 @@ struct Lattice {
 //! Computes a warp, one band of rows at a time; several bands may be computed in parallel.
 class ProjectorWarp::Builder {
  public:
-  Builder(ProjectorWarp& warp, const ProjectorPicture& picture, float most_factor)
-      : warp_(warp), picture_(picture), most_factor_(most_factor) {}
+  Builder(ProjectorWarp& warp, const ProjectorPicture& picture, float max_factor)
+      : warp_(warp), picture_(picture), max_factor_(max_factor) {}
 
   void fill(int first_row, std::span<const MeshSample> samples) {
     LightTiles tiles(warp_.tiles_.width(0), warp_.tiles_.height(0));
@@ -126,14 +127,14 @@ class ProjectorWarp::Builder {
   void set_factors(std::size_t group, std::size_t i, const MeshSample& sample) {
     if (!warp_.coloured_) {
       warp_.factor_.data()[group * warp_group_px + i] =
-          root_of(sample.factor * read(picture_.blend, sample.mask, 0) / most_factor_);
+          root_of(sample.factor * read(picture_.blend, sample.mask, 0) / max_factor_);
       return;
     }
     for (int c = 0; c < 3; ++c) {
       const float lift = read(picture_.black_level, sample.mask, c);
       const float left = 1.0F - channel_of(picture_.black_level_lift, c) * lift;
       std::uint16_t* const to = &warp_.factor_.data()[(6 * group + static_cast<std::size_t>(c)) * warp_group_px + i];
-      to[0] = root_of(left * sample.factor * read(picture_.blend, sample.mask, c) / most_factor_);
+      to[0] = root_of(left * sample.factor * read(picture_.blend, sample.mask, c) / max_factor_);
       to[std::size_t{3} * warp_group_px] = root_of(lift);
     }
   }
@@ -192,18 +193,18 @@ class ProjectorWarp::Builder {
       }
       const float wide = static_cast<float>(tiles.width(level)) / static_cast<float>(tiles.width(0));
       const float high = static_cast<float>(tiles.height(level)) / static_cast<float>(tiles.height(0));
-      const auto texel = [](float place, float scale) {
-        return static_cast<int>(std::floor((place + 0.5F) * scale - 0.5F));
+      const auto texel = [](float position, float scale) {
+        return static_cast<int>(std::floor((position + 0.5F) * scale - 0.5F));
       };
       // Pixels at the very end interpolate between the last two.
-      tiles.want(level, texel(group.x, wide) - 1, texel(group.x + most * group.step_x, wide) + 2,
-                 texel(group.y, high) - 1, texel(group.y + most * group.step_y, high) + 2);
+      tiles.want(level, texel(group.x, wide) - 1, texel(group.x + full_scale * group.step_x, wide) + 2,
+                 texel(group.y, high) - 1, texel(group.y + full_scale * group.step_y, high) + 2);
     }
   }
 
   ProjectorWarp& warp_;
   const ProjectorPicture& picture_;
-  float most_factor_;
+  float max_factor_;
   std::mutex mutex_;
 };
 
@@ -213,16 +214,16 @@ ProjectorWarp::ProjectorWarp(const ProjectorPicture& picture, int master_width, 
       coloured_(picture.blend.channels == 3 || picture.black_level.width > 0),
       exponent_(static_cast<float>(1.0 / picture.gamma)),
       tiles_(master_width, master_height) {
-  float most_intensity = 1e-6F;
+  float max_intensity = 1e-6F;
   for (const WarpNode& node : picture.warp.nodes) {
-    most_intensity = std::max(most_intensity, node.valid ? node.intensity : 0.0F);
+    max_intensity = std::max(max_intensity, node.valid ? node.intensity : 0.0F);
   }
-  const float most_factor = most_intensity * largest(picture.blend.values);
+  const float max_factor = max_intensity * largest(picture.blend.values);
   for (int c = 0; c < 3; ++c) {
     const float gain = channel_of(picture.gain, c);
     const float lift = channel_of(picture.black_level_lift, c);
-    factor_scale_[c] = gain * most_factor * (coloured_ ? 1.0F : 1.0F - lift) / (most * most);
-    lift_scale_[c] = gain * lift / (coloured_ ? most * most : 1.0F);
+    factor_scale_[c] = gain * max_factor * (coloured_ ? 1.0F : 1.0F - lift) / (full_scale * full_scale);
+    lift_scale_[c] = gain * lift / (coloured_ ? full_scale * full_scale : 1.0F);
   }
   const std::size_t groups = static_cast<std::size_t>(warp_groups(width_px_)) * static_cast<std::size_t>(height_px_);
   groups_ = zeros<WarpGroup>(groups);
@@ -231,7 +232,7 @@ ProjectorWarp::ProjectorWarp(const ProjectorPicture& picture, int master_width, 
   level_ = zeros<std::uint8_t>(groups * warp_group_px);
   factor_ = zeros<std::uint16_t>(groups * warp_group_px * (coloured_ ? 6 : 1));
   const MeshRaster raster(projector_mesh(picture.warp, picture.offsets), width_px_, height_px_);
-  Builder builder(*this, picture, most_factor);
+  Builder builder(*this, picture, max_factor);
   parallel_for(raster.band_count(), 1, [&](int begin, int end) {
     for (int band = begin; band < end; ++band) {
       builder.fill(band * MeshRaster::band_rows, raster.band(band));
@@ -266,7 +267,7 @@ WarpBatch ProjectorWarp::batch(const LightLevels& light, float shown, std::uint8
   std::ranges::transform(factor_scale_, batch.factor_scale, [&](float scale) { return shown * scale; });
   std::ranges::copy(lift_scale_, batch.lift_scale);
   batch.exponent = exponent_;
-  batch.least = std::exp2(-100.0F / std::max(exponent_, 1.0F));
+  batch.minimum = std::exp2(-100.0F / std::max(exponent_, 1.0F));
   batch.rgb = rgb;
   return batch;
 }

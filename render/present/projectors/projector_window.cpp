@@ -74,7 +74,7 @@ ProjectorWindow::ProjectorWindow(const Window& control, const ProjectorSetup& pr
   if (state_->window == nullptr) {
     const char* reason = nullptr;
     glfwGetError(&reason);
-    throw Error(place_of(projector),
+    throw Error(location_of(projector),
                 fmt::format("its window cannot be opened: {}", reason != nullptr ? reason : "no reason given"),
                 "check its monitor or window_px, and that the driver has OpenGL 4.5");
   }

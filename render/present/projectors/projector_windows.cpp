@@ -51,8 +51,8 @@ Picture brought_back(const PresentedPicture& shown) {
 //! Moves the control window out from under the projectors' windows on its monitor, if there is
 //! room.
 void uncover(Window& control, const DomeSetup& setup) {
-  if (const auto place = place_beside_projectors(control.rectangle(), setup, connected_monitors())) {
-    control.move_to(*place);
+  if (const auto position = rectangle_beside_projectors(control.rectangle(), setup, connected_monitors())) {
+    control.move_to(*position);
   }
 }
 

@@ -6,7 +6,7 @@ namespace ergodome {
 namespace {
 
 //! A simulated clock: tests set its time, `now_s`.
-struct ToldClock {
+struct ManualClock {
   double now_s = 100.0;
   [[nodiscard]] SecondsSource source() {
     return [this] { return now_s; };
@@ -14,7 +14,7 @@ struct ToldClock {
 };
 
 TEST(Deadline, DoesAsManyPiecesAsEndInTime) {
-  ToldClock clock;
+  ManualClock clock;
   Deadline deadline(clock.source(), 2.0);
   int done = 0;
   while (deadline.run(
@@ -27,7 +27,7 @@ TEST(Deadline, DoesAsManyPiecesAsEndInTime) {
 }
 
 TEST(Deadline, LeavesRoomForAPieceThatGrows) {
-  ToldClock clock;
+  ManualClock clock;
   Deadline deadline(clock.source(), 2.0);
   double piece_s = 0.2;
   while (deadline.run(
@@ -38,7 +38,7 @@ TEST(Deadline, LeavesRoomForAPieceThatGrows) {
 }
 
 TEST(Deadline, KnowsTheTimeOfEachKindOfWork) {
-  ToldClock clock;
+  ManualClock clock;
   Deadline deadline(clock.source(), 2.0);
   ASSERT_TRUE(deadline.run(StartWork::picture, [&] { clock.now_s += 0.9; }));
   EXPECT_FALSE(deadline.run(StartWork::picture, [] {}));
@@ -46,7 +46,7 @@ TEST(Deadline, KnowsTheTimeOfEachKindOfWork) {
 }
 
 TEST(Deadline, KeepsAShareOfTheTimeForLater) {
-  ToldClock clock;
+  ManualClock clock;
   Deadline deadline(clock.source(), 2.0);
   clock.now_s += 1.1;
   EXPECT_FALSE(deadline.run(
@@ -56,7 +56,7 @@ TEST(Deadline, KeepsAShareOfTheTimeForLater) {
 }
 
 TEST(Deadline, BeginsNothingThatIsExpectedToTakeLonger) {
-  ToldClock clock;
+  ManualClock clock;
   Deadline deadline(clock.source(), 2.0);
   EXPECT_FALSE(deadline.run(
       StartWork::picture, [] {}, 1.0, 1.0, 2.1));
@@ -65,7 +65,7 @@ TEST(Deadline, BeginsNothingThatIsExpectedToTakeLonger) {
 }
 
 TEST(Deadline, IsNotCutShortWhereAllWasDone) {
-  ToldClock clock;
+  ManualClock clock;
   Deadline deadline(clock.source(), 2.0);
   deadline.run(StartWork::lens, [&] { clock.now_s += 0.1; });
   EXPECT_FALSE(deadline.cut_short());

@@ -36,23 +36,23 @@ std::string problem_of(const std::string& words) {
   return "";
 }
 
-TEST(IdleOptions, AreRefusedWhereTheyAreGivenAndHaveNoUse) {
+TEST(IgnoredOptions, AreRefusedWhereTheyAreGivenAndHaveNoUse) {
   CLI::App app;
   std::string way = "short";
   int miles = 3;
   app.add_option("--way", way);
   app.add_option("--miles", miles);
-  IdleOptions idle(app);
-  idle.add("of the short way", [&way] { return way == "short"; }, {"--miles"});
+  IgnoredOptions ignored(app);
+  ignored.add("of the short way", [&way] { return way == "short"; }, {"--miles"});
   app.parse("--way short");
-  EXPECT_NO_THROW(idle.refuse());
+  EXPECT_NO_THROW(ignored.refuse());
   app.parse("--way long --miles 4");
-  EXPECT_NO_THROW(idle.refuse());
+  EXPECT_NO_THROW(ignored.refuse());
   app.parse("--way short --miles 4");
-  EXPECT_THROW(idle.refuse(), CLI::ValidationError);
+  EXPECT_THROW(ignored.refuse(), CLI::ValidationError);
 }
 
-TEST(IdleOptions, OfEveryCommandAreToldWithWhatLeavesThemNoUse) {
+TEST(IgnoredOptions, OfEveryCommandAreToldWithWhatLeavesThemNoUse) {
   const std::pair<const char*, const char*> lines[] = {
       {"trace --rays r --out o --budget 1px", "--budget: has no effect without --method grid; leave it out"},
       {"trace --rays r --out o --method quadtree --size 64", "--size: has no effect without --method grid"},
@@ -93,7 +93,7 @@ TEST(IdleOptions, OfEveryCommandAreToldWithWhatLeavesThemNoUse) {
   }
 }
 
-TEST(IdleOptions, AreTakenWhereTheyHaveAUse) {
+TEST(IgnoredOptions, AreTakenWhereTheyHaveAUse) {
   for (const char* words :
        {"trace --rays r --out o --method grid --budget 1px --precision float --tolerance 1e-6",
         "trace --rays r --out o --method quadtree --level 9 --blend 1",

@@ -128,9 +128,9 @@ TEST_F(CommandLine, RenderSaysWhereBothEyesSeeTheSame) {
   EXPECT_THAT(output_, Not(HasSubstr("both eyes see the same")));
   const auto bytes_of = [&](const char* name) { return read_whole_file(folder_ / "o" / name, 1'000'000, ""); };
   EXPECT_NE(bytes_of("L/small_000001.png"), bytes_of("R/small_000001.png"));
-  const auto facts = nlohmann::json::parse(bytes_of("small.json"));
-  EXPECT_EQ(facts["baseline_M"], 0.5);
-  EXPECT_EQ(facts["files"][1], "R/small_000001.png");
+  const auto metadata = nlohmann::json::parse(bytes_of("small.json"));
+  EXPECT_EQ(metadata["baseline_M"], 0.5);
+  EXPECT_EQ(metadata["files"][1], "R/small_000001.png");
 }
 
 TEST_F(CommandLine, RenderTellsWhichEyesFramesWereMadeFor) {
@@ -139,19 +139,19 @@ TEST_F(CommandLine, RenderTellsWhichEyesFramesWereMadeFor) {
         "\"black\"\n[view]\nsize_px = 32\n[stereo]\nlayout = \"separate\"\nmodel = \"flat\"\nbaseline = 5\n"
         "convergence = 12\n");
   ASSERT_EQ(run("render near.toml --out o --backend cpu"), 0) << output_;
-  const auto facts = nlohmann::json::parse(read_whole_file(folder_ / "o" / "near.json", 1'000'000, ""));
-  EXPECT_EQ(facts["stereo_model"], "flat");
-  EXPECT_EQ(facts["convergence_M"], 12.0);
-  const auto& baseline = facts["baseline_M"];
+  const auto metadata = nlohmann::json::parse(read_whole_file(folder_ / "o" / "near.json", 1'000'000, ""));
+  EXPECT_EQ(metadata["stereo_model"], "flat");
+  EXPECT_EQ(metadata["convergence_M"], 12.0);
+  const auto& baseline = metadata["baseline_M"];
   EXPECT_EQ(baseline["first"], 5.0);
   EXPECT_EQ(baseline["greatest"], 5.0);
   EXPECT_EQ(baseline["least"], baseline["last"]);
   // The expected baseline at the last camera position, r = 3 M, is (r - 2) / sqrt(1 - 2 / r).
   EXPECT_NEAR(baseline["last"].get<double>(), std::sqrt(3.0), 1e-3);
   const fs::path last = folder_ / "o" / "L" / "near_000003.png";
-  EXPECT_NEAR(std::stod(fact_of_image(last, "baseline_M")), baseline["last"].get<double>(), 1e-3);
-  EXPECT_EQ(fact_of_image(last, "stereo_model"), "flat");
-  EXPECT_EQ(fact_of_image(last, "convergence_M"), "12");
+  EXPECT_NEAR(std::stod(metadata_of_image(last, "baseline_M")), baseline["last"].get<double>(), 1e-3);
+  EXPECT_EQ(metadata_of_image(last, "stereo_model"), "flat");
+  EXPECT_EQ(metadata_of_image(last, "convergence_M"), "12");
 }
 
 TEST_F(CommandLine, RenderWritesCaptionsInALanguage) {

@@ -9,7 +9,7 @@
 #include "kernels/core/angles.h"
 #include "kernels/projection/make_projection.h"
 #include "render/eyes/view_projection.h"
-#include "render/patterns/pattern_place.h"
+#include "render/patterns/pattern_position.h"
 
 namespace ergodome {
 namespace {
@@ -48,14 +48,14 @@ double worst_pattern_error_deg(const DomeSetup& setup) {
       continue;
     }
     ++lit;
-    const PatternPlace place =
-        pattern_place(master, static_cast<double>(node.u) * size_px, static_cast<double>(node.v) * size_px);
+    const PatternPosition position =
+        pattern_position(master, static_cast<double>(node.u) * size_px, static_cast<double>(node.v) * size_px);
     const Vector3<double> way = *point - setup.viewer_m;
     const double elevation_deg = std::atan2(way.y, std::hypot(way.x, way.z)) / one_degree;
     const double azimuth_deg = std::atan2(way.x, -way.z) / one_degree - setup.rotation_deg;
     const double round = std::cos(elevation_deg * one_degree);
-    worst = std::max({worst, std::abs(place.elevation_deg - elevation_deg),
-                      round * std::abs(std::remainder(place.azimuth_deg - azimuth_deg, 360.0))});
+    worst = std::max({worst, std::abs(position.elevation_deg - elevation_deg),
+                      round * std::abs(std::remainder(position.azimuth_deg - azimuth_deg, 360.0))});
   }
   EXPECT_GT(lit, 50);
   return worst;
@@ -144,8 +144,8 @@ TEST(UprightMaster, HasLinesAsWideTurnedAsNot) {
   const PatternView turned(projection, 0.5 * pi);
   // A rotation by a quarter turn moves (400, 256), on the right of the master, to (256, 400), at
   // the bottom.
-  const DomeSteps steps = dome_steps(turned, pattern_place(turned, 256.0, 400.0));
-  const DomeSteps expected = dome_steps(projection, pattern_place(projection, 400.0, 256.0));
+  const DomeSteps steps = dome_steps(turned, pattern_position(turned, 256.0, 400.0));
+  const DomeSteps expected = dome_steps(projection, pattern_position(projection, 400.0, 256.0));
   EXPECT_NEAR(steps.elevation_deg, expected.elevation_deg, 1e-9);
   EXPECT_NEAR(steps.azimuth_deg, expected.azimuth_deg, 1e-9);
 }

@@ -103,16 +103,16 @@ TEST_F(CommandLine, CatalogueWritesOverNothingButACatalogueOfItsOwn) {
 TEST_F(CommandLine, ShowsTellWhichRowsOfTheirCatalogueAreLeftOut) {
   write("own.csv", "ra_deg,dec,mag\n1,20,3\n2,-10,\n");
   write("own.toml", "[[camera.key]]\nr = 12\n[sky]\nmap = \"black\"\nstars = \"own.csv\"\n[view]\nsize_px = 16\n");
-  const std::string told = "1 row skipped: 1 row without a magnitude (line 3)";
+  const std::string reported = "1 row skipped: 1 row without a magnitude (line 3)";
   ASSERT_EQ(run("inspect own.toml"), 0) << output_;
-  EXPECT_THAT(output_, HasSubstr("own.csv: 1 star, " + told));
+  EXPECT_THAT(output_, HasSubstr("own.csv: 1 star, " + reported));
   ASSERT_EQ(run("inspect own.toml --json"), 0) << output_;
   const auto stars = json_in(output_)["stars"];
   EXPECT_EQ(stars["count"], 1);
   EXPECT_EQ(stars["left_out"][0]["first_line"], 3);
   EXPECT_EQ(stars["read_as"], "ra_deg in degrees, dec; V from mag");
   ASSERT_EQ(run("render own.toml --out o --backend cpu"), 0) << output_;
-  EXPECT_THAT(output_, HasSubstr("own.csv: " + told));
+  EXPECT_THAT(output_, HasSubstr("own.csv: " + reported));
 }
 
 TEST_F(CommandLine, CatalogueRefusesWhatItCannotRead) {

@@ -53,11 +53,11 @@ double visitors_lit_part(double r, double yaw_deg, double exposure_stops = 0.0) 
 TEST(LitPart, IsNothingWhereAVisitorHoversCloseToTheHorizonAndLooksDown) {
   // The horizon for spin 0.9 is at 1.4359 M. From 0.01 M above the horizon, the sky appears as a
   // narrow cone overhead.
-  EXPECT_LT(visitors_lit_part(1.446, 0.0), BlackView::least_lit_part);
+  EXPECT_LT(visitors_lit_part(1.446, 0.0), BlackView::min_lit_part);
 }
 
 TEST(LitPart, IsMuchWhereAVisitorLooksUpFromThere) {
-  EXPECT_GT(visitors_lit_part(1.446, 180.0), 10.0 * BlackView::least_lit_part);
+  EXPECT_GT(visitors_lit_part(1.446, 180.0), 10.0 * BlackView::min_lit_part);
 }
 
 TEST(LitPart, IsMuchWhereAVisitorsFlightBegins) { EXPECT_GT(visitors_lit_part(28.0, 0.0), 0.3); }

@@ -65,10 +65,10 @@ TEST_F(ExhibitInAWindow, RecordsEachVisitAndNothingOfTheAttractShow) {
   ASSERT_EQ(exhibit(flies + "--session 1 --for 6.5"), 0) << output_;
   EXPECT_EQ(text("flight-000001.toml"), "of another run");
   // The number of visits depends on the speed of the machine, so it is read from the log.
-  const std::string told = log();
+  const std::string reported = log();
   const std::string visit = "a visitor arrived";
   int visits = 0;
-  for (std::size_t at = told.find(visit); at != std::string::npos; at = told.find(visit, at + 1)) {
+  for (std::size_t at = reported.find(visit); at != std::string::npos; at = reported.find(visit, at + 1)) {
     ++visits;
   }
   ASSERT_GE(visits, 2);

@@ -22,7 +22,7 @@ using testing::Contains;
 using testing::HasSubstr;
 
 //! An exhibit with a simulated player status, which tests set through `status_`.
-class KeptByAnExhibit : public test::FolderTest {
+class SavedByAnExhibit : public test::FolderTest {
  protected:
   void SetUp() override {
     FolderTest::SetUp();
@@ -59,15 +59,15 @@ TEST(ExhibitWelcome, NamesTheFallIntoTheHoleWhereTheShowLetsVisitorsIn) {
   }
 }
 
-TEST_F(KeptByAnExhibit, ItsWelcomeHasLinesApartWithLettersThatSmallDomesCanShow) {
+TEST_F(SavedByAnExhibit, ItsWelcomeHasLinesApartWithLettersThatSmallDomesCanShow) {
   constexpr double pixels_a_degree = 512.0 / 180.0;
   exhibit_->advance(2.0, false, false);
   for (const bool pad : {false, true}) {
     double above_deg = 90.0;
     for (const Caption& line : exhibit_->captions(pad)) {
       EXPECT_GT(line.letter_deg * pixels_a_degree, 6.5);
-      EXPECT_LT(line.place.elevation_deg + line.letter_deg, above_deg) << "a letter's height between two lines";
-      above_deg = line.place.elevation_deg - 0.5 * line.letter_deg;
+      EXPECT_LT(line.position.elevation_deg + line.letter_deg, above_deg) << "a letter's height between two lines";
+      above_deg = line.position.elevation_deg - 0.5 * line.letter_deg;
       for (const auto& [language, words] : line.text) {
         constexpr int line_px = 32;
         const CaptionImage image = set_caption(words, {line_px, line_px * line.width_deg / line.letter_deg});
@@ -79,33 +79,33 @@ TEST_F(KeptByAnExhibit, ItsWelcomeHasLinesApartWithLettersThatSmallDomesCanShow)
   }
 }
 
-TEST_F(KeptByAnExhibit, AVisitorsLanguageIsNot) {
+TEST_F(SavedByAnExhibit, AVisitorsLanguageIsNot) {
   status_.language = "de";
   keep_after(1.0);
   keep_after(10.0);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "settings.toml"));
-  EXPECT_THAT(exhibit_->kept_commands(), testing::Not(Contains(TransportCommand{Kind::language, 0.0, "de"})));
+  EXPECT_THAT(exhibit_->saved_commands(), testing::Not(Contains(TransportCommand{Kind::language, 0.0, "de"})));
 }
 
-TEST_F(KeptByAnExhibit, AnOperatorsLanguageIs) {
+TEST_F(SavedByAnExhibit, AnOperatorsLanguageIs) {
   status_.language = "de";
   exhibit_->note({{Kind::language, 0.0, "de"}});
   keep_after(1.0);
   keep_after(10.0);
   EXPECT_THAT(text("settings.toml"), HasSubstr("language = 'de'"));
-  EXPECT_THAT(exhibit_->kept_commands(), Contains(TransportCommand{Kind::language, 0.0, "de"}));
+  EXPECT_THAT(exhibit_->saved_commands(), Contains(TransportCommand{Kind::language, 0.0, "de"}));
 }
 
-TEST_F(KeptByAnExhibit, AnOperatorsVolumeIsWithoutAVisitorsLanguage) {
+TEST_F(SavedByAnExhibit, AnOperatorsVolumeIsWithoutAVisitorsLanguage) {
   status_.language = "de";
   status_.volume = 0.5;
   exhibit_->note({{Kind::volume, 0.5, {}}});
   keep_after(1.0);
-  EXPECT_THAT(exhibit_->kept_commands(), Contains(TransportCommand{Kind::volume, 0.5, {}}));
-  EXPECT_THAT(exhibit_->kept_commands(), testing::Not(Contains(TransportCommand{Kind::language, 0.0, "de"})));
+  EXPECT_THAT(exhibit_->saved_commands(), Contains(TransportCommand{Kind::volume, 0.5, {}}));
+  EXPECT_THAT(exhibit_->saved_commands(), testing::Not(Contains(TransportCommand{Kind::language, 0.0, "de"})));
 }
 
-TEST_F(KeptByAnExhibit, AnOperatorsExposureOutlastsAVisitorsReset) {
+TEST_F(SavedByAnExhibit, AnOperatorsExposureOutlastsAVisitorsReset) {
   status_.exposure_stops = -2.0;
   exhibit_->note({{Kind::exposure, -2.0, {}}});
   keep_after(1.0);
@@ -113,7 +113,7 @@ TEST_F(KeptByAnExhibit, AnOperatorsExposureOutlastsAVisitorsReset) {
               testing::ElementsAre(TransportCommand{Kind::reset, 0.0, {}}, TransportCommand{Kind::exposure, -2.0, {}}));
 }
 
-TEST_F(KeptByAnExhibit, SettingsAreWrittenAtOnceAndAFaderThatMovesOnceASecond) {
+TEST_F(SavedByAnExhibit, SettingsAreWrittenAtOnceAndAFaderThatMovesOnceASecond) {
   const auto set_volume = [&](double volume, double after_s) {
     status_.volume = volume;
     exhibit_->note({{Kind::volume, volume, {}}});
@@ -130,7 +130,7 @@ TEST_F(KeptByAnExhibit, SettingsAreWrittenAtOnceAndAFaderThatMovesOnceASecond) {
   EXPECT_THAT(text("settings.toml"), HasSubstr("volume = 0.75"));
 }
 
-TEST_F(KeptByAnExhibit, AVisitorWhoSeesOnlyBlackIsToldHowToGetBackAndThenTakenThere) {
+TEST_F(SavedByAnExhibit, AVisitorWhoSeesOnlyBlackIsToldHowToGetBackAndThenTakenThere) {
   exhibit_->advance(10.0, true, false);
   exhibit_->note_light(0.0);
   exhibit_->advance(15.0, true, false);
@@ -145,7 +145,7 @@ TEST_F(KeptByAnExhibit, AVisitorWhoSeesOnlyBlackIsToldHowToGetBackAndThenTakenTh
   EXPECT_FALSE(exhibit_->take_return());
 }
 
-TEST_F(KeptByAnExhibit, ABlackAttractShowIsNobodysToLeave) {
+TEST_F(SavedByAnExhibit, ABlackAttractShowIsNobodysToLeave) {
   exhibit_->advance(100.0, false, false);
   ASSERT_EQ(exhibit_->scene(), ExhibitScene::attract);
   exhibit_->note_light(0.0);
@@ -188,7 +188,7 @@ TEST(ExhibitShows, ThatDoNotFitTheDisplayAreAWarningWithARemedy) {
               testing::AllOf(HasSubstr("flat: is made for flat screens"), HasSubstr("--projection dome")));
 }
 
-TEST_F(KeptByAnExhibit, SettingsThatTheDiskRefusesAreAProblemThatNamesTheFile) {
+TEST_F(SavedByAnExhibit, SettingsThatTheDiskRefusesAreAProblemThatNamesTheFile) {
   std::filesystem::create_directory(folder_ / "settings.toml");
   status_.volume = 0.5;
   exhibit_->note({{Kind::volume, 0.5, {}}});
@@ -197,7 +197,7 @@ TEST_F(KeptByAnExhibit, SettingsThatTheDiskRefusesAreAProblemThatNamesTheFile) {
               testing::AllOf(HasSubstr("settings.toml: the settings cannot be saved"), HasSubstr("free disk space")));
 }
 
-TEST_F(KeptByAnExhibit, SettingsAreWrittenOnceTheDiskTakesThemAgain) {
+TEST_F(SavedByAnExhibit, SettingsAreWrittenOnceTheDiskTakesThemAgain) {
   std::filesystem::create_directory(folder_ / "settings.toml");
   status_.volume = 0.5;
   exhibit_->note({{Kind::volume, 0.5, {}}});
@@ -209,14 +209,14 @@ TEST_F(KeptByAnExhibit, SettingsAreWrittenOnceTheDiskTakesThemAgain) {
   EXPECT_THAT(text("settings.toml"), HasSubstr("volume = 0.5"));
 }
 
-TEST_F(KeptByAnExhibit, ASentenceSaysWhatItDoes) {
+TEST_F(SavedByAnExhibit, ASentenceSaysWhatItDoes) {
   status_.blackout = true;
   status_.problem = "no lens";
   EXPECT_THAT(exhibit_->state_text(status_),
               testing::AllOf(HasSubstr("visitor"), HasSubstr("blacked out"), HasSubstr("no lens")));
 }
 
-TEST_F(KeptByAnExhibit, TheServiceManagerIsToldWhenThatChanges) {
+TEST_F(SavedByAnExhibit, TheServiceManagerIsToldWhenThatChanges) {
   const int socket = ::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
@@ -225,16 +225,16 @@ TEST_F(KeptByAnExhibit, TheServiceManagerIsToldWhenThatChanges) {
   ASSERT_EQ(::bind(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
   ::setenv("NOTIFY_SOCKET", name.c_str(), 1);
   for (const char* state : {"one", "one", "two\nlines"}) {
-    tell_supervisor(state);
+    notify_supervisor(state);
   }
   ::unsetenv("NOTIFY_SOCKET");
-  std::string told;
+  std::string reported;
   char message[200];
   for (ssize_t got = 0; (got = ::recv(socket, message, sizeof message, MSG_DONTWAIT)) > 0;) {
-    told += std::string(message, static_cast<std::size_t>(got)) + ";";
+    reported += std::string(message, static_cast<std::size_t>(got)) + ";";
   }
   ::close(socket);
-  EXPECT_EQ(told, "STATUS=one;STATUS=two lines;");
+  EXPECT_EQ(reported, "STATUS=one;STATUS=two lines;");
 }
 
 }  // namespace

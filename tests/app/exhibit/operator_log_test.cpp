@@ -50,8 +50,8 @@ TEST(OperatorLog, KeepsNoMoreThanItMayOfManyAddresses) {
   for (int i = 0; i < 1000; ++i) {
     log.note({{Kind::play, 0.0, {}, "OSC 192.0.2." + std::to_string(i)}}, 0.0);
   }
-  EXPECT_EQ(log.take(0.5).size(), 1000U - OperatorLog::most_waiting);
-  EXPECT_EQ(log.take_all().size(), OperatorLog::most_waiting);
+  EXPECT_EQ(log.take(0.5).size(), 1000U - OperatorLog::max_waiting);
+  EXPECT_EQ(log.take_all().size(), OperatorLog::max_waiting);
 }
 
 }  // namespace

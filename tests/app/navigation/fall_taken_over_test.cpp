@@ -35,16 +35,17 @@ struct Follower {
 //! the sum of differences in position (relative to r) and in the observer's velocity.
 double off_orbit(const Show& show, const Navigator& navigator) {
   const CameraPose here = navigator.pose();
-  const Vector3<double> moves = navigator.own_observer()->velocity;
-  double least = 1e9;
+  const Vector3<double> moves = navigator.flight_observer()->velocity;
+  double minimum = 1e9;
   for (double time_s = 5.0; time_s < 100.0; time_s += 0.005) {
-    const FallPlace there = show.camera.orbit->at(time_s);
-    const CameraPlace place = place_of({there.r, there.theta, there.phi, {1.0, 0.0, 0.0, 0.0}});
+    const FallPosition there = show.camera.orbit->at(time_s);
+    const CameraPlacement placement = placement_of({there.r, there.theta, there.phi, {1.0, 0.0, 0.0, 0.0}});
     const Vector3<double> change = there.velocity - moves;
-    least = std::min(least, std::abs(there.r / here.r - 1.0) + glm::distance(place.towards, place_of(here).towards) +
-                                std::sqrt(dot(change, change)));
+    minimum = std::min(minimum, std::abs(there.r / here.r - 1.0) +
+                                    glm::distance(placement.towards, placement_of(here).towards) +
+                                    std::sqrt(dot(change, change)));
   }
-  return least;
+  return minimum;
 }
 
 // Maximum difference from the nearest sample of the orbit: between samples, the camera moves by
@@ -110,7 +111,7 @@ TEST(FallTakenOver, IsForgottenByAFlightThatWentElsewhere) {
   camera.follow(show, 3.0);
   const CameraPose here = camera.navigator.pose();
   const Vector3<double> off =
-      camera.navigator.own_observer()->velocity - circular_velocity(spacetime_of(show), here.r, here.theta, 1.0);
+      camera.navigator.flight_observer()->velocity - circular_velocity(spacetime_of(show), here.r, here.theta, 1.0);
   EXPECT_LT(std::sqrt(dot(off, off)), 0.1);
 }
 

@@ -30,20 +30,20 @@ Navigator follower(const Show& show, double until_s) {
 }
 
 //! Returns the view relative to nonrotating directions, with axes boosted from the ZAMO frame.
-glm::dquat view_of(const CameraPose& pose) { return place_of(in_zamo_frame(pose, Spacetime{0.9})).view; }
+glm::dquat view_of(const CameraPose& pose) { return position_of(in_zamo_frame(pose, Spacetime{0.9})).view; }
 
 TEST(FlightThroughHorizon, BeginsWithTheViewOfThePath) {
   const Show show = falling_through(0.5);
   Navigator navigator = follower(show, 12.0);
   const CameraPose path = camera_pose(show, 12.0);
-  ASSERT_GT(angle_between(place_of(path).view, view_of(path)), 0.05);
+  ASSERT_GT(angle_between(position_of(path).view, view_of(path)), 0.05);
   navigator.leave_path();
-  EXPECT_LT(angle_between(place_of(navigator.pose()).view, view_of(path)), 1e-12);
+  EXPECT_LT(angle_between(position_of(navigator.pose()).view, view_of(path)), 1e-12);
   for (int i = 0; i < 30; ++i) {
     navigator.advance(frame_s, {}, path);
   }
   // The view rotates at most as fast as the axes of the path's camera.
-  EXPECT_LT(angle_between(place_of(navigator.pose()).view, view_of(path)), 0.05);
+  EXPECT_LT(angle_between(position_of(navigator.pose()).view, view_of(path)), 0.05);
 }
 
 TEST(FlightThroughHorizon, ReturnsToTheViewOfThePath) {
@@ -60,31 +60,31 @@ TEST(FlightThroughHorizon, ReturnsToTheViewOfThePath) {
   }
   navigator.return_to_path();
   glm::dquat before = view_of(navigator.pose());
-  double greatest = 0.0;
+  double maximum = 0.0;
   while (navigator.course() != Navigator::Course::path && time_s < 60.0) {
     go_on({});
     const glm::dquat now = view_of(navigator.pose());
-    greatest = std::max(greatest, angle_between(before, now));
+    maximum = std::max(maximum, angle_between(before, now));
     before = now;
   }
   ASSERT_EQ(navigator.course(), Navigator::Course::path);
-  EXPECT_LT(greatest, 0.03);
+  EXPECT_LT(maximum, 0.03);
 }
 
 //! Returns the smallest difference between the state of a flight and the points of a show's orbit:
 //! the sum of differences in position (relative to r), velocity and view.
 double off_the_orbit(const Show& show, const CameraPose& here) {
-  double least = 1e9;
+  double minimum = 1e9;
   for (double time_s = 0.0; time_s < 60.0; time_s += 0.002) {
     const CameraPose there = camera_pose(show, time_s);
     const Vector3<double> change = *there.velocity - *here.velocity;
-    const double way =
-        std::abs(there.r / here.r - 1.0) + std::sqrt(dot(change, change)) +
-        glm::distance(ingoing_place(there, Spacetime{0.9}).towards, ingoing_place(here, Spacetime{0.9}).towards);
-    least =
-        std::min(least, way + 2.0 * std::acos(std::min(std::abs(glm::dot(there.orientation, here.orientation)), 1.0)));
+    const double way = std::abs(there.r / here.r - 1.0) + std::sqrt(dot(change, change)) +
+                       glm::distance(ingoing_placement(there, Spacetime{0.9}).towards,
+                                     ingoing_placement(here, Spacetime{0.9}).towards);
+    minimum = std::min(minimum,
+                       way + 2.0 * std::acos(std::min(std::abs(glm::dot(there.orientation, here.orientation)), 1.0)));
   }
-  return least;
+  return minimum;
 }
 
 TEST(FlightThroughHorizon, FallsOnAlongTheOrbitOfThePathFromWithinAndFromAbove) {

@@ -12,12 +12,12 @@ namespace {
 
 double speed(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
 
-double least_guarded_r(double spin) { return horizon_radius(Spacetime{spin}) + 0.02; }
+double min_guarded_r(double spin) { return horizon_radius(Spacetime{spin}) + 0.02; }
 
 TEST(NearestVelocity, IsSlowerThanLightEverywhereOutsideTheGuard) {
   for (const double spin : {0.0, 0.5, 0.999, 1.0, -1.0, -0.9}) {
     for (const double theta : {0.0, 1e-9, 0.7, pi / 2, 3.0, pi}) {
-      for (double r = least_guarded_r(spin); r < 2e6; r *= 1.05) {
+      for (double r = min_guarded_r(spin); r < 2e6; r *= 1.05) {
         for (const ObserverMotion motion :
              {ObserverMotion::fixed, ObserverMotion::geodesic, ObserverMotion::retrograde}) {
           const double v = speed(nearest_velocity(motion, Spacetime{spin}, r, theta).velocity);
@@ -33,7 +33,7 @@ TEST(NearestVelocity, IsSlowerThanLightEverywhereOutsideTheGuard) {
 double largest_step(ObserverMotion motion, double spin, double theta) {
   double largest = 0.0;
   Vector3<double> last = nearest_velocity(motion, Spacetime{spin}, 8.0, theta).velocity;
-  for (double r = 8.0; r > least_guarded_r(spin); r -= 1e-4) {
+  for (double r = 8.0; r > min_guarded_r(spin); r -= 1e-4) {
     const Vector3<double> now = nearest_velocity(motion, Spacetime{spin}, r, theta).velocity;
     largest = std::max(largest, speed(now - last));
     last = now;

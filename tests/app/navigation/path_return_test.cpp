@@ -14,7 +14,7 @@ using namespace test;  // NOLINT(google-build-using-namespace): flights of tests
 //! largest changes, from one frame to the next, of the rate at which the position (relative to r)
 //! and the view change.
 struct Journey {
-  double place_change = 0.0;
+  double position_change = 0.0;
   double view_change = 0.0;
   double time_back_s = 0.0;
   double end_error = 0.0;
@@ -23,7 +23,7 @@ struct Journey {
 Journey journey(const Show& show, const Steering& away, double away_s) {
   Navigator navigator(show);
   double time_s = 20.0;
-  CameraPlace last;
+  CameraPlacement last;
   glm::dvec3 way{0.0};
   glm::dvec3 turn{0.0};
   Journey journey;
@@ -31,11 +31,11 @@ Journey journey(const Show& show, const Steering& away, double away_s) {
   const auto play = [&](const Steering& steering) {
     time_s += frame_s;
     navigator.advance(frame_s, holding(steering), camera_pose(show, time_s));
-    const CameraPlace now = place_of(navigator.pose());
+    const CameraPlacement now = placement_of(navigator.pose());
     const glm::dvec3 new_way = (now.r * now.towards - last.r * last.towards) / (now.r * frame_s);
     const glm::dvec3 new_turn = turn_of(now.view * glm::conjugate(last.view)) / frame_s;
     if (frame++ > 1) {
-      journey.place_change = std::max(journey.place_change, glm::distance(new_way, way));
+      journey.position_change = std::max(journey.position_change, glm::distance(new_way, way));
       journey.view_change = std::max(journey.view_change, glm::distance(new_turn, turn));
     }
     last = now;
@@ -56,7 +56,7 @@ Journey journey(const Show& show, const Steering& away, double away_s) {
     play({});
   }
   journey.time_back_s = time_s - returned_s;
-  const CameraPlace path = place_of(camera_pose(show, time_s));
+  const CameraPlacement path = placement_of(camera_pose(show, time_s));
   journey.end_error = glm::distance(path.r * path.towards, last.r * last.towards) + angle_between(path.view, last.view);
   return journey;
 }
@@ -67,7 +67,7 @@ TEST(PathReturn, BeginsAndEndsWithTheSameVelocityAndArrivesInTime) {
     const Journey back = journey(moving_show(), away, 4.0);
     // A jump would change the rate by about 0.3 per second, which is the rate itself. The limits on
     // acceleration and the blend with the path allow far less per frame.
-    EXPECT_LT(back.place_change, 0.05);
+    EXPECT_LT(back.position_change, 0.05);
     EXPECT_LT(back.view_change, 0.05);
     EXPECT_LT(back.time_back_s, 12.0);
     EXPECT_LT(back.end_error, 1e-9);
@@ -104,10 +104,10 @@ TEST(PathReturn, TakesASeekOfTheShowMeanwhile) {
     navigator.advance(frame_s, holding({1.0}), camera_pose(show, 1.0));
   }
   navigator.return_to_path();
-  CameraPlace last = place_of(navigator.pose());
+  CameraPlacement last = placement_of(navigator.pose());
   for (int i = 0; i < 600; ++i) {
     navigator.advance(frame_s, {}, camera_pose(show, i < 60 ? 1.0 : 80.0));
-    const CameraPlace now = place_of(navigator.pose());
+    const CameraPlacement now = placement_of(navigator.pose());
     ASSERT_LT(glm::distance(now.r * now.towards, last.r * last.towards), 0.3);
     last = now;
   }

@@ -87,7 +87,7 @@ TEST(VisitorFallsIn, ComesToRestAtTheDeepestPlaceAndSaysSo) {
   EXPECT_GE(visitor.pose().r, deepest_rest(Spacetime{0.9}));
   EXPECT_LT(visitor.pose().r, 1.001 * deepest_rest(Spacetime{0.9}));
   EXPECT_FALSE(visitor.flier.navigator.moved());
-  EXPECT_THAT(visitor.flier.navigator.own_observer()->sentence,
+  EXPECT_THAT(visitor.flier.navigator.flight_observer()->sentence,
               testing::AllOf(HasSubstr("inside the horizon"), HasSubstr("0.00 M of proper time left"),
                              HasSubstr("time is stopped")));
 }
@@ -109,7 +109,7 @@ TEST(VisitorFallsIn, KnowsTheOwnTimeThatIsLeftByTheClosedForm) {
 struct Seen {
   double energy;
   double axial;
-  glm::dvec3 place;
+  glm::dvec3 placement;
 };
 
 Seen seen_by(double spin, const CameraPose& pose, const glm::dvec3& view) {
@@ -117,11 +117,11 @@ Seen seen_by(double spin, const CameraPose& pose, const glm::dvec3& view) {
   const ObserverMotion motion = pose.velocity_in_rain ? ObserverMotion::rain_boost : ObserverMotion::velocity;
   const CameraStation camera = make_camera_station(Spacetime{spin}, pose.r, pose.theta, 0.0, motion, *pose.velocity);
   const RayStart<double> ray = start_ray(camera, Vector3<double>{n.x, n.y, n.z});
-  return {ray.energy, ray.axial_angular_momentum, ingoing_place(pose, Spacetime{spin}).towards};
+  return {ray.energy, ray.axial_angular_momentum, ingoing_placement(pose, Spacetime{spin}).towards};
 }
 
 double apart(const Seen& a, const Seen& b) {
-  return std::abs(a.energy / b.energy - 1.0) + std::abs(a.axial - b.axial) + glm::distance(a.place, b.place);
+  return std::abs(a.energy / b.energy - 1.0) + std::abs(a.axial - b.axial) + glm::distance(a.placement, b.placement);
 }
 
 TEST(VisitorFallsIn, SeesTheSkyChangeAtTheHorizonAsLittleAsBesideIt) {
@@ -218,7 +218,7 @@ TEST(VisitorFallsIn, FliesOnWhereAnotherWayToFlyIsChosenAboveTheHorizon) {
   const CameraPose falls = in_zamo_frame(visitor.pose(), Spacetime{0.9});
   visitor.flier.navigator.next_mode();
   EXPECT_FALSE(visitor.pose().velocity_in_rain);
-  EXPECT_LT(angle_between(place_of(falls).view, place_of(visitor.pose()).view), 1e-9);
+  EXPECT_LT(angle_between(placement_of(falls).view, placement_of(visitor.pose()).view), 1e-9);
   visitor.flier.hold(forward_only(-1.0), 10.0);
   EXPECT_GT(visitor.pose().r, 3.0);
 }
@@ -242,8 +242,8 @@ TEST(VisitorFallsIn, ComesBackFromWithinAtOnce) {
 TEST(VisitorFallsIn, FliesBackFromAboveTheHorizonWithoutALeap) {
   Visitor visitor(show_at(0.9, 4.0, 60.0));
   visitor.fall_until([](const CameraPose& here) { return here.r < 1.6; });
-  const auto view = [&] { return place_of(in_zamo_frame(visitor.pose(), Spacetime{0.9})); };
-  CameraPlace before = view();
+  const auto view = [&] { return placement_of(in_zamo_frame(visitor.pose(), Spacetime{0.9})); };
+  CameraPlacement before = view();
   double clock_lead = visitor.pose().clock_lead;
   ASSERT_GT(clock_lead, 1.0);
   visitor.flier.navigator.return_to_path();
@@ -288,7 +288,7 @@ TEST(VisitorFallsIn, StaysOutsideWhereTheShowKeepsVisitorsThere) {
     Visitor visitor(show_at(spin, 5.0, 90.0, flight));
     visitor.flier.hold({}, 60.0);
     EXPECT_GT(visitor.pose().r, visitor.flier.navigator.space().guard_r()) << says;
-    EXPECT_THAT(visitor.flier.navigator.own_observer()->sentence, HasSubstr(says));
+    EXPECT_THAT(visitor.flier.navigator.flight_observer()->sentence, HasSubstr(says));
   }
 }
 

@@ -23,7 +23,7 @@ TEST(Navigator, OrbitsOverThePoleWithoutALeapOfTheHoleInTheView) {
     flier.hold(up, frame_s);
     const glm::dvec3 now = looks_at(flier.navigator);
     EXPECT_LT(glm::distance(now, star), 1.01 * pi / 3.0 * frame_s);
-    EXPECT_GT(glm::dot(now, -place_of(flier.navigator.pose()).towards), 0.99);
+    EXPECT_GT(glm::dot(now, -placement_of(flier.navigator.pose()).towards), 0.99);
     leap = std::max(leap, std::abs(flier.navigator.pose().phi - phi));
     phi = flier.navigator.pose().phi;
     star = now;
@@ -39,9 +39,9 @@ TEST(Navigator, GoesOnEastwardsAsTheScreenHasItOnBothSidesOfThePole) {
   Steering right;
   right.right = 1.0;
   flier.hold({}, 2.0);
-  const CameraPlace before = place_of(flier.navigator.pose());
+  const CameraPlacement before = placement_of(flier.navigator.pose());
   flier.hold(right, 0.5);
-  const glm::dvec3 way = place_of(flier.navigator.pose()).towards - before.towards;
+  const glm::dvec3 way = placement_of(flier.navigator.pose()).towards - before.towards;
   EXPECT_GT(glm::dot(way, before.view * glm::dvec3(1.0, 0.0, 0.0)), 0.9 * glm::length(way));
 }
 
@@ -94,7 +94,7 @@ TEST(Navigator, HoveringStaysAndLooksAround) {
   EXPECT_EQ(flier.navigator.pose().r, before.r);
   EXPECT_NEAR(flier.navigator.pose().theta, before.theta, 1e-12);
   EXPECT_GT(angle_between(flier.navigator.pose().orientation, before.orientation), 0.3);
-  EXPECT_EQ(flier.navigator.own_observer()->name, "static observer");
+  EXPECT_EQ(flier.navigator.flight_observer()->name, "static observer");
 }
 
 TEST(Navigator, RidesACircularOrbitOnceInFortySeconds) {
@@ -109,7 +109,7 @@ TEST(Navigator, RidesACircularOrbitOnceInFortySeconds) {
     ASSERT_NEAR(flier.navigator.pose().r, 9.0, 1e-7);
   }
   EXPECT_NEAR(turned, 0.5 * pi, 0.5);  // proper time runs slower than the clock of the stars
-  const Vector3<double> v = flier.navigator.own_observer()->velocity;
+  const Vector3<double> v = flier.navigator.flight_observer()->velocity;
   const Vector3<double> circular = observer_velocity(ObserverMotion::geodesic, Spacetime{0.9}, 9.0, pi / 2, {});
   EXPECT_NEAR(v.z, circular.z, 1e-8);
 }
@@ -120,7 +120,7 @@ TEST(Navigator, TheHoleStaysWhereItIsInTheViewOfAnInclinedOrbit) {
   double south = 0.0;
   for (int i = 0; i < 3000; ++i) {
     flier.hold({}, frame_s);
-    ASSERT_GT(glm::dot(looks_at(flier.navigator), -place_of(flier.navigator.pose()).towards), 0.999);
+    ASSERT_GT(glm::dot(looks_at(flier.navigator), -placement_of(flier.navigator.pose()).towards), 0.999);
     south = std::max(south, flier.navigator.pose().theta);
   }
   EXPECT_GT(south, 2.2);
@@ -132,7 +132,7 @@ TEST(Navigator, AnOrbitThatFallsInComesToRestBeforeTheGuardAndSaysSo) {
   flier.hold({}, 40.0);
   EXPECT_GT(flier.navigator.pose().r, flier.navigator.space().guard_r());
   EXPECT_LT(flier.navigator.pose().r, 1.01 * flier.navigator.space().guard_r());
-  EXPECT_NE(flier.navigator.own_observer()->sentence.find("time is stopped"), std::string::npos);
+  EXPECT_NE(flier.navigator.flight_observer()->sentence.find("time is stopped"), std::string::npos);
 }
 
 }  // namespace

@@ -82,7 +82,7 @@ TEST_F(PadHubTest, ReadsTheOtherPadInTheRoundOfABurst) {
   now_s_ = 0.0;
   hub_->poll();
   const PadSnapshot first = hub_->snapshot();
-  EXPECT_EQ(first.pads.at(0).reports, PadSession::most_reports);
+  EXPECT_EQ(first.pads.at(0).reports, PadSession::max_reports);
   EXPECT_EQ(first.pads.at(1).state.axis(PadAxis::left_y), 1.0F);
 }
 

@@ -258,7 +258,7 @@ struct Machine {
 
   //! Feeds the machine's messages to the filter for some seconds. Returns the maximum error of the
   //! clock fixes after the first 16 messages.
-  double greatest_error_s(TimeCodeFilter& filter, double seconds) const {
+  double max_error_s(TimeCodeFilter& filter, double seconds) const {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> late_s(0.0, jitter_s);
     const FrameRate frames = frame_rate_of(rate);
@@ -279,12 +279,12 @@ struct Machine {
 
 TEST(TimeCodeFilter, JitterIsAveragedAway) {
   TimeCodeFilter filter;
-  EXPECT_LT((Machine{CodeRate::fps25, 1.0, 0.004}.greatest_error_s(filter, 60.0)), 0.0015);
+  EXPECT_LT((Machine{CodeRate::fps25, 1.0, 0.004}.max_error_s(filter, 60.0)), 0.0015);
 }
 
 TEST(TimeCodeFilter, AMachineThatRunsFastIsFollowed) {
   TimeCodeFilter filter;
-  EXPECT_LT((Machine{CodeRate::drop, 1.04, 0.0}.greatest_error_s(filter, 20.0)), 0.005);
+  EXPECT_LT((Machine{CodeRate::drop, 1.04, 0.0}.max_error_s(filter, 20.0)), 0.005);
 }
 
 TEST(TimeCodeFilter, AnHourOfDropFrameLabelsIsAnHour) {

@@ -28,7 +28,7 @@ Show show_with_chapters() {
 
 class PlaybackTest : public testing::Test {
  protected:
-  CommandOutcome tell(Kind kind, double value = 0.0, const std::string& text = "") {
+  CommandOutcome command(Kind kind, double value = 0.0, const std::string& text = "") {
     const CommandOutcome outcome = playback_.apply({kind, value, text});
     playback_.advance();
     return outcome;
@@ -56,71 +56,71 @@ TEST_F(TransportCommands, AShowPlaysFromTheBeginning) {
 }
 
 TEST_F(TransportCommands, PauseAndPlay) {
-  tell(Kind::pause);
+  command(Kind::pause);
   time_.pass(2.0);
   EXPECT_EQ(now_s(), 0.0);
-  tell(Kind::toggle_pause);
+  command(Kind::toggle_pause);
   time_.pass(2.0);
   EXPECT_EQ(now_s(), 2.0);
-  tell(Kind::toggle_pause);
+  command(Kind::toggle_pause);
   EXPECT_FALSE(status().playing);
 }
 
 TEST_F(TransportCommands, SeekStepAndSpeed) {
-  tell(Kind::seek, 30.0);
+  command(Kind::seek, 30.0);
   EXPECT_EQ(now_s(), 30.0);
-  tell(Kind::seek_by, -10.0);
+  command(Kind::seek_by, -10.0);
   EXPECT_EQ(now_s(), 20.0);
-  tell(Kind::speed, -2.0);
+  command(Kind::speed, -2.0);
   time_.pass(5.0);
   EXPECT_EQ(now_s(), 10.0);
-  tell(Kind::step, 3.0);
+  command(Kind::step, 3.0);
   EXPECT_NEAR(now_s(), 10.1, 1e-8);
   EXPECT_FALSE(status().playing);
 }
 
 TEST_F(TransportCommands, ChaptersAreKnownByTheTime) {
   EXPECT_EQ(playback_.chapter(), -1);
-  tell(Kind::seek, 5.0);
+  command(Kind::seek, 5.0);
   EXPECT_EQ(playback_.chapter(), 0);
-  tell(Kind::seek, 39.9);
+  command(Kind::seek, 39.9);
   EXPECT_EQ(playback_.chapter(), 1);
 }
 
 TEST_F(TransportCommands, ChaptersAreGoneTo) {
-  tell(Kind::chapter, 1.0);
+  command(Kind::chapter, 1.0);
   EXPECT_EQ(now_s(), 20.0);
-  tell(Kind::next_chapter);
+  command(Kind::next_chapter);
   EXPECT_EQ(now_s(), 40.0);
-  EXPECT_EQ(tell(Kind::next_chapter), CommandOutcome::refused);
+  EXPECT_EQ(command(Kind::next_chapter), CommandOutcome::refused);
   EXPECT_EQ(playback_.refusal(), "this is the last chapter");
-  tell(Kind::previous_chapter);
+  command(Kind::previous_chapter);
   EXPECT_EQ(now_s(), 20.0) << "right at its start, the one before";
   time_.pass(5.0);
-  tell(Kind::previous_chapter);
+  command(Kind::previous_chapter);
   EXPECT_EQ(now_s(), 20.0) << "later on, to its own start";
 }
 
 TEST_F(TransportCommands, AChapterThatIsNotThereIsRefused) {
-  EXPECT_EQ(tell(Kind::chapter, 3.0), CommandOutcome::refused);
+  EXPECT_EQ(command(Kind::chapter, 3.0), CommandOutcome::refused);
   EXPECT_EQ(playback_.refusal(), "the show has chapters 0 to 2");
-  EXPECT_EQ(tell(Kind::chapter, -1.0), CommandOutcome::refused);
+  EXPECT_EQ(command(Kind::chapter, -1.0), CommandOutcome::refused);
 }
 
 TEST_F(TransportCommands, ARefusalIsInTheLanguageThatWasChosen) {
-  tell(Kind::language, 0.0, "de");
-  tell(Kind::chapter, 3.0);
+  command(Kind::language, 0.0, "de");
+  command(Kind::chapter, 3.0);
   EXPECT_EQ(playback_.refusal(), "die Vorführung hat die Kapitel 0 bis 2");
 }
 
 TEST_F(TransportCommands, BlackoutFadesAndComesBack) {
-  tell(Kind::blackout, 1.0);
+  command(Kind::blackout, 1.0);
   EXPECT_EQ(playback_.light(), 1.0);
   time_.pass(0.5);
   playback_.advance();
   EXPECT_DOUBLE_EQ(playback_.light(), 0.5);
   EXPECT_TRUE(status().blackout);
-  tell(Kind::toggle_blackout);
+  command(Kind::toggle_blackout);
   EXPECT_DOUBLE_EQ(playback_.light(), 0.5);
   time_.pass(0.5);
   playback_.advance();
@@ -134,7 +134,7 @@ TEST_F(TransportCommands, ABlackoutOfAnEarlierShowGoesOnWithoutALightMoment) {
   playback_.advance();
   EXPECT_EQ(playback_.light(), 0.0);
   EXPECT_TRUE(status().blackout);
-  tell(Kind::blackout, 0.0);
+  command(Kind::blackout, 0.0);
   time_.pass(0.5);
   playback_.advance();
   EXPECT_DOUBLE_EQ(playback_.light(), 0.5);
@@ -143,22 +143,22 @@ TEST_F(TransportCommands, ABlackoutOfAnEarlierShowGoesOnWithoutALightMoment) {
 TEST_F(TransportCommands, LanguagesGoRound) {
   EXPECT_THAT(status().languages, testing::ElementsAre("de", "en", "fr"));
   EXPECT_EQ(playback_.language(), "en");
-  tell(Kind::next_language);
+  command(Kind::next_language);
   EXPECT_EQ(playback_.language(), "fr");
-  tell(Kind::next_language);
+  command(Kind::next_language);
   EXPECT_EQ(status().chapters[0].title, "Draußen");
-  EXPECT_EQ(tell(Kind::language, 0.0, "tlh"), CommandOutcome::refused);
+  EXPECT_EQ(command(Kind::language, 0.0, "tlh"), CommandOutcome::refused);
   EXPECT_EQ(playback_.refusal(), "verfügbare Sprachen: de, en, fr");
   EXPECT_EQ(playback_.language(), "de");
 }
 
 TEST_F(TransportCommands, WhatIsSetIsInTheStatus) {
-  tell(Kind::exposure, 1.5);
-  tell(Kind::volume, 7.0);
-  tell(Kind::captions, 0.0);
-  tell(Kind::loop, 0.0);
+  command(Kind::exposure, 1.5);
+  command(Kind::volume, 7.0);
+  command(Kind::captions, 0.0);
+  command(Kind::loop, 0.0);
   EXPECT_EQ(status().baseline, 0.1) << "the show's";
-  tell(Kind::baseline, 0.3);
+  command(Kind::baseline, 0.3);
   const PlayerStatus all = status();
   EXPECT_EQ(all.exposure_stops, 1.5);
   EXPECT_EQ(all.volume, 1.0);
@@ -184,32 +184,32 @@ TEST(PlaybackTitle, IsInTheLanguageThatIsChosen) {
 }
 
 TEST_F(TransportCommands, ResetTakesBackWhatWasSetAndIsForOthersToo) {
-  tell(Kind::exposure, 1.5);
-  tell(Kind::baseline, 0.3);
-  EXPECT_EQ(tell(Kind::reset), CommandOutcome::elsewhere);
+  command(Kind::exposure, 1.5);
+  command(Kind::baseline, 0.3);
+  EXPECT_EQ(command(Kind::reset), CommandOutcome::elsewhere);
   EXPECT_EQ(playback_.exposure_stops(), 0.0);
   EXPECT_FALSE(playback_.baseline());
 }
 
 TEST_F(TransportCommands, WhatIsForOthersIsLeftToThem) {
-  EXPECT_EQ(tell(Kind::free_flight), CommandOutcome::elsewhere);
-  EXPECT_EQ(tell(Kind::return_to_path), CommandOutcome::elsewhere);
-  EXPECT_EQ(tell(Kind::reload), CommandOutcome::elsewhere);
+  EXPECT_EQ(command(Kind::free_flight), CommandOutcome::elsewhere);
+  EXPECT_EQ(command(Kind::return_to_path), CommandOutcome::elsewhere);
+  EXPECT_EQ(command(Kind::reload), CommandOutcome::elsewhere);
 }
 
 TEST_F(TransportCommands, WhatIsNoNumberChangesNothing) {
-  tell(Kind::seek, 30.0);
+  command(Kind::seek, 30.0);
   for (const Kind kind : {Kind::seek, Kind::seek_by, Kind::step, Kind::speed, Kind::chapter, Kind::exposure}) {
-    EXPECT_EQ(tell(kind, std::nan("")), CommandOutcome::refused);
-    EXPECT_EQ(tell(kind, HUGE_VAL), CommandOutcome::refused);
+    EXPECT_EQ(command(kind, std::nan("")), CommandOutcome::refused);
+    EXPECT_EQ(command(kind, HUGE_VAL), CommandOutcome::refused);
   }
   EXPECT_EQ(now_s(), 30.0);
 }
 
 TEST_F(TransportCommands, NumbersWithoutMeasureStayWithinTheShow) {
   for (const Kind kind : {Kind::seek, Kind::seek_by, Kind::step, Kind::speed, Kind::chapter, Kind::exposure}) {
-    tell(kind, 1e300);
-    tell(kind, -1e300);
+    command(kind, 1e300);
+    command(kind, -1e300);
   }
   EXPECT_GE(now_s(), 0.0);
   EXPECT_LE(now_s(), 60.0);
@@ -227,9 +227,9 @@ TEST_F(TransportCommands, AClockFromOutsideMovesTheShowAlone) {
   EXPECT_EQ(status().follows, "MIDI time code");
   EXPECT_EQ(status().clock_state, "following");
   EXPECT_EQ(status().clock_silence_s, 0.0);
-  EXPECT_EQ(tell(Kind::seek, 3.0), CommandOutcome::refused);
+  EXPECT_EQ(command(Kind::seek, 3.0), CommandOutcome::refused);
   EXPECT_EQ(playback_.refusal(), "the show follows MIDI time code");
-  EXPECT_EQ(tell(Kind::exposure, 1.0), CommandOutcome::done);
+  EXPECT_EQ(command(Kind::exposure, 1.0), CommandOutcome::done);
   time_.pass(0.6);
   EXPECT_EQ(status().clock, "MIDI time code, lost, runs on");
   EXPECT_EQ(status().clock_state, "running_on");
@@ -241,13 +241,13 @@ TEST_F(TransportCommands, AClockFromOutsideMovesTheShowAlone) {
   EXPECT_EQ(status().clock_state, "own");
   EXPECT_FALSE(status().clock_silence_s);
   EXPECT_EQ(status().follows, "");
-  EXPECT_EQ(tell(Kind::seek, 3.0), CommandOutcome::done);
+  EXPECT_EQ(command(Kind::seek, 3.0), CommandOutcome::done);
 }
 
 TEST_F(TransportCommands, AnotherVersionOfTheShowKeepsWhatWasSet) {
   time_.pass(10.0);
-  tell(Kind::language, 0.0, "de");
-  tell(Kind::exposure, 2.0);
+  command(Kind::language, 0.0, "de");
+  command(Kind::exposure, 2.0);
   Show next = show_with_chapters();
   next.duration_s = 90.0;
   next.timeline.chapters.clear();

@@ -263,7 +263,7 @@ class WatchedShowsTest : public test::FolderTest {
       }
       if (auto waiting = shows_.poll_waiting(now_)) {
         waiting_ = std::move(waiting);
-        ++told_of_waiting_;
+        ++reported_waiting_;
       }
     }
   }
@@ -273,7 +273,7 @@ class WatchedShowsTest : public test::FolderTest {
   MonotonicTime now_ = std::chrono::seconds(1000);
   std::optional<ShowReload::Result> version_;
   std::optional<WatchedShows::Waiting> waiting_;
-  int told_of_waiting_ = 0;
+  int reported_waiting_ = 0;
 };
 
 TEST_F(WatchedShowsTest, HaveNothingToTellWhileNothingChanges) {
@@ -288,7 +288,7 @@ TEST_F(WatchedShowsTest, OneThatWaitsAndIsBrokenIsToldOnce) {
   frames();
   ASSERT_TRUE(waiting_);
   EXPECT_THAT(waiting_->problem, HasSubstr("visitor.toml"));
-  EXPECT_EQ(told_of_waiting_, 1);
+  EXPECT_EQ(reported_waiting_, 1);
 }
 
 TEST_F(WatchedShowsTest, TheProblemStandsWhateverRunsUntilTheFileIsMended) {

@@ -5,22 +5,22 @@
 namespace ergodome {
 namespace {
 
-constexpr NarrowedEyes narrow = {StereoModel::omni, 1.5, 0.5, 0.3};
+constexpr ReducedBaseline narrow = {StereoModel::omni, 1.5, 0.5, 0.3};
 
 TEST(EyeNotice, TellsOnceOfAShow) {
   EyeNotice notice;
-  EXPECT_FALSE(notice.tells(std::nullopt, std::nullopt));
-  EXPECT_TRUE(notice.tells(narrow, std::nullopt));
-  EXPECT_FALSE(notice.tells(NarrowedEyes{StereoModel::omni, 1.4, 0.6, 0.2}, std::nullopt));
+  EXPECT_FALSE(notice.is_news(std::nullopt, std::nullopt));
+  EXPECT_TRUE(notice.is_news(narrow, std::nullopt));
+  EXPECT_FALSE(notice.is_news(ReducedBaseline{StereoModel::omni, 1.4, 0.6, 0.2}, std::nullopt));
   notice.begin();
-  EXPECT_TRUE(notice.tells(narrow, std::nullopt));
+  EXPECT_TRUE(notice.is_news(narrow, std::nullopt));
 }
 
 TEST(EyeNotice, TellsAgainOfADistanceThatAPersonHasChosen) {
   EyeNotice notice;
-  EXPECT_TRUE(notice.tells(narrow, std::nullopt));
-  EXPECT_TRUE(notice.tells(narrow, 2.0));
-  EXPECT_FALSE(notice.tells(narrow, 2.0));
+  EXPECT_TRUE(notice.is_news(narrow, std::nullopt));
+  EXPECT_TRUE(notice.is_news(narrow, 2.0));
+  EXPECT_FALSE(notice.is_news(narrow, 2.0));
 }
 
 TEST(EyeNotice, SpeaksTheLanguageOfTheShow) {

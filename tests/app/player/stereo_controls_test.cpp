@@ -65,8 +65,8 @@ TEST(StereoControls, LayoutsComeRoundAndEachIsForAWindow) {
 TEST(DisparityCaption, HasNoZeroWithAMinus) {
   const StereoSettings stereo = {StereoLayout::rows, StereoModel::physical, 0.1};
   Disparity disparity{};
-  disparity.least_px = -0.04;
-  disparity.greatest_px = 0.06;
+  disparity.min_px = -0.04;
+  disparity.max_px = 0.06;
   EXPECT_THAT(disparity_caption(stereo, disparity), testing::HasSubstr("disparity +0.0 to +0.1 px"));
 }
 

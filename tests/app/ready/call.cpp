@@ -12,7 +12,7 @@ namespace ergodome::test {
 
 namespace {
 
-constexpr std::uint32_t most_bytes = 4U << 20U;
+constexpr std::uint32_t max_bytes = 4U << 20U;
 
 struct Head {
   std::uint32_t words;
@@ -110,13 +110,13 @@ bool send_call(int socket, const Call& call) {
   streams->cmsg_type = SCM_RIGHTS;
   streams->cmsg_len = CMSG_LEN(sizeof call.streams);
   std::memcpy(CMSG_DATA(streams), call.streams.data(), sizeof call.streams);
-  return texts.size() <= most_bytes && ::sendmsg(socket, &head.message, MSG_NOSIGNAL) == sizeof(Head) &&
+  return texts.size() <= max_bytes && ::sendmsg(socket, &head.message, MSG_NOSIGNAL) == sizeof(Head) &&
          send_all(socket, texts.data(), texts.size());
 }
 
 std::optional<Call> receive_call(int socket) {
   HeadMessage head;
-  if (::recvmsg(socket, &head.message, MSG_WAITALL) != sizeof(Head) || head.head.bytes > most_bytes) {
+  if (::recvmsg(socket, &head.message, MSG_WAITALL) != sizeof(Head) || head.head.bytes > max_bytes) {
     return std::nullopt;
   }
   const cmsghdr* const streams = CMSG_FIRSTHDR(&head.message);

@@ -70,13 +70,13 @@ TEST_F(RemoteControlTest, MakesATokenForTheNetworkAndPrintsItsUse) {
   EXPECT_TRUE(log_->after(0).empty()) << "a token in the log";
 }
 
-class KeptToken : public test::FolderTest {
+class SavedToken : public test::FolderTest {
  protected:
   //! Starts a status page that is open to the network. Returns its first printed address, which
   //! contains the token, and the warnings.
   std::string start(const std::filesystem::path& file) {
     RemoteOptions options = parsed({"--web", "0", "--web-bind", "0.0.0.0"});
-    options.kept_token_file = file;
+    options.saved_token_file = file;
     CommandQueue commands;
     const StatusBoard board;
     const RemoteControl remote(options, commands, board, std::make_shared<LogRing>(), OscListeners());
@@ -89,7 +89,7 @@ class KeptToken : public test::FolderTest {
   std::string warning_;
 };
 
-TEST_F(KeptToken, IsTheSameAfterARestartAndItsOwnersAlone) {
+TEST_F(SavedToken, IsTheSameAfterARestartAndItsOwnersAlone) {
   if (outward_addresses().empty()) {
     GTEST_SKIP() << "this machine has no address but loopback";
   }
@@ -102,7 +102,7 @@ TEST_F(KeptToken, IsTheSameAfterARestartAndItsOwnersAlone) {
             std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
 }
 
-TEST_F(KeptToken, ThatOthersMayHaveReadIsWarnedOf) {
+TEST_F(SavedToken, ThatOthersMayHaveReadIsWarnedOf) {
   const std::filesystem::path file = folder_ / "web-token";
   start(file);
   std::filesystem::permissions(file, std::filesystem::perms::others_read, std::filesystem::perm_options::add);
@@ -110,7 +110,7 @@ TEST_F(KeptToken, ThatOthersMayHaveReadIsWarnedOf) {
   EXPECT_THAT(warning_, HasSubstr("chmod 600"));
 }
 
-TEST_F(KeptToken, ThatCannotBeReadDoesNotKeepTheShowFromStarting) {
+TEST_F(SavedToken, ThatCannotBeReadDoesNotKeepTheShowFromStarting) {
   std::filesystem::create_directory(folder_ / "web-token");
   const std::string token = start(folder_ / "web-token");
   EXPECT_THAT(warning_, HasSubstr("the saved token cannot be used"));

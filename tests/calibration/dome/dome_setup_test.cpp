@@ -47,7 +47,7 @@ warp = { file = "mirror.bin", format = "pfm", rows = "top_down", texture = "upwa
 black_level_lift = 0.03
 )";
 
-const std::string least =
+const std::string minimum =
     "[dome]\nradius_m = 5\n[[projector]]\nname = \"a\"\nresolution_px = [640, 480]\nfisheye = { fov_deg = 180 }\n";
 
 DomeSetup parsed_setup(const std::string& text) { return parse_dome_setup(text, "dome.toml", NamedFiles::unchecked); }
@@ -62,7 +62,7 @@ std::string problem_with(const std::string& from, const std::string& to) {
   return setup_problem(text.replace(text.find(from), from.size(), to));
 }
 
-void expect_place(const Vector3<double>& v, double x, double y, double z) {
+void expect_position(const Vector3<double>& v, double x, double y, double z) {
   EXPECT_EQ(v.x, x);
   EXPECT_EQ(v.y, y);
   EXPECT_EQ(v.z, z);
@@ -70,7 +70,7 @@ void expect_place(const Vector3<double>& v, double x, double y, double z) {
 
 void expect_north(const ProjectorSetup& north) {
   EXPECT_EQ(north.name, "north");
-  expect_place(north.position_m, 0, 0.2, -7);
+  expect_position(north.position_m, 0, 0.2, -7);
   EXPECT_EQ(north.orientation.yaw_deg, 180.0);
   EXPECT_EQ(north.orientation.roll_deg, -2.5);
   ASSERT_TRUE(std::holds_alternative<Frustum>(north.lens));
@@ -84,9 +84,9 @@ void expect_north(const ProjectorSetup& north) {
   EXPECT_EQ(north.blend_mask, "north.png");
   EXPECT_EQ(north.blend_mask_gamma, 2.2);
   EXPECT_EQ(north.black_level_mask, "black.png");
-  expect_place(north.black_level_lift, 0.01, 0.02, 0.015);
+  expect_position(north.black_level_lift, 0.01, 0.02, 0.015);
   EXPECT_EQ(north.gamma, 2.4);
-  expect_place(north.gain, 1.0, 0.95, 0.9);
+  expect_position(north.gain, 1.0, 0.95, 0.9);
 }
 
 void expect_mirror(const ProjectorSetup& mirror) {
@@ -96,20 +96,20 @@ void expect_mirror(const ProjectorSetup& mirror) {
   EXPECT_THAT(lens.polynomial, testing::ElementsAre(0.6, -0.01));
   EXPECT_EQ(lens.offset_y, -0.2);
   ASSERT_TRUE(mirror.mirror);
-  expect_place(mirror.mirror->position_m, 0, 0, 1.5);
+  expect_position(mirror.mirror->position_m, 0, 0, 1.5);
   EXPECT_FALSE(mirror.output.monitor);
   EXPECT_EQ(mirror.output.window_y_px, -10);
   ASSERT_TRUE(mirror.warp);
   EXPECT_EQ(mirror.warp->format, WarpFormat::pfm);
   EXPECT_EQ(mirror.warp->rows, RowOrder::top_down);
   EXPECT_EQ(mirror.warp->texture, TextureDirection::upwards);
-  expect_place(mirror.black_level_lift, 0.03, 0.03, 0.03);
+  expect_position(mirror.black_level_lift, 0.03, 0.03, 0.03);
 }
 
 void expect_whole(const DomeSetup& setup) {
   EXPECT_EQ(setup.radius_m, 7.4);
   EXPECT_EQ(setup.tilt_deg, 15.0);
-  expect_place(setup.viewer_m, 0.5, -1, 2);
+  expect_position(setup.viewer_m, 0.5, -1, 2);
   ASSERT_EQ(setup.projectors.size(), 2U);
   expect_north(setup.projectors[0]);
   expect_mirror(setup.projectors[1]);
@@ -120,38 +120,38 @@ TEST(DomeSetup, ReadsAsItIsWritten) { expect_whole(parsed_setup(whole_setup)); }
 TEST(DomeSetup, ReadsBackFromItsOwnText) { expect_whole(parsed_setup(to_toml(parsed_setup(whole_setup)))); }
 
 TEST(DomeSetup, LeavesOutWhatHasACustomaryValue) {
-  const DomeSetup setup = parsed_setup(least);
+  const DomeSetup setup = parsed_setup(minimum);
   EXPECT_EQ(setup.tilt_deg, 0.0);
   EXPECT_EQ(setup.projectors[0].gamma, 2.2);
-  expect_place(setup.projectors[0].gain, 1, 1, 1);
-  expect_place(setup.projectors[0].black_level_lift, 0, 0, 0);
+  expect_position(setup.projectors[0].gain, 1, 1, 1);
+  expect_position(setup.projectors[0].black_level_lift, 0, 0, 0);
   EXPECT_FALSE(setup.projectors[0].warp);
   EXPECT_EQ(std::get<ProjectorFisheye>(setup.projectors[0].lens).circle, 1.0);
 }
 
 TEST(DomeSetup, FormatOfAWarpIsToldByItsEnding) {
   const auto format = [](const std::string& name) {
-    return parsed_setup(least + "warp = \"" + name + "\"\n").projectors[0].warp->format;
+    return parsed_setup(minimum + "warp = \"" + name + "\"\n").projectors[0].warp->format;
   };
   EXPECT_EQ(format("a.data"), WarpFormat::bourke);
   EXPECT_EQ(format("a.PFM"), WarpFormat::pfm);
   EXPECT_EQ(format("a.mpcdi"), WarpFormat::mpcdi);
   EXPECT_EQ(format("a.mpcdi.xml"), WarpFormat::mpcdi);
-  EXPECT_THAT(setup_problem(least + "warp = \"a.bin\"\n"),
+  EXPECT_THAT(setup_problem(minimum + "warp = \"a.bin\"\n"),
               AllOf(HasSubstr("dome.toml:7"), HasSubstr("of an unknown format")));
 }
 
 TEST(DomeSetup, KeysOfOtherFormatsAreErrors) {
-  EXPECT_THAT(setup_problem(least + "warp = { file = \"a.data\", region = \"b\" }\n"),
+  EXPECT_THAT(setup_problem(minimum + "warp = { file = \"a.data\", region = \"b\" }\n"),
               HasSubstr("warp.region has no meaning"));
-  EXPECT_THAT(setup_problem(least + "warp = { file = \"a.mpcdi\", texture = \"upwards\" }\n"),
+  EXPECT_THAT(setup_problem(minimum + "warp = { file = \"a.mpcdi\", texture = \"upwards\" }\n"),
               HasSubstr("warp.texture"));
-  EXPECT_THAT(setup_problem(least + "warp = { file = \"a.pfm\", x_range = \"one\" }\n"), HasSubstr("warp.x_range"));
-  EXPECT_THAT(setup_problem(least + "warp = { file = \"a.data\", rows = \"top_down\" }\n"), HasSubstr("warp.rows"));
+  EXPECT_THAT(setup_problem(minimum + "warp = { file = \"a.pfm\", x_range = \"one\" }\n"), HasSubstr("warp.x_range"));
+  EXPECT_THAT(setup_problem(minimum + "warp = { file = \"a.data\", rows = \"top_down\" }\n"), HasSubstr("warp.rows"));
 }
 
 TEST(DomeSetup, RotationIsReadAndWritten) {
-  std::string text = least;
+  std::string text = minimum;
   text.replace(text.find("radius_m = 5\n"), 13, "radius_m = 5\nrotation_deg = -7.5\n");
   EXPECT_EQ(parsed_setup(text).rotation_deg, -7.5);
   EXPECT_EQ(parsed_setup(to_toml(parsed_setup(text))).rotation_deg, -7.5);
@@ -241,13 +241,13 @@ TEST_F(DomeSetupFile, MissingFilesAreErrorsWithTheLineThatNamesThem) {
 
 TEST_F(DomeSetupFile, OlderFileIsKeptBesideTheNewOne) {
   write("dome.toml", "an older one");
-  write_dome_setup(folder_ / "dome.toml", parsed_setup(least));
+  write_dome_setup(folder_ / "dome.toml", parsed_setup(minimum));
   EXPECT_EQ(text("dome.toml.bak"), "an older one");
   EXPECT_EQ(read_dome_setup(folder_ / "dome.toml").projectors.size(), 1U);
 }
 
 TEST_F(DomeSetupFile, WithoutAnOlderFileNothingIsKept) {
-  write_dome_setup(folder_ / "dome.toml", parsed_setup(least));
+  write_dome_setup(folder_ / "dome.toml", parsed_setup(minimum));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "dome.toml.bak"));
 }
 

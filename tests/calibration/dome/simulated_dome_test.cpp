@@ -36,9 +36,9 @@ struct Frame {
   std::vector<float> v;
 
   //! Interpolates one of the arrays linearly between pixel centers.
-  [[nodiscard]] double read(const std::vector<float>& channel, const RasterPlace& place) const {
-    const double x = std::clamp(place.x * width - 0.5, 0.0, width - 1.001);
-    const double y = std::clamp(place.y * height - 0.5, 0.0, height - 1.001);
+  [[nodiscard]] double read(const std::vector<float>& channel, const RasterPosition& position) const {
+    const double x = std::clamp(position.x * width - 0.5, 0.0, width - 1.001);
+    const double y = std::clamp(position.y * height - 0.5, 0.0, height - 1.001);
     const int column = static_cast<int>(x);
     const int row = static_cast<int>(y);
     const double right = x - column;
@@ -111,46 +111,46 @@ class SimulatedDome : public FolderTest {
   }
 
   //! Checks that the dome shows the master. `optics`: lenses and poses of the installed projectors;
-  //! `frames`: their input; `most_off_px`: tolerance in pixels of the master.
-  static void expect_master(const DomeSetup& optics, const std::vector<Frame>& frames, double most_off_px = 0.5) {
+  //! `frames`: their input; `max_off_px`: tolerance in pixels of the master.
+  static void expect_master(const DomeSetup& optics, const std::vector<Frame>& frames, double max_off_px = 0.5) {
     std::vector<ProjectorOptics> projectors;
     projectors.reserve(optics.projectors.size());
     for (const ProjectorSetup& projector : optics.projectors) {
       projectors.emplace_back(optics, projector);
     }
-    double least = 1e300;
-    double most = 0.0;
+    double minimum = 1e300;
+    double maximum = 0.0;
     double farthest_px = 0.0;
     int overlaps = 0;
-    constexpr int places = sanitized ? 2'000 : 20'000;
-    for (int i = 0; i < places; ++i) {
-      const Vector3<double> point = dome_point(optics, i, places);
+    constexpr int positions = sanitized ? 2'000 : 20'000;
+    for (int i = 0; i < positions; ++i) {
+      const Vector3<double> point = dome_point(optics, i, positions);
       double u = 0.0;
       double v = 0.0;
-      ASSERT_TRUE(master_place({optics.tilt_deg, 180.0}, point, u, v));
+      ASSERT_TRUE(master_position({optics.tilt_deg, 180.0}, point, u, v));
       double light = 0.0;
       int lit = 0;
       for (std::size_t k = 0; k < projectors.size(); ++k) {
-        const auto place = projectors[k].raster_place(point);
-        const double own_light = place ? frames[k].read(frames[k].light, *place) : 0.0;
+        const auto position = projectors[k].raster_position(point);
+        const double own_light = position ? frames[k].read(frames[k].light, *position) : 0.0;
         if (own_light <= 0.0) {
           continue;
         }
-        light += own_light / projectors[k].spread_m2(*place);
+        light += own_light / projectors[k].spread_m2(*position);
         if (own_light > 1e-3) {
-          farthest_px = std::max(farthest_px, master_px * std::hypot(frames[k].read(frames[k].u, *place) - u,
-                                                                     frames[k].read(frames[k].v, *place) - v));
+          farthest_px = std::max(farthest_px, master_px * std::hypot(frames[k].read(frames[k].u, *position) - u,
+                                                                     frames[k].read(frames[k].v, *position) - v));
           ++lit;
         }
       }
       overlaps += lit > 1 ? 1 : 0;
-      least = std::min(least, light);
-      most = std::max(most, light);
+      minimum = std::min(minimum, light);
+      maximum = std::max(maximum, light);
     }
-    EXPECT_GT(overlaps, places / 20);
-    EXPECT_LT(farthest_px, most_off_px);
-    EXPECT_GT(least, 0.0);
-    EXPECT_LT(most / least, 1.01);
+    EXPECT_GT(overlaps, positions / 20);
+    EXPECT_LT(farthest_px, max_off_px);
+    EXPECT_GT(minimum, 0.0);
+    EXPECT_LT(maximum / minimum, 1.01);
   }
 };
 
@@ -314,20 +314,20 @@ TEST_F(SimulatedDome, LightThatPassesTheDomeByLeavesTheRestAsItIs) {
   const std::string beside =
       "position_m = [0, -20, 0]\npitch_deg = 90\nresolution_px = [640, 400]\n"
       "frustum = { left_deg = -22, right_deg = 22, up_deg = 22, down_deg = -5 }\n";
-  const auto [mean, most] = mask_of(blend_of(beside, 0.0));
+  const auto [mean, maximum] = mask_of(blend_of(beside, 0.0));
   EXPECT_GT(mean, 0.4);
-  EXPECT_EQ(most, 1.0);
+  EXPECT_EQ(maximum, 1.0);
   EXPECT_GT(mask_of(blend_of(beside, 1.0)).second, 0.7);
 }
 
 TEST_F(SimulatedDome, AMirrorsLightIsNoDarkerThanItHasToBe) {
-  const auto [mean, most] =
+  const auto [mean, maximum] =
       mask_of(blend_of("yaw_deg = 180\nfrustum = { left_deg = -10, right_deg = 10, up_deg = 12, down_deg = -3 "
                        "}\nmirror = { position_m = [0, 0, 1.5], radius_m = 0.3 }\n"
                        "resolution_px = [1400, 1050]\n",
                        1.0));
   EXPECT_GT(mean, 0.1);
-  EXPECT_GT(most, 0.7);
+  EXPECT_GT(maximum, 0.7);
 }
 
 }  // namespace

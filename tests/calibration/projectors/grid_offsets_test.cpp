@@ -22,44 +22,45 @@ GridOffsets crumpled(int points) {
   return grid;
 }
 
-void expect_places_come_back(const GridOffsets& grid) {
+void expect_positions_restored(const GridOffsets& grid) {
   for (int i = 0; i < 23 * 23; ++i) {
     const int row = i / 23;
-    const RasterPlace place = {(i % 23) / 22.0, row / 22.0};
-    const RasterPlace back = moved_back(grid, moved_place(grid, place));
-    EXPECT_NEAR(back.x, place.x, 1e-9) << grid.points << ": " << i;
-    EXPECT_NEAR(back.y, place.y, 1e-9) << grid.points << ": " << i;
+    const RasterPosition position = {(i % 23) / 22.0, row / 22.0};
+    const RasterPosition back = moved_back(grid, moved_position(grid, position));
+    EXPECT_NEAR(back.x, position.x, 1e-9) << grid.points << ": " << i;
+    EXPECT_NEAR(back.y, position.y, 1e-9) << grid.points << ": " << i;
   }
 }
 
 TEST(GridOffsets, PointsGoWhereTheyAreSent) {
-  const RasterPlace corners[] = {{0, 0}, {1, 0}, {0, 1}, {1, 1}};
+  const RasterPosition corners[] = {{0, 0}, {1, 0}, {0, 1}, {1, 1}};
   for (std::size_t i = 0; i < 4; ++i) {
-    const RasterPlace place = moved_place(nudged, corners[i]);
-    EXPECT_DOUBLE_EQ(place.x, corners[i].x + nudged.right[i]);
-    EXPECT_DOUBLE_EQ(place.y, corners[i].y + nudged.down[i]);
+    const RasterPosition position = moved_position(nudged, corners[i]);
+    EXPECT_DOUBLE_EQ(position.x, corners[i].x + nudged.right[i]);
+    EXPECT_DOUBLE_EQ(position.y, corners[i].y + nudged.down[i]);
   }
   GridOffsets grid = GridOffsets().resized(5);
   grid.move(2 * 5 + 3, 0.03, -0.02);
-  EXPECT_DOUBLE_EQ(moved_place(grid, {0.75, 0.5}).x, 0.78);
-  EXPECT_DOUBLE_EQ(moved_place(grid, {0.75, 0.5}).y, 0.48);
+  EXPECT_DOUBLE_EQ(moved_position(grid, {0.75, 0.5}).x, 0.78);
+  EXPECT_DOUBLE_EQ(moved_position(grid, {0.75, 0.5}).y, 0.48);
   // Halfway to the next point of the grid, the shift is half as large; at the next point it is
   // zero.
-  EXPECT_DOUBLE_EQ(moved_place(grid, {0.625, 0.5}).x, 0.64);
-  EXPECT_DOUBLE_EQ(moved_place(grid, {0.5, 0.5}).x, 0.5);
+  EXPECT_DOUBLE_EQ(moved_position(grid, {0.625, 0.5}).x, 0.64);
+  EXPECT_DOUBLE_EQ(moved_position(grid, {0.5, 0.5}).x, 0.5);
 }
 
 TEST(GridOffsets, TheMiddleOfCornersGoesByTheirMean) {
-  const RasterPlace middle = moved_place(nudged, {0.5, 0.5});
+  const RasterPosition middle = moved_position(nudged, {0.5, 0.5});
   EXPECT_NEAR(middle.x, 0.5 + (0.02 - 0.1 + 0.25 + 0.05) / 4, 1e-15);
   EXPECT_NEAR(middle.y, 0.5 + (-0.03 + 0.04 + 0.2 - 0.25) / 4, 1e-15);
 }
 
 TEST(GridOffsets, FinerGridsKeepTheDisplacement) {
   const GridOffsets fine = nudged.resized(9);
-  for (const RasterPlace& place : {RasterPlace{0.1, 0.9}, RasterPlace{0.5, 0.33}, RasterPlace{1.0, 0.0}}) {
-    EXPECT_NEAR(moved_place(fine, place).x, moved_place(nudged, place).x, 1e-12);
-    EXPECT_NEAR(moved_place(fine, place).y, moved_place(nudged, place).y, 1e-12);
+  for (const RasterPosition& position :
+       {RasterPosition{0.1, 0.9}, RasterPosition{0.5, 0.33}, RasterPosition{1.0, 0.0}}) {
+    EXPECT_NEAR(moved_position(fine, position).x, moved_position(nudged, position).x, 1e-12);
+    EXPECT_NEAR(moved_position(fine, position).y, moved_position(nudged, position).y, 1e-12);
   }
   const GridOffsets corners = fine.resized(2);
   for (std::size_t i = 0; i < 4; ++i) {
@@ -71,10 +72,10 @@ TEST(GridOffsets, EveryPlaceComesBack) {
   GridOffsets farthest;
   farthest.right = {0.25, -0.25, 0.25, -0.25};
   farthest.down = {-0.25, 0.25, 0.25, -0.25};
-  expect_places_come_back(nudged);
-  expect_places_come_back(farthest);
+  expect_positions_restored(nudged);
+  expect_positions_restored(farthest);
   for (const int points : GridOffsets::sizes) {
-    expect_places_come_back(crumpled(points));
+    expect_positions_restored(crumpled(points));
   }
 }
 

@@ -106,22 +106,22 @@ class OpticsOf : public testing::TestWithParam<ProjectorSetup> {};
 
 TEST_P(OpticsOf, PlacesComeBackFromTheDome) {
   const ProjectorOptics optics(dome(7.0), GetParam());
-  int places = 0;
+  int positions = 0;
   for (int i = 1; i < 400; ++i) {
     const int row = i / 20;
-    const RasterPlace place = {(i - 20 * row) / 20.0, row / 20.0};
-    const auto point = optics.dome_point(place);
-    if (!point || !(optics.depth(place) > 0.0)) {
+    const RasterPosition position = {(i - 20 * row) / 20.0, row / 20.0};
+    const auto point = optics.dome_point(position);
+    if (!point || !(optics.depth(position) > 0.0)) {
       continue;
     }
     EXPECT_NEAR(std::sqrt(dot(*point, *point)), 7.0, 1e-9);
-    const auto back = optics.raster_place(*point);
-    ASSERT_TRUE(back) << place.x << ' ' << place.y;
-    EXPECT_NEAR(back->x, place.x, 1e-7);
-    EXPECT_NEAR(back->y, place.y, 1e-7);
-    ++places;
+    const auto back = optics.raster_position(*point);
+    ASSERT_TRUE(back) << position.x << ' ' << position.y;
+    EXPECT_NEAR(back->x, position.x, 1e-7);
+    EXPECT_NEAR(back->y, position.y, 1e-7);
+    ++positions;
   }
-  EXPECT_GT(places, 50);
+  EXPECT_GT(positions, 50);
 }
 
 TEST_P(OpticsOf, TheSpreadSumsToTheAreaThatIsLit) {
@@ -167,8 +167,8 @@ INSTANTIATE_TEST_SUITE_P(Lenses, OpticsOf, testing::Values(flat(), fisheye(), po
 
 TEST(ProjectorOptics, TheBackOfTheSphereIsNotLitFromOutside) {
   const ProjectorOptics optics(dome(5.0), projector_with(Frustum{-30, 30, 20, -20}, {0, 0, 20}, {0, 0, 0}));
-  EXPECT_FALSE(optics.raster_place({0, 0, 5}));
-  EXPECT_TRUE(optics.raster_place({0, 0, -5}));
+  EXPECT_FALSE(optics.raster_position({0, 0, 5}));
+  EXPECT_TRUE(optics.raster_position({0, 0, -5}));
 }
 
 TEST(ProjectorOptics, AProjectorWithoutALensIsRefusedByName) {
@@ -185,7 +185,7 @@ TEST(ProjectorOptics, LightFromBelowTheRimComesIn) {
   ASSERT_TRUE(optics.outside());
   const auto point = optics.dome_point({0.5, 0.5});
   ASSERT_TRUE(point);
-  EXPECT_TRUE(optics.raster_place(*point));
+  EXPECT_TRUE(optics.raster_position(*point));
   EXPECT_GT(point->y, 0.0);
   EXPECT_LT(point->z, 0.0);
 }
@@ -199,7 +199,7 @@ TEST(ProjectorOptics, LightThatMeetsTheShellFromOutsideLightsNothing) {
   EXPECT_FALSE(optics.dome_point({0.5, 0.5}));
   const double along = from.y * std::sin(pitch) - from.z * std::cos(pitch);
   const double distance = std::sqrt(along * along - dot(from, from) + 25.0) - along;
-  EXPECT_FALSE(optics.raster_place(from + distance * Vector3<double>{0.0, std::sin(pitch), -std::cos(pitch)}));
+  EXPECT_FALSE(optics.raster_position(from + distance * Vector3<double>{0.0, std::sin(pitch), -std::cos(pitch)}));
 }
 
 TEST(ProjectorOptics, NoProjectorStandsOutsideAboveTheRim) {

@@ -27,11 +27,11 @@ DomeSetup plain_dome() {
   return setup;
 }
 
-LoadedProjector square_warp(float least, float most) {
+LoadedProjector square_warp(float minimum, float maximum) {
   WarpMesh mesh;
   mesh.columns = 2;
   mesh.rows = 2;
-  mesh.nodes = {{0, 0, least, least}, {1, 0, most, least}, {0, 1, least, most}, {1, 1, most, most}};
+  mesh.nodes = {{0, 0, minimum, minimum}, {1, 0, maximum, minimum}, {0, 1, minimum, maximum}, {1, 1, maximum, maximum}};
   LoadedProjector loaded;
   loaded.warp = mesh;
   return loaded;
@@ -68,7 +68,7 @@ TEST(MasterWarp, OfASurfaceFindsThePlacesOfItsPoints) {
   ASSERT_EQ(warp.columns, 11);  // includes the rim
   double u = 0.0;
   double v = 0.0;
-  ASSERT_TRUE(master_place({10.0, 180.0}, {0.1, 1.0, -0.6}, u, v));
+  ASSERT_TRUE(master_position({10.0, 180.0}, {0.1, 1.0, -0.6}, u, v));
   const WarpNode& node = warp.at(1 + 5, 1 + 5);
   EXPECT_NEAR(node.x, 5.5 / 9.0, 1e-6);
   EXPECT_NEAR(node.u, u, 1e-5);
@@ -107,13 +107,13 @@ TEST(ProjectorPictures, ComeFromLensesAloneWithTheirBlend) {
   }
 }
 
-ProjectorPicture picture_of(float most_u, int width_px) {
+ProjectorPicture picture_of(float max_u, int width_px) {
   ProjectorPicture picture;
   picture.width_px = width_px;
   picture.height_px = 1000;
   picture.warp = std::get<WarpMesh>(square_warp(0.0F, 1.0F).warp);
   for (WarpNode& node : picture.warp.nodes) {
-    node.u *= most_u;
+    node.u *= max_u;
   }
   return picture;
 }

@@ -40,9 +40,9 @@ TEST(FallWithin, RainAboutAHoleWithoutSpinFallsAsItsClosedFormThroughTheHorizon)
   const FreeFall fall = fall_through(0.0, rain_at(0.0, 20.0, 1.1), 0.05, 80.0);
   EXPECT_NEAR(fall.horizon_s().value_or(0.0), rain_time(2.0), 1e-9);
   for (const double r : {10.0, 2.001, 1.999, 1.0, 0.3, 0.06}) {
-    const FallPlace place = fall.at(rain_time(r));
-    EXPECT_NEAR(place.r, r, 1e-9) << r;
-    EXPECT_LT(dot(place.velocity, place.velocity), 1e-18) << r;
+    const FallPosition position = fall.at(rain_time(r));
+    EXPECT_NEAR(position.r, r, 1e-9) << r;
+    EXPECT_LT(dot(position.velocity, position.velocity), 1e-18) << r;
   }
 }
 
@@ -68,21 +68,22 @@ TEST(FallWithin, RainKeepsDoransAzimuth) {
     const FreeFall fall = fall_through(spin, rain_at(spin, 20.0, 1.1), 0.9, 80.0);
     const double doran = 0.4 + ingoing_turn(Spacetime{spin}, 20.0) - rain_turn_to(spin, 20.0);
     for (const double time_s : {30.0, 38.0, *fall.horizon_s() + 0.1}) {
-      const FallPlace place = fall.at(time_s);
-      const double turn = place.r > horizon_radius(Spacetime{spin}) ? ingoing_turn(Spacetime{spin}, place.r) : 0.0;
-      EXPECT_NEAR(place.phi + turn - rain_turn_to(spin, place.r), doran, 1e-8) << spin << ' ' << time_s;
-      EXPECT_NEAR(place.theta, 1.1, 1e-10);
+      const FallPosition position = fall.at(time_s);
+      const double turn =
+          position.r > horizon_radius(Spacetime{spin}) ? ingoing_turn(Spacetime{spin}, position.r) : 0.0;
+      EXPECT_NEAR(position.phi + turn - rain_turn_to(spin, position.r), doran, 1e-8) << spin << ' ' << time_s;
+      EXPECT_NEAR(position.theta, 1.1, 1e-10);
     }
   }
 }
 
 //! Returns the energy E and the angular momentum L of a body whose velocity is given in the rain
 //! frame.
-std::pair<double, double> constants_of(double spin, const FallPlace& place) {
-  const KerrFunctions f = kerr_functions(Spacetime{spin}, place.r, place.theta);
-  const double gamma = 1.0 / std::sqrt(1.0 - dot(place.velocity, place.velocity));
-  const double axial = gamma * place.velocity.z * f.circumference_factor * std::sin(place.theta);
-  return {gamma * (1.0 - f.rain_speed * place.velocity.x) + f.frame_dragging * axial, axial};
+std::pair<double, double> constants_of(double spin, const FallPosition& position) {
+  const KerrFunctions f = kerr_functions(Spacetime{spin}, position.r, position.theta);
+  const double gamma = 1.0 / std::sqrt(1.0 - dot(position.velocity, position.velocity));
+  const double axial = gamma * position.velocity.z * f.circumference_factor * std::sin(position.theta);
+  return {gamma * (1.0 - f.rain_speed * position.velocity.x) + f.frame_dragging * axial, axial};
 }
 
 TEST(FallWithin, EnergyAndAngularMomentumStayThroughTheHorizon) {

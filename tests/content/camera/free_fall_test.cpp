@@ -14,7 +14,7 @@ namespace {
 
 //! Settings of a fall whose clock runs at one M per second from the start on, so that the show time
 //! is the camera's proper time.
-FallSettings own_time() {
+FallSettings proper_time() {
   FallSettings settings;
   settings.clock = 1.0;
   settings.ease_s = 0.0;
@@ -22,7 +22,7 @@ FallSettings own_time() {
 }
 
 FreeFall fall_of(double spin, const FallStart& start, double end_s) {
-  return {Spacetime{spin}, start, own_time(), nullptr, end_s};
+  return {Spacetime{spin}, start, proper_time(), nullptr, end_s};
 }
 
 FallStart observer_at(double spin, double r, ObserverMotion motion) {
@@ -48,9 +48,9 @@ TEST(FreeFall, FromRestAtInfinityFollowsItsClosedForm) {
   for (int i = 0; i <= 100; ++i) {
     const double time_s = 0.39 * i;
     const double r = std::pow(std::pow(20.0, 1.5) - 1.5 * std::sqrt(2.0) * time_s, 2.0 / 3.0);
-    const FallPlace place = fall.at(time_s);
-    EXPECT_NEAR(place.r, r, 1e-10);
-    EXPECT_NEAR(place.velocity.x, -std::sqrt(2.0 / r), 1e-11);
+    const FallPosition position = fall.at(time_s);
+    EXPECT_NEAR(position.r, r, 1e-10);
+    EXPECT_NEAR(position.velocity.x, -std::sqrt(2.0 / r), 1e-11);
   }
 }
 
@@ -69,9 +69,9 @@ TEST(FreeFall, StaysOnCircularOrbitsAndTurnsAtTheirRate) {
       const ObserverMotion motion = sense > 0.0 ? ObserverMotion::geodesic : ObserverMotion::retrograde;
       const FreeFall fall = fall_of(spin, observer_at(spin, r, motion), 1000.0);
       const double rate = sense / std::sqrt(r * r * (r - 3.0) + 2.0 * sense * spin * std::pow(r, 1.5));
-      const FallPlace place = fall.at(1000.0);
-      EXPECT_NEAR(place.r, r, 1e-8);
-      EXPECT_NEAR(place.phi, 1000.0 * rate, 1e-8);
+      const FallPosition position = fall.at(1000.0);
+      EXPECT_NEAR(position.r, r, 1e-8);
+      EXPECT_NEAR(position.phi, 1000.0 * rate, 1e-8);
       EXPECT_NEAR(fall.swept_angle(1000.0), std::abs(1000.0 * rate), 1e-8);
       EXPECT_TRUE(fall.turns().empty());
     }
@@ -103,9 +103,9 @@ TEST(FreeFall, KeepsEnergyAngularMomentumAndCartersConstantForALongShow) {
   for (const FallCase& each : bound_falls()) {
     const FreeFall fall = fall_of(each.spin, each.start, 5000.0);
     const auto constants = [&](double time_s) {
-      const FallPlace place = fall.at(time_s);
-      return orbit_constants(Spacetime{each.spin},
-                             make_orbit(Spacetime{each.spin}, place.r, place.theta, place.phi, place.velocity));
+      const FallPosition position = fall.at(time_s);
+      return orbit_constants(Spacetime{each.spin}, make_orbit(Spacetime{each.spin}, position.r, position.theta,
+                                                              position.phi, position.velocity));
     };
     const OrbitConstants begun = constants(0.0);
     for (int i = 1; i <= 50; ++i) {
@@ -124,9 +124,9 @@ TEST(FreeFall, MovesAtItsVelocity) {
     const FreeFall fall = fall_of(each.spin, each.start, 400.0);
     for (const double time_s : {30.0, 111.0, 307.0}) {
       const double h = 1e-3;
-      const FallPlace before = fall.at(time_s - h);
-      const FallPlace after = fall.at(time_s + h);
-      const FallPlace now = fall.at(time_s);
+      const FallPosition before = fall.at(time_s - h);
+      const FallPosition after = fall.at(time_s + h);
+      const FallPosition now = fall.at(time_s);
       const KerrFunctions f = kerr_functions(Spacetime{each.spin}, now.r, now.theta);
       const double gamma = 1.0 / std::sqrt(1.0 - dot(now.velocity, now.velocity));
       const double sine = std::sin(now.theta);
@@ -157,8 +157,8 @@ TEST(FreeFall, TakesTheViewAlongWithoutARollNorASeamAtTheAxis) {
   for (const FallCase& each : bound_falls()) {
     const FreeFall fall = fall_of(each.spin, each.start, 400.0);
     const auto in_space = [&](double time_s) {
-      const FallPlace place = fall.at(time_s);
-      return spherical_frame(place.theta, place.phi) * place.frame;
+      const FallPosition position = fall.at(time_s);
+      return spherical_frame(position.theta, position.phi) * position.frame;
     };
     const double h = 0.05;
     for (double time_s = 0.0; time_s + h < 400.0; time_s += h) {
@@ -171,7 +171,7 @@ TEST(FreeFall, TakesTheViewAlongWithoutARollNorASeamAtTheAxis) {
 }
 
 TEST(FreeFall, ComesToRestWhereItIsTold) {
-  FallSettings settings = own_time();
+  FallSettings settings = proper_time();
   settings.ease_s = 2.0;
   settings.least_r = 3.0;
   const FreeFall fall(Spacetime{0.0}, observer_at(0.0, 20.0, ObserverMotion::rain), settings, nullptr, 100.0);

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "content/camera/camera_path.h"
-#include "content/show/idle_lines.h"
 #include "content/show/reading/show_reader.h"
+#include "content/show/unused_keys.h"
 #include "tests/support/errors.h"
 
 namespace ergodome {
@@ -65,7 +65,7 @@ TEST(KeyVelocity, IsWrittenAsItIsRead) {
 
 TEST(KeyVelocity, LeavesTheShowsObserverToFreeFlight) {
   const Show show = keyed_show(fast_ahead, fast_ahead, fast_ahead, "observer = \"static\"\n");
-  EXPECT_THAT(idle_lines(show), testing::IsEmpty());
+  EXPECT_THAT(unused_keys(show), testing::IsEmpty());
   EXPECT_EQ(parse_show(to_toml(show), "again.toml").camera.motion, ObserverMotion::fixed);
 }
 

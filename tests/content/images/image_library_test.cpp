@@ -66,7 +66,7 @@ TEST_F(ImageLibraryFiles, SaysThatAJpegIsTornWhereverItBreaksOff) {
 }
 
 //! Opens and reads a PNG image. Returns our error message, and what libpng prints on stderr.
-std::pair<std::string, std::string> said_of_png(const std::string& name, const ImageLibrary::Wishes& wishes) {
+std::pair<std::string, std::string> png_messages(const std::string& name, const ImageLibrary::Wishes& wishes) {
   std::string problem;
   testing::internal::CaptureStderr();
   const auto input = image_library().open(name, wishes, problem);
@@ -80,7 +80,7 @@ TEST_F(ImageLibraryFiles, SaysInOneLineThatAPngIsTornWhereverItBreaksOff) {
   const std::vector<unsigned char> png = noisy_image("png");
   ASSERT_GT(png.size(), 2000U);
   for (const std::size_t left : {png.size() - 1, png.size() - 12, png.size() / 2, std::size_t{30}, std::size_t{8}}) {
-    const auto [problem, of_library] = said_of_png("noise.png", {std::as_bytes(std::span(png).first(left))});
+    const auto [problem, of_library] = png_messages("noise.png", {std::as_bytes(std::span(png).first(left))});
     EXPECT_THAT(problem, testing::AllOf(HasSubstr("truncated"), Not(HasSubstr("\n")))) << left;
     EXPECT_EQ(of_library, "") << left;
   }
@@ -96,7 +96,7 @@ TEST_F(ImageLibraryFiles, SaysInOneLineThatAByteOfAPngIsAnother) {
     std::ofstream(path, std::ios::binary)
         .write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
     for (const auto& [problem, of_library] :
-         {said_of_png(path, {}), said_of_png("noise.png", {std::as_bytes(std::span(png))})}) {
+         {png_messages(path, {}), png_messages("noise.png", {std::as_bytes(std::span(png))})}) {
       EXPECT_THAT(problem, testing::AllOf(HasSubstr("damaged"), Not(HasSubstr("\n")))) << at;
       EXPECT_EQ(of_library, "") << at;
     }
@@ -105,7 +105,7 @@ TEST_F(ImageLibraryFiles, SaysInOneLineThatAByteOfAPngIsAnother) {
 
 TEST_F(ImageLibraryFiles, ReadsAWholePngWithoutAWord) {
   const std::vector<unsigned char> png = noisy_image("png");
-  EXPECT_EQ(said_of_png("noise.png", {std::as_bytes(std::span(png))}), std::pair(std::string(), std::string()));
+  EXPECT_EQ(png_messages("noise.png", {std::as_bytes(std::span(png))}), std::pair(std::string(), std::string()));
 }
 
 TEST_F(ImageLibraryFiles, ReadsRowsPartsAndWholeImagesAsTheyWereWritten) {

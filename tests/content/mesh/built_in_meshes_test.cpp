@@ -104,10 +104,10 @@ bool boxes_hold(const TriangleBoxes& tree, std::size_t at, int depth, std::vecto
   const TreeNode& node = tree.nodes[at];
   bool holds = depth <= deepest_tree;
   for (std::uint32_t i = 0; i < node.count; ++i) {
-    const std::size_t place = node.first + i;
-    ++met[tree.triangles[place]];
+    const std::size_t position = node.first + i;
+    ++met[tree.triangles[position]];
     for (std::size_t corner = 0; corner < 9; ++corner) {
-      const float value = tree.corners[9 * place + corner];
+      const float value = tree.corners[9 * position + corner];
       holds = holds && value >= node.low[corner % 3] && value <= node.high[corner % 3];
     }
   }

@@ -118,11 +118,11 @@ TEST(AnimatedShow, EveryNumberOfTheListFollowsItsKeysAndKeepsItsLimits) {
   for (const AnimatableNumber& number : animatable_numbers()) {
     Show show = parse_show(parts, "show.toml");
     const NumberLimits limits = limits_in(show, number);
-    show.timeline.animations = {{std::string(number.path), {{0.0, limits.least}, {1.0, limits.greatest}}}};
-    EXPECT_EQ(number.get(show_at(show, 0.0)), limits.least) << number.path;
-    EXPECT_EQ(number.get(show_at(show, 1.0)), limits.greatest) << number.path;
+    show.timeline.animations = {{std::string(number.path), {{0.0, limits.minimum}, {1.0, limits.maximum}}}};
+    EXPECT_EQ(number.get(show_at(show, 0.0)), limits.minimum) << number.path;
+    EXPECT_EQ(number.get(show_at(show, 1.0)), limits.maximum) << number.path;
     const double middle = number.get(show_at(show, 0.5)).value();
-    EXPECT_NEAR(middle, 0.5 * (limits.least + limits.greatest), 1e-12 * limits.greatest) << number.path;
+    EXPECT_NEAR(middle, 0.5 * (limits.minimum + limits.maximum), 1e-12 * limits.maximum) << number.path;
   }
 }
 
@@ -141,9 +141,9 @@ TEST(AnimatedShow, EveryNumberOfTheListIsAKeyOfAShowWithTheSameLimits) {
       return number.get(parse_show(to_toml(show), "show.toml")).value();
     };
     const NumberLimits limits = limits_in(parse_show(parts, "show.toml"), number);
-    const double inside = 0.75 * limits.least + 0.25 * limits.greatest;
+    const double inside = 0.75 * limits.minimum + 0.25 * limits.maximum;
     EXPECT_EQ(read(inside), inside) << number.path;
-    EXPECT_ANY_THROW(read(limits.greatest * 1.001 + 0.001)) << number.path;
+    EXPECT_ANY_THROW(read(limits.maximum * 1.001 + 0.001)) << number.path;
   }
 }
 

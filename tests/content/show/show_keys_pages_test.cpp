@@ -80,8 +80,8 @@ std::string range_on_page(const ShowKey& key) {
   if (!key.page.bounds.empty()) {
     return std::string(key.page.bounds);
   }
-  if (key.limits.least < key.limits.greatest) {
-    return fmt::format("{} to {}{}", page_number(key.limits.least), page_number(key.limits.greatest),
+  if (key.limits.minimum < key.limits.maximum) {
+    return fmt::format("{} to {}{}", page_number(key.limits.minimum), page_number(key.limits.maximum),
                        key.kind == KeyKind::color || key.kind == KeyKind::vector ? " each" : "");
   }
   std::string words;

@@ -18,12 +18,12 @@ namespace {
 double light_at(const EnvironmentImage& image, double ra_deg, double dec_deg) {
   const glm::dvec3 d(std::cos(dec_deg * one_degree) * std::cos(ra_deg * one_degree),
                      std::cos(dec_deg * one_degree) * std::sin(ra_deg * one_degree), std::sin(dec_deg * one_degree));
-  const glm::dvec2 place = map_from_direction(d);
+  const glm::dvec2 position = map_from_direction(d);
   double sum = 0.0;
   for (int dy = -6; dy <= 6; ++dy) {
     for (int dx = -6; dx <= 6; ++dx) {
-      const int x = (static_cast<int>(place.x * image.width) + dx + image.width) % image.width;
-      const int y = std::clamp(static_cast<int>(place.y * image.height) + dy, 0, image.height - 1);
+      const int x = (static_cast<int>(position.x * image.width) + dx + image.width) % image.width;
+      const int y = std::clamp(static_cast<int>(position.y * image.height) + dy, 0, image.height - 1);
       for (int c = 0; c < 3; ++c) {
         sum += image.rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
                               static_cast<std::size_t>(x)) +
@@ -116,9 +116,10 @@ TEST(SkyMap, GridIsBrighterInTheNorthAndHasAHueForEachQuadrant) {
   const EnvironmentImage grid = make_grid_sky(720);
   EXPECT_GT(light_at(grid, 37.0, 37.0), 2.0 * light_at(grid, 37.0, -37.0));
   const auto texel = [&](double ra_deg) {
-    const glm::dvec2 place = map_from_direction({std::cos(ra_deg * one_degree), std::sin(ra_deg * one_degree), 0.14});
+    const glm::dvec2 position =
+        map_from_direction({std::cos(ra_deg * one_degree), std::sin(ra_deg * one_degree), 0.14});
     const std::size_t i =
-        3 * (static_cast<std::size_t>(place.y * grid.height) * 720U + static_cast<std::size_t>(place.x * 720));
+        3 * (static_cast<std::size_t>(position.y * grid.height) * 720U + static_cast<std::size_t>(position.x * 720));
     return glm::vec3(grid.rgb[i], grid.rgb[i + 1], grid.rgb[i + 2]);
   };
   EXPECT_GT(texel(37.0).x, 2.0F * texel(37.0).z);    // red

@@ -92,9 +92,9 @@ void expect_whole(const Timeline& timeline) {
   EXPECT_EQ(caption.presence.to_s, 4.5);
   EXPECT_EQ(caption.presence.fade_in_s, 0.25);
   EXPECT_EQ(caption.presence.fade_out_s, 1.0);
-  EXPECT_EQ(caption.place.azimuth_deg, -30.0);
-  EXPECT_EQ(caption.place.elevation_deg, 15.0);
-  EXPECT_EQ(caption.place.roll_deg, 5.0);
+  EXPECT_EQ(caption.position.azimuth_deg, -30.0);
+  EXPECT_EQ(caption.position.elevation_deg, 15.0);
+  EXPECT_EQ(caption.position.roll_deg, 5.0);
   EXPECT_EQ(caption.letter_deg, 3.0);
   EXPECT_EQ(caption.width_deg, 40.0);
   EXPECT_EQ(caption.color, (std::array<double, 3>{1.0, 0.5, 0.25}));

@@ -128,7 +128,7 @@ TEST_F(Trajectory, EveryFlippedByteIsDetectedOrHarmless) {
         const std::string lens = error_of([&] { expect_same(reader.read(i), small_station(r)); });
         const std::string disk = i == bare ? "" : error_of([&] { expect_same(reader.read_disk(i), small_disk(r)); });
         for (const std::string& message : {lens, disk}) {
-          EXPECT_TRUE(message.empty() || message.find(station_place(file(), i)) != std::string::npos) << message;
+          EXPECT_TRUE(message.empty() || message.find(station_position(file(), i)) != std::string::npos) << message;
           refused += message.empty() ? 0 : 1;
         }
       }

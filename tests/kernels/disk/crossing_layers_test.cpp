@@ -49,7 +49,7 @@ TEST(CrossingLayers, HaveTheReferenceShiftByTheClosedForm) {
   for (const ReferenceCrossing& row : reference_crossings()) {
     const NearRay<double> ray = start_near_ray(station_of(row), row.n);
     Layers<double> layers;
-    trace_layers<20, NearParts::place_alone>(row.a, ray, wide_limits(row.a), layers);
+    trace_layers<20, NearParts::position_alone>(row.a, ray, wide_limits(row.a), layers);
     const DiskLight<double> light = {1.0 / layers[row.order].u, ray.energy, ray.axial_angular_momentum,
                                      ray.shear_constant, true};
     EXPECT_NEAR(1.0 / circular_frequency(row.a, light), row.g_kepler, 1e-8) << row.id;
@@ -77,7 +77,7 @@ TEST(CrossingLayers, AreSmoothAcrossTheShadowsEdge) {
       Layers<double> outside;
       const auto trace = [&](double alpha, Layers<double>& layers) {
         const Vector3<double> n = chart_direction(chart, std::cos(alpha), std::sin(alpha), gamma);
-        return trace_layers<20, NearParts::place_alone>(spin, start_near_ray(camera, n), disk_limits(spin), layers);
+        return trace_layers<20, NearParts::position_alone>(spin, start_near_ray(camera, n), disk_limits(spin), layers);
       };
       ASSERT_TRUE(trace(edge - 1e-9, within) && trace(edge + 1e-9, outside)) << spin << " " << gamma;
       for (int order = 0; order < crossing_orders; ++order) {
@@ -93,8 +93,8 @@ TEST(CrossingLayers, AreSmoothAcrossTheShadowsEdge) {
 //! Computes the layers of the disk (its crossings by order) in a camera's direction with the chart
 //! coordinates (γ [turns], s).
 template <class T>
-bool trace_place(const CameraStation& camera, const EdgeCurve& edge, const T& alpha, double gamma_turns,
-                 Layers<T>& layers) {
+bool trace_position(const CameraStation& camera, const EdgeCurve& edge, const T& alpha, double gamma_turns,
+                    Layers<T>& layers) {
   return trace_layers<16, NearParts::azimuth_and_delay>(
       camera.spin, start_near_ray(camera, chart_direction_at(LensChart{edge, 1.0F}, gamma_turns, alpha)),
       disk_limits(camera.spin), layers);
@@ -110,13 +110,13 @@ TEST(CrossingLayers, HaveDerivativesAsDifferencesHaveThem) {
   for (const double gamma : {0.07, 0.3, 0.55, 0.8}) {
     for (const double s : {0.3, 0.45, 0.6, 0.75}) {
       Layers<M> exact;
-      ASSERT_TRUE(trace_place(camera, edge, disk_polar_angle<double>(edge, gamma, s), gamma, exact));
+      ASSERT_TRUE(trace_position(camera, edge, disk_polar_angle<double>(edge, gamma, s), gamma, exact));
       constexpr double h = 2e-5;
       const auto at = [&](double g, double v, int order, int part) {
         // Computes the same direction without derivatives, for differences.
         M alpha = disk_polar_angle<double>(edge, g, v);
         Layers<M> layers;
-        trace_place(camera, edge, alpha, g, layers);
+        trace_position(camera, edge, alpha, g, layers);
         const M parts[4] = {layers[order].u, layers[order].cosine, layers[order].sine, layers[order].delay};
         return parts[part].value;
       };
@@ -175,13 +175,14 @@ TEST(DiskChart, LeadsBackToWhereADirectionIs) {
       // The direction is differentiated along the chart's coordinate lines, so the derivatives of
       // the coordinates themselves must be 1 and 0.
       const auto along = [](const MixedDual<double>& a) { return Dual<double>{a.value, a.along_x, a.along_y}; };
-      const DiskPlace<double> place = disk_place(edge, Vector3<Dual<double>>{along(n.x), along(n.y), along(n.z)});
-      EXPECT_NEAR(place.gamma_turns.value, gamma, 1e-12);
-      EXPECT_NEAR(place.s.value, s, 1e-6);
-      EXPECT_NEAR(place.gamma_turns.along_x, 1.0, 1e-9);
-      EXPECT_NEAR(place.gamma_turns.along_y, 0.0, 1e-9);
-      EXPECT_NEAR(place.s.along_x, 0.0, 1e-5);
-      EXPECT_NEAR(place.s.along_y, 1.0, 1e-5);
+      const DiskPosition<double> position =
+          disk_position(edge, Vector3<Dual<double>>{along(n.x), along(n.y), along(n.z)});
+      EXPECT_NEAR(position.gamma_turns.value, gamma, 1e-12);
+      EXPECT_NEAR(position.s.value, s, 1e-6);
+      EXPECT_NEAR(position.gamma_turns.along_x, 1.0, 1e-9);
+      EXPECT_NEAR(position.gamma_turns.along_y, 0.0, 1e-9);
+      EXPECT_NEAR(position.s.along_x, 0.0, 1e-5);
+      EXPECT_NEAR(position.s.along_y, 1.0, 1e-5);
     }
   }
   EXPECT_NEAR((disk_polar_angle<double>(edge, 0.25, 0.5).value), 0.3, 1e-6);

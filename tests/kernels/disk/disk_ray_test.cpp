@@ -268,8 +268,8 @@ TEST(DiskFlow, IsSeenInFloatAsItIsBesideTheHorizon) {
       // ergosphere.
       const double energy = 2.0 * part(random) - 1.0;
       const double brink = std::pow(10.0, -2.0 * part(random));
-      const double most_above = 0.9 * (flow.stable_r - horizon);
-      const auto r = static_cast<float>(horizon + std::pow(5e-4 / most_above, part(random)) * most_above);
+      const double max_above = 0.9 * (flow.stable_r - horizon);
+      const auto r = static_cast<float>(horizon + std::pow(5e-4 / max_above, part(random)) * max_above);
       const DiskLight<float> light = {r, static_cast<float>(energy),
                                       static_cast<float>((2.0 * horizon * energy - brink) / spin),
                                       static_cast<float>(40.0 * part(random)), false};

@@ -17,7 +17,7 @@ namespace ergodome::test {
 namespace {
 
 //! A point outside the horizon from which light comes.
-struct OuterPlace {
+struct OuterPoint {
   double r;
   double azimuth;
   double delay;
@@ -25,17 +25,17 @@ struct OuterPlace {
 
 double turn_between(double a, double b) { return std::abs(std::remainder(a - b, 2.0 * pi)); }
 
-void expect_place(const ReferenceCrossing& row, const std::optional<OuterPlace>& place, double allowed) {
-  ASSERT_TRUE(place) << "ray " << row.id;
-  EXPECT_NEAR(place->r / row.r_hit, 1.0, allowed) << "ray " << row.id;
-  EXPECT_LT(turn_between(place->azimuth, row.phi_hit), allowed) << "ray " << row.id;
-  EXPECT_NEAR(place->delay, row.delay, allowed * std::max(1.0, row.r_hit)) << "ray " << row.id;
+void expect_position(const ReferenceCrossing& row, const std::optional<OuterPoint>& position, double allowed) {
+  ASSERT_TRUE(position) << "ray " << row.id;
+  EXPECT_NEAR(position->r / row.r_hit, 1.0, allowed) << "ray " << row.id;
+  EXPECT_LT(turn_between(position->azimuth, row.phi_hit), allowed) << "ray " << row.id;
+  EXPECT_NEAR(position->delay, row.delay, allowed * std::max(1.0, row.r_hit)) << "ray " << row.id;
 }
 
 //! Finds the point where a ray crosses the disk's plane outside the horizon, by trace_crossings(),
 //! which also computes azimuth and time.
 template <class S>
-std::optional<OuterPlace> traced_crossing(const ReferenceCrossing& row, const CrossingLimits<S>& limits) {
+std::optional<OuterPoint> traced_crossing(const ReferenceCrossing& row, const CrossingLimits<S>& limits) {
   const CameraStationOf<S> camera = converted_station<S>(station_of(row));
   const Vector3<S> n = {static_cast<S>(row.n.x), static_cast<S>(row.n.y), static_cast<S>(row.n.z)};
   EquatorialCrossing<S> crossings[crossing_orders];
@@ -44,19 +44,19 @@ std::optional<OuterPlace> traced_crossing(const ReferenceCrossing& row, const Cr
   if (!(c.u > S(0))) {
     return std::nullopt;
   }
-  return OuterPlace{1.0 / static_cast<double>(c.u), static_cast<double>(std::atan2(c.y, c.x) + c.drag),
+  return OuterPoint{1.0 / static_cast<double>(c.u), static_cast<double>(std::atan2(c.y, c.x) + c.drag),
                     static_cast<double>(c.delay)};
 }
 
 TEST(CrossingsFromWithin, AreWhereTheReferenceHasThem) {
   for (const ReferenceCrossing& row : reference_crossings_within()) {
-    expect_place(row, traced_crossing<double>(row, {1e-7, 1e-15, 4000}), 1e-9);
+    expect_position(row, traced_crossing<double>(row, {1e-7, 1e-15, 4000}), 1e-9);
   }
 }
 
 TEST(CrossingsFromWithin, AreThereInFloat) {
   for (const ReferenceCrossing& row : reference_crossings_within()) {
-    expect_place(row, traced_crossing<float>(row, {1e-3F, 1e-6F, 200}), 1e-3);
+    expect_position(row, traced_crossing<float>(row, {1e-3F, 1e-6F, 200}), 1e-3);
   }
 }
 
@@ -80,7 +80,7 @@ TEST(CrossingsFromWithin, ShowADiskShiftedAsTheReferenceSays) {
 
 //! Finds the same point among the crossings of any order in the layers of a disk grid, which also
 //! contain crossings inside the horizon.
-std::optional<OuterPlace> layer_crossing(const ReferenceCrossing& row) {
+std::optional<OuterPoint> layer_crossing(const ReferenceCrossing& row) {
   const double near_u = 1.0 / (horizon_radius(Spacetime{row.a}) + 1e-3);
   const LayerLimits<double> limits = {near_u, 1e-4, 10.0, -1.0, 1e-15, 4000};
   CrossingLayer<double> layers[crossing_orders];
@@ -89,7 +89,7 @@ std::optional<OuterPlace> layer_crossing(const ReferenceCrossing& row) {
   for (const CrossingLayer<double>& layer : layers) {
     if (std::abs(1.0 / layer.u / row.r_hit - 1.0) < 1e-6) {
       const double wound = winding(horizon, layer.u);
-      return OuterPlace{1.0 / layer.u, std::atan2(layer.sine, layer.cosine) + winding_turn(horizon) * wound,
+      return OuterPoint{1.0 / layer.u, std::atan2(layer.sine, layer.cosine) + winding_turn(horizon) * wound,
                         layer.delay + winding_delay(horizon) * wound};
     }
   }
@@ -98,22 +98,22 @@ std::optional<OuterPlace> layer_crossing(const ReferenceCrossing& row) {
 
 TEST(CrossingsFromWithin, AreTheLayersOfADisksGrid) {
   for (const ReferenceCrossing& row : reference_crossings_within()) {
-    expect_place(row, layer_crossing(row), 1e-9);
+    expect_position(row, layer_crossing(row), 1e-9);
   }
 }
 
 //! A visitor for trace_shells() that keeps the shell crossing closest to the equatorial plane.
 struct EquatorialVisitor {
-  std::optional<OuterPlace> found;
+  std::optional<OuterPoint> found;
   double height = 1.0;
 
-  void cross(int, bool crosses, const NearPlace<double>& place) {
-    if (crosses && std::abs(place.m.z) < height) {
-      height = std::abs(place.m.z);
-      found = {1.0 / place.u, std::atan2(place.m.y, place.m.x) + place.drag, place.delay};
+  void cross(int, bool crosses, const NearPosition<double>& position) {
+    if (crosses && std::abs(position.m.z) < height) {
+      height = std::abs(position.m.z);
+      found = {1.0 / position.u, std::atan2(position.m.y, position.m.x) + position.drag, position.delay};
     }
   }
-  void turn(bool, const NearPlace<double>&) {}
+  void turn(bool, const NearPosition<double>&) {}
   [[nodiscard]] bool done() const { return false; }
 };
 
@@ -123,14 +123,14 @@ TEST(CrossingsFromWithin, AreThoseOfShellsThroughThem) {
     EquatorialVisitor visitor;
     trace_shells<20, NearParts::azimuth_and_delay>(row.a, start_near_ray(station_of(row), row.n), {&u, 1},
                                                    {1e-15, 4000}, true, visitor);
-    expect_place(row, visitor.found, 1e-9);
+    expect_position(row, visitor.found, 1e-9);
   }
 }
 
 //! Finds the same point on the paths that are used to search for objects: azimuth and delay where a
 //! path crosses the plane.
-std::optional<OuterPlace> path_crossing(const ReferenceCrossing& row) {
-  std::optional<OuterPlace> found;
+std::optional<OuterPoint> path_crossing(const ReferenceCrossing& row) {
+  std::optional<OuterPoint> found;
   int order = 0;
   const RadialBounds bounds = {horizon_radius(Spacetime{row.a}) * 1.001, 100.0};
   follow_path<16, NearParts::azimuth_and_delay>(
@@ -149,13 +149,13 @@ std::optional<OuterPlace> path_crossing(const ReferenceCrossing& row) {
 
 TEST(CrossingsFromWithin, AreOnThePathsOfObjects) {
   for (const ReferenceCrossing& row : reference_crossings_within()) {
-    expect_place(row, path_crossing(row), 1e-9);
+    expect_position(row, path_crossing(row), 1e-9);
   }
 }
 
 //! Returns the first crossing of the plane. Azimuth and time are those of ingoing Kerr coordinates
 //! at the camera. r is 0 if there is no crossing.
-OuterPlace crossing_by_ingoing_clock(double spin, double r, const Vector3<double>& n) {
+OuterPoint crossing_by_ingoing_clock(double spin, double r, const Vector3<double>& n) {
   const CameraStation camera = make_camera_station(Spacetime{spin}, r, 1.2, 0.0, ObserverMotion::rain);
   EquatorialCrossing<double> found[crossing_orders];
   trace_crossings<20, true>(spin, start_near_ray(camera, normalized(n)), {1e-7, 1e-14, 4000}, true, found);
@@ -171,8 +171,8 @@ TEST(CrossingsFromWithin, GoOnFromOutsideWithTheLagOfTheCamerasTime) {
     int seen = 0;
     for (const Vector3<double> n : {Vector3<double>{0.6, 0.7, -0.2}, {0.5, 0.8, 0.3}, {0.2, 0.9, -0.1}}) {
       const double horizon = horizon_radius(Spacetime{spin});
-      const OuterPlace above = crossing_by_ingoing_clock(spin, horizon + 1e-8, n);
-      const OuterPlace below = crossing_by_ingoing_clock(spin, horizon - 1e-8, n);
+      const OuterPoint above = crossing_by_ingoing_clock(spin, horizon + 1e-8, n);
+      const OuterPoint below = crossing_by_ingoing_clock(spin, horizon - 1e-8, n);
       if (below.r > 0.0) {
         ++seen;
         EXPECT_NEAR(above.r, below.r, 1e-6) << "spin " << spin;

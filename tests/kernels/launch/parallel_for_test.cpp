@@ -84,17 +84,17 @@ TEST(WorkerPool, ReturnsWhenAllHaveReturned) {
 }
 
 TEST(WorkerPool, AsksNoMoreHelpersThanAreWanted) {
-  std::atomic<int> most{0};
+  std::atomic<int> maximum{0};
   for (int round = 0; round < 200; ++round) {
     std::atomic<int> calls{0};
     pool_of_five().run(2, [&] {
       ++calls;
       std::this_thread::yield();
     });
-    most = std::max(most.load(), calls.load());
+    maximum = std::max(maximum.load(), calls.load());
   }
-  EXPECT_GE(most, 1);
-  EXPECT_LE(most, 3);
+  EXPECT_GE(maximum, 1);
+  EXPECT_LE(maximum, 3);
 }
 
 TEST(WorkerPool, IsNotNeededInAProcessThatWasForked) {

@@ -20,14 +20,14 @@ struct LastSeen {
   bool inwards = false;
   bool covered = false;
 
-  void cross(int which, bool lanes, const NearPlace<double>& place) {
+  void cross(int which, bool lanes, const NearPosition<double>& position) {
     if (lanes && !covered) {
       shell = which;
-      inwards = place.u_rate > 0.0;
+      inwards = position.u_rate > 0.0;
       covered = shells[static_cast<std::size_t>(which)].opaque;
     }
   }
-  static void turn(bool, const NearPlace<double>&) {}
+  static void turn(bool, const NearPosition<double>&) {}
   [[nodiscard]] static bool done() { return false; }
 };
 

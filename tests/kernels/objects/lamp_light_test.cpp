@@ -18,9 +18,9 @@ namespace {
 double illuminance_of(double spin, const LitPoint& at, const Vector3<double>& normal, const MeshScene& scene,
                       LampFalloff falloff = LampFalloff::published) {
   LampCorrections corrections = {};
-  const LitPlace place = {at.point, normal, {0.0, 0.0, 0.0}, at.point + 1e-6 * normal};
-  return illuminance(lamp_light(Spacetime{spin}, {at.lamp, 100.0, falloff}, place, scene, {1e-10, 4000}, corrections),
-                     normal);
+  const LitSurfacePoint position = {at.point, normal, {0.0, 0.0, 0.0}, at.point + 1e-6 * normal};
+  return illuminance(
+      lamp_light(Spacetime{spin}, {at.lamp, 100.0, falloff}, position, scene, {1e-10, 4000}, corrections), normal);
 }
 
 TEST(LampLight, WithoutSpinAndShadowsIsTheClosedFormsOfBothWaysRound) {
@@ -43,7 +43,7 @@ TEST(LampLight, IsTakenAwayByWhatStandsOnItsRayAndByNothingElse) {
     ASSERT_TRUE(light_ray(Spacetime{spin}, frame, at.point, at.lamp, 1, LightRayParts::way, correction, ray));
     // Finds the position of the ray after a third of its path from the point to the lamp.
     const Placed shell(make_sphere({}), {0.0, 0.0, 0.0}, 18.0);
-    const MeshHit on_way = look(frame.camera, ray.direction, {&shell.mesh, 1, 17.0, 19.0});
+    const MeshHit on_way = first_hit(frame.camera, ray.direction, {&shell.mesh, 1, 17.0, 19.0});
     ASSERT_EQ(on_way.mesh, 0);
     const Placed before(make_sphere({}), on_way.point, 0.5);
     const Placed beside(make_sphere({}), on_way.point + Vector3<double>{0.0, 0.0, 0.6}, 0.5);
@@ -80,11 +80,11 @@ TEST(LampLight, RoundTheHoleMeetsNothingThatItPasses) {
   const MeshScene scene = {&ball.mesh, 1, 12.0, 18.0};
   for (const double off : {1e-6, 1e-2}) {
     LampCorrections corrections = {};
-    const LitPlace place = {at.point + Vector3<double>{0.0, 0.01, 0.0},
-                            {-1.0, 0.0, 0.0},
-                            {0.0, 0.0, 0.0},
-                            at.point + Vector3<double>{-off, 0.01, 0.0}};
-    const LampLight light = lamp_light(Spacetime{0.0}, {at.lamp, 100.0}, place, scene, {1e-10, 4000}, corrections);
+    const LitSurfacePoint position = {at.point + Vector3<double>{0.0, 0.01, 0.0},
+                                      {-1.0, 0.0, 0.0},
+                                      {0.0, 0.0, 0.0},
+                                      at.point + Vector3<double>{-off, 0.01, 0.0}};
+    const LampLight light = lamp_light(Spacetime{0.0}, {at.lamp, 100.0}, position, scene, {1e-10, 4000}, corrections);
     EXPECT_GT(light.strength[1], 0.0) << off;
   }
 }
@@ -188,10 +188,10 @@ TEST(LampLight, IsShiftedBetweenLampAndSurfaceWhereThatIsCalledFor) {
   const Elsewhere elsewhere;
   const LitPoint at = {{5.0, 0.0, 0.0}, {30.0, 0.0, 1.0}};
   LampCorrections corrections = {};
-  const LitPlace place = {at.point, {1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, at.point};
+  const LitSurfacePoint position = {at.point, {1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, at.point};
   const auto strength = [&](bool shifted) {
-    const LampPlace lamp = {at.lamp, 100.0, LampFalloff::lens, shifted};
-    return lamp_light(Spacetime{0.0}, lamp, place, elsewhere.scene, {1e-10, 4000}, corrections).strength[0];
+    const LampSource lamp = {at.lamp, 100.0, LampFalloff::lens, shifted};
+    return lamp_light(Spacetime{0.0}, lamp, position, elsewhere.scene, {1e-10, 4000}, corrections).strength[0];
   };
   const double blueshift = static_frequency_ratio(length(at.lamp), 5.0);
   EXPECT_NEAR(strength(true) / strength(false), blueshift * blueshift, 1e-9);

@@ -44,7 +44,7 @@ TEST(LightRay, LeadsToTheLampPastAHoleThatSpins) {
       ASSERT_TRUE(ray_of(spin, at.point, at.lamp, order, ray)) << spin;
       const Placed lamp(make_sphere({}), at.lamp, 5e-3);
       const double r = length(at.lamp);
-      const MeshHit hit = look(frame.camera, ray.direction, {&lamp.mesh, 1, r - 0.01, r + 0.01});
+      const MeshHit hit = first_hit(frame.camera, ray.direction, {&lamp.mesh, 1, r - 0.01, r + 0.01});
       ASSERT_EQ(hit.mesh, 0) << spin;
       EXPECT_NEAR(hit.delay, ray.travel_time, 1e-2);
       ++met;
@@ -110,22 +110,22 @@ TEST(LightRay, SpreadsWithoutSpinAsTheClosedFormHasIt) {
 //! A visitor that finds where a ray from a lamp first crosses a radius, in the requested direction
 //! (inward or outward), and the time of this crossing.
 struct Crossing {
-  Vector3<double> place{};
+  Vector3<double> position{};
   double time = 0.0;
   bool found = false;
   bool outward = false;
 
-  void cross(int, bool lanes, const NearPlace<double>& at) {
+  void cross(int, bool lanes, const NearPosition<double>& at) {
     if (!lanes || found || (at.u_rate < 0.0) != outward) {
       return;
     }
     const double c = std::cos(at.drag);
     const double s = std::sin(at.drag);
-    place = {c * at.m.x - s * at.m.y, s * at.m.x + c * at.m.y, at.m.z};
+    position = {c * at.m.x - s * at.m.y, s * at.m.x + c * at.m.y, at.m.z};
     time = at.delay;
     found = true;
   }
-  static void turn(bool, const NearPlace<double>&) {}
+  static void turn(bool, const NearPosition<double>&) {}
   [[nodiscard]] static bool done() { return false; }
 };
 
@@ -155,8 +155,8 @@ double spread_by_differences(double spin, const LitPoint& at, const Vector3<doub
   const auto separation = [&](const std::array<Crossing, 2>& two) {
     const auto azimuth = [](const Vector3<double>& v) { return std::atan2(v.y, v.x); };
     const double by = 0.5 / apart;
-    const double along_theta = by * (std::acos(two[0].place.z) - std::acos(two[1].place.z));
-    const double along_phi = by * std::remainder(azimuth(two[0].place) - azimuth(two[1].place), 2.0 * pi);
+    const double along_theta = by * (std::acos(two[0].position.z) - std::acos(two[1].position.z));
+    const double along_phi = by * std::remainder(azimuth(two[0].position) - azimuth(two[1].position), 2.0 * pi);
     // Rays are traced backwards in time, so the time difference has the opposite sign.
     const double along_time = -by * (two[0].time - two[1].time);
     return Vector3<double>{0.0, std::sqrt(f.sigma) * along_theta,

@@ -5,7 +5,7 @@
 #include "kernels/core/angles.h"
 #include "kernels/objects/local_frame.h"
 #include "kernels/objects/mesh_emitter.h"
-#include "kernels/spacetime/schwarzschild/apparent_place.h"
+#include "kernels/spacetime/schwarzschild/apparent_position.h"
 #include "tests/kernels/lit_points.h"
 #include "tests/kernels/mesh_scene.h"
 #include "tests/kernels/reference_tables.h"
@@ -35,7 +35,7 @@ TEST(MeshEmitter, OnAKeplerianOrbitShiftsLightAsTheReferenceTableHasIt) {
     }
     const CameraStation camera = station_of(row);
     const NearRay<double> ray = start_near_ray(camera, row.n);
-    const MeshHit hit = look(camera, row.n, {&placed.mesh, 1, horizon_radius(Spacetime{row.a}) * 1.0001, 100.0});
+    const MeshHit hit = first_hit(camera, row.n, {&placed.mesh, 1, horizon_radius(Spacetime{row.a}) * 1.0001, 100.0});
     ASSERT_EQ(hit.mesh, 0) << row.id;
     const double r = length(hit.point);
     const double rate = 1.0 / (r * std::sqrt(r) + row.a);
@@ -57,17 +57,17 @@ struct SeenBall {
   explicit SeenBall(double r) : ball(make_sphere({}), point_at(r, 1.1, 0.4), 0.5 * (r - 1.5)) {
     const Vector3<double> n = {-1.0, 0.0, 0.0};
     ray = start_near_ray(camera, n);
-    hit = look(camera, n, {&ball.mesh, 1, 1.45, 25.0});
+    hit = first_hit(camera, n, {&ball.mesh, 1, 1.45, 25.0});
   }
 };
 
 TEST(MeshEmitter, AtRestInSchwarzschildShiftsLightByBothLapses) {
   const CameraStation camera = make_camera_station(Spacetime{0.0}, 30.0, 1.0, 0.0, ObserverMotion::fixed);
   const Placed ball(make_sphere({}), point_at(7.0, 1.3, 0.8), 1.0);
-  const ApparentPlace seen = apparent_place(point_at(30.0, 1.0, 0.0), point_at(7.0, 1.3, 0.8), 2);
+  const ApparentPosition seen = apparent_position(point_at(30.0, 1.0, 0.0), point_at(7.0, 1.3, 0.8), 2);
   const LocalFrame frame = local_frame(Spacetime{0.0}, point_at(30.0, 1.0, 0.0));
   const Vector3<double> n = in_axes(frame, seen.direction);
-  const MeshHit hit = look(camera, n, {&ball.mesh, 1, 5.5, 8.5});
+  const MeshHit hit = first_hit(camera, n, {&ball.mesh, 1, 5.5, 8.5});
   ASSERT_EQ(hit.mesh, 0);
   const NearRay<double> ray = start_near_ray(camera, n);
   const double frequency =
@@ -109,12 +109,12 @@ TEST(RetardedMesh, IsMetWhereItWasWhenItsLightLeft) {
     for (int k = -6; k <= 6; ++k) {
       const Vector3<double> n = {-1.0, 0.02 * k, 0.03 * i};
       const Vector3<double> unit = (1.0 / length(n)) * n;
-      const MeshHit hit = look(camera, unit, {&moving.mesh, 1, 7.0, 11.0});
+      const MeshHit hit = first_hit(camera, unit, {&moving.mesh, 1, 7.0, 11.0});
       if (hit.mesh < 0) {
         continue;
       }
       Placed there(make_sphere({}), mesh_position(moving.mesh, hit.delay), 1.5);
-      const MeshHit again = look(camera, unit, {&there.mesh, 1, 7.0, 11.0});
+      const MeshHit again = first_hit(camera, unit, {&there.mesh, 1, 7.0, 11.0});
       ASSERT_EQ(again.mesh, 0);
       // The ray may first meet another point of a ball that moves along the ray; such rays are
       // skipped.

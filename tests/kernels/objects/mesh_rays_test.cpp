@@ -9,7 +9,7 @@
 
 #include "kernels/core/angles.h"
 #include "kernels/spacetime/geodesic/radial_potential.h"
-#include "kernels/spacetime/schwarzschild/apparent_place.h"
+#include "kernels/spacetime/schwarzschild/apparent_position.h"
 #include "tests/kernels/mesh_scene.h"
 #include "tests/kernels/reference_tables.h"
 
@@ -41,12 +41,13 @@ TEST(MeshRays, MeetSmallTrianglesWhereTheClosedFormSendsThem) {
     const double beside = std::sqrt(1.0 - height * height);
     const Vector3<double> point = r * Vector3<double>{beside * std::cos(azimuth), beside * std::sin(azimuth), height};
     const int order = 1 + i % 2;
-    const ApparentPlace seen = apparent_place(observer, point, order);
+    const ApparentPosition seen = apparent_position(observer, point, order);
     const Vector3<double> away =
         std::abs(seen.emission_direction.x) < 0.7 ? Vector3<double>{1.0, 0.0, 0.0} : Vector3<double>{0.0, 1.0, 0.0};
     const Vector3<double> side = unit(cross(seen.emission_direction, away));
     const Placed placed(triangle_about(side, cross(seen.emission_direction, side)), point, 1e-3);
-    const MeshHit hit = look(camera, in_polar_axes(seen.direction, theta, phi), {&placed.mesh, 1, r - 0.01, r + 0.01});
+    const MeshHit hit =
+        first_hit(camera, in_polar_axes(seen.direction, theta, phi), {&placed.mesh, 1, r - 0.01, r + 0.01});
     ASSERT_EQ(hit.mesh, 0) << i;
     EXPECT_LT(length(hit.point - point), 1e-8 * r) << i;
     EXPECT_NEAR(hit.delay, seen.travel_time, 1e-8 * seen.travel_time) << i;
@@ -71,7 +72,7 @@ TEST(MeshRays, MeetAPlaneAboutASpinningHoleWhereTheReferenceTableHasItsCrossings
       continue;
     }
     const MeshHit hit =
-        look(station_of(row), row.n, {&placed.mesh, 1, horizon_radius(Spacetime{row.a}) * 1.0001, 100.0});
+        first_hit(station_of(row), row.n, {&placed.mesh, 1, horizon_radius(Spacetime{row.a}) * 1.0001, 100.0});
     ASSERT_EQ(hit.mesh, 0) << row.id;
     EXPECT_NEAR(length(hit.point), row.r_hit, 1e-9 * row.r_hit) << row.id;
     const double phi = std::atan2(hit.point.y, hit.point.x);
@@ -106,7 +107,7 @@ TEST(MeshRays, GrazeATriangleTwiceAndMeetItTheFirstTime) {
   for (const double depth : {0.05, 1e-3, 1e-5, 1e-7}) {
     const Placed placed(triangle_about({0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}), {GrazingLight::turn_r - depth, 0.0, 0.0},
                         1.0);
-    const MeshHit hit = look(light.camera, light.n, {&placed.mesh, 1, 4.0, 7.0});
+    const MeshHit hit = first_hit(light.camera, light.n, {&placed.mesh, 1, 4.0, 7.0});
     ASSERT_EQ(hit.mesh, 0) << depth;
     EXPECT_NEAR(hit.point.x, GrazingLight::turn_r - depth, 1e-9) << depth;
     const double expected = GrazingLight::turn_r * std::sqrt(depth / 1.5);
@@ -118,7 +119,7 @@ TEST(MeshRays, PassATriangleThatTheyDoNotReach) {
   const GrazingLight light;
   for (const double gap : {0.05, 1e-3, 1e-5, 1e-7}) {
     const Placed placed(triangle_about({0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}), {GrazingLight::turn_r + gap, 0.0, 0.0}, 1.0);
-    EXPECT_EQ(look(light.camera, light.n, {&placed.mesh, 1, 4.0, 7.0}).mesh, -1) << gap;
+    EXPECT_EQ(first_hit(light.camera, light.n, {&placed.mesh, 1, 4.0, 7.0}).mesh, -1) << gap;
   }
 }
 
@@ -131,7 +132,7 @@ TEST(MeshRays, MeetASphereAboutCameraAndHoleUnlessTheyComeFromTheHole) {
   for (int i = 0; i < 2000; ++i) {
     const Vector3<double> n = unit({normal(random), normal(random), normal(random)});
     const bool bright = comes_from_sky(camera.spin, camera.horizon_r, start_ray(camera, n));
-    EXPECT_EQ(look(camera, n, {&placed.mesh, 1, 15.0, 21.0}).mesh, bright ? 0 : -1) << i;
+    EXPECT_EQ(first_hit(camera, n, {&placed.mesh, 1, 15.0, 21.0}).mesh, bright ? 0 : -1) << i;
     dark += bright ? 0 : 1;
   }
   EXPECT_GT(dark, 100);
@@ -143,7 +144,7 @@ TEST(MeshRays, StopAtTheNearerOfTwoMeshes) {
   const Placed far(make_sphere({}), {12.0, 0.0, 0.0}, 2.0);
   for (const bool swapped : {false, true}) {
     const PlacedMesh both[2] = {swapped ? far.mesh : near.mesh, swapped ? near.mesh : far.mesh};
-    EXPECT_EQ(look(camera, {-1.0, 0.0, 0.0}, {both, 2, 9.0, 21.0}).mesh, swapped ? 1 : 0);
+    EXPECT_EQ(first_hit(camera, {-1.0, 0.0, 0.0}, {both, 2, 9.0, 21.0}).mesh, swapped ? 1 : 0);
   }
 }
 
@@ -156,7 +157,7 @@ TEST(MeshRays, SeeAMeshThatIsTurned) {
   const double s = std::sin(1.0);
   const double rows[3][3] = {{c, -s, 0.0}, {s, c, 0.0}, {0.0, 0.0, 1.0}};
   std::copy(&rows[0][0], &rows[0][0] + 9, &placed.mesh.rows[0][0]);
-  const MeshHit hit = look(camera, unit({-1.0, 0.0, 0.001}), {&placed.mesh, 1, 8.0, 12.0});
+  const MeshHit hit = first_hit(camera, unit({-1.0, 0.0, 0.001}), {&placed.mesh, 1, 8.0, 12.0});
   ASSERT_EQ(hit.mesh, 0);
   // The hit is in the rotated plane.
   EXPECT_NEAR((hit.point.x - 10.0) * c + hit.point.y * s, 0.0, 1e-9);
@@ -164,11 +165,11 @@ TEST(MeshRays, SeeAMeshThatIsTurned) {
 
 TEST(TriangleTree, LeadsToEveryTriangleThatASegmentCrosses) {
   std::mt19937 random(3);
-  std::uniform_real_distribution<float> place(-1.0F, 1.0F);
+  std::uniform_real_distribution<float> position(-1.0F, 1.0F);
   TriangleMesh soup;
   for (std::uint32_t i = 0; i < 3 * 3000; ++i) {
     const float scale = i % 7 == 0 ? 1.0F : 0.1F;
-    soup.vertices.push_back({{place(random), scale * place(random), scale * place(random)}, {}, {}});
+    soup.vertices.push_back({{position(random), scale * position(random), scale * position(random)}, {}, {}});
     soup.indices.push_back(i);
   }
 
@@ -180,7 +181,7 @@ TEST(TriangleTree, LeadsToEveryTriangleThatASegmentCrosses) {
   }
   long crossed = 0;
   for (int i = 0; i < 300; ++i) {
-    const auto p = [&] { return Vector3<double>{place(random), place(random), place(random)}; };
+    const auto p = [&] { return Vector3<double>{position(random), position(random), position(random)}; };
     const Vector3<double> from = p();
     const Vector3<double> to = i % 10 == 0 ? Vector3<double>{from.x, from.y, -from.z} : p();
     std::vector<bool> visited(3000);

@@ -132,12 +132,12 @@ TEST(DomeFisheye, OffCentreViewersRayMeetsTheDomeAtItsPixel) {
     same.dome.off_centre = 0;
     return same;
   }();
-  for (const auto& [x, y] : test::image_places(p, 0.5)) {
-    const Vector3<double> place = direction_from_pixel(centred, x, y);
+  for (const auto& [x, y] : test::image_positions(p, 0.5)) {
+    const Vector3<double> position = direction_from_pixel(centred, x, y);
     const Vector3<double> seen = direction_from_pixel(p, x, y);
     // Computes the distance of the position on the dome from the ray, as the distance of a point
     // from a line.
-    const Vector3<double> way = place - viewer;
+    const Vector3<double> way = position - viewer;
     const Vector3<double> beside = cross(seen, way);
     EXPECT_LT(dot(beside, beside), 1e-24);
     EXPECT_GT(dot(seen, way), 0.0);

@@ -114,8 +114,8 @@ TEST(Projection, SeenFromOutsideIsTheMirrorImage) {
 }
 
 using test::every_projection;
-using test::image_places;
-using test::ImagePlace;
+using test::image_positions;
+using test::ImagePosition;
 using test::NamedProjection;
 
 class EveryProjection : public testing::TestWithParam<NamedProjection> {
@@ -125,34 +125,34 @@ class EveryProjection : public testing::TestWithParam<NamedProjection> {
 
 TEST_P(EveryProjection, TakesPixelsToUnitVectorsAndBack) {
   const Projection& p = projection();
-  for (const ImagePlace& place : image_places(p, 1e-3)) {
-    const Vector3<double> v = direction_from_pixel(p, place.x_px, place.y_px);
+  for (const ImagePosition& position : image_positions(p, 1e-3)) {
+    const Vector3<double> v = direction_from_pixel(p, position.x_px, position.y_px);
     EXPECT_NEAR(dot(v, v), 1.0, 1e-14);
-    ImagePlace back{};
-    ASSERT_TRUE(pixel_from_direction(p, v, back.x_px, back.y_px)) << place.x_px << " " << place.y_px;
-    EXPECT_NEAR(back.x_px, place.x_px, 1e-4) << place.y_px;
-    EXPECT_NEAR(back.y_px, place.y_px, 1e-4) << place.x_px;
+    ImagePosition back{};
+    ASSERT_TRUE(pixel_from_direction(p, v, back.x_px, back.y_px)) << position.x_px << " " << position.y_px;
+    EXPECT_NEAR(back.x_px, position.x_px, 1e-4) << position.y_px;
+    EXPECT_NEAR(back.y_px, position.y_px, 1e-4) << position.x_px;
   }
 }
 
 TEST_P(EveryProjection, InFloatMissesAPixelByLittle) {
   const Projection& p = projection();
   const auto narrow = converted_projection<float>(p);
-  for (const ImagePlace& place : image_places(p, 0.5)) {
-    const auto v = direction_from_pixel(narrow, static_cast<float>(place.x_px), static_cast<float>(place.y_px));
+  for (const ImagePosition& position : image_positions(p, 0.5)) {
+    const auto v = direction_from_pixel(narrow, static_cast<float>(position.x_px), static_cast<float>(position.y_px));
     const Vector3<double> wide = {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
-    ImagePlace back{};
-    ASSERT_TRUE(pixel_from_direction(p, wide, back.x_px, back.y_px)) << place.x_px << " " << place.y_px;
-    EXPECT_NEAR(back.x_px, place.x_px, 5e-3) << place.y_px;
-    EXPECT_NEAR(back.y_px, place.y_px, 5e-3) << place.x_px;
+    ImagePosition back{};
+    ASSERT_TRUE(pixel_from_direction(p, wide, back.x_px, back.y_px)) << position.x_px << " " << position.y_px;
+    EXPECT_NEAR(back.x_px, position.x_px, 5e-3) << position.y_px;
+    EXPECT_NEAR(back.y_px, position.y_px, 5e-3) << position.x_px;
   }
 }
 
 TEST_P(EveryProjection, DerivativesAreThoseOfDifferenceQuotients) {
   const Projection& p = projection();
-  for (const ImagePlace& place : image_places(p, 0.5)) {
-    const double x = place.x_px;
-    const double y = place.y_px;
+  for (const ImagePosition& position : image_positions(p, 0.5)) {
+    const double x = position.x_px;
+    const double y = position.y_px;
     const PixelSteps<double> steps = pixel_steps(p, x, y);
     const double h = 1e-3;
     const auto expect_alike = [&](const Vector3<double>& step, const Vector3<double>& change) {

@@ -22,7 +22,7 @@ constexpr NearLimits<double> finest = {1e-15, 100'000};
 template <class T>
 struct Found {
   int shell;
-  NearPlace<T> place;
+  NearPosition<T> position;
 };
 
 //! A visitor that collects the crossings of a ray with shells.
@@ -31,12 +31,12 @@ struct Collector {
   std::vector<Found<T>> found;
   int turns = 0;
 
-  void cross(int shell, bool lanes, const NearPlace<T>& place) {
+  void cross(int shell, bool lanes, const NearPosition<T>& position) {
     if (lanes) {
-      found.push_back({shell, place});
+      found.push_back({shell, position});
     }
   }
-  void turn(bool lanes, const NearPlace<T>&) { turns += lanes ? 1 : 0; }
+  void turn(bool lanes, const NearPosition<T>&) { turns += lanes ? 1 : 0; }
   [[nodiscard]] static bool done() { return false; }
 };
 
@@ -54,7 +54,7 @@ std::vector<Found<T>> cross(const CameraStation& camera, const Vector3<T>& n, st
 }
 
 //! Returns the direction from the center of a shell to a crossing on it; φ is 0 at the camera.
-Vector3<double> direction_of(const NearPlace<double>& at) {
+Vector3<double> direction_of(const NearPosition<double>& at) {
   const double c = std::cos(at.drag);
   const double s = std::sin(at.drag);
   return {c * at.m.x - s * at.m.y, s * at.m.x + c * at.m.y, at.m.z};
@@ -73,10 +73,10 @@ TEST(ShellCrossings, AtARadiusWhereLightMeetsTheEquatorLieThereByTheReferenceTab
     double nearest = 1.0;
     double delay = 0.0;
     for (const Found<double>& each : cross(station_of(row), row.n, {row.r_hit})) {
-      const double distance = length(direction_of(each.place) - on_sphere(0.5 * pi, row.phi_hit));
+      const double distance = length(direction_of(each.position) - on_sphere(0.5 * pi, row.phi_hit));
       if (distance < nearest) {
         nearest = distance;
-        delay = each.place.delay;
+        delay = each.position.delay;
       }
     }
     EXPECT_LT(nearest, 1e-8) << row.id;
@@ -97,10 +97,10 @@ TEST(ShellCrossings, OfAVeryLargeShellAreTheReferenceTablesSky) {
     // The shell has a large radius r. There, the direction still differs from the sky direction by
     // the impact parameter over r, and Mino time by 1/r.
     const double impact = std::sqrt(std::max(0.0, start_ray(camera, row.n).polar_constant));
-    EXPECT_LT(length(direction_of(found[0].place) - row.sky), allowed_sky_error(row) + 1e-9 + 2.0 * impact / r)
+    EXPECT_LT(length(direction_of(found[0].position) - row.sky), allowed_sky_error(row) + 1e-9 + 2.0 * impact / r)
         << row.id << " " << row.kind;
     const double energy = start_near_ray(camera, row.n).energy;
-    EXPECT_NEAR(found[0].place.time * energy / row.mino_time, 1.0, 1e-8 + allowed_sky_error(row)) << row.id;
+    EXPECT_NEAR(found[0].position.time * energy / row.mino_time, 1.0, 1e-8 + allowed_sky_error(row)) << row.id;
     ++compared;
   }
   EXPECT_GT(compared, 400);
@@ -114,7 +114,7 @@ TEST(ShellCrossings, OfLightThatTheTableHasFallIntoTheHoleMeetAShellAboveTheHori
     if (row.status == LightEnd::horizon && row.r > shell * 1.001) {
       const std::vector<Found<double>> found = cross(station_of(row), row.n, {shell});
       ASSERT_EQ(found.size(), 1U) << row.id << " a " << row.a << " " << row.kind;
-      EXPECT_GT(found[0].place.u_rate, 0.0) << row.id;
+      EXPECT_GT(found[0].position.u_rate, 0.0) << row.id;
       ++compared;
     }
   }
@@ -138,9 +138,9 @@ TEST(ShellCrossings, WithoutSpinAreOnTheClosedFormsOrbitThatTurns) {
       for (int i = 0; i < 2; ++i) {
         const double sign = i == 0 ? -1.0 : 1.0;
         const double angle = to_camera.angle + sign * to_shell.angle;
-        EXPECT_LT(length(direction_of(found[static_cast<std::size_t>(i)].place) - on_sphere(0.5 * pi, angle)), 1e-8);
+        EXPECT_LT(length(direction_of(found[static_cast<std::size_t>(i)].position) - on_sphere(0.5 * pi, angle)), 1e-8);
         const double path = tortoise(camera_r) - tortoise(turn_r) + sign * (tortoise(shell_r) - tortoise(turn_r));
-        EXPECT_NEAR(found[static_cast<std::size_t>(i)].place.delay, path + to_camera.delay + sign * to_shell.delay,
+        EXPECT_NEAR(found[static_cast<std::size_t>(i)].position.delay, path + to_camera.delay + sign * to_shell.delay,
                     1e-7);
       }
     }
@@ -158,7 +158,7 @@ TEST(ShellCrossings, WithoutSpinAreOnTheClosedFormsOrbitThatFalls) {
     const double far = 1.0 / camera_r - 1.0 / 3.0;
     const double near = 1.0 / shell_r - 1.0 / 3.0;
     const double angle = swept_angle(orbit, far, near, near - far);
-    EXPECT_LT(length(direction_of(found[0].place) - on_sphere(0.5 * pi + angle, 0.0)), 1e-8) << shell_r;
+    EXPECT_LT(length(direction_of(found[0].position) - on_sphere(0.5 * pi + angle, 0.0)), 1e-8) << shell_r;
   }
 }
 
@@ -200,7 +200,7 @@ TEST(ShellCrossings, AreWhereManySmallStepsInOtherCoordinatesFindThem) {
       ASSERT_EQ(found.size(), walked.size())
           << hard.spin << " " << hard.r << " " << hard.theta << " " << shell_r << " " << hard.n.y << " " << hard.n.z;
       for (std::size_t i = 0; i < found.size(); ++i) {
-        const NearPlace<double>& at = found[i].place;
+        const NearPosition<double>& at = found[i].position;
         const double grazing = 1.0 / std::min(1.0, 10.0 * std::abs(at.u_rate / at.u));
         EXPECT_LT(length(direction_of(at) - on_sphere(walked[i].theta, walked[i].phi)), 1e-8 * grazing)
             << hard.spin << " " << hard.r << " " << hard.theta << " " << shell_r << " " << hard.n.y << " " << hard.n.z;
@@ -226,9 +226,9 @@ TEST(ShellCrossings, JustAboveTheHorizonAreWhereManySmallStepsFindThem) {
       // Around an extremal hole, the azimuth by frame dragging reaches a million turns near the
       // horizon. The rounding of 1/r causes a relative uncertainty of 1e-9.
       const double part = std::abs(spin) < 1.0 ? 1e-9 : 5e-9;
-      const double open = 1e-7 + part * std::abs(found[0].place.drag);
-      EXPECT_LT(length(direction_of(found[0].place) - on_sphere(walked[0].theta, walked[0].phi)), open) << spin;
-      EXPECT_NEAR(found[0].place.delay, walked[0].delay, part * found[0].place.delay) << spin;
+      const double open = 1e-7 + part * std::abs(found[0].position.drag);
+      EXPECT_LT(length(direction_of(found[0].position) - on_sphere(walked[0].theta, walked[0].phi)), open) << spin;
+      EXPECT_NEAR(found[0].position.delay, walked[0].delay, part * found[0].position.delay) << spin;
     }
   }
 }
@@ -239,8 +239,8 @@ TEST(ShellCrossings, OfSeveralShellsComeInTheOrderOfTheLightsPath) {
   std::vector<int> order;
   for (std::size_t i = 0; i < found.size(); ++i) {
     order.push_back(found[i].shell);
-    EXPECT_GT(found[i].place.time, i > 0 ? found[i - 1].place.time : 0.0);
-    EXPECT_GT(found[i].place.delay, i > 0 ? found[i - 1].place.delay : 0.0);
+    EXPECT_GT(found[i].position.time, i > 0 ? found[i - 1].position.time : 0.0);
+    EXPECT_GT(found[i].position.delay, i > 0 ? found[i - 1].position.delay : 0.0);
   }
   // Shells are numbered from the outside, starting with 0.
   EXPECT_EQ(order, (std::vector<int>{2, 3, 3, 2, 1, 0}));
@@ -266,7 +266,7 @@ TEST(ShellCrossings, OnTheAxisFollowTheCameraAsItComesThere) {
   ASSERT_EQ(on.size(), beside.size());
   ASSERT_FALSE(on.empty());
   for (std::size_t i = 0; i < on.size(); ++i) {
-    EXPECT_LT(length(direction_of(on[i].place) - direction_of(beside[i].place)), 1e-7);
+    EXPECT_LT(length(direction_of(on[i].position) - direction_of(beside[i].position)), 1e-7);
   }
 }
 
@@ -284,11 +284,11 @@ TEST(ShellCrossings, HaveExactDerivatives) {
   const auto before = cross(camera, at(y, z - h), {7.5, 12.0});
   ASSERT_EQ(exact.size(), 3U);
   for (std::size_t i = 0; i < exact.size(); ++i) {
-    const NearPlace<D>& place = exact[i].place;
-    EXPECT_NEAR(place.m.x.along_y, (after[i].place.m.x - before[i].place.m.x) / (2.0 * h), 1e-6);
-    EXPECT_NEAR(place.m.z.along_y, (after[i].place.m.z - before[i].place.m.z) / (2.0 * h), 1e-6);
-    EXPECT_NEAR(place.drag.along_y, (after[i].place.drag - before[i].place.drag) / (2.0 * h), 1e-6);
-    EXPECT_NEAR(place.u.along_y, 0.0, 1e-13);
+    const NearPosition<D>& position = exact[i].position;
+    EXPECT_NEAR(position.m.x.along_y, (after[i].position.m.x - before[i].position.m.x) / (2.0 * h), 1e-6);
+    EXPECT_NEAR(position.m.z.along_y, (after[i].position.m.z - before[i].position.m.z) / (2.0 * h), 1e-6);
+    EXPECT_NEAR(position.drag.along_y, (after[i].position.drag - before[i].position.drag) / (2.0 * h), 1e-6);
+    EXPECT_NEAR(position.u.along_y, 0.0, 1e-13);
   }
 }
 
@@ -315,12 +315,12 @@ TEST(ShellCrossings, AreWhereThePicturesFloatSeesThem) {
         continue;
       }
       for (std::size_t k = 0; k < exact.size(); ++k) {
-        const NearPlace<float>& at = collector.found[k].place;
-        const NearPlace<double> wide = {at.u,        at.u_rate, {at.m.x, at.m.y, at.m.z}, at.drag, at.delay,
-                                        at.distance, at.time};
-        const double slow = std::abs(exact[k].place.u_rate / exact[k].place.u);
-        if (exact[k].place.time < 0.6 && slow > 1.0) {
-          EXPECT_LT(length(direction_of(wide) - direction_of(exact[k].place)), 5e-4) << spin << " " << i;
+        const NearPosition<float>& at = collector.found[k].position;
+        const NearPosition<double> wide = {at.u,        at.u_rate, {at.m.x, at.m.y, at.m.z}, at.drag, at.delay,
+                                           at.distance, at.time};
+        const double slow = std::abs(exact[k].position.u_rate / exact[k].position.u);
+        if (exact[k].position.time < 0.6 && slow > 1.0) {
+          EXPECT_LT(length(direction_of(wide) - direction_of(exact[k].position)), 5e-4) << spin << " " << i;
           ++compared;
         }
       }

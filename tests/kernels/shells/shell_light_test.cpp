@@ -9,13 +9,13 @@ namespace {
 
 constexpr float line_deg = 3.14159265F / 180.0F;
 
-Vector3<double> place_on_sphere(double theta, double phi) {
+Vector3<double> position_on_sphere(double theta, double phi) {
   return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
 }
 
 //! Returns the footprint of a square pixel on a shell, with sides along θ and φ.
 ShellFootprint footprint(double theta, double phi, float width) {
-  const Vector3<double> d = place_on_sphere(theta, phi);
+  const Vector3<double> d = position_on_sphere(theta, phi);
   const Vector3<double> south = {std::cos(theta) * std::cos(phi), std::cos(theta) * std::sin(phi), -std::sin(theta)};
   const auto in_float = [](const Vector3<double>& v, float f) {
     return f * Vector3<float>{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};

@@ -28,8 +28,8 @@ TEST(Spacetime, HorizonsAreTheRootsOfDelta) {
     EXPECT_NEAR(outer + inner, 2.0, 1e-15) << spin;
     EXPECT_NEAR(outer * inner, spin * spin, 1e-15) << spin;
     EXPECT_GE(outer, inner) << spin;
-    EXPECT_LE(inner, least_interior_radius(spacetime)) << spin;
-    EXPECT_LE(least_interior_radius(spacetime), outer) << spin;
+    EXPECT_LE(inner, min_interior_radius(spacetime)) << spin;
+    EXPECT_LE(min_interior_radius(spacetime), outer) << spin;
   }
 }
 
@@ -44,7 +44,7 @@ TEST(Spacetime, IsNearTheHorizonUpToTheNearHorizonRadius) {
     const Spacetime spacetime{spin};
     EXPECT_TRUE(is_near_horizon(spacetime, near_horizon_radius(spacetime))) << spin;
     EXPECT_FALSE(is_near_horizon(spacetime, 1.001 * near_horizon_radius(spacetime))) << spin;
-    EXPECT_TRUE(is_near_horizon(spacetime, least_interior_radius(spacetime))) << spin;
+    EXPECT_TRUE(is_near_horizon(spacetime, min_interior_radius(spacetime))) << spin;
   }
 }
 

@@ -39,8 +39,8 @@ TEST(EqualError, ComparesMethodsRoundByRound) {
   const std::vector<EqualErrorRow> rows = compare_at(axis, 0.1, FrameCost::ready);
   ASSERT_EQ(rows.size(), 3U);
   EXPECT_EQ(rows[1].method, "grid");
-  EXPECT_EQ(rows[1].ratio.least, 0.5);
-  EXPECT_EQ(rows[1].ratio.greatest, 0.5);
+  EXPECT_EQ(rows[1].ratio.minimum, 0.5);
+  EXPECT_EQ(rows[1].ratio.maximum, 0.5);
   EXPECT_EQ(rows[2].choice, nullptr);
   EXPECT_EQ(rows[2].ratio.runs, 0);
 }

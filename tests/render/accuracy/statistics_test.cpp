@@ -45,8 +45,8 @@ TEST(Statistics, WhatIsNotANumberIsAnInfiniteError) {
 TEST(Statistics, TheMiddleOfAnEvenNumberOfRunsLiesBetweenTwo) {
   const Spread spread = spread_of({4.0, 1.0, 3.0, 10.0});
   EXPECT_EQ(spread.median, 3.5);
-  EXPECT_EQ(spread.least, 1.0);
-  EXPECT_EQ(spread.greatest, 10.0);
+  EXPECT_EQ(spread.minimum, 1.0);
+  EXPECT_EQ(spread.maximum, 10.0);
   EXPECT_EQ(spread.runs, 4);
 }
 
@@ -55,8 +55,8 @@ TEST(Statistics, RatiosAreOfRunsInTheSameRound) {
   // their ratio.
   const Spread ratio = ratio_of({2.0, 4.0, 2.0}, {1.0, 2.0, 1.0, 7.0});
   EXPECT_EQ(ratio.runs, 3);
-  EXPECT_EQ(ratio.least, 2.0);
-  EXPECT_EQ(ratio.greatest, 2.0);
+  EXPECT_EQ(ratio.minimum, 2.0);
+  EXPECT_EQ(ratio.maximum, 2.0);
 }
 
 TEST(ParetoFront, HoldsWhatNoOtherBeats) {

@@ -64,16 +64,16 @@ double displaced_part(const Picture& picture, const Picture& other) {
   int inside = 0;
   for (int y = 1; y + 1 < size; ++y) {
     for (int x = 1; x + 1 < size; ++x) {
-      float least = INFINITY;
-      float most = -INFINITY;
+      float minimum = INFINITY;
+      float maximum = -INFINITY;
       for (int k = 0; k < 9; ++k) {
         const float light = other.rgba[4 * ((y + k / 3 - 1) * size + x + k % 3 - 1)];
-        least = std::min(least, light);
-        most = std::max(most, light);
+        minimum = std::min(minimum, light);
+        maximum = std::max(maximum, light);
       }
       const float light = picture.rgba[4 * (y * size + x)];
-      inside += most > 0.0F ? 1 : 0;
-      beyond += light < least - rounding || light > most + rounding ? 1 : 0;
+      inside += maximum > 0.0F ? 1 : 0;
+      beyond += light < minimum - rounding || light > maximum + rounding ? 1 : 0;
     }
   }
   return static_cast<double>(beyond) / inside;

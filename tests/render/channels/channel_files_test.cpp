@@ -32,13 +32,14 @@ class ChannelFiles : public test::FolderTest {
     return {{channels_of(ChannelGroup::g)[0], {1.0, 2.0, 1.0 / 3.0, 4.0, no_number, 6.0}},
             {channels_of(ChannelGroup::disk)[0], {10.0, 20.0, 30.0, 1e300, 50.0, no_number}}};
   }
-  static std::vector<ChannelFact> some_facts() {
+  static std::vector<MetadataEntry> some_metadata() {
     return {{"spin", "SPIN", 0.999, "a/M of the hole"}, {"request", "REQUEST", std::string(90, 'f'), ""}};
   }
   [[nodiscard]] std::string path(const char* name) const { return (folder_ / name).string(); }
 
   void write_fits(const char* name) const {
-    write_channel_fits(path(name), 3, 2, two_channels(), picture_wcs(make_pinhole_projection(3, 2, 1.0)), some_facts());
+    write_channel_fits(path(name), 3, 2, two_channels(), picture_wcs(make_pinhole_projection(3, 2, 1.0)),
+                       some_metadata());
   }
 };
 
@@ -95,11 +96,11 @@ TEST_F(ChannelFiles, OfFitsTakeNamesAsTheyAre) {
   // part of the name.
   write_fits("frame[1:2](x).fits");
   EXPECT_NE(image_library().whole_fits_text(path("frame[1:2](x).fits"), "REQUEST", 2), "");
-  EXPECT_THROW(write_channel_fits(path("no/such.fits"), 3, 2, two_channels(), std::nullopt, some_facts()), Error);
+  EXPECT_THROW(write_channel_fits(path("no/such.fits"), 3, 2, two_channels(), std::nullopt, some_metadata()), Error);
 }
 
 TEST_F(ChannelFiles, OfExrHoldFloatsUnderTheirFullNames) {
-  write_channel_exr(path("numbers.exr"), ExrCompression::zip, 3, 2, two_channels(), some_facts());
+  write_channel_exr(path("numbers.exr"), ExrCompression::zip, 3, 2, two_channels(), some_metadata());
   Imf::InputFile exr(path("numbers.exr").c_str());
   const Imf::Channel* const g = exr.header().channels().findChannel("g");
   ASSERT_NE(g, nullptr);
@@ -117,7 +118,7 @@ TEST_F(ChannelFiles, OfExrHoldFloatsUnderTheirFullNames) {
   const auto* const spin = exr.header().findTypedAttribute<Imf::StringAttribute>("ergodome:spin");
   ASSERT_NE(spin, nullptr);
   EXPECT_THAT(spin->value(), StartsWith("0.999"));
-  EXPECT_EQ(fact_of_image(path("numbers.exr"), "request"), std::string(90, 'f'));
+  EXPECT_EQ(metadata_of_image(path("numbers.exr"), "request"), std::string(90, 'f'));
   EXPECT_TRUE(is_complete_image(path("numbers.exr"), 3, 2));
 }
 

@@ -14,7 +14,7 @@
 namespace ergodome {
 namespace {
 
-struct NativePlace {
+struct NativePosition {
   double phi;
   double theta;  // [rad]
 };
@@ -52,7 +52,7 @@ double zenithal_latitude(const PictureWcs& wcs, double radius_deg) {
   return 0.5 * pi - low;
 }
 
-NativePlace native_place(const PictureWcs& wcs, double x, double y) {
+NativePosition native_position(const PictureWcs& wcs, double x, double y) {
   if (wcs.code == "CAR") {
     return {one_degree * x, one_degree * y};  // eqs. 83, 84
   }
@@ -67,10 +67,10 @@ NativePlace native_place(const PictureWcs& wcs, double x, double y) {
 
 //! Returns longitude and latitude of a pixel [rad]. FITS counts columns and rows from 1, rows from
 //! the bottom.
-NativePlace world_of(const PictureWcs& wcs, double column, double row) {
+NativePosition world_of(const PictureWcs& wcs, double column, double row) {
   const double x = wcs.cdelt[0] * (column - wcs.crpix[0]);
   const double y = wcs.cdelt[1] * (row - wcs.crpix[1]);
-  const NativePlace native = native_place(wcs, x, y);
+  const NativePosition native = native_position(wcs, x, y);
   if (!wcs.lonpole_deg) {
     return native;  // a cylindrical projection at (0, 0): its native system is the celestial one
   }
@@ -100,7 +100,7 @@ void expect_directions(const Projection& projection, const char* code) {
         continue;
       }
       const Vector3<double> ray = direction_from_pixel(projection, column + 0.5, row + 0.5);
-      const NativePlace world = world_of(*wcs, column + 1.0, projection.height_px - row);
+      const NativePosition world = world_of(*wcs, column + 1.0, projection.height_px - row);
       // Longitude 0 is forward (-z), and longitude increases to the right (x); latitude increases
       // upwards (y).
       EXPECT_NEAR(std::cos(world.theta) * std::sin(world.phi), ray.x, 1e-7) << column << " " << row;

@@ -124,7 +124,7 @@ TEST_P(CudaPictures, AreThoseThatStayOnTheDevice) {
   const CameraPose pose = camera_pose(renderer.show(), time_s);
   const Projection projection = make_projection(show.view, 384, 0.0);
   const std::vector<Picture> expected = renderer.render_window_parts(pose, projection, GetParam().mode, {time_s});
-  const EyesInPlace made = renderer.render_eyes_in_place(pose, projection, GetParam().mode, {time_s});
+  const BackendEyes made = renderer.render_eyes_in_place(pose, projection, GetParam().mode, {time_s});
   ASSERT_EQ(expected.size(), made.right ? 2U : 1U);
   for (std::size_t i = 0; i < expected.size(); ++i) {
     Picture there = copied_picture(expected[i]);

@@ -9,20 +9,20 @@
 
 #include "content/mesh/built_in_meshes.h"
 #include "kernels/core/angles.h"
-#include "kernels/spacetime/schwarzschild/apparent_place.h"
-#include "tests/render/diagram/place.h"
+#include "kernels/spacetime/schwarzschild/apparent_position.h"
+#include "tests/render/diagram/point.h"
 
 // Tests of meshes at the positions where an observer sees them.
 namespace ergodome {
 namespace {
 
 using test::length_of;
-using test::Place;
+using test::Point;
 
-constexpr Place far_observer = {40.0, 0.0, 0.0};
+constexpr Point far_observer = {40.0, 0.0, 0.0};
 const ApparentSettings fine_settings{0.02, 6, 10.0};
 
-ObjectPlacement standing_at(const Place& position) {
+ObjectPlacement standing_at(const Point& position) {
   return {position, {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
 }
 
@@ -34,8 +34,8 @@ TEST(ApparentMesh, CornersLieWhereLightComesFromAsFarAsItHasTakenTime) {
         apparent_mesh(far_observer, leaning_triangle(), standing_at({-5.0, 2.0, -0.5}), 1.0, order, fine_settings);
     ASSERT_FALSE(mesh.triangles.empty());
     for (const ApparentVertex& vertex : mesh.vertices) {
-      const ApparentPlace place = apparent_place(far_observer, vertex.place, order);
-      EXPECT_LT(length_of(vertex.seen - far_observer - place.travel_time * place.direction), 1e-12);
+      const ApparentPosition position = apparent_position(far_observer, vertex.position, order);
+      EXPECT_LT(length_of(vertex.seen - far_observer - position.travel_time * position.direction), 1e-12);
     }
   }
 }
@@ -44,11 +44,11 @@ TEST(ApparentMesh, FarFromTheHoleItIsTheMeshItself) {
   // Apparent positions are measured by the travel time of light. Far from the hole, this makes
   // lengths larger: by a relative 1/r across the radius, by 2/r along it.
   for (const double far : {1e3, 1e4, 1e5}) {
-    const Place observer = {far, 0.0, 0.0};
+    const Point observer = {far, 0.0, 0.0};
     const ApparentMesh mesh =
         apparent_mesh(observer, make_sphere({12, 6}), standing_at({far, 20.0, 0.0}), 1.0, 1, fine_settings);
     for (const ApparentVertex& vertex : mesh.vertices) {
-      EXPECT_LT(length_of(vertex.seen - vertex.place), 2.0 / far * length_of(vertex.place - observer));
+      EXPECT_LT(length_of(vertex.seen - vertex.position), 2.0 / far * length_of(vertex.position - observer));
     }
   }
 }
@@ -62,7 +62,7 @@ TEST(ApparentMesh, WhereItIsBentEdgesAreDividedUntilTheyAreStraight) {
     for (std::size_t i = 0; i < 3; ++i) {
       const ApparentVertex& a = mesh.vertices[t[i]];
       const ApparentVertex& b = mesh.vertices[t[(i + 1) % 3]];
-      const Place middle = apparent_vertex(far_observer, 0.5 * (a.place + b.place), 1).seen;
+      const Point middle = apparent_vertex(far_observer, 0.5 * (a.position + b.position), 1).seen;
       EXPECT_LE(length_of(middle - 0.5 * (a.seen + b.seen)), settings.tolerance);
     }
   }
@@ -74,7 +74,7 @@ TEST(ApparentMesh, DividedTrianglesLeaveNoGap) {
   const ApparentMesh mesh =
       apparent_mesh(far_observer, make_sphere({12, 6}), standing_at({-6.0, 5.0, 0.0}), 1.0, 1, fine_settings);
   const auto key = [&](std::uint32_t i) {
-    const Place& p = mesh.vertices[i].place;
+    const Point& p = mesh.vertices[i].position;
     return std::array<long, 3>{std::lround(p.x * 1e5), std::lround(p.y * 1e5), std::lround(p.z * 1e5)};
   };
   std::map<std::array<std::array<long, 3>, 2>, int> edges;
@@ -99,8 +99,8 @@ TEST(ApparentMesh, TheTriangleBehindTheHoleIsLeftOut) {
     // No triangle may extend over the ring: its corners must be on the same side of the hole.
     double widest = 1.0;
     for (std::size_t i = 0; i < 3; ++i) {
-      const Place& one = seen.vertices[t[i]].direction;
-      const Place& other = seen.vertices[t[(i + 1) % 3]].direction;
+      const Point& one = seen.vertices[t[i]].direction;
+      const Point& other = seen.vertices[t[(i + 1) % 3]].direction;
       widest = std::min(
           widest, (one.y * other.y + one.z * other.z) / (std::hypot(one.y, one.z) * std::hypot(other.y, other.z)));
     }
@@ -115,7 +115,7 @@ TEST(ApparentMesh, WhatReachesIntoTheHoleIsLeftOut) {
   for (const auto& t : mesh.triangles) {
     for (const std::uint32_t i : t) {
       EXPECT_TRUE(mesh.vertices[i].connected);
-      EXPECT_GT(length_of(mesh.vertices[i].place), 2.0);
+      EXPECT_GT(length_of(mesh.vertices[i].position), 2.0);
     }
   }
 }

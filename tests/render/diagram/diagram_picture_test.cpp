@@ -59,8 +59,8 @@ class DiagramPictures : public testing::Test {
   }
 
   //! Returns where a point of the scene is in the picture [px].
-  [[nodiscard]] std::array<double, 2> pixel_of(const Vector3<double>& place) const {
-    const Vector3<double> at = camera_.in_view(place);
+  [[nodiscard]] std::array<double, 2> pixel_of(const Vector3<double>& position) const {
+    const Vector3<double> at = camera_.in_view(position);
     return {0.5 * (1.0 - at.x / (at.z * camera_.half_width)) * image_.width_px,
             0.5 * (1.0 + at.y / (at.z * camera_.half_height)) * image_.height_px};
   }
@@ -124,13 +124,13 @@ TEST_F(DiagramPictures, ASpinningHoleHasRaysThatMeetTheObjects) {
 
 //! Counts the points of rays (lines in the colors of the images) that lie outside a picture which
 //! is taller than wide, for a view from the given direction.
-int places_beside(const DiagramScene& scene, const OutsideDirection& from) {
+int positions_beside(const DiagramScene& scene, const OutsideDirection& from) {
   const OutsideCamera camera = outside_camera(from, scene.framed, 0.5, {});
   int beside = 0;
   for (const DiagramLine& line : scene.lines) {
     if (line.ink == diagram_inks::of_image(1) || line.ink == diagram_inks::of_image(2)) {
-      beside += static_cast<int>(std::ranges::count_if(line.places, [&](const Vector3<double>& place) {
-        const Vector3<double> at = camera.in_view(place);
+      beside += static_cast<int>(std::ranges::count_if(line.positions, [&](const Vector3<double>& position) {
+        const Vector3<double> at = camera.in_view(position);
         return std::abs(at.x) > -at.z * camera.half_width || std::abs(at.y) > -at.z * camera.half_height;
       }));
     }
@@ -143,8 +143,8 @@ TEST(DiagramFrames, HoldTheRaysThatMeetObjects) {
     // The scene includes the rays of the second image, which pass the hole on the other side.
     const DiagramScene scene =
         Diagram(small_show(spin), {spin == 0.0 ? std::vector<int>{1, 2} : std::vector<int>{}, 60}).at(0.0);
-    EXPECT_EQ(places_beside(scene, {0.5, 0.5, std::nullopt}), 0) << spin;
-    EXPECT_EQ(places_beside(scene, {pi, 0.2, std::nullopt}), 0) << spin;
+    EXPECT_EQ(positions_beside(scene, {0.5, 0.5, std::nullopt}), 0) << spin;
+    EXPECT_EQ(positions_beside(scene, {pi, 0.2, std::nullopt}), 0) << spin;
   }
 }
 

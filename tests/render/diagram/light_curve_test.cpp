@@ -4,19 +4,19 @@
 
 #include <cmath>
 
-#include "kernels/spacetime/schwarzschild/apparent_place.h"
+#include "kernels/spacetime/schwarzschild/apparent_position.h"
 #include "kernels/spacetime/schwarzschild/ray_curve.h"
-#include "tests/render/diagram/place.h"
+#include "tests/render/diagram/point.h"
 
 // Tests of light rays as diagrams draw them.
 namespace ergodome {
 namespace {
 
 using test::length_of;
-using test::Place;
+using test::Point;
 
 struct RayCase {
-  Place observer, point;
+  Point observer, point;
   int order;
 };
 
@@ -26,25 +26,25 @@ const RayCase ray_cases[] = {{{40.0, 0.0, 0.0}, {-5.0, 3.0, -0.5}, 1}, {{40.0, 0
 
 //! A point of a curve in the plane of observer and point: inverse radius, and azimuth from the
 //! observer.
-struct OrbitPlace {
+struct OrbitPosition {
   double u, phi;
 };
-std::vector<OrbitPlace> orbit_of(const RayCase& ray, const std::vector<Place>& curve) {
+std::vector<OrbitPosition> orbit_of(const RayCase& ray, const std::vector<Point>& curve) {
   const ConnectionPlane plane = connection_plane(ray.observer, ray.point);
   const double side = ray.order % 2 == 1 ? 1.0 : -1.0;
-  std::vector<OrbitPlace> orbit;
+  std::vector<OrbitPosition> orbit;
   double before = 0.0;
-  for (auto place = curve.rbegin(); place != curve.rend(); ++place) {
-    const double phi = std::atan2(side * dot(plane.across, *place), dot(plane.outward, *place));
+  for (auto position = curve.rbegin(); position != curve.rend(); ++position) {
+    const double phi = std::atan2(side * dot(plane.across, *position), dot(plane.outward, *position));
     before += std::remainder(phi - before, 2.0 * 3.14159265358979323846);
-    orbit.push_back({1.0 / length_of(*place), before});
+    orbit.push_back({1.0 / length_of(*position), before});
   }
   return orbit;
 }
 
 TEST(LightCurve, BeginsAtThePointAndEndsAtTheObserver) {
   for (const RayCase& ray : ray_cases) {
-    const std::vector<Place> curve = light_curve(ray.observer, ray.point, ray.order);
+    const std::vector<Point> curve = light_curve(ray.observer, ray.point, ray.order);
     ASSERT_GT(curve.size(), 30U);
     EXPECT_LT(length_of(curve.front() - ray.point), 1e-12 * length_of(ray.point));
     EXPECT_LT(length_of(curve.back() - ray.observer), 1e-12 * length_of(ray.observer));
@@ -53,16 +53,16 @@ TEST(LightCurve, BeginsAtThePointAndEndsAtTheObserver) {
 
 TEST(LightCurve, StaysInThePlaneOfTheHoleTheObserverAndThePoint) {
   for (const RayCase& ray : ray_cases) {
-    const Place normal = cross(ray.observer, ray.point);
-    for (const Place& place : light_curve(ray.observer, ray.point, ray.order)) {
-      EXPECT_LT(std::abs(dot(normal, place)), 1e-12 * length_of(normal) * length_of(place));
+    const Point normal = cross(ray.observer, ray.point);
+    for (const Point& position : light_curve(ray.observer, ray.point, ray.order)) {
+      EXPECT_LT(std::abs(dot(normal, position)), 1e-12 * length_of(normal) * length_of(position));
     }
   }
 }
 
 TEST(LightCurve, FulfilsTheEquationOfItsOrbit) {
   for (const RayCase& ray : ray_cases) {
-    const std::vector<OrbitPlace> orbit = orbit_of(ray, light_curve(ray.observer, ray.point, ray.order));
+    const std::vector<OrbitPosition> orbit = orbit_of(ray, light_curve(ray.observer, ray.point, ray.order));
     const ConnectionPlane plane = connection_plane(ray.observer, ray.point);
     const double angle = image_angle(plane.phi, ray.order);
     const double b = connecting_ray(plane.r_observer, plane.r, angle).impact_parameter;
@@ -82,7 +82,7 @@ TEST(LightCurve, FulfilsTheEquationOfItsOrbit) {
 
 TEST(LightCurve, SweepsTheAzimuthOfItsImage) {
   for (const RayCase& ray : ray_cases) {
-    const std::vector<OrbitPlace> orbit = orbit_of(ray, light_curve(ray.observer, ray.point, ray.order));
+    const std::vector<OrbitPosition> orbit = orbit_of(ray, light_curve(ray.observer, ray.point, ray.order));
     const ConnectionPlane plane = connection_plane(ray.observer, ray.point);
     EXPECT_NEAR(orbit.back().phi, image_angle(plane.phi, ray.order), 1e-10);
   }
@@ -94,7 +94,7 @@ TEST(LightCurve, LeavesTheObserverWhereThePointIsSeen) {
     // curve; radial lengths are those that an observer at rest measures.
     const ConnectionPlane plane = connection_plane(ray.observer, ray.point);
     const double angle = image_angle(plane.phi, ray.order);
-    const std::vector<Place> curve = light_curve(ray.observer, ray.point, ray.order);
+    const std::vector<Point> curve = light_curve(ray.observer, ray.point, ray.order);
     const double step = angle / static_cast<double>(curve.size() - 1);
     const auto u = [&](std::size_t i) { return 1.0 / length_of(curve[curve.size() - 1 - i]); };
     const double rate =
@@ -102,8 +102,8 @@ TEST(LightCurve, LeavesTheObserverWhereThePointIsSeen) {
         (60.0 * step);
     const double r = plane.r_observer;
     const double side = ray.order % 2 == 1 ? 1.0 : -1.0;
-    const Place tangent = (-rate * r * r / std::sqrt(1.0 - 2.0 / r)) * plane.outward + (side * r) * plane.across;
-    const Place seen = apparent_place(ray.observer, ray.point, ray.order).direction;
+    const Point tangent = (-rate * r * r / std::sqrt(1.0 - 2.0 / r)) * plane.outward + (side * r) * plane.across;
+    const Point seen = apparent_position(ray.observer, ray.point, ray.order).direction;
     EXPECT_LT(length_of((1.0 / length_of(tangent)) * tangent - seen), 1e-6) << ray.order;
   }
 }
@@ -114,9 +114,9 @@ TEST(LightCurve, WithoutARayThereIsNone) {
 }
 
 TEST(LightCurve, ARadialRayIsAStraightLine) {
-  for (const Place& place : light_curve({40.0, 0.0, 0.0}, {8.0, 0.0, 0.0}, 1)) {
-    EXPECT_EQ(place.y, 0.0);
-    EXPECT_EQ(place.z, 0.0);
+  for (const Point& position : light_curve({40.0, 0.0, 0.0}, {8.0, 0.0, 0.0}, 1)) {
+    EXPECT_EQ(position.y, 0.0);
+    EXPECT_EQ(position.z, 0.0);
   }
 }
 

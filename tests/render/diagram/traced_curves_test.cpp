@@ -10,17 +10,17 @@
 #include "render/diagram/light_curve.h"
 #include "render/diagram/view_outline.h"
 #include "render/lens/direct_lens.h"
-#include "tests/render/diagram/place.h"
+#include "tests/render/diagram/point.h"
 
 // Tests of rays that are traced backwards from a view around spinning holes.
 namespace ergodome {
 namespace {
 
 using test::length_of;
-using test::Place;
+using test::Point;
 
 //! Returns a show with a ball and a camera on the x axis that faces the hole.
-Show ball_show(double spin, const Place& position, double size) {
+Show ball_show(double spin, const Point& position, double size) {
   Show show;
   show.name = "ball";
   show.spin = spin;
@@ -46,11 +46,11 @@ TEST(TracedCurves, ThoseToObjectsBeginOnThemAndEndAtTheEye) {
   const std::vector<TracedCurve> curves = traced_curves(eye, coarse_view(), ObjectRays(show, 0.0), {30, 5, 40.0});
   int meeting = 0;
   for (const TracedCurve& curve : curves) {
-    ASSERT_GT(curve.places.size(), 10U);
-    EXPECT_LT(length_of(curve.places.back() - place_of(eye)), 1e-9);
+    ASSERT_GT(curve.positions.size(), 10U);
+    EXPECT_LT(length_of(curve.positions.back() - position_of(eye)), 1e-9);
     if (curve.end == CurveEnd::object) {
       ++meeting;
-      const double from_middle = length_of(curve.places.front() - show.objects[0].position);
+      const double from_middle = length_of(curve.positions.front() - show.objects[0].position);
       EXPECT_LT(from_middle, 2.0 + 1e-6);
       EXPECT_GT(from_middle, 2.0 * std::cos(pi / 18.0));
     }
@@ -69,12 +69,12 @@ TEST(TracedCurves, WithoutSpinTheyAreTheConnectingOrbits) {
     ++compared;
     // Each point of the traced path must be on the orbit from the closed form. Its distance from
     // the nearest segment is at most the distance of a chord from its arc.
-    const std::vector<Place> orbit = light_curve(place_of(eye), curve.places.front(), curve.order);
+    const std::vector<Point> orbit = light_curve(position_of(eye), curve.positions.front(), curve.order);
     ASSERT_FALSE(orbit.empty());
-    for (const Place& place : curve.places) {
+    for (const Point& position : curve.positions) {
       double nearest = 1e9;
       for (std::size_t i = 1; i < orbit.size(); ++i) {
-        nearest = std::min(nearest, distance_from_segment(place, orbit[i - 1], orbit[i]));
+        nearest = std::min(nearest, distance_from_segment(position, orbit[i - 1], orbit[i]));
       }
       EXPECT_LT(nearest, 3e-3) << curve.order;
     }
@@ -99,11 +99,11 @@ TEST(TracedCurves, OthersLeaveOrFallIntoTheHole) {
   const CameraStation camera = station_of(eye);
   const TracedCurve middle = traced_curve(camera, {-1.0, 0.0, 0.0}, MeshHit{}, 40.0);
   EXPECT_EQ(middle.end, CurveEnd::hole);
-  EXPECT_LT(length_of(middle.places.front()), 1.3 * camera.horizon_r);
+  EXPECT_LT(length_of(middle.positions.front()), 1.3 * camera.horizon_r);
   const TracedCurve beside = traced_curve(camera, {-0.8, 0.0, 0.6}, MeshHit{}, 40.0);
   EXPECT_EQ(beside.end, CurveEnd::sky);
-  EXPECT_GT(length_of(beside.places.front()), 30.0);
-  EXPECT_LE(length_of(beside.places.front()), 40.0);
+  EXPECT_GT(length_of(beside.positions.front()), 30.0);
+  EXPECT_LE(length_of(beside.positions.front()), 40.0);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include "content/camera/camera_path.h"
 #include "content/show/reading/show_reader.h"
 #include "kernels/core/angles.h"
-#include "render/lens/stations/place_turn.h"
+#include "render/lens/stations/lens_position.h"
 #include "render/passes/stars/star_eye.h"
 #include "tests/support/sanitized.h"
 
@@ -32,7 +32,7 @@ class EyesOfAHeadThatGoesRound : public testing::TestWithParam<double> {
   [[nodiscard]] CameraPose pose_at(double time_s) const { return camera_pose(show_, time_s); }
 
   [[nodiscard]] StarEye omni_at(double time_s, double side) const {
-    const EyePlace eye_at = [this, pose = pose_at(time_s)](const Vector3<double>& offset) {
+    const EyeAtOffset eye_at = [this, pose = pose_at(time_s)](const Vector3<double>& offset) {
       return eye_camera(show_, pose, offset);
     };
     const OmniSettings settings = {0.1, 20.0, pi / 3.0, 0.5 * pi, 1e-4};
@@ -46,11 +46,11 @@ class EyesOfAHeadThatGoesRound : public testing::TestWithParam<double> {
                           "show.toml");
 };
 
-TEST_P(EyesOfAHeadThatGoesRound, AreInOnePlace) {
+TEST_P(EyesOfAHeadThatGoesRound, AreInOnePosition) {
   const EyeCamera first = eye_camera(show_, pose_at(0.0), 0.1);
   for (double time_s = 0.0; time_s < 10.0; time_s += 0.013) {
     const EyeCamera eye = eye_camera(show_, pose_at(time_s), 0.1);
-    ASSERT_TRUE(same_place({first.r, first.theta}, {eye.r, eye.theta})) << time_s;
+    ASSERT_TRUE(same_position({first.r, first.theta}, {eye.r, eye.theta})) << time_s;
   }
 }
 
@@ -64,7 +64,7 @@ TEST_P(EyesOfAHeadThatGoesRound, AreServedByOneGridWhereTheyTurnWithTheSight) {
 TEST_P(EyesOfAHeadThatGoesRound, ShareAPlaceWhereItLooksAtTheHole) {
   const EyeCamera left = eye_camera(show_, pose_at(3.0), -0.1);
   const EyeCamera right = eye_camera(show_, pose_at(3.0), 0.1);
-  EXPECT_TRUE(same_place({left.r, left.theta}, {right.r, right.theta}));
+  EXPECT_TRUE(same_position({left.r, left.theta}, {right.r, right.theta}));
 }
 
 TEST_P(EyesOfAHeadThatGoesRound, AreTwoWhereTheyTurnWithTheSight) {
@@ -76,7 +76,7 @@ TEST_P(EyesOfAHeadThatGoesRound, AreElsewhereWhereItComesNearer) {
   nearer.r -= 1e-6;
   const EyeCamera eye = eye_camera(show_, pose_at(0.0), 0.1);
   const EyeCamera moved = eye_camera(show_, nearer, 0.1);
-  EXPECT_FALSE(same_place({eye.r, eye.theta}, {moved.r, moved.theta}));
+  EXPECT_FALSE(same_position({eye.r, eye.theta}, {moved.r, moved.theta}));
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, EyesOfAHeadThatGoesRound, testing::Values(1.2, 5.0, 500.0));

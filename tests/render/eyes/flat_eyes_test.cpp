@@ -29,9 +29,9 @@ using namespace test;  // NOLINT(google-build-using-namespace): shows of tests
 bool meets_horizon(const CameraStation& camera, const Vector3<double>& m, const Vector3<double>& eye) {
   for (int i = 0; i < 3000; ++i) {
     const double s = 0.05 * std::pow(1.004, i);
-    const Vector3<double> place = eye + s * m;
-    const double distance = std::sqrt(dot(place, place));
-    const Vector3<double> n = (1.0 / distance) * place;
+    const Vector3<double> position = eye + s * m;
+    const double distance = std::sqrt(dot(position, position));
+    const Vector3<double> n = (1.0 / distance) * position;
     if (!direction_is_bright(camera, n) && distance >= affine_distance(camera, n, camera.horizon_r)) {
       return true;
     }

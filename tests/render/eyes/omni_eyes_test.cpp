@@ -33,7 +33,7 @@ struct OmniErrors {
 OmniErrors omni_errors(const Show& show, double half_baseline, double side, const Projection& projection,
                        double convergence, LensChoice choice) {
   const CameraPose pose = camera_pose(show, 0.0);
-  const EyePlace eye_at = [&](const Vector3<double>& offset) { return eye_camera(show, pose, offset); };
+  const EyeAtOffset eye_at = [&](const Vector3<double>& offset) { return eye_camera(show, pose, offset); };
   const OmniSettings settings = {half_baseline, convergence, pi / 3.0, 0.5 * pi, 0.05 * pixel_angle(projection)};
   const auto cameras = std::make_shared<const OmniCamera>(Backend::cpu, eye_at, settings);
   const auto lens =
@@ -61,7 +61,7 @@ OmniErrors omni_errors(const Show& show, double half_baseline, double side, cons
       continue;
     }
     const Vector3<double> view = direction_from_pixel(projection, x_px, y_px);
-    const auto [camera, n] = test::own_ray(eye_at, view, side * half_baseline, convergence);
+    const auto [camera, n] = test::direct_ray(eye_at, view, side * half_baseline, convergence);
     const bool bright = direction_is_bright(camera, n);
     const float covered = out.coverage[at];
     if (covered > 0.0F && covered < 1.0F) {
@@ -143,7 +143,7 @@ TEST(OmniEyes, AgreeOnTheSpinAxis) {
 
 TEST(OmniEyes, AreRefusedWhereNoCamerasLie) {
   const Show show = show_of_eyes("model = \"omni\"\n");
-  const EyePlace eye_at = [&](const Vector3<double>& offset) {
+  const EyeAtOffset eye_at = [&](const Vector3<double>& offset) {
     return eye_camera(show, camera_pose(show, 0.0), offset);
   };
   EXPECT_THROW(OmniCamera(Backend::cpu, eye_at, {20.0}), Error);

@@ -103,12 +103,12 @@ TEST(PhysicalEyes, ThatAreMadeInTurnAreThoseThatAreMadeAlone) {
           renderer.render_eye(pose, offset, converged_projection(projection, offset, convergence), ViewMode::sky);
       EXPECT_EQ(eyes[i].lens, std::string("live"));
       EXPECT_EQ(eyes[i].unresolved_pixels, alone.unresolved_pixels);
-      double greatest = 0.0;
+      double maximum = 0.0;
       for (std::size_t at = 0; at < alone.rgba.size(); ++at) {
         const double light = static_cast<double>(alone.rgba[at]);
-        greatest = std::max(greatest, std::abs(static_cast<double>(eyes[i].rgba[at]) - light) / (light + 1e-2));
+        maximum = std::max(maximum, std::abs(static_cast<double>(eyes[i].rgba[at]) - light) / (light + 1e-2));
       }
-      EXPECT_LT(greatest, 1e-4) << i << " " << convergence;
+      EXPECT_LT(maximum, 1e-4) << i << " " << convergence;
     }
   }
 }
@@ -145,36 +145,36 @@ TEST(StereoModels, SwapTheirPicturesWhenEyesAreSwapped) {
   }
 }
 
-Disparity disparity_of(const std::string& stereo, const std::string& place = "r = 9\n") {
-  const Show show = show_of_eyes(stereo, "projection = \"pinhole\"\nfov_deg = 100\n", place);
+Disparity disparity_of(const std::string& stereo, const std::string& position = "r = 9\n") {
+  const Show show = show_of_eyes(stereo, "projection = \"pinhole\"\nfov_deg = 100\n", position);
   return frame_disparity(show, camera_pose(show, 0.0), make_projection(show.view, 400, 0.0), {}, {}).value();
 }
 
 TEST(Disparities, AreNoneAtBaselineZeroAndInTheSkyOfTheFlatModel) {
   for (const char* stereo : {"", "model = \"omni\"\n", "model = \"flat\"\nbaseline = 1\n"}) {
     const Disparity disparity = disparity_of(stereo);
-    EXPECT_NEAR(disparity.least_px, 0.0, 1e-3) << stereo;
-    EXPECT_NEAR(disparity.greatest_arcmin, 0.0, 1e-3) << stereo;
+    EXPECT_NEAR(disparity.min_px, 0.0, 1e-3) << stereo;
+    EXPECT_NEAR(disparity.max_arcmin, 0.0, 1e-3) << stereo;
   }
 }
 
 TEST(Disparities, OfAFarShadowAreTheBaselineOverTheDistance) {
   const Disparity disparity = disparity_of("baseline = 2\n", "r = 1000\n");
-  EXPECT_NEAR(disparity.least_arcmin, -60.0 * 180.0 / pi * 2.0 / 1000.0, 0.3);
+  EXPECT_NEAR(disparity.min_arcmin, -60.0 * 180.0 / pi * 2.0 / 1000.0, 0.3);
 }
 
 TEST(Disparities, OfAShadowThatNoPictureShowsDoNotCount) {
-  EXPECT_NEAR(disparity_of("baseline = 2\n", "r = 1000\nyaw_deg = 180\n").least_arcmin, 0.0, 0.1);
+  EXPECT_NEAR(disparity_of("baseline = 2\n", "r = 1000\nyaw_deg = 180\n").min_arcmin, 0.0, 0.1);
 }
 
 TEST(Disparities, OfConvergingEyesAreShiftedByTheirTurn) {
-  const double apart = disparity_of("baseline = 2\n", "r = 1000\n").least_px;
+  const double apart = disparity_of("baseline = 2\n", "r = 1000\n").min_px;
   const Disparity turned = disparity_of("baseline = 2\nconvergence = 1000\n", "r = 1000\n");
   // Zero parallax is at the distance of the hole: points there have no disparity, and the sky is
   // behind them.
   EXPECT_LT(apart, -0.25);
-  EXPECT_NEAR(turned.least_px, 0.0, 0.02);
-  EXPECT_NEAR(turned.greatest_px, -apart, 0.04);
+  EXPECT_NEAR(turned.min_px, 0.0, 0.02);
+  EXPECT_NEAR(turned.max_px, -apart, 0.04);
 }
 
 TEST(Disparities, OfTheSkyAreSteadyWhereSingleDirectionsComeNextToTheRing) {
@@ -190,8 +190,8 @@ TEST(Disparities, OfTheSkyAreSteadyWhereSingleDirectionsComeNextToTheRing) {
     pose.theta += 0.001 * i;
     range_deg.push_back(frame_disparity(show, pose, make_projection(show.view, 1280, 0.0), {}, {}).value().range_deg());
   }
-  const auto [least, greatest] = std::ranges::minmax(range_deg);
-  EXPECT_LT(greatest, 1.3 * least);
+  const auto [minimum, maximum] = std::ranges::minmax(range_deg);
+  EXPECT_LT(maximum, 1.3 * minimum);
 }
 
 TEST(Disparities, OfASkyThatIsBlackDoNotCount) {

@@ -13,7 +13,7 @@ namespace {
 //! The axes of a view that faces the hole: right is e_φ, up is -e_θ, back is e_r.
 constexpr double at_hole[3][3] = {{0, 0, 1}, {0, -1, 0}, {1, 0, 0}};
 
-double place(const EyeEvent& eye, int axis) {
+double position(const EyeEvent& eye, int axis) {
   const double across = eye.r * std::sin(eye.theta);
   return axis == 0 ? across * std::cos(eye.phi) : axis == 1 ? across * std::sin(eye.phi) : eye.r * std::cos(eye.theta);
 }
@@ -48,7 +48,7 @@ TEST(StereoRig, FarFromTheHoleOffsetsAreThoseOfFlatSpace) {
   const EyeEvent right = eye_event(Spacetime{0.9}, 1e6, 1.0, 0.5, at_hole, {10.0, 0.0, 0.0}, {1.5});
   double squared = 0.0;
   for (int axis = 0; axis < 3; ++axis) {
-    squared += std::pow(place(right, axis) - place(left, axis), 2);
+    squared += std::pow(position(right, axis) - position(left, axis), 2);
   }
   EXPECT_NEAR(std::sqrt(squared), 20.0, 1e-4);
 }

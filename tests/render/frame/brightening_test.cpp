@@ -89,8 +89,8 @@ TEST(Brightening, IsWhatTheMagnificationViewShows) {
   const std::vector<float> factors = brightened(aside, projection);
   const HeatRange range = heat_range(ViewMode::magnification);
   for (const std::size_t i : {std::size_t{10}, std::size_t{2000}, std::size_t{4000}}) {
-    const double place = std::log(static_cast<double>(factors[i]) / range.low) / std::log(range.high / range.low);
-    const Vector3<float> colour = heat_color(static_cast<float>(place));
+    const double position = std::log(static_cast<double>(factors[i]) / range.low) / std::log(range.high / range.low);
+    const Vector3<float> colour = heat_color(static_cast<float>(position));
     EXPECT_NEAR(view.rgba[4 * i], srgb_decoded(colour.x), 5e-3F);
     EXPECT_NEAR(view.rgba[4 * i + 1], srgb_decoded(colour.y), 5e-3F);
     EXPECT_NEAR(view.rgba[4 * i + 2], srgb_decoded(colour.z), 5e-3F);

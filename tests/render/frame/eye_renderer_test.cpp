@@ -147,16 +147,16 @@ TEST(EyeRenderer, BlocksOfRowsMakeOnePicture) {
   PictureSettings settings;
   settings.lens = LensChoice::direct;
   const Picture picture = EyeRenderer(Backend::cpu).render(eye, projection, white_sky(), settings);
-  double least = 1.0;
-  double most = 0.0;
+  double minimum = 1.0;
+  double maximum = 0.0;
   for (int i = 0; i < 2048 * 324; i += 1001) {
     const double coverage = lens.pixels.coverage[i];
     EXPECT_NEAR(picture.rgba[4 * static_cast<std::size_t>(700 * 2048 + i) + 3], coverage, 1e-6);
-    least = std::min(least, coverage);
-    most = std::max(most, coverage);
+    minimum = std::min(minimum, coverage);
+    maximum = std::max(maximum, coverage);
   }
-  EXPECT_EQ(least, 0.0);
-  EXPECT_EQ(most, 1.0);
+  EXPECT_EQ(minimum, 0.0);
+  EXPECT_EQ(maximum, 1.0);
 }
 
 TEST(EyeRenderer, FarAwayHoleIsASpeckOfItsArea) {

@@ -42,7 +42,7 @@ std::size_t meeting(const StarTrails& trails, const std::vector<StarImage>& imag
   std::size_t met = 0;
   for (std::size_t i = 0; i < images.size(); ++i) {
     const auto [first, last] = known.equal_range(images[i].star);
-    const Vector3<float>& at = trails.directions[static_cast<std::size_t>(trails.places) * i + end];
+    const Vector3<float>& at = trails.directions[static_cast<std::size_t>(trails.positions) * i + end];
     met += std::any_of(first, last, [&](const auto& other) {
       const Vector3<float> off = other.second - at;
       return std::sqrt(static_cast<double>(dot(off, off))) < 0.05 * test::fine_pixel;

@@ -111,7 +111,7 @@ class OverlayFrames : public FramesOfASky {
     Overlay image;
     image.image = "sky.png";
     image.presence = always;
-    image.place = {-60.0, 40.0, 0.0};
+    image.position = {-60.0, 40.0, 0.0};
     image.width_deg = 40.0;
     Overlay fisheye;
     fisheye.image = "ring.png";
@@ -122,10 +122,10 @@ class OverlayFrames : public FramesOfASky {
     words.presence = always;
     words.letter_deg = 5.0;
     words.width_deg = 80.0;
-    words.place = {0.0, 12.0, 0.0};
+    words.position = {0.0, 12.0, 0.0};
     words.text = {{"en", "Nothing that falls in comes out again: the shadow"}};
     timeline.captions.push_back(words);
-    words.place = {180.0, 12.0, 0.0};
+    words.position = {180.0, 12.0, 0.0};
     words.color = {1.0, 0.7, 0.2};
     words.text = {{"en", "Was hineinfällt, kommt nicht wieder heraus: größer"}};
     timeline.captions.push_back(words);

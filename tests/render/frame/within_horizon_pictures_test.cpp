@@ -186,9 +186,9 @@ PlaneSight path_sight(double spin, const NearRay<double>& ray, double phi, doubl
 }
 
 //! Eyes of the stereo model `omni` whose cameras are on both sides of the horizon.
-class TurningEyesWithin {
+class OmniEyesWithin {
  public:
-  TurningEyesWithin(const Show& show, double time_s)
+  OmniEyesWithin(const Show& show, double time_s)
       : show_(show),
         pose_(camera_pose(show, time_s)),
         head_(eye_at({0.0, 0.0, 0.0})),
@@ -198,11 +198,11 @@ class TurningEyesWithin {
   //! Compares what the omnidirectional eye sees in a direction with what a single camera at the
   //! position for this direction sees. Returns whether that is the sky.
   bool compare(const Vector3<double>& view, double side) const {
-    const auto [camera, n] = test::own_ray([this](const Vector3<double>& offset) { return eye_at(offset); }, view,
-                                           side * half_baseline, 0.0);
-    const OmniCameraOf<double> turning = cameras_.exact(side);
+    const auto [camera, n] = test::direct_ray([this](const Vector3<double>& offset) { return eye_at(offset); }, view,
+                                              side * half_baseline, 0.0);
+    const OmniCameraOf<double> omni = cameras_.exact(side);
     const RayStart<double> own = start_ray(camera, n);
-    const RayStart<double> seen = start_ray(turning, view);
+    const RayStart<double> seen = start_ray(omni, view);
     // Skips directions near the edge of the shadow, where tiny differences grow large.
     const double dark = darkness(show_.spin, camera.horizon_r, own);
     if (std::abs(dark) < 0.05) {
@@ -214,8 +214,8 @@ class TurningEyesWithin {
       EXPECT_LT(apart_on_sky(sky_of(own, own_phi), sky_of(seen, head_.phi)), 1e-4);
     }
     const PlaneSight a = plane_sight(show_.spin, start_near_ray(camera, n), own_phi, camera.lag);
-    const PlaneSight b = plane_sight(show_.spin, start_near_ray(turning, view), head_.phi, turning.lag);
-    const PlaneSight c = path_sight(show_.spin, start_near_ray(turning, view), head_.phi, turning.lag);
+    const PlaneSight b = plane_sight(show_.spin, start_near_ray(omni, view), head_.phi, omni.lag);
+    const PlaneSight c = path_sight(show_.spin, start_near_ray(omni, view), head_.phi, omni.lag);
     const double r = std::hypot(a.x, a.y);
     // Skips points at the horizon, where azimuths diverge, and far points.
     if (r > (own.u_rate < 0.0 ? 1.7 : 1.03 * camera.horizon_r) && r < 30.0) {
@@ -259,7 +259,7 @@ TEST(WithinHorizonPictures, EyesThatTurnSeeOnBothSidesWhatEachDirectionsOwnCamer
   const Show show = show_through();
   for (const double after_s : {-0.1, -0.005, 0.005, 0.1, 2.0}) {
     SCOPED_TRACE(after_s);
-    const TurningEyesWithin eyes(show, *show.camera.orbit->horizon_s() + after_s);
+    const OmniEyesWithin eyes(show, *show.camera.orbit->horizon_s() + after_s);
     int bright = 0;
     for (int i = 0; i < 200; ++i) {
       const double y = -0.98 + 1.96 * i / 199.0;
@@ -275,7 +275,7 @@ TEST(WithinHorizonPictures, EyesThatTurnSeeOnBothSidesWhatEachDirectionsOwnCamer
 // coordinates, not that of the head in ingoing Kerr coordinates.
 TEST(WithinHorizonPictures, EyesThatTurnSeeWhatIsBeneathThemBesideTheHorizon) {
   const Show show = show_through();
-  const TurningEyesWithin eyes(show, *show.camera.orbit->horizon_s() - 0.21);
+  const OmniEyesWithin eyes(show, *show.camera.orbit->horizon_s() - 0.21);
   int beneath = 0;
   for (int i = 0; i < 1500; ++i) {
     const double y = -0.98 + 1.96 * i / 1499.0;

@@ -40,22 +40,22 @@ long unresolved_pixels(const EyeCamera& eye, int step_limit) {
   return std::count_if(estimates, estimates + pixels, [](float estimate) { return estimate < 0.0F; });
 }
 
-class DirectLensSteps : public testing::TestWithParam<Place> {};
+class DirectLensSteps : public testing::TestWithParam<CameraState> {};
 
 TEST_P(DirectLensSteps, AreAsManyAsLightTakesThatComesToAnEnd) {
-  const EyeCamera eye = eye_at_place(GetParam());
+  const EyeCamera eye = eye_at_position(GetParam());
   EXPECT_EQ(unresolved_pixels(eye, 0), unresolved_pixels(eye, 1000));
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, DirectLensSteps,
-                         testing::Values(places[0], places[1], places[2],
-                                         Place{0.999, 1.06, pi / 2, 0.0, ObserverMotion::zamo},
-                                         Place{0.999, 2.5, 1.2, 0.0, ObserverMotion::zamo},
-                                         Place{1.0, 1.3, pi / 2, 0.0, ObserverMotion::zamo}),
+                         testing::Values(positions[0], positions[1], positions[2],
+                                         CameraState{0.999, 1.06, pi / 2, 0.0, ObserverMotion::zamo},
+                                         CameraState{0.999, 2.5, 1.2, 0.0, ObserverMotion::zamo},
+                                         CameraState{1.0, 1.3, pi / 2, 0.0, ObserverMotion::zamo}),
                          [](const auto& each) { return "Camera" + std::to_string(each.index); });
 
 TEST(DirectLensStep, LimitsAreFeltWhereTheyAreTooLow) {
-  const EyeCamera eye = eye_at_place(places[0]);
+  const EyeCamera eye = eye_at_position(positions[0]);
   EXPECT_GT(unresolved_pixels(eye, 8), 10 * unresolved_pixels(eye, 0));
 }
 

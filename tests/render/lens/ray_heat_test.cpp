@@ -51,18 +51,18 @@ TEST(RayHeat, OfAShellIsHotAtThePolesInPolarAnglesAlone) {
   const std::vector<WatchedShell> shell = {{1.0F / 4.0F, true}};
   const StepPicture polar = steps_of(TraceMethod::baseline_rk34, shell);
   const StepPicture ours = steps_of(TraceMethod::taylor, shell);
-  const auto most_in = [](const StepPicture& picture, int left, int right) {
-    float most = 0.0F;
+  const auto max_in = [](const StepPicture& picture, int left, int right) {
+    float maximum = 0.0F;
     for (int y = 0; y < heat_size_px; ++y) {
       for (int x = left; x < right; ++x) {
-        most = std::max(most, picture.at(x, y));
+        maximum = std::max(maximum, picture.at(x, y));
       }
     }
-    return most;
+    return maximum;
   };
   constexpr int middle = heat_size_px / 2;
-  EXPECT_GT(most_in(polar, middle - 1, middle + 2), 4.0F * middle_of(polar.steps));
-  EXPECT_LE(most_in(ours, 0, heat_size_px), 3.0F * middle_of(ours.steps));
+  EXPECT_GT(max_in(polar, middle - 1, middle + 2), 4.0F * middle_of(polar.steps));
+  EXPECT_LE(max_in(ours, 0, heat_size_px), 3.0F * middle_of(ours.steps));
   EXPECT_LT(10.0F * middle_of(ours.steps), middle_of(polar.steps));
 }
 

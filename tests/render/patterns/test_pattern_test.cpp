@@ -9,7 +9,7 @@
 #include "kernels/core/error.h"
 #include "kernels/projection/make_projection.h"
 #include "render/output/tone_map.h"
-#include "render/patterns/pattern_place.h"
+#include "render/patterns/pattern_position.h"
 
 namespace ergodome {
 namespace {
@@ -75,7 +75,7 @@ TEST(TestPatterns, GreyStepsEndAtTheHorizonOfATiltedDome) {
   int lit = 0;
   for (int y = 0; y < picture.height; ++y) {
     for (int x = 0; x < picture.width; ++x) {
-      const double elevation_deg = pattern_place(tilted, x + 0.5, y + 0.5).elevation_deg;
+      const double elevation_deg = pattern_position(tilted, x + 0.5, y + 0.5).elevation_deg;
       const bool light = pattern_light_at(picture, x, y)[0] > 0.0F;
       lit += light ? 1 : 0;
       EXPECT_FALSE(light && elevation_deg < -1.0) << x << ' ' << y;

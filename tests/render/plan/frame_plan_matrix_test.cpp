@@ -131,7 +131,7 @@ TEST_F(FramePlans, HoldForEffectsThatComeAndGo) {
     for (NumberKey& key : show.timeline.animations[0].keys) {
       key.time_s += 10.0;
     }
-    if (find_animatable(path)->limits.least == 0.0) {
+    if (find_animatable(path)->limits.minimum == 0.0) {
       expect_as_planned(show, request());
     }
   }

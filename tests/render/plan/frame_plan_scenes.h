@@ -101,7 +101,7 @@ inline Show animated(Show show, const char* path, double value) {
     }
   }
   show.lines[std::string("animate.") + path] = 99;
-  show.timeline.animations.push_back({path, {{0.0, find_animatable(path)->limits.least}, {1.0, value}}});
+  show.timeline.animations.push_back({path, {{0.0, find_animatable(path)->limits.minimum}, {1.0, value}}});
   return show;
 }
 

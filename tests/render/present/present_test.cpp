@@ -322,7 +322,7 @@ TEST_F(Present, TextHasARimThatSetsItOffFromWhite) {
   for (const float ground : {0.0F, 1.0F}) {
     glClearColor(ground, ground, ground, 1.0F);
     glClear(GL_COLOR_BUFFER_BIT);
-    panel.draw(640, 480, PanelPlace::top_left);
+    panel.draw(640, 480, PanelPosition::top_left);
     const auto shown = read_framebuffer(640, 480);
     int darkest = 255;
     for (std::size_t x = 0; x < 100; ++x) {
@@ -339,7 +339,7 @@ TEST_F(Present, TextLiesInItsCornerAlone) {
   glClear(GL_COLOR_BUFFER_BIT);
   TextPanel panel;
   panel.set("12.3 ms\ndubois", 16);
-  panel.draw(640, 480, PanelPlace::top_left);
+  panel.draw(640, 480, PanelPosition::top_left);
   const auto shown = read_framebuffer(640, 480);
   long inside = 0;
   long outside = 0;
@@ -359,7 +359,7 @@ TEST_F(Present, EmptyTextLeavesThePictureAlone) {
   TextPanel panel;
   panel.set("a", 16);
   panel.set("", 16);
-  panel.draw(64, 64, PanelPlace::top_left);
+  panel.draw(64, 64, PanelPosition::top_left);
   for (const auto byte : read_framebuffer(64, 64)) {
     ASSERT_NEAR(byte, 128, 1);
   }

@@ -151,7 +151,7 @@ TEST(Quadtree, EveryDirectionHasALeafAndAFiniteSky) {
         Vector3<double>{-1e-12, 0.0, 1.0}, Vector3<double>{1.0, 0.0, 0.0}, Vector3<double>{0.0, 0.0, -1.0}}) {
     float row = 0.0F;
     float column = 0.0F;
-    quadtree_place(grid.level, n, row, column);
+    quadtree_position(grid.level, n, row, column);
     const SkyAngles sky = read_quadtree(grid, QuadtreeInterpolation::spline, row, column);
     EXPECT_FALSE(in_shadow(sky));
     EXPECT_TRUE(std::isfinite(sky.theta) && std::isfinite(sky.phi));

@@ -26,9 +26,9 @@ namespace {
 const std::string spinning = "[hole]\nspin = 0.9\n[camera]\n[[camera.key]]\nr = 15\ntheta_deg = 75\nphi_deg = 20\n";
 const std::string wide = "[view]\nprojection = \"pinhole\"\nfov_deg = 90\nsize_px = 400\n";
 
-std::string small_ball(const std::string& place, const std::string& method = "trace") {
+std::string small_ball(const std::string& position, const std::string& method = "trace") {
   return "[[objects]]\nmethod = \"" + method + "\"\nshape = \"sphere\"\nsegments = 24\nrings = 12\nsize = 0.08\n" +
-         place + "\n";
+         position + "\n";
 }
 
 std::string eyes(const std::string& model, const std::string& more = "baseline = 0.4\n") {
@@ -95,7 +95,7 @@ double apart_in_pictures(const Show& show) {
 void expect_ball_of_pictures(const std::string& scene) {
   const Show show = black_show(scene);
   const double drawn = apart_in_pictures(show);
-  const double counted = disparity_of(show).least_px;
+  const double counted = disparity_of(show).min_px;
   EXPECT_LT(drawn, -5.0);
   EXPECT_LT(counted, drawn);
   EXPECT_GT(counted, 1.04 * drawn);
@@ -127,9 +127,9 @@ TEST(NearDisparity, OfEyesThatConvergeIsThatOfTheirPictures) {
     return black_show(spinning + wide + small_ball("position = [11, 4, 2.5]") + stereo);
   };
   for (const char* const model : {"physical", "omni"}) {
-    const double apart = disparity_of(show_of(eyes(model))).least_px;
+    const double apart = disparity_of(show_of(eyes(model))).min_px;
     const Show show = show_of(eyes(model, "baseline = 0.4\nconvergence = 9\n"));
-    EXPECT_NEAR(disparity_of(show).least_px, apart_in_pictures(show), 0.04 * std::abs(apart)) << model;
+    EXPECT_NEAR(disparity_of(show).min_px, apart_in_pictures(show), 0.04 * std::abs(apart)) << model;
   }
 }
 
@@ -137,7 +137,7 @@ TEST(NearDisparity, FarFromTheHoleIsTheBaselineOverTheDistance) {
   const std::string far = "[hole]\nspin = 0.9\n[camera]\n[[camera.key]]\nr = 2000\ntheta_deg = 90\n";
   for (const char* const model : {"physical", "flat", "omni"}) {
     const Show show = black_show(far + wide + small_ball("position = [1980, 0, 0]") + eyes(model));
-    EXPECT_NEAR(disparity_of(show).least_arcmin, -60.0 / one_degree * 0.4 / (20.0 - 0.08), 0.2) << model;
+    EXPECT_NEAR(disparity_of(show).min_arcmin, -60.0 / one_degree * 0.4 / (20.0 - 0.08), 0.2) << model;
   }
 }
 
@@ -149,12 +149,12 @@ TEST(NearDisparity, OnADomeIsAcrossForWhoLooksThereInTheModelOmni) {
   // atan(20 / 6).
   const double zenith_angle = std::atan2(20.0, 6.0);
   const double turn = 0.4 / (std::hypot(20.0, 6.0) - 0.08);
-  for (const char* const place : {"[1980, 0, 6]", "[2020, 0, 6]", "[2000, 20, 6]", "[2000, -20, 6]"}) {
+  for (const char* const position : {"[1980, 0, 6]", "[2020, 0, 6]", "[2000, 20, 6]", "[2000, -20, 6]"}) {
     const Disparity found =
-        disparity_of(black_show(dome + small_ball(std::string("position = ") + place) + eyes("omni")));
-    EXPECT_NEAR(found.least_arcmin, -60.0 / one_degree * turn, 0.5) << place;
-    EXPECT_NEAR(found.least_px, -200.0 / (90.0 * one_degree) * zenith_angle / std::sin(zenith_angle) * turn, 0.03)
-        << place;
+        disparity_of(black_show(dome + small_ball(std::string("position = ") + position) + eyes("omni")));
+    EXPECT_NEAR(found.min_arcmin, -60.0 / one_degree * turn, 0.5) << position;
+    EXPECT_NEAR(found.min_px, -200.0 / (90.0 * one_degree) * zenith_angle / std::sin(zenith_angle) * turn, 0.03)
+        << position;
   }
 }
 
@@ -169,7 +169,7 @@ TEST(NearDisparity, OfALargeThingIsThatOfItsNearestPlace) {
   for (const std::string& thing : {ball, plate}) {
     for (const char* const model : {"physical", "flat"}) {
       const Disparity found = disparity_of(black_show(far + thing + eyes(model)));
-      EXPECT_NEAR(found.least_arcmin, -60.0 / one_degree * 0.4 / 5.0, 3.0) << model;
+      EXPECT_NEAR(found.min_arcmin, -60.0 / one_degree * 0.4 / 5.0, 3.0) << model;
     }
   }
 }
@@ -182,8 +182,8 @@ TEST(NearDisparity, OfAThingAboutTheCameraIsThatOfWhatThePictureShows) {
   // The camera is inside a large ball. Straight ahead, the surface is 25 M away; in the corners of
   // the picture, its depth is 10.6 M. Behind the camera it is only 5 M away, but not visible.
   const Disparity found = disparity_of(black_show(far + ball + eyes("physical")));
-  EXPECT_NEAR(found.greatest_px, -200.0 * 0.4 / 25.0, 0.1);
-  EXPECT_NEAR(found.least_px, -200.0 * 0.4 / 10.6, 0.3);
+  EXPECT_NEAR(found.max_px, -200.0 * 0.4 / 25.0, 0.1);
+  EXPECT_NEAR(found.min_px, -200.0 * 0.4 / 10.6, 0.3);
 }
 
 TEST(NearDisparity, IsThereForWhatStandsAbreastOfTheHole) {
@@ -192,7 +192,7 @@ TEST(NearDisparity, IsThereForWhatStandsAbreastOfTheHole) {
                            std::to_string(7.0 * std::sin(phi_deg * one_degree)) + ", 0]";
     const Show show = black_show(spinning + wide + small_ball(at) + eyes("flat"));
     ASSERT_TRUE(near_disparity_of(show)) << phi_deg;
-    EXPECT_LT(near_disparity_of(show)->least_px, -3.0) << phi_deg;
+    EXPECT_LT(near_disparity_of(show)->min_px, -3.0) << phi_deg;
   }
 }
 
@@ -219,7 +219,7 @@ TEST(NearDisparity, OfEyesFartherApartThanAThingIsAwayIsANumber) {
     const Show show =
         black_show(spinning + wide + small_ball("position = [13, 4.7, 3.7]") + eyes(model, "baseline = 6\n"));
     const auto found = near_disparity_of(show);
-    EXPECT_TRUE(!found || std::abs(found->least_px) < 4000.0) << model;
+    EXPECT_TRUE(!found || std::abs(found->min_px) < 4000.0) << model;
   }
 }
 
@@ -235,8 +235,8 @@ TEST(NearDisparity, LeavesOutCornersThatAreNoNumbersOrOfNoTriangle) {
 }
 
 TEST(NearDisparity, OfWhatNoPictureShowsDoesNotCount) {
-  for (const char* const place : {"position = [18, 7, 4]", "position = [13, -9, 4]"}) {
-    EXPECT_FALSE(near_disparity_of(black_show(spinning + wide + small_ball(place) + eyes("physical")))) << place;
+  for (const char* const position : {"position = [18, 7, 4]", "position = [13, -9, 4]"}) {
+    EXPECT_FALSE(near_disparity_of(black_show(spinning + wide + small_ball(position) + eyes("physical")))) << position;
   }
 }
 
@@ -248,14 +248,14 @@ TEST(NearDisparity, OfManyThingsIsThatOfTheOneThatIsSeenNearest) {
   for (int i = 0; i < 16; ++i) {
     balls += small_ball("position = [10.69, -5." + std::to_string(450 + i) + ", 0]");
   }
-  const auto least_of = [&](const std::string& objects) {
+  const auto min_of = [&](const std::string& objects) {
     return disparity_of(
                black_show(spinning + "[view]\nprojection = \"equirect\"\nsize_px = 1000\n" + objects + eyes("omni")))
-        .least_px;
+        .min_px;
   };
-  const double of_mover = least_of(mover);
-  EXPECT_LT(of_mover, least_of(balls));
-  EXPECT_EQ(least_of(balls + mover), of_mover);
+  const double of_mover = min_of(mover);
+  EXPECT_LT(of_mover, min_of(balls));
+  EXPECT_EQ(min_of(balls + mover), of_mover);
 }
 
 TEST(NearDisparity, IsPartOfThatOfTheFrame) {
@@ -265,8 +265,8 @@ TEST(NearDisparity, IsPartOfThatOfTheFrame) {
     const auto frame = frame_disparity(with_sky(show), camera_pose(show, 0.0), projection_of(show),
                                        renderer.object_outlines(), renderer.hiding_objects());
     ASSERT_TRUE(frame);
-    EXPECT_EQ(frame->least_px, disparity_of(show).least_px) << model;
-    EXPECT_GT(frame->greatest_px, frame->least_px) << model;
+    EXPECT_EQ(frame->min_px, disparity_of(show).min_px) << model;
+    EXPECT_GT(frame->max_px, frame->min_px) << model;
   }
 }
 
@@ -274,8 +274,8 @@ TEST(NearDisparity, OfTheSkyCountsWhereNothingOpaqueIsBeforeIt) {
   const auto sky_beyond_shell = [](const std::string& opacity) {
     const Show show =
         black_show(spinning + wide + "[[shells]]\nradius = 18\nfill_opacity = " + opacity + "\n" + eyes("flat"));
-    return frame_disparity(with_sky(show), camera_pose(show, 0.0), projection_of(show), {}, {}).value().greatest_px -
-           near_disparity_of(show).value().greatest_px;
+    return frame_disparity(with_sky(show), camera_pose(show, 0.0), projection_of(show), {}, {}).value().max_px -
+           near_disparity_of(show).value().max_px;
   };
   EXPECT_EQ(sky_beyond_shell("1"), 0.0);
   EXPECT_GT(sky_beyond_shell("0.3"), 1.0);
@@ -316,8 +316,8 @@ TEST(NearDisparity, OfADiskCountsBeforeObjectsAlone) {
     }
     return count;
   };
-  const auto ball = [](const char* place) {
-    return "[[objects]]\nmethod = \"trace\"\nshape = \"sphere\"\nsize = 4\nposition = " + std::string(place) + "\n";
+  const auto ball = [](const char* position) {
+    return "[[objects]]\nmethod = \"trace\"\nshape = \"sphere\"\nsize = 4\nposition = " + std::string(position) + "\n";
   };
   EXPECT_GT(sights_beside(""), 5U);
   EXPECT_EQ(sights_beside(ball("[25, 0, 43.3]")), 0U);
@@ -326,14 +326,14 @@ TEST(NearDisparity, OfADiskCountsBeforeObjectsAlone) {
 
 TEST(NearDisparity, OfAShellsNearestPlaceIsThatOfABallThere) {
   // Objects are straight ahead, where the lattice of samples has a point.
-  const auto least_of = [](const std::string& thing, const std::string& stereo) {
+  const auto min_of = [](const std::string& thing, const std::string& stereo) {
     const std::string camera = "[hole]\nspin = 0\n[camera]\n[[camera.key]]\nr = 24\ntheta_deg = 90\n";
-    return disparity_of(black_show(camera + wide + thing + stereo)).least_px;
+    return disparity_of(black_show(camera + wide + thing + stereo)).min_px;
   };
   for (const char* const model : {"physical", "flat"}) {
-    const double of_shell = least_of("[[shells]]\nradius = 18\n", eyes(model));
+    const double of_shell = min_of("[[shells]]\nradius = 18\n", eyes(model));
     EXPECT_LT(of_shell, -5.0);
-    EXPECT_NEAR(of_shell, least_of(small_ball("position = [17.92, 0, 0]"), eyes(model)), 0.02) << model;
+    EXPECT_NEAR(of_shell, min_of(small_ball("position = [17.92, 0, 0]"), eyes(model)), 0.02) << model;
   }
 }
 
@@ -355,14 +355,14 @@ TEST(NearSights, AreSeenWhereTheyWereLookedAt) {
       if (!sight.first) {
         continue;
       }
-      const auto seen = seen_by_camera(head, {sight.place});
+      const auto seen = seen_by_camera(head, {sight.position});
       ASSERT_TRUE(seen);
       const Vector3<double> off = seen->view - view;
       EXPECT_LT(std::sqrt(dot(off, off)), 1e-5);
-      const auto distance = distance_of_place(head, seen->view, sight.place);
+      const auto distance = distance_of_position(head, seen->view, sight.position);
       ASSERT_TRUE(distance);
       EXPECT_NEAR(*distance, sight.distance, 1e-4 * sight.distance);
-      const double r = std::sqrt(dot(sight.place, sight.place));
+      const double r = std::sqrt(dot(sight.position, sight.position));
       (std::abs(r - 3.0) < 1e-6 ? of_shell : of_disk) += 1;
       // affine_distance() finds by another series where light first reaches a radius: at this
       // crossing or, for light that comes back, before its turning point. It may miss light that

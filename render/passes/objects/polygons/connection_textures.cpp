@@ -14,7 +14,7 @@ namespace ergodome {
 namespace {
 
 //! Maximum number of cached tables: for two eyes and a light.
-constexpr std::size_t most_tables = 3;
+constexpr std::size_t max_tables = 3;
 
 }  // namespace
 
@@ -65,7 +65,7 @@ const ConnectionTexture& ConnectionTextures::table(const RadialRange& observers,
     std::rotate(found, found + 1, tables_.end());
     return *tables_.back();
   }
-  if (tables_.size() == most_tables) {
+  if (tables_.size() == max_tables) {
     tables_.erase(tables_.begin());
   }
   tables_.push_back(std::make_unique<ConnectionTexture>(observers, range, orders));

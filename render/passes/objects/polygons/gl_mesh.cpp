@@ -20,7 +20,7 @@ bool shows_image_once(const TriangleMesh& mesh, const MeshPart& part) {
   const auto first = mesh.indices.begin() + static_cast<std::ptrdiff_t>(part.first_index);
   return std::all_of(first, first + static_cast<std::ptrdiff_t>(part.index_count), [&](std::uint32_t index) {
     const auto& at = mesh.vertices[index].texture;
-    return std::ranges::all_of(at, [](float place) { return place >= 0.0F && place <= 1.0F; });
+    return std::ranges::all_of(at, [](float position) { return position >= 0.0F && position <= 1.0F; });
   });
 }
 
@@ -56,8 +56,8 @@ void describe(unsigned vertex_array, unsigned at, int count, std::size_t offset)
 //! Returns the maximum number of patches per draw call if OpenGL renders on the CPU. Mesa 22's
 //! llvmpipe counts the vertices of all tessellated patches of a call in 16 bits, and mixes up
 //! patches beyond that. A patch of level n has about 3/4 n² + 3/2 n + 3 vertices.
-std::uint32_t software_patches(double most_level) {
-  const double level = std::ceil(most_level);
+std::uint32_t software_patches(double max_level) {
+  const double level = std::ceil(max_level);
   return static_cast<std::uint32_t>(65535.0 / (0.75 * level * level + 1.5 * level + 3.0));
 }
 
@@ -103,11 +103,11 @@ void GlMesh::bind() const {
   glPatchParameteri(GL_PATCH_VERTICES, 3);
 }
 
-void GlMesh::draw(const Part& part, double most_level) const {
-  const std::uint32_t most = in_software_ ? 3 * software_patches(most_level) : part.index_count;
-  for (std::uint32_t first = 0; first < part.index_count; first += most) {
+void GlMesh::draw(const Part& part, double max_level) const {
+  const std::uint32_t maximum = in_software_ ? 3 * software_patches(max_level) : part.index_count;
+  for (std::uint32_t first = 0; first < part.index_count; first += maximum) {
     const auto offset = std::size_t{part.first_index + first} * sizeof(std::uint32_t);
-    glDrawElements(GL_PATCHES, static_cast<GLsizei>(std::min(most, part.index_count - first)), GL_UNSIGNED_INT,
+    glDrawElements(GL_PATCHES, static_cast<GLsizei>(std::min(maximum, part.index_count - first)), GL_UNSIGNED_INT,
                    reinterpret_cast<const void*>(offset));  // NOLINT(performance-no-int-to-ptr)
   }
 }

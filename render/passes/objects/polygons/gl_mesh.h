@@ -28,8 +28,8 @@ class GlMesh {
   //! Binds the buffers for the following draw calls.
   void bind() const;
   //! Draws a part as patches of three vertices. The tessellator divides each edge into at most
-  //! `most_level` pieces.
-  void draw(const Part& part, double most_level) const;
+  //! `max_level` pieces.
+  void draw(const Part& part, double max_level) const;
 
  private:
   unsigned vertex_array_ = 0;

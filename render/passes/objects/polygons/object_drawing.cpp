@@ -13,12 +13,12 @@ namespace ergodome {
 namespace {
 
 //! Minimum number of image orders in a table: light of lamps arrives on the two shortest paths.
-constexpr int least_orders = 2;
+constexpr int min_orders = 2;
 constexpr GLsizeiptr eyes_bytes =
-    static_cast<GLsizeiptr>(sizeof(float)) * 4 * turning_groups * omni_terms(omni_most_degree);
+    static_cast<GLsizeiptr>(sizeof(float)) * 4 * omni_groups * omni_terms(omni_max_degree);
 
 int orders_of(std::span<const PlacedObject> objects) {
-  int orders = least_orders;
+  int orders = min_orders;
   for (const PlacedObject& object : objects) {
     orders = std::max(orders, object.settings->images);
   }
@@ -47,9 +47,9 @@ void set_table(int unit, int at, const ConnectionTexture& table, double r) {
 
 double length(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
 
-void set_look(const ObjectSettings& object) {
+void set_appearance(const ObjectSettings& object) {
   const TessellationSettings& tessellation = object.tessellation;
-  glUniform4f(uniform_tessellation, static_cast<float>(tessellation.most), static_cast<float>(tessellation.factor),
+  glUniform4f(uniform_tessellation, static_cast<float>(tessellation.maximum), static_cast<float>(tessellation.factor),
               static_cast<float>(tessellation.power), static_cast<float>(object.torn));
   const CheckerSettings checker = object.checker.value_or(CheckerSettings{0, 0, 1.0});
   glUniform3f(uniform_checker, static_cast<float>(checker.columns), static_cast<float>(checker.rows),
@@ -57,8 +57,8 @@ void set_look(const ObjectSettings& object) {
 }
 
 ObjectSight sight_of(const ObjectDrawing::Scene& scene) {
-  if (scene.turning != nullptr) {
-    return ObjectSight::turning;
+  if (scene.omni != nullptr) {
+    return ObjectSight::omni;
   }
   return scene.beside < 0.0 || scene.beside > 0.0 ? ObjectSight::beside : ObjectSight::camera;
 }
@@ -93,34 +93,33 @@ void ObjectDrawing::use_program(const Scene& scene) {
     program = object_program(sight);
   }
   glUseProgram(program);
-  if (sight == ObjectSight::turning) {
-    set_turning(*scene.turning);
+  if (sight == ObjectSight::omni) {
+    set_omni_view(*scene.omni);
   } else if (sight == ObjectSight::beside) {
     glUniform1f(uniform_beside, static_cast<float>(scene.beside));
   }
 }
 
-void ObjectDrawing::set_turning(const TurningView& turning) {
+void ObjectDrawing::set_omni_view(const OmniView& omni) {
   if (eyes_ == 0) {
     glCreateBuffers(1, &eyes_);
     glNamedBufferStorage(eyes_, eyes_bytes, nullptr, GL_DYNAMIC_STORAGE_BIT);
   }
   glBindBufferBase(GL_UNIFORM_BUFFER, block_eyes, eyes_);
-  glUniform1i(uniform_degree, turning.degree);
-  const OmniCameraOf<float>& eye = turning.eye;
-  glUniform4f(uniform_turning, eye.offset, eye.inverse_convergence, eye.fade_begin, eye.fade_scale);
+  glUniform1i(uniform_degree, omni.degree);
+  const OmniCameraOf<float>& eye = omni.eye;
+  glUniform4f(uniform_omni, eye.offset, eye.inverse_convergence, eye.fade_begin, eye.fade_scale);
   glUniform1f(uniform_inverse_reach, eye.inverse_reach);
-  const std::vector<float>& numbers = turning.coefficients;
+  const std::vector<float>& numbers = omni.coefficients;
   glNamedBufferSubData(eyes_, 0, static_cast<GLsizeiptr>(numbers.size() * sizeof(float)), numbers.data());
 }
 
 void ObjectDrawing::set_tables(const Scene& scene) {
   const int orders = orders_of(scene.objects);
-  const RadialRange observers =
-      scene.turning != nullptr ? scene.turning->radii : RadialRange{scene.view.r, scene.view.r};
+  const RadialRange observers = scene.omni != nullptr ? scene.omni->radii : RadialRange{scene.view.r, scene.view.r};
   const ConnectionTexture& table = tables_.table(observers, scene.range, orders);
   set_table(unit_table, uniform_table_range, table, scene.view.r);
-  if (scene.turning != nullptr) {
+  if (scene.omni != nullptr) {
     glUniform2f(uniform_table_observers, static_cast<float>(table.grid().u_observer_low),
                 static_cast<float>(table.grid().u_observer_high));
   }
@@ -129,7 +128,7 @@ void ObjectDrawing::set_tables(const Scene& scene) {
       scene.light && std::ranges::any_of(scene.objects, [](const PlacedObject& o) { return o.settings->lit; });
   if (lit) {
     const double r = length(scene.light->position);
-    set_table(unit_light_table, uniform_light_table_range, tables_.table({r, r}, scene.range, least_orders), r);
+    set_table(unit_light_table, uniform_light_table_range, tables_.table({r, r}, scene.range, min_orders), r);
   }
 }
 
@@ -143,7 +142,7 @@ void ObjectDrawing::draw_object(const Scene& scene, const PlacedObject& object) 
   set_matrix(uniform_model, turned, settings.size);
   set_matrix(uniform_turn, turned, 1.0);
   set_vec3(uniform_position, scene.view.in_frame(placement.position));
-  set_look(settings);
+  set_appearance(settings);
   const bool lit = settings.lit && scene.light;
   const Vector3<double> light = lit ? scene.view.in_frame(scene.light->position) : Vector3<double>{};
   glUniform4f(uniform_light, static_cast<float>(light.x), static_cast<float>(light.y), static_cast<float>(light.z),
@@ -159,7 +158,7 @@ void ObjectDrawing::draw_object(const Scene& scene, const PlacedObject& object) 
     glBindTextureUnit(unit_image, part.image);
     for (int order = 1; order <= settings.images; ++order) {
       glUniform1i(uniform_order, order);
-      mesh.draw(part, settings.tessellation.most);
+      mesh.draw(part, settings.tessellation.maximum);
     }
   }
 }

@@ -11,7 +11,7 @@
 #include "render/passes/objects/polygons/gl_mesh.h"
 #include "render/passes/objects/polygons/object_target.h"
 #include "render/passes/objects/polygons/object_view.h"
-#include "render/passes/objects/polygons/turning_view.h"
+#include "render/passes/objects/polygons/omni_view.h"
 
 namespace ergodome {
 
@@ -43,7 +43,7 @@ class ObjectDrawing {
   struct Scene {
     //! Parameters of the eye; of the head, for an omnidirectional stereo eye.
     ObjectView view;
-    const TurningView* turning;  //!< nullptr unless the eye is omnidirectional
+    const OmniView* omni;  //!< nullptr unless the eye is omnidirectional
     //! Distance of an eye of the model `flat` to the right of the head [M]; otherwise 0.
     double beside;
     std::span<const PlacedObject> objects;
@@ -60,7 +60,7 @@ class ObjectDrawing {
   void draw_object(const Scene& scene, const PlacedObject& object) const;
 
   void use_program(const Scene& scene);
-  void set_turning(const TurningView& turning);
+  void set_omni_view(const OmniView& omni);
 
   //! Shader program for each ObjectSight; the one for cameras is linked immediately, so that driver
   //! errors appear early.

@@ -7,7 +7,7 @@ namespace ergodome {
 
 namespace {
 
-constexpr std::size_t most_triangles = 2048;
+constexpr std::size_t max_triangles = 2048;
 
 Vector3<double> position_of(const SurfaceVertex& vertex) {
   const float(&p)[3] = vertex.position;
@@ -27,7 +27,7 @@ Vector3<double> nearest_of_side(const Vector3<double>& point, const Vector3<doub
 MeshOutline outline_of(const TriangleMesh& mesh) {
   MeshOutline outline;
   const std::size_t triangles = mesh.indices.size() / 3;
-  const std::size_t stride = 1 + triangles / most_triangles;
+  const std::size_t stride = 1 + triangles / max_triangles;
   for (std::size_t i = 0; i < triangles; i += stride) {
     const auto corner = [&](std::size_t k) { return position_of(mesh.vertices[mesh.indices[3 * i + k]]); };
     if (is_finite(corner(0)) && is_finite(corner(1)) && is_finite(corner(2))) {
@@ -37,13 +37,13 @@ MeshOutline outline_of(const TriangleMesh& mesh) {
   return outline;
 }
 
-Vector3<double> PlacedOutline::seen(const Vector3<double>& place, double travel_time) const {
+Vector3<double> PlacedOutline::seen(const Vector3<double>& position, double travel_time) const {
   if (!retarded) {
-    return place;
+    return position;
   }
   const double angle = placement.rate * travel_time;
   const Vector3<double> then = std::cos(angle) * placement.position - std::sin(angle) * placement.ahead;
-  return place + (then - placement.position);
+  return position + (then - placement.position);
 }
 
 std::vector<PlacedOutline> place_outlines(const std::vector<ObjectSettings>& objects,

@@ -23,22 +23,22 @@ struct PlacedOutline {
   //! True: the object is seen at its position at the time when the light left it.
   bool retarded = false;
 
-  //! Returns the position at which an observer sees the point `place` of the object, if its light
-  //! travels for `travel_time` [M].
-  [[nodiscard]] Vector3<double> seen(const Vector3<double>& place, double travel_time) const;
+  //! Returns the position at which an observer sees the point `position` of the object, if its
+  //! light travels for `travel_time` [M].
+  [[nodiscard]] Vector3<double> seen(const Vector3<double>& position, double travel_time) const;
 };
 
 //! A point near the hole that eyes see: on an object, which may move during the light travel time,
 //! or at rest.
 struct SeenThing {
   //! Position at the time of the camera, pseudo-Cartesian [M].
-  Vector3<double> place;
+  Vector3<double> position;
   //! Object to which the point belongs; nullptr for a point at rest.
   const PlacedOutline* object = nullptr;
 
   //! Returns the position at which the point is seen, if its light travels for `travel_time` [M].
   [[nodiscard]] Vector3<double> at(double travel_time) const {
-    return object != nullptr ? object->seen(place, travel_time) : place;
+    return object != nullptr ? object->seen(position, travel_time) : position;
   }
   [[nodiscard]] bool moves() const { return object != nullptr && object->retarded; }
 };

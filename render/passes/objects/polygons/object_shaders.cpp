@@ -235,7 +235,7 @@ void main() {
 )";
 
 std::string sight_version(ObjectSight sight) {
-  const char* const defined = sight == ObjectSight::turning  ? "#define TURNING\n"
+  const char* const defined = sight == ObjectSight::omni     ? "#define TURNING\n"
                               : sight == ObjectSight::beside ? "#define BESIDE\n"
                                                              : "";
   return std::string(version) + defined;

@@ -3,7 +3,7 @@
 #include <string>
 
 // The five shaders that draw objects: Müller, Schulz & Weiskopf (2021), section 3.2, figure 7. The
-// physics is that of kernels/schwarzschild in single precision (apparent_place.h,
+// physics is that of kernels/schwarzschild in single precision (apparent_position.h,
 // connection_table.h and tessellation.h), and the projections are those of kernels/projection.
 namespace ergodome {
 
@@ -37,7 +37,7 @@ enum ObjectUniform : int {
   uniform_table_observers = 21,  //!< vec2: minimum and maximum of the observers' 1/r in the table
   //! Vec4: ODS eyes as in OmniCameraOf: offset, inverse of the convergence distance, start of the
   //! fade, scale of the fade.
-  uniform_turning = 22,
+  uniform_omni = 22,
   uniform_inverse_reach = 23,   //!< float
   uniform_degree = 24,          //!< int: degree of the polynomials
   uniform_face_from_view = 25,  //!< mat3
@@ -49,13 +49,13 @@ inline constexpr int unit_table = 0;
 inline constexpr int unit_light_table = 1;
 inline constexpr int unit_image = 2;
 
-//! Uniform block: polynomials of omnidirectional stereo eyes (TurningView).
+//! Uniform block: polynomials of omnidirectional stereo eyes (OmniView).
 inline constexpr int block_eyes = 0;
 
 //! What sees the positions: a camera, an omnidirectional stereo eye, or an eye of the model `flat`
 //! beside a head whose lens both eyes use. Each variant of the shaders is compiled separately,
 //! without the uniforms of the others.
-enum class ObjectSight { camera, turning, beside };
+enum class ObjectSight { camera, omni, beside };
 
 std::string object_vertex_source();
 std::string object_control_source(ObjectSight sight);

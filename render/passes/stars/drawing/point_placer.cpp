@@ -12,8 +12,8 @@ PlacedPoints PointPlacer::place(const PlacedImages& images, const EyeCamera& eye
   if (images.count == 0) {
     return {};
   }
-  const std::vector<StarSheet> sheets = star_sheets(projection, settings);
-  const int count = static_cast<int>(sheets.size()) * images.count;
+  const std::vector<StarRegion> regions = star_regions(projection, settings);
+  const int count = static_cast<int>(regions.size()) * images.count;
   reserve(backend_, static_cast<std::size_t>(count), "star points", points_);
   clear(backend_, spiked_, 1);
   StarPointBatch batch{};
@@ -21,9 +21,9 @@ PlacedPoints PointPlacer::place(const PlacedImages& images, const EyeCamera& eye
   batch.images = images.images.data();
   batch.spiked = spiked_.data();
   batch.count = images.count;
-  for (const StarSheet& sheet : sheets) {
-    batch.sheet = sheet;
-    batch.points = points_.data() + static_cast<std::ptrdiff_t>(sheet.number) * images.count;
+  for (const StarRegion& region : regions) {
+    batch.region = region;
+    batch.points = points_.data() + static_cast<std::ptrdiff_t>(region.number) * images.count;
     launch(backend_, batch);
   }
   std::int32_t spiked = 0;

@@ -22,9 +22,9 @@ class ErrorFunction {
   }
 
   float operator()(float x) const {
-    const float place = std::clamp((x + reach) * steps_a_unit, 0.0F, steps - 1e-3F);
-    const int i = static_cast<int>(place);
-    const float t = place - static_cast<float>(i);
+    const float position = std::clamp((x + reach) * steps_a_unit, 0.0F, steps - 1e-3F);
+    const int i = static_cast<int>(position);
+    const float t = position - static_cast<float>(i);
     const Entry& low = entries_[static_cast<std::size_t>(i)];
     const Entry& high = entries_[static_cast<std::size_t>(i) + 1];
     const float rise = high.value - low.value;

@@ -24,8 +24,8 @@ float log_gain(const BlackbodyTable& colours, float log_temperature, float log_r
 int ShiftGains::unshifted_row() { return shifted_rows; }
 
 int ShiftGains::row_of(float frequency_ratio) {
-  const float place = std::ceil((std::log(std::max(frequency_ratio, 1e-30F)) - log_first) / log_step);
-  return static_cast<int>(std::clamp(place, 0.0F, static_cast<float>(shifted_rows - 1)));
+  const float position = std::ceil((std::log(std::max(frequency_ratio, 1e-30F)) - log_first) / log_step);
+  return static_cast<int>(std::clamp(position, 0.0F, static_cast<float>(shifted_rows - 1)));
 }
 
 ShiftGains::ShiftGains(const BlackbodyTable& colours) : rows_(shifted_rows + 1) {

@@ -5,7 +5,7 @@
 
 #include "kernels/launch/parallel_for.h"
 #include "kernels/projection/pixel_measure.h"
-#include "render/passes/stars/drawing/picture_sheets.h"
+#include "render/passes/stars/drawing/picture_regions.h"
 #include "render/passes/stars/drawing/star_splat.h"
 
 // Positions of star images on the screen, and their brightness.
@@ -14,35 +14,35 @@ namespace ergodome {
 namespace {
 
 //! Maximum number of points in a line: enough for a line across a whole 4k dome.
-constexpr int most_line_points = 8192;
+constexpr int max_line_points = 8192;
 
 double row_of_point(const StarPoint& point) { return std::floor(point.y_px); }
 
-//! Collects points on one sheet (PictureSheet), in pixel coordinates of the sheet.
+//! Collects points on one region (PictureRegion), in pixel coordinates of the region.
 class PointList {
  public:
-  PointList(const StarSheet& sheet, std::vector<StarPoint>& points) : sheet_(sheet), points_(points) {}
+  PointList(const StarRegion& region, std::vector<StarPoint>& points) : region_(region), points_(points) {}
 
-  [[nodiscard]] const StarSheet& sheet() const { return sheet_; }
+  [[nodiscard]] const StarRegion& region() const { return region_; }
 
   void add(double x, double y, const Vector3<float>& illuminance, bool has_spikes) {
     StarPoint point;
-    if (point_on_sheet(sheet_, x, y, illuminance, has_spikes, point)) {
+    if (point_in_region(region_, x, y, illuminance, has_spikes, point)) {
       points_.push_back(point);
     }
   }
 
   //! Adds light spread evenly along a line, as points at most half a pixel apart.
   void add_line(const double (&from)[2], const double (&to)[2], const Vector3<float>& illuminance, bool has_spikes) {
-    if (passes_by(from, to, has_spikes ? sheet_.spiked_reach_px : sheet_.reach_px)) {
+    if (passes_by(from, to, has_spikes ? region_.spiked_reach_px : region_.reach_px)) {
       return;
     }
-    const Projection& projection = sheet_.projection;
+    const Projection& projection = region_.projection;
     double way[2] = {to[0] - from[0], to[1] - from[1]};
     if (wraps_around(projection)) {
       way[0] -= projection.width_px * std::round(way[0] / projection.width_px);
     }
-    const int count = std::clamp(static_cast<int>(std::ceil(2.0 * std::hypot(way[0], way[1]))), 1, most_line_points);
+    const int count = std::clamp(static_cast<int>(std::ceil(2.0 * std::hypot(way[0], way[1]))), 1, max_line_points);
     for (int i = 0; i < count; ++i) {
       const double t = (i + 0.5) / count;
       add(from[0] + t * way[0], from[1] + t * way[1], (1.0F / static_cast<float>(count)) * illuminance, has_spikes);
@@ -50,17 +50,17 @@ class PointList {
   }
 
  private:
-  //! Returns whether a line is entirely beyond one side of the sheet, so that it need not be drawn.
-  //! In a plane projection, lines far from the center become arbitrarily long.
+  //! Returns whether a line is entirely beyond one side of the region, so that it need not be
+  //! drawn. In a plane projection, lines far from the center become arbitrarily long.
   [[nodiscard]] bool passes_by(const double (&from)[2], const double (&to)[2], double reach) const {
-    const Projection& projection = sheet_.projection;
+    const Projection& projection = region_.projection;
     const auto beside = [&](int axis, double size) {
       return std::max(from[axis], to[axis]) < -reach || std::min(from[axis], to[axis]) > size + reach;
     };
     return !wraps_around(projection) && (beside(0, projection.width_px) || beside(1, projection.height_px));
   }
 
-  const StarSheet& sheet_;
+  const StarRegion& region_;
   std::vector<StarPoint>& points_;
 };
 
@@ -78,18 +78,18 @@ std::vector<StarPoint> by_row(const std::vector<std::vector<StarPoint>>& parts) 
     return {};
   }
   // Counting sort: computes the index of the first point of each row.
-  std::vector<std::size_t> place(static_cast<std::size_t>(bottom - top) + 2U, 0);
+  std::vector<std::size_t> position(static_cast<std::size_t>(bottom - top) + 2U, 0);
   const auto row = [&](const StarPoint& point) { return static_cast<std::size_t>(row_of_point(point) - top); };
   for (const std::vector<StarPoint>& part : parts) {
     for (const StarPoint& point : part) {
-      place[row(point) + 1] += 1;
+      position[row(point) + 1] += 1;
     }
   }
-  std::partial_sum(place.begin(), place.end(), place.begin());
-  std::vector<StarPoint> points(place.back());
+  std::partial_sum(position.begin(), position.end(), position.begin());
+  std::vector<StarPoint> points(position.back());
   for (const std::vector<StarPoint>& part : parts) {
     for (const StarPoint& point : part) {
-      points[place[row(point)]++] = point;
+      points[position[row(point)]++] = point;
     }
   }
   return points;
@@ -109,18 +109,18 @@ std::vector<StarPoint> as_they_are(const std::vector<std::vector<StarPoint>>& pa
   return points;
 }
 
-//! Calls body(begin, end, list) for each sheet of a picture and each chunk of the `count` items,
+//! Calls body(begin, end, list) for each region of a picture and each chunk of the `count` items,
 //! and returns all points that were added to the lists.
 template <class Body>
-std::vector<StarPoint> points_on_sheets(const Projection& projection, const SplatSettings& settings, std::size_t count,
-                                        PointOrder order, const Body& body) {
+std::vector<StarPoint> points_in_regions(const Projection& projection, const SplatSettings& settings, std::size_t count,
+                                         PointOrder order, const Body& body) {
   constexpr std::size_t chunk = 1024;
-  const std::vector<StarSheet> sheets = star_sheets(projection, settings);
+  const std::vector<StarRegion> regions = star_regions(projection, settings);
   std::vector<std::vector<StarPoint>> parts((count + chunk - 1) / chunk);
   parallel_for(static_cast<int>(parts.size()), 1, [&](int begin, int end) {
     for (auto part = static_cast<std::size_t>(begin); part < static_cast<std::size_t>(end); ++part) {
-      for (const StarSheet& sheet : sheets) {
-        PointList list(sheet, parts[part]);
+      for (const StarRegion& region : regions) {
+        PointList list(region, parts[part]);
         body(part * chunk, std::min((part + 1) * chunk, count), list);
       }
     }
@@ -129,19 +129,20 @@ std::vector<StarPoint> points_on_sheets(const Projection& projection, const Spla
 }
 
 void add_trails(const StarTrails& trails, std::size_t begin, std::size_t end, const Shutter& shutter, PointList& list) {
-  const float part = 1.0F / static_cast<float>(std::max(trails.places - 1, 1));
+  const float part = 1.0F / static_cast<float>(std::max(trails.positions - 1, 1));
   for (std::size_t i = begin; i < end; ++i) {
     const StarTrails::Way& way = trails.ways[i];
     double before[2] = {};
     bool was_seen = false;
     for (int at = way.first; at <= way.last; ++at) {
       const Vector3<float>& direction =
-          trails.directions[i * static_cast<std::size_t>(trails.places) + static_cast<std::size_t>(at)];
+          trails.directions[i * static_cast<std::size_t>(trails.positions) + static_cast<std::size_t>(at)];
       const EyeCamera& camera = shutter.eyes[static_cast<std::size_t>(at)].camera;
       double here[2] = {};
-      const bool seen = place_on_screen(direction, camera.frame_from_view, list.sheet().projection, here[0], here[1]);
+      const bool seen =
+          project_to_screen(direction, camera.frame_from_view, list.region().projection, here[0], here[1]);
       if (seen && was_seen) {
-        list.add_line(before, here, part * way.illuminance, has_spikes(list.sheet(), way.illuminance));
+        list.add_line(before, here, part * way.illuminance, has_spikes(list.region(), way.illuminance));
       }
       was_seen = seen;
       std::copy_n(here, 2, before);
@@ -151,15 +152,15 @@ void add_trails(const StarTrails& trails, std::size_t begin, std::size_t end, co
 
 }  // namespace
 
-std::vector<StarSheet> star_sheets(const Projection& projection, const SplatSettings& settings) {
-  std::vector<StarSheet> sheets;
+std::vector<StarRegion> star_regions(const Projection& projection, const SplatSettings& settings) {
+  std::vector<StarRegion> regions;
   const double reach_px = settings.reach_px();
-  for (const PictureSheet& sheet : picture_sheets(projection)) {
-    sheets.push_back({sheet.projection, sheet.cell, static_cast<int>(sheets.size()), settings.scale,
-                      settings.spikes_from, settings.spike_strength, reach_px,
-                      std::max(reach_px, settings.spike_reach_px)});
+  for (const PictureRegion& region : picture_regions(projection)) {
+    regions.push_back({region.projection, region.cell, static_cast<int>(regions.size()), settings.scale,
+                       settings.spikes_from, settings.spike_strength, reach_px,
+                       std::max(reach_px, settings.spike_reach_px)});
   }
-  return sheets;
+  return regions;
 }
 
 std::vector<StarPoint> star_points(const std::vector<StarImage>& images, const EyeCamera& eye,
@@ -169,12 +170,12 @@ std::vector<StarPoint> star_points(const std::vector<StarImage>& images, const E
       const StarImage& image = images[i];
       double x = 0.0;
       double y = 0.0;
-      if (place_on_screen(image.direction, eye.frame_from_view, list.sheet().projection, x, y)) {
-        list.add(x, y, image.illuminance, has_spikes(list.sheet(), image.illuminance));
+      if (project_to_screen(image.direction, eye.frame_from_view, list.region().projection, x, y)) {
+        list.add(x, y, image.illuminance, has_spikes(list.region(), image.illuminance));
       }
     }
   };
-  return points_on_sheets(projection, settings, images.size(), order, add_images);
+  return points_in_regions(projection, settings, images.size(), order, add_images);
 }
 
 std::vector<StarPoint> trail_points(const StarTrails& trails, const Shutter& shutter, const Projection& projection,
@@ -182,7 +183,7 @@ std::vector<StarPoint> trail_points(const StarTrails& trails, const Shutter& shu
   const auto add_ways = [&](std::size_t begin, std::size_t end, PointList& list) {
     add_trails(trails, begin, end, shutter, list);
   };
-  return points_on_sheets(projection, settings, trails.ways.size(), order, add_ways);
+  return points_in_regions(projection, settings, trails.ways.size(), order, add_ways);
 }
 
 }  // namespace ergodome

@@ -6,7 +6,7 @@
 #include "kernels/launch/parallel_for.h"
 #include "kernels/launch/work_counter.h"
 #include "kernels/projection/pixel_measure.h"
-#include "render/passes/stars/drawing/picture_sheets.h"
+#include "render/passes/stars/drawing/picture_regions.h"
 #include "render/passes/stars/drawing/point_spread.h"
 
 namespace ergodome {
@@ -91,8 +91,8 @@ SplatSettings scaled_to(const SplatSettings& settings, const Projection& project
   constexpr double pixel_of_4k = 3.14159265358979323846 / 4096;
   SplatSettings scaled = settings;
   if (projection.kind != ProjectionKind::pinhole) {
-    const double most = (widest_splat_px - 1.0) / std::max(settings.reach_px() - 1.0, 1.0);
-    const double scale = std::clamp(pixel_of_4k / pixel_angle(projection), 1.0, std::max(most, 1.0));
+    const double maximum = (widest_splat_px - 1.0) / std::max(settings.reach_px() - 1.0, 1.0);
+    const double scale = std::clamp(pixel_of_4k / pixel_angle(projection), 1.0, std::max(maximum, 1.0));
     scaled.sigma_px *= scale;
     scaled.cutoff_px *= scale;
   }
@@ -103,7 +103,7 @@ void splat_points(const std::vector<StarPoint>& points, const Projection& projec
                   int first_row, int row_count, float* rgba) {
   static WorkCounter counter("splat_stars");
   const WorkScope work(counter, static_cast<long>(points.size()));
-  const std::vector<PictureSheet> sheets = picture_sheets(projection);
+  const std::vector<PictureRegion> regions = picture_regions(projection);
   const double reach = settings.reach_px();
   const int bands = (row_count + splat_band_rows - 1) / splat_band_rows;
   parallel_for(bands, 1, [&](int begin, int end) {
@@ -111,7 +111,7 @@ void splat_points(const std::vector<StarPoint>& points, const Projection& projec
     const int bottom = std::min(first_row + end * splat_band_rows, first_row + row_count);
     auto point = std::ranges::lower_bound(points, std::floor(top - reach), {}, row_of);
     for (; point != points.end() && row_of(*point) < bottom + reach; ++point) {
-      add(*point, projection, sheets[static_cast<std::size_t>(point->sheet)].cell, settings, top, bottom, first_row,
+      add(*point, projection, regions[static_cast<std::size_t>(point->region)].cell, settings, top, bottom, first_row,
           rgba);
     }
   });

@@ -5,7 +5,7 @@
 
 #include "kernels/projection/projection.h"
 #include "kernels/stars/star_point.h"
-#include "kernels/stars/star_sheet.h"
+#include "kernels/stars/star_region.h"
 #include "render/eyes/eye_camera.h"
 #include "render/passes/stars/drawing/star_trails.h"
 
@@ -31,8 +31,8 @@ struct SplatSettings {
 //! invisible in a dome. No spot extends beyond widest_splat_px.
 SplatSettings scaled_to(const SplatSettings& settings, const Projection& projection);
 
-//! Returns the sheets of a picture (PictureSheet), on which star images become points.
-std::vector<StarSheet> star_sheets(const Projection& projection, const SplatSettings& settings);
+//! Returns the regions of a picture (PictureRegion), on which star images become points.
+std::vector<StarRegion> star_regions(const Projection& projection, const SplatSettings& settings);
 
 //! Order of the points: sorted by row for splat_points(), or as the images are ordered, which
 //! suffices for TiledStars.

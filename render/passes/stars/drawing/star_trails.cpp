@@ -47,8 +47,8 @@ class Follower {
       const Vector3<double> off = c.direction - expected[k].direction;
       const bool same_side = (c.solid_angle < 0.0) == (images_[i].magnification < 0.0F);
       if (c.miss <= image_tolerance_px * pixel_ && same_side && dot(off, off) < farthest_step * farthest_step) {
-        place(i, to) = {static_cast<float>(c.direction.x), static_cast<float>(c.direction.y),
-                        static_cast<float>(c.direction.z)};
+        position(i, to) = {static_cast<float>(c.direction.x), static_cast<float>(c.direction.y),
+                           static_cast<float>(c.direction.z)};
         (to < from ? trails_.ways[i].first : trails_.ways[i].last) = to;
         still.push_back(i);
       }
@@ -57,8 +57,8 @@ class Follower {
   }
 
  private:
-  Vector3<float>& place(std::size_t image, int at) {
-    return trails_.directions[image * static_cast<std::size_t>(trails_.places) + static_cast<std::size_t>(at)];
+  Vector3<float>& position(std::size_t image, int at) {
+    return trails_.directions[image * static_cast<std::size_t>(trails_.positions) + static_cast<std::size_t>(at)];
   }
 
   //! Returns a candidate for the image at eye `to`, extrapolated from the image's motion so far.
@@ -69,9 +69,9 @@ class Follower {
     const double cosine = std::cos(eye.camera.phi);
     const int before = 2 * from - to;
     const bool has_way = before >= trails_.ways[i].first && before <= trails_.ways[i].last;
-    Vector3<double> there = widened(place(i, from));
+    Vector3<double> there = widened(position(i, from));
     if (has_way) {
-      there = 2.0 * there - widened(place(i, before));
+      there = 2.0 * there - widened(position(i, before));
       there = (1.0 / std::sqrt(dot(there, there))) * there;
     }
     StarCandidate c;
@@ -97,9 +97,9 @@ StarTrails star_trails(const std::vector<StarImage>& images, const StarField& fi
   static WorkCounter counter("follow_trails");
   const WorkScope work(counter, static_cast<long>(images.size()));
   StarTrails trails;
-  trails.places = static_cast<int>(shutter.eyes.size());
+  trails.positions = static_cast<int>(shutter.eyes.size());
   trails.directions.resize(images.size() * shutter.eyes.size());
-  const int middle = trails.places / 2;
+  const int middle = trails.positions / 2;
   for (std::size_t i = 0; i < images.size(); ++i) {
     trails.ways.push_back({middle, middle, images[i].illuminance});
     trails.directions[i * shutter.eyes.size() + static_cast<std::size_t>(middle)] = images[i].direction;
@@ -109,7 +109,7 @@ StarTrails star_trails(const std::vector<StarImage>& images, const StarField& fi
     back.step(shutter.eyes[static_cast<std::size_t>(at - 1)], at, at - 1);
   }
   Follower on(images, field, pixel, trails);
-  for (int at = middle; at + 1 < trails.places; ++at) {
+  for (int at = middle; at + 1 < trails.positions; ++at) {
     on.step(shutter.eyes[static_cast<std::size_t>(at) + 1U], at, at + 1);
   }
   return trails;

@@ -20,9 +20,9 @@ struct StarTrails {
     Vector3<float> illuminance;
   };
 
-  int places = 0;  //!< number of eyes of the shutter
+  int positions = 0;  //!< number of eyes of the shutter
   std::vector<Way> ways;
-  //! Direction of each image in the frame of each eye: unit vectors, `places` per image.
+  //! Direction of each image in the frame of each eye: unit vectors, `positions` per image.
   std::vector<Vector3<float>> directions;
 };
 

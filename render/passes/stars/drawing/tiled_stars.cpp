@@ -6,7 +6,7 @@
 
 #include "kernels/core/error.h"
 #include "kernels/launch/launch.h"
-#include "render/passes/stars/drawing/picture_sheets.h"
+#include "render/passes/stars/drawing/picture_regions.h"
 
 namespace ergodome {
 
@@ -16,22 +16,22 @@ namespace {
 constexpr int threads_of_spikes = 16;
 
 //! Throws Error with a remedy if the GPU cannot list that many (point, tile) pairs.
-void require_listable(double members, double most, const char* remedy) {
-  if (members > most) {
+void require_listable(double members, double maximum, const char* remedy) {
+  if (members > maximum) {
     throw Error("stars", "cover more pixels than the GPU can list",
                 std::string(remedy) + ", or run with --backend cpu");
   }
 }
 
 //! Returns an upper bound of the number of (point, tile) pairs. The kernels count them in 32 bits.
-double most_members(int points, double reach_px) {
+double max_members(int points, double reach_px) {
   const double across = 2.0 * reach_px / star_tile_px + 2.0;
   return points * across * across;
 }
 
 //! Maximum number of pairs that can be counted, and maximum number that can be listed (1 GB).
-constexpr double most_counted = 2e9;
-constexpr double most_listed = 2.5e8;
+constexpr double max_counted = 2e9;
+constexpr double max_listed = 2.5e8;
 
 constexpr const char* fewer_spots =
     "choose a smaller effects.psf.sigma_px or cutoff_px, or show fewer faint stars (sky.faintest_mag)";
@@ -63,7 +63,7 @@ void TiledStars::place(double reach_px, bool spikes_alone, Placed& placed) const
   sum_counts(backend_, placed.counts.data(), tiles, placed.first.data());
   std::int32_t members = 0;
   copy_to_host(backend_, &members, placed.first.data() + tiles, 1);
-  require_listable(members, most_listed, spikes_alone ? fewer_spikes : fewer_spots);
+  require_listable(members, max_listed, spikes_alone ? fewer_spikes : fewer_spots);
   placed.members = members;
   if (members == 0) {
     return;
@@ -108,12 +108,12 @@ void TiledStars::set(const PlacedPoints& points, const Projection& projection, c
   if (points.count == 0) {
     return;
   }
-  require_listable(most_members(points.count, splat.reach_px()), most_counted, fewer_spots);
+  require_listable(max_members(points.count, splat.reach_px()), max_counted, fewer_spots);
   place(splat.reach_px(), false, spots_);
   if (pattern != nullptr && points.spiked > 0) {
     set_pattern(*pattern);
     const double reach_px = 0.5 * pattern_px_ + 1.0;
-    require_listable(most_members(points.spiked, reach_px), most_counted, fewer_spikes);
+    require_listable(max_members(points.spiked, reach_px), max_counted, fewer_spikes);
     place(reach_px, true, spikes_);
   }
 }
@@ -121,9 +121,9 @@ void TiledStars::set(const PlacedPoints& points, const Projection& projection, c
 StarLightBatch TiledStars::batch_of(const Placed& placed) const {
   StarLightBatch batch{};
   batch.projection = converted_projection<float>(projection_);
-  const std::vector<PictureSheet> sheets = picture_sheets(projection_);
-  for (std::size_t i = 0; i < sheets.size(); ++i) {
-    batch.cells[i] = sheets[i].cell;
+  const std::vector<PictureRegion> regions = picture_regions(projection_);
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    batch.cells[i] = regions[i].cell;
   }
   batch.points = points_.points;
   batch.point_count = points_.count;

@@ -222,11 +222,11 @@ std::vector<StarImage> star_images(const std::vector<GatheredStar>& gathered, co
   std::vector<StarImage> images;
   images.reserve(gathered.size());
   for (const GatheredStar& star : gathered) {
-    const auto place = [](int pixel, float inside) {
+    const auto position = [](int pixel, float inside) {
       return pixel + std::clamp(static_cast<double>(inside), seam_margin_px, 1.0 - seam_margin_px);
     };
     const Vector3<double> view =
-        direction_from_pixel(projection, place(star.x_px, star.x_inside), place(star.y_px, star.y_inside));
+        direction_from_pixel(projection, position(star.x_px, star.x_inside), position(star.y_px, star.y_inside));
     const auto along = [&](int axis) {
       const auto& row = eye.frame_from_view[axis];
       return static_cast<float>(row[0] * view.x + row[1] * view.y + row[2] * view.z);

@@ -14,21 +14,21 @@ namespace {
 //! an image visibly.
 constexpr double steepest = 0.1;
 //! Accepted relative change of the magnification by rounding errors in single precision.
-constexpr double most_change = 0.01;
+constexpr double max_change = 0.01;
 //! A candidate whose rays stay farther than this from any image position is not an image [px]. Next
 //! to a caustic, where images move along the caustic, the distance to the star counts instead.
 constexpr double near_px = 2.0;
 //! Minimum distance from the shadow's edge at which single-precision rays can prove that there is
 //! no image, or that it is too faint [rad]. Closer to it, and next to caustics, some
 //! single-precision rays go astray.
-constexpr double least_float_distance = 1e-3;
+constexpr double min_float_distance = 1e-3;
 //! Number of rounds (Newton steps) after which most images are found.
 constexpr int first_rounds = 4;
 //! Maximum number of rounds for candidates that still converge after `first_rounds`.
 constexpr int on_way_rounds = 6;
 //! Maximum number of double-precision rounds for candidates next to caustics, far from their
 //! initial position.
-constexpr int most_course_rounds = 24;
+constexpr int max_course_rounds = 24;
 //! A candidate whose distance from its star exceeds this after the first rounds does not converge;
 //! in units of the distance to the shadow's edge.
 constexpr double lost_miss = 2.0;
@@ -42,13 +42,13 @@ constexpr double hopeless_miss = 0.02;
 constexpr double dazzling_miss = 0.5;
 //! Reported changes of the magnification above this are not accurate; they mean only that it
 //! changes much.
-constexpr double most_change_told = 0.5;
+constexpr double max_decisive_change = 0.5;
 //! Minimum distance between a star and a fold that double-precision rays can resolve [rad].
-constexpr double least_short_of = 1e-8;
+constexpr double min_shortfall = 1e-8;
 
 //! Returns whether another round may improve a candidate.
 bool is_open(const StarCandidate& c, double miss) {
-  return (c.miss > miss || c.change > most_magnification_change) && c.miss < no_light;
+  return (c.miss > miss || c.change > max_magnification_change) && c.miss < no_light;
 }
 
 //! Returns whether the rounds of a candidate do not converge.
@@ -58,24 +58,25 @@ bool is_lost(const StarCandidate& c) { return c.miss > lost_miss * c.edge_distan
 //! positions. A candidate that does not converge steadily may reach a position where it is many
 //! times brighter; next to caustics nothing else is known.
 bool stays_faint(const StarCandidate& c, const ImageSearch& search) {
-  constexpr double least_slack = 1.3;
+  constexpr double min_slack = 1.3;
   // The reported change is an estimate; in places the true change is up to twice as large.
   constexpr double between = 3.0;
   constexpr double far_slack = 20.0;
   return c.solid_angle != 0.0 &&
-         search.brightness(c) * (c.change < most_change_told ? least_slack + between * c.change : far_slack) < 1.0;
+         search.brightness(c) * (c.change < max_decisive_change ? min_slack + between * c.change : far_slack) < 1.0;
 }
 
 //! Returns whether single-precision rays can prove that a candidate is not an image. Without a
 //! chart they cannot, because the distance to the shadow's edge is unknown.
-bool float_tells(const StarCandidate& c, const ImageSearch& search) {
-  return search.chart.chart.edge.count > 0 && c.edge_distance > least_float_distance;
+bool float_suffices(const StarCandidate& c, const ImageSearch& search) {
+  return search.chart.chart.edge.count > 0 && c.edge_distance > min_float_distance;
 }
 
 //! Returns whether a candidate that has not converged is dropped because it is too faint.
 bool is_left(const StarCandidate& c, const CandidateCourse& course, const ImageSearch& search) {
-  return search.brightness && course.rounds <= first_rounds && (course.rounds == 1 || c.change >= most_change_told) &&
-         (course.rays != RayKind::quick || float_tells(c, search)) && stays_faint(c, search);
+  return search.brightness && course.rounds <= first_rounds &&
+         (course.rounds == 1 || c.change >= max_decisive_change) &&
+         (course.rays != RayKind::quick || float_suffices(c, search)) && stays_faint(c, search);
 }
 
 //! Returns whether a candidate that has not converged should get another ray of the same kind.
@@ -94,7 +95,7 @@ bool is_worth_more(const StarCandidate& c, const CandidateCourse& course, const 
   constexpr double dazzling = 100.0;
   const bool dazzles = course.rays == RayKind::finest && search.brightness && search.brightness(c) > dazzling;
   const bool is_near = c.miss > miss && c.miss < (dazzles ? dazzling_miss : hopeless_miss) * c.edge_distance;
-  return course.rays != RayKind::quick && course.rounds < most_course_rounds &&
+  return course.rays != RayKind::quick && course.rounds < max_course_rounds &&
          (course.rounds > on_way_rounds || is_near);
 }
 
@@ -119,15 +120,16 @@ double fold_short_of(double s, double s_after, double length) {
 //! Returns whether a candidate is not an image because its star is beyond a fold of the sky: the
 //! last two estimates of the distance to the fold agree, and it is larger than the star's disk.
 bool is_beyond_fold(const StarCandidate& c, CandidateCourse& course) {
-  constexpr double most_unlike = 2.0;
-  constexpr double least_disks = 2.0;
+  constexpr double max_disagreement = 2.0;
+  constexpr double min_disks = 2.0;
   // Longer steps lead to other folds: around a ring, or beside the shadow's edge.
   constexpr double longest = 0.25;
-  const bool tells = course.rounds >= 2 && course.rays != RayKind::quick && course.miss <= longest * c.edge_distance;
-  const double short_of = tells ? fold_short_of(course.smaller, signed_smaller(c), course.miss) : 0.0;
+  const bool is_reliable =
+      course.rounds >= 2 && course.rays != RayKind::quick && course.miss <= longest * c.edge_distance;
+  const double short_of = is_reliable ? fold_short_of(course.smaller, signed_smaller(c), course.miss) : 0.0;
   const double before = std::exchange(course.short_of, short_of);
-  return short_of > std::max(least_disks * c.radius, least_short_of) && short_of < most_unlike * before &&
-         before < most_unlike * short_of;
+  return short_of > std::max(min_disks * c.radius, min_shortfall) && short_of < max_disagreement * before &&
+         before < max_disagreement * short_of;
 }
 
 //! Returns the relative change of the magnification by rounding errors in single precision. The
@@ -140,20 +142,20 @@ double change_by_rounding(const StarCandidate& c, const SingularValues& values) 
 //! Returns whether single-precision rays prove that a candidate is not an image.
 bool float_denies(const StarCandidate& c, const ImageSearch& search) {
   const double smaller = std::min(std::sqrt(singular_values(c).smaller_square), 1.0);
-  return float_tells(c, search) && (is_lost(c) || c.miss * smaller > near_px * search.pixel);
+  return float_suffices(c, search) && (is_lost(c) || c.miss * smaller > near_px * search.pixel);
 }
 
 //! Returns whether further single-precision rays are useless for a candidate that has not
 //! converged: rounding errors dominate, or the search will restart in double precision anyway.
-bool float_has_told(const StarCandidate& c, const CandidateCourse& course, const ImageSearch& search) {
-  constexpr double least_gain = 0.5;
+bool float_has_decided(const StarCandidate& c, const CandidateCourse& course, const ImageSearch& search) {
+  constexpr double min_gain = 0.5;
   const SingularValues values = singular_values(c);
   if (c.miss <= last_miss(RayKind::quick, search.pixel) && values.smaller_square >= steepest * steepest) {
     const double rounding = change_by_rounding(c, values);
-    return rounding > most_change && c.change < std::min(rounding, most_change_told);
+    return rounding > max_change && c.change < std::min(rounding, max_decisive_change);
   }
   return !float_denies(c, search) &&
-         (values.smaller_square < steepest * steepest || (course.rounds > 1 && c.miss > least_gain * course.miss));
+         (values.smaller_square < steepest * steepest || (course.rounds > 1 && c.miss > min_gain * course.miss));
 }
 
 //! Where the double-precision search for an image starts.
@@ -177,7 +179,7 @@ Start double_start(const StarCandidate& c, const ImageSearch& search) {
   if (!(c.miss <= last_miss(RayKind::quick, search.pixel)) || values.smaller_square < steepest * steepest) {
     return Start::rough;
   }
-  return change_by_rounding(c, values) > most_change ? Start::found : Start::none;
+  return change_by_rounding(c, values) > max_change ? Start::found : Start::none;
 }
 
 //! Returns whether a candidate next to a caustic needs the finest rays: double-precision rays have
@@ -196,16 +198,16 @@ bool needs_finest(const StarCandidate& c, const ImageSearch& search) {
 //! Returns whether a candidate next to a caustic moves only by short steps. It then continues with
 //! the finest rays, which are needed anyway, instead of converging with less precise ones first.
 bool is_settled_beside_caustic(const StarCandidate& c, const ImageSearch& search) {
-  return c.change < most_change_told && singular_values(c).smaller_square < steepest * steepest &&
+  return c.change < max_decisive_change && singular_values(c).smaller_square < steepest * steepest &&
          needs_finest(c, search);
 }
 
 //! Returns whether further rays of the current kind cannot improve a candidate that has not
 //! converged, although another kind may.
-bool has_told(const StarCandidate& c, const CandidateCourse& course, const ImageSearch& search) {
+bool has_decided(const StarCandidate& c, const CandidateCourse& course, const ImageSearch& search) {
   switch (course.rays) {
     case RayKind::quick:
-      return float_has_told(c, course, search);
+      return float_has_decided(c, course, search);
     case RayKind::fine:
       return course.led_away && is_settled_beside_caustic(c, search);
     case RayKind::finest:
@@ -224,9 +226,9 @@ std::optional<RayKind> begin_with(RayKind rays, CandidateCourse& course) {
 //! Starts double-precision rays at a position found in single precision. Normalizes the position: a
 //! length other than 1 would displace the image by up to a hundredth of a pixel where the lens map
 //! is steep.
-std::optional<RayKind> begin_in_double(RayKind rays, const Vector3<double>& place, StarCandidate& c,
+std::optional<RayKind> begin_in_double(RayKind rays, const Vector3<double>& position, StarCandidate& c,
                                        CandidateCourse& course) {
-  c.direction = (1.0 / std::sqrt(dot(place, place))) * place;
+  c.direction = (1.0 / std::sqrt(dot(position, position))) * position;
   return begin_with(rays, course);
 }
 
@@ -252,7 +254,7 @@ std::optional<RayKind> next_kind(StarCandidate& c, CandidateCourse& course, cons
 
 }  // namespace
 
-std::optional<RayKind> go_on(StarCandidate& candidate, CandidateCourse& course, const ImageSearch& search) {
+std::optional<RayKind> next_ray(StarCandidate& candidate, CandidateCourse& course, const ImageSearch& search) {
   ++course.rounds;
   const double miss = last_miss(course.rays, search.pixel);
   if (is_open(candidate, miss)) {
@@ -261,7 +263,7 @@ std::optional<RayKind> go_on(StarCandidate& candidate, CandidateCourse& course, 
       candidate.faint = true;
     } else if (is_beyond_fold(candidate, course)) {
       candidate.miss = nowhere;
-    } else if (is_worth_more(candidate, course, search, miss) && !has_told(candidate, course, search)) {
+    } else if (is_worth_more(candidate, course, search, miss) && !has_decided(candidate, course, search)) {
       course.miss = candidate.miss;
       course.smaller = signed_smaller(candidate);
       return course.rays;

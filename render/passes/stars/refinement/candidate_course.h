@@ -26,6 +26,6 @@ struct CandidateCourse {
 
 //! Evaluates the last ray of a candidate. Returns the kind of the next ray, or nothing if the
 //! candidate is finished.
-std::optional<RayKind> go_on(StarCandidate& candidate, CandidateCourse& course, const ImageSearch& search);
+std::optional<RayKind> next_ray(StarCandidate& candidate, CandidateCourse& course, const ImageSearch& search);
 
 }  // namespace ergodome

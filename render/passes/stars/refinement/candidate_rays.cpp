@@ -28,8 +28,8 @@ constexpr double ring_tolerance = 1e-10;
 //! because all SIMD lanes wait for the longest ray.
 int star_step_limit(const EyeCamera& eye) {
   constexpr double fastest_usual = 0.999;
-  constexpr double least_usual_r = 2.0;
-  return std::abs(eye.spacetime.spin) <= fastest_usual && eye.r > least_usual_r ? 120 : 400;
+  constexpr double min_usual_r = 2.0;
+  return std::abs(eye.spacetime.spin) <= fastest_usual && eye.r > min_usual_r ? 120 : 400;
 }
 
 double tolerance_of(RayKind kind) {
@@ -90,9 +90,9 @@ std::size_t CandidateRays::lanes(RayKind kind) {
 
 template <class S>
 void CandidateRays::follow_in(const Setup<S>& setup, RayKind kind, std::span<StarCandidate* const> candidates) const {
-  constexpr std::size_t most_lanes = 16;
+  constexpr std::size_t max_lanes = 16;
   constexpr std::size_t channels = 13;
-  std::array<std::array<S, most_lanes>, channels> values{};
+  std::array<std::array<S, max_lanes>, channels> values{};
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const StarCandidate& c = *candidates[i];
     const std::array parts = {c.on_sky.x,    c.on_sky.y,    c.on_sky.z,      c.direction.x,

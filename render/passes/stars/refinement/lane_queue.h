@@ -22,10 +22,10 @@ namespace ergodome {
 template <std::size_t Kinds>
 class LaneQueue {
  public:
-  //! `lanes`: number of items in a full lot, for each kind; at most `most_lanes`.
+  //! `lanes`: number of items in a full lot, for each kind; at most `max_lanes`.
   explicit LaneQueue(const std::array<std::size_t, Kinds>& lanes) : lanes_(lanes) {}
 
-  static constexpr std::size_t most_lanes = 16;
+  static constexpr std::size_t max_lanes = 16;
 
   //! Adds an initial item. Items that are added last start first.
   void add(std::size_t kind, std::size_t thing) { waiting_[kind].push_back(thing); }
@@ -43,7 +43,7 @@ class LaneQueue {
   struct Lot {
     std::size_t kind = 0;
     std::size_t count = 0;
-    std::array<std::size_t, most_lanes> things{};
+    std::array<std::size_t, max_lanes> things{};
   };
 
   template <class Work, class Next>
@@ -62,7 +62,7 @@ class LaneQueue {
       lock.unlock();
       const std::span things(lot.things.data(), lot.count);
       work(lot.kind, things);
-      std::array<std::optional<std::size_t>, most_lanes> kinds;
+      std::array<std::optional<std::size_t>, max_lanes> kinds;
       std::ranges::transform(things, kinds.begin(), next);
       lock.lock();
       --in_work_;
@@ -92,7 +92,7 @@ class LaneQueue {
     return lot;
   }
 
-  void give_back(std::span<const std::size_t> things, const std::array<std::optional<std::size_t>, most_lanes>& kinds) {
+  void give_back(std::span<const std::size_t> things, const std::array<std::optional<std::size_t>, max_lanes>& kinds) {
     for (std::size_t i = 0; i < things.size(); ++i) {
       if (kinds[i]) {
         waiting_[*kinds[i]].push_back(things[i]);

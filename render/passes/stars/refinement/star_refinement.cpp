@@ -55,12 +55,12 @@ void refine_images(std::vector<StarCandidate>& candidates, const ImageSearch& se
   }
   queue.run(
       [&](std::size_t kind, std::span<const std::size_t> lot) {
-        std::array<StarCandidate*, LaneQueue<ray_kinds>::most_lanes> some{};
+        std::array<StarCandidate*, LaneQueue<ray_kinds>::max_lanes> some{};
         std::ranges::transform(lot, some.begin(), [&](std::size_t i) { return &candidates[i]; });
         rays.follow(static_cast<RayKind>(kind), std::span(some.data(), lot.size()));
       },
       [&](std::size_t i) -> std::optional<std::size_t> {
-        const std::optional<RayKind> next = go_on(candidates[i], courses[i], search);
+        const std::optional<RayKind> next = next_ray(candidates[i], courses[i], search);
         return next ? std::optional(number_of(*next)) : std::nullopt;
       });
   if (numbers_are_checked()) {

@@ -34,8 +34,8 @@ LeafErrors CorrectedGrid::errors(int leaf) const {
     const float displacement = std::abs(gamma[check]) + std::abs(s[check]);
     errors.displaced = std::max(errors.displaced, inside ? inner_share * displacement : displacement);
     if (inside) {
-      const float place = check == 0 ? inner_check : 1.0F - inner_check;
-      const LeafDisplacement by = leaf_displacement(view(host_data), leaf, place, place);
+      const float position = check == 0 ? inner_check : 1.0F - inner_check;
+      const LeafDisplacement by = leaf_displacement(view(host_data), leaf, position, position);
       errors.left = std::max(errors.left, std::abs(gamma[check] - by.along_gamma) + std::abs(s[check] - by.along_s));
     }
   }

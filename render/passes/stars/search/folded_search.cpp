@@ -15,7 +15,7 @@ namespace {
 constexpr int block = 512;
 //! Maximum number of pairs searched together: enough to fill SIMD lanes, but so few that floats
 //! represent their indices exactly.
-constexpr std::size_t most_pairs = 1 << 16;
+constexpr std::size_t max_pairs = 1 << 16;
 
 }  // namespace
 
@@ -37,9 +37,9 @@ void FoldedSearch::Parts::reserve(int more) {
 void FoldedSearch::search(const PatchPairBatch& pairs) {
   const auto count = static_cast<std::size_t>(pairs.count);
   counts_.assign(count, 0);
-  roots_.resize(count * most_roots);
-  for (std::size_t first = 0; first < count; first += most_pairs) {
-    search_some({static_cast<int>(std::min(most_pairs, count - first)), pairs.pairs + first, pairs.patches}, first);
+  roots_.resize(count * max_roots);
+  for (std::size_t first = 0; first < count; first += max_pairs) {
+    search_some({static_cast<int>(std::min(max_pairs, count - first)), pairs.pairs + first, pairs.patches}, first);
   }
 }
 
@@ -82,7 +82,7 @@ void FoldedSearch::solve(const Parts& leaves, bool folded, const PatchPairBatch&
   if (count == 0) {
     return;
   }
-  const std::size_t each = count * (folded ? most_part_roots : 1);
+  const std::size_t each = count * (folded ? max_part_roots : 1);
   solved_.resize(4 * each);
   float* const solved = solved_.data();
   run_on_this_thread(
@@ -92,7 +92,7 @@ void FoldedSearch::solve(const Parts& leaves, bool folded, const PatchPairBatch&
       const auto pair =
           static_cast<std::size_t>(leaves.parts.at[part_pair * leaves.parts.room + static_cast<int>(i % count)]);
       const FoldedRoot root = {solved[each + i], solved[2 * each + i], solved[3 * each + i]};
-      FoldedRoot* const roots = roots_.data() + (first + pair) * most_roots;
+      FoldedRoot* const roots = roots_.data() + (first + pair) * max_roots;
       int& root_count = counts_[first + pair];
       if (may_add_root(roots, root_count, roots_wanted(pairs.patches[pairs.pairs[pair].patch]), root)) {
         roots[root_count++] = root;

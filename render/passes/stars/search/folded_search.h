@@ -18,7 +18,7 @@ class FoldedSearch {
 
   //! Returns the roots of a pair that the last search found.
   [[nodiscard]] std::span<const FoldedRoot> roots(std::size_t pair) const {
-    return {roots_.data() + pair * most_roots, static_cast<std::size_t>(counts_[pair])};
+    return {roots_.data() + pair * max_roots, static_cast<std::size_t>(counts_[pair])};
   }
 
  private:
@@ -40,7 +40,7 @@ class FoldedSearch {
   Parts folded_;
   std::vector<float> solved_;      //!< output of the kernels
   std::vector<int> counts_;        //!< number of roots per pair
-  std::vector<FoldedRoot> roots_;  //!< room for most_roots per pair
+  std::vector<FoldedRoot> roots_;  //!< room for max_roots per pair
 };
 
 }  // namespace ergodome

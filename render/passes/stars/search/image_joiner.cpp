@@ -10,7 +10,7 @@ ImageJoiner::ImageJoiner(Backend backend, std::size_t stars)
       counts_(backend, stars, "star images"),
       first_(backend, stars + 1, "star images") {}
 
-PlacedImages ImageJoiner::join(const FoundInPlace& found, const std::vector<SeenImage>& others, double pixel,
+PlacedImages ImageJoiner::join(const BackendImages& found, const std::vector<SeenImage>& others, double pixel,
                                ImageOrder order) {
   const auto stars = static_cast<std::size_t>(stars_);
   reserve(backend_, others.size(), "star images", others_);

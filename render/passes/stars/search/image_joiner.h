@@ -15,7 +15,7 @@ struct PlacedImages {
 };
 
 //! Images that a search found and left in a backend's memory. They include duplicates.
-struct FoundInPlace {
+struct BackendImages {
   const SeenImage* images = nullptr;
   int count = 0;
 };
@@ -28,7 +28,7 @@ class ImageJoiner {
 
   //! Merges the images in the backend's memory with `others` in host memory, and returns each image
   //! once, ordered by star. `pixel`: angle of a pixel [rad].
-  PlacedImages join(const FoundInPlace& found, const std::vector<SeenImage>& others, double pixel, ImageOrder order);
+  PlacedImages join(const BackendImages& found, const std::vector<SeenImage>& others, double pixel, ImageOrder order);
 
  private:
   Backend backend_;

@@ -15,7 +15,7 @@ namespace {
 constexpr int threads_of_a_patch = 32;
 //! Minimum capacity for parts. With a capacity of zero, no part would be counted as lost, and the
 //! lack of memory would not be noticed.
-constexpr std::size_t least_parts = 1024;
+constexpr std::size_t min_parts = 1024;
 
 }  // namespace
 
@@ -57,14 +57,14 @@ void PatchSearch::make_room(const Counts& wanted) {
   reserve(backend_, count_of(images), name, images_);
   reserve(backend_, count_of(exact), name, exact_);
   for (Buffer<float>& list : parts_) {
-    reserve(backend_, part_channels * std::max(count_of(halved), least_parts), name, list);
+    reserve(backend_, part_channels * std::max(count_of(halved), min_parts), name, list);
   }
   const std::size_t room = std::ranges::min_element(parts_, {}, &Buffer<float>::size)->size() / part_channels;
   reserve(backend_, room, name, regular_roots_);
-  reserve(backend_, most_part_roots * room, name, folded_roots_);
-  reserve(backend_, (1 + most_part_roots) * room, name, roots_);
-  reserve(backend_, 2 * most_searched_together, name, root_counts_);
-  reserve(backend_, 2 * most_searched_together + 1, name, root_first_);
+  reserve(backend_, max_part_roots * room, name, folded_roots_);
+  reserve(backend_, (1 + max_part_roots) * room, name, roots_);
+  reserve(backend_, 2 * max_searched_together, name, root_counts_);
+  reserve(backend_, 2 * max_searched_together + 1, name, root_first_);
   rooms_.fill(room_of(room));
   for (std::size_t i = 0; i < 3; ++i) {
     rooms_[i] = room_of(pairs_[i].size());
@@ -142,7 +142,7 @@ PatchSearch::Counts PatchSearch::search(PatchSearchBatch batch) {
   run(batch, PatchSearchStep::bent, rooms_[bent]);
   // Each pair of a folded patch starts as one part. Usually there are few pairs, so the first slice
   // is searched before their number is known.
-  const int slice = std::min({most_searched_together, rooms_[halved], rooms_[folded]});
+  const int slice = std::min({max_searched_together, rooms_[halved], rooms_[folded]});
   if (slice == 0) {
     return counts();
   }
@@ -163,12 +163,12 @@ PatchSearch::Result PatchSearch::find(const PlacedPatches& patches, const Reques
   const WorkScope work(counter, batch.inputs.patch_count);
   batch.inputs.field = field_;
   batch.inputs.view = request.view;
-  batch.inputs.turn = sky_turn(request.phi);
+  batch.inputs.turn = sky_rotation(request.phi);
   batch.completes = request.observer.is_one_camera();
   batch.energy = request.observer.energy();
   batch.observer = request.observer.observer();
   batch.colours = colours_;
-  batch.look = request.look;
+  batch.appearance = request.appearance;
   share(batch);
   Counts found = search(batch);
   while (!have_room(found)) {

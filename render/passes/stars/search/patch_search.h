@@ -73,14 +73,14 @@ class PatchSearch {
     double phi;  //!< azimuth of the camera [rad]
     ViewCone view;
     const ImageObserver& observer;
-    StarLook look;
+    StarAppearance appearance;
   };
 
   //! Result of a search: approximate images, and images so accurate that they need no rays. The
   //! latter stay in GPU memory until the next search.
   struct Result {
     std::vector<RoughImage> rough;
-    FoundInPlace exact;
+    BackendImages exact;
   };
 
   //! Finds the images in patches, which must have been computed for the star field of this object.

@@ -17,7 +17,7 @@ namespace {
 constexpr int patches_a_part = 128;
 
 //! Pool of finders, so that each keeps its allocated memory.
-class IdleFinders {
+class FinderPool {
  public:
   using Finder = std::unique_ptr<RoughImageFinder>;
 
@@ -134,9 +134,9 @@ void find_rough_images(const SearchInputs& inputs, std::size_t star_count,
                        const std::function<void(int, const std::vector<RoughImage>&)>& found) {
   static WorkCounter counter("search_patches");
   const WorkScope work(counter, inputs.patch_count);
-  IdleFinders idle;
+  FinderPool idle;
   parallel_for(rough_parts(inputs.patch_count), 1, [&](int begin, int end) {
-    IdleFinders::Finder finder = idle.take();
+    FinderPool::Finder finder = idle.take();
     if (!finder) {
       finder = std::make_unique<RoughImageFinder>(inputs, star_count);
     }

@@ -15,7 +15,7 @@ namespace {
 //! patches.
 constexpr double slack = 0.01;
 //! Minimum margin [rad].
-constexpr double least_slack = 1e-6;
+constexpr double min_slack = 1e-6;
 
 //! Returns the direction perpendicular to `axis` in which a patch is longer: along u or along v.
 Vector3<double> long_way(const BezierPatch& patch, const Vector3<double>& axis) {
@@ -44,7 +44,7 @@ void find_corners(const SkyFrustum& frustum, Vector3<double> (&corner)[4]) {
 
 //! Returns the largest z on the arc between two directions: that of an end or of the highest point
 //! of the great circle, whose unit normal is `normal`.
-double greatest_height(const Vector3<double>& from, const Vector3<double>& to, const Vector3<double>& normal) {
+double max_height(const Vector3<double>& from, const Vector3<double>& to, const Vector3<double>& normal) {
   const double corner = std::max(from.z, to.z);
   // The circle's highest point lies along z minus its component along the normal.
   const Vector3<double> highest = Vector3<double>{0.0, 0.0, 1.0} - normal.z * normal;
@@ -86,17 +86,17 @@ SkyFrustum frustum_of(const BezierPatch& patch, const PatchFrame& frame, double 
   double high[2] = {-infinity, -infinity};
   for (int i = 0; i < 16; ++i) {
     const Vector3<double> p = control_point(patch, i);
-    const double place[2] = {p.x / p.z, p.y / p.z};
+    const double position[2] = {p.x / p.z, p.y / p.z};
     for (int side = 0; side < 2; ++side) {
-      low[side] = std::min(low[side], place[side]);
-      high[side] = std::max(high[side], place[side]);
+      low[side] = std::min(low[side], position[side]);
+      high[side] = std::max(high[side], position[side]);
     }
   }
-  const auto inward = [&](const Vector3<double>& way, double sign, double place) {
-    return normalized(sign * (way - place * frame.axis));
+  const auto inward = [&](const Vector3<double>& way, double sign, double position) {
+    return normalized(sign * (way - position * frame.axis));
   };
-  const double wider[2] = {slack * (high[0] - low[0]) + least_slack + error,
-                           slack * (high[1] - low[1]) + least_slack + error};
+  const double wider[2] = {slack * (high[0] - low[0]) + min_slack + error,
+                           slack * (high[1] - low[1]) + min_slack + error};
   return {{inward(frame.first, 1.0, low[0] - wider[0]), inward(frame.first, -1.0, high[0] + wider[0]),
            inward(frame.second, 1.0, low[1] - wider[1]), inward(frame.second, -1.0, high[1] + wider[1]), frame.axis}};
 }
@@ -107,17 +107,17 @@ SkyBounds bounds_of(const SkyFrustum& frustum) {
   constexpr int side[4] = {2, 1, 3, 0};
   double low = 1.0;
   double high = -1.0;
-  double least_turns = 1.0;
-  double most_turns = -1.0;
+  double min_turns = 1.0;
+  double max_turns = -1.0;
   const double middle = std::atan2(frustum.inward[4].y, frustum.inward[4].x);
   for (int i = 0; i < 4; ++i) {
     const Vector3<double>& from = corner[i];
     const Vector3<double>& to = corner[(i + 1) % 4];
-    high = std::max(high, greatest_height(from, to, frustum.inward[side[i]]));
-    low = std::min(low, -greatest_height(-from, -to, frustum.inward[side[i]]));
+    high = std::max(high, max_height(from, to, frustum.inward[side[i]]));
+    low = std::min(low, -max_height(-from, -to, frustum.inward[side[i]]));
     const double turns = std::remainder(std::atan2(from.y, from.x) - middle, 2.0 * pi) / (2.0 * pi);
-    least_turns = std::min(least_turns, turns);
-    most_turns = std::max(most_turns, turns);
+    min_turns = std::min(min_turns, turns);
+    max_turns = std::max(max_turns, turns);
   }
   const bool north = holds_pole(frustum, 1.0);
   const bool south = holds_pole(frustum, -1.0);
@@ -125,10 +125,10 @@ SkyBounds bounds_of(const SkyFrustum& frustum) {
                    static_cast<float>(north ? 1.0 : high + bound_slack), 0.0F, 1.0F};
   // Beside a pole, a small part of the sky may span most azimuths. Spans of more than half a turn
   // are replaced by the full turn.
-  if (!north && !south && most_turns - least_turns < 0.5) {
-    const double begin = middle / (2.0 * pi) + least_turns - bound_slack;
+  if (!north && !south && max_turns - min_turns < 0.5) {
+    const double begin = middle / (2.0 * pi) + min_turns - bound_slack;
     bounds.turns = static_cast<float>(begin - std::floor(begin));
-    bounds.width_turns = static_cast<float>(most_turns - least_turns + 2.0 * bound_slack);
+    bounds.width_turns = static_cast<float>(max_turns - min_turns + 2.0 * bound_slack);
   }
   return bounds;
 }
@@ -155,7 +155,7 @@ SkyPart sky_part(const SkyFrustum& frustum) {
   return part;
 }
 
-SkyTurn sky_turn(double phi) {
+SkyRotation sky_rotation(double phi) {
   const double turns = phi / (2.0 * pi);
   return {static_cast<float>(turns - std::floor(turns)), std::sin(phi), std::cos(phi)};
 }

@@ -31,6 +31,6 @@ double solid_angle(const SkyFrustum& frustum);
 SkyPart sky_part(const SkyFrustum& frustum);
 
 //! Returns the rotation by the angle φ [rad] around the z axis.
-SkyTurn sky_turn(double phi);
+SkyRotation sky_rotation(double phi);
 
 }  // namespace ergodome

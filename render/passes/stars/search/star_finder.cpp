@@ -34,7 +34,7 @@ constexpr double cell_of_budget = 8.0;
 
 }  // namespace
 
-double least_star_cell_px(double budget_px) {
+double min_star_cell_px(double budget_px) {
   return std::clamp(cell_of_budget * budget_px, finest_cell_px, coarsest_cell_px);
 }
 
@@ -48,7 +48,7 @@ LensStation build_star_station(const StarEye& eye, const StarSettings& settings,
   grid.budget_px = std::max(grid_budget_px, float_budget / settings.pixel);
   grid.observer = aberration_of(eye);
   grid.fine = false;
-  grid.least_area_px = settings.least_cell_px;
+  grid.min_area_px = settings.min_cell_px;
   grid.inverted = true;
   return eye.omni ? build_omni_station(*eye.omni, grid)
                   : build_lens_station(eye.camera.spacetime, eye.camera.r, eye.camera.theta, grid, nullptr, tracer);
@@ -66,24 +66,24 @@ StarPatches star_patches(const StarField& field, const BlackbodyTable& colours, 
 
 namespace {
 
-StarLook look_of(const StarSettings& settings) {
+StarAppearance appearance_of(const StarSettings& settings) {
   return {settings.faintest, settings.redshift, settings.magnification};
 }
 
 //! Converts an approximate image to a candidate, using what the observer sees at its position. Sets
 //! star to -1 if it is too faint or out of view.
 StarCandidate candidate_of(const RoughImage& image, const FieldStar& star, const ImageObserver& observer,
-                           const ObservedPlaces& places, std::size_t i, const StarSettings& settings) {
-  const float g = places.frequency_ratio[i];
+                           const ObservedPositions& positions, std::size_t i, const StarSettings& settings) {
+  const float g = positions.frequency_ratio[i];
   // Ratio of the solid angle on the sky to that seen by the observer.
-  const float solid_angle = image.sky / places.area[i];
+  const float solid_angle = image.sky / positions.area[i];
   StarCandidate candidate;
   candidate.star = image.star;
-  candidate.direction = {static_cast<double>(places.direction[0][i]), static_cast<double>(places.direction[1][i]),
-                         static_cast<double>(places.direction[2][i])};
-  const float most = image.brighter / std::abs(solid_angle) * observer.shift_gain(star, g);
+  candidate.direction = {static_cast<double>(positions.direction[0][i]), static_cast<double>(positions.direction[1][i]),
+                         static_cast<double>(positions.direction[2][i])};
+  const float maximum = image.brighter / std::abs(solid_angle) * observer.shift_gain(star, g);
   if (!image.guessed &&
-      (star.illuminance * most < settings.faintest || !may_touch(settings.view, candidate.direction, 0.0))) {
+      (star.illuminance * maximum < settings.faintest || !may_touch(settings.view, candidate.direction, 0.0))) {
     candidate.star = -1;
     return candidate;
   }
@@ -109,7 +109,7 @@ StarImage image_of(const StarCandidate& c, const FieldStar& star, const Blackbod
   }
   const Vector3<float> direction = {static_cast<float>(c.direction.x), static_cast<float>(c.direction.y),
                                     static_cast<float>(c.direction.z)};
-  shining_image(colours, look_of(settings), c.star, star, direction, static_cast<float>(c.frequency_ratio),
+  shining_image(colours, appearance_of(settings), c.star, star, direction, static_cast<float>(c.frequency_ratio),
                 static_cast<float>(c.solid_angle), static_cast<float>(capped_solid_angle(c)), image);
   return image;
 }
@@ -138,20 +138,20 @@ struct Search {
 //! Converts approximate images to candidates, and images in patches of an exact grid to final
 //! images.
 void sort_out(const Search& search, std::span<const RoughImage> rough, Sought& sought) {
-  const SkyTurn turn = sky_turn(search.phi);
-  const ObservedPlaces places = search.observer.observe(rough);
+  const SkyRotation turn = sky_rotation(search.phi);
+  const ObservedPositions positions = search.observer.observe(rough);
   for (std::size_t i = 0; i < rough.size(); ++i) {
     const FieldStar& star = search.field.stars()[static_cast<std::size_t>(rough[i].star)];
     if (rough[i].exact) {
       SeenImage found{};
-      if (complete_image(search.settings.view, search.colours, look_of(search.settings), rough[i].star, star,
-                         {places.direction[0][i], places.direction[1][i], places.direction[2][i]},
-                         places.frequency_ratio[i], rough[i].sky / places.area[i], found)) {
+      if (complete_image(search.settings.view, search.colours, appearance_of(search.settings), rough[i].star, star,
+                         {positions.direction[0][i], positions.direction[1][i], positions.direction[2][i]},
+                         positions.frequency_ratio[i], rough[i].sky / positions.area[i], found)) {
         sought.exact.push_back(found);
       }
       continue;
     }
-    StarCandidate candidate = candidate_of(rough[i], star, search.observer, places, i, search.settings);
+    StarCandidate candidate = candidate_of(rough[i], star, search.observer, positions, i, search.settings);
     if (candidate.star < 0) {
       continue;
     }
@@ -175,12 +175,12 @@ void put_in_order(std::vector<RoughImage>& rough) {
 //! of threads, so that neighbors on the screen are neighbors in SIMD lanes. On a GPU, images that
 //! need no rays stay in GPU memory; `in_place` describes them.
 std::vector<Sought> seek(const Search& search, const StarPatches& patches, const DeviceSearch* device,
-                         FoundInPlace& in_place) {
+                         BackendImages& in_place) {
   if (device == nullptr) {
     SearchInputs inputs = patches.view(host_data);
     inputs.field = search.field.view(host_data);
     inputs.view = search.settings.view;
-    inputs.turn = sky_turn(search.phi);
+    inputs.turn = sky_rotation(search.phi);
     std::vector<Sought> parts(static_cast<std::size_t>(rough_parts(inputs.patch_count)));
     find_rough_images(inputs, search.field.stars().size(), [&](int part, const std::vector<RoughImage>& rough) {
       sort_out(search, rough, parts[static_cast<std::size_t>(part)]);
@@ -189,7 +189,7 @@ std::vector<Sought> seek(const Search& search, const StarPatches& patches, const
   }
   const StarSettings& settings = search.settings;
   PatchSearch::Result result =
-      device->search.find(device->patches, {search.phi, settings.view, search.observer, look_of(settings)});
+      device->search.find(device->patches, {search.phi, settings.view, search.observer, appearance_of(settings)});
   put_in_order(result.rough);
   const std::vector<RoughImage>& rough = result.rough;
   constexpr std::size_t chunk = 512;
@@ -220,7 +220,7 @@ void append(const std::vector<Sought>& parts, std::vector<T> Sought::*list, std:
 
 //! All images found, including duplicates.
 struct FoundImages {
-  FoundInPlace in_place;
+  BackendImages in_place;
   std::vector<SeenImage> in_host;
 };
 

@@ -16,8 +16,8 @@ namespace ergodome {
 struct StarSettings {
   double pixel = 3e-3;    //!< angle of a pixel on the screen [rad]
   double grid_px = 0.01;  //!< maximum error of the grid next to critical curves [px]
-  //! Grid cells with a smaller area are not split further [px²], see least_star_cell_px().
-  double least_cell_px = 2.0;
+  //! Grid cells with a smaller area are not split further [px²], see min_star_cell_px().
+  double min_cell_px = 2.0;
   float faintest = 1e-11F;    //!< images below this illuminance are omitted [lx]
   ViewCone view{};            //!< images outside this cone may be omitted
   bool redshift = true;       //!< apply frequency shift and beaming
@@ -30,7 +30,7 @@ struct StarSettings {
 //! 0.0625 px, the grid loses none of the images that finer grids find, for 5,000 stars around a
 //! hole of spin 0.999. At four times that budget, it loses ten of 8,691 images, all next to the
 //! shadow's edge, and building a grid for a new position takes three fifths of the time.
-double least_star_cell_px(double budget_px);
+double min_star_cell_px(double budget_px);
 
 //! Returns whether results for one pixel angle [rad] can be used for another: if both are equal or,
 //! with `about`, if `found_for` is between half of `pixel` and one percent above it.

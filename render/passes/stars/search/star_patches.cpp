@@ -78,7 +78,7 @@ float folded_magnification(float camera_rate, float sky_range, float chart_area)
 }
 
 Stretching stretching_of(const PatchMeasures& measures, const StarPatch& patch) {
-  constexpr float most_between_samples = 2.0F;
+  constexpr float max_between_samples = 2.0F;
   const float sky_range = measures.highest_sky - measures.lowest_sky;
   // The margin accounts for folds between samples.
   if (measures.lowest_sky > 0.05F * sky_range || measures.highest_sky < -0.05F * sky_range) {
@@ -87,30 +87,30 @@ Stretching stretching_of(const PatchMeasures& measures, const StarPatch& patch) 
     // of its total ratio.
     const float low = std::min(std::abs(measures.lowest_sky), std::abs(measures.highest_sky));
     const float high = std::max(std::abs(measures.lowest_sky), std::abs(measures.highest_sky));
-    const float between_samples = std::min(std::sqrt(std::sqrt(std::sqrt(high / low))), most_between_samples);
-    return {false, between_samples * measures.greatest_ratio};
+    const float between_samples = std::min(std::sqrt(std::sqrt(std::sqrt(high / low))), max_between_samples);
+    return {false, between_samples * measures.max_ratio};
   }
-  return {true, folded_magnification(measures.greatest_camera, sky_range, patch.width_turns * patch.height)};
+  return {true, folded_magnification(measures.largest_camera, sky_range, patch.width_turns * patch.height)};
 }
 
 //! Returns the maximum factor by which an image may be brighter than according to the grid. Uses
 //! the bound from the grid's error, but at most the largest errors that were found in tests: in
 //! regular patches mostly 1 %, rarely 30 %; next to the shadow's edge, where patches are bent and
 //! images faint, many-fold.
-float most_brighter(float by_error, PatchShape shape) {
-  constexpr float least_bent = 2.0F;
-  constexpr float most_regular = 1.35F;
-  constexpr float most = 8.0F;
+float max_brighter(float by_error, PatchShape shape) {
+  constexpr float min_bend = 2.0F;
+  constexpr float max_regular = 1.35F;
+  constexpr float maximum = 8.0F;
   switch (shape) {
     case PatchShape::regular:
-      return std::min(by_error, most_regular);
+      return std::min(by_error, max_regular);
     case PatchShape::bent:
-      return std::clamp(by_error, least_bent, most);
+      return std::clamp(by_error, min_bend, maximum);
     // The search covers folds within the grid's error around their positions in the grid.
     case PatchShape::folded:
       break;
   }
-  return most;
+  return maximum;
 }
 
 //! Returns the axis along which a patch is longer on the sky.
@@ -192,14 +192,14 @@ void StarPatches::set_error(float error_px, StarPatch& patch) const {
   constexpr float exact_magnification = 6e-3F;
   constexpr float between_checks = 3.0F;
   // The first-order correction is not valid beyond this error.
-  constexpr float most_displaced = 0.03F;
+  constexpr float max_displaced = 0.03F;
   const LeafErrors errors = corrected_.errors(patch.leaf);
   const float magnification_error = slope_error * errors.displaced;
   // Nodes are traced in single precision.
   const auto rounding = static_cast<float>(edge_rounding / edge_distance(chart_, static_cast<double>(patch.s)));
   patch.brighter = 1.0F + between_checks * (magnification_error + rounding);
   const float left_px = error_px * std::min(errors.left / std::max(errors.displaced, 1e-30F), 1.0F);
-  patch.exact = errors.displaced <= most_displaced && left_px <= exact_grid_px &&
+  patch.exact = errors.displaced <= max_displaced && left_px <= exact_grid_px &&
                 corrected_slope_error * errors.left <= exact_magnification;
 }
 
@@ -232,8 +232,8 @@ void StarPatches::add_patch(const Wanted& wanted, const StarPatch& patch, int de
     // Enlarges the radius, because chords are shorter than angles, and sides may bulge between the
     // sampled positions.
     own.seen_radius = 1.6F * measures.seen_radius;
-    own.most_camera = 1.1F * measures.greatest_camera * own.width_turns * own.height;
-    own.brighter = most_brighter(patch.brighter, own.shape);
+    own.max_camera = 1.1F * measures.largest_camera * own.width_turns * own.height;
+    own.brighter = max_brighter(patch.brighter, own.shape);
     own.magnification = stretching.magnification * (stretching.folded ? 1.0F : own.brighter);
     if (wanted.field.count_from(floor_of(own, faintest_)) == 0) {
       return;

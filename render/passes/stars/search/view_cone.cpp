@@ -10,14 +10,14 @@ namespace ergodome {
 namespace {
 
 //! Number of samples along the outline of a picture.
-constexpr int outline_places = 256;
+constexpr int outline_positions = 256;
 
 //! Returns a direction on the outline of a picture: the rim of a fisheye, or the edges of other
 //! pictures.
 Vector3<double> outline_direction(const Projection& projection, int i) {
   const double x = 0.5 * projection.width_px;
   const double y = 0.5 * projection.height_px;
-  const double turn = 2.0 * pi * i / outline_places;
+  const double turn = 2.0 * pi * i / outline_positions;
   double right = std::cos(turn);
   double down = std::sin(turn);
   if (projection.kind == ProjectionKind::dome_fisheye) {
@@ -50,8 +50,8 @@ double widest_angle(const Projection& projection, const Vector3<double>& middle)
   }
   double lowest = 1.0;
   double longest_step = 0.0;
-  Vector3<double> before = outline_direction(projection, outline_places - 1);
-  for (int i = 0; i < outline_places; ++i) {
+  Vector3<double> before = outline_direction(projection, outline_positions - 1);
+  for (int i = 0; i < outline_positions; ++i) {
     const Vector3<double> here = outline_direction(projection, i);
     lowest = std::min(lowest, dot(middle, here));
     longest_step = std::max(longest_step, std::acos(std::clamp(dot(before, here), -1.0, 1.0)));

@@ -92,7 +92,7 @@ TEST_F(SavedCalibration, WritesComputedFilesForAnotherTilt) {
   const WarpNode& node = warp.at(warp.columns / 2, warp.rows / 2);
   double u = 0.0;
   double v = 0.0;
-  ASSERT_TRUE(master_place({25.0, 180.0}, *optics.dome_point({0.5, 0.5}), u, v));
+  ASSERT_TRUE(master_position({25.0, 180.0}, *optics.dome_point({0.5, 0.5}), u, v));
   EXPECT_NEAR(node.u, u, 1e-5);
   EXPECT_NEAR(node.v, v, 1e-5);
 }

@@ -133,7 +133,7 @@ TEST_F(ChannelFrames, AreTheSameInExrAsFloats) {
       << output_;
   ASSERT_EQ(run("render numbers.toml --frames 1 --out picture --format exr --backend cpu"), 0) << output_;
   EXPECT_TRUE(is_complete_image(frame("f", "exr"), size_px, size_px));
-  EXPECT_EQ(fact_of_image(frame("f", "exr"), "spin"), "0.9");
+  EXPECT_EQ(metadata_of_image(frame("f", "exr"), "spin"), "0.9");
   // The EXR file of the picture stores light as half floats, so it is compared with their
   // precision.
   FitsReader fits(frame("f"));

@@ -126,10 +126,10 @@ TEST_F(CommandLine, InspectMarksNumbersThatHaveNotComeToTheirLastKeyAtTheEnd) {
 }
 
 //! Returns a show with a sphere of radius 1 at a position.
-std::string show_with_sphere(const std::string& place) {
+std::string show_with_sphere(const std::string& location) {
   return "[hole]\nspin = 0.5\n[[camera.key]]\nr = 12\n[sky]\nmap = \"black\"\n[view]\nsize_px = 16\n[[objects]]\n"
          "shape = \"sphere\"\nmethod = \"trace\"\nsize = 0.5\nposition = " +
-         place + "\n";
+         location + "\n";
 }
 
 constexpr const char* sunk_note =
@@ -175,13 +175,13 @@ TEST_F(CommandLine, ShowsTellOfTexelsOfTheirMapThatAreNoLight) {
   light[5] = 1e20F;
   light[30] = -1.0F;
   write("sky.pfm", "PF\n16 8\n-1.0\n" + std::string(reinterpret_cast<const char*>(light.data()), 4 * light.size()));
-  const std::string told =
+  const std::string reported =
       "sky.pfm: has 1 texel infinite or brighter than 1e+09 (clamped), 1 texel with a negative color (set to 0) "
       "(sky.map, bright.toml:4)";
   ASSERT_EQ(run("inspect bright.toml"), 0) << output_;
-  EXPECT_THAT(output_, HasSubstr(told));
+  EXPECT_THAT(output_, HasSubstr(reported));
   ASSERT_EQ(run("render bright.toml --out o --backend cpu"), 0) << output_;
-  EXPECT_THAT(output_, HasSubstr(told));
+  EXPECT_THAT(output_, HasSubstr(reported));
 }
 
 TEST_F(CommandLine, InspectTellsTheSizeOfMeshesAndRemarksOnThem) {

@@ -141,9 +141,9 @@ TEST_F(RenderAMovie, DeletesNoFrameThatItDidNotMakeItself) {
   EXPECT_FALSE(fs::exists(folder_ / "f/small_000001.png"));
   EXPECT_TRUE(fs::exists(folder_ / "f/other_000001.png"));
   EXPECT_TRUE(fs::exists(folder_ / "f/L"));
-  const auto facts = nlohmann::json::parse(text("f/small.json"));
-  EXPECT_EQ(facts["first_frame"], 2);
-  EXPECT_EQ(facts["last_frame"], 2);
+  const auto metadata = nlohmann::json::parse(text("f/small.json"));
+  EXPECT_EQ(metadata["first_frame"], 2);
+  EXPECT_EQ(metadata["last_frame"], 2);
 }
 
 TEST_F(RenderAMovie, DeletesBothEyesFramesAndTheirFolders) {
@@ -345,12 +345,12 @@ TEST_F(CommandLine, ASheetOfFactsTellsOfTheFramesThatLieThere) {
         "duration_s = 2\nframe_rate_hz = 10\n[[camera.key]]\nr = 9\n[sky]\nmap = \"black\"\n[view]\nsize_px = 16\n"
         "[[animate]]\nnumber = \"view.fov_deg\"\nkey = [{ t_s = 0, value = 100, ease = \"linear\" }, { t_s = 2, value "
         "= 120 }]\n");
-  const auto facts = [&] {
+  const auto metadata = [&] {
     std::ifstream file(folder_ / "f/zoom.json");
     return nlohmann::json::parse(file);
   };
   ASSERT_EQ(run("render zoom.toml --out f --backend cpu --lens direct --frames 6:8"), 0) << output_;
-  const nlohmann::json part = facts();
+  const nlohmann::json part = metadata();
   EXPECT_EQ(part["files"], "zoom_000006.png");
   EXPECT_EQ(part["frames"], 3);
   EXPECT_EQ(part["first_frame"], 6);
@@ -360,22 +360,22 @@ TEST_F(CommandLine, ASheetOfFactsTellsOfTheFramesThatLieThere) {
   EXPECT_NEAR(part["fov_deg"]["first"].get<double>(), 105.0, 0.6) << "frame 6 is shown from 0.5 s on";
   EXPECT_NEAR(part["fov_deg"]["last"].get<double>() - part["fov_deg"]["first"].get<double>(), 2.0, 1e-9);
   ASSERT_EQ(run("render zoom.toml --out f --backend cpu --lens direct --frames 9:10"), 0) << output_;
-  EXPECT_EQ(facts()["first_frame"], 6) << "the parts lie beside each other";
-  EXPECT_EQ(facts()["frames"], 5);
+  EXPECT_EQ(metadata()["first_frame"], 6) << "the parts lie beside each other";
+  EXPECT_EQ(metadata()["frames"], 5);
 }
 
 TEST_F(CommandLine, ASheetOfFactsLeavesOutFramesThatWereAskedForOtherwise) {
   write("still.toml",
         "duration_s = 1\nframe_rate_hz = 8\n[[camera.key]]\nr = 9\n[sky]\nmap = \"black\"\n[view]\nsize_px = 16\n");
-  const auto facts = [&] {
+  const auto metadata = [&] {
     std::ifstream file(folder_ / "f/still.json");
     return nlohmann::json::parse(file);
   };
   ASSERT_EQ(run("render still.toml --out f --backend cpu --lens direct --frames 1:4"), 0) << output_;
   ASSERT_EQ(run("render still.toml --out f --backend cpu --lens direct --frames 5:8 --size 32"), 0) << output_;
-  EXPECT_EQ(facts()["eye_width_px"], 32);
-  EXPECT_EQ(facts()["first_frame"], 5);
-  EXPECT_EQ(facts()["frames"], 4);
+  EXPECT_EQ(metadata()["eye_width_px"], 32);
+  EXPECT_EQ(metadata()["first_frame"], 5);
+  EXPECT_EQ(metadata()["frames"], 4);
 }
 
 TEST_F(CommandLine, PatternsNeedNoShow) {

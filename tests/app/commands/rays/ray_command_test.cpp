@@ -185,9 +185,9 @@ TEST_F(RayCommands, TraceBuildsAGridOnceForEachCameraWhereverItsRowsStand) {
   const std::string far = "0.5,12,1.2,zamo,-0.2,0.3,0.9,far\n";
   write("mixed.csv", header + near + far + near + far + near);
   ASSERT_EQ(run("trace --rays mixed.csv --out sky.csv --method grid --size 512"), 0) << output_;
-  std::istringstream told(output_);
+  std::istringstream reported(output_);
   int grids = 0;
-  for (std::string line; std::getline(told, line);) {
+  for (std::string line; std::getline(reported, line);) {
     grids += line.starts_with("a 0.5 r ") ? 1 : 0;
   }
   EXPECT_EQ(grids, 2) << output_;

@@ -54,8 +54,8 @@ size_px = 200
   EXPECT_NEAR(seen.x, srgb_decoded(shown.x), 2e-3F);
   EXPECT_NEAR(seen.y, srgb_decoded(shown.y), 2e-3F);
   EXPECT_NEAR(seen.z, srgb_decoded(shown.z), 2e-3F);
-  EXPECT_EQ(fact_of_image(folder_ / "f/static_000001.exr", "view"), "g");
-  EXPECT_EQ(fact_of_image(folder_ / "f/static_000001.exr", "view_range"), "1 4");
+  EXPECT_EQ(metadata_of_image(folder_ / "f/static_000001.exr", "view"), "g");
+  EXPECT_EQ(metadata_of_image(folder_ / "f/static_000001.exr", "view_range"), "1 4");
 }
 
 TEST(ViewRange, IsTwoNumbersTheSmallerOneFirst) {

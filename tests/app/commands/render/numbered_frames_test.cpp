@@ -58,7 +58,9 @@ class NumberedFrames : public test::CommandLine {
   int render(const std::string& options) {
     return run("render still.toml --out f --backend cpu --lens direct " + options);
   }
-  [[nodiscard]] std::string fact(const char* name) const { return fact_of_image(folder_ / "f/still_000003.png", name); }
+  [[nodiscard]] std::string entry(const char* name) const {
+    return metadata_of_image(folder_ / "f/still_000003.png", name);
+  }
 };
 
 TEST_F(NumberedFrames, AreFoundWhereTheyBelong) {
@@ -123,19 +125,19 @@ TEST_F(NumberedFrames, HaveTheirSheetWhenTheirRunIsStopped) {
 
 TEST_F(NumberedFrames, SayWhereTheyAreAndHowTheyAreShown) {
   ASSERT_EQ(render("--frames 3"), 0) << output_;
-  EXPECT_EQ(fact("frame"), "3");
-  EXPECT_EQ(fact("time_s"), "0.200000");
-  EXPECT_NEAR(std::stod(fact("exposure_stops")), -2.0, 1e-9);
-  EXPECT_EQ(fact("tone_curve"), "reinhard");
-  EXPECT_EQ(fact("tone_white"), "3");
-  EXPECT_EQ(fact("fov_deg"), "180");
-  EXPECT_EQ(fact("tilt_deg"), "20");
+  EXPECT_EQ(entry("frame"), "3");
+  EXPECT_EQ(entry("time_s"), "0.200000");
+  EXPECT_NEAR(std::stod(entry("exposure_stops")), -2.0, 1e-9);
+  EXPECT_EQ(entry("tone_curve"), "reinhard");
+  EXPECT_EQ(entry("tone_white"), "3");
+  EXPECT_EQ(entry("fov_deg"), "180");
+  EXPECT_EQ(entry("tilt_deg"), "20");
 }
 
 TEST_F(NumberedFrames, SayWhichWayTheCameraLooks) {
   ASSERT_EQ(render("--frames 3"), 0) << output_;
-  EXPECT_GT(std::stod(fact("phi_deg")), 350.0);
-  std::istringstream forward(fact("forward"));
+  EXPECT_GT(std::stod(entry("phi_deg")), 350.0);
+  std::istringstream forward(entry("forward"));
   double r = 0.0;
   double theta = 0.0;
   double phi = 0.0;

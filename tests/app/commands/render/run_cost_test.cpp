@@ -76,7 +76,7 @@ TEST_F(CommandLine, UncompressedFramesTakeTheirPixelsBytes) {
   ASSERT_EQ(run("render short.toml --backend cpu --frames 1 --out f --format exr --compression none"), 0) << output_;
   const auto written = static_cast<double>(fs::file_size(folder_ / "f/short_000001.exr"));
   const FrameFormat format = frame_format("exr", "none", false);
-  const double expected = least_compressed_part(format) * static_cast<double>(uncompressed_bytes(format, 64 * 64));
+  const double expected = min_compressed_part(format) * static_cast<double>(uncompressed_bytes(format, 64 * 64));
   // In addition to the pixels, the file has 16 bytes per row (its number, size and offset) and a
   // header of at most 4096 bytes.
   EXPECT_GE(written, expected + 64 * 16);

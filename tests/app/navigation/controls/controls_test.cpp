@@ -62,29 +62,29 @@ TEST(Controls, TheirPagesExampleIsRead) {
 
 TEST(Controls, EveryActionHasAKeyAndThoseOfVisitorsAPadsButton) {
   const Controls controls;
-  for (const ActionFacts& facts : all_actions()) {
-    const auto& inputs = controls.inputs_of(facts.action);
-    EXPECT_TRUE(std::ranges::any_of(inputs, of_keyboard)) << facts.name;
-    EXPECT_TRUE(facts.user == ActionUser::presenter || std::ranges::any_of(inputs, of_pad)) << facts.name;
+  for (const ActionNames& named : all_actions()) {
+    const auto& inputs = controls.inputs_of(named.action);
+    EXPECT_TRUE(std::ranges::any_of(inputs, of_keyboard)) << named.name;
+    EXPECT_TRUE(named.user == ActionUser::presenter || std::ranges::any_of(inputs, of_pad)) << named.name;
   }
 }
 
 TEST(Controls, EveryWayToSteerHasKeysAndAPad) {
   const Controls controls;
-  for (const SteerFacts& facts : all_steering()) {
-    const auto& bindings = controls.inputs_of(facts.component);
+  for (const SteerNames& named : all_steering()) {
+    const auto& bindings = controls.inputs_of(named.component);
     const auto with = [&](auto kind) {
       return std::ranges::any_of(bindings, [&](const Controls::SteerBinding& b) { return kind(b.input); });
     };
-    EXPECT_TRUE(with(of_keyboard)) << facts.name;
-    EXPECT_TRUE(with(of_pad)) << facts.name;
+    EXPECT_TRUE(with(of_keyboard)) << named.name;
+    EXPECT_TRUE(with(of_pad)) << named.name;
   }
 }
 
 TEST(Controls, EveryActionHasFacts) {
   for (int action = 1; action <= static_cast<int>(KeyAction::leave_exhibit); ++action) {
-    EXPECT_TRUE(std::ranges::any_of(all_actions(), [&](const ActionFacts& facts) {
-      return facts.action == static_cast<KeyAction>(action);
+    EXPECT_TRUE(std::ranges::any_of(all_actions(), [&](const ActionNames& named) {
+      return named.action == static_cast<KeyAction>(action);
     })) << action;
   }
 }
@@ -211,13 +211,13 @@ TEST(ControlsHelp, ManyKeysOfOneActionTakeSeveralLines) {
 
 TEST(ControlsHelp, GroupsLinesBySubject) {
   const std::string help = help_text(Controls(), {.pads = false});
-  std::vector<std::size_t> places;
+  std::vector<std::size_t> positions;
   for (const char* line :
        {"Flight\n", "\n\nCamera\n", "\n\nPicture\n", "\n\nShow\n", "\n\nStereo\n", "\n\nProgram\n"}) {
-    places.push_back(help.find(line));
-    EXPECT_NE(places.back(), std::string::npos) << line;
+    positions.push_back(help.find(line));
+    EXPECT_NE(positions.back(), std::string::npos) << line;
   }
-  EXPECT_TRUE(std::ranges::is_sorted(places));
+  EXPECT_TRUE(std::ranges::is_sorted(positions));
   EXPECT_THAT(help, testing::ContainsRegex("\n  W, S +move forward, back\n"));
   EXPECT_THAT(help, testing::ContainsRegex("\n  Left, Right +2 s back, forward\n"));
   // Visitors cannot change stereo settings, so the help text for them does not name these settings.
@@ -225,15 +225,15 @@ TEST(ControlsHelp, GroupsLinesBySubject) {
 }
 
 TEST(ControlsHelp, HasEveryActionOfAPresenterOnce) {
-  for (const ActionFacts& facts : all_actions()) {
-    if (facts.action == KeyAction::leave_exhibit) {
+  for (const ActionNames& named : all_actions()) {
+    if (named.action == KeyAction::leave_exhibit) {
       continue;
     }
-    const Controls own = parse_controls(fmt::format("[actions]\n{} = [\"Keypad9\"]\n", facts.name), "c.toml");
+    const Controls own = parse_controls(fmt::format("[actions]\n{} = [\"Keypad9\"]\n", named.name), "c.toml");
     const std::string help = help_text(own, {.pads = false});
     const std::size_t first = help.find("Keypad 9");
-    EXPECT_NE(first, std::string::npos) << facts.name;
-    EXPECT_EQ(help.find("Keypad 9", first + 1), std::string::npos) << facts.name;
+    EXPECT_NE(first, std::string::npos) << named.name;
+    EXPECT_EQ(help.find("Keypad 9", first + 1), std::string::npos) << named.name;
   }
 }
 

@@ -68,14 +68,14 @@ TEST(HelpLayout, AnEmptyListStaysOne) {
 TEST(HelpLayout, WhereNothingFitsLettersAreSmallest) { EXPECT_EQ(fit("a\n\nb\n", {0, 0}, 20).letter_px, 6); }
 
 TEST(HelpLayout, TheProgramsHelpFitsIntoSmallWindows) {
-  for (const auto& [window, least_px] : {std::pair(TextSize{700, 700}, 8), std::pair(TextSize{640, 360}, 7)}) {
+  for (const auto& [window, min_px] : {std::pair(TextSize{700, 700}, 8), std::pair(TextSize{640, 360}, 7)}) {
     for (const char* language : {"en", "de"}) {
       const HelpChoice choice = {.pads = false, .language = language, .form = HelpForm::cells};
       const FittedText fitted = fit(help_text(Controls(), choice), window, 14);
       const TextSize size = measured(fitted.text, fitted.letter_px);
       EXPECT_LE(size.width_px, window.width_px) << language;
       EXPECT_LE(size.height_px, window.height_px) << language;
-      EXPECT_GE(fitted.letter_px, least_px) << language;
+      EXPECT_GE(fitted.letter_px, min_px) << language;
     }
   }
 }

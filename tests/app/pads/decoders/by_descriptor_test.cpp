@@ -117,10 +117,10 @@ TEST(ByDescriptor, ArraysOfButtonsPressTheButtonsThatTheyName) {
 }
 
 //! Returns the left trigger at rest and after each report. The pad has the axes x, y, z, rz, rx and
-//! ry of eight bits, with the minimum `least`; each report sets the trigger to one of `values`.
-std::vector<float> triggers_after(std::uint8_t least, const std::vector<std::uint8_t>& values) {
+//! ry of eight bits, with the minimum `minimum`; each report sets the trigger to one of `values`.
+std::vector<float> triggers_after(std::uint8_t minimum, const std::vector<std::uint8_t>& values) {
   const std::vector<std::uint8_t> descriptor = {0x05, 0x01, 0x09, 0x05, 0xA1, 0x01, 0x09, 0x30, 0x09, 0x31,
-                                                0x09, 0x32, 0x09, 0x35, 0x09, 0x33, 0x09, 0x34, 0x15, least,
+                                                0x09, 0x32, 0x09, 0x35, 0x09, 0x33, 0x09, 0x34, 0x15, minimum,
                                                 0x25, 0x7F, 0x75, 0x08, 0x95, 0x06, 0x81, 0x02, 0xC0};
   const auto decoder = make_by_descriptor(descriptor);
   RawPad raw = at_rest(decoder->layout());

@@ -45,13 +45,13 @@ TEST(HidDescriptor, PlacesFieldsThatAreNotAlignedAsTheStickDoes) {
   EXPECT_EQ(layout.report_bits.at(0), 14U * 8U);
   EXPECT_EQ(field_of(layout, {1, 0x30}).bit_offset, 0U);
   EXPECT_EQ(field_of(layout, {1, 0x31}).bit_offset, 11U);
-  EXPECT_EQ(field_of(layout, {1, 0x31}).greatest, 2047);
+  EXPECT_EQ(field_of(layout, {1, 0x31}).maximum, 2047);
   EXPECT_EQ(field_of(layout, {1, 0x35}).bit_offset, 22U);
   EXPECT_EQ(field_of(layout, {1, 0x35}).bits, 10);
   EXPECT_EQ(field_of(layout, {9, 1}).bit_offset, 64U);
   EXPECT_EQ(field_of(layout, {9, 34}).bit_offset, 97U);
   EXPECT_EQ(field_of(layout, {1, 0x39}).bit_offset, 100U);
-  EXPECT_EQ(field_of(layout, {1, 0x39}).least, 1);
+  EXPECT_EQ(field_of(layout, {1, 0x39}).minimum, 1);
 }
 
 //! Returns the x axis of a joystick with the given logical limits, in a field of `bits` bits.
@@ -66,8 +66,8 @@ TEST(HidDescriptor, CorrectsLimitsThatAFieldCannotHold) {
   struct Case {
     Bytes limits;
     std::uint8_t bits;
-    std::int64_t least;
-    std::int64_t greatest;
+    std::int64_t minimum;
+    std::int64_t maximum;
   };
   for (const Case& each : {Case{{0x15, 0x00, 0x25, 0xFF}, 8, 0, 255},                        // 255 in one signed byte
                            Case{{0x15, 0x20, 0x27, 0xFF, 0xFF, 0x20, 0x20}, 16, 32, 65535},  // beyond the field
@@ -77,8 +77,8 @@ TEST(HidDescriptor, CorrectsLimitsThatAFieldCannotHold) {
                            Case{{0x15, 0xFF, 0x25, 0x00}, 8, 0, 255},          // swapped, in one byte
                            Case{{}, 12, 0, 4095}}) {                           // missing
     const HidField field = axis_of(each.limits, each.bits);
-    EXPECT_EQ(field.least, each.least) << int(each.bits);
-    EXPECT_EQ(field.greatest, each.greatest) << int(each.bits);
+    EXPECT_EQ(field.minimum, each.minimum) << int(each.bits);
+    EXPECT_EQ(field.maximum, each.maximum) << int(each.bits);
   }
 }
 
@@ -89,7 +89,7 @@ TEST(HidDescriptor, TakesUsagesOfFourBytesWithTheirPage) {
   EXPECT_EQ(layout.report_bits.at(0x21), 63U * 8U);
   EXPECT_EQ(layout.report_bits.at(0x81), 63U * 8U);
   EXPECT_EQ(field_of(layout, {1, 0x30}).bit_offset, 16U);
-  EXPECT_EQ(field_of(layout, {1, 0x35}).greatest, 65535);
+  EXPECT_EQ(field_of(layout, {1, 0x35}).maximum, 65535);
   EXPECT_EQ(field_of(layout, {1, 0x39}).bit_offset, 80U);
   EXPECT_EQ(field_of(layout, {9, 18}).bit_offset, 87U);
 }
@@ -102,7 +102,7 @@ TEST(HidDescriptor, CountsEachReportIdByItself) {
   EXPECT_EQ(layout.report_bits.at(3), 16U);
   EXPECT_EQ(field_of(layout, {1, 0x34}).report_id, 2);
   EXPECT_EQ(field_of(layout, {1, 0x34}).bit_offset, 16U);
-  EXPECT_EQ(field_of(layout, {1, 0x34}).least, -350);
+  EXPECT_EQ(field_of(layout, {1, 0x34}).minimum, -350);
 }
 
 TEST(HidDescriptor, TellsReportsOfBluetoothApart) {
@@ -112,7 +112,7 @@ TEST(HidDescriptor, TellsReportsOfBluetoothApart) {
   const HidLayout xbox = layout_of("xbox_series");
   EXPECT_EQ(xbox.report_bits.at(1), 16U * 8U);
   EXPECT_EQ(field_of(xbox, {2, 0xC4}).bit_offset, 80U);
-  EXPECT_EQ(field_of(xbox, {2, 0xC4}).greatest, 1023);
+  EXPECT_EQ(field_of(xbox, {2, 0xC4}).maximum, 1023);
 }
 
 TEST(HidDescriptor, SaysWhatIsNoPad) {
@@ -130,7 +130,7 @@ TEST(HidDescriptor, PopsWhatWasPushed) {
   const HidField& x = field_of(layout, {1, 0x30});
   EXPECT_EQ(x.bit_offset, 1U);
   EXPECT_EQ(x.bits, 8);
-  EXPECT_EQ(x.greatest, 255);
+  EXPECT_EQ(x.maximum, 255);
 }
 
 TEST(HidDescriptor, UsagesTakeThePageThatIsSetBehindThemAndKeepOneThatChangesBetweenThem) {
@@ -168,16 +168,16 @@ TEST(HidDescriptor, ReadsThirtyTwoBitsAcrossFiveBytes) {
   HidField field;
   field.bit_offset = 7;
   field.bits = 32;
-  field.least = 0;
+  field.minimum = 0;
   EXPECT_EQ(field_value(field, Bytes{0x80, 0xFF, 0xFF, 0xFF, 0x7F}), 0xFFFFFFFFLL);
-  field.least = -1;
+  field.minimum = -1;
   EXPECT_EQ(field_value(field, Bytes{0x80, 0xFF, 0xFF, 0xFF, 0x7F}), -1);
 }
 
 TEST(HidDescriptor, TakesAByteOf255BesideAMinimumOf0AsMeant) {
   const HidLayout layout =
       parse_hid_descriptor(joystick({0x15, 0x00, 0x25, 0xFF, 0x75, 0x08, 0x95, 0x01, 0x09, 0x30, 0x81, 0x02}));
-  EXPECT_EQ(field_of(layout, {1, 0x30}).greatest, 255);
+  EXPECT_EQ(field_of(layout, {1, 0x30}).maximum, 255);
 }
 
 TEST(HidDescriptor, PassesOverLongItemsArraysAndOutputs) {

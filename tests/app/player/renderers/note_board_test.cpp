@@ -45,7 +45,7 @@ TEST(NoteBoard, KeepsTheNotesOfOneShowWhereAnotherIsRead) {
 TEST(NoteBoard, HearsWhatIsReadAfterAShowIsLoaded) {
   NoteBoard board;
   const auto reading = std::make_shared<std::set<std::string>>();
-  board.take_place("evening", reading);
+  board.supersede("evening", reading);
   board.add(reading, "a station is damaged");
   board.add(reading, "a station is damaged");
   EXPECT_THAT(board.take(), ElementsAre("a station is damaged"));
@@ -68,13 +68,13 @@ TEST_F(RendererOfADamagedBake, TellsOfItsStationsAsTheyAreRead) {
   lens.trajectory = file.string();
   const RendererWish wish = {Backend::cpu, false, lens, 64, false, board, ""};
   const std::shared_ptr<ShowRenderer> renderer = renderer_maker(wish)(show);
-  std::vector<std::string> told;
-  for (int wait = 0; wait < 500 && told.empty(); ++wait) {
+  std::vector<std::string> reported;
+  for (int wait = 0; wait < 500 && reported.empty(); ++wait) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    told = board->take();
+    reported = board->take();
   }
-  ASSERT_EQ(told.size(), 1U);
-  EXPECT_THAT(told[0], testing::HasSubstr("damaged"));
+  ASSERT_EQ(reported.size(), 1U);
+  EXPECT_THAT(reported[0], testing::HasSubstr("damaged"));
 }
 
 }  // namespace

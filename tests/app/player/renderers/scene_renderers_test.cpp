@@ -145,14 +145,14 @@ TEST_F(SceneRenderersTest, WhatFailsIsToldAndTriedAgain) {
     return std::make_shared<ShowRenderer>(any, Backend::cpu);
   });
   renderers.enter(ExhibitScene::attract, show("a"));
-  std::string told;
+  std::string reported;
   for (int i = 0; i < 2000 && !renderers.current(); ++i) {
     const SceneRenderers::News news = renderers.advance(show("a"));
-    told += news.problem;
+    reported += news.problem;
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   EXPECT_NE(renderers.current(), nullptr);
-  EXPECT_EQ(told, "the GPU is lostthe GPU is lost");
+  EXPECT_EQ(reported, "the GPU is lostthe GPU is lost");
   EXPECT_EQ(tries, 3);
 }
 

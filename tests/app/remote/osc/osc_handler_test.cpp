@@ -243,7 +243,7 @@ TEST_F(Osc, AFloodOfBundlesThatWaitIsBounded) {
     receive(bundle_of(in_seconds(1.0), {packet_of("/ergodome/play", "")}));
   }
   handler_.tick(now_.steady + seconds(2));
-  EXPECT_EQ(commands_.take_all().size(), OscHandler::most_waiting);
+  EXPECT_EQ(commands_.take_all().size(), OscHandler::max_waiting);
 }
 
 TEST_F(Osc, AMasterClockIsHeard) {
@@ -302,7 +302,7 @@ TEST_F(Osc, SubscribersAreFew) {
   for (int port = 6000; port < 6100; ++port) {
     receive(packet_of("/ergodome/subscribe", "i", port));
   }
-  EXPECT_EQ(handler_.tick(now_.steady).size(), OscSubscribers::most_subscribers);
+  EXPECT_EQ(handler_.tick(now_.steady).size(), OscSubscribers::max_subscribers);
 }
 
 TEST_F(Osc, NobodyFromOutsideSubscribesOthers) {
@@ -401,14 +401,14 @@ TEST_F(Osc, FeedbackSaysWhatThePlayerDoes) {
   const std::vector<OscDatagram> feedback = handler_.tick(now_.steady);
   ASSERT_EQ(feedback.size(), 1U);
   EXPECT_LT(feedback[0].bytes.size(), 1472U) << "more than a packet of Ethernet holds";
-  std::map<std::string, std::vector<OscArgument>> told;
+  std::map<std::string, std::vector<OscArgument>> reported;
   for (const OscMessage& message : test::messages_in(feedback[0].bytes)) {
-    told[message.address] = message.arguments;
+    reported[message.address] = message.arguments;
   }
-  EXPECT_EQ(told.at("/ergodome/status/time_exact"), std::vector<OscArgument>{1e9 + 0.25});
-  EXPECT_EQ(told.at("/ergodome/status/clock"), std::vector<OscArgument>{std::string("OSC, not heard yet")});
-  EXPECT_EQ(told.at("/ergodome/status/playing"), std::vector<OscArgument>{false});
-  EXPECT_EQ(told.at("/ergodome/status/chapter"), (std::vector<OscArgument>{0.0, std::string("Departure")}));
+  EXPECT_EQ(reported.at("/ergodome/status/time_exact"), std::vector<OscArgument>{1e9 + 0.25});
+  EXPECT_EQ(reported.at("/ergodome/status/clock"), std::vector<OscArgument>{std::string("OSC, not heard yet")});
+  EXPECT_EQ(reported.at("/ergodome/status/playing"), std::vector<OscArgument>{false});
+  EXPECT_EQ(reported.at("/ergodome/status/chapter"), (std::vector<OscArgument>{0.0, std::string("Departure")}));
 }
 
 }  // namespace

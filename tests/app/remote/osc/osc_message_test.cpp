@@ -62,7 +62,7 @@ TEST(OscPackets, ReadBackWhatIsWritten) {
 }
 
 TEST(OscPackets, AreRefusedWhenTheyAreTooMuch) {
-  std::vector<std::vector<std::byte>> many(most_osc_messages + 1, packet_of("/a", ""));
+  std::vector<std::vector<std::byte>> many(max_osc_messages + 1, packet_of("/a", ""));
   EXPECT_NE(refusal(bundle_of(osc_at_once, many)).find("messages"), std::string::npos);
   std::vector<std::byte> deep = packet_of("/a", "");
   for (int i = 0; i <= deepest_osc_bundle; ++i) {

@@ -128,9 +128,9 @@ TEST_F(WebToken, IsMadeOnceInAFileThatOnlyItsOwnerReads) {
   const std::filesystem::path file = folder_ / "token";
   const std::string made = web_token_in(file);
   EXPECT_EQ(web_token_in(file), made);
-  struct stat facts = {};
-  ASSERT_EQ(::stat(file.c_str(), &facts), 0);
-  EXPECT_EQ(facts.st_mode & 0777U, 0600U);
+  struct stat status = {};
+  ASSERT_EQ(::stat(file.c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777U, 0600U);
 }
 
 TEST_F(WebToken, ReportsAFileThatOthersCanRead) {

@@ -175,9 +175,9 @@ TEST_F(OnLoopback, AFloodOfCommandsIsHeldBack) {
 
 TEST_F(OnLoopback, HeadsThatAreTooLongOrOddAreNotAnswered) {
   const std::string start = "GET /api/status HTTP/1.1\r\nHost: localhost\r\n";
-  EXPECT_EQ(answer_to(start + "X: " + std::string(HttpStream::most_head_bytes, 'x') + "\r\n\r\n"), "");
+  EXPECT_EQ(answer_to(start + "X: " + std::string(HttpStream::max_head_bytes, 'x') + "\r\n\r\n"), "");
   std::string many = start;
-  for (std::size_t i = 0; i <= HttpStream::most_head_lines; ++i) {
+  for (std::size_t i = 0; i <= HttpStream::max_head_lines; ++i) {
     many += "X: y\r\n";
   }
   EXPECT_EQ(answer_to(many + "\r\n"), "");
@@ -212,7 +212,7 @@ TEST_F(OnLoopback, GarbageDoesNotEndTheServer) {
 
 TEST_F(OnLoopback, ClientsThatSendNothingDoNotKeepOthersOut) {
   std::list<RawClient> silent;
-  for (std::size_t i = 0; i < 2 * WebLobby::most_waiting; ++i) {
+  for (std::size_t i = 0; i < 2 * WebLobby::max_waiting; ++i) {
     silent.emplace_back(address()).send("GET / HT");
   }
   // The server drops the silent clients when their time for sending a request head is over.

@@ -500,13 +500,13 @@ TEST_F(WarpsOfOthers, AreReadUnderAnyName) {
   write("photo.dat", "\x89PNG");
   EXPECT_EQ(setup("warp = \"warp.xml\"\n").projectors[0].warp->format, WarpFormat::simcad);
   EXPECT_EQ(setup("warp = \"warp.dat\"\n").projectors[0].warp->format, WarpFormat::domeprojection);
-  const DomeSetup told = setup("warp = \"warp.obj\"\n");
-  EXPECT_EQ(told.projectors[0].warp->format, WarpFormat::skyskan);
+  const DomeSetup reported = setup("warp = \"warp.obj\"\n");
+  EXPECT_EQ(reported.projectors[0].warp->format, WarpFormat::skyskan);
   EXPECT_THAT(error_of([&] { setup("warp = \"photo.dat\"\n"); }), HasSubstr("of an unknown format"));
   EXPECT_THAT(error_of([&] { projector_pictures(setup("warp = { file = \"warp.xml\", format = \"obj\" }\n")); }),
               HasSubstr("is a SimCAD warp, not a Wavefront OBJ mesh (warp of "));
   // The detected format is kept when the setup is written as text and read back.
-  const DomeSetup again = parse_dome_setup(to_toml(told), "dome.toml", NamedFiles::unchecked);
+  const DomeSetup again = parse_dome_setup(to_toml(reported), "dome.toml", NamedFiles::unchecked);
   EXPECT_EQ(again.projectors[0].warp->format, WarpFormat::skyskan);
 }
 

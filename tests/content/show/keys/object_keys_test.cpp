@@ -15,10 +15,10 @@ Show show_of(const std::string& rest, const std::string& spin = "0", const std::
   return parse_show("[hole]\nspin = " + spin + "\n[camera]\n[[camera.key]]\nr = " + r + "\n" + rest, "show.toml");
 }
 
-void expect_place(const Vector3<double>& place, const Vector3<double>& wanted) {
-  EXPECT_NEAR(place.x, wanted.x, 1e-9);
-  EXPECT_NEAR(place.y, wanted.y, 1e-9);
-  EXPECT_NEAR(place.z, wanted.z, 1e-9);
+void expect_position(const Vector3<double>& position, const Vector3<double>& wanted) {
+  EXPECT_NEAR(position.x, wanted.x, 1e-9);
+  EXPECT_NEAR(position.y, wanted.y, 1e-9);
+  EXPECT_NEAR(position.z, wanted.z, 1e-9);
 }
 
 TEST(ObjectReader, AShowWithoutObjectsHasNone) {
@@ -52,12 +52,12 @@ strength = 1600
     EXPECT_EQ(object.sphere.rings, 6);
     EXPECT_EQ(object.size, 0.5);
     EXPECT_NEAR(object.turn.z, pi / 6.0, 1e-15);
-    expect_place(object.position, {-5.0, 3.0, -0.5});
+    expect_position(object.position, {-5.0, 3.0, -0.5});
     EXPECT_EQ(object.color.z, 0.25);
     EXPECT_EQ(object.exposure, 2.0);
     EXPECT_TRUE(object.lit);
     EXPECT_EQ(object.checker, (CheckerSettings{4, 3, 0.1}));
-    EXPECT_EQ(object.tessellation.most, 16.0);
+    EXPECT_EQ(object.tessellation.maximum, 16.0);
     EXPECT_EQ(object.tessellation.power, 0.5);
     EXPECT_EQ(object.torn, 20.0);
     EXPECT_EQ(each.light->strength, 1600.0);
@@ -87,7 +87,7 @@ rings = 2
   EXPECT_EQ(again.objects[1].triangle.corners[2].z, 3.0);
   EXPECT_EQ(again.objects[2].disk.outer, 9.0);
   for (std::size_t i = 0; i < 3; ++i) {
-    expect_place(placement_at(again.objects[i], 4.0).position, placement_at(show.objects[i], 4.0).position);
+    expect_position(placement_at(again.objects[i], 4.0).position, placement_at(show.objects[i], 4.0).position);
   }
 }
 
@@ -184,9 +184,9 @@ TEST(ObjectMotion, AnOrbitIsRunThroughOnceInKeplersPeriod) {
   ObjectSettings object;
   object.orbit = ObjectOrbit{9.0, 0.25 * pi, 0.0, 0.0, 2.0};
   const double period_s = 2.0 * pi * 27.0 / 2.0;
-  expect_place(placement_at(object, 0.0).position, {9.0 * std::sqrt(0.5), 9.0 * std::sqrt(0.5), 0.0});
-  expect_place(placement_at(object, 0.5 * period_s).position, {-9.0 * std::sqrt(0.5), -9.0 * std::sqrt(0.5), 0.0});
-  expect_place(placement_at(object, 1000.0 * period_s).position, placement_at(object, 0.0).position);
+  expect_position(placement_at(object, 0.0).position, {9.0 * std::sqrt(0.5), 9.0 * std::sqrt(0.5), 0.0});
+  expect_position(placement_at(object, 0.5 * period_s).position, {-9.0 * std::sqrt(0.5), -9.0 * std::sqrt(0.5), 0.0});
+  expect_position(placement_at(object, 1000.0 * period_s).position, placement_at(object, 0.0).position);
 }
 
 TEST(ObjectMotion, AnOrbitAboutASpinningHoleIsRunThroughAsMatterInFreeFallDoes) {
@@ -207,7 +207,7 @@ TEST(ObjectMotion, AnOrbitAboutASpinningHoleIsRunThroughAsMatterInFreeFallDoes) 
 TEST(ObjectMotion, AnInclinedOrbitRisesAtItsNode) {
   ObjectSettings object;
   object.orbit = ObjectOrbit{10.0, 0.5 * pi, pi / 3.0, 0.5 * pi, 1.0};
-  expect_place(placement_at(object, 0.0).position, {-5.0, 0.0, 10.0 * std::sin(pi / 3.0)});
+  expect_position(placement_at(object, 0.0).position, {-5.0, 0.0, 10.0 * std::sin(pi / 3.0)});
 }
 
 TEST(ObjectMotion, TurnsGoAboutXThenYThenZ) {
@@ -217,8 +217,8 @@ TEST(ObjectMotion, TurnsGoAboutXThenYThenZ) {
   const auto& rows = placement.rows;
   // The rotation about x moves the object's y axis to z, and the later rotation about z leaves it
   // there. The rotation about z moves the object's x axis to y.
-  expect_place({rows[0][1], rows[1][1], rows[2][1]}, {0.0, 0.0, 1.0});
-  expect_place({rows[0][0], rows[1][0], rows[2][0]}, {0.0, 1.0, 0.0});
+  expect_position({rows[0][1], rows[1][1], rows[2][1]}, {0.0, 0.0, 1.0});
+  expect_position({rows[0][0], rows[1][0], rows[2][0]}, {0.0, 1.0, 0.0});
 }
 
 }  // namespace

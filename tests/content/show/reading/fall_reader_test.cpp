@@ -6,8 +6,8 @@
 #include <string>
 
 #include "content/camera/camera_path.h"
-#include "content/show/idle_lines.h"
 #include "content/show/reading/show_reader.h"
+#include "content/show/unused_keys.h"
 #include "kernels/core/angles.h"
 #include "tests/support/errors.h"
 
@@ -141,9 +141,9 @@ TEST(FallReader, TellsABakeWhereTheOrbitTurns) {
 }
 
 TEST(FallReader, SaysWhenALeastRadiusIsNeverReached) {
-  EXPECT_THAT(idle_lines(falling_show(usual + "least_r = 2\n")),
-              ElementsAre(AllOf(Field(&IdleLine::line, 10), Field(&IdleLine::key, "camera.fall.least_r"))));
-  EXPECT_THAT(idle_lines(falling_show("t_s = 4\nclock = 6\nvelocity = \"rain\"\nleast_r = 2\n")), ElementsAre());
+  EXPECT_THAT(unused_keys(falling_show(usual + "least_r = 2\n")),
+              ElementsAre(AllOf(Field(&UnusedKey::line, 10), Field(&UnusedKey::key, "camera.fall.least_r"))));
+  EXPECT_THAT(unused_keys(falling_show("t_s = 4\nclock = 6\nvelocity = \"rain\"\nleast_r = 2\n")), ElementsAre());
 }
 
 std::string error_in(const std::string& fall, const std::string& more = falling_keys) {

@@ -121,10 +121,10 @@ TEST(ShowSettings, ThatAreNoneAreRefused) {
 
 TEST(ShowSettings, StandWhereKeysAreSaidToBe) {
   const Show show = show_set({"hole.spin=0.5", "view.size_px=64"});
-  EXPECT_EQ(place_of(show, "hole.spin"), "--set");
-  EXPECT_EQ(place_of(show, "view.size_px"), "--set");
-  EXPECT_EQ(place_of(show, "sky.map"), "evening.toml:14");
-  EXPECT_EQ(place_of(show, "sky.stars"), "evening.toml");
+  EXPECT_EQ(location_of(show, "hole.spin"), "--set");
+  EXPECT_EQ(location_of(show, "view.size_px"), "--set");
+  EXPECT_EQ(location_of(show, "sky.map"), "evening.toml:14");
+  EXPECT_EQ(location_of(show, "sky.stars"), "evening.toml");
 }
 
 }  // namespace

@@ -148,10 +148,10 @@ TEST(TimelikeOrbit, SaysWhenItCannotGoOnAtTheHorizon) {
 
 TEST(TimelikeOrbit, TellsTheVelocityThatItStartedWith) {
   const Vector3<double> velocity = {-0.1, 0.3, 0.5};
-  const Vector3<double> told = orbit_velocity(Spacetime{0.9}, make_orbit(Spacetime{0.9}, 2.5, 0.7, 2.0, velocity));
-  EXPECT_NEAR(told.x, velocity.x, 1e-14);
-  EXPECT_NEAR(told.y, velocity.y, 1e-14);
-  EXPECT_NEAR(told.z, velocity.z, 1e-14);
+  const Vector3<double> reported = orbit_velocity(Spacetime{0.9}, make_orbit(Spacetime{0.9}, 2.5, 0.7, 2.0, velocity));
+  EXPECT_NEAR(reported.x, velocity.x, 1e-14);
+  EXPECT_NEAR(reported.y, velocity.y, 1e-14);
+  EXPECT_NEAR(reported.z, velocity.z, 1e-14);
 }
 
 }  // namespace

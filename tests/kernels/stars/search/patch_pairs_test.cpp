@@ -44,9 +44,9 @@ class PatchPairs : public testing::Test {
         continue;
       }
       const std::size_t patch = u_.size() / 21;
-      const PlaneValue<double> place = seen_from(slivers_[patch].sky, 0.0, 0.0, u, v);
+      const PlaneValue<double> position = seen_from(slivers_[patch].sky, 0.0, 0.0, u, v);
       pairs_.push_back(
-          {static_cast<int>(patch), 0, 1.0F, static_cast<float>(place.p), static_cast<float>(place.q), false});
+          {static_cast<int>(patch), 0, 1.0F, static_cast<float>(position.p), static_cast<float>(position.q), false});
       u_.push_back(u);
       v_.push_back(v);
     }

@@ -31,8 +31,8 @@ TEST(PairResults, OfBentPatchesAreDecidedByRootsJustOutside) {
 
 TEST(RootsOfAPatch, AreAddedOnce) {
   const FoldedRoot roots[] = {{0.2F, 0.3F, 1.0F}};
-  EXPECT_FALSE(may_add_root(roots, 1, most_roots, {0.201F, 0.299F, 1.0F}));
-  EXPECT_TRUE(may_add_root(roots, 1, most_roots, {0.2F, 0.31F, 1.0F}));
+  EXPECT_FALSE(may_add_root(roots, 1, max_roots, {0.201F, 0.299F, 1.0F}));
+  EXPECT_TRUE(may_add_root(roots, 1, max_roots, {0.2F, 0.31F, 1.0F}));
 }
 
 TEST(RootsOfAPatch, AreNoMoreThanWanted) {
@@ -41,17 +41,17 @@ TEST(RootsOfAPatch, AreNoMoreThanWanted) {
 }
 
 TEST(RootsOfAPatch, LeaveRoomBesideGuesses) {
-  FoldedRoot roots[most_guesses];
-  for (int i = 0; i < most_guesses; ++i) {
+  FoldedRoot roots[max_guesses];
+  for (int i = 0; i < max_guesses; ++i) {
     roots[i] = {0.1F * static_cast<float>(i), 0.0F, 0.0F};
   }
-  EXPECT_FALSE(may_add_root(roots, most_guesses, most_roots, {0.5F, 0.5F, 0.0F}));
-  EXPECT_TRUE(may_add_root(roots, most_guesses, most_roots, {0.5F, 0.5F, -1.0F}));
+  EXPECT_FALSE(may_add_root(roots, max_guesses, max_roots, {0.5F, 0.5F, 0.0F}));
+  EXPECT_TRUE(may_add_root(roots, max_guesses, max_roots, {0.5F, 0.5F, -1.0F}));
 }
 
 TEST(RootsOfAPatch, LieInThePatch) {
-  EXPECT_FALSE(may_add_root(nullptr, 0, most_roots, {1.01F, 0.5F, 1.0F}));
-  EXPECT_FALSE(may_add_root(nullptr, 0, most_roots, {0.5F, NAN, 1.0F}));
+  EXPECT_FALSE(may_add_root(nullptr, 0, max_roots, {1.01F, 0.5F, 1.0F}));
+  EXPECT_FALSE(may_add_root(nullptr, 0, max_roots, {0.5F, NAN, 1.0F}));
 }
 
 }  // namespace

@@ -142,10 +142,10 @@ TEST(LensGrid, MirroredHalfIsTheWholeSky) {
 //! Returns the sky direction at chart coordinates (γ, s) and its derivatives along them,
 //! interpolated in the bicubic patches of a grid.
 GridSky<double> at(const LensStation& station, double gamma_turns, double s) {
-  ChartPlace<Dual<double>> place{};
-  place.gamma_turns = {gamma_turns, 1.0, 0.0};
-  place.s = {s, 0.0, 1.0};
-  return read_grid(grid_view(station), place);
+  ChartPosition<Dual<double>> position{};
+  position.gamma_turns = {gamma_turns, 1.0, 0.0};
+  position.s = {s, 0.0, 1.0};
+  return read_grid(grid_view(station), position);
 }
 
 TEST(LensGrid, ValueAndDerivativesAreContinuousAcrossEveryKindOfCellSide) {
@@ -207,7 +207,8 @@ TEST(LensGrid, MagnificationMatchesTheExactOneAwayFromFlaggedCells) {
     bool reached = false;
     const double exact =
         area(trace_taylor<20>(camera.spin, start_ray(camera, seeded), true, {1e-13, 5000}, steps, reached).sky);
-    const double read = area(read_grid(grid, chart_place(grid.chart, rain_direction(c.settings.observer, seeded))).sky);
+    const double read =
+        area(read_grid(grid, chart_position(grid.chart, rain_direction(c.settings.observer, seeded))).sky);
     relative.push_back(std::abs(read / exact - 1.0));
   }
   std::sort(relative.begin(), relative.end());
@@ -227,7 +228,7 @@ TEST(LensGrid, NodeLimitLeavesTheRestToRays) {
   GridCase c(1.0, 30.0, 0.5 * pi);
   c.r = 1.01;
   c.settings.observer = aberration_to_rain(Spacetime{c.spin}, c.r, c.theta, c.motion, {});
-  c.settings.most_nodes = 2000;
+  c.settings.max_nodes = 2000;
   c.build();
   EXPECT_LE(c.statistics.nodes, 8000);
   EXPECT_GT(c.statistics.flagged_leaves, 0);

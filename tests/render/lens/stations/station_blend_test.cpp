@@ -15,16 +15,16 @@ namespace {
 
 constexpr double spin = 0.999;
 
-struct Place {
+struct Position {
   double r;
   double theta;
 };
 
 //! Returns the motion of a circular orbit if there is one, otherwise that of a
 //! zero-angular-momentum observer.
-ObserverMotion motion_at(const Place& p) { return p.r > 4.0 ? ObserverMotion::geodesic : ObserverMotion::zamo; }
+ObserverMotion motion_at(const Position& p) { return p.r > 4.0 ? ObserverMotion::geodesic : ObserverMotion::zamo; }
 
-std::shared_ptr<const StationBuffers> station_at(const Place& p) {
+std::shared_ptr<const StationBuffers> station_at(const Position& p) {
   GridSettings settings;
   settings.budget_px = test::sanitized ? 1.0 : 0.1;
   settings.observer = aberration_to_rain(Spacetime{spin}, p.r, p.theta, motion_at(p), {});
@@ -39,9 +39,9 @@ struct Comparison {
   std::vector<double> angles;  //!< angles between sky directions, in ascending order [rad]
 };
 
-Comparison compare(const Place& first, const Place& second) {
+Comparison compare(const Position& first, const Position& second) {
   constexpr int rows = test::sanitized ? 60 : 240;
-  const Place middle = {0.5 * (first.r + second.r), 0.5 * (first.theta + second.theta)};
+  const Position middle = {0.5 * (first.r + second.r), 0.5 * (first.theta + second.theta)};
   std::vector<double> n[3], exact[3], blended[3];
   std::vector<double> status;
   std::vector<double> blended_status;
@@ -131,13 +131,13 @@ TEST(StationBlend, ErrorFallsWithTheSquareOfTheDistanceOfTheStations) {
 //! Returns the 99th percentile of the error [px of a 4096² dome] of a station with derivatives, for
 //! an eye that is displaced from it by (dr, dθ).
 double error_beside(double dr, double dtheta) {
-  const Place here = {6.0, 1.2};
+  const Position here = {6.0, 1.2};
   GridSettings settings;
   settings.derivatives = true;
   settings.observer = aberration_to_rain(Spacetime{spin}, here.r, here.theta, ObserverMotion::zamo, {});
   const auto station =
       std::make_shared<StationBuffers>(Backend::cpu, build_lens_station(Spacetime{spin}, here.r, here.theta, settings));
-  const Place eye = {here.r + dr, here.theta + dtheta};
+  const Position eye = {here.r + dr, here.theta + dtheta};
   const StationBlend beside(Backend::cpu, station, {eye.r, eye.theta});
   return test::screen_errors(
              beside.view(), make_camera_station(Spacetime{spin}, eye.r, eye.theta, 0.0, ObserverMotion::zamo),

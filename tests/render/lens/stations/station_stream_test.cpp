@@ -97,7 +97,7 @@ TEST_F(StationStreaming, MemoryStaysWithinItsBoundHoweverLongTheTrajectory) {
   const std::size_t bound = 20 * station_bytes_;
   StationStream stream(Backend::cpu, std::move(reader), bound, report());
   EXPECT_EQ(play(stream, 0.0, 39.0, 0.05), 0);
-  EXPECT_LE(stream.statistics().most_bytes_held, bound);
+  EXPECT_LE(stream.statistics().max_bytes_held, bound);
   EXPECT_GE(stream.statistics().read, 390);
 }
 
@@ -106,7 +106,7 @@ TEST_F(StationStreaming, ABoundBelowTwoStationsStillPlays) {
   for (const double time_s : {0.05, 0.15, 0.35, 0.4}) {
     EXPECT_TRUE(stream.at(time_s, patience_s).has_value());
   }
-  EXPECT_LE(stream.statistics().most_bytes_held, 2 * station_bytes_);
+  EXPECT_LE(stream.statistics().max_bytes_held, 2 * station_bytes_);
 }
 
 TEST_F(StationStreaming, SeekingIsAnsweredWithinFiftyMilliseconds) {

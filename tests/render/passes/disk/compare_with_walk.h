@@ -28,7 +28,7 @@ class ObjectPixelsOfTest {
           drawn_.emplace_back(x, y);
         }
         if (x % apart == apart / 2 && y % apart == apart / 2 &&
-            walk.look(x + 0.5, y + 0.5).met == FlatWalk::Met::object) {
+            walk.seen_at(x + 0.5, y + 0.5).met == FlatWalk::Met::object) {
           met_.emplace_back(x, y);
         }
       }
@@ -81,7 +81,7 @@ inline void expect_all_kinds_seen(const Show& show, std::map<FlatWalk::Met, int>
 inline bool is_within_one_thing(const FlatWalk& walk, int x, int y, const FlatWalk::Seen& seen) {
   bool inside = true;
   for (const auto& [dx, dy] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
-    const FlatWalk::Seen beside = walk.look(x + 0.5 + dx, y + 0.5 + dy);
+    const FlatWalk::Seen beside = walk.seen_at(x + 0.5 + dx, y + 0.5 + dy);
     inside = inside && beside.met == seen.met && !(std::abs(beside.r - seen.r) > 0.1 * seen.r);
   }
   return inside;
@@ -103,9 +103,9 @@ inline bool compare_pixel(const Show& show, const FlatWalk& walk, const Picture&
       return false;
     }
     if (covered > 0.0F && covered < 1.0F) {
-      const auto [least, greatest] = walk.light_range(x, y);
-      EXPECT_GE(drawn, 0.95F * least) << x << ", " << y;
-      EXPECT_LE(drawn, 1.05F * greatest) << x << ", " << y;
+      const auto [minimum, maximum] = walk.light_range(x, y);
+      EXPECT_GE(drawn, 0.95F * minimum) << x << ", " << y;
+      EXPECT_LE(drawn, 1.05F * maximum) << x << ", " << y;
       return false;
     }
   }
@@ -131,7 +131,7 @@ inline void compare_with_walk(const Show& show, LensChoice lens, int pixels) {
       if (of_objects) {
         std::tie(x, y) = of_objects->any(random);
       }
-      const FlatWalk::Seen seen = walk.look(x + 0.5, y + 0.5);
+      const FlatWalk::Seen seen = walk.seen_at(x + 0.5, y + 0.5);
       if (is_within_one_thing(walk, x, y, seen) && compare_pixel(show, walk, picture, x, y, seen)) {
         ++things[seen.met];
       }

@@ -171,7 +171,7 @@ TEST(DiskGridPictures, LeavePixelsThatShowObjectsToRays) {
 TEST(DiskGridPictures, TakeAGridFromPictureToPictureAtOnePlace) {
   const PicturedDisk at = {"any", 0.9, 30.0, 1.4, 1.4};
   const DiskPass pass(pictured_show(at), Backend::cpu);
-  const DiskLook disk = pass.look_at(0.0);
+  const DiskAppearance disk = pass.look_at(0.0);
   DiskGrids grids;
   EyeCamera eye = eye_at(at.spin, at.r, at.theta);
   EXPECT_FALSE(grids.grid_for({eye, disk, 1e-3, 0.25, 1e4, false}));

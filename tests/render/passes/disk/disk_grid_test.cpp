@@ -47,11 +47,11 @@ ReadCrossing read_crossing(const DiskStation& station, const Aberration& observe
                            double pixel, int order) {
   const LensGrid cells = grid_view(station.cells);
   const Vector3<Dual<float>> in_rain = rain_direction(converted_aberration<float>(observer), spread(n, pixel));
-  const DiskPlace<float> place = disk_place(cells.chart.edge, in_rain);
-  const bool over = station.cells.mirrored && place.gamma_turns.value > 0.5F;
-  const float turns = over ? 1.0F - place.gamma_turns.value : place.gamma_turns.value;
-  const Leaf leaf = find_leaf(cells, turns, place.s.value);
-  const LeafPlace at = place_in(leaf, turns, place.s.value);
+  const DiskPosition<float> position = disk_position(cells.chart.edge, in_rain);
+  const bool over = station.cells.mirrored && position.gamma_turns.value > 0.5F;
+  const float turns = over ? 1.0F - position.gamma_turns.value : position.gamma_turns.value;
+  const Leaf leaf = find_leaf(cells, turns, position.s.value);
+  const LeafPosition at = position_in(leaf, turns, position.s.value);
   const auto set = static_cast<std::size_t>(station.pattern ? order : 0);
   const PatchValue value =
       patch_value(station.nodes[set].data(), cells.leaves + 4 * leaf.number, at.u, at.v, leaf.width_turns, leaf.height);
@@ -60,8 +60,8 @@ ReadCrossing read_crossing(const DiskStation& station, const Aberration& observe
     const float by_gamma = side * quad_part(value.along_gamma, part);
     const float by_s = quad_part(value.along_s, part);
     return Dual<double>{static_cast<double>(quad_part(value.sky, part)),
-                        static_cast<double>(by_gamma * place.gamma_turns.along_x + by_s * place.s.along_x),
-                        static_cast<double>(by_gamma * place.gamma_turns.along_y + by_s * place.s.along_y)};
+                        static_cast<double>(by_gamma * position.gamma_turns.along_x + by_s * position.s.along_x),
+                        static_cast<double>(by_gamma * position.gamma_turns.along_y + by_s * position.s.along_y)};
   };
   ReadCrossing read;
   read.good = !leaf.flagged;

@@ -15,24 +15,25 @@ namespace {
 constexpr double spin = 0.9;
 constexpr double budget_px = 0.25;
 
-DiskGridSettings settings_at(const LensPlace& place, bool pattern, bool derivatives) {
+DiskGridSettings settings_at(const LensPosition& position, bool pattern, bool derivatives) {
   DiskGridSettings settings;
   settings.inner_r = innermost_stable_radius(Spacetime{spin}, 1.0);
   settings.outer_r = 15.0;
   settings.pattern = pattern;
   settings.pixel = 2e-3;
   settings.budget_px = 0.5 * budget_px;
-  settings.observer = aberration_to_rain(Spacetime{spin}, place.r, place.theta, ObserverMotion::zamo, {});
+  settings.observer = aberration_to_rain(Spacetime{spin}, position.r, position.theta, ObserverMotion::zamo, {});
   settings.derivatives = derivatives;
   return settings;
 }
 
-std::shared_ptr<const DiskStation> station_at(const LensPlace& place, bool pattern = false, bool derivatives = true) {
+std::shared_ptr<const DiskStation> station_at(const LensPosition& position, bool pattern = false,
+                                              bool derivatives = true) {
   return std::make_shared<const DiskStation>(
-      build_disk_station(Spacetime{spin}, place.r, place.theta, settings_at(place, pattern, derivatives)));
+      build_disk_station(Spacetime{spin}, position.r, position.theta, settings_at(position, pattern, derivatives)));
 }
 
-std::shared_ptr<const JoinedDisk> joined(const LensPlace& first, const LensPlace& second, bool pattern = false,
+std::shared_ptr<const JoinedDisk> joined(const LensPosition& first, const LensPosition& second, bool pattern = false,
                                          bool derivatives = true) {
   return std::make_shared<const JoinedDisk>(
       join(*station_at(first, pattern, derivatives), *station_at(second, pattern, derivatives)).value());
@@ -40,20 +41,20 @@ std::shared_ptr<const JoinedDisk> joined(const LensPlace& first, const LensPlace
 
 //! Returns the error of a disk grid for a camera at a position [px]. Of the samples that show the
 //! disk, 99 % have at most this error.
-double error_px(const DiskGrid& grid, const DiskStation& cells, const LensPlace& place) {
-  return measure_disk_error(grid, Spacetime{spin}, place, settings_at(place, cells.pattern, true),
+double error_px(const DiskGrid& grid, const DiskStation& cells, const LensPosition& position) {
+  return measure_disk_error(grid, Spacetime{spin}, position, settings_at(position, cells.pattern, true),
                             leaf_samples(cells.cells))
       .p99_px;
 }
 
-double error_between(const std::shared_ptr<const JoinedDisk>& stations, const LensPlace& place) {
-  const DiskLayers layers(stations, place);
-  return error_px(layers.view(), stations->first, place);
+double error_between(const std::shared_ptr<const JoinedDisk>& stations, const LensPosition& position) {
+  const DiskLayers layers(stations, position);
+  return error_px(layers.view(), stations->first, position);
 }
 
 PatchValue value_at(const DiskGrid& grid, int set, float gamma_turns, float s) {
   const Leaf leaf = find_leaf(grid.cells, gamma_turns, s);
-  const LeafPlace at = place_in(leaf, gamma_turns, s);
+  const LeafPosition at = position_in(leaf, gamma_turns, s);
   return patch_value(grid.nodes[set], grid.cells.leaves + 4 * leaf.number, at.u, at.v, leaf.width_turns, leaf.height);
 }
 
@@ -102,7 +103,7 @@ TEST(JoinedDisk, TellsImagesOfEitherStationAndLeavesToRaysWhatEitherLeaves) {
   const JoinedDisk both = join(*first, *second).value();
   std::mt19937 random(2);
   std::uniform_real_distribution<float> unit(0.0F, 1.0F);
-  int told_by_one = 0;
+  int differ_by_one = 0;
   for (int i = 0; i < 20'000; ++i) {
     const float gamma_turns = unit(random);
     const float s = unit(random);
@@ -110,9 +111,9 @@ TEST(JoinedDisk, TellsImagesOfEitherStationAndLeavesToRaysWhatEitherLeaves) {
     const auto orders = [&](const DiskStation& of) { return of.orders[static_cast<std::size_t>(leaf(of).number)]; };
     EXPECT_EQ(orders(both.first), orders(*first) | orders(*second));
     EXPECT_EQ(leaf(both.first).flagged, leaf(*first).flagged || leaf(*second).flagged);
-    told_by_one += orders(*first) != orders(*second) ? 1 : 0;
+    differ_by_one += orders(*first) != orders(*second) ? 1 : 0;
   }
-  EXPECT_GT(told_by_one, 100);
+  EXPECT_GT(differ_by_one, 100);
 }
 
 TEST(JoinedDisk, IsOnlyOfOneDiskAndOfCamerasOnOneSideOfThePlane) {
@@ -164,14 +165,14 @@ TEST(DiskLayers, BetweenStationsHoldTheBudget) {
 }
 
 TEST(DiskLayers, WithoutDerivativesNeedNearerStations) {
-  const LensPlace far = {23.0, 1.1};
+  const LensPosition far = {23.0, 1.1};
   EXPECT_GT(error_between(joined({20.0, 1.2}, {26.0, 1.0}, false, false), far), 2.0 * budget_px);
-  const LensPlace near = {20.2, 1.19};
+  const LensPosition near = {20.2, 1.19};
   EXPECT_LT(error_between(joined({20.0, 1.2}, {20.4, 1.18}, false, false), near), budget_px);
 }
 
 TEST(DiskLayers, ServeAnEyeBesideAStationAndBesideTheLineBetweenTwo) {
-  const LensPlace eye = {20.2, 1.21};
+  const LensPosition eye = {20.2, 1.21};
   const auto station = station_at({20.0, 1.2});
   const DiskLayers beside(station, eye);
   EXPECT_LT(error_px(beside.view(), *station, eye), budget_px);

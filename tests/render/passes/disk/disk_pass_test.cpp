@@ -170,15 +170,15 @@ TEST(DiskPass, LetsLightThroughAsFarAsItIsNotOpaque) {
   DiskSettings settings = uniform_disk(6.0, 18.0);
   settings.opacity = 0.25;
   const DrawnDisk drawn = draw_disk(show_with(0.0, settings), eye_at(0.0, 40.0, 0.3), 1.1);
-  float most = 0.0F;
+  float maximum = 0.0F;
   for (int y = 0; y < disk_size_px; ++y) {
     for (int x = 0; x < disk_size_px; ++x) {
-      most = std::max(most, drawn.alpha(x, y));
+      maximum = std::max(maximum, drawn.alpha(x, y));
     }
   }
   // The disk has an opacity of 1/4, and a ray crosses it at most three times: 1 - 0.75³.
-  EXPECT_LE(most, 0.5782F);
-  EXPECT_GE(most, 0.25F);
+  EXPECT_LE(maximum, 0.5782F);
+  EXPECT_GE(maximum, 0.25F);
 }
 
 //! Returns the number of pixels that are much brighter than all of their neighbors.

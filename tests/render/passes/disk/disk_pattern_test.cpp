@@ -108,12 +108,12 @@ TEST(DiskPattern, RunsFastOrSlowByTheShiftOfItsLightForWhoFallsIn) {
     const double horizon_s = *show.camera.orbit->horizon_s();
     for (const double time_s : {5.0, 20.0, horizon_s - 0.5, horizon_s + 0.1}) {
       const auto emitted = [&](double at_s, double* frequency) {
-        const FallPlace place = show.camera.orbit->at(at_s);
-        const CameraStation camera =
-            make_camera_station(Spacetime{spin}, place.r, place.theta, 0.0, ObserverMotion::rain_boost, place.velocity);
+        const FallPosition position = show.camera.orbit->at(at_s);
+        const CameraStation camera = make_camera_station(Spacetime{spin}, position.r, position.theta, 0.0,
+                                                         ObserverMotion::rain_boost, position.velocity);
         const LightOfDisk light = light_from(camera, outward_r);
         *frequency = light.frequency;
-        const PatternTime pattern = pass.look_at(at_s, outer_lag(Spacetime{spin}, place.r)).pattern;
+        const PatternTime pattern = pass.look_at(at_s, outer_lag(Spacetime{spin}, position.r)).pattern;
         return static_cast<double>(pattern.cycle) * static_cast<double>(pattern.period) +
                static_cast<double>(pattern.age) - light.delay;
       };

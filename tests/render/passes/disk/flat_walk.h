@@ -82,14 +82,14 @@ class FlatWalk {
   };
 
   //! Returns what an eye sees at a position of the picture [px].
-  [[nodiscard]] Seen look(double x, double y) const {
+  [[nodiscard]] Seen seen_at(double x, double y) const {
     const Vector3<double> view = direction_from_pixel(projection_, x, y);
     const double(&f)[3][3] = head_.frame_from_view;
     const auto row = [&](int i) { return f[i][0] * view.x + f[i][1] * view.y + f[i][2] * view.z; };
     const Vector3<double> m = {row(0), row(1), row(2)};
-    Place before = place_at(m, nearest * head_.r);
+    LinePoint before = line_point_at(m, nearest * head_.r);
     for (double s = nearest * step * head_.r; s < farthest * head_.r; s *= step_at(s)) {
-      const Place now = place_at(m, s);
+      const LinePoint now = line_point_at(m, s);
       Seen seen = between(m, before, now);
       if (seen.met != Met::nothing) {
         return seen;
@@ -105,7 +105,7 @@ class FlatWalk {
     int covered = 0;
     for (int row = 0; row < samples; ++row) {
       for (int column = 0; column < samples; ++column) {
-        covered += look(x + (column + 0.5) / samples, y + (row + 0.5) / samples).met == Met::object ? 1 : 0;
+        covered += seen_at(x + (column + 0.5) / samples, y + (row + 0.5) / samples).met == Met::object ? 1 : 0;
       }
     }
     return static_cast<float>(covered) / (samples * samples);
@@ -117,7 +117,7 @@ class FlatWalk {
     std::pair<float, float> range = {std::numeric_limits<float>::infinity(), 0.0F};
     for (int i = 0; i < samples * samples; ++i) {
       const int row = i / samples;
-      const float light = light_of(look(x + (i % samples + 0.5) / samples, y + (row + 0.5) / samples));
+      const float light = light_of(seen_at(x + (i % samples + 0.5) / samples, y + (row + 0.5) / samples));
       range = {std::min(range.first, light), std::max(range.second, light)};
     }
     return range;
@@ -166,7 +166,7 @@ class FlatWalk {
 
   //! A point on the line of sight. For each order, `beyond` is its distance beyond the disk's image
   //! in this direction, negative in front of it; `u` is 1/r of the disk there.
-  struct Place {
+  struct LinePoint {
     double s;
     double beyond[crossing_orders];
     double u[crossing_orders];
@@ -210,42 +210,43 @@ class FlatWalk {
            });
   }
 
-  [[nodiscard]] Place place_at(const Vector3<double>& m, double s) const {
+  [[nodiscard]] LinePoint line_point_at(const Vector3<double>& m, double s) const {
     const Vector3<double> at = eye_ + s * m;
     const double distance = std::sqrt(dot(at, at));
     const Vector3<double> n = (1.0 / distance) * at;
-    Place place{};
-    place.s = s;
+    LinePoint position{};
+    position.s = s;
     if (disk_) {
       CrossingLayer<double> layers[crossing_orders];
       trace_layers<14, NearParts::distance>(show_.spin, start_near_ray(camera_, n), limits_, layers);
       for (int k = 0; k < crossing_orders; ++k) {
-        place.beyond[k] = distance - layers[k].distance;
-        place.u[k] = layers[k].u;
+        position.beyond[k] = distance - layers[k].distance;
+        position.u[k] = layers[k].u;
       }
     }
-    place.in_horizon = !direction_is_bright(camera_, n) && distance >= affine_distance(camera_, n, camera_.horizon_r);
+    position.in_horizon =
+        !direction_is_bright(camera_, n) && distance >= affine_distance(camera_, n, camera_.horizon_r);
     if (!show_.objects.empty() || !show_.shells.empty()) {
       const std::optional<Vector3<double>> point = point_at(n, distance);
-      place.in_object = is_in_object(point);
-      place.in_shell = is_in_shell(n, distance, point);
+      position.in_object = is_in_object(point);
+      position.in_shell = is_in_shell(n, distance, point);
     }
-    return place;
+    return position;
   }
 
   //! Finds what the line meets first between two of its points, to a thousandth of the step.
-  [[nodiscard]] Seen between(const Vector3<double>& m, Place low, Place high) const {
+  [[nodiscard]] Seen between(const Vector3<double>& m, LinePoint low, LinePoint high) const {
     if (first_of(low, high).met == Met::nothing) {
       return {Met::nothing, 0.0};
     }
     for (int round = 0; round < 12; ++round) {
-      const Place middle = place_at(m, std::sqrt(low.s * high.s));
+      const LinePoint middle = line_point_at(m, std::sqrt(low.s * high.s));
       (first_of(low, middle).met != Met::nothing ? high : low) = middle;
     }
     return first_of(low, high);
   }
 
-  [[nodiscard]] Seen first_of(const Place& low, const Place& high) const {
+  [[nodiscard]] Seen first_of(const LinePoint& low, const LinePoint& high) const {
     if (high.in_shell && !low.in_shell) {
       return {Met::shell, 0.0};
     }
@@ -268,7 +269,7 @@ class FlatWalk {
   Projection projection_;
   Vector3<double> eye_{};
   std::optional<DiskPass> disk_;
-  DiskLook look_{};
+  DiskAppearance look_{};
   LayerLimits<double> limits_{};
 };
 

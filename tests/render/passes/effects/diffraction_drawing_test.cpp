@@ -118,9 +118,9 @@ TEST(AddDiffraction, IsClippedAtTheBorders) {
 TEST(AddDiffraction, OfAPlaceThatIsNotFiniteOrFarAwayAddsNothing) {
   std::vector<float> rgba(4 * 8 * 8);
   const double infinite = std::numeric_limits<double>::infinity();
-  for (const double place : {std::nan(""), infinite, -infinite, 1e30, -1e30}) {
-    add_diffraction(small_pattern(), place, 4.0, {1.0F, 1.0F, 1.0F}, 8, 8, rgba.data());
-    add_diffraction(small_pattern(), 4.0, place, {1.0F, 1.0F, 1.0F}, 8, 8, rgba.data());
+  for (const double position : {std::nan(""), infinite, -infinite, 1e30, -1e30}) {
+    add_diffraction(small_pattern(), position, 4.0, {1.0F, 1.0F, 1.0F}, 8, 8, rgba.data());
+    add_diffraction(small_pattern(), 4.0, position, {1.0F, 1.0F, 1.0F}, 8, 8, rgba.data());
   }
   EXPECT_EQ(rgba, std::vector<float>(4 * 8 * 8));
 }

@@ -154,12 +154,12 @@ TEST(FlatNearField, CountsInTheDisparityThatAPersonReads) {
   const double(&m)[3][3] = head.frame_from_view;
   const double distance = affine_distance(station_of(head), {-m[0][2], -m[1][2], -m[2][2]}, 5.0);
   const double half_width_px = 0.5 * projection.width_px;
-  EXPECT_NEAR(disparity->least_px, -half_width_px / projection.pinhole.half_width / distance, 0.02);
-  EXPECT_NEAR(disparity->greatest_px, 0.0, 1e-6);
+  EXPECT_NEAR(disparity->min_px, -half_width_px / projection.pinhole.half_width / distance, 0.02);
+  EXPECT_NEAR(disparity->max_px, 0.0, 1e-6);
   show.shells.clear();
   const auto sky_alone = frame_disparity(show, pose, projection, {}, {});
   ASSERT_TRUE(sky_alone);
-  EXPECT_NEAR(sky_alone->least_px, 0.0, 1e-6);
+  EXPECT_NEAR(sky_alone->min_px, 0.0, 1e-6);
 }
 
 }  // namespace

@@ -30,10 +30,10 @@ Vector3<double> turned_by(double angle, const Vector3<double>& v) {
 
 //! Compares the rays of an eye with those of separate cameras for each direction. Returns the
 //! largest difference of their start values, relative to the largest value of each kind.
-double largest_difference(const std::string& place, double half_baseline, double convergence) {
-  const Show show = show_of_eyes("model = \"omni\"\n", "projection = \"dome\"\n", place);
+double largest_difference(const std::string& position, double half_baseline, double convergence) {
+  const Show show = show_of_eyes("model = \"omni\"\n", "projection = \"dome\"\n", position);
   const CameraPose pose = camera_pose(show, 0.0);
-  const EyePlace eye_at = [&](const Vector3<double>& offset) { return eye_camera(show, pose, offset); };
+  const EyeAtOffset eye_at = [&](const Vector3<double>& offset) { return eye_camera(show, pose, offset); };
   const OmniCamera cameras(Backend::cpu, eye_at, {half_baseline, convergence, pi / 3.0, 0.5 * pi, 1e-6});
   const double head_phi = eye_at({0.0, 0.0, 0.0}).phi;
   double largest = 0.0;
@@ -43,7 +43,7 @@ double largest_difference(const std::string& place, double half_baseline, double
     const double level = std::sqrt(1.0 - y * y);
     const Vector3<double> view = {level * std::sin(azimuth), y, -level * std::cos(azimuth)};
     for (const double side : {-1.0, 1.0}) {
-      const auto [camera, n] = own_ray(eye_at, view, side * half_baseline, convergence);
+      const auto [camera, n] = direct_ray(eye_at, view, side * half_baseline, convergence);
       const NearRay<double> own = start_near_ray(camera, n);
       const NearRay<double> seen = start_near_ray(cameras.exact(side), view);
       const double phi = std::atan2(camera.sine_phi, camera.cosine_phi) - head_phi;
@@ -72,7 +72,7 @@ TEST(OmniNearField, RaysAreThoseOfEachDirectionsOwnCamera) {
 //! crossing.
 TEST(OmniNearField, RaysOfEyesOnTheEquatorBeginOnIt) {
   const Show show = show_of_eyes("model = \"omni\"\n", "projection = \"dome\"\n", "r = 9\ntheta_deg = 90\n");
-  const EyePlace eye_at = [&](const Vector3<double>& offset) {
+  const EyeAtOffset eye_at = [&](const Vector3<double>& offset) {
     return eye_camera(show, camera_pose(show, 0.0), offset);
   };
   const OmniCamera cameras(Backend::cpu, eye_at, {0.1, 0.0, pi / 3.0, 0.5 * pi, 1e-6});
@@ -127,7 +127,7 @@ struct ColumnsApart {
   float largest = 0.0F;
 };
 
-void compare_columns(const char* scene, const Picture& turning, int columns, ColumnsApart& sum) {
+void compare_columns(const char* scene, const Picture& omni, int columns, ColumnsApart& sum) {
   const Picture ahead = panorama(scene, "physical", columns);
   const Picture empty = panorama("", "physical", columns);
   constexpr int rows = panorama_px / 2 + 1;
@@ -135,7 +135,7 @@ void compare_columns(const char* scene, const Picture& turning, int columns, Col
   for (int y = panorama_px / 10; y < rows - panorama_px / 10; ++y) {
     for (const int eye : {0, 1}) {
       const float* const own = pixel_of(ahead, eye, panorama_px / 2, y);
-      const float difference = pixel_difference(own, pixel_of(turning, eye, panorama_px / 2 + columns, y));
+      const float difference = pixel_difference(own, pixel_of(omni, eye, panorama_px / 2 + columns, y));
       ++sum.looked_at;
       sum.near += pixel_difference(own, pixel_of(empty, eye, panorama_px / 2, y)) > 0.02F ? 1 : 0;
       sum.different += difference > 0.02F ? 1 : 0;
@@ -149,10 +149,10 @@ void compare_columns(const char* scene, const Picture& turning, int columns, Col
 TEST(OmniNearField, IsSeenAsByCamerasThatAreTurnedToEachDirection) {
   for (const char* const scene : near_scenes) {
     SCOPED_TRACE(scene);
-    const Picture turning = panorama(scene, "omni", 0);
+    const Picture omni = panorama(scene, "omni", 0);
     ColumnsApart sum;
     for (const int part : {0, 5, 9, 10, -9}) {
-      compare_columns(scene, turning, part * panorama_px / 73, sum);
+      compare_columns(scene, omni, part * panorama_px / 73, sum);
     }
     // Pixels at the same direction have slightly different widths in the two panoramas, so that
     // lines and edges are smoothed slightly differently.

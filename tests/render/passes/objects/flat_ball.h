@@ -20,7 +20,7 @@ namespace ergodome::test {
 //! A white ball in front of a black sky, and the camera and eyes that see it.
 struct BallBeforeHead {
   const char* name;
-  Vector3<double> place;  //!< position of the ball
+  Vector3<double> position;  //!< position of the ball
   const char* observer = "static";
   const char* view = "projection = \"pinhole\"\nfov_deg = 100\nsize_px = 600\n";
   double baseline = 1.0;
@@ -45,8 +45,9 @@ inline Show flat_ball(const BallBeforeHead& at) {
           "\"\n[[camera.key]]\nr = 15\ntheta_deg = 75\nphi_deg = 20\npitch_deg = 10\n[sky]\nmap = \"black\"\n"
           "[[objects]]\nshape = \"sphere\"\nsegments = 32\nrings = 16\nsize = 0.1\n" +
           (at.traced ? "method = \"trace\"\n" : "method = \"polygon\"\nimages = 2\ntessellation = { most = 4 }\n") +
-          "position = [" + number(at.place.x) + ", " + number(at.place.y) + ", " + number(at.place.z) + "]\n[view]\n" +
-          at.view + "[stereo]\nmodel = \"flat\"\nlayout = \"separate\"\nbaseline = " + number(at.baseline) + "\n",
+          "position = [" + number(at.position.x) + ", " + number(at.position.y) + ", " + number(at.position.z) +
+          "]\n[view]\n" + at.view +
+          "[stereo]\nmodel = \"flat\"\nlayout = \"separate\"\nbaseline = " + number(at.baseline) + "\n",
       "flat.toml");
 }
 
@@ -77,14 +78,14 @@ inline Middle middle_about(double x_px, double y_px, const Picture& picture) {
 
 //! The first image of the ball as the head sees it, by the closed form: its direction in the axes
 //! of the view, and its affine distance.
-struct SeenPlace {
+struct SeenPosition {
   Vector3<double> view;
   double distance;
 };
 
-inline SeenPlace seen_place(const EyeCamera& head, const Vector3<double>& place) {
+inline SeenPosition seen_position(const EyeCamera& head, const Vector3<double>& position) {
   const ObjectView axes = object_view(head);
-  const Vector3<double> at = axes.in_frame(place);
+  const Vector3<double> at = axes.in_frame(position);
   const double r = std::sqrt(dot(at, at));
   const double aside = std::hypot(at.y, at.z);
   const ConnectingRay ray = connecting_ray(head.r, r, std::atan2(aside, at.x));
@@ -105,7 +106,7 @@ inline void expect_where_flat_space_puts(const BallBeforeHead& at) {
   const Show show = flat_ball(at);
   const EyeCamera head = eye_camera(show, camera_pose(show, 0.0), 0.0);
   const Projection projection = make_projection(show.view, show.view.size_px, 0.0);
-  const SeenPlace seen = seen_place(head, at.place);
+  const SeenPosition seen = seen_position(head, at.position);
   const auto find = [&](const Picture& picture, double offset) {
     const Vector3<double> view = seen_by_eye(seen.view, seen.distance, {offset, 0.0, 0.0});
     double x = 0.0;

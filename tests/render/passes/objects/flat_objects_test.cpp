@@ -22,7 +22,7 @@ std::string white_ball(const std::string& position, const std::string& size) {
 
 const std::string spinning = "[[camera.key]]\nr = 24\ntheta_deg = 75\n[hole]\nspin = 0.9\n";
 
-constexpr int looks = sanitized ? 3 : 8;
+constexpr int pixels = sanitized ? 3 : 8;
 
 constexpr const char* takes_long = "takes long under sanitizers, which see the same code in other scenes";
 
@@ -33,7 +33,7 @@ Show objects_show(const std::string& scene, const std::string& camera, double ba
                    size_px);
 }
 
-void expect_what_lines_of_sight_meet(const Show& show) { compare_with_walk(show, LensChoice::direct, looks); }
+void expect_what_lines_of_sight_meet(const Show& show) { compare_with_walk(show, LensChoice::direct, pixels); }
 
 TEST(FlatObjects, BehindASpinningHoleAreWhatLinesOfSightMeetInFlatSpace) {
   for (const double baseline : sanitized ? std::vector<double>{4.0} : std::vector<double>{0.1, 4.0}) {
@@ -82,7 +82,7 @@ TEST(FlatObjects, OfEyesFartherApartThanTheyAreWideAreThatToo) {
   }
   const std::string far = "[[camera.key]]\nr = 1000\ntheta_deg = 60\n[hole]\nspin = 0.9\n";
   // The image of the ball is only a few pixels wide.
-  compare_with_walk(objects_show(white_ball("3, 9, 2", "4"), far, 40.0, 5, 80), LensChoice::direct, looks);
+  compare_with_walk(objects_show(white_ball("3, 9, 2", "4"), far, 40.0, 5, 80), LensChoice::direct, pixels);
 }
 
 //! TOML text of an opaque shell whose light differs from that of objects.
@@ -94,7 +94,7 @@ TEST(FlatObjects, ThatADiskCutsThroughAreBeforeItAndBehindIt) {
   const Show show = objects_show(white_ball("-7, 6, 0.5", "3") + plain_disk, spinning, 2.0);
   for (const LensChoice lens : {LensChoice::direct, LensChoice::live}) {
     const auto start = work_done();
-    compare_with_walk(show, lens, sanitized ? 2 : 2 * looks);
+    compare_with_walk(show, lens, sanitized ? 2 : 2 * pixels);
     EXPECT_EQ(work_between(start, work_done()).contains("look_up_flat_eyes"), lens == LensChoice::live);
   }
 }
@@ -108,14 +108,14 @@ TEST(FlatObjects, BetweenADiskAndAShellAreInTheOrderOfTheirDistance) {
     GTEST_SKIP() << takes_long;
   }
   compare_with_walk(objects_show(white_ball("2, 6, 0.5", "3") + plain_disk + grey_shell, spinning, 2.0, 40),
-                    LensChoice::direct, 2 * looks);
+                    LensChoice::direct, 2 * pixels);
 }
 
 //! The difference between the pictures of eyes of the model `flat` and the picture of the head.
 struct Difference {
-  double light = 0.0;     //!< light of the head's picture
-  double mean = 0.0;      //!< mean difference, relative to that light
-  double greatest = 0.0;  //!< largest difference of a pixel
+  double light = 0.0;    //!< light of the head's picture
+  double mean = 0.0;     //!< mean difference, relative to that light
+  double maximum = 0.0;  //!< largest difference of a pixel
 };
 
 Difference difference_from_head(Show show, double baseline) {
@@ -132,7 +132,7 @@ Difference difference_from_head(Show show, double baseline) {
     for (std::size_t eye = 0; eye < 2 && i % 4 < 3; ++eye) {
       const double off = std::abs(static_cast<double>(eyes[eye].rgba[i]) - own);
       difference.mean += 0.5 * off;
-      difference.greatest = std::max(difference.greatest, off);
+      difference.maximum = std::max(difference.maximum, off);
     }
   }
   difference.mean /= difference.light;
@@ -144,7 +144,7 @@ const std::string lamp_and_shift = "[light]\nposition = [6, 14, 9]\n[effects]\nr
 TEST(FlatObjects, AreTheHeadsWithoutABaseline) {
   const Difference difference = difference_from_head(objects_show(white_ball("-7, 5, 3", "3"), spinning, 1.0), 0.0);
   EXPECT_GT(difference.light, 10.0);
-  EXPECT_EQ(difference.greatest, 0.0);
+  EXPECT_EQ(difference.maximum, 0.0);
 }
 
 TEST(FlatObjects, AreLitAndShiftedAsTheHeadSeesThemWhereEyesAreClose) {
@@ -166,7 +166,7 @@ TEST(FlatObjects, AreSeenInEveryProjectionOverItsSeamsToo) {
     const Difference difference = difference_from_head(show, 1e-6);
     EXPECT_GT(difference.light, 100.0);
     EXPECT_LT(difference.mean, 1e-2);
-    EXPECT_LT(difference.greatest, 0.7);
+    EXPECT_LT(difference.maximum, 0.7);
   }
 }
 
@@ -178,7 +178,7 @@ TEST(FlatObjects, AreSeenOverSeamsThatPassThroughTiles) {
   const Difference difference = difference_from_head(show, 1e-6);
   EXPECT_GT(difference.light, 100.0);
   EXPECT_LT(difference.mean, 1e-2);
-  EXPECT_LT(difference.greatest, 0.7);
+  EXPECT_LT(difference.maximum, 0.7);
 }
 
 TEST(FlatObjects, ThatAreRetardedAreSeenWhereTheyWere) {

@@ -37,9 +37,9 @@ Projection fisheye(LensLaw law, double field_of_view_deg, double tilt_deg) {
 
 TEST_F(ObjectPasses, EveryProjectionHasASphereWhereItHasItsDirection) {
   // The sphere is next to the observer, so its second image is far away and small.
-  const Vector3<double> place{36.0, 3.0, 4.0};
+  const Vector3<double> position{36.0, 3.0, 4.0};
   const EyeCamera eye = eye_looking(pass_r_observer, {-0.6, 0.0, 0.8});
-  const Vector3<double> expected = in_view(eye, closed_form_direction(pass_r_observer, place, 1));
+  const Vector3<double> expected = in_view(eye, closed_form_direction(pass_r_observer, position, 1));
   DomeView polynomial;
   polynomial.law = LensLaw::polynomial;
   polynomial.field_of_view = 200.0 * one_degree;
@@ -65,7 +65,7 @@ TEST_F(ObjectPasses, EveryProjectionHasASphereWhereItHasItsDirection) {
     double y = 0.0;
     ASSERT_TRUE(pixel_from_direction(projection, expected, x, y));
     ASSERT_GT(image_coverage(projection, x, y), 0.9);
-    const auto drawn = draw(show_of({small_sphere(place, 0.15)}), eye, projection);
+    const auto drawn = draw(show_of({small_sphere(position, 0.15)}), eye, projection);
     double x_drawn = 0.0;
     double y_drawn = 0.0;
     drawn.middle(x_drawn, y_drawn);
@@ -76,11 +76,12 @@ TEST_F(ObjectPasses, EveryProjectionHasASphereWhereItHasItsDirection) {
 }
 
 TEST_F(ObjectPasses, WhatCrossesTheSeamOfAPanoramaIsOnBothSides) {
-  const Vector3<double> place{44.0, 0.0, 0.3};
+  const Vector3<double> position{44.0, 0.0, 0.3};
   const Projection projection = make_equirectangular_projection(512, 256);
   const auto whole =
-      draw(show_of({small_sphere(place, 0.8)}), eye_looking(pass_r_observer, {1.0, 0.0, 0.0}), projection);
-  const auto split = draw(show_of({small_sphere(place, 0.8)}), eye_looking(pass_r_observer, towards_hole), projection);
+      draw(show_of({small_sphere(position, 0.8)}), eye_looking(pass_r_observer, {1.0, 0.0, 0.0}), projection);
+  const auto split =
+      draw(show_of({small_sphere(position, 0.8)}), eye_looking(pass_r_observer, towards_hole), projection);
   EXPECT_NEAR(split.light(), whole.light(), 0.02 * whole.light());
   double left = 0.0;
   double middle = 0.0;
@@ -96,9 +97,9 @@ TEST_F(ObjectPasses, WhatCrossesTheSeamOfAPanoramaIsOnBothSides) {
 TEST_F(ObjectPasses, NothingIsDrawnAcrossADomeByWhatIsBehindIt) {
   // Positions opposite to the zenith, and behind the rim of the dome.
   const EyeCamera eye = eye_looking(pass_r_observer, towards_hole);
-  for (const Vector3<double>& place : {Vector3<double>{40.0, 0.2, -5.0}, {40.0, 0.0, -5.0}, {44.0, 0.0, 0.0}}) {
-    ObjectSettings sphere = small_sphere(place, 1.0);
-    sphere.tessellation.most = 1.0;
+  for (const Vector3<double>& position : {Vector3<double>{40.0, 0.2, -5.0}, {40.0, 0.0, -5.0}, {44.0, 0.0, 0.0}}) {
+    ObjectSettings sphere = small_sphere(position, 1.0);
+    sphere.tessellation.maximum = 1.0;
     const auto drawn = draw(show_of({sphere}), eye, fisheye(LensLaw::equidistant, 180.0, 0.0));
     drawn.each([&](double x, double y, double value) {
       const double from_middle = std::hypot(x - 256.0, y - 256.0) / 256.0;
@@ -106,7 +107,7 @@ TEST_F(ObjectPasses, NothingIsDrawnAcrossADomeByWhatIsBehindIt) {
       // expected.
       const bool about_hole = y > 400.0 && std::abs(x - 256.0) < 60.0;
       if (value > 0.0 && !about_hole) {
-        ASSERT_GT(from_middle, 0.75) << place.x << " " << place.z;
+        ASSERT_GT(from_middle, 0.75) << position.x << " " << position.z;
       }
     });
   }
@@ -192,13 +193,13 @@ TEST_F(ObjectPasses, MoreTessellationMovesTheMiddleOfAnEdgeToWhereItIsSeen) {
   double areas[3] = {};
   const double levels[3] = {1.0, 4.0, 64.0};
   for (int i = 0; i < 3; ++i) {
-    triangle.tessellation.most = levels[i];
+    triangle.tessellation.maximum = levels[i];
     areas[i] = draw(show_of({triangle}), eye, projection).light();
   }
   // The edge of the triangle is curved outwards, away from the shadow. The coarser its tessellation
   // is, the more its chords cut off.
   EXPECT_GT(std::abs(areas[0] - areas[2]), 4.0 * std::abs(areas[1] - areas[2]));
-  triangle.tessellation.most = 64.0;
+  triangle.tessellation.maximum = 64.0;
   const auto drawn = draw(show_of({triangle}), eye, projection);
   EXPECT_EQ(drawn.at(static_cast<int>(x), static_cast<int>(y)), 1.0F);
 }
@@ -219,7 +220,7 @@ TEST_F(ObjectPasses, RefuseObjectsInTheHoleAndEyesInsideThePhotonSphere) {
   ObjectSettings disk;
   disk.form = ObjectForm::disk;
   // The tessellation is coarse, because only matters whether the disk is drawn.
-  disk.tessellation.most = 1.0;
+  disk.tessellation.maximum = 1.0;
   EXPECT_EQ(drawn_from(40.0, disk), "");
   disk.disk.inner = 1.9;
   EXPECT_THAT(drawn_from(40.0, disk), testing::HasSubstr("extends from r = "));

@@ -32,7 +32,7 @@ class ObjectRaysAndPolygons : public test::ObjectScenes {
         const auto part = [&](int i) {
           return eye.frame_from_view[i][0] * v.x + eye.frame_from_view[i][1] * v.y + eye.frame_from_view[i][2] * v.z;
         };
-        const auto hit = rays.look(camera, {part(0), part(1), part(2)}, 1e-9);
+        const auto hit = rays.first_hit(camera, {part(0), part(1), part(2)}, 1e-9);
         EXPECT_TRUE(hit.has_value());
         seen.push_back(hit && hit->mesh >= 0);
       }
@@ -93,7 +93,7 @@ TEST_F(ObjectRaysAndPolygons, ShowASphereInTheSamePixelsRoundTheHole) {
     ObjectSettings sphere;
     sphere.form = ObjectForm::sphere;
     sphere.position = {6.0 * std::cos(phi_deg * one_degree), 6.0 * std::sin(phi_deg * one_degree), 0.3};
-    sphere.tessellation.most = 16.0;
+    sphere.tessellation.maximum = 16.0;
     expect_same_outlines(sphere);
   }
 }
@@ -112,7 +112,7 @@ TEST_F(ObjectRaysAndPolygons, ShowADiskWithAThicknessInTheSamePixels) {
   disk.disk.rings = 4;
   disk.turn = {0.0, 20.0 * one_degree, 0.0};
   disk.size = 0.4;
-  disk.tessellation.most = 16.0;
+  disk.tessellation.maximum = 16.0;
   expect_same_outlines(disk);
 }
 
@@ -125,12 +125,12 @@ TEST(ObjectRays, MeetAnObjectWhereItIsByTheShowsTime) {
   sphere.orbit = ObjectOrbit{};
   show.objects = {sphere};
   const CameraStation camera = make_camera_station(Spacetime{0.0}, 30.0, 0.5 * pi, 0.0, ObserverMotion::fixed);
-  const auto now = ObjectRays(show, 0.0).look(camera, {-1.0, 0.0, 0.0});
+  const auto now = ObjectRays(show, 0.0).first_hit(camera, {-1.0, 0.0, 0.0});
   ASSERT_TRUE(now && now->mesh == 0);
   EXPECT_NEAR(now->point.x, 10.5, 0.02);
   // After half a period, the object is behind the hole, and this ray falls into the hole.
   const double half = pi * std::sqrt(1000.0) / sphere.orbit->speed;
-  const auto later = ObjectRays(show, half).look(camera, {-1.0, 0.0, 0.0});
+  const auto later = ObjectRays(show, half).first_hit(camera, {-1.0, 0.0, 0.0});
   ASSERT_TRUE(later.has_value());
   EXPECT_EQ(later->mesh, -1);
 }
@@ -144,7 +144,7 @@ TEST(ObjectRays, NameTheTriangleOfTheMesh) {
   show.objects = {sphere};
   const ObjectRays rays(show, 0.0);
   const auto hit =
-      rays.look(make_camera_station(Spacetime{0.0}, 30.0, 0.5 * pi, 0.0, ObserverMotion::fixed), {-1.0, 0.0, 0.0});
+      rays.first_hit(make_camera_station(Spacetime{0.0}, 30.0, 0.5 * pi, 0.0, ObserverMotion::fixed), {-1.0, 0.0, 0.0});
   ASSERT_TRUE(hit && hit->mesh == 0);
   const TriangleMesh mesh = make_sphere({});
   const std::size_t first = 3 * static_cast<std::size_t>(rays.triangle(*hit));

@@ -10,7 +10,7 @@
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "kernels/projection/make_projection.h"
-#include "kernels/spacetime/schwarzschild/apparent_place.h"
+#include "kernels/spacetime/schwarzschild/apparent_position.h"
 #include "render/passes/objects/object_pass.h"
 #include "tests/support/gl_driver.h"
 
@@ -29,7 +29,7 @@ inline ObjectSettings small_sphere(const Vector3<double>& position, double size)
   object.position = position;
   object.size = size;
   // Small triangles need only coarse tessellation, which is faster to draw by the CPU.
-  object.tessellation.most = 8.0;
+  object.tessellation.maximum = 8.0;
   return object;
 }
 
@@ -57,8 +57,8 @@ inline EyeCamera eye_looking(double r, const Vector3<double>& forward) {
 
 //! Returns the direction, in the rest frame, in which a static observer on the x axis sees the
 //! image number `order` of a point, by the closed form.
-inline Vector3<double> closed_form_direction(double r_observer, const Vector3<double>& place, int order) {
-  const Vector3<double> d = apparent_place({r_observer, 0.0, 0.0}, place, order).direction;
+inline Vector3<double> closed_form_direction(double r_observer, const Vector3<double>& position, int order) {
+  const Vector3<double> d = apparent_position({r_observer, 0.0, 0.0}, position, order).direction;
   return {d.x, -d.z, d.y};
 }
 

@@ -94,7 +94,8 @@ class ThinImages : public testing::TestWithParam<double> {
       const double inwards = (static_cast<double>(static_cast<long>(i) * step % count) + 0.5) / count;
       const double outside = thin_part * edge * std::exp(-powers * inwards);
       const double alpha = edge + outside;
-      const auto hit = rays.look(camera, chart_direction<double>(chart, std::cos(alpha), std::sin(alpha), gamma), 1e-8);
+      const auto hit =
+          rays.first_hit(camera, chart_direction<double>(chart, std::cos(alpha), std::sin(alpha), gamma), 1e-8);
       sum += hit && hit->mesh >= 0 ? outside * std::sin(alpha) : 0.0;
     }
     return sum * powers * 2.0 * pi / count;

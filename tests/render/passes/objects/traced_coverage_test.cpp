@@ -33,7 +33,7 @@ double exact_part(const ObjectRays& rays, const EyeCamera& eye, const Projection
     for (int column = 0; column < side; ++column) {
       const double along = column + (sheared ? (row + 0.5) / side : 0.5);
       const double down = row + (sheared ? (side - column - 0.5) / side : 0.5);
-      const auto hit = rays.look(camera, observed(eye, projection, x + along / side, y + down / side), 1e-10);
+      const auto hit = rays.first_hit(camera, observed(eye, projection, x + along / side, y + down / side), 1e-10);
       hits += hit && hit->mesh >= 0 ? 1 : 0;
     }
   }
@@ -111,7 +111,7 @@ TEST(TracedObjects, AreMissedInNoPixelThatSeesThemAllOver) {
     const Drawn drawn = draw(show, eye, projection);
     const ObjectRays rays(show, 0.0);
     const auto sees = [&](double x, double y) {
-      const auto hit = rays.look(station(eye), observed(eye, projection, x, y), 1e-9);
+      const auto hit = rays.first_hit(station(eye), observed(eye, projection, x, y), 1e-9);
       return hit && hit->mesh >= 0;
     };
     int seen = 0;
@@ -154,7 +154,7 @@ TEST(TracedObjects, LoseNoLightNextToTheShadowsEdge) {
       for (int i = 0; i < 16; ++i) {
         const int row = i / 4;
         const Vector3<double> n = observed(eye, projection, x + (i % 4 + 0.5) / 4.0, y + (row + 0.5) / 4.0);
-        const auto hit = rays.look(station(eye), n, 1e-9);
+        const auto hit = rays.first_hit(station(eye), n, 1e-9);
         expected += hit && hit->mesh >= 0 ? 1.0 / 16.0 : 0.0;
       }
       seen += static_cast<double>(drawn.covered(x, y));

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "kernels/core/angles.h"
-#include "kernels/spacetime/schwarzschild/apparent_place.h"
+#include "kernels/spacetime/schwarzschild/apparent_position.h"
 #include "render/passes/objects/object_rays.h"
 #include "tests/render/eye_at.h"
 #include "tests/render/passes/objects/traced_scene.h"
@@ -116,11 +116,11 @@ TEST(TracedObjects, ThatComeTowardsTheCameraAreBrighterThanThoseThatGo) {
     show.objects.front().orbit = orbit;
     const EyeCamera eye = eye_at(0.0, 40.0, 0.5 * pi, ObserverMotion::fixed);
     const Drawn drawn = draw(show, eye, screen(0.6));
-    const ApparentPlace place = apparent_place({40.0, 0.0, 0.0}, {0.0, 8.0 * std::sin(phi), 0.0}, 1);
-    cosine = dot(place.emission_direction, Vector3<double>{-std::sin(phi), 0.0, 0.0});
+    const ApparentPosition position = apparent_position({40.0, 0.0, 0.0}, {0.0, 8.0 * std::sin(phi), 0.0}, 1);
+    cosine = dot(position.emission_direction, Vector3<double>{-std::sin(phi), 0.0, 0.0});
     double x = 0.0;
     double y = 0.0;
-    const Vector3<double>& d = place.direction;
+    const Vector3<double>& d = position.direction;
     EXPECT_TRUE(pixel_from_direction(drawn.projection, Vector3<double>{d.y, d.z, d.x}, x, y));
     return static_cast<double>(drawn.at(static_cast<int>(x), static_cast<int>(y), 0));
   };
@@ -149,7 +149,7 @@ TEST(TracedObjects, OfALampAreLitAsTheClosedFormHasIt) {
   int compared = 0;
   for (int i = -12; i <= 12; i += 4) {
     const int x = middle_px + i;
-    const auto hit = rays.look(station(eye), observed(eye, drawn.projection, x + 0.5, middle_px + 0.5));
+    const auto hit = rays.first_hit(station(eye), observed(eye, drawn.projection, x + 0.5, middle_px + 0.5));
     if (!hit || hit->mesh < 0) {
       continue;
     }
@@ -181,8 +181,8 @@ TEST(TracedObjects, CastShadowsOnOneAnother) {
   for (int y = 0; y < traced_size_px; ++y) {
     for (int x = 0; x < traced_size_px; ++x) {
       // Compares only pixels that the large ball covers completely in both pictures.
-      const bool same_place = shadowed.covered(x, y) == 1.0F && free.covered(x, y) == 1.0F;
-      darkened += same_place && shadowed.at(x, y, 0) < 0.05F * free.at(x, y, 0) ? 1 : 0;
+      const bool same_position = shadowed.covered(x, y) == 1.0F && free.covered(x, y) == 1.0F;
+      darkened += same_position && shadowed.at(x, y, 0) < 0.05F * free.at(x, y, 0) ? 1 : 0;
       EXPECT_LE(shadowed.at(x, y, 0), 1.2F * free.at(x, y, 0) + 2.0F * (free.covered(x, y) < 1.0F));
     }
   }

@@ -116,14 +116,14 @@ TEST(Captions, HaveTheSameLinesInEverySize) {
 
 TEST(Captions, AreAsBrightAsTheyAreColoured) {
   const CaptionImage words = set_caption("H", {200, 1000.0, {0.5, 0.25, 0.0}});
-  std::uint16_t most[4] = {};
+  std::uint16_t maximum[4] = {};
   for (std::size_t i = 0; i < 4UL * static_cast<std::size_t>(words.image.width * words.image.height); ++i) {
-    most[i % 4] = std::max(most[i % 4], words.image.texels[i]);
+    maximum[i % 4] = std::max(maximum[i % 4], words.image.texels[i]);
   }
-  EXPECT_NEAR(most[0], 32768, 1);
-  EXPECT_NEAR(most[1], 16384, 1);
-  EXPECT_EQ(most[2], 0);
-  EXPECT_EQ(most[3], 65535);
+  EXPECT_NEAR(maximum[0], 32768, 1);
+  EXPECT_NEAR(maximum[1], 16384, 1);
+  EXPECT_EQ(maximum[2], 0);
+  EXPECT_EQ(maximum[3], 65535);
 }
 
 TEST(Captions, HaveARimThatEndsWithinTheImage) {

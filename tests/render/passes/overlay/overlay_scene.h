@@ -8,7 +8,7 @@
 
 #include "render/output/image_writer.h"
 #include "render/passes/overlay/overlay_pass.h"
-#include "render/passes/overlay/overlay_place.h"
+#include "render/passes/overlay/overlay_position.h"
 #include "tests/support/folder_test.h"
 
 // Pictures and overlay passes for tests of overlays.
@@ -56,7 +56,7 @@ inline Picture drawn(const Timeline& timeline, const std::string& folder, const 
 inline Caption caption_of(const std::string& text, double azimuth_deg = 0.0, double elevation_deg = 20.0) {
   Caption caption;
   caption.presence = always;
-  caption.place = {azimuth_deg, elevation_deg, 0.0};
+  caption.position = {azimuth_deg, elevation_deg, 0.0};
   caption.letter_deg = 5.0;
   caption.text[""] = text;
   return caption;
@@ -111,7 +111,7 @@ class Overlays : public test::FolderTest {
     Overlay overlay;
     overlay.image = file;
     overlay.presence = always;
-    overlay.place = {azimuth_deg, elevation_deg, 0.0};
+    overlay.position = {azimuth_deg, elevation_deg, 0.0};
     overlay.width_deg = width_deg;
     return overlay;
   }

@@ -26,7 +26,7 @@ TEST_F(Overlays, StandOnTheScreenForBothEyesOrBehindIt) {
   Timeline timeline;
   timeline.overlays = {image_at("white.png", 0.0, 0.0, 2.0)};
   OverlayPass pass = pass_of(timeline, folder_.string());
-  const auto place = [&](double offset, double convergence, double distance) {
+  const auto position = [&](double offset, double convergence, double distance) {
     Picture picture = even_picture(head, 0.0F);
     pass.draw({Backend::cpu, picture.rgba.data(), picture.tone, false},
               overlay_projection(head, offset, convergence, distance), 0.0);
@@ -36,11 +36,11 @@ TEST_F(Overlays, StandOnTheScreenForBothEyesOrBehindIt) {
   // The eye is displaced to the right. For this eye, an object beyond the screen distance appears
   // farther to the right on the screen, and a closer one farther to the left; at the screen
   // distance, it does not move.
-  EXPECT_NEAR(place(0.1, 5.0, 0.0), 200.0, 0.05);
-  EXPECT_NEAR(place(0.1, 5.0, 5.0), 200.0, 0.05);
-  EXPECT_NEAR(place(0.1, 5.0, infinity), 200.0 + 0.1 / 5.0 * px, 0.05);
-  EXPECT_NEAR(place(0.1, 5.0, 2.5), 200.0 - 0.1 / 5.0 * px, 0.05);
-  EXPECT_NEAR(place(0.1, 0.0, infinity), 200.0, 0.05);
+  EXPECT_NEAR(position(0.1, 5.0, 0.0), 200.0, 0.05);
+  EXPECT_NEAR(position(0.1, 5.0, 5.0), 200.0, 0.05);
+  EXPECT_NEAR(position(0.1, 5.0, infinity), 200.0 + 0.1 / 5.0 * px, 0.05);
+  EXPECT_NEAR(position(0.1, 5.0, 2.5), 200.0 - 0.1 / 5.0 * px, 0.05);
+  EXPECT_NEAR(position(0.1, 0.0, infinity), 200.0, 0.05);
 }
 
 TEST_F(Overlays, BehindTheDomeAreWhereThePictureHasTheSky) {
@@ -211,9 +211,9 @@ TEST_F(Overlays, OfAShowTellTheLineOfAnImageThatCannotBe) {
       "[[overlay]]\nimage = \"white.png\"\nfrom_s = 0\nto_s = 9\n"
       "[[overlay]]\nimage = \"none.png\"\nfrom_s = 0\nto_s = 9\n",
       (folder_ / "film.toml").string());
-  const auto told = testing::HasSubstr("(overlay[1].image, film.toml:9)");
-  EXPECT_THAT(error_of([&] { const OverlayPass pass(show); }), told);
-  EXPECT_THAT(error_of([&] { OverlayPass::image_bytes(show); }), told);
+  const auto reported = testing::HasSubstr("(overlay[1].image, film.toml:9)");
+  EXPECT_THAT(error_of([&] { const OverlayPass pass(show); }), reported);
+  EXPECT_THAT(error_of([&] { OverlayPass::image_bytes(show); }), reported);
 }
 
 }  // namespace

@@ -69,14 +69,14 @@ struct Met {
 
 struct Collector {
   std::vector<Met> met;
-  void cross(int shell, bool lanes, const NearPlace<double>& at) {
+  void cross(int shell, bool lanes, const NearPosition<double>& at) {
     if (lanes) {
       const double c = std::cos(at.drag);
       const double s = std::sin(at.drag);
       met.push_back({shell, at.time, {c * at.m.x - s * at.m.y, s * at.m.x + c * at.m.y, at.m.z}});
     }
   }
-  static void turn(bool /*lanes*/, const NearPlace<double>& /*at*/) {}
+  static void turn(bool /*lanes*/, const NearPosition<double>& /*at*/) {}
   [[nodiscard]] static bool done() { return false; }
 };
 

@@ -43,18 +43,18 @@ std::vector<float> evenly(int count) {
   return s;
 }
 
-TEST(PlacesInMap, AreThoseOfSingleDirections) {
+TEST(PositionsInMap, AreThoseOfSingleDirections) {
   const std::vector<float> s = evenly(1001);
   std::vector<float> x(s.size());
   std::vector<float> y(s.size());
   for (const DirectionRow& row : rows_of_all_kinds(s)) {
-    places_in_map(row, x, y);
+    positions_in_map(row, x, y);
     for (std::size_t i = 0; i < s.size(); ++i) {
       const glm::dvec3 d = glm::normalize(row.base + static_cast<double>(s[i]) * row.along);
-      const glm::dvec2 place = map_from_direction(d);
+      const glm::dvec2 position = map_from_direction(d);
       // Near a pole, all columns are close together, so the difference is reduced accordingly.
-      ASSERT_LT(columns_apart(x[i], place.x) * std::hypot(d.x, d.y), 2e-7) << d.x << ' ' << d.y << ' ' << d.z;
-      ASSERT_NEAR(y[i], place.y, 2e-7) << d.x << ' ' << d.y << ' ' << d.z;
+      ASSERT_LT(columns_apart(x[i], position.x) * std::hypot(d.x, d.y), 2e-7) << d.x << ' ' << d.y << ' ' << d.z;
+      ASSERT_NEAR(y[i], position.y, 2e-7) << d.x << ' ' << d.y << ' ' << d.z;
       ASSERT_GE(x[i], -0.25F);
       ASSERT_LE(x[i], 0.75F);
     }
@@ -81,9 +81,9 @@ glm::dvec3 texel_of(const EnvironmentImage& image, long x, long y) {
 }
 
 glm::dvec3 light_between_texels(const EnvironmentImage& image, const glm::dvec3& direction) {
-  const glm::dvec2 place = map_from_direction(direction);
-  const double x = place.x * image.width - 0.5;
-  const double y = place.y * image.height - 0.5;
+  const glm::dvec2 position = map_from_direction(direction);
+  const double x = position.x * image.width - 0.5;
+  const double y = position.y * image.height - 0.5;
   const auto left = static_cast<long>(std::floor(x));
   const auto upper = static_cast<long>(std::floor(y));
   return glm::mix(glm::mix(texel_of(image, left, upper), texel_of(image, left + 1, upper), x - std::floor(x)),

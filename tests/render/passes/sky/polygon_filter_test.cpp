@@ -38,14 +38,14 @@ glm::dvec3 random_direction(std::mt19937& random) {
 
 //! The footprint of a pixel on the sky: its direction, and the changes of the direction across the
 //! pixel.
-struct Look {
+struct Footprint {
   glm::dvec3 direction;
   glm::dvec3 along_x;
   glm::dvec3 along_y;
 };
 
 //! Returns the footprint of a pixel with angular sizes a and b, rotated and skewed at random.
-Look random_look(const glm::dvec3& direction, double a, double b, std::mt19937& random) {
+Footprint random_footprint(const glm::dvec3& direction, double a, double b, std::mt19937& random) {
   const glm::dvec3 first = glm::normalize(glm::cross(direction, random_direction(random)));
   const glm::dvec3 second = glm::cross(direction, first);
   std::uniform_real_distribution<double> skew(-0.5, 0.5);
@@ -60,11 +60,11 @@ glm::dvec3 moved(const glm::dvec3& direction, const glm::dvec3& tangent) {
 //! Returns the mean direction over a pixel whose sides are great circles. By Lambert's formula for
 //! the irradiance vector, half of the sum over the sides of length times unit normal is the
 //! integral of the direction; the solid angle is the spherical excess.
-glm::dvec3 mean_direction(const Look& look) {
-  const glm::dvec3 corners[] = {moved(look.direction, -0.5 * (look.along_x + look.along_y)),
-                                moved(look.direction, 0.5 * (look.along_x - look.along_y)),
-                                moved(look.direction, 0.5 * (look.along_x + look.along_y)),
-                                moved(look.direction, 0.5 * (look.along_y - look.along_x))};
+glm::dvec3 mean_direction(const Footprint& footprint) {
+  const glm::dvec3 corners[] = {moved(footprint.direction, -0.5 * (footprint.along_x + footprint.along_y)),
+                                moved(footprint.direction, 0.5 * (footprint.along_x - footprint.along_y)),
+                                moved(footprint.direction, 0.5 * (footprint.along_x + footprint.along_y)),
+                                moved(footprint.direction, 0.5 * (footprint.along_y - footprint.along_x))};
   glm::dvec3 integral(0.0);
   for (std::size_t i = 0; i < 4; ++i) {
     const glm::dvec3 normal = glm::cross(corners[i], corners[(i + 1) % 4]);
@@ -78,8 +78,8 @@ glm::dvec3 mean_direction(const Look& look) {
   return integral / (triangle(corners[0], corners[1], corners[2]) + triangle(corners[0], corners[2], corners[3]));
 }
 
-glm::dvec4 seen(const PolygonFilter& filter, const Look& look) {
-  return filter.light(look.direction, look.along_x, look.along_y);
+glm::dvec4 seen(const PolygonFilter& filter, const Footprint& footprint) {
+  return filter.light(footprint.direction, footprint.along_x, footprint.along_y);
 }
 
 TEST(ColumnSums, InFloatTheLowerPoleWouldBeLost) {
@@ -129,7 +129,7 @@ TEST(PolygonFilter, ConstantMapIsConstantWithPolesAndSeam) {
         } else if (i % 3 == 2) {
           direction = glm::normalize(glm::dvec3(0.0, 1.0, direction.z));
         }
-        const glm::dvec4 light = seen(filter, random_look(direction, a, b, random));
+        const glm::dvec4 light = seen(filter, random_footprint(direction, a, b, random));
         ASSERT_NEAR(light.x, 0.25, 1e-6) << a << " " << b;
         ASSERT_NEAR(light.z, 2.0, 1e-5) << a << " " << b;
       }
@@ -149,13 +149,14 @@ TEST(PolygonFilter, LinearMapHasItsMeanOverSmallAndHugePixels) {
         glm::dvec3 direction = random_direction(random);
         direction = i % 4 == 0 ? glm::normalize(glm::dvec3(0.0, 0.0, i % 8 == 0 ? 1.0 : -1.0) + 0.7 * a * direction)
                                : direction;
-        const Look look = random_look(direction, a, b, random);
-        if (0.5 * std::max(glm::length(look.along_x + look.along_y), glm::length(look.along_x - look.along_y)) >=
+        const Footprint footprint = random_footprint(direction, a, b, random);
+        if (0.5 * std::max(glm::length(footprint.along_x + footprint.along_y),
+                           glm::length(footprint.along_x - footprint.along_y)) >=
             1.25) {
           continue;
         }
-        const glm::dvec3 exact = 1.0 + mean_direction(look);
-        const glm::dvec4 light = seen(filter, look);
+        const glm::dvec3 exact = 1.0 + mean_direction(footprint);
+        const glm::dvec4 light = seen(filter, footprint);
         for (int part = 0; part < 3; ++part) {
           ASSERT_NEAR(light[part], exact[part], limit) << a << " " << b << " " << direction.z;
         }
@@ -174,7 +175,7 @@ TEST(PolygonFilter, PixelInsideATexelHasItsLight) {
   for (int y = 0; y < 32; ++y) {
     for (int x = 0; x < 64; ++x) {
       const glm::dvec3 d = turn * direction_from_map((x + 0.5) / 64, (y + 0.5) / 32);
-      const glm::dvec4 light = seen(filter, random_look(d, 1e-3, 1e-4, random));
+      const glm::dvec4 light = seen(filter, random_footprint(d, 1e-3, 1e-4, random));
       EXPECT_NEAR(light.x, image.rgb[static_cast<std::size_t>(3 * (64 * y + x))], 1e-7);
     }
   }
@@ -210,13 +211,13 @@ TEST(PolygonFilter, AgreesWithTheEllipticFilterOnASmoothMap) {
   for (const double a : {1e-4, 0.01, 0.03, 0.1}) {
     for (const double b : {1e-4, 0.01, 0.03, 0.1}) {
       for (int i = 0; i < 100; ++i) {
-        const Look look = random_look(random_direction(random), a, b, random);
+        const Footprint footprint = random_footprint(random_direction(random), a, b, random);
         const auto narrow = [](const glm::dvec3& v) {
           return Vector3<float>{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
         };
-        const SkyLight<float> ellipse =
-            filter_sky(cube.view(), narrow(look.direction), narrow(look.along_x), narrow(look.along_y), 1.0F);
-        const glm::dvec4 light = seen(polygons, look);
+        const SkyLight<float> ellipse = filter_sky(cube.view(), narrow(footprint.direction), narrow(footprint.along_x),
+                                                   narrow(footprint.along_y), 1.0F);
+        const glm::dvec4 light = seen(polygons, footprint);
         for (int part = 0; part < 3; ++part) {
           EXPECT_NEAR(light[part] / static_cast<double>(quad_part(ellipse.pixel[0], part)), 1.0, 0.03) << a << " " << b;
         }
@@ -249,9 +250,9 @@ TEST(PolygonFilter, PixelsThatTileTheSkyHaveAllItsLight) {
     const auto tangent = [&](const glm::dvec3& step) {
       return (2.0 / across / glm::length(raw)) * (step - glm::dot(step, d) * d);
     };
-    const Look look = {d, tangent(placed(1.0, 0.0, 0.0)), tangent(placed(0.0, 1.0, 0.0))};
-    const double solid_angle = glm::length(glm::cross(look.along_x, look.along_y));
-    light += solid_angle * seen(filter, look).x;
+    const Footprint footprint = {d, tangent(placed(1.0, 0.0, 0.0)), tangent(placed(0.0, 1.0, 0.0))};
+    const double solid_angle = glm::length(glm::cross(footprint.along_x, footprint.along_y));
+    light += solid_angle * seen(filter, footprint).x;
     area += solid_angle;
   }
   EXPECT_NEAR(area, 4.0 * pi, 0.005);

@@ -28,7 +28,7 @@ Vector3<float> filtered(const CubeMap& map, const Vector3<float>& d, const Vecto
 
 //! Returns the filtered light of a pixel in direction d with angular sizes a and b [rad]; `turn`
 //! rotates its axes.
-Vector3<float> look(const CubeMap& map, const glm::dvec3& d, double a, double b, double turn = 0.3) {
+Vector3<float> seen_at(const CubeMap& map, const glm::dvec3& d, double a, double b, double turn = 0.3) {
   const glm::dvec3 axis = std::abs(d.z) < 0.9 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(1.0, 0.0, 0.0);
   const glm::dvec3 e1 = glm::normalize(glm::cross(axis, d));
   const glm::dvec3 e2 = glm::cross(d, e1);
@@ -53,7 +53,7 @@ TEST(SkyCube, ConstantSkyStaysConstantForEveryFootprint) {
   std::mt19937 random(1);
   for (const double a : {1e-5, 1e-2, 0.3, 3.0, 1e4}) {
     for (const double b : {1e-7, 1e-3, 0.1}) {
-      const Vector3<float> light = look(sky.view(), random_sky_direction(random), a, b);
+      const Vector3<float> light = seen_at(sky.view(), random_sky_direction(random), a, b);
       EXPECT_NEAR(light.x, 0.25F, 1e-6F);
       EXPECT_NEAR(light.z, 2.0F, 1e-5F);
     }
@@ -65,7 +65,7 @@ TEST(SkyCube, SmallFootprintSeesTheLightOfItsDirection) {
   std::mt19937 random(2);
   for (int i = 0; i < 2000; ++i) {
     const glm::dvec3 d = random_sky_direction(random);
-    const Vector3<float> light = look(sky.view(), d, 1e-3, 1e-3);
+    const Vector3<float> light = seen_at(sky.view(), d, 1e-3, 1e-3);
     EXPECT_NEAR(light.x, 1.0 + 0.5 * d.x, 2e-3);
     EXPECT_NEAR(light.y, 1.0 + 0.5 * d.y, 2e-3);
     EXPECT_NEAR(light.z, 1.0 + 0.5 * d.z, 2e-3);
@@ -87,7 +87,7 @@ TEST(SkyCube, HasNoSeamAtEdgesCornersAndPoles) {
     for (int i = 0; i <= 4000; ++i) {
       const double angle = (i - 2000) * 1e-5;
       const Vector3<float> light =
-          look(sky.view(), glm::normalize(std::cos(angle) * from + std::sin(angle) * across), footprint, footprint);
+          seen_at(sky.view(), glm::normalize(std::cos(angle) * from + std::sin(angle) * across), footprint, footprint);
       jump = i > 0 ? std::max(jump, static_cast<double>(std::abs(light.x - last.x))) : jump;
       last = light;
     }
@@ -107,7 +107,7 @@ TEST(SkyCube, HasNoSeamAtEdgesCornersAndPoles) {
 
 TEST(SkyCube, FootprintAsWideAsTheSkySeesItsMean) {
   const SkyCube sky = dipole_sky();
-  const Vector3<float> light = look(sky.view(), {1.0, 0.0, 0.0}, 50.0, 1e-3);
+  const Vector3<float> light = seen_at(sky.view(), {1.0, 0.0, 0.0}, 50.0, 1e-3);
   EXPECT_NEAR(light.x, 1.0, 2e-3);
   EXPECT_NEAR(light.y, 1.0, 2e-3);
 }

@@ -7,9 +7,9 @@
 
 #include "kernels/projection/make_projection.h"
 #include "kernels/projection/pixel_measure.h"
-#include "render/passes/stars/drawing/picture_sheets.h"
+#include "render/passes/stars/drawing/picture_regions.h"
+#include "tests/render/direct_rays.h"
 #include "tests/render/omni_eyes.h"
-#include "tests/render/own_rays.h"
 #include "tests/support/sanitized.h"
 
 namespace ergodome {
@@ -22,7 +22,7 @@ using namespace test;  // NOLINT(google-build-using-namespace): the cameras and 
 constexpr double ring_px = 2.0;
 //! If the sky moves by less than this fraction of the motion on the screen, an image is on a
 //! critical curve, where it becomes an arc; such images are not checked.
-constexpr double least_move = 0.02;
+constexpr double min_move = 0.02;
 
 struct Case {
   const char* name;
@@ -40,7 +40,7 @@ std::vector<Case> cases() {
 }
 
 //! Returns the show whose camera the tests use.
-Show place_of_tests() {
+Show position_of_tests() {
   return parse_show("[hole]\nspin = 0.95\n[camera]\n[[camera.key]]\nr = 9\ntheta_deg = 70\n[sky]\nmap = \"grid\"\n",
                     "omni_stars.toml");
 }
@@ -55,7 +55,7 @@ class OmniStars : public testing::TestWithParam<std::size_t> {
  protected:
   OmniStars()
       : case_(cases()[GetParam()]),
-        show_(place_of_tests()),
+        show_(position_of_tests()),
         pose_(camera_pose(show_, 0.0)),
         eye_at_([this](const Vector3<double>& offset) { return eye_camera(show_, pose_, offset); }),
         field_(brightest(sanitized ? 60 : 300), glm::dmat3(1.0), colours().view()) {
@@ -91,9 +91,9 @@ class OmniStars : public testing::TestWithParam<std::size_t> {
     const StarEye eye(eye_of(side));
     const StarTree tree(field_);
     std::vector<Found> images;
-    for (const PictureSheet& sheet : picture_sheets(case_.projection)) {
-      const GatheredStars gathered = gather_stars(field_, tree, colours().view(), eye, sheet.projection, settings_);
-      for (const StarImage& image : star_images(gathered.stars, eye.camera, sheet.projection)) {
+    for (const PictureRegion& region : picture_regions(case_.projection)) {
+      const GatheredStars gathered = gather_stars(field_, tree, colours().view(), eye, region.projection, settings_);
+      for (const StarImage& image : star_images(gathered.stars, eye.camera, region.projection)) {
         StarSpot spot{};
         if (pixel_from_direction(case_.projection, widened(image.direction), spot.x_px, spot.y_px)) {
           images.push_back({image, spot});
@@ -114,8 +114,8 @@ class OmniStars : public testing::TestWithParam<std::size_t> {
   //! Returns whether the magnification changes by at most two percent across the pixel around a
   //! position. Otherwise, gathered stars cannot be compared, because they have the mean
   //! magnification of their pixel.
-  [[nodiscard]] bool changes_little(const OwnRays& rays, const StarSpot& spot) const {
-    constexpr double most_change = 0.02;
+  [[nodiscard]] bool changes_little(const DirectRays& rays, const StarSpot& spot) const {
+    constexpr double max_change = 0.02;
     const auto middle = rays.map(spot);
     if (!middle) {
       return false;
@@ -124,7 +124,7 @@ class OmniStars : public testing::TestWithParam<std::size_t> {
     for (const StarSpot& beside : {StarSpot{spot.x_px - 1.0, spot.y_px}, StarSpot{spot.x_px + 1.0, spot.y_px},
                                    StarSpot{spot.x_px, spot.y_px - 1.0}, StarSpot{spot.x_px, spot.y_px + 1.0}}) {
       const auto map = rays.map(beside);
-      if (!map || std::abs(pixel_area(beside) / map->determinant() / here - 1.0) > most_change) {
+      if (!map || std::abs(pixel_area(beside) / map->determinant() / here - 1.0) > max_change) {
         return false;
       }
     }
@@ -136,7 +136,7 @@ class OmniStars : public testing::TestWithParam<std::size_t> {
            spot.y_px <= case_.projection.height_px && image_coverage(case_.projection, spot.x_px, spot.y_px) >= 1.0;
   }
 
-  [[nodiscard]] OwnRays rays(double side) const {
+  [[nodiscard]] DirectRays rays(double side) const {
     return {eye_at_, side * case_.half_baseline, case_.convergence, case_.projection};
   }
 
@@ -145,7 +145,7 @@ class OmniStars : public testing::TestWithParam<std::size_t> {
   }
 
   //! Returns whether all points at the distance `ring_px` from a position are outside the shadow.
-  [[nodiscard]] bool off_the_edge(const OwnRays& rays, const StarSpot& spot) const {
+  [[nodiscard]] bool off_the_edge(const DirectRays& rays, const StarSpot& spot) const {
     for (int i = 0; i < 8; ++i) {
       const double turn = 0.25 * pi * i;
       if (!rays.sky({spot.x_px + ring_px * std::cos(turn), spot.y_px + ring_px * std::sin(turn)})) {
@@ -178,7 +178,7 @@ class OmniStars : public testing::TestWithParam<std::size_t> {
   Case case_;
   Show show_;
   CameraPose pose_;
-  EyePlace eye_at_;
+  EyeAtOffset eye_at_;
   StarField field_;
   StarSettings settings_;
 };
@@ -186,7 +186,7 @@ class OmniStars : public testing::TestWithParam<std::size_t> {
 TEST_P(OmniStars, AreWhereTheirPixelsOwnCameraSeesThem) {
   for (const double side : {-1.0, 1.0}) {
     SCOPED_TRACE(std::string(case_.name) + (side < 0.0 ? " left" : " right"));
-    const OwnRays own = rays(side);
+    const DirectRays own = rays(side);
     double largest_px = 0.0;
     double worst_g = 0.0;
     double worst_magnification = 0.0;
@@ -197,12 +197,12 @@ TEST_P(OmniStars, AreWhereTheirPixelsOwnCameraSeesThem) {
       }
       const auto map = own.map(each.spot);
       ASSERT_TRUE(map.has_value());
-      if (least_move_of(*map) < least_move * std::sqrt(pixel_area(each.spot))) {
+      if (min_move_of(*map) < min_move * std::sqrt(pixel_area(each.spot))) {
         continue;
       }
-      const StarSpot way = OwnRays::way_to(*map, direction(each.image.star));
+      const StarSpot way = DirectRays::way_to(*map, direction(each.image.star));
       largest_px = std::max(largest_px, apart_px(each.spot, way.x_px, way.y_px));
-      const OwnRay ray = own.ray(each.spot);
+      const DirectRay ray = own.ray(each.spot);
       const double g = 1.0 / start_ray(ray.camera, ray.n).energy;
       worst_g = std::max(worst_g, std::abs(static_cast<double>(each.image.frequency_ratio) / g - 1.0));
       const double magnification = pixel_area(each.spot) / map->determinant();
@@ -224,7 +224,7 @@ TEST_P(OmniStars, AreAllThatASearchPixelByPixelFinds) {
   const double faintest = static_cast<double>(settings_.faintest);
   for (const double side : {-1.0, 1.0}) {
     SCOPED_TRACE(std::string(case_.name) + (side < 0.0 ? " left" : " right"));
-    const OwnRays own = rays(side);
+    const DirectRays own = rays(side);
     const PixelMesh mesh(own, case_.projection);
     const std::vector<Found> ours = found(side);
     int compared = 0;
@@ -236,11 +236,11 @@ TEST_P(OmniStars, AreAllThatASearchPixelByPixelFinds) {
           continue;
         }
         const auto map = own.map(*spot);
-        const OwnRay ray = own.ray(*spot);
+        const DirectRay ray = own.ray(*spot);
         const double g = 1.0 / start_ray(ray.camera, ray.n).energy;
         const double light = static_cast<double>(field_.stars()[star].illuminance) * pixel_area(*spot) /
                              map->determinant() * std::min(g * g * g * g, 1.0);
-        if (light < 3.0 * faintest || least_move_of(*map) < least_move * std::sqrt(pixel_area(*spot))) {
+        if (light < 3.0 * faintest || min_move_of(*map) < min_move * std::sqrt(pixel_area(*spot))) {
           continue;
         }
         const bool there = std::ranges::any_of(ours, [&](const Found& each) {
@@ -259,7 +259,7 @@ TEST_P(OmniStars, AreAllThatASearchPixelByPixelFinds) {
 TEST_P(OmniStars, GatheredByPixelsShineLikeInvertedImages) {
   for (const double side : {-1.0, 1.0}) {
     SCOPED_TRACE(std::string(case_.name) + (side < 0.0 ? " left" : " right"));
-    const OwnRays own = rays(side);
+    const DirectRays own = rays(side);
     const std::vector<Found> gathered = gathered_by_pixels(side);
     std::vector<double> errors;
     for (const Found& each : found(side)) {

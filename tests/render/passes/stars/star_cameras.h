@@ -14,19 +14,27 @@ namespace ergodome::test {
 //! Angle of a pixel of a 4096² dome [rad].
 inline constexpr double fine_pixel = pi / 4096;
 
-struct Place {
+struct CameraState {
   double spin, r, theta, phi;
   ObserverMotion motion;
 };
 
 //! Cameras for tests of stars: at the equator of a fast-spinning hole, near a photon orbit, and at
 //! a high latitude in free fall.
-inline const Place places[] = {{0.999, 5.0, pi / 2, 0.7, ObserverMotion::geodesic},
-                               {0.5, 3.2, 1.2, -2.0, ObserverMotion::zamo},
-                               {0.9, 12.0, 0.4, 4.0, ObserverMotion::rain}};
+inline const CameraState positions[] = {{0.999, 5.0, pi / 2, 0.7, ObserverMotion::geodesic},
+                                        {0.5, 3.2, 1.2, -2.0, ObserverMotion::zamo},
+                                        {0.9, 12.0, 0.4, 4.0, ObserverMotion::rain}};
 
-inline EyeCamera eye_at_place(const Place& place) {
-  EyeCamera eye{Spacetime{place.spin}, place.r, place.theta, place.phi, place.motion, {}, {}, place.r, place.theta};
+inline EyeCamera eye_at_position(const CameraState& position) {
+  EyeCamera eye{Spacetime{position.spin},
+                position.r,
+                position.theta,
+                position.phi,
+                position.motion,
+                {},
+                {},
+                position.r,
+                position.theta};
   const double at_hole[3][3] = {{0, 0, 1}, {0, -1, 0}, {1, 0, 0}};
   std::copy(&at_hole[0][0], &at_hole[0][0] + 9, &eye.frame_from_view[0][0]);
   return eye;

@@ -19,7 +19,8 @@ using namespace test;  // NOLINT(google-build-using-namespace): the cameras and 
 //! whose distance from the edge is wrong by a factor of e^(1/4) or e^(-1/4).
 class EdgeImages {
  public:
-  explicit EdgeImages(const Place& place) : eye_(eye_at_place({place.spin, place.r, place.theta, 0.0, place.motion})) {
+  explicit EdgeImages(const CameraState& position)
+      : eye_(eye_at_position({position.spin, position.r, position.theta, 0.0, position.motion})) {
     for (std::size_t i = 0; i < count; ++i) {
       const double gamma_turns = (static_cast<double>(i) + 0.5) / count;
       const double s = 1.0 + std::log(distance / 3.0) / static_cast<double>(station_.range);
@@ -94,7 +95,7 @@ class EdgeImages {
   Column change_{};
 };
 
-class StarImagesAtTheEdge : public testing::TestWithParam<Place> {};
+class StarImagesAtTheEdge : public testing::TestWithParam<CameraState> {};
 
 TEST_P(StarImagesAtTheEdge, AreFoundInTheChart) {
   EdgeImages images(GetParam());
@@ -103,12 +104,12 @@ TEST_P(StarImagesAtTheEdge, AreFoundInTheChart) {
   EXPECT_GE(images.found_in(images.chart()), 18U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Cameras, StarImagesAtTheEdge, testing::ValuesIn(places));
+INSTANTIATE_TEST_SUITE_P(Cameras, StarImagesAtTheEdge, testing::ValuesIn(positions));
 
 TEST(StarImagesAtEdges, AreLostWithoutTheChart) {
   std::size_t found = 0;
-  for (const Place& place : places) {
-    found += EdgeImages(place).found_in({});
+  for (const CameraState& position : positions) {
+    found += EdgeImages(position).found_in({});
   }
   // With the chart, 63 to 67 of 72 are found.
   EXPECT_LE(found, 55U);
@@ -118,7 +119,7 @@ TEST(StarImagesAtEdges, AreLostWithoutTheChart) {
 //! is brighter than the limit of the search by a given factor.
 class RingOfImages {
  public:
-  RingOfImages(const Place& place, double distance_px, double brightness) : eye_(eye_at_place(place)) {
+  RingOfImages(const CameraState& position, double distance_px, double brightness) : eye_(eye_at_position(position)) {
     settings_.pixel = pixel;
     const CameraStation camera = camera_of(eye_);
     const LensStation station = build_star_station(eye_, settings_);
@@ -164,7 +165,7 @@ class RingOfImages {
 
 // Near caustics, rays in float may diverge or underestimate the brightness of an image.
 TEST(StarImagesAtEdges, AreFoundAllRoundTheShadowWhereACameraFallsThroughTheHorizon) {
-  const Place just_within = {0.6, 1.7957, 1.3614, 0.0, ObserverMotion::rain};
+  const CameraState just_within = {0.6, 1.7957, 1.3614, 0.0, ObserverMotion::rain};
   for (const double distance_px : {0.2, 0.05}) {
     EXPECT_EQ(RingOfImages(just_within, distance_px, 3.0).lost(), 0U) << distance_px << " px from the edge";
   }
@@ -203,15 +204,15 @@ class ManyImages : public testing::Test {
     settings_.redshift = true;
   }
 
-  [[nodiscard]] std::vector<StarImage> images(double least_cell_px) const {
+  [[nodiscard]] std::vector<StarImage> images(double min_cell_px) const {
     StarSettings settings = settings_;
-    settings.least_cell_px = least_cell_px;
+    settings.min_cell_px = min_cell_px;
     return images_of(field_, eye_, settings);
   }
 
   static constexpr double pixel = pi / 1024;
   static constexpr double within = 0.05 * pixel;
-  EyeCamera eye_ = eye_at_place(places[0]);
+  EyeCamera eye_ = eye_at_position(positions[0]);
   StarField field_{brightest(5000), glm::dmat3(1.0), colours().view()};
   StarSettings settings_ = settings_for(10.0);
 };
@@ -219,7 +220,7 @@ class ManyImages : public testing::Test {
 TEST_F(ManyImages, OfShowsAreAllButAFewFaintOnes) {
   const std::vector<StarImage> all = images(0.25);
   ASSERT_GT(all.size(), 8000U);
-  const std::vector<StarImage> shown = images(least_star_cell_px(QualitySettings{}.budget_px));
+  const std::vector<StarImage> shown = images(min_star_cell_px(QualitySettings{}.budget_px));
   const std::vector<StarImage> missing = missing_images(all, shown, within);
   // In a measurement, 10 of 8,691 images were missing.
   EXPECT_LE(missing.size(), 12U);
@@ -233,7 +234,7 @@ TEST_F(ManyImages, OfShowsAreAllButAFewFaintOnes) {
 
 TEST_F(ManyImages, OfExactShowsAreAll) {
   const std::vector<StarImage> all = images(0.25);
-  EXPECT_TRUE(missing_images(all, images(least_star_cell_px(0.0625)), within).empty());
+  EXPECT_TRUE(missing_images(all, images(min_star_cell_px(0.0625)), within).empty());
 }
 
 }  // namespace

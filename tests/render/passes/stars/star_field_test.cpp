@@ -106,7 +106,7 @@ TEST(SkyBounds, HoldTheirFrustumAboutThePolesAndAcrossTheSeam) {
 
 TEST(SkyBounds, TurnWithTheSky) {
   const SkyPart part = {{{0.6F, 0.8F, 0.0F}}, {-0.25F, 0.5F, 0.75F, 0.125F}};
-  const SkyPart turned_part = turned(part, sky_turn(pi), true);
+  const SkyPart turned_part = turned(part, sky_rotation(pi), true);
   EXPECT_NEAR(turned_part.inward[0][0], -0.6F, 1e-6F);
   EXPECT_NEAR(turned_part.inward[0][1], -0.8F, 1e-6F);
   const SkyBounds& other = turned_part.bounds;

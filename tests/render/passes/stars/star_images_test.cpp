@@ -15,13 +15,13 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): the cameras and stars of these tests
 
-class StarImages : public testing::TestWithParam<Place> {};
+class StarImages : public testing::TestWithParam<CameraState> {};
 
 //! Compares star images with the closed form. Expects that positions have errors of at most
-//! `most_px` [px of a 4096² dome] and magnifications have relative errors of at most
-//! `most_magnification`.
-void expect_closed_form(const Place& place, double most_px, double most_magnification) {
-  const EyeCamera eye = eye_at_place(place);
+//! `max_px` [px of a 4096² dome] and magnifications have relative errors of at most
+//! `max_magnification`.
+void expect_closed_form(const CameraState& position, double max_px, double max_magnification) {
+  const EyeCamera eye = eye_at_position(position);
   const CameraStation camera = camera_of(eye);
   const StarField field(brightest(test::sanitized ? 100 : 1000), glm::dmat3(1.0), colours().view());
   const auto images = images_of(field, eye, settings_for(8.0));
@@ -37,8 +37,8 @@ void expect_closed_form(const Place& place, double most_px, double most_magnific
         std::max(worst_magnification, std::abs(std::abs(image.magnification) / error.magnification - 1.0) / allowance);
   }
   EXPECT_GE(images.size(), 1.2 * static_cast<double>(field.stars().size()));
-  EXPECT_LT(worst_px, most_px);
-  EXPECT_LT(worst_magnification, most_magnification);
+  EXPECT_LT(worst_px, max_px);
+  EXPECT_LT(worst_magnification, max_magnification);
 }
 
 TEST_P(StarImages, AreWhereTheClosedFormHasThem) { expect_closed_form(GetParam(), 0.02, 5e-3); }
@@ -53,7 +53,7 @@ TEST_P(StarImages, AreAllThatASearchWithRaysFinds) {
   if (test::sanitized) {
     GTEST_SKIP() << "many rays";
   }
-  const EyeCamera eye = eye_at_place(GetParam());
+  const EyeCamera eye = eye_at_position(GetParam());
   const StarField field(brightest(300), glm::dmat3(1.0), colours().view());
   const double faintest = static_cast<double>(settings_for(8.0).faintest);
   // The star grid ends at this distance from the edge of the shadow [rad].
@@ -70,15 +70,15 @@ TEST_P(StarImages, AreAllThatASearchWithRaysFinds) {
     // The reference mesh gives position and magnification of an image only roughly, so images close
     // to a limit may be on either side of it.
     const double limit = faintest / static_cast<double>(field.stars()[i].illuminance);
-    std::size_t least = 0;
-    std::size_t most = 0;
+    std::size_t minimum = 0;
+    std::size_t maximum = 0;
     for (const FoundImage& image : mesh.images(field.stars()[i].direction)) {
-      least += image.magnification > 1.15 * limit && image.from_edge > 1.1 * distance ? 1U : 0U;
-      most += image.magnification > limit / 1.15 && image.from_edge > 0.9 * distance ? 1U : 0U;
+      minimum += image.magnification > 1.15 * limit && image.from_edge > 1.1 * distance ? 1U : 0U;
+      maximum += image.magnification > limit / 1.15 && image.from_edge > 0.9 * distance ? 1U : 0U;
     }
     const std::size_t found = by_star[static_cast<int>(i)];
-    different += found < least || found > most ? 1U : 0U;
-    compared += most;
+    different += found < minimum || found > maximum ? 1U : 0U;
+    compared += maximum;
   }
   // Near a caustic, the triangles of the mesh are not fine enough, and the number of images is
   // wrong.
@@ -89,7 +89,7 @@ TEST_P(StarImages, AreAllThatASearchWithRaysFinds) {
 TEST_P(StarImages, DoNotDependOnTheGrid) {
   // Compares with a grid that is five times as fine: the arrangement of cells must not influence
   // which images are found.
-  const EyeCamera eye = eye_at_place(GetParam());
+  const EyeCamera eye = eye_at_position(GetParam());
   const StarField field(brightest(test::sanitized ? 100 : 2000), glm::dmat3(1.0), colours().view());
   StarSettings settings = settings_for(9.0);
   const auto coarse = images_of(field, eye, settings);
@@ -114,19 +114,19 @@ TEST_P(StarImages, DoNotDependOnTheGrid) {
   EXPECT_EQ(counted(coarse), counted(fine));
 }
 
-INSTANTIATE_TEST_SUITE_P(Cameras, StarImages, testing::ValuesIn(places));
+INSTANTIATE_TEST_SUITE_P(Cameras, StarImages, testing::ValuesIn(positions));
 
-TEST(StarPatchesOfAPlace, AreTheSameInTheMemoryOfOthers) {
+TEST(StarPatchesOfAPosition, AreTheSameInTheMemoryOfOthers) {
   const StarField field(brightest(500), glm::dmat3(1.0), colours().view());
   const StarSettings settings = settings_for(8.0);
   PatchRoom room;
   // The search reuses the memory of another position: of one with more patches, then of one with
   // fewer.
-  for (const Place& before : {places[2], places[0]}) {
-    const EyeCamera eye = eye_at_place(before);
+  for (const CameraState& before : {positions[2], positions[0]}) {
+    const EyeCamera eye = eye_at_position(before);
     const LensStation station = build_star_station(eye, settings);
     room.patches = star_patches(field, colours().view(), eye, station, settings, room).given_up();
-    const EyeCamera next = eye_at_place(places[1]);
+    const EyeCamera next = eye_at_position(positions[1]);
     const LensStation there = build_star_station(next, settings);
     const StarPatches patches = star_patches(field, colours().view(), next, there, settings, room);
     const StarPatches alone = star_patches(field, colours().view(), next, there, settings);
@@ -139,7 +139,7 @@ TEST(StarPatchesOfAPlace, AreTheSameInTheMemoryOfOthers) {
 }
 
 TEST_P(StarImages, OfAViewAreThoseOfTheWholeSkyThatLieInIt) {
-  EyeCamera eye = eye_at_place(GetParam());
+  EyeCamera eye = eye_at_position(GetParam());
   const StarField field(brightest(test::sanitized ? 200 : 3000), glm::dmat3(1.0), colours().view());
   StarSettings settings = settings_for(8.0);
   const LensStation station = build_star_station(eye, settings);
@@ -168,7 +168,7 @@ TEST_P(StarImages, OfAViewAreThoseOfTheWholeSkyThatLieInIt) {
 }
 
 TEST(StarImage, OfAFarCameraIsTheStarItself) {
-  const EyeCamera eye = eye_at_place({0.9, 1e5, 1.0, 0.3, ObserverMotion::fixed});
+  const EyeCamera eye = eye_at_position({0.9, 1e5, 1.0, 0.3, ObserverMotion::fixed});
   const StarField field(brightest(1000), glm::dmat3(1.0), colours().view());
   StarSettings settings = settings_for(12.0);
   settings.redshift = true;
@@ -205,7 +205,7 @@ double ring_magnification(const CameraStation& camera, double radius) {
 TEST(StarImage, OnACausticIsNoBrighterThanTheRingOfItsDisk) {
   // The star is exactly behind a hole without spin, or so close to this position that the
   // difference does not matter.
-  const EyeCamera eye = eye_at_place({0.0, 8.0, pi / 2, 0.0, ObserverMotion::fixed});
+  const EyeCamera eye = eye_at_position({0.0, 8.0, pi / 2, 0.0, ObserverMotion::fixed});
   for (const double beside : {0.0, 1e-12, 1e-10}) {
     StarCatalogue catalogue;
     catalogue.stars.push_back({1, 180.0, beside * 180.0 / pi, 1.0F, 0.5F});
@@ -224,7 +224,7 @@ TEST(StarImage, OnACausticIsNoBrighterThanTheRingOfItsDisk) {
 TEST(StarImage, BesideACausticIsOneOfTwo) {
   // Next to the axis behind the hole, a star has two images with nearly equal magnifications. The
   // magnification of each follows from the derivative of the lens.
-  const EyeCamera eye = eye_at_place({0.0, 8.0, pi / 2, 0.0, ObserverMotion::fixed});
+  const EyeCamera eye = eye_at_position({0.0, 8.0, pi / 2, 0.0, ObserverMotion::fixed});
   for (const double beside : {1e-6, 1e-5, 1e-4, 1e-3}) {
     StarCatalogue catalogue;
     catalogue.stars.push_back({1, 180.0, beside * 180.0 / pi, 1.0F, 0.5F});
@@ -242,7 +242,7 @@ TEST(StarImage, BesideACausticIsOneOfTwo) {
 }
 
 TEST(StarImage, NoStarsAndNoLightGiveNoImages) {
-  const EyeCamera eye = eye_at_place(places[0]);
+  const EyeCamera eye = eye_at_position(positions[0]);
   EXPECT_TRUE(images_of(StarField({}, glm::dmat3(1.0), colours().view()), eye, settings_for(9.0)).empty());
   const StarField field(brightest(100), glm::dmat3(1.0), colours().view());
   EXPECT_TRUE(images_of(field, eye, settings_for(-20.0)).empty());

@@ -23,7 +23,7 @@ constexpr double curve_pixel = pi / curve_size_px;
 class LightCurve : public testing::Test {
  protected:
   LightCurve()
-      : eye_(eye_at_place({0.9, 8.0, 1.3, 0.0, ObserverMotion::zamo})),
+      : eye_(eye_at_position({0.9, 8.0, 1.3, 0.0, ObserverMotion::zamo})),
         field_(brightest(60), glm::dmat3(1.0), colours().view()),
         settings_(settings_for(5.0)),
         projection_(make_dome_projection(curve_size_px, pi, 0.0)) {

@@ -140,7 +140,7 @@ TEST(StarsAtSeams, BehindTheViewerEndWithAPartOfACylinder) {
 
 TEST(StarsAtSeams, KeepTheLightOfTrailsAcrossTheEdgesOfACube) {
   StarTrails trails;
-  trails.places = 21;
+  trails.positions = 21;
   for (int i = -10; i <= 10; ++i) {
     // The trail goes from the right face across a corner of the top face to the back face.
     trails.directions.push_back(image_at({1.0 - 0.02 * i, 1.0 - 0.005 * i, 1.0 + 0.03 * i}).direction);

@@ -133,7 +133,7 @@ TEST(DeviceWarp, IsTheProcessors) {
 struct OneGroup {
   float texel[8];
   WarpGroup group = {0.0F, 0.0F, 0.0F, 0.0F, 1, 0};
-  std::uint16_t places[warp_group_px] = {};
+  std::uint16_t positions[warp_group_px] = {};
   std::uint8_t levels[warp_group_px] = {};
   std::uint16_t factors[warp_group_px] = {};
   std::uint8_t rgb[3 * warp_group_px] = {};
@@ -144,8 +144,8 @@ struct OneGroup {
     batch.width_px = warp_group_px;
     batch.height_px = 1;
     batch.groups = &group;
-    batch.x = places;
-    batch.y = places;
+    batch.x = positions;
+    batch.y = positions;
     batch.level = levels;
     batch.factor = factors;
     batch.rgb = rgb;
@@ -165,7 +165,7 @@ TEST(DeviceWarp, IsWhatTheFormulaSays) {
         one.batch.lift_scale[c] = colour.gain * colour.lift;
       }
       one.batch.exponent = 1.0F / gamma;
-      one.batch.least = std::exp2(-100.0F / std::max(1.0F / gamma, 1.0F));
+      one.batch.minimum = std::exp2(-100.0F / std::max(1.0F / gamma, 1.0F));
       run_all(WarpPixel<false>{one.batch}, warp_group_px);
       for (int i = 0; i < warp_group_px; ++i) {
         ProjectorColour here = colour;

@@ -71,14 +71,14 @@ TEST(ProjectorOutputs, AreWholeMonitorsOrWindows) {
 
 TEST(ProjectorOutputs, UncoverAWindowWhereThereIsRoom) {
   const DomeSetup setup = setup_of({projector_in_window(0, 0), projector_on_monitor(1)});
-  EXPECT_EQ(place_beside_projectors({0, 40, 700, 700}, setup, side_by_side), (DesktopRectangle{200, 0, 700, 700}));
-  EXPECT_EQ(place_beside_projectors({0, 40, 900, 700}, setup, side_by_side), (DesktopRectangle{0, 100, 900, 700}));
+  EXPECT_EQ(rectangle_beside_projectors({0, 40, 700, 700}, setup, side_by_side), (DesktopRectangle{200, 0, 700, 700}));
+  EXPECT_EQ(rectangle_beside_projectors({0, 40, 900, 700}, setup, side_by_side), (DesktopRectangle{0, 100, 900, 700}));
 }
 
 TEST(ProjectorOutputs, LeaveAWindowWhereItIsSeenOrNothingIsFree) {
   const DomeSetup setup = setup_of({projector_in_window(0, 0), projector_on_monitor(1)});
-  EXPECT_EQ(place_beside_projectors({300, 40, 700, 700}, setup, side_by_side), std::nullopt);
-  EXPECT_EQ(place_beside_projectors({0, 40, 900, 750}, setup, side_by_side), std::nullopt);
+  EXPECT_EQ(rectangle_beside_projectors({300, 40, 700, 700}, setup, side_by_side), std::nullopt);
+  EXPECT_EQ(rectangle_beside_projectors({0, 40, 900, 750}, setup, side_by_side), std::nullopt);
 }
 
 }  // namespace

@@ -22,9 +22,9 @@ struct ThrownFrame {
 
   //! Returns the light at a position of the raster, interpolated between pixel centers, as a lens
   //! would blur it.
-  [[nodiscard]] double light(const RasterPlace& place, int channel) const {
-    const double x = std::clamp(place.x * width - 0.5, 0.0, width - 1.001);
-    const double y = std::clamp(place.y * height - 0.5, 0.0, height - 1.001);
+  [[nodiscard]] double light(const RasterPosition& position, int channel) const {
+    const double x = std::clamp(position.x * width - 0.5, 0.0, width - 1.001);
+    const double y = std::clamp(position.y * height - 0.5, 0.0, height - 1.001);
     const int column = static_cast<int>(x);
     const int row = static_cast<int>(y);
     const auto at = [&](int i, int j) {
@@ -78,29 +78,29 @@ class ThrownFrames : public ProjectorFrames {
       const ProjectorSetup& projector = setup.projectors[i];
       frames.push_back({projector.width_px, projector.height_px, projectors_->frame(i), projector.gamma});
     }
-    constexpr int places = sanitized ? 2'000 : 20'000;
+    constexpr int positions = sanitized ? 2'000 : 20'000;
     std::vector<PointLight> lights;
     double even = 0.0;
-    for (int i = 0; i < places; ++i) {
-      lights.push_back(light_at(optics, frames, dome_point(setup, i, places)));
-      even += lights.back().light[2] / places;
+    for (int i = 0; i < positions; ++i) {
+      lights.push_back(light_at(optics, frames, dome_point(setup, i, positions)));
+      even += lights.back().light[2] / positions;
     }
     const double scale = 0.5 / even;
-    double most_over = 0.0;
-    for (int i = 0; i < places; ++i) {
+    double max_over = 0.0;
+    for (int i = 0; i < positions; ++i) {
       double u = 0.0;
       double v = 0.0;
-      ASSERT_TRUE(master_place({setup.tilt_deg, 180.0}, dome_point(setup, i, places), u, v));
+      ASSERT_TRUE(master_position({setup.tilt_deg, 180.0}, dome_point(setup, i, positions), u, v));
       const Vector3<float> wanted = fringes(u, v);
       const PointLight& found = lights[static_cast<std::size_t>(i)];
       for (int c = 0; c < 3; ++c) {
         const double slope = c < 2 ? fringe_height * 2.0 * pi / fringe_px : 0.0;
         const double allowed = 0.01 * channel_of(wanted, c) + 0.5 * slope + scale * found.rounding;
-        most_over = std::max(most_over, std::abs(scale * found.light[c] - channel_of(wanted, c)) / allowed);
+        max_over = std::max(max_over, std::abs(scale * found.light[c] - channel_of(wanted, c)) / allowed);
       }
     }
-    RecordProperty("worst_share_of_tolerance", std::to_string(most_over));
-    EXPECT_LT(most_over, 1.0);
+    RecordProperty("worst_share_of_tolerance", std::to_string(max_over));
+    EXPECT_LT(max_over, 1.0);
   }
 
  private:
@@ -108,15 +108,15 @@ class ThrownFrames : public ProjectorFrames {
                              const Vector3<double>& point) {
     PointLight sum;
     for (std::size_t k = 0; k < optics.size(); ++k) {
-      const auto place = optics[k].raster_place(point);
-      if (!place) {
+      const auto position = optics[k].raster_position(point);
+      if (!position) {
         continue;
       }
-      const double spread = optics[k].spread_m2(*place);
+      const double spread = optics[k].spread_m2(*position);
       for (int c = 0; c < 3; ++c) {
-        sum.light[c] += frames[k].light(*place, c) / spread;
+        sum.light[c] += frames[k].light(*position, c) / spread;
       }
-      sum.rounding += rounding_of(frames[k].light(*place, 2), frames[k].gamma) / spread;
+      sum.rounding += rounding_of(frames[k].light(*position, 2), frames[k].gamma) / spread;
     }
     return sum;
   }

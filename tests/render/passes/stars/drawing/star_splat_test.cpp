@@ -20,7 +20,7 @@ void splat_stars(const std::vector<StarImage>& images, const EyeCamera& eye, con
 }
 
 TEST(StarSplat, LightDoesNotDependOnSpreadNorResolution) {
-  const EyeCamera eye = eye_at_place(places[0]);
+  const EyeCamera eye = eye_at_position(positions[0]);
   const StarField field(brightest(2000), glm::dmat3(1.0), colours().view());
   // Keeps only star images away from the rim, so that the picture contains all of their light.
   std::vector<StarImage> images = images_of(field, eye, settings_for(9.0));
@@ -101,7 +101,7 @@ TEST(StarSplat, SpotsEndAtTheirCutOff) {
 }
 
 TEST(StarSplat, BlocksOfRowsMakeTheWholePicture) {
-  const EyeCamera eye = eye_at_place(places[1]);
+  const EyeCamera eye = eye_at_position(positions[1]);
   const StarField field(brightest(2000), glm::dmat3(1.0), colours().view());
   const auto images = images_of(field, eye, settings_for(9.0));
   const Projection projection = make_equirectangular_projection(512, 256);

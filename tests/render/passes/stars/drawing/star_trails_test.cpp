@@ -41,7 +41,7 @@ double light_in_picture(const std::vector<StarPoint>& points, const Projection& 
 }
 
 TEST(StarTrails, EndWhereTheImagesAreWhenTheShutterOpensAndCloses) {
-  const EyeCamera eye = eye_at_place(places[0]);
+  const EyeCamera eye = eye_at_position(positions[0]);
   const StarField field(brightest(300), glm::dmat3(1.0), colours().view());
   const auto images = images_of(field, eye, settings_for(6.0));
   const Shutter shutter = orbit_about(eye);
@@ -67,7 +67,7 @@ TEST(StarTrails, EndWhereTheImagesAreWhenTheShutterOpensAndCloses) {
 }
 
 TEST(StarTrails, KeepTheLightOfTheirImages) {
-  const EyeCamera eye = eye_at_place(places[0]);
+  const EyeCamera eye = eye_at_position(positions[0]);
   const StarField field(brightest(300), glm::dmat3(1.0), colours().view());
   std::vector<StarImage> images = images_of(field, eye, settings_for(6.0));
   // Keeps only images that are well inside the picture during the whole motion, and that are not
@@ -87,7 +87,7 @@ TEST(StarTrails, KeepTheLightOfTheirImages) {
 }
 
 TEST(StarTrails, OfAStillCameraArePoints) {
-  const EyeCamera eye = eye_at_place(places[1]);
+  const EyeCamera eye = eye_at_position(positions[1]);
   const StarField field(brightest(200), glm::dmat3(1.0), colours().view());
   const auto images = images_of(field, eye, settings_for(6.0));
   const Projection projection = make_dome_projection(1024, pi, 0.0);
@@ -99,7 +99,7 @@ TEST(StarTrails, OfAStillCameraArePoints) {
 }
 
 TEST(StarTrails, OfATurningHeadAreAsLongAsTheTurn) {
-  const EyeCamera eye = eye_at_place(places[0]);
+  const EyeCamera eye = eye_at_position(positions[0]);
   const StarField field(brightest(300), glm::dmat3(1.0), colours().view());
   std::vector<StarImage> images = images_of(field, eye, settings_for(6.0));
   // Keeps only images near the middle of the picture. A roll would not move them, so the head turns
@@ -130,12 +130,12 @@ TEST(StarTrails, OfATurningHeadAreAsLongAsTheTurn) {
 }
 
 TEST(StarTrails, CrossThePictureSeamTheShortWay) {
-  const EyeCamera eye = eye_at_place(places[2]);
+  const EyeCamera eye = eye_at_position(positions[2]);
   const Projection projection = make_equirectangular_projection(512, 256);
   StarTrails trails;
   // The trail is behind the viewer, where the left and right edges of the picture meet: the view
   // direction is -e_r, and its right is e_φ.
-  trails.places = 3;
+  trails.positions = 3;
   trails.directions = {{0.995F, 0.0F, -0.0998F}, {1.0F, 0.0F, 0.0F}, {0.995F, 0.0F, 0.0998F}};
   trails.ways = {{0, 2, {1.0F, 1.0F, 1.0F}}};
   const Shutter shutter = {{eye, eye, eye}};

@@ -12,7 +12,7 @@
 #include "kernels/projection/make_projection.h"
 #include "render/frame/show_renderer.h"
 #include "render/passes/effects/diffraction.h"
-#include "render/passes/stars/drawing/picture_sheets.h"
+#include "render/passes/stars/drawing/picture_regions.h"
 #include "tests/support/tiny_sky.h"
 
 // The program can draw stars by gathering them for each pixel. The picture must be the same as by
@@ -27,18 +27,18 @@ using namespace test;  // NOLINT(google-build-using-namespace): skies of tests
 std::vector<StarPoint> scattered(const Projection& projection, int count) {
   std::mt19937 random(7);
   const auto number = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
-  const std::vector<PictureSheet> sheets = picture_sheets(projection);
+  const std::vector<PictureRegion> regions = picture_regions(projection);
   const double beside_px = wraps_around(projection) ? 0.0 : 9.0;
   std::vector<StarPoint> points;
   for (int i = 0; i < count; ++i) {
-    const auto sheet = static_cast<std::size_t>(i) % sheets.size();
-    const PixelCell& cell = sheets[sheet].cell;
+    const auto region = static_cast<std::size_t>(i) % regions.size();
+    const PixelCell& cell = regions[region].cell;
     StarPoint point{};
     point.x_px = cell.left_px + number(-beside_px, cell.width_px + beside_px);
     point.y_px = cell.top_px + number(-9.0, cell.height_px + 9.0);
     point.light = {static_cast<float>(number(0.0, 4.0)), 1.0F, static_cast<float>(number(0.0, 2.0))};
     point.spikes = i % 10 == 0 ? 0.5F * point.light : Vector3<float>{};
-    point.sheet = static_cast<int>(sheet);
+    point.region = static_cast<int>(region);
     points.push_back(point);
   }
   std::ranges::stable_sort(points, {}, [](const StarPoint& point) { return std::floor(point.y_px); });
@@ -104,9 +104,9 @@ TEST(TiledStars, HaveSpikesWherePointsHaveThem) {
     splat.spike_reach_px = 12.5;
     std::vector<float> expected(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0.25F);
     splat_points(points, projection, splat, 0, height, expected.data());
-    const std::vector<PictureSheet> sheets = picture_sheets(projection);
+    const std::vector<PictureRegion> regions = picture_regions(projection);
     for (const StarPoint& point : points) {
-      const PixelCell& cell = sheets[static_cast<std::size_t>(point.sheet)].cell;
+      const PixelCell& cell = regions[static_cast<std::size_t>(point.region)].cell;
       const PixelBlock block = {width, cell.height_px, cell.left_px, cell.left_px + cell.width_px,
                                 expected.data() + 4L * cell.top_px * width};
       for (int turn = wraps_around(projection) ? -1 : 0; turn <= (wraps_around(projection) ? 1 : 0); ++turn) {
@@ -149,7 +149,7 @@ TEST(TiledStars, AreThoseOfAPictureThatStaysWhereItIsMade) {
   expect_same({made, made + expected.rgba.size()}, {expected.rgba.begin(), expected.rgba.end()});
 }
 
-TEST(EyesInPlace, AreThoseOfAWindow) {
+TEST(BackendEyes, AreThoseOfAWindow) {
   for (const bool swapped : {false, true}) {
     Show show = parse_show(
         "[hole]\nspin = 0.9\n[camera]\n[[camera.key]]\nr = 12\ntheta_deg = 70\n[sky]\nstars = \"bright_stars\"\n"
@@ -161,10 +161,10 @@ TEST(EyesInPlace, AreThoseOfAWindow) {
     const CameraPose pose = camera_pose(show, 0.0);
     const Projection projection = make_projection(show.view, 200, 0.0);
     const std::vector<Picture> expected = renderer.render_window_parts(pose, projection, ViewMode::sky);
-    const EyesInPlace made = renderer.render_eyes_in_place(pose, projection, ViewMode::sky, {});
+    const BackendEyes made = renderer.render_eyes_in_place(pose, projection, ViewMode::sky, {});
     ASSERT_EQ(expected.size(), 2U);
     EXPECT_FALSE(std::ranges::equal(expected[0].rgba, expected[1].rgba));
-    const auto expect_eye = [](const PictureInPlace& there, const Picture& here) {
+    const auto expect_eye = [](const BackendPicture& there, const Picture& here) {
       expect_same({there.rgba, there.rgba + here.rgba.size()}, {here.rgba.begin(), here.rgba.end()});
       EXPECT_STREQ(there.lens, here.lens);
     };

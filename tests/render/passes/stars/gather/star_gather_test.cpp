@@ -21,18 +21,20 @@ using namespace test;  // NOLINT(google-build-using-namespace): the cameras and 
 //! Images are compared only if the relative change of the magnification across their pixel is at
 //! most this, because gathered stars have the mean magnification of their pixel. Measured: the
 //! light of such images differs by at most 0.9 %.
-constexpr double most_change = 0.01;
+constexpr double max_change = 0.01;
 //! Minimum distance from the shadow's edge of images that are compared [px]. Closer to the edge,
 //! the sky winds around the hole, and the corners of a pixel do not represent its inside.
-constexpr double least_edge_px = 20.0;
+constexpr double min_edge_px = 20.0;
 //! Minimum distance from other images of the same star, for images that are compared [px].
-constexpr double least_apart_px = 5.0;
+constexpr double min_apart_px = 5.0;
 
-PlaceOnScreen place_of(const GatheredStar& star) {
+ScreenPosition position_of(const GatheredStar& star) {
   return {star.x_px + static_cast<double>(star.x_inside), star.y_px + static_cast<double>(star.y_inside)};
 }
 
-double distance(const PlaceOnScreen& a, const PlaceOnScreen& b) { return std::hypot(a.x_px - b.x_px, a.y_px - b.y_px); }
+double distance(const ScreenPosition& a, const ScreenPosition& b) {
+  return std::hypot(a.x_px - b.x_px, a.y_px - b.y_px);
+}
 
 double luminance(const Vector3<float>& light) {
   return static_cast<double>(0.2126729F * light.x + 0.7151522F * light.y + 0.0721750F * light.z);
@@ -43,9 +45,9 @@ constexpr int gather_size_px = 1024;
 //! Returns a dome projection in which the hole is 30 degrees from the middle.
 Projection gather_dome() { return make_dome_projection(gather_size_px, pi, pi / 3); }
 
-bool is_well_inside(const PlaceOnScreen& p) { return std::hypot(p.x_px - 512.0, p.y_px - 512.0) < 510.0; }
+bool is_well_inside(const ScreenPosition& p) { return std::hypot(p.x_px - 512.0, p.y_px - 512.0) < 510.0; }
 
-using PlacesByStar = std::multimap<int, PlaceOnScreen>;
+using PositionsByStar = std::multimap<int, ScreenPosition>;
 
 //! The star images that both search methods find for a camera, and their positions on the screen.
 struct BothSearches {
@@ -53,34 +55,34 @@ struct BothSearches {
   StarField field;
   StarSettings settings;
   std::vector<StarImage> inverted;
-  std::vector<PlaceOnScreen> inverted_places;
+  std::vector<ScreenPosition> inverted_positions;
   GatheredStars gathered;
-  std::vector<PlaceOnScreen> gathered_places;
+  std::vector<ScreenPosition> gathered_positions;
 
-  explicit BothSearches(const Place& place)
-      : eye(eye_at_place(place)),
+  explicit BothSearches(const CameraState& position)
+      : eye(eye_at_position(position)),
         field(brightest(12000), glm::dmat3(1.0), colours().view()),
         settings(settings_for(14.0)) {
     settings.pixel = pixel_angle(gather_dome());
     settings.redshift = true;
     inverted = images_of(field, eye, settings);
     for (const StarImage& image : inverted) {
-      inverted_places.push_back(on_screen(eye, gather_dome(), image.direction));
+      inverted_positions.push_back(on_screen(eye, gather_dome(), image.direction));
     }
     gathered = gather_stars(field, StarTree(field), colours().view(), eye, gather_dome(), settings);
     for (const GatheredStar& star : gathered.stars) {
-      gathered_places.push_back(place_of(star));
+      gathered_positions.push_back(position_of(star));
     }
   }
 };
 
 //! Returns how many images of a star are closer to a position than `limit_px`.
-std::ptrdiff_t count_near(const PlacesByStar& places, int star, const PlaceOnScreen& place, double limit_px) {
-  const auto [first, last] = places.equal_range(star);
-  return std::count_if(first, last, [&](const auto& other) { return distance(other.second, place) < limit_px; });
+std::ptrdiff_t count_near(const PositionsByStar& positions, int star, const ScreenPosition& position, double limit_px) {
+  const auto [first, last] = positions.equal_range(star);
+  return std::count_if(first, last, [&](const auto& other) { return distance(other.second, position) < limit_px; });
 }
 
-class StarsGatheredByPixels : public testing::TestWithParam<Place> {
+class StarsGatheredByPixels : public testing::TestWithParam<CameraState> {
  protected:
   void SetUp() override {
     if (test::sanitized) {
@@ -91,28 +93,28 @@ class StarsGatheredByPixels : public testing::TestWithParam<Place> {
 
 TEST_P(StarsGatheredByPixels, ShineLikeInvertedImages) {
   const BothSearches both(GetParam());
-  const std::vector<double> changes = LensAbout(both.eye, gather_dome(), least_edge_px).changes(both.inverted_places);
+  const std::vector<double> changes = LensAbout(both.eye, gather_dome(), min_edge_px).changes(both.inverted_positions);
   std::multimap<int, const GatheredStar*> by_star;
   for (const GatheredStar& star : both.gathered.stars) {
     by_star.emplace(star.star, &star);
   }
-  PlacesByStar places;
+  PositionsByStar positions;
   for (std::size_t i = 0; i < both.inverted.size(); ++i) {
-    places.emplace(both.inverted[i].star, both.inverted_places[i]);
+    positions.emplace(both.inverted[i].star, both.inverted_positions[i]);
   }
   std::vector<double> errors;
   for (std::size_t i = 0; i < both.inverted.size(); ++i) {
     const StarImage& image = both.inverted[i];
-    const PlaceOnScreen& place = both.inverted_places[i];
-    if (!is_well_inside(place) || changes[i] > most_change ||
+    const ScreenPosition& position = both.inverted_positions[i];
+    if (!is_well_inside(position) || changes[i] > max_change ||
         luminance(image.illuminance) < 1.02 * static_cast<double>(both.settings.faintest) ||
-        count_near(places, image.star, place, least_apart_px) > 1) {
+        count_near(positions, image.star, position, min_apart_px) > 1) {
       continue;
     }
     const auto [first, last] = by_star.equal_range(image.star);
-    const auto match =
-        std::find_if(first, last, [&](const auto& star) { return distance(place_of(*star.second), place) < 0.5; });
-    ASSERT_NE(match, last) << "no gathered star at " << place.x_px << ", " << place.y_px;
+    const auto match = std::find_if(
+        first, last, [&](const auto& star) { return distance(position_of(*star.second), position) < 0.5; });
+    ASSERT_NE(match, last) << "no gathered star at " << position.x_px << ", " << position.y_px;
     EXPECT_GT(match->second->magnification * image.magnification, 0.0F);
     EXPECT_NEAR(match->second->frequency_ratio / image.frequency_ratio, 1.0F, 2e-3F);
     errors.push_back(std::abs(luminance(match->second->illuminance) / luminance(image.illuminance) - 1.0));
@@ -126,18 +128,18 @@ TEST_P(StarsGatheredByPixels, ShineLikeInvertedImages) {
 
 TEST_P(StarsGatheredByPixels, AreNotSeenWhereThereIsNoImage) {
   const BothSearches both(GetParam());
-  const std::vector<double> changes = LensAbout(both.eye, gather_dome(), least_edge_px).changes(both.gathered_places);
-  PlacesByStar places;
+  const std::vector<double> changes = LensAbout(both.eye, gather_dome(), min_edge_px).changes(both.gathered_positions);
+  PositionsByStar positions;
   for (std::size_t i = 0; i < both.inverted.size(); ++i) {
-    places.emplace(both.inverted[i].star, both.inverted_places[i]);
+    positions.emplace(both.inverted[i].star, both.inverted_positions[i]);
   }
   std::size_t compared = 0;
   for (std::size_t i = 0; i < both.gathered.stars.size(); ++i) {
     const GatheredStar& star = both.gathered.stars[i];
-    const PlaceOnScreen& place = both.gathered_places[i];
-    if (is_well_inside(place) && changes[i] <= most_change &&
+    const ScreenPosition& position = both.gathered_positions[i];
+    if (is_well_inside(position) && changes[i] <= max_change &&
         luminance(star.illuminance) > 1.02 * static_cast<double>(both.settings.faintest)) {
-      EXPECT_EQ(count_near(places, star.star, place, 0.5), 1) << place.x_px << ", " << place.y_px;
+      EXPECT_EQ(count_near(positions, star.star, position, 0.5), 1) << position.x_px << ", " << position.y_px;
       ++compared;
     }
   }
@@ -146,15 +148,16 @@ TEST_P(StarsGatheredByPixels, AreNotSeenWhereThereIsNoImage) {
   EXPECT_GT(both.gathered.stretched_pixels, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Cameras, StarsGatheredByPixels, testing::ValuesIn(places));
+INSTANTIATE_TEST_SUITE_P(Cameras, StarsGatheredByPixels, testing::ValuesIn(positions));
 
 //! Returns a catalogue of stars whose images are at the given positions on the screen, by exact
 //! rays.
-StarCatalogue stars_at(const EyeCamera& eye, const Projection& projection, const std::vector<PlaceOnScreen>& places) {
+StarCatalogue stars_at(const EyeCamera& eye, const Projection& projection,
+                       const std::vector<ScreenPosition>& positions) {
   StarCatalogue catalogue;
   const CameraStation camera = camera_of(eye);
-  for (const PlaceOnScreen& place : places) {
-    const Vector3<double> n = unit_of(in_frame(eye, direction_from_pixel(projection, place.x_px, place.y_px)));
+  for (const ScreenPosition& position : positions) {
+    const Vector3<double> n = unit_of(in_frame(eye, direction_from_pixel(projection, position.x_px, position.y_px)));
     const Vector3<double> sky = turned_to_camera(camera, trace_closed_form(camera.spin, start_ray(camera, n)).sky);
     catalogue.stars.push_back({static_cast<std::uint32_t>(catalogue.stars.size()),
                                std::atan2(sky.y, sky.x) * 180.0 / pi,
@@ -164,40 +167,40 @@ StarCatalogue stars_at(const EyeCamera& eye, const Projection& projection, const
 }
 
 //! Returns positions at corners of pixels, and in the middle of their sides and diagonals.
-std::vector<PlaceOnScreen> places_between_pixels(int width_px, int height_px) {
-  std::vector<PlaceOnScreen> places;
+std::vector<ScreenPosition> positions_between_pixels(int width_px, int height_px) {
+  std::vector<ScreenPosition> positions;
   for (int y = 1; y < height_px; y += 3) {
     for (int x = 0; x < width_px; x += 5) {
       for (const double beside : {0.0, 0.5}) {
-        places.push_back({x + beside, static_cast<double>(y)});
-        places.push_back({static_cast<double>(x), y + beside});
-        places.push_back({x + beside, y + beside});
+        positions.push_back({x + beside, static_cast<double>(y)});
+        positions.push_back({static_cast<double>(x), y + beside});
+        positions.push_back({x + beside, y + beside});
       }
     }
   }
-  return places;
+  return positions;
 }
 
 TEST(GatheredStar, BetweenPixelsBelongsToOneOfThem) {
   // The picture covers a full turn, so its left and right edges are adjacent, too.
   const Projection projection = make_equirectangular_projection(128, 64);
-  const EyeCamera eye = eye_at_place({0.9, 50.0, 1.0, 0.3, ObserverMotion::zamo});
-  const std::vector<PlaceOnScreen> places = places_between_pixels(128, 64);
-  const StarField field(stars_at(eye, projection, places), glm::dmat3(1.0), colours().view());
-  std::vector<int> seen(places.size());
+  const EyeCamera eye = eye_at_position({0.9, 50.0, 1.0, 0.3, ObserverMotion::zamo});
+  const std::vector<ScreenPosition> positions = positions_between_pixels(128, 64);
+  const StarField field(stars_at(eye, projection, positions), glm::dmat3(1.0), colours().view());
+  std::vector<int> seen(positions.size());
   for (const GatheredStar& star :
        gather_stars(field, StarTree(field), colours().view(), eye, projection, settings_for(20.0)).stars) {
     const std::uint32_t number = field.stars()[static_cast<std::size_t>(star.star)].number;
-    const PlaceOnScreen there = place_of(star);
-    const double across = std::remainder(there.x_px - places[number].x_px, 128.0);
-    seen[number] += std::hypot(across, there.y_px - places[number].y_px) < 0.5 ? 1 : 0;
+    const ScreenPosition there = position_of(star);
+    const double across = std::remainder(there.x_px - positions[number].x_px, 128.0);
+    seen[number] += std::hypot(across, there.y_px - positions[number].y_px) < 0.5 ? 1 : 0;
   }
   std::size_t compared = 0;
-  for (std::size_t i = 0; i < places.size(); ++i) {
+  for (std::size_t i = 0; i < positions.size(); ++i) {
     // The shadow is straight ahead. Around it, the curved sides of a pixel differ too much from
     // straight lines between its corners.
-    if (std::hypot(places[i].x_px - 64.0, places[i].y_px - 32.0) > 12.0) {
-      EXPECT_EQ(seen[i], 1) << places[i].x_px << ", " << places[i].y_px;
+    if (std::hypot(positions[i].x_px - 64.0, positions[i].y_px - 32.0) > 12.0) {
+      EXPECT_EQ(seen[i], 1) << positions[i].x_px << ", " << positions[i].y_px;
       ++compared;
     }
   }
@@ -205,7 +208,7 @@ TEST(GatheredStar, BetweenPixelsBelongsToOneOfThem) {
 }
 
 TEST(GatheredStar, IsAnImageInItsOwnPixel) {
-  const EyeCamera eye = eye_at_place(places[2]);
+  const EyeCamera eye = eye_at_position(positions[2]);
   const StarField field(brightest(3000), glm::dmat3(1.0), colours().view());
   for (const Projection& projection : {make_pinhole_projection(96, 64, 1.5), make_dome_projection(64, pi, pi / 3),
                                        make_equirectangular_projection(128, 64)}) {
@@ -215,9 +218,9 @@ TEST(GatheredStar, IsAnImageInItsOwnPixel) {
     ASSERT_EQ(images.size(), gathered.stars.size());
     EXPECT_GT(images.size(), 100U);
     for (std::size_t i = 0; i < images.size(); ++i) {
-      const PlaceOnScreen place = on_screen(eye, projection, images[i].direction);
-      EXPECT_EQ(std::floor(place.x_px), gathered.stars[i].x_px);
-      EXPECT_EQ(std::floor(place.y_px), gathered.stars[i].y_px);
+      const ScreenPosition position = on_screen(eye, projection, images[i].direction);
+      EXPECT_EQ(std::floor(position.x_px), gathered.stars[i].x_px);
+      EXPECT_EQ(std::floor(position.y_px), gathered.stars[i].y_px);
       EXPECT_EQ(images[i].illuminance.y, gathered.stars[i].illuminance.y);
     }
   }
@@ -225,7 +228,7 @@ TEST(GatheredStar, IsAnImageInItsOwnPixel) {
 
 TEST(GatheredStar, HasItsOwnLightWithoutMagnification) {
   const Projection projection = make_dome_projection(64, pi, pi / 3);
-  const EyeCamera eye = eye_at_place(places[2]);
+  const EyeCamera eye = eye_at_position(positions[2]);
   const StarField field(brightest(100), glm::dmat3(1.0), colours().view());
   StarSettings settings = settings_for(20.0);
   settings.magnification = false;
@@ -240,9 +243,9 @@ TEST(GatheredStar, HasItsOwnLightWithoutMagnification) {
 TEST(GatheredStar, IsNowhereWithoutStars) {
   const StarField field({}, glm::dmat3(1.0), colours().view());
   const Projection projection = make_dome_projection(32, pi, 0.0);
-  EXPECT_TRUE(
-      gather_stars(field, StarTree(field), colours().view(), eye_at_place(places[0]), projection, settings_for(9.0))
-          .stars.empty());
+  EXPECT_TRUE(gather_stars(field, StarTree(field), colours().view(), eye_at_position(positions[0]), projection,
+                           settings_for(9.0))
+                  .stars.empty());
 }
 
 TEST(StarTree, FindsTheStarsThatLieNear) {

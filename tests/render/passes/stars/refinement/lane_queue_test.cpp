@@ -14,7 +14,7 @@ class LanesOfThings : public testing::Test {
  protected:
   static constexpr std::size_t count = 40000;
   static constexpr std::array<std::size_t, 3> lanes = {16, 8, 4};
-  static constexpr std::size_t most_rounds = 3 * lanes.size();
+  static constexpr std::size_t max_rounds = 3 * lanes.size();
 
   static std::size_t rounds_of(std::size_t thing, std::size_t kind) { return (thing >> (2 * kind)) % 4; }
 
@@ -76,8 +76,8 @@ TEST_F(LanesOfThings, AreAsManyAsThereAreLanesUntilFewAreLeft) {
   // worst case, each remaining round of these items is a separate batch.
   const std::size_t waiting_at_most = std::accumulate(lanes.begin(), lanes.end(), std::size_t{0}) - lanes.size();
   const std::size_t left_at_most = waiting_at_most + lanes.front() * static_cast<std::size_t>(thread_count());
-  EXPECT_LE(lots_not_full_, most_rounds * left_at_most);
-  EXPECT_LT(most_rounds * left_at_most, count)
+  EXPECT_LE(lots_not_full_, max_rounds * left_at_most);
+  EXPECT_LT(max_rounds * left_at_most, count)
       << "more than that come where all lots are small: there must be more things";
 }
 

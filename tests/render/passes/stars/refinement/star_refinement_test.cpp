@@ -26,13 +26,13 @@ class FoldedSky {
   int rays_from(double x) {
     CandidateCourse course;
     course.rays = RayKind::fine;
-    const StarEye eye(eye_at_place(places[0]));
+    const StarEye eye(eye_at_position(positions[0]));
     const ImageSearch search = {eye, {}, fine_pixel, {}, [](const StarCandidate&) { return true; }};
     int rays = 0;
     do {
       look_from(x);
       ++rays;
-    } while (go_on(candidate_, course, search));
+    } while (next_ray(candidate_, course, search));
     return rays;
   }
 
@@ -107,7 +107,7 @@ std::vector<StarCandidate> candidates_about(const EyeCamera& eye) {
 }
 
 TEST(StarRefinement, OfACandidateHangsOnNoOther) {
-  const StarEye eye(eye_at_place(places[0]));
+  const StarEye eye(eye_at_position(positions[0]));
   const ImageSearch search = {eye, {}, fine_pixel, {}, [](const StarCandidate&) { return true; }};
   std::vector<StarCandidate> all = candidates_about(eye.camera);
   ASSERT_GT(all.size(), 300U);

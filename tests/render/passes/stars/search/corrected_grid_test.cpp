@@ -18,13 +18,13 @@ bool corrected(const CorrectedGrid& grid, int leaf, const Vector3<double>& star,
 }
 
 //! Compares values of a star grid with rays traced in double, at one position in each leaf.
-class CorrectedImages : public testing::TestWithParam<test::Place> {
+class CorrectedImages : public testing::TestWithParam<test::CameraState> {
  protected:
   static constexpr float u = 0.37F;
   static constexpr float v = 0.81F;
 
   void SetUp() override {
-    const EyeCamera eye = test::eye_at_place(GetParam());
+    const EyeCamera eye = test::eye_at_position(GetParam());
     StarSettings settings = test::settings_for(9.0);
     settings.pixel = pi / 1024;
     station_ = build_star_station(eye, settings);
@@ -57,8 +57,8 @@ class CorrectedImages : public testing::TestWithParam<test::Place> {
   [[nodiscard]] Error error_of(std::size_t leaf, const ChartImage& image) const {
     const LeafBox& box = boxes_[leaf];
     const double area = -dot(seen(leaf, 0), cross(seen(leaf, 1), seen(leaf, 2)));
-    const auto away = [](float at, double begin, double size, float place) {
-      return std::abs((static_cast<double>(at) - begin) / size - static_cast<double>(place));
+    const auto away = [](float at, double begin, double size, float position) {
+      return std::abs((static_cast<double>(at) - begin) / size - static_cast<double>(position));
     };
     return {away(image.gamma_turns, box.gamma_turns, box.width_turns, u) + away(image.s, box.s, box.height, v),
             std::abs(static_cast<double>(image.sky) / area - 1.0)};
@@ -67,21 +67,21 @@ class CorrectedImages : public testing::TestWithParam<test::Place> {
   //! Returns whether a leaf may be folded: near caustics, the ratio of areas on the sky and in the
   //! chart varies strongly between its corners, and images are displaced far.
   [[nodiscard]] bool may_be_folded(std::size_t leaf) const {
-    double least = 1e30;
-    double most = -1e30;
+    double minimum = 1e30;
+    double maximum = -1e30;
     for (std::size_t corner = 0; corner < 4; ++corner) {
       const float* const node = station_.traced_nodes.data() +
                                 static_cast<std::ptrdiff_t>(floats_a_node) * station_.leaves[4 * leaf + corner];
       const auto part = [&](int first) { return Vector3<float>{node[first], node[first + 1], node[first + 2]}; };
       const auto area = static_cast<double>(dot(part(0), cross(part(4), part(8))));
-      least = std::min(least, area);
-      most = std::max(most, area);
+      minimum = std::min(minimum, area);
+      maximum = std::max(maximum, area);
     }
-    return least * most <= 0.0 ||
-           std::min(std::abs(least), std::abs(most)) < 0.3 * std::max(std::abs(least), std::abs(most));
+    return minimum * maximum <= 0.0 ||
+           std::min(std::abs(minimum), std::abs(maximum)) < 0.3 * std::max(std::abs(minimum), std::abs(maximum));
   }
 
-  [[nodiscard]] ChartImage place_in(std::size_t leaf) const {
+  [[nodiscard]] ChartImage position_in(std::size_t leaf) const {
     const LeafBox& box = boxes_[leaf];
     return {static_cast<float>(box.gamma_turns + static_cast<double>(u) * box.width_turns),
             static_cast<float>(box.s + static_cast<double>(v) * box.height), 1.0F};
@@ -101,7 +101,7 @@ TEST_P(CorrectedImages, AreWhereRaysHaveThem) {
     if (errors.displaced > 0.03F || may_be_folded(leaf)) {
       continue;
     }
-    ChartImage image = place_in(leaf);
+    ChartImage image = position_in(leaf);
     image.gamma_turns += static_cast<float>(3e-3 * boxes_[leaf].width_turns);
     ASSERT_TRUE(corrected(grid, static_cast<int>(leaf), seen(leaf, 0), image)) << "leaf " << leaf;
     const Error error = error_of(leaf, image);
@@ -126,7 +126,7 @@ TEST_P(CorrectedImages, AreWrongByAQuarterOfTheErrorOfTheirPatches) {
     const LeafErrors errors = grid.errors(static_cast<int>(leaf));
     // Uses only leaves whose patch has an error larger than rounding.
     if (errors.displaced > 1e-5F && errors.displaced < 0.03F && !may_be_folded(leaf)) {
-      ChartImage image = place_in(leaf);
+      ChartImage image = position_in(leaf);
       ASSERT_TRUE(corrected(grid, static_cast<int>(leaf), seen(leaf, 0), image)) << "leaf " << leaf;
       ratios.push_back(error_of(leaf, image).parts / static_cast<double>(errors.displaced));
     }
@@ -136,7 +136,7 @@ TEST_P(CorrectedImages, AreWrongByAQuarterOfTheErrorOfTheirPatches) {
   EXPECT_LT(ratios[ratios.size() / 2], 0.25);
 }
 
-INSTANTIATE_TEST_SUITE_P(Cameras, CorrectedImages, testing::ValuesIn(test::places));
+INSTANTIATE_TEST_SUITE_P(Cameras, CorrectedImages, testing::ValuesIn(test::positions));
 
 TEST(CorrectedGrid, OfAStationThatKeptNoChecksKnowsNoErrors) {
   GridSettings settings;
@@ -147,7 +147,7 @@ TEST(CorrectedGrid, OfAStationThatKeptNoChecksKnowsNoErrors) {
 }
 
 TEST(CorrectedGrid, DoesNotMoveAnImageOfAStarThatIsElsewhere) {
-  const LensStation station = build_star_station(test::eye_at_place(test::places[0]), test::settings_for(9.0));
+  const LensStation station = build_star_station(test::eye_at_position(test::positions[0]), test::settings_for(9.0));
   const CorrectedGrid grid(station);
   const LeafBox box = leaf_boxes(station)[0];
   const Vector3<double> sky = {static_cast<double>(station.nodes[0]), static_cast<double>(station.nodes[1]),

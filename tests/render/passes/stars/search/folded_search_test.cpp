@@ -149,7 +149,7 @@ TEST_F(FoldedPatch, WithoutExtentHoldsAStarNoMoreOftenThanThereIsRoom) {
   b_.resize(3);
   search([](double, double) { return std::array<double, 2>{0.0, 0.0}; }, 1e-4F);
   for (std::size_t i = 0; i < a_.size(); ++i) {
-    EXPECT_LE(search_.roots(i).size(), static_cast<std::size_t>(most_roots));
+    EXPECT_LE(search_.roots(i).size(), static_cast<std::size_t>(max_roots));
   }
 }
 

@@ -65,10 +65,10 @@ long without_partner(const std::vector<StarImage>& of, const std::vector<StarIma
   });
 }
 
-class PatchSearches : public testing::TestWithParam<Place> {};
+class PatchSearches : public testing::TestWithParam<CameraState> {};
 
 TEST_P(PatchSearches, FindTheSameImages) {
-  const Searches searches{field_of(sanitized ? 300 : 5000), eye_at_place(GetParam()), settings_for(9.0)};
+  const Searches searches{field_of(sanitized ? 300 : 5000), eye_at_position(GetParam()), settings_for(9.0)};
   const std::vector<StarImage> here = searches.on_processor();
   const std::vector<StarImage> there = searches.as_on_device();
   ASSERT_GT(here.size(), sanitized ? 200U : 3000U);
@@ -80,11 +80,11 @@ TEST_P(PatchSearches, FindTheSameImages) {
   EXPECT_NEAR(static_cast<double>(there.size()), static_cast<double>(here.size()), 2.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, PatchSearches, testing::ValuesIn(places),
+INSTANTIATE_TEST_SUITE_P(Of, PatchSearches, testing::ValuesIn(positions),
                          [](const auto& each) { return "Camera" + std::to_string(each.index); });
 
 TEST(PatchSearch, LooksWhereTheViewIsAlone) {
-  Searches searches{field_of(2000), eye_at_place(places[2]), settings_for(8.0)};
+  Searches searches{field_of(2000), eye_at_position(positions[2]), settings_for(8.0)};
   const std::size_t all = searches.as_on_device().size();
   searches.settings.view = view_cone(searches.eye, make_pinhole_projection(64, 64, 1.2), 0.05);
   const std::vector<StarImage> seen = searches.as_on_device();
@@ -94,7 +94,7 @@ TEST(PatchSearch, LooksWhereTheViewIsAlone) {
 }
 
 TEST(PatchSearch, MakesRoomForMoreThanItHad) {
-  const Searches searches{field_of(2000), eye_at_place(places[2]), settings_for(8.0)};
+  const Searches searches{field_of(2000), eye_at_position(positions[2]), settings_for(8.0)};
   const PlacedPatches placed(Backend::cpu, searches.patches, searches.station);
   const ImageObserver observer(searches.eye, searches.station, colours().view(), false);
   const PatchSearch::Request request = {searches.eye.phi, {}, observer, {searches.settings.faintest, false, true}};

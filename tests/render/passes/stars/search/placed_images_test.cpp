@@ -108,7 +108,7 @@ TEST(PlacedImages, AreNoneWhereNoneAreFound) { EXPECT_TRUE(joined({}, 0).empty()
 //! Random star images all over the sky, and settings for which some of them have spikes.
 struct Sky {
   std::vector<StarImage> images = joined(found_images(1500), 0);
-  EyeCamera eye = eye_at_place(places[0]);
+  EyeCamera eye = eye_at_position(positions[0]);
   SplatSettings splat{0.5, 2.0F, 3.0F, 0.3F, 40.0};
 
   [[nodiscard]] PlacedImages placed() const {
@@ -128,14 +128,14 @@ void expect_points_of(const Sky& sky, const Projection& projection) {
   std::erase_if(points, [](const StarPoint& point) { return point.x_px < -1e6; });
   std::vector<StarPoint> expected = star_points(sky.images, sky.eye, projection, sky.splat);
   ASSERT_EQ(points.size(), expected.size());
-  const auto key = [](const StarPoint& point) { return std::tuple(point.sheet, point.y_px, point.x_px); };
+  const auto key = [](const StarPoint& point) { return std::tuple(point.region, point.y_px, point.x_px); };
   std::ranges::sort(points, {}, key);
   std::ranges::sort(expected, {}, key);
   const auto spiked = std::ranges::count_if(expected, [](const StarPoint& point) { return point.spikes.x > 0.0F; });
   EXPECT_EQ(placed.spiked, spiked);
   EXPECT_GT(spiked, 0);
   EXPECT_TRUE(std::ranges::equal(points, expected, [](const StarPoint& a, const StarPoint& b) {
-    return a.x_px == b.x_px && a.y_px == b.y_px && a.sheet == b.sheet && a.light.y == b.light.y &&
+    return a.x_px == b.x_px && a.y_px == b.y_px && a.region == b.region && a.light.y == b.light.y &&
            a.spikes.z == b.spikes.z;
   }));
 }
@@ -150,7 +150,7 @@ TEST(PlacedPoints, AreOnEachFaceOfACubeThatTheyReach) {
 
 TEST(PlacedPoints, AreNoneWithoutImages) {
   PointPlacer placer(Backend::cpu);
-  EXPECT_EQ(placer.place({}, eye_at_place(places[0]), make_dome_projection(64, pi, 0.0), {}).count, 0);
+  EXPECT_EQ(placer.place({}, eye_at_position(positions[0]), make_dome_projection(64, pi, 0.0), {}).count, 0);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ class ViewCones : public testing::TestWithParam<NamedProjection> {};
 TEST_P(ViewCones, HoldWhatThePictureShows) {
   const Projection& p = GetParam().projection;
   const ViewCone cone = view_cone(plain_eye(), p, 0.01);
-  for (const auto& [x, y] : test::image_places(p, 0.0)) {
+  for (const auto& [x, y] : test::image_positions(p, 0.0)) {
     EXPECT_TRUE(may_touch(cone, direction_from_pixel(p, x, y), 0.0)) << x << " " << y;
   }
 }

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace ergodome {
+
+//! The operator's settings that survive a restart.
+struct SavedSettings {
+  double exposure_stops = 0.0;
+  double baseline = -1.0;  //!< [M]; below 0: the show's
+  double volume = 1.0;
+  std::string language;
+  bool captions = true;
+
+  bool operator==(const SavedSettings&) const = default;
+};
+
+//! Returns the folder for settings and the log: $XDG_STATE_HOME/ergodome, or
+//! ~/.local/state/ergodome. Empty if the user has no home folder.
+std::filesystem::path state_folder();
+
+//! Reads settings. A missing file gives the defaults. So does a damaged file, which is renamed to
+//! NAME.bad; `problem` then gives the reason. An exhibit always starts.
+SavedSettings read_saved_settings(const std::filesystem::path& file, std::string& problem);
+
+//! Writes settings atomically. Throws Error if they cannot be written.
+void write_saved_settings(const std::filesystem::path& file, const SavedSettings& settings);
+
+}  // namespace ergodome
