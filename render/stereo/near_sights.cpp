@@ -84,7 +84,7 @@ void find_radius(const Step& step, std::span<const double> legs, double r, Found
 //! Collects the points where a ray meets one disk or shell, between two radii.
 class Meetings {
  public:
-  Meetings(double least_r, double max_r, double opacity) : min_r_(least_r), max_r_(max_r), opaque_(opacity > 0.9) {}
+  Meetings(double min_r, double max_r, double opacity) : min_r_(min_r), max_r_(max_r), opaque_(opacity > 0.9) {}
 
   //! Adds a meeting point, unless it is at the start of the ray.
   void add(const Step& step, double h, std::vector<NearSight>& sights) {
@@ -112,8 +112,8 @@ class Meetings {
 std::vector<NearSight> near_sights(const Show& show, const EyeCamera& head, const Vector3<double>& view) {
   constexpr double everywhere = std::numeric_limits<double>::infinity();
   RadialBounds bounds = {everywhere, 0.0};
-  const auto reach = [&](double least_r, double max_r) {
-    bounds = {std::min(bounds.minimum, least_r), std::max(bounds.maximum, max_r)};
+  const auto reach = [&](double min_r, double max_r) {
+    bounds = {std::min(bounds.minimum, min_r), std::max(bounds.maximum, max_r)};
   };
   std::optional<Meetings> disk;
   if (show.disk && show.disk->opacity > 0.0) {
@@ -157,7 +157,7 @@ double distance_of_objects(const PlacedMeshes& meshes, const EyeCamera& head, co
   constexpr NearParts parts = NearParts::azimuth_delay_and_distance;
   double distance = std::numeric_limits<double>::infinity();
   const MeshScene scene = meshes.around(head.spacetime, meshes.meshes.data());
-  follow_until<parts>(head, view, {scene.least_r, scene.max_r}, [&](const StepWith<parts>& step) {
+  follow_until<parts>(head, view, {scene.min_r, scene.max_r}, [&](const StepWith<parts>& step) {
     detail::StepSearch<near_order, parts> search = {step, scene, 0.0, {}};
     const bool found = search.run();
     distance = found ? step.distance(search.found_h) : distance;

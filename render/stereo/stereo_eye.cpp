@@ -68,7 +68,7 @@ namespace {
 
 //! Minimum radius [M] of both ends of a light path. Closer to the hole there is no closed form that
 //! could provide the initial direction.
-constexpr double least_r = 2.0;
+constexpr double min_r = 2.0;
 
 //! Returns a camera's position. If the camera is on the spin axis, moves the position slightly off
 //! it, so that the azimuth stays defined.
@@ -99,7 +99,7 @@ std::optional<SeenPosition> seen_by_camera(const EyeCamera& eye, const SeenThing
   LightRay ray{};
   for (int round = 0; round < rounds; ++round) {
     position = round > 0 ? thing.at(ray.travel_time) : position;
-    if (!(dot(position, position) > least_r * least_r) ||
+    if (!(dot(position, position) > min_r * min_r) ||
         !light_ray(eye.spacetime, frame, at, position, 1, LightRayParts::way, correction, ray)) {
       return std::nullopt;
     }

@@ -126,7 +126,7 @@ struct ObjectRaysOfHead {
     const ObjectScene& objects = batch.pixels.objects;
     const CameraStation& camera = objects.camera;
     follow_path<object_order, Parts>(camera.spin, camera.cosine_phi, camera.sine_phi, start_near_ray(camera, n),
-                                     {objects.scene.least_r, objects.scene.max_r}, objects.limits, wanted,
+                                     {objects.scene.min_r, objects.scene.max_r}, objects.limits, wanted,
                                      [&](int i, const PathStep<object_order, Parts, Dual<double>>& step) {
                                        PixelLines& own = lines[i];
                                        EyeStep<object_order, Parts> eye(step, own.reference(), own.reach());

@@ -122,8 +122,8 @@ struct MarkFlatTiles {
         active & is_by_edge(camera.spin, start, point.n, half_along(point.along_x), half_along(point.along_y));
     const double max_r = max_r_of_tiles(objects, point.n, half_px);
     const auto decided = follow_path<mark_order, Parts>(
-        camera.spin, camera.cosine_phi, camera.sine_phi, start_near_ray(camera, point.n),
-        {objects.scene.least_r, max_r}, {mark_tolerance, objects.limits.step_limit, objects.limits.delay}, active,
+        camera.spin, camera.cosine_phi, camera.sine_phi, start_near_ray(camera, point.n), {objects.scene.min_r, max_r},
+        {mark_tolerance, objects.limits.step_limit, objects.limits.delay}, active,
         [&](int i, const PathStep<mark_order, Parts, Dual<double>>& step) {
           mark_along(step, lane(half_px, i), lane(w, i), 0.75 * seen[i].step_w, seen[i]);
           return false;
