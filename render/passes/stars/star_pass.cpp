@@ -307,14 +307,14 @@ std::vector<StarImage> StarPass::sought_images(const StarEye& eye, const StarSet
   if (!search_) {
     return find_star_images(field_, colours_.view(), eye, turned.station, turned.patches, settings);
   }
-  const DeviceSearch device = {*search_, *turned.on_device};
+  const DeviceSearch device = {*search_, *turned.on_device, *joiner_};
   return find_star_images(field_, colours_.view(), eye, turned.station, turned.patches, settings, &device);
 }
 
 PlacedImages StarPass::sought_in_place(const StarEye& eye, const StarSettings& settings) {
   const InvertedGrid& turned = patches_for(eye, settings);
   return find_star_images_in_place(field_, colours_.view(), eye, turned.station, turned.patches, settings,
-                                   {*search_, *turned.on_device}, *joiner_);
+                                   {*search_, *turned.on_device, *joiner_});
 }
 
 StarSettings StarPass::settings_for(const StarEye& eye, const Projection& projection, bool leaves_trails,

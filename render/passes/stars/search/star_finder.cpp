@@ -263,11 +263,11 @@ std::vector<StarImage> find_star_images(const StarField& field, const BlackbodyT
                                         const LensStation& station, const StarPatches& patches,
                                         const StarSettings& settings, const DeviceSearch* device) {
   const FoundImages found = found_images(field, colours, eye, station, patches, settings, device);
-  ImageJoiner joiner(device == nullptr ? Backend::cpu : device->search.backend(), field.stars().size());
-  const PlacedImages placed = device == nullptr
-                                  ? joiner.join({found.in_host.data(), static_cast<int>(found.in_host.size())}, {},
-                                                settings.pixel, ImageOrder::as_found)
-                                  : joiner.join(found.in_place, found.in_host, settings.pixel, ImageOrder::by_position);
+  const PlacedImages placed =
+      device == nullptr ? ImageJoiner(Backend::cpu, field.stars().size())
+                              .join({found.in_host.data(), static_cast<int>(found.in_host.size())}, {}, settings.pixel,
+                                    ImageOrder::as_found)
+                        : device->joiner.join(found.in_place, found.in_host, settings.pixel, ImageOrder::by_position);
   std::vector<StarImage> images(static_cast<std::size_t>(placed.count));
   placed.images.read(images.data(), images.size());
   std::erase_if(images, [](const StarImage& image) { return image.star < 0; });
@@ -276,9 +276,9 @@ std::vector<StarImage> find_star_images(const StarField& field, const BlackbodyT
 
 PlacedImages find_star_images_in_place(const StarField& field, const BlackbodyTable& colours, const StarEye& eye,
                                        const LensStation& station, const StarPatches& patches,
-                                       const StarSettings& settings, const DeviceSearch& device, ImageJoiner& joiner) {
+                                       const StarSettings& settings, const DeviceSearch& device) {
   const FoundImages found = found_images(field, colours, eye, station, patches, settings, &device);
-  return joiner.join(found.in_place, found.in_host, settings.pixel, ImageOrder::by_position);
+  return device.joiner.join(found.in_place, found.in_host, settings.pixel, ImageOrder::by_position);
 }
 
 }  // namespace ergodome

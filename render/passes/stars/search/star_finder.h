@@ -36,10 +36,11 @@ double min_star_cell_px(double budget_px);
 //! with `about`, if `found_for` is between half of `pixel` and one percent above it.
 bool serves_pixel(double found_for, double pixel, bool about);
 
-//! GPU search, and the patches uploaded to the GPU that it reads.
+//! GPU search, the uploaded patches that it reads, and the joiner of its images.
 struct DeviceSearch {
   PatchSearch& search;
   const PlacedPatches& patches;
+  ImageJoiner& joiner;
 };
 
 //! Builds a lens grid for finding star images. `tracer`, if given, traces its nodes. For an ODS
@@ -70,6 +71,6 @@ std::vector<StarImage> find_star_images(const StarField& field, const BlackbodyT
 //! Does the same as find_star_images(), but leaves the images in GPU memory.
 PlacedImages find_star_images_in_place(const StarField& field, const BlackbodyTable& colours, const StarEye& eye,
                                        const LensStation& station, const StarPatches& patches,
-                                       const StarSettings& settings, const DeviceSearch& device, ImageJoiner& joiner);
+                                       const StarSettings& settings, const DeviceSearch& device);
 
 }  // namespace ergodome

@@ -35,7 +35,8 @@ struct Searches {
   [[nodiscard]] std::vector<StarImage> as_on_device() const {
     PatchSearch search(Backend::cpu, field, colours().view());
     const PlacedPatches placed(Backend::cpu, patches, station);
-    const DeviceSearch device = {search, placed};
+    ImageJoiner joiner(Backend::cpu, field.stars().size());
+    const DeviceSearch device = {search, placed, joiner};
     return sorted(find_star_images(field, colours().view(), eye, station, patches, settings, &device));
   }
 
