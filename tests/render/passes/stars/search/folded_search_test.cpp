@@ -15,6 +15,7 @@ namespace {
 //! Returns pairs of patch 0 and stars at `a` and `b`.
 std::vector<SearchedPair> pairs_of(const std::vector<float>& a, const std::vector<float>& b) {
   std::vector<SearchedPair> pairs;
+  pairs.reserve(a.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
     pairs.push_back({0, 0, 1.0F, a[i], b[i], false});
   }
@@ -175,6 +176,7 @@ std::vector<std::array<float, 4>> halves_by(InstructionSet set) {
   }
   patches[1].halvings = 1;
   std::vector<SearchedPair> pairs;
+  pairs.reserve(count);
   for (int i = 0; i < count; ++i) {
     pairs.push_back({i % 3 == 0 ? 1 : 0, 0, 1.0F, -0.001F + 0.0004F * static_cast<float>(i),
                      -0.04F + 0.002F * static_cast<float>(i), false});

@@ -56,10 +56,8 @@ std::vector<StarImage> joined(std::vector<SeenImage> found, std::size_t in_place
 
 //! Returns the expected images by comparing all images with each other.
 std::vector<StarImage> joined_slowly(const std::vector<SeenImage>& found, ImageOrder order) {
-  std::vector<StarImage> images;
-  for (const SeenImage& each : found) {
-    images.push_back(each.image);
-  }
+  std::vector<StarImage> images(found.size());
+  std::ranges::transform(found, images.begin(), &SeenImage::image);
   std::ranges::stable_sort(images, [&](const StarImage& a, const StarImage& b) {
     const auto key = [&](const StarImage& image) {
       const Vector3<float> at = order == ImageOrder::by_position ? image.direction : Vector3<float>{};
