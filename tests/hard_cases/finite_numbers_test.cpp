@@ -19,7 +19,7 @@
 namespace ergodome::test {
 namespace {
 
-//! While it exists, the outputs of all kernels are checked for NaN and infinity.
+//! A fixture that checks the outputs of all kernels for NaN and infinity while its tests run.
 class NumbersChecked : public testing::Test {
  protected:
   NumbersChecked() : before_(numbers_are_checked()) { set_numbers_checked(true); }

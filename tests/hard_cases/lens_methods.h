@@ -21,18 +21,19 @@ SeenSky by_float_rays(const CameraState& camera_state, const Directions& rays, T
 //! The precision in which the nodes of a grid are traced.
 enum class Nodes { in_double, in_float };
 
-//! Interpolates the rays in a lens.
+//! Computes the sky directions of the rays by interpolation in a lens.
 SeenSky by_lens(const LensBlend& lens, const CameraState& camera_state, const Directions& rays);
 
-//! Interpolates the rays in a lens grid that is built for the camera's position, with a budget of
-//! 0.1 px of a 4096² dome.
+//! Computes the sky directions of the rays by interpolation in a lens grid. It is built for the
+//! camera's position, with a budget of 0.1 px of a 4096² dome.
 SeenSky by_live_grid(const CameraState& camera_state, const Directions& rays, Nodes nodes);
 
-//! Interpolates the rays between lens grids at a smaller and at a larger radius than the camera's.
-//! Both are encoded and decoded as in a trajectory file.
+//! Computes the sky directions of the rays by interpolation between two lens grids, at a smaller
+//! and at a larger radius than the camera's. Both grids are encoded and decoded as in a trajectory
+//! file.
 SeenSky by_streamed_stations(const CameraState& camera_state, const Directions& rays);
 
-//! Interpolates the rays in the published quadtree grid, by its splines.
+//! Computes the sky directions of the rays by spline interpolation in the published quadtree grid.
 SeenSky by_quadtree(const CameraState& camera_state, const Directions& rays);
 
 //! Angle of a pixel of a 4096² dome [rad].

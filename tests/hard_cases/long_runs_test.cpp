@@ -27,7 +27,7 @@ constexpr double frame_s = 1.0 / 60.0;
 //! The largest allowed jump [px of a 4096² dome]: the default lens budget of shows.
 constexpr double budget_px = 0.25;
 
-//! Returns random view directions over the whole sphere.
+//! Returns random view directions over the whole sphere, the same in each call.
 Directions view_directions() {
   std::mt19937_64 random(3);
   Directions all(sanitized ? 20 : 150);

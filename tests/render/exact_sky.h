@@ -15,7 +15,7 @@ inline Vector3<double> exact_sky(const CameraStation& camera, const Vector3<doub
 
 //! The error of a star image's position, and its exact magnification, both by the closed form.
 struct ImageError {
-  double miss;  //!< Angle between the image and its exact position [rad].
+  double miss;  //!< angle between the image and its exact position [rad]
   double magnification;
 };
 

@@ -58,8 +58,8 @@ TEST(SettingsLadder, KeepsASizeThatIsFixed) {
 TEST(SettingsLadder, WithoutAnErrorBeginsWithTheFinestLensThatTakesLonger) {
   const std::vector<Rung> ladder = settings_ladder(measured_settings(), {std::nullopt, 30.0}, limits_of(192));
   EXPECT_EQ(ladder.front().quality.budget_px, 0.25);
-  // At 30 Hz, a lens may take so long that a coarser one would not make frames faster; the next
-  // rung therefore has a smaller picture.
+  // A lens that is built within its time limit does not slow down frames, so a coarser lens would
+  // gain nothing. The next rung has a smaller picture instead.
   EXPECT_LT(ladder[1].size_px, 1024);
 }
 

@@ -265,7 +265,8 @@ TEST(ControlsHelp, HasTheSameLinesInBothLanguages) {
   for (const char* key : {"Space", "Shift", "Ctrl", "Home", "mouse", "stick up", "wheel"}) {
     EXPECT_THAT(german, Not(HasSubstr(key)));
   }
-  // Translated names of keys differ in length, but both languages list the same number of actions.
+  // The names of keys differ in length between languages and may take more lines, so tabs between
+  // cells are counted instead of lines.
   const auto lines_of = [](std::string_view language) {
     const std::string cells = help_text(Controls(), {.language = language, .form = HelpForm::cells});
     return std::ranges::count(cells, '\t');

@@ -180,7 +180,7 @@ TEST(TracedObjects, CastShadowsOnOneAnother) {
   int darkened = 0;
   for (int y = 0; y < traced_size_px; ++y) {
     for (int x = 0; x < traced_size_px; ++x) {
-      // Compares only pixels that the large ball covers completely in both pictures.
+      // Compares only pixels that objects cover completely in both pictures.
       const bool same_position = shadowed.covered(x, y) == 1.0F && free.covered(x, y) == 1.0F;
       darkened += same_position && shadowed.at(x, y, 0) < 0.05F * free.at(x, y, 0) ? 1 : 0;
       EXPECT_LE(shadowed.at(x, y, 0), 1.2F * free.at(x, y, 0) + 2.0F * (free.covered(x, y) < 1.0F));
