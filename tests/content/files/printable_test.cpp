@@ -1,6 +1,6 @@
-#include <gtest/gtest.h>
-
 #include "content/files/printable.h"
+
+#include <gtest/gtest.h>
 
 namespace ergodome {
 namespace {
