@@ -13,6 +13,7 @@
 #include "app/pads/hid/hid_fixture.h"
 #include "app/pads/pad_calibration.h"
 #include "app/pads/pad_hub.h"
+#include "app/pads/pad_lines.h"
 #include "content/files/console.h"
 #include "kernels/core/error.h"
 

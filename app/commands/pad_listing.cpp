@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 #include <utility>
 
 #include "app/pads/decoders/pad_decoder.h"
 #include "app/pads/pad_hub.h"
-#include "app/pads/state/pad_names.h"
 #include "content/files/console.h"
 #include "content/files/printable.h"
 
@@ -68,44 +66,6 @@ void write_pads_found(HidApi& api, PadSettings settings, const std::filesystem::
   }
   write_pad_settings(out, settings);
   print_out("settings of {1} written to {0}\n", out.string(), counted(settings.pads.size(), "controller"));
-}
-
-std::string live_line(const PadView& pad) {
-  const PadIdentity& who = *pad.identity;
-  if (!pad.problem.empty()) {
-    return fmt::format("- {} ({}): {}", who.name, who.connection, pad.problem);
-  }
-  std::string line = fmt::format("{} {} ({}):", pad.number, who.name, who.connection);
-  if (!pad.connected) {
-    return line + " unplugged";
-  }
-  // Adding zero turns negative zero, of a stick at rest just below its center, into positive zero.
-  const auto axis = [&](PadAxis which) { return pad.state.axis(which) + 0.0F; };
-  fmt::format_to(std::back_inserter(line), " left {:+.2f} {:+.2f}  right {:+.2f} {:+.2f}  triggers {:.2f} {:.2f}",
-                 axis(PadAxis::left_x), axis(PadAxis::left_y), axis(PadAxis::right_x), axis(PadAxis::right_y),
-                 axis(PadAxis::left_trigger), axis(PadAxis::right_trigger));
-  const auto* const puck = pad.state.axes.begin() + static_cast<std::ptrdiff_t>(PadAxis::move_right);
-  if (std::any_of(puck, pad.state.axes.end(), [](float value) { return value != 0.0F; })) {
-    fmt::format_to(std::back_inserter(line), "  puck {:+.2f} {:+.2f} {:+.2f}  turned {:+.2f} {:+.2f} {:+.2f}",
-                   axis(PadAxis::move_right), axis(PadAxis::move_up), axis(PadAxis::move_forward),
-                   axis(PadAxis::turn_pitch), axis(PadAxis::turn_yaw), axis(PadAxis::turn_roll));
-  }
-  for (std::size_t i = 0; i < pad_button_count; ++i) {
-    if (pad.state.buttons[i]) {
-      fmt::format_to(std::back_inserter(line), "  {}", name_of(static_cast<PadButton>(i)));
-    }
-  }
-  if (pad.absent) {
-    line += "  (receiver without a pad)";
-  }
-  if (pad.stuck) {
-    line += "  (a stuck axis is ignored)";
-  }
-  if (pad.refused > 0) {
-    fmt::format_to(std::back_inserter(line), "  ({} of {} not understood)", pad.refused,
-                   counted(pad.reports, "HID report"));
-  }
-  return line;
 }
 
 }  // namespace ergodome

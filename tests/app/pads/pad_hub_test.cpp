@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "app/commands/pad_listing.h"
+#include "app/pads/pad_lines.h"
 #include "tests/app/pads/pad_hub_scene.h"
 
 namespace ergodome::test {
