@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "app/cli/show_loading.h"
-#include "app/commands/render/heat_map_options.h"
+#include "app/commands/channels/heat_map_options.h"
 #include "calibration/formats/mpcdi/mpcdi_reader.h"
 #include "content/files/fingerprint.h"
 #include "content/mesh/formats/mesh_reader.h"

@@ -9,8 +9,8 @@
 
 #include "app/cli/backend_choice.h"
 #include "app/cli/show_loading.h"
+#include "app/commands/channels/heat_map_options.h"
 #include "app/commands/movie/movie.h"
-#include "app/commands/render/heat_map_options.h"
 #include "app/commands/render/movie_plan.h"
 #include "content/files/atomic_file.h"
 #include "content/files/console.h"

@@ -1,4 +1,4 @@
-#include "app/commands/render/heat_map_options.h"
+#include "app/commands/channels/heat_map_options.h"
 
 #include <gmock/gmock.h>
 
