@@ -11,11 +11,11 @@
 namespace ergodome {
 
 std::string live_line(const PadView& pad) {
-  const PadIdentity& who = *pad.identity;
+  const PadIdentity& pad_identity = *pad.identity;
   if (!pad.problem.empty()) {
-    return fmt::format("- {} ({}): {}", who.name, who.connection, pad.problem);
+    return fmt::format("- {} ({}): {}", pad_identity.name, pad_identity.connection, pad.problem);
   }
-  std::string line = fmt::format("{} {} ({}):", pad.number, who.name, who.connection);
+  std::string line = fmt::format("{} {} ({}):", pad.number, pad_identity.name, pad_identity.connection);
   if (!pad.connected) {
     return line + " unplugged";
   }
