@@ -33,7 +33,7 @@ const char* words_of(Quantity quantity);
 //! The unit of a coordinate. `open`: not stated; decided by the values of the column.
 enum class AngleUnit { open, degrees, hours, radians };
 
-//! What determined the unit of the right ascension. `units_row`: a row of units, an ECSV comment,
+//! The source of the unit of the right ascension. `units_row`: a row of units, an ECSV comment,
 //! or brackets after the name. `program`: the program that wrote the table.
 enum class UnitSource { values, name, units_row, program };
 

@@ -36,7 +36,7 @@ class LightMeter {
   //! is ignored.
   void add(const Picture& picture);
 
-  //! Returns the geometric mean of the luminances of all added pixels; 0 if there are none.
+  //! Returns the geometric mean of the luminances of all added pixels, or 0 without pixels.
   [[nodiscard]] double middle_light() const;
 
  private:

@@ -4,7 +4,7 @@
 
 namespace ergodome {
 
-//! What work the stars of a picture need.
+//! The work that the stars of a picture need.
 struct StarNeeds {
   bool stars;
   bool gather;  //!< true if pixels gather their stars (StarMethod::gather)

@@ -52,7 +52,7 @@ inline constexpr int unit_image = 2;
 //! Uniform block: polynomials of omnidirectional stereo eyes (OmniView).
 inline constexpr int block_eyes = 0;
 
-//! What sees the positions: a camera, an omnidirectional stereo eye, or an eye of the model `flat`
+//! The kind of eye that sees the positions: a camera, an omnidirectional stereo eye, or an eye of the model `flat`
 //! beside a head whose lens both eyes use. Each variant of the shaders is compiled separately,
 //! without the uniforms of the others.
 enum class ObjectSight { camera, omni, beside };
