@@ -15,7 +15,7 @@
 #include "app/cli/show_options.h"
 #include "app/cli/summary_text.h"
 #include "app/commands/channels/heat_map_options.h"
-#include "app/commands/inspect/show_facts.h"
+#include "app/commands/inspect/show_summary.h"
 #include "app/commands/render/run_cost.h"
 #include "content/files/console.h"
 #include "content/show/animatable_number.h"

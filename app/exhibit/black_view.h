@@ -35,7 +35,7 @@ class BlackView {
 //! once a second.
 class LightWatch {
  public:
-  //! Resets the state at the start of a new scene.
+  //! Starts a new scene: take() rejects measurements that were requested before it.
   void begin(double now_s) { began_s_ = now_s; }
 
   //! Returns whether to request a measurement now. `changed`: whether the view has just changed.

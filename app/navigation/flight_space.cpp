@@ -23,7 +23,8 @@ constexpr double above_horizon = 0.02;
 struct LocalScale {
   double radial;    //!< dr per proper length
   double southern;  //!< angle per proper length [1/M]
-  //! Angle per proper length along the circle of latitude [1/M]; equal to `southern` on the axis.
+  //! Along the circle of latitude: sinθ times the change of azimuth, per proper length [1/M]. On
+  //! the axis it equals `southern`.
   double eastern;
 };
 

@@ -11,7 +11,7 @@ namespace ergodome {
 
 //! What the observer of a frame depends on.
 struct ObserverScene {
-  const Show& show;     //!< as in its file
+  const Show& show;     //!< with the numbers of its file, before animation
   Spacetime spacetime;  //!< now
   double time_s;        //!< show time
   const Navigator& navigator;

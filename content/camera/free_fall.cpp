@@ -17,8 +17,9 @@ constexpr std::size_t max_steps = 200'000;
 constexpr double horizon_gap = 1e-6;
 //! Maximum time for which clocks are evaluated.
 constexpr double end_of_time_s = 1e12;
-//! Minimum relative change of the radius, or change of the polar angle [rad], at a turning point.
-//! Smaller ones are rounding errors of a circle.
+//! Minimum change since the last turning point, or since the start, for another turning point to
+//! count: relative change of the radius, or change of the polar angle [rad]. Smaller changes are
+//! rounding errors of a circle.
 constexpr double min_swing = 1e-7;
 
 double radius_of(const OrbitState& s) { return 1.0 / s.u; }

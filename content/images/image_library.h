@@ -147,12 +147,14 @@ class ImageLibrary {
   //! Options for opening a file.
   struct Wishes {
     std::optional<std::span<const std::byte>>
-        bytes;                    //!< contents of the file, if it is not on the disk; must outlive the input
-    bool separate_alpha = false;  //!< integer samples are not multiplied by alpha before they are decoded
-    bool as_stored = false;       //!< true: the image is not rotated upright
-    bool as_light = false;        //!< colors become linear Rec. 709 light, unless the shape is `encoded`
-    bool as_panorama = false;     //!< a crop of a panorama is put at its position in it (GPano)
-    std::string layer{};          //!< layer of an OpenEXR file; empty for the main layer
+        bytes;  //!< contents of the file, if it is not on the disk; must outlive the input
+    //! True: integer colors are not multiplied by alpha on reading, because that must follow their
+    //! decoding from sRGB; see ImageShape::separate_alpha.
+    bool separate_alpha = false;
+    bool as_stored = false;    //!< true: the image is not rotated upright
+    bool as_light = false;     //!< colors become linear Rec. 709 light, unless the shape is `encoded`
+    bool as_panorama = false;  //!< a crop of a panorama is put at its position in it (GPano)
+    std::string layer{};       //!< layer of an OpenEXR file; empty for the main layer
   };
 
   //! Opens an image; the ending of its name gives the format of `bytes`. Returns null and sets

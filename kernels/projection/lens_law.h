@@ -170,8 +170,8 @@ ERGO_HD double largest_half_angle(LensLaw law, const double (&coefficient)[4]) {
   return pi;
 }
 
-//! Makes a lens with the given full field of view [rad], at most twice largest_half_angle().
-//! `coefficient` is for the polynomial law.
+//! Makes a lens with the given full field of view [rad]. Callers must limit it to twice
+//! largest_half_angle(). `coefficient` is only used for the polynomial law.
 ERGO_HD FisheyeLens<double> make_fisheye_lens(LensLaw law, double field_of_view, const double (&coefficient)[4]) {
   const double h = 0.5 * field_of_view;
   FisheyeLens<double> lens{law, h, 1.0, 1.0, {coefficient[0], coefficient[1], coefficient[2], coefficient[3]}};

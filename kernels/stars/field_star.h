@@ -23,7 +23,8 @@ inline constexpr float log_coldest_class = 7.38F;
 inline constexpr float log_hottest_class = 10.4F;
 inline constexpr float star_class_width = (log_hottest_class - log_coldest_class) / star_classes;
 
-//! Factors by which a frequency shift changes the luminance of stars, by their class.
+//! Maximum factor by which a frequency shift changes the luminance of stars of each class, and its
+//! natural logarithm.
 struct ShiftGain {
   float gain[star_classes];
   float log_gain[star_classes];

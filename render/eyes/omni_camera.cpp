@@ -91,7 +91,8 @@ double fit_error(const EyeAtOffset& eye_at, double reach, const EyeCamera& head,
   const auto terms = static_cast<std::size_t>(omni_terms(degree));
   double scale[8] = {};
   double error[8] = {};
-  // Groups: u; m; and the six forms, of which those of dm/dλ are one vector.
+  // Groups of numbers (see omni_numbers) with a common scale: 0: u; 1: m; 2 to 4: the forms of
+  // energy, axial momentum and outward rate; 5: the three forms of the vector dm/dλ together.
   const auto group = [](std::size_t i) { return i < 1 ? 0U : i < 4 ? 1U : std::min<std::size_t>(2 + (i - 4) / 4, 5); };
   for (const DiskPoint& point : points) {
     const std::vector<double> term = disk_terms(point, degree);

@@ -77,7 +77,8 @@ class LensChooser {
   //!
   //! LensChoice::automatic uses the stream where the camera is on a baked path and the bake is
   //! accurate enough. Otherwise it traces one ray per pixel for small frames, for all frames on a
-  //! GPU, and if a grid would leave most pixels to rays; it builds a live grid for other frames.
+  //! GPU, and if a grid would leave a quarter of the pixels or more to rays; it builds a live grid
+  //! for other frames.
   //! LensChoice::streamed uses a live grid where the stream has no stations: off the path, or while
   //! they are being read. If a grid would displace the shadow's edge by more than the budget
   //! (EdgeMiss), rays are traced, whatever the choice.
@@ -87,13 +88,13 @@ class LensChooser {
   //! shows the view from the position of the last grid (LensSource::behind()), and the next frame
   //! gets the new grid. A stereo pair always waits, because both eyes must show the same moment.
   //!
-  //! GridScheme::quadtree uses the published quadtree grid for the eye's own position and motion,
-  //! unless direct rays are requested.
+  //! On the CPU, GridScheme::quadtree uses the published quadtree grid for the eye's own position
+  //! and motion, unless direct rays are requested. On a GPU it has no effect.
   //!
-  //! Between two stations whose blend exceeds the budget, a live grid is used. For an eye beside
-  //! the path, stations with derivatives are used as long as traced rays confirm that they are
-  //! accurate. The same applies between stations that are not neighbors, because those between them
-  //! could not be read. Otherwise such frames get a live grid.
+  //! The stream is not used between two stations whose blend exceeds the budget. Two cases are only
+  //! possible on the CPU, as long as traced rays confirm the accuracy: an eye beside the path, for
+  //! which the stations need derivatives, and a blend of stations that are not neighbors, because
+  //! those between them could not be read. Other frames are drawn as without a stream.
   std::unique_ptr<LensSource> choose(const LensRequest& request);
 
   //! Returns the number of grids built so far.

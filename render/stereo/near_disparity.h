@@ -62,8 +62,8 @@ struct SeenDirection {
 //! Returns whether a show's sky has neither a visible map nor stars.
 bool is_black(const SkySettings& sky);
 
-//! Returns the directions in which a frame's disparities are measured, none of them for a black
-//! sky. `hiding`: objects that hide what is behind them.
+//! Returns the directions in which a frame's disparities are measured. For a black sky there are
+//! only those of disk and shells. `hiding`: objects that hide what is behind them.
 std::vector<SeenDirection> seen_directions(const Show& show, const CameraPose& pose, const Projection& projection,
                                            const PlacedMeshes& hiding);
 

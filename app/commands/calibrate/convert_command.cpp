@@ -125,8 +125,9 @@ std::pair<int, int> map_size(const ConvertOptions& options, const WarpMesh& mesh
   if (mesh.topology == MeshTopology::rectangular) {
     return {mesh.columns, mesh.rows};
   }
-  // Triangles and polar meshes have no columns and rows. A map ends at its last valid sample, so
-  // about 0.3 % of a circle as high as the raster is lost.
+  // Triangles and polar meshes have no columns and rows. Nothing is drawn beyond the outermost
+  // valid samples of a map: with 720 rows, a circle as high as the raster loses about 0.3 % of its
+  // area at the edge.
   constexpr double shorter_side = 720.0;
   const auto side = [](double samples) {
     return static_cast<int>(std::lround(std::min(samples, static_cast<double>(max_mesh_side))));

@@ -101,7 +101,7 @@ void map_puck(AxisMap& map) {
   map.move("rz", PadAxis::turn_yaw);
 }
 
-//! Maps two sticks, and the remaining axes as triggers.
+//! Maps the right stick, and the remaining axes as triggers. The left stick is already mapped.
 void map_pad(AxisMap& map) {
   const bool right_is_z = map.find("z") != nullptr && map.find("rz") != nullptr &&
                           (map.alike({"x", "z", "rz"}) || map.find("rx") == nullptr || map.find("ry") == nullptr);

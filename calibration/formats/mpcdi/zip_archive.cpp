@@ -141,8 +141,8 @@ std::string ZipArchive::read(const std::string& member, std::size_t max_bytes) {
 
 namespace {
 
-//! Adds the members to the archive and closes it. The archive's source then contains its bytes.
-//! Returns false if libzip fails.
+//! Adds the members to the archive; their bytes must stay valid until it is closed. Returns false
+//! if libzip fails.
 bool fill(zip_t* archive, const std::vector<std::pair<std::string, std::string>>& members) {
   for (const auto& [name, bytes] : members) {
     zip_source_t* const source = zip_source_buffer(archive, bytes.data(), bytes.size(), 0);

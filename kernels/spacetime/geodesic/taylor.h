@@ -9,7 +9,7 @@ namespace ergodome::inline ERGO_TARGET {
 
 //! Constants of one ray, in the form that the recurrences use.
 //!
-//! Time is in units of 1 / √C (s below), so that the series remains near 1 in size and does not
+//! Time is Mino time times s = √C + 1, so that the series remains near 1 in size and does not
 //! overflow in float, however far the camera is: at r = 10⁶ the tenth derivative in plain Mino time
 //! would be 10⁶⁰.
 template <class T>
@@ -17,7 +17,7 @@ struct TaylorCoefficients {
   T u_linear;                 //!< (a² - C) / s²
   T u_quadratic;              //!< 3 K / s²
   T u_cubic;                  //!< -2 a² Q / s²
-  T polar;                    //!< C / s²
+  T polar;                    //!< C / s²; C is the polar constant
   T drag_u;                   //!< -2 a / s, backwards
   T drag_u2;                  //!< a² L / s, backwards
   RealOf<T> spin2;            //!< a² / s²

@@ -40,8 +40,9 @@ ERGO_HD RayPosition position_at_point(const ConnectingRay& ray, double r_observe
   return {1.0, 1.0 / r, detail::rate_over_share(ray.rate_at_point, angle, gap)};
 }
 
-//! Returns a step length that is exact in double: the nearest pole of u, where the orbit would end
-//! at r = 0, is about ten times as far away.
+//! Returns the largest step in share for which the Taylor series of moved_on() is exact in double:
+//! the nearest pole of u, where the orbit would end at r = 0, is about ten times as far away.
+//! `angle`: the azimuth that the ray sweeps [rad].
 ERGO_HD double longest_ray_step(double angle) { return ::fmin(1.0 / 16.0, 0.1 / ::fmax(angle, 1e-9)); }
 
 //! Moves along a ray by `step` in share, forwards or backwards, at most longest_ray_step(): Taylor

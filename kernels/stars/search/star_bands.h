@@ -48,7 +48,7 @@ struct StarSearchBatch {
   const SearchedField* field;
   SkyPart part;
   StarFloor floor;
-  int* found;  //!< out: numbers of stars in the field; needs room for all of them
+  int* found;  //!< out: indices in SearchedField::stars; needs room for all stars of the field
   int* count;  //!< out: number of stars found
 };
 

@@ -43,8 +43,8 @@ class DiskPass {
   DiskAppearance appearance_{};
 };
 
-//! Returns the inner edge of a disk [M]: the configured one, but at least the smallest radius at
-//! which matter can be.
+//! Returns the inner edge of a disk [M]: the configured one, but at least the innermost stable
+//! circular orbit, or the horizon if the disk's matter plunges (DiskSettings::plunging).
 double inner_edge(const DiskSettings& disk, Spacetime spacetime);
 
 //! Returns the temperature of a disk at radius r [K] in the rest frame of its matter; 0 where it

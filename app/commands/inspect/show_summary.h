@@ -19,7 +19,7 @@ inline nlohmann::json summary_of(const BaselineReductions& path) {
   const auto summary = [](double time_s, const ReducedBaseline& eyes) {
     return nlohmann::json{{"t_s", time_s}, {"r", eyes.r}, {"asked", eyes.asked}, {"baseline", eyes.baseline}};
   };
-  return {{"first", summary(path.first_s, path.first)}, {"least", summary(path.smallest_s, path.minimum)}};
+  return {{"first", summary(path.first_s, path.first)}, {"least", summary(path.smallest_s, path.smallest)}};
 }
 
 }  // namespace ergodome

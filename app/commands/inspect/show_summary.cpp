@@ -1,4 +1,4 @@
-#include "app/commands/inspect/show_facts.h"
+#include "app/commands/inspect/show_summary.h"
 
 #include <fmt/format.h>
 
