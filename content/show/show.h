@@ -101,7 +101,7 @@ struct DiffractionSettings {
   double strength = 0.3;           //!< fraction of a star's light that goes into the spikes
   std::string pattern;             //!< an image, as a path relative to the show; empty: computed from the aperture
   //! Number of aperture blades; this and the rest as in ApertureSettings
-  //! (render/effects/far_field.h).
+  //! (render/passes/effects/far_field.h).
   int blades = 6;
   int vanes = 0;
   double obstruction = 0.0;

@@ -214,7 +214,7 @@ class ChannelTracer {
 
   //! Returns the angle that the ray sweeps around the hole, in half turns: m' times the Mino time,
   //! where m is the ray's direction vector and m' its derivative, with the mean of m_z² at both
-  //! ends. Exact for a hole without spin. kernels/trace/trace_pixels_kernel.h uses the same
+  //! ends. Exact for a hole without spin. kernels/spacetime/trace/trace_pixels_kernel.h uses the same
   //! formula.
   [[nodiscard]] double swept_half_turns(const RayBlock& rays, std::size_t i) const {
     const RayStart<double> start = start_ray(camera_, rays.direction(i));

@@ -27,8 +27,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   ergodome::HidDeviceInfo info;
-  info.vendor = kinds[data[0] % kinds.size()].vendor;
-  info.product = kinds[data[0] % kinds.size()].product;
+  info.vendor = kinds[(data[0] & 0x7fU) % kinds.size()].vendor;
+  info.product = kinds[(data[0] & 0x7fU) % kinds.size()].product;
   info.bus = (data[0] & 0x80) != 0 ? ergodome::HidBus::bluetooth : ergodome::HidBus::usb;
   const auto decoder = ergodome::make_pad_decoder(info, {});
   ergodome::RawPad pad = ergodome::at_rest(decoder->layout());

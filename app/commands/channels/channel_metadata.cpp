@@ -5,6 +5,7 @@
 
 #include "app/cli/show_loading.h"
 #include "content/camera/camera_path.h"
+#include "content/show/reading/motion_reader.h"
 #include "kernels/core/angles.h"
 
 namespace ergodome {
@@ -20,10 +21,9 @@ void add_vector(const std::string& name, const std::string& keyword, const std::
 }
 
 void add_observer(const Show& show, bool moves_as_given, const EyeCamera& eye, std::vector<MetadataEntry>& metadata) {
-  constexpr const char* observers[] = {"zamo", "static", "geodesic", "retrograde", "rain", "velocity"};
   const bool in_rain = eye.motion == ObserverMotion::rain || eye.motion == ObserverMotion::rain_boost;
   metadata.push_back({"observer", "OBSERVER",
-                      std::string(moves_as_given ? "velocity" : observers[static_cast<int>(show.camera.motion)]),
+                      std::string(moves_as_given ? "velocity" : motion_name(show.camera.motion)),
                       "motion of the camera"});
   metadata.push_back({"velocity_frame", "VELFRAME", std::string(in_rain ? "rain" : "zamo"), "frame of the velocity"});
   const bool at_rest = eye.motion == ObserverMotion::rain || eye.motion == ObserverMotion::zamo;

@@ -25,6 +25,7 @@
 #include "content/files/console.h"
 #include "content/files/printable.h"
 #include "content/show/animated_show.h"
+#include "content/show/reading/motion_reader.h"
 #include "content/show/reading/show_reader.h"
 #include "content/sky/environment_image.h"
 #include "content/sky/sky_map.h"
@@ -64,8 +65,6 @@ double shadow_width_deg(const Show& show, double time_s) {
 
 nlohmann::json summary_of(const Show& show) {
   const ShowNotes notes = notes_of_files(show);
-  constexpr const char* observers[] = {"zamo", "static", "geodesic", "retrograde", "rain", "velocity"};
-  constexpr const char* projections[] = {"dome", "equirect", "cube", "cylinder", "pinhole"};
   nlohmann::json summary;
   const bool one_title = show.title.size() == 1 && show.title.contains("");
   summary["title"] = one_title ? nlohmann::json(show.title.at("")) : nlohmann::json(show.title);
@@ -73,9 +72,9 @@ nlohmann::json summary_of(const Show& show) {
   summary["frames"] = frame_count(show);
   summary["spin"] = show.spin;
   summary["horizon_r"] = horizon_radius(spacetime_of(show));
-  summary["observer"] = show.camera.keys.front().velocity ? "keys" : observers[static_cast<int>(show.camera.motion)];
+  summary["observer"] = show.camera.keys.front().velocity ? "keys" : motion_name(show.camera.motion);
   summary["sky_map"] = show.sky.map;
-  summary["projection"] = projections[static_cast<int>(show.view.projection)];
+  summary["projection"] = view_projection_names[static_cast<std::size_t>(show.view.projection)];
   summary["size_px"] = show.view.size_px;
   summary["stereo"] = stereo_layout_names[static_cast<std::size_t>(show.stereo.layout)];
   summary["stereo_model"] = stereo_model_names[static_cast<std::size_t>(show.stereo.model)];

@@ -6,6 +6,7 @@
 
 #include "app/cli/show_loading.h"
 #include "content/camera/camera_path.h"
+#include "content/show/reading/motion_reader.h"
 #include "kernels/core/angles.h"
 #include "render/output/stereo_layout.h"
 #include "render/picture/cube_pictures.h"
@@ -24,9 +25,8 @@ std::string axis_of_view(const CameraPose& pose, const glm::dvec3& axis) {
 }
 
 void add_camera(const Show& show, double time_s, FrameMetadata& metadata) {
-  constexpr const char* observers[] = {"zamo", "static", "geodesic", "retrograde", "rain", "velocity"};
   const CameraPose pose = camera_pose(show, time_s);
-  const char* const observer = !pose.velocity      ? observers[static_cast<int>(show.camera.motion)]
+  const char* const observer = !pose.velocity      ? motion_name(show.camera.motion)
                                : show.camera.orbit ? "fall"
                                                    : "velocity";
   metadata.emplace_back("spin", number_text(show.spin));

@@ -15,6 +15,11 @@ constexpr std::array motion_names = {"zamo", "static", "geodesic", "retrograde",
 
 }  // namespace
 
+const char* motion_name(ObserverMotion motion) {
+  const auto i = static_cast<std::size_t>(motion);
+  return i < motion_names.size() ? motion_names[i] : "velocity";
+}
+
 Vector3<double> read_vector(TomlTable& table, std::string_view key, const toml::node& node) {
   const toml::array* list = node.as_array();
   Vector3<double> v{};
@@ -62,7 +67,7 @@ WrittenMotion read_motion(TomlTable& table, std::string_view key, const std::str
 
 void write_motion(toml::table& table, std::string_view key, const WrittenMotion& written) {
   if (written.motion != ObserverMotion::velocity) {
-    table.insert(key, motion_names[static_cast<std::size_t>(written.motion)]);
+    table.insert(key, motion_name(written.motion));
     return;
   }
   const Vector3<double>& v = written.velocity;

@@ -20,6 +20,9 @@ struct WrittenMotion {
 WrittenMotion read_motion(TomlTable& table, std::string_view key, const std::string& file,
                           const WrittenMotion& otherwise);
 
+//! Returns the word for a motion in show files and metadata: "velocity" for ObserverMotion::velocity.
+const char* motion_name(ObserverMotion motion);
+
 //! Reads a direction: three numbers that are not all 0. Throws Error for anything else.
 Vector3<double> read_vector(TomlTable& table, std::string_view key, const toml::node& node);
 

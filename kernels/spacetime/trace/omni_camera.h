@@ -26,7 +26,7 @@ constexpr int omni_terms(int degree) { return (degree + 1) * (degree + 2) / 2; }
 //! direction has its own camera.
 //!
 //! The values that rays need are polynomials of the eye's position in that plane, fitted to exact
-//! cameras (render/lens/omni_camera.h).
+//! cameras (render/eyes/omni_camera.h).
 template <class S>
 struct OmniCameraOf {
   S spin;

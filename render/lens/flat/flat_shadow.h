@@ -11,7 +11,7 @@ namespace ergodome {
 
 //! The shadow in the head's flat tangent space, for the stereo model `flat`: in each dark
 //! direction, the horizon is placed at the affine distance at which the ray reaches it
-//! (kernels/geodesic/affine_distance.h).
+//! (kernels/spacetime/geodesic/affine_distance.h).
 //!
 //! Towards the shadow's edge, rays circle longer before they fall in, and the affine distance grows
 //! without bound, as the logarithm of the angle from the edge. Therefore the edge has no parallax,

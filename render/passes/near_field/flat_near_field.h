@@ -8,7 +8,7 @@ namespace ergodome {
 
 //! Draws the disk, shells and objects for eyes of the stereo model `flat`, which share one lens: a
 //! thing at the affine distance d in the head's direction n is placed at d n
-//! (kernels/flat_eyes/eye_line.h).
+//! (kernels/eyes/flat/eye_line.h).
 class FlatNearField {
  public:
   //! `head` and `shadow`: the head to which the eyes belong, and its shadow. The disk is read from

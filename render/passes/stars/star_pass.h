@@ -59,7 +59,7 @@ class StarPass : public Pass {
   //! Returns the rows of the catalog file that were skipped.
   [[nodiscard]] const std::vector<RowsLeftOut>& left_out() const { return left_out_; }
 
-  //! Applies the animatable numbers of a show (content/animatable_number.h) except for the rotation
+  //! Applies the animatable numbers of a show (content/show/animatable_number.h) except for the rotation
   //! of the sky. The show must differ from the first one in these numbers only.
   void set_numbers(const Show& show);
 

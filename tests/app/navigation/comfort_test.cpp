@@ -16,7 +16,7 @@ using namespace test;  // NOLINT(google-build-using-namespace): flights of tests
 //! defined by the azimuth of ingoing Kerr coordinates.
 glm::dquat steady_view(const Navigator& navigator) {
   const CameraPose pose = navigator.pose();
-  return (pose.velocity_in_rain ? ingoing_placement(pose, navigator.space().spacetime()) : position_of(pose)).view;
+  return (pose.velocity_in_rain ? ingoing_placement(pose, navigator.space().spacetime()) : placement_of(pose)).view;
 }
 
 //! The fastest rotation of the view and its largest change, and the same of the ship's velocity,

@@ -30,20 +30,20 @@ Navigator follower(const Show& show, double until_s) {
 }
 
 //! Returns the view relative to nonrotating directions, with axes boosted from the ZAMO frame.
-glm::dquat view_of(const CameraPose& pose) { return position_of(in_zamo_frame(pose, Spacetime{0.9})).view; }
+glm::dquat view_of(const CameraPose& pose) { return placement_of(in_zamo_frame(pose, Spacetime{0.9})).view; }
 
 TEST(FlightThroughHorizon, BeginsWithTheViewOfThePath) {
   const Show show = falling_through(0.5);
   Navigator navigator = follower(show, 12.0);
   const CameraPose path = camera_pose(show, 12.0);
-  ASSERT_GT(angle_between(position_of(path).view, view_of(path)), 0.05);
+  ASSERT_GT(angle_between(placement_of(path).view, view_of(path)), 0.05);
   navigator.leave_path();
-  EXPECT_LT(angle_between(position_of(navigator.pose()).view, view_of(path)), 1e-12);
+  EXPECT_LT(angle_between(placement_of(navigator.pose()).view, view_of(path)), 1e-12);
   for (int i = 0; i < 30; ++i) {
     navigator.advance(frame_s, {}, path);
   }
   // The view rotates at most as fast as the axes of the path's camera.
-  EXPECT_LT(angle_between(position_of(navigator.pose()).view, view_of(path)), 0.05);
+  EXPECT_LT(angle_between(placement_of(navigator.pose()).view, view_of(path)), 0.05);
 }
 
 TEST(FlightThroughHorizon, ReturnsToTheViewOfThePath) {

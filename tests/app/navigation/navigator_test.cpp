@@ -142,10 +142,10 @@ TEST(Navigator, AMouseTurnsTheViewByTheAngleItWasMoved) {
   Flier flier(show_at(0.9, 8.0, 90.0, "mode = \"fly\"\n"));
   SteeringInput drag;
   drag.amounts.yaw = 0.3;
-  const glm::dquat before = position_of(flier.navigator.pose()).view;
+  const glm::dquat before = placement_of(flier.navigator.pose()).view;
   flier.navigator.advance(frame_s, drag, flier.path);
   flier.hold({}, 4.0);
-  EXPECT_NEAR(angle_between(before, position_of(flier.navigator.pose()).view), 0.3, 1e-3);
+  EXPECT_NEAR(angle_between(before, placement_of(flier.navigator.pose()).view), 0.3, 1e-3);
   EXPECT_GT(glm::dot(looks_at(flier.navigator), before * glm::dvec3(1.0, 0.0, 0.0)), 0.2);  // to the right
 }
 

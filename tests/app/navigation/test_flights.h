@@ -43,7 +43,7 @@ inline Steering forward_only(double forward) {
 
 //! Returns the viewing direction relative to nonrotating directions.
 inline glm::dvec3 looks_at(const Navigator& navigator) {
-  return position_of(navigator.pose()).view * glm::dvec3(0.0, 0.0, -1.0);
+  return placement_of(navigator.pose()).view * glm::dvec3(0.0, 0.0, -1.0);
 }
 
 inline double angle_between(const glm::dquat& a, const glm::dquat& b) {

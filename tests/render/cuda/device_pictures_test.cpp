@@ -71,7 +71,7 @@ class DevicePictures : public testing::Test {
     presenter.upload_from_device(
         {.rgba = there.data(), .width_px = picture.width, .height_px = picture.height, .tone = picture.tone});
     presenter.draw(picture.width, picture.height);
-    const auto shown = Presenter::read_back(picture.width, picture.height);
+    const auto shown = read_framebuffer(picture.width, picture.height);
     const auto expected = tone_mapped(picture);
     ASSERT_EQ(shown.size(), expected.size());
     for (std::size_t i = 0; i < shown.size(); ++i) {
@@ -111,10 +111,10 @@ TEST_F(DevicePictures, OfTwoEyesFillOneTogether) {
     Presenter presenter;
     presenter.upload_eyes(left, right, above);
     presenter.draw(width, height);
-    const auto expected = Presenter::read_back(width, height);
+    const auto expected = read_framebuffer(width, height);
     presenter.upload_from_device({first.data(), second.data(), above, size / 2, size / 2, false, left.tone});
     presenter.draw(width, height);
-    EXPECT_EQ(Presenter::read_back(width, height), expected);
+    EXPECT_EQ(read_framebuffer(width, height), expected);
   }
 }
 
@@ -128,7 +128,7 @@ TEST_F(DevicePictures, OfProjectorsAreShownByteByByte) {
     const Buffer<std::uint8_t> there(Backend::cuda, bytes, "test");
     texture.upload_from_device(there.data());
     texture.draw();
-    EXPECT_EQ(Presenter::read_back(size, size), bytes);
+    EXPECT_EQ(read_framebuffer(size, size), bytes);
   }
 }
 

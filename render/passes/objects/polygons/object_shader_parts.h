@@ -9,7 +9,7 @@ namespace ergodome {
 //! stereo eyes (OmniView); without it there is no overhead for them.
 extern const char* const object_sight_source;
 
-//! Source of three functions. `clip_position(view, depth)` maps a view direction to clip
+//! Source of three functions. `clip_place(view, depth)` maps a view direction to clip
 //! coordinates. `horizontal_period()` returns the distance in clip space after which directions
 //! repeat, 0 if they do not. `torn_by_projection(a, b, c)` returns whether a triangle surrounds a
 //! point at which the projection is discontinuous.

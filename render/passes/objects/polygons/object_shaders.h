@@ -3,7 +3,7 @@
 #include <string>
 
 // The five shaders that draw objects: Müller, Schulz & Weiskopf (2021), section 3.2, figure 7. The
-// physics is that of kernels/schwarzschild in single precision (apparent_position.h,
+// physics is that of kernels/spacetime/schwarzschild in single precision (apparent_position.h,
 // connection_table.h and tessellation.h), and the projections are those of kernels/projection.
 namespace ergodome {
 

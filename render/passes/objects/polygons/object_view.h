@@ -15,7 +15,7 @@ struct ObjectView {
   double face_from_view[3][3];
   Vector3<double> boost_axis;  //!< direction of the observer's motion
   //! Stretch of the aberration from the rest frame to the observer's frame
-  //! (kernels/metric/frame_boost.h).
+  //! (kernels/spacetime/kerr/frame_boost.h).
   double boost_stretch;
 
   //! Returns the components of a pseudo-Cartesian vector along `axes`.
