@@ -157,6 +157,7 @@ bool DomePictures::follow(const DomeSetup& setup, const std::vector<GridOffsets>
       picture.warp = std::move(warps[i]);
     }
     picture.offsets = offsets[i];
+    picture.gain = projector.gain;
     picture.gamma = projector.gamma;
     const Vector3<double>& lift = projector.black_level_lift;
     picture.black_level_lift = dot(lift, lift) > 0.0 ? lift : files_[i].black_level_lift;

@@ -236,7 +236,8 @@ bool AudioFile::read(std::int64_t first_frame, bool loop, std::span<float> sampl
   std::ranges::fill(samples, 0.0F);
   const std::int64_t count = static_cast<std::int64_t>(samples.size()) / channels_;
   std::int64_t done = std::clamp<std::int64_t>(-first_frame, 0, count);
-  while (done < count) {
+  bool readable = true;
+  while (readable && done < count) {
     const std::int64_t position = first_frame + done;
     if (position >= frames_ && !loop) {
       break;
@@ -245,12 +246,10 @@ bool AudioFile::read(std::int64_t first_frame, bool loop, std::span<float> sampl
     const std::int64_t part = std::min(count - done, frames_ - within);
     const std::int64_t came = read_within(within, part, samples.data() + done * channels_);
     done += came;
-    if (came < part) {
-      return false;
-    }
+    readable = came == part;
   }
   std::ranges::transform(samples, samples.begin(), tame);
-  return true;
+  return readable;
 }
 
 }  // namespace ergodome

@@ -212,6 +212,14 @@ TEST_F(SimulatedDome, ComputedFilesFollowATilt) {
   expect_master(setup, frames_of(setup, pictures), half_a_projector_pixel);
 }
 
+TEST_F(SimulatedDome, GainsOfProjectorsFollowTheirAdjustment) {
+  DomeSetup setup = calibrated(three(400));
+  DomePictures pictures(setup);
+  setup.projectors[1].gain = {0.5, 0.625, 0.75};
+  EXPECT_FALSE(pictures.follow(setup, {{}, {}, {}}));
+  EXPECT_EQ(pictures.pictures()[1].gain.y, 0.625);
+}
+
 TEST_F(SimulatedDome, LensesAloneFollowATiltThereAndBack) {
   DomeSetup setup = three(400);
   DomePictures pictures(setup);

@@ -90,6 +90,17 @@ TEST_F(AudioFiles, WhatIsNoSampleIsSilence) {
   EXPECT_THAT(samples, testing::ElementsAre(0.0F, 0.0F, 4.0F, 4.0F));
 }
 
+TEST_F(AudioFiles, ThatShrinkWhileTheyPlayAreStillLimited) {
+  test::write_sound(folder_ / "a.wav", {SF_FORMAT_WAV | SF_FORMAT_FLOAT, 48000, 1, 3.0},
+                    [](double, int) { return 1e30; });
+  AudioFile file(folder_ / "a.wav");
+  std::filesystem::resize_file(folder_ / "a.wav", std::filesystem::file_size(folder_ / "a.wav") / 2);
+  std::vector<float> samples(3 * 48000);
+  EXPECT_FALSE(file.read(0, false, samples));
+  EXPECT_EQ(samples.front(), 4.0F);
+  EXPECT_LE(std::ranges::max(samples), 4.0F);
+}
+
 TEST_F(AudioFiles, ThatAreCutOffSayEitherSoAtOnceOrWhenTheyEnd) {
   test::write_sound(folder_ / "a.flac", {SF_FORMAT_FLAC | SF_FORMAT_PCM_16, 48000, 2, 3.0}, burst);
   std::filesystem::resize_file(folder_ / "a.flac", std::filesystem::file_size(folder_ / "a.flac") / 3);
