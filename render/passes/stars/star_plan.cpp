@@ -55,6 +55,7 @@ void plan_star_drawing(PlanWriter& plan, const StarNeeds& needs) {
     // was only turned slightly. Eyes that see the same stars share one search.
     const bool may_share =
         plan.eyes() > 1 && (share_camera(plan.maximum().stereo) || plan.eyes_are_together_at_times());
+    plan.buffer("star images", WorkMoment::picture, 0, stars);
     plan.pass("search_patches", WorkMoment::picture, may_share ? 0 : plan.eyes(), 0, stars, true);
     plan.pass("find_star_images", WorkMoment::picture, 0, 0, stars, true);
     plan.pass("find_star_images, double", WorkMoment::picture, 0, 0, stars, true);
@@ -71,7 +72,6 @@ void plan_star_drawing(PlanWriter& plan, const StarNeeds& needs) {
     // Stars are searched for and drawn in the memory in which the picture is rendered.
     if (!needs.gather) {
       plan.buffer("star search", WorkMoment::start, 0, stars);
-      plan.buffer("star images", WorkMoment::picture, 0, stars);
       plan.pass("place_star_images", WorkMoment::picture, 0, 0, stars, true);
     }
     plan.buffer("star points", WorkMoment::picture, 0, stars);
